@@ -1,0 +1,57 @@
+#![doc = include_str!("constant_torque.md")]
+
+use super::{Rolling, RollingInput, RollingResponse};
+use crate::contact::{MaterialPair, PairSize};
+use crate::dimension::Dimension;
+use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::params;
+
+params! {
+    /// Parameters of the constant directional torque.
+    pub struct ConstantTorqueParameters {
+        rolling_friction: NONE, typical 0.05, default None, Range::NOT_NEGATIVE, "Coefficient of rolling friction";
+    }
+}
+
+/// Share of the rolling speed that the torque may remove in one step.
+const REMOVED_SHARE: f64 = 0.2;
+
+/// Constant directional torque bound to a pair of materials.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConstantTorque {
+    rolling_friction: f64,
+}
+
+impl Rolling for ConstantTorque {
+    const NAME: &'static str = "constant-torque";
+    const SUMMARY: &'static str = "constant directional torque, M = mu_r R F_n against rolling";
+    const DOC: &'static str = include_str!("constant_torque.md");
+    const PARAMETERS: &'static [ParameterInfo] = ConstantTorqueParameters::TABLE;
+    const HISTORY: &'static [Dimension] = &[];
+
+    fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
+        let p = ConstantTorqueParameters::from_values(values)?;
+        Ok(Self { rolling_friction: p.rolling_friction })
+    }
+
+    #[inline(always)]
+    fn respond(&self, input: &RollingInput, _history: &mut [f64]) -> RollingResponse {
+        let speed = input.angular_velocity.length();
+        let full = self.rolling_friction * input.size.radius * input.normal_force;
+        let stopping = REMOVED_SHARE * input.rolling_inertia / input.dt;
+        let coefficient = if full < stopping * speed { full / speed } else { stopping };
+        let coefficient = if full > 0.0 { coefficient } else { 0.0 };
+        let torque = -input.angular_velocity * coefficient;
+        RollingResponse { torque, dissipated: coefficient * speed * speed * input.dt }
+    }
+
+    #[inline(always)]
+    fn energy(&self, _history: &[f64]) -> f64 {
+        0.0
+    }
+
+    #[inline(always)]
+    fn stiffness(&self, _size: PairSize, _normal_stiffness: f64) -> f64 {
+        0.0
+    }
+}

@@ -1,0 +1,62 @@
+#![doc = include_str!("epsd.md")]
+
+use super::{Rolling, RollingInput, RollingResponse};
+use crate::contact::spring::{SpringInput, advance_spring, spring_energy};
+use crate::contact::{MaterialPair, PairSize};
+use crate::dimension::Dimension;
+use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::params;
+
+params! {
+    /// Parameters of the elastic-plastic spring-dashpot against rolling.
+    pub struct EpsdParameters {
+        rolling_friction: NONE, typical 0.05, default None, Range::NOT_NEGATIVE, "Coefficient of rolling friction";
+        damping_ratio: NONE, typical 0.3, default Some(0.3), Range::SHARE,
+            "Share of critical damping of the rolling spring";
+    }
+}
+
+/// The elastic-plastic spring-dashpot bound to a pair of materials.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Epsd {
+    parameters: EpsdParameters,
+}
+
+impl Rolling for Epsd {
+    const NAME: &'static str = "epsd";
+    const SUMMARY: &'static str = "elastic-plastic spring-dashpot against rolling";
+    const DOC: &'static str = include_str!("epsd.md");
+    const PARAMETERS: &'static [ParameterInfo] = EpsdParameters::TABLE;
+    const HISTORY: &'static [Dimension] = &[Dimension::ENERGY, Dimension::ENERGY, Dimension::ENERGY, Dimension::ENERGY];
+
+    fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
+        Ok(Self { parameters: EpsdParameters::from_values(values)? })
+    }
+
+    #[inline(always)]
+    fn respond(&self, input: &RollingInput, history: &mut [f64]) -> RollingResponse {
+        let stiffness = self.stiffness(input.size, input.normal_stiffness);
+        let spring = SpringInput {
+            normal: input.normal,
+            rate: input.angular_velocity,
+            spin: input.spin,
+            stiffness,
+            damping: 2.0 * self.parameters.damping_ratio * (input.rolling_inertia * stiffness).sqrt(),
+            limit: self.parameters.rolling_friction * input.size.radius * input.normal_force,
+            dt: input.dt,
+        };
+        let response = advance_spring(&spring, history);
+        RollingResponse { torque: response.load, dissipated: response.dissipated }
+    }
+
+    #[inline(always)]
+    fn energy(&self, history: &[f64]) -> f64 {
+        spring_energy(history)
+    }
+
+    #[inline(always)]
+    fn stiffness(&self, size: PairSize, normal_stiffness: f64) -> f64 {
+        let arm = self.parameters.rolling_friction * size.radius;
+        2.25 * normal_stiffness * arm * arm
+    }
+}

@@ -1,0 +1,63 @@
+#![doc = include_str!("linear_history.md")]
+
+use super::{Tangential, TangentialInput, TangentialResponse, dashpot};
+use crate::contact::spring::{SpringInput, advance_spring, spring_energy};
+use crate::contact::{MaterialPair, PairSize};
+use crate::dimension::Dimension;
+use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::params;
+
+params! {
+    /// Parameters of the linear tangential spring.
+    pub struct LinearHistoryParameters {
+        friction: NONE, typical 0.3, default None, Range::NOT_NEGATIVE, "Coefficient of friction";
+        stiffness: STIFFNESS, typical 2e3, default None, Range::POSITIVE, "Tangential stiffness, force per elongation";
+        damping_ratio: NONE, typical 0.1, default Some(0.1), Range::SHARE,
+            "Share of critical damping of the tangential spring";
+    }
+}
+
+/// The linear tangential spring bound to a pair of materials.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinearHistory {
+    parameters: LinearHistoryParameters,
+}
+
+impl Tangential for LinearHistory {
+    const NAME: &'static str = "linear-history";
+    const SUMMARY: &'static str = "linear tangential spring with history and Coulomb slider";
+    const DOC: &'static str = include_str!("linear_history.md");
+    const PARAMETERS: &'static [ParameterInfo] = LinearHistoryParameters::TABLE;
+    const HISTORY: &'static [Dimension] =
+        &[Dimension::FORCE, Dimension::FORCE, Dimension::FORCE, Dimension::STIFFNESS];
+
+    fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
+        Ok(Self { parameters: LinearHistoryParameters::from_values(values)? })
+    }
+
+    #[inline(always)]
+    fn respond(&self, input: &TangentialInput, history: &mut [f64]) -> TangentialResponse {
+        let p = &self.parameters;
+        let spring = SpringInput {
+            normal: input.normal,
+            rate: input.velocity,
+            spin: input.spin,
+            stiffness: p.stiffness,
+            damping: dashpot(p.damping_ratio, p.stiffness, input.tangential_mass),
+            limit: p.friction * input.normal_force,
+            dt: input.dt,
+        };
+        let response = advance_spring(&spring, history);
+        TangentialResponse { force: response.load, dissipated: response.dissipated }
+    }
+
+    #[inline(always)]
+    fn energy(&self, history: &[f64]) -> f64 {
+        spring_energy(history)
+    }
+
+    #[inline(always)]
+    fn stiffness(&self, _size: PairSize, _overlap: f64) -> f64 {
+        self.parameters.stiffness
+    }
+}

@@ -1,0 +1,65 @@
+#![doc = include_str!("mindlin_history.md")]
+
+use super::{Tangential, TangentialInput, TangentialResponse, dashpot};
+use crate::contact::spring::{SpringInput, advance_spring, spring_energy};
+use crate::contact::{MaterialPair, PairSize};
+use crate::dimension::Dimension;
+use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::params;
+
+params! {
+    /// Parameters of Mindlin friction.
+    pub struct MindlinHistoryParameters {
+        friction: NONE, typical 0.3, default None, Range::NOT_NEGATIVE, "Coefficient of friction";
+        damping_ratio: NONE, typical 0.1, default Some(0.1), Range::SHARE,
+            "Share of critical damping of the tangential spring";
+    }
+}
+
+/// Mindlin friction bound to a pair of materials.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MindlinHistory {
+    parameters: MindlinHistoryParameters,
+    /// `8 G` [Pa].
+    modulus: f64,
+}
+
+impl Tangential for MindlinHistory {
+    const NAME: &'static str = "mindlin-history";
+    const SUMMARY: &'static str = "Mindlin friction in rate form, no force jump on unloading";
+    const DOC: &'static str = include_str!("mindlin_history.md");
+    const PARAMETERS: &'static [ParameterInfo] = MindlinHistoryParameters::TABLE;
+    const HISTORY: &'static [Dimension] =
+        &[Dimension::FORCE, Dimension::FORCE, Dimension::FORCE, Dimension::STIFFNESS];
+
+    fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
+        let parameters = MindlinHistoryParameters::from_values(values)?;
+        Ok(Self { parameters, modulus: 8.0 * pair.effective_shear_modulus() })
+    }
+
+    #[inline(always)]
+    fn respond(&self, input: &TangentialInput, history: &mut [f64]) -> TangentialResponse {
+        let stiffness = self.stiffness(input.size, input.overlap);
+        let spring = SpringInput {
+            normal: input.normal,
+            rate: input.velocity,
+            spin: input.spin,
+            stiffness,
+            damping: dashpot(self.parameters.damping_ratio, stiffness, input.tangential_mass),
+            limit: self.parameters.friction * input.normal_force,
+            dt: input.dt,
+        };
+        let response = advance_spring(&spring, history);
+        TangentialResponse { force: response.load, dissipated: response.dissipated }
+    }
+
+    #[inline(always)]
+    fn energy(&self, history: &[f64]) -> f64 {
+        spring_energy(history)
+    }
+
+    #[inline(always)]
+    fn stiffness(&self, size: PairSize, overlap: f64) -> f64 {
+        self.modulus * (size.radius * overlap.max(0.0)).sqrt()
+    }
+}

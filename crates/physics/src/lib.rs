@@ -1,0 +1,18 @@
+//! Formulas of the discrete element method, free of any engine.
+//!
+//! * [`dimension`] and [`parameters`]: what a law parameter is, its dimension and its allowed range.
+//! * [`contact`]: contact laws, one file each, in families (normal, tangential, rolling).
+//! * [`restitution`]: exact maps between the restitution coefficient and damping.
+//! * [`geometry`]: where a sphere touches a surface.
+//! * [`integrator`]: velocity Verlet and the rotation of a rigid sphere.
+//!
+//! Every quantity is SI. Nothing here knows of grains in number, neighbours, files or units.
+
+pub mod contact;
+pub mod dimension;
+pub mod geometry;
+pub mod integrator;
+pub mod parameters;
+pub mod restitution;
+
+pub use glam::{DQuat, DVec3};
