@@ -1,1 +1,21 @@
+//! Demeter: a discrete element method engine for powders and soft grains.
+//!
+//! The crate is the engine as a library; the binary `demeter` is in `demeter-cli`. Modules import in one direction:
+//!
+//! ```text
+//! particles, materials, comm <- neighbours, walls <- contacts <- insertion <- step, simulation, checkpoint
+//!     <- measure, output <- scenario
+//! ```
+//!
+//! Every quantity is SI `f64`; units exist in [`scenario`] only.
+
+pub mod insertion;
+pub mod materials;
+pub mod output;
+pub mod particles;
+pub mod scenario;
+pub mod simulation;
+pub mod walls;
+
+/// Version of the engine.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -1,0 +1,100 @@
+//! Materials and the contact laws of every pair of them.
+
+use demeter_physics::contact::normal::NormalLaw;
+use demeter_physics::contact::rolling::RollingLaw;
+use demeter_physics::contact::tangential::TangentialLaw;
+use demeter_physics::contact::{Elastic, LawChoice, LawError, MaterialPair, PairLaw};
+use serde::{Deserialize, Serialize};
+
+/// A material.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Material {
+    /// Name in the scenario.
+    pub name: String,
+    /// Young's modulus [Pa].
+    pub young_modulus: f64,
+    /// Poisson's ratio.
+    pub poisson_ratio: f64,
+    /// Mass density [kg/m^3].
+    pub density: f64,
+}
+
+impl Material {
+    /// The elastic constants.
+    pub fn elastic(&self) -> Elastic {
+        Elastic {
+            young_modulus: self.young_modulus,
+            poisson_ratio: self.poisson_ratio,
+        }
+    }
+}
+
+/// The laws chosen for a pair of materials, by name.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PairChoice {
+    /// Normal law.
+    pub normal: LawChoice,
+    /// Tangential law; frictionless when absent.
+    pub tangential: Option<LawChoice>,
+    /// Rolling law; free rolling when absent.
+    pub rolling: Option<LawChoice>,
+}
+
+impl PairChoice {
+    /// Binds the laws to two materials.
+    pub fn bind(&self, a: &Material, b: &Material) -> Result<PairLaw, LawError> {
+        let pair = MaterialPair {
+            a: a.elastic(),
+            b: b.elastic(),
+        };
+        Ok(PairLaw {
+            normal: NormalLaw::build(&self.normal.law, &self.normal.parameters, &pair)?,
+            tangential: (self.tangential.as_ref())
+                .map(|c| TangentialLaw::build(&c.law, &c.parameters, &pair))
+                .transpose()?,
+            rolling: self
+                .rolling
+                .as_ref()
+                .map(|c| RollingLaw::build(&c.law, &c.parameters, &pair))
+                .transpose()?,
+        })
+    }
+}
+
+/// All materials with the laws of every pair.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Materials {
+    list: Vec<Material>,
+    laws: Vec<PairLaw>,
+}
+
+impl Materials {
+    /// Binds the laws of every pair; `choice(a, b)` is asked once for every pair with `a <= b`.
+    pub fn new(list: Vec<Material>, choice: impl Fn(usize, usize) -> PairChoice) -> Result<Self, LawError> {
+        let n = list.len();
+        let mut laws = Vec::with_capacity(n * n);
+        for a in 0..n {
+            for b in 0..n {
+                laws.push(choice(a.min(b), a.max(b)).bind(&list[a], &list[b])?);
+            }
+        }
+        Ok(Self { list, laws })
+    }
+
+    /// The materials in the order of their indices.
+    pub fn list(&self) -> &[Material] {
+        &self.list
+    }
+
+    /// Index of the pair `(a, b)`, for [`Materials::law`].
+    #[inline(always)]
+    pub fn pair(&self, a: u16, b: u16) -> u32 {
+        u32::from(a) * self.list.len() as u32 + u32::from(b)
+    }
+
+    /// Laws of a pair.
+    #[inline(always)]
+    pub fn law(&self, pair: u32) -> &PairLaw {
+        &self.laws[pair as usize]
+    }
+}

@@ -1,0 +1,56 @@
+//! The region in which grains may be.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// What happens to a grain that leaves the domain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Outside {
+    /// The run stops and names the grain.
+    Stop,
+    /// The grain is removed and booked.
+    Remove,
+}
+
+/// The domain: a box, periodic in some directions.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Domain {
+    /// Lower corner [m].
+    pub lower: DVec3,
+    /// Upper corner [m].
+    pub upper: DVec3,
+    /// Periodic directions.
+    pub periodic: [bool; 3],
+    /// What happens to a grain that leaves through a side that is not periodic.
+    pub outside: Outside,
+}
+
+impl Domain {
+    /// Edge lengths [m].
+    pub fn size(&self) -> DVec3 {
+        self.upper - self.lower
+    }
+
+    /// Shortest difference vector of two points, `a - b`, across periodic sides. The shift is applied to the
+    /// difference, so that it is the same bits for both partners up to the sign.
+    #[inline(always)]
+    pub fn difference(&self, a: DVec3, b: DVec3) -> DVec3 {
+        let mut d = a - b;
+        let size = self.size();
+        for axis in 0..3 {
+            if self.periodic[axis] {
+                if d[axis] > 0.5 * size[axis] {
+                    d[axis] -= size[axis];
+                } else if d[axis] < -0.5 * size[axis] {
+                    d[axis] += size[axis];
+                }
+            }
+        }
+        d
+    }
+
+    /// Whether a point lies inside, or beyond periodic sides only.
+    pub fn contains(&self, p: DVec3) -> bool {
+        (0..3).all(|k| self.periodic[k] || (p[k] >= self.lower[k] && p[k] <= self.upper[k]))
+    }
+}

@@ -1,0 +1,65 @@
+//! The protocol of a run: stages in order, each with its own wall motion, output cadence and end.
+
+use crate::walls::Motion;
+use serde::{Deserialize, Serialize};
+
+/// When a stage ends. A stage ends at the first of its conditions that holds.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum StopCondition {
+    /// The stage has lasted this long [s].
+    Duration(f64),
+    /// The stage has run this many steps.
+    Steps(u64),
+    /// Kinetic over elastic energy of the grains is below this share (and some contact is loaded).
+    KineticOverElastic(f64),
+    /// The force on a wall along a direction reaches a value [N]: from below when it is positive, in magnitude when
+    /// the direction is the wall's own load direction.
+    WallForce {
+        /// Index of the wall.
+        wall: usize,
+        /// Unit vector along which the force is measured.
+        direction: [f64; 3],
+        /// The value to reach or exceed [N].
+        above: f64,
+    },
+    /// A wall has moved by a distance from where it stood at the start of the stage [m].
+    WallTravel {
+        /// Index of the wall.
+        wall: usize,
+        /// Distance [m].
+        distance: f64,
+    },
+    /// A wall has moved by this share of a reference length since the start of the stage.
+    Strain {
+        /// Index of the wall.
+        wall: usize,
+        /// Reference length [m].
+        length: f64,
+        /// The strain to reach, positive.
+        strain: f64,
+    },
+}
+
+/// How often things are written, in seconds of simulated time. `None`: not in this stage.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cadence {
+    /// Rows of the series.
+    pub series: Option<f64>,
+    /// Frames: grains, contacts and walls.
+    pub frames: Option<f64>,
+    /// Checkpoints.
+    pub checkpoints: Option<f64>,
+}
+
+/// One stage. Repeats are unrolled by whoever builds the list.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Stage {
+    /// Name, unique when unrolled: `"squeeze 2"`.
+    pub name: String,
+    /// Ends of the stage; the first that holds ends it. At least one is a duration or a number of steps.
+    pub stop: Vec<StopCondition>,
+    /// Motions told to walls at the start of the stage; walls not named keep theirs.
+    pub motions: Vec<(usize, Motion)>,
+    /// How often things are written.
+    pub cadence: Cadence,
+}
