@@ -11,6 +11,7 @@
 
 pub mod insertion;
 pub mod materials;
+pub mod measure;
 pub mod output;
 pub mod particles;
 pub mod scenario;

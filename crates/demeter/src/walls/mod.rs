@@ -1,5 +1,7 @@
 //! Walls: shapes, motion, and what they feel.
 
 mod motion;
+mod shape;
 
 pub use motion::Motion;
+pub use shape::{Shape, Side};
