@@ -14,6 +14,7 @@ const GRAINS_PER_TASK: usize = 512;
 impl Simulation {
     /// Advances the run by one time step (velocity Verlet, see [`demeter_physics::integrator`]).
     pub fn step(&mut self) -> Result<(), Fault> {
+        self.start()?;
         self.step += 1;
         let motion = self.drift();
         self.move_walls();
@@ -29,7 +30,7 @@ impl Simulation {
     }
 
     /// Forces at the very start, before any step.
-    pub(crate) fn start(&mut self) -> Result<(), Fault> {
+    pub(crate) fn find_first_forces(&mut self) -> Result<(), Fault> {
         let max_speed = self.grains.velocity.iter().map(|v| v.length()).fold(0.0, f64::max);
         self.check_places(&Motion {
             max_speed,

@@ -189,7 +189,7 @@ impl ContactChunk {
                 scene.dt * (force.dot(wall.velocity_at(point)) + self.torque_j[k].dot(wall.angular_velocity()));
             let load = &mut self.wall_load[self.j[k] as usize];
             load.0 += force;
-            load.1 += (point - wall.pose().translation).cross(force) + self.torque_j[k];
+            load.1 += (point - wall.origin()).cross(force) + self.torque_j[k];
         }
     }
 

@@ -105,7 +105,7 @@ pub struct ContactChunk {
     pub torque_j: Vec<DVec3>,
     /// Work of this step.
     pub tally: Tally,
-    /// Force and torque on every wall (torque about the origin of its pose), for chunks of wall contacts.
+    /// Force and torque on every wall (torque about its origin), for chunks of wall contacts.
     pub wall_load: Vec<(DVec3, DVec3)>,
     /// The fault with the lowest id, if any.
     pub fault: Option<Fault>,

@@ -1,6 +1,9 @@
 //! What is measured of a state: energies, contact statistics, stress, wall loads.
 
+mod records;
+
 pub use crate::simulation::Energies;
+pub use records::{contact_records, wall_surfaces};
 
 use crate::contacts::ContactChunk;
 use crate::simulation::Simulation;

@@ -70,18 +70,12 @@ pub struct Simulation {
     bounds: (DVec3, DVec3),
     /// Places of the walls one step before.
     walls_before: Vec<Pose>,
+    started: bool,
 }
 
 impl Simulation {
-    /// A simulation at its start, with the forces of the first moment.
-    pub fn new(setup: Setup) -> Result<Self, Fault> {
-        let mut sim = Self::without_forces(setup);
-        sim.start()?;
-        sim.books.open(&sim.mechanical_energies());
-        Ok(sim)
-    }
-
-    fn without_forces(setup: Setup) -> Self {
+    /// A simulation before its start; the first step, or [`Simulation::start`], finds the first forces.
+    pub fn new(setup: Setup) -> Self {
         let stride = block::stride(&setup.materials);
         Self {
             comm: Single::new(setup.domain),
@@ -102,12 +96,34 @@ impl Simulation {
             max_overlap: setup.max_overlap,
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
+            started: false,
         }
     }
 
     /// Simulated time [s].
     pub fn time(&self) -> f64 {
         self.step as f64 * self.dt
+    }
+
+    /// Finds the forces of the first moment and opens the books. Nothing happens when that was done.
+    pub fn start(&mut self) -> Result<(), Fault> {
+        if !self.started {
+            self.find_first_forces()?;
+            let energies = self.mechanical_energies();
+            self.books.open(&energies);
+            self.started = true;
+        }
+        Ok(())
+    }
+
+    /// Whether the forces of the first moment were found.
+    pub fn is_started(&self) -> bool {
+        self.started
+    }
+
+    /// Distance beyond touching at which bodies become candidates [m].
+    pub fn skin(&self) -> f64 {
+        self.skin
     }
 
     /// The domain.

@@ -104,10 +104,11 @@ impl Simulation {
     /// replaced by the state's.
     pub fn resume(setup: Setup, state: SimulationState) -> Result<Self, StateError> {
         state.check(setup.walls.len(), setup.materials.list().len())?;
-        let mut sim = Self::without_forces(setup);
+        let mut sim = Self::new(setup);
         for (wall, state) in sim.walls.iter_mut().zip(&state.walls) {
             wall.restore(state);
         }
+        sim.started = true;
         sim.step = state.step;
         sim.dt = state.dt;
         sim.grains = state.grains;
