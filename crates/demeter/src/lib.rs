@@ -11,6 +11,7 @@
 
 pub mod comm;
 pub mod contacts;
+pub mod checkpoint;
 pub mod insertion;
 pub mod materials;
 pub mod measure;
