@@ -43,7 +43,10 @@ impl Normal for HertzTsuji {
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = HertzTsujiParameters::from_values(values)?;
-        Ok(Self { modulus: 4.0 / 3.0 * pair.effective_modulus(), alpha: restitution::hertz_damping(p.restitution) })
+        Ok(Self {
+            modulus: 4.0 / 3.0 * pair.effective_modulus(),
+            alpha: restitution::hertz_damping(p.restitution),
+        })
     }
 
     #[inline(always)]
@@ -65,7 +68,10 @@ impl Normal for HertzTsuji {
                 damping: dashpot * root.sqrt() * (1.0 - share2 / 32.0),
             }
         } else {
-            NormalResponse { elastic: 0.0, damping: 0.0 }
+            NormalResponse {
+                elastic: 0.0,
+                damping: 0.0,
+            }
         }
     }
 

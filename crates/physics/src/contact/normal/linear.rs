@@ -48,9 +48,15 @@ impl Normal for Linear {
                 damping: mean_slope(input, |d| damping * d),
             }
         } else if input.overlap > 0.0 {
-            NormalResponse { elastic: self.stiffness * input.overlap, damping }
+            NormalResponse {
+                elastic: self.stiffness * input.overlap,
+                damping,
+            }
         } else {
-            NormalResponse { elastic: 0.0, damping: 0.0 }
+            NormalResponse {
+                elastic: 0.0,
+                damping: 0.0,
+            }
         }
     }
 
