@@ -9,9 +9,9 @@
 //!
 //! Every quantity is SI `f64`; units exist in [`scenario`] only.
 
+pub mod checkpoint;
 pub mod comm;
 pub mod contacts;
-pub mod checkpoint;
 pub mod insertion;
 pub mod materials;
 pub mod measure;

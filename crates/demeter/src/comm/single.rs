@@ -3,9 +3,6 @@
 use crate::particles::{Domain, Grains};
 use glam::DVec3;
 
-/// Code of "no shift" in [`Single::shift`].
-pub const NO_SHIFT: u8 = 13;
-
 /// Periodic sides of one process.
 #[derive(Clone, Debug)]
 pub struct Single {

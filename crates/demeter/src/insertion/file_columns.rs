@@ -6,7 +6,9 @@
 //! 1, 0.5, 0.5, 0.25, 0.5, glass
 //! ```
 
-use super::grain_file::{FileProblem, GrainTable, Located, TypeOfGrain, check_ids, density, diameter, number, shown, whole};
+use super::grain_file::{
+    FileProblem, GrainTable, Located, TypeOfGrain, check_ids, density, diameter, number, shown, whole,
+};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -105,7 +107,10 @@ impl Separator {
             Self::Character(c) => (Some(line.split(c)), None),
             Self::Blanks => (None, Some(line.split_whitespace())),
         };
-        let values = by_character.into_iter().flatten().chain(by_blanks.into_iter().flatten());
+        let values = by_character
+            .into_iter()
+            .flatten()
+            .chain(by_blanks.into_iter().flatten());
         values.map(|value| value.trim().trim_matches('"').trim())
     }
 }

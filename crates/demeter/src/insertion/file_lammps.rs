@@ -101,7 +101,8 @@ pub(super) fn parse(text: &str) -> Result<GrainTable, Located> {
             "Atoms" if atoms.is_some() => return Err(FileProblem::TwiceSection { name: "Atoms" }.at(line, None)),
             "Atoms" => {
                 check_style(whole_line).map_err(|problem| problem.at(line, None))?;
-                let expected = (header.atoms).ok_or_else(|| FileProblem::HeaderMissing { what: "atoms" }.at(line, None))?;
+                let expected =
+                    (header.atoms).ok_or_else(|| FileProblem::HeaderMissing { what: "atoms" }.at(line, None))?;
                 atoms = Some(read_atoms(&mut lines, expected as usize, header.types)?);
             }
             "Velocities" if velocities.is_some() => {
@@ -120,11 +121,7 @@ pub(super) fn parse(text: &str) -> Result<GrainTable, Located> {
     finish(&header, atoms, velocities)
 }
 
-fn finish(
-    header: &Header,
-    atoms: Option<Atoms>,
-    velocities: Option<Vec<[DVec3; 2]>>,
-) -> Result<GrainTable, Located> {
+fn finish(header: &Header, atoms: Option<Atoms>, velocities: Option<Vec<[DVec3; 2]>>) -> Result<GrainTable, Located> {
     if header.atoms.is_none() {
         return Err(FileProblem::HeaderMissing { what: "atoms" }.into());
     }
@@ -154,7 +151,9 @@ fn finish(
 
 fn read_header(header: &mut Header, content: &str) -> Result<(), FileProblem> {
     let words: Vec<&str> = content.split_whitespace().take(12).collect();
-    let first_word = words.iter().position(|w| w.starts_with(|c: char| c.is_ascii_alphabetic()));
+    let first_word = words
+        .iter()
+        .position(|w| w.starts_with(|c: char| c.is_ascii_alphabetic()));
     let (values, names) = words.split_at(first_word.unwrap_or(words.len()));
     let twice = |is_twice: bool| match is_twice {
         true => Err(FileProblem::HeaderTwice { what: names.join(" ") }),
@@ -174,7 +173,10 @@ fn read_header(header: &mut Header, content: &str) -> Result<(), FileProblem> {
             twice(header.bounds[axis].is_some())?;
             let (from, to) = (number(low)?, number(high)?);
             if from >= to {
-                return Err(super::grain_file::not_allowed(content, "the lower side must be below the upper"));
+                return Err(super::grain_file::not_allowed(
+                    content,
+                    "the lower side must be below the upper",
+                ));
             }
             header.bounds[axis] = Some((from, to));
         }
@@ -186,7 +188,13 @@ fn read_header(header: &mut Header, content: &str) -> Result<(), FileProblem> {
         // Space for what may be bonded later, and counts of what is not there, say nothing of the grains.
         (_, ["extra", ..]) => {}
         (&["0"], [_]) | (&["0"], [_, "types"]) => {}
-        (&[_], &[kind @ ("ellipsoids" | "lines" | "triangles" | "bodies" | "bonds" | "angles" | "dihedrals" | "impropers")]) => {
+        (
+            &[_],
+            &[
+                kind @ ("ellipsoids" | "lines" | "triangles" | "bodies" | "bonds" | "angles" | "dihedrals"
+                | "impropers"),
+            ],
+        ) => {
             return Err(FileProblem::NotSpheres {
                 what: format!("an entry of `{kind}`"),
             });
@@ -210,7 +218,11 @@ fn read_atoms(lines: &mut Lines, expected: usize, types: Option<u32>) -> Result<
     let mut atoms = Atoms::default();
     while let Some((line, content)) = lines.next_values() {
         if atoms.ids.len() == expected {
-            return Err(FileProblem::TooManyLines { name: "Atoms", expected }.at(line, None));
+            return Err(FileProblem::TooManyLines {
+                name: "Atoms",
+                expected,
+            }
+            .at(line, None));
         }
         let words: Vec<&str> = content.split_whitespace().take(12).collect();
         if words.len() != 7 && words.len() != 10 {
@@ -260,7 +272,11 @@ fn read_velocities(lines: &mut Lines, atoms: &Atoms) -> Result<Vec<[DVec3; 2]>, 
         let words: Vec<&str> = content.split_whitespace().take(8).collect();
         if words.len() != 7 {
             let expected = "7 (id vx vy vz wx wy wz)".to_owned();
-            return Err(FileProblem::ValueCount { found: words.len(), expected }.at(line, None));
+            return Err(FileProblem::ValueCount {
+                found: words.len(),
+                expected,
+            }
+            .at(line, None));
         }
         let id = whole(words[0]).map_err(|problem| problem.at(line, Some("id")))?;
         let place = (order.binary_search_by_key(&id, |i| atoms.ids[*i as usize]))

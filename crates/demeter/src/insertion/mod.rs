@@ -3,9 +3,9 @@
 //! The same description gives the same grains, to the bit, on every machine: random numbers come from one PCG generator
 //! per purpose, functions from `libm`, and everything runs in one order on one thread.
 
-mod grain_file;
 mod file_columns;
 mod file_lammps;
+mod grain_file;
 mod lattice;
 mod overlap;
 mod overlap_relaxation;

@@ -198,7 +198,11 @@ impl<'a> Packing<'a> {
             let distance = square.sqrt();
             let overlap = reach - distance;
             // Grains at one place part along x.
-            let normal = if distance > 0.0 { difference / distance } else { DVec3::X };
+            let normal = if distance > 0.0 {
+                difference / distance
+            } else {
+                DVec3::X
+            };
             state.energy += 0.5 * overlap * overlap;
             state.shrink = state.shrink.max(1.0 - distance / pair.sum);
             if a < n {
@@ -223,7 +227,11 @@ impl<'a> Packing<'a> {
         }
         if power > 0.0 {
             self.downhill += 1;
-            let turn = if strength > 0.0 { self.mixing * (speed / strength).sqrt() } else { 0.0 };
+            let turn = if strength > 0.0 {
+                self.mixing * (speed / strength).sqrt()
+            } else {
+                0.0
+            };
             for (v, f) in self.velocities.iter_mut().zip(&self.forces) {
                 *v = *v * (1.0 - self.mixing) + *f * turn;
             }

@@ -225,7 +225,11 @@ impl<'a> Space<'a> {
                 }
                 let outward = from_start - frame.axis * along;
                 let distance = outward.length();
-                let inward = if distance > 0.0 { -outward / distance } else { frame.across[0] };
+                let inward = if distance > 0.0 {
+                    -outward / distance
+                } else {
+                    frame.across[0]
+                };
                 side(radius - distance, inward);
             }
         }
@@ -292,5 +296,9 @@ pub(super) fn wrap_coordinate(x: f64, lower: f64, upper: f64) -> f64 {
     }
     let size = upper - lower;
     let wrapped = x - size * ((x - lower) / size).floor();
-    if wrapped >= lower && wrapped < upper { wrapped } else { lower }
+    if wrapped >= lower && wrapped < upper {
+        wrapped
+    } else {
+        lower
+    }
 }

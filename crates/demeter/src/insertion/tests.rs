@@ -107,9 +107,20 @@ fn packing_of_the_hydrogel_example_reaches_high_densities() {
     };
     for fraction in [0.45, 0.55, 0.57] {
         let start = std::time::Instant::now();
-        let result = insert(&random(region, HYDROGEL, Amount::VolumeFraction(fraction)), &materials(), &[], None);
-        eprintln!("{fraction} {:?} {:?}", start.elapsed(), result.as_ref().map(|g| g.grains.len()));
-        if let Ok(g) = result { assert_packed(&g.grains, &region, None); }
+        let result = insert(
+            &random(region, HYDROGEL, Amount::VolumeFraction(fraction)),
+            &materials(),
+            &[],
+            None,
+        );
+        eprintln!(
+            "{fraction} {:?} {:?}",
+            start.elapsed(),
+            result.as_ref().map(|g| g.grains.len())
+        );
+        if let Ok(g) = result {
+            assert_packed(&g.grains, &region, None);
+        }
     }
 }
 
@@ -119,9 +130,23 @@ fn big() {
     let region = cube(1.0);
     for fraction in [0.50, 0.58, 0.60] {
         let start = std::time::Instant::now();
-        let diameter = SizeDistribution::Uniform { lower: 0.03, upper: 0.04 };
-        let result = insert(&random(region, diameter, Amount::VolumeFraction(fraction)), &materials(), &[], Some(&d));
-        eprintln!("{fraction} {:?} {:?}", start.elapsed(), result.as_ref().map(|g| g.grains.len()));
-        if let Ok(g) = result { assert_packed(&g.grains, &region, Some(&d)); }
+        let diameter = SizeDistribution::Uniform {
+            lower: 0.03,
+            upper: 0.04,
+        };
+        let result = insert(
+            &random(region, diameter, Amount::VolumeFraction(fraction)),
+            &materials(),
+            &[],
+            Some(&d),
+        );
+        eprintln!(
+            "{fraction} {:?} {:?}",
+            start.elapsed(),
+            result.as_ref().map(|g| g.grains.len())
+        );
+        if let Ok(g) = result {
+            assert_packed(&g.grains, &region, Some(&d));
+        }
     }
 }

@@ -49,7 +49,13 @@ pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
         .map(|wall| {
             let (force, torque) = wall.load();
             let velocity = wall.velocity_at(wall.origin());
-            WallSurface { name: &wall.name, triangles: wall.triangles(lower, upper), force, torque, velocity }
+            WallSurface {
+                name: &wall.name,
+                triangles: wall.triangles(lower, upper),
+                force,
+                torque,
+                velocity,
+            }
         })
         .collect()
 }

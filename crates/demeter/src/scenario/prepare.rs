@@ -49,13 +49,18 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         return Err(faults);
     }
     let grains = grains(scenario, &mut faults);
-    let (Some(materials), true) = (materials, faults.is_empty()) else { return Err(faults) };
+    let (Some(materials), true) = (materials, faults.is_empty()) else {
+        return Err(faults);
+    };
     let domain = domain(scenario, &grains, &walls, &mut faults);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
     if grains.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));
     }
-    let skin = scenario.simulation.skin.unwrap_or_else(|| SKIN_SHARE * mean(&grains.radius));
+    let skin = scenario
+        .simulation
+        .skin
+        .unwrap_or_else(|| SKIN_SHARE * mean(&grains.radius));
     check_periodic_size(&grains, &domain, skin, &mut faults);
     let wall_materials: Vec<u16> = walls.iter().map(|w| w.material).collect();
     let max_overlap = scenario.simulation.max_overlap;
@@ -74,7 +79,11 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    let steps = scenario.stages.iter().map(|s| super::run::longest(s, dt)).fold(0u64, u64::saturating_add);
+    let steps = scenario
+        .stages
+        .iter()
+        .map(|s| super::run::longest(s, dt))
+        .fold(0u64, u64::saturating_add);
     Ok(Prepared {
         memory: (grains.len() as f64 * BYTES_PER_GRAIN) as u64,
         run_time: grains.len() as f64 * steps as f64 / ASSUMED_SPEED,
@@ -82,7 +91,36 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         time_step_reason: reason,
         warnings,
         steps,
-        setup: Setup { grains, walls, materials, domain, gravity: scenario.simulation.gravity, dt, skin, max_overlap },
+        setup: Setup {
+            grains,
+            walls,
+            materials,
+            domain,
+            gravity: scenario.simulation.gravity,
+            dt,
+            skin,
+            max_overlap,
+        },
+    })
+}
+
+/// What a run needs to go on from a checkpoint: everything but the grains and the time step, which the checkpoint holds.
+pub(super) fn prepare_to_resume(scenario: &Scenario, domain: Domain, skin: f64) -> Result<Setup, Diagnostics> {
+    let mut faults = scenario.diagnostics();
+    let materials = materials(scenario, &mut faults);
+    let walls = walls(scenario, &mut faults);
+    let (Some(materials), true) = (materials, faults.is_empty()) else {
+        return Err(faults);
+    };
+    Ok(Setup {
+        grains: Grains::default(),
+        walls,
+        materials,
+        domain,
+        gravity: scenario.simulation.gravity,
+        dt: f64::NAN,
+        skin,
+        max_overlap: scenario.simulation.max_overlap,
     })
 }
 
@@ -110,7 +148,11 @@ fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> Vec<Wall> {
         match wall(spec) {
             Ok(wall) => walls.push(wall),
             Err((key, message)) => {
-                faults.push(&format!("wall[{k}]{key}"), format!("wall `{}`: {message}", spec.name), None);
+                faults.push(
+                    &format!("wall[{k}]{key}"),
+                    format!("wall `{}`: {message}", spec.name),
+                    None,
+                );
             }
         }
     }
@@ -159,11 +201,18 @@ const GIBIBYTE: f64 = (1u64 << 30) as f64;
 /// Number of grains that an insertion will make, as far as its description tells.
 fn expected_count(insertion: &Insertion) -> f64 {
     match &insertion.source {
-        Source::Random { amount: Amount::Count(count), .. } => f64::from(*count),
-        Source::Random { region, diameter, amount: Amount::VolumeFraction(fraction) } => {
-            SizeSampler::new(diameter).map_or(0.0, |sizes| volume(region) * fraction / sizes.mean_volume())
-        }
-        Source::Lattice { spacing, region, count, .. } => {
+        Source::Random {
+            amount: Amount::Count(count),
+            ..
+        } => f64::from(*count),
+        Source::Random {
+            region,
+            diameter,
+            amount: Amount::VolumeFraction(fraction),
+        } => SizeSampler::new(diameter).map_or(0.0, |sizes| volume(region) * fraction / sizes.mean_volume()),
+        Source::Lattice {
+            spacing, region, count, ..
+        } => {
             // no lattice holds more than sqrt(2) sites per cubed spacing
             let sites = 2f64.sqrt() * volume(region) / (spacing * spacing * spacing);
             count.map_or(sites, |c| sites.min(f64::from(c)))
@@ -228,16 +277,25 @@ fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> Grains {
 fn periodic_domain(scenario: &Scenario) -> Option<Domain> {
     let (lower, upper) = scenario.domain.bounds?;
     let (periodic, outside) = (scenario.domain.periodic, scenario.domain.outside);
-    Some(Domain { lower, upper, periodic, outside })
+    Some(Domain {
+        lower,
+        upper,
+        periodic,
+        outside,
+    })
 }
 
 /// The domain; when the scenario tells none, the bounds of the finite walls and the grains enlarged by half of their
 /// size, and open space when every wall is infinite.
 fn domain(scenario: &Scenario, grains: &Grains, walls: &[Wall], faults: &mut Diagnostics) -> Domain {
     if let Some(domain) = periodic_domain(scenario) {
-        let outside = (0..grains.len()).filter(|&g| !domain.contains(grains.position[g])).count();
+        let outside = (0..grains.len())
+            .filter(|&g| !domain.contains(grains.position[g]))
+            .count();
         if outside > 0 {
-            let first = (0..grains.len()).find(|&g| !domain.contains(grains.position[g])).unwrap_or(0);
+            let first = (0..grains.len())
+                .find(|&g| !domain.contains(grains.position[g]))
+                .unwrap_or(0);
             faults.push(
                 "domain",
                 format!(
@@ -252,14 +310,23 @@ fn domain(scenario: &Scenario, grains: &Grains, walls: &[Wall], faults: &mut Dia
     let bounds: Vec<(DVec3, DVec3)> = walls.iter().filter_map(Wall::bounds).collect();
     let (mut lower, mut upper) = (DVec3::NEG_INFINITY, DVec3::INFINITY);
     if !bounds.is_empty() {
-        let places = grains.position.iter().zip(&grains.radius).map(|(&p, &r)| (p - r, p + r));
+        let places = grains
+            .position
+            .iter()
+            .zip(&grains.radius)
+            .map(|(&p, &r)| (p - r, p + r));
         let all = || bounds.iter().copied().chain(places.clone());
         lower = all().fold(DVec3::INFINITY, |low, (l, _)| low.min(l));
         upper = all().fold(DVec3::NEG_INFINITY, |high, (_, u)| high.max(u));
         let margin = DVec3::splat(0.5 * (upper - lower).max_element());
         (lower, upper) = (lower - margin, upper + margin);
     }
-    Domain { lower, upper, periodic: [false; 3], outside: scenario.domain.outside }
+    Domain {
+        lower,
+        upper,
+        periodic: [false; 3],
+        outside: scenario.domain.outside,
+    }
 }
 
 /// In a periodic direction a grain must not meet two images of one partner.
@@ -291,8 +358,14 @@ fn check_overlaps(
     warnings: &mut Vec<String>,
 ) {
     let allowed = scenario.simulation.max_overlap;
-    let places: Vec<(DVec3, f64)> = grains.position.iter().copied().zip(grains.radius.iter().copied()).collect();
-    let advice = || Some("move them apart, or raise `simulation.max_overlap` if the packing is meant to be loaded".into());
+    let places: Vec<(DVec3, f64)> = grains
+        .position
+        .iter()
+        .copied()
+        .zip(grains.radius.iter().copied())
+        .collect();
+    let advice =
+        || Some("move them apart, or raise `simulation.max_overlap` if the packing is meant to be loaded".into());
     if let Some(pair) = first_overlap(&places, Some(domain)) {
         let (i, j) = (pair.first, pair.second);
         let share = pair.relative;
@@ -349,7 +422,10 @@ fn time_step(
 ) -> (f64, String) {
     let words = |dt: f64| {
         let share = scale.time / dt;
-        format!("{dt:.4e} s, 1/{share:.0} of the shortest time scale, {:.4e} s: {}", scale.time, scale.origin)
+        format!(
+            "{dt:.4e} s, 1/{share:.0} of the shortest time scale, {:.4e} s: {}",
+            scale.time, scale.origin
+        )
     };
     match scenario.simulation.time_step {
         TimeStep::Auto => {

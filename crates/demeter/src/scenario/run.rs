@@ -166,7 +166,9 @@ fn with_threads<T: Send>(
     threads: Option<usize>,
     work: impl FnOnce() -> Result<T, RunError> + Send,
 ) -> Result<T, RunError> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.unwrap_or(0))
+        .build();
     let failed = |e: rayon::ThreadPoolBuildError| RunError::Threads {
         threads: threads.unwrap_or(0),
         reason: e.to_string(),
@@ -250,7 +252,14 @@ impl<'a> Runner<'a> {
         let series = SeriesWriter::resume(&folder.series(), labels(scenario), step)?;
         let frames = FrameWriter::resume(&folder, step)?;
         observer.message(&format!("going on from step {step}, time {:.6} s", sim.time()));
-        Ok(Self::new(scenario, sim, folder, state.place, (series, frames), observer))
+        Ok(Self::new(
+            scenario,
+            sim,
+            folder,
+            state.place,
+            (series, frames),
+            observer,
+        ))
     }
 
     fn new(
@@ -261,7 +270,11 @@ impl<'a> Runner<'a> {
         (series, frames): (SeriesWriter, FrameWriter),
         observer: &'a mut dyn Observer,
     ) -> Self {
-        let steps = scenario.stages.iter().map(|s| longest(s, sim.dt)).fold(0, u64::saturating_add);
+        let steps = scenario
+            .stages
+            .iter()
+            .map(|s| longest(s, sim.dt))
+            .fold(0, u64::saturating_add);
         Self {
             scenario,
             first_step: sim.step,
@@ -336,11 +349,16 @@ impl<'a> Runner<'a> {
     fn begin_stage(&mut self) -> Result<(), RunError> {
         self.place.stage_step = self.sim.step;
         self.place.stage_displacement = self.sim.walls.iter().map(|w| w.displacement()).collect();
-        let Some(stage) = self.scenario.stages.get(self.place.stage) else { return Ok(()) };
+        let Some(stage) = self.scenario.stages.get(self.place.stage) else {
+            return Ok(());
+        };
         for (wall, motion) in &stage.motions {
             self.sim.walls[*wall]
                 .set_motion(motion.clone())
-                .map_err(|source| RunError::Motion { stage: stage.name.clone(), source })?;
+                .map_err(|source| RunError::Motion {
+                    stage: stage.name.clone(),
+                    source,
+                })?;
         }
         Ok(())
     }
@@ -416,7 +434,13 @@ impl<'a> Runner<'a> {
             return Ok(());
         }
         let stage_time = (self.sim.step - self.place.stage_step) as f64 * self.sim.dt;
-        let row = measure(&mut self.sim, Moment { stage: self.place.stage, stage_time });
+        let row = measure(
+            &mut self.sim,
+            Moment {
+                stage: self.place.stage,
+                stage_time,
+            },
+        );
         self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
         self.series.write(&row)?;
         self.place.last_row = Some(self.sim.step);
@@ -460,7 +484,12 @@ impl<'a> Runner<'a> {
         };
         let mut place = self.place.clone();
         place.wall_clock += self.started.elapsed().as_secs_f64();
-        let state = RunState { simulation, place, domain: *self.sim.domain(), skin: self.sim.skin() };
+        let state = RunState {
+            simulation,
+            place,
+            domain: *self.sim.domain(),
+            skin: self.sim.skin(),
+        };
         checkpoint::write_latest(self.folder.root(), &header, &state)?;
         Ok(())
     }
