@@ -8,8 +8,10 @@ mod collection;
 mod error;
 mod folder;
 mod frame;
+pub mod picture;
 pub mod series;
 mod summary;
+mod ticks;
 mod vtk;
 mod vtp;
 
