@@ -76,14 +76,14 @@ impl Camera {
         for _ in 0..8 {
             camera.eye = target;
             let distance = corners.iter().map(|&corner| {
-                let p = camera.to_own(corner);
+                let p = camera.local(corner);
                 (p.x.abs() / half.x).max(p.y.abs() / half.y) - p.z
             });
             let distance = distance.fold(0.0, f64::max);
             camera.eye = target - distance * forward;
             let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
             for &corner in &corners {
-                let at = camera.pixel(camera.to_own(corner));
+                let at = camera.pixel(camera.local(corner));
                 (low, high) = (low.min(at), high.max(at));
             }
             let shift = (0.5 * (low + high) - camera.centre) * (distance / camera.focal);
@@ -93,7 +93,7 @@ impl Camera {
     }
 
     /// A point in the frame of the camera.
-    pub fn to_own(&self, p: DVec3) -> DVec3 {
+    pub fn local(&self, p: DVec3) -> DVec3 {
         let d = p - self.eye;
         DVec3::new(d.dot(self.right), d.dot(self.down), d.dot(self.forward))
     }
@@ -133,7 +133,7 @@ mod tests {
                 upper,
             };
             let camera = Camera::showing(&bounds, &area);
-            let pixels = bounds.corners().map(|corner| camera.pixel(camera.to_own(corner)));
+            let pixels = bounds.corners().map(|corner| camera.pixel(camera.local(corner)));
             let low = pixels.iter().fold(DVec2::INFINITY, |a, b| a.min(*b));
             let high = pixels.iter().fold(DVec2::NEG_INFINITY, |a, b| a.max(*b));
             assert!(
@@ -157,7 +157,7 @@ mod tests {
             height: 300.0,
         };
         let camera = Camera::showing(&bounds, &area);
-        let p = camera.to_own(DVec3::new(0.2, 0.9, 0.4));
+        let p = camera.local(DVec3::new(0.2, 0.9, 0.4));
         let at = camera.pixel(p);
         let ray = camera.ray(at.x as usize, at.y as usize);
         assert!((ray * p.z - p).length() < 0.01);

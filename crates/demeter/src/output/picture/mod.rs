@@ -94,7 +94,7 @@ fn scene(frame: &Frame, colouring: &Colouring, width: usize, height: usize) -> I
     let grains = frame.grains;
     let spheres: Vec<Sphere> = (grains.position.iter().zip(&grains.radius))
         .map(|(&p, &radius)| Sphere {
-            centre: camera.to_own(p),
+            centre: camera.local(p),
             radius,
         })
         .collect();
@@ -103,7 +103,7 @@ fn scene(frame: &Frame, colouring: &Colouring, width: usize, height: usize) -> I
     let paper = PAPER.map(to_linear);
     let mut colours = Lighting::new(&spheres, &seen, &camera).shade(&seen, columns, &albedo, paper);
 
-    let own = |t: &[DVec3; 3]| t.map(|p| camera.to_own(p));
+    let own = |t: &[DVec3; 3]| t.map(|p| camera.local(p));
     let lines: Vec<edges::Line> = (frame.walls.iter())
         .flat_map(|wall| edges::feature_lines(&wall.triangles.iter().map(own).collect::<Vec<_>>()))
         .collect();

@@ -143,7 +143,7 @@ mod tests {
     fn scene(camera: &Camera) -> Vec<Sphere> {
         let at = |k: i32| DVec3::new(f64::from(k % 5) - 2.0, f64::from(k % 7) - 3.0, f64::from(k % 3) - 1.0) * 0.3;
         let sphere = |k| Sphere {
-            centre: camera.to_own(at(k)),
+            centre: camera.local(at(k)),
             radius: 0.1 + 0.004 * f64::from(k),
         };
         (0..40).map(sphere).collect()
