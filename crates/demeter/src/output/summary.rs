@@ -3,7 +3,7 @@
 use super::error::OutputError;
 use super::folder::RunFolder;
 use crate::measure::{Energies, Measures};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// What a run was and how it went. Times of the simulation in [s], energies in [J], SI throughout.
@@ -52,7 +52,7 @@ pub struct Summary {
 }
 
 /// One stage that ran.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct StageSummary {
     /// Name.
     pub name: String,
