@@ -29,12 +29,19 @@ impl Tangential for MindlinHistory {
     const SUMMARY: &'static str = "Mindlin friction in rate form, no force jump on unloading";
     const DOC: &'static str = include_str!("mindlin_history.md");
     const PARAMETERS: &'static [ParameterInfo] = MindlinHistoryParameters::TABLE;
-    const HISTORY: &'static [Dimension] =
-        &[Dimension::FORCE, Dimension::FORCE, Dimension::FORCE, Dimension::STIFFNESS];
+    const HISTORY: &'static [Dimension] = &[
+        Dimension::FORCE,
+        Dimension::FORCE,
+        Dimension::FORCE,
+        Dimension::STIFFNESS,
+    ];
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let parameters = MindlinHistoryParameters::from_values(values)?;
-        Ok(Self { parameters, modulus: 8.0 * pair.effective_shear_modulus() })
+        Ok(Self {
+            parameters,
+            modulus: 8.0 * pair.effective_shear_modulus(),
+        })
     }
 
     #[inline(always)]
@@ -50,7 +57,10 @@ impl Tangential for MindlinHistory {
             dt: input.dt,
         };
         let response = advance_spring(&spring, history);
-        TangentialResponse { force: response.load, dissipated: response.dissipated }
+        TangentialResponse {
+            force: response.load,
+            dissipated: response.dissipated,
+        }
     }
 
     #[inline(always)]
