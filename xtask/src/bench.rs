@@ -1,9 +1,8 @@
 //! The benchmark: a packing that settles, and how fast.
 
-use crate::shell::{self, cargo, read, root, run_cargo};
+use crate::shell::{self, read, remove_run, root, run_cargo, target_folder};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// Runs the scenario with the release binary and prints particle-steps per second.
 pub fn run(scenario: &Path, threads: usize, out: Option<PathBuf>) -> Result<(), String> {
@@ -23,32 +22,6 @@ pub fn run(scenario: &Path, threads: usize, out: Option<PathBuf>) -> Result<(), 
     let summary = root().join(&out).join("summary.json");
     println!("{}", report(&read(&summary)?, threads)?);
     Ok(())
-}
-
-/// Removes the folder of an earlier run, and nothing that is not one.
-fn remove_run(folder: &Path) -> Result<(), String> {
-    let folder = root().join(folder);
-    if !folder.join("summary.json").exists() {
-        return Err(format!(
-            "{} is there and is not the folder of a run; it is left as it is",
-            folder.display()
-        ));
-    }
-    std::fs::remove_dir_all(&folder).map_err(|error| format!("cannot remove {}: {error}", folder.display()))
-}
-
-/// Where cargo builds to.
-fn target_folder() -> Result<PathBuf, String> {
-    let output = Command::new(cargo())
-        .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])
-        .current_dir(root())
-        .output()
-        .map_err(|error| format!("cannot ask cargo for its target folder: {error}"))?;
-    let metadata: Value = serde_json::from_slice(&output.stdout).map_err(|error| format!("cargo metadata: {error}"))?;
-    metadata["target_directory"]
-        .as_str()
-        .map(PathBuf::from)
-        .ok_or_else(|| "cargo metadata names no target folder".to_string())
 }
 
 /// One line on the speed of a run, from its summary.
@@ -84,18 +57,5 @@ mod tests {
             report("{}", 1).unwrap_err(),
             "summary.json has no number `particle_steps_per_second`"
         );
-    }
-
-    #[test]
-    fn only_the_folder_of_a_run_is_removed() {
-        let folder = tempfile::tempdir().unwrap();
-        let run = folder.path().join("run");
-        std::fs::create_dir(&run).unwrap();
-        std::fs::write(run.join("notes.txt"), "mine").unwrap();
-        assert!(remove_run(&run).unwrap_err().contains("is not the folder of a run"));
-        assert!(run.join("notes.txt").exists());
-        std::fs::write(run.join("summary.json"), "{}").unwrap();
-        remove_run(&run).unwrap();
-        assert!(!run.exists());
     }
 }

@@ -1,7 +1,7 @@
 //! The checks of a merge, one by one and all together.
 
 use crate::shell::{answers, cargo, root, run, run_cargo, rust_files};
-use crate::{house_rules, layers};
+use crate::{house_rules, layers, python};
 
 /// The Python crate is left out of what needs linking: it is checked on its own.
 const ALL_BUT_PYTHON: [&str; 3] = ["--workspace", "--exclude", "demeter-py"];
@@ -14,6 +14,7 @@ pub fn ci() -> Result<(), String> {
     run_cargo(&["check", "-p", "demeter-py", "--locked"], &[])?;
     documentation()?;
     test()?;
+    python::test()?;
     println!("==> all checks passed");
     Ok(())
 }

@@ -22,7 +22,8 @@ pub fn check(root: &Path) -> Result<Vec<String>, String> {
             let silent = SILENT
                 .iter()
                 .any(|name| shown.starts_with(format!("crates/{name}/src")));
-            if silent {
+            let is_test = shown.with_extension("").iter().any(|part| part == "tests");
+            if silent && !is_test {
                 faults.extend(check_silence(shown, &tokens(&source)));
             }
         }
@@ -50,7 +51,23 @@ fn check_shape(file: &Path, source: &str) -> Vec<String> {
 fn check_silence(file: &Path, tokens: &[Token]) -> Vec<String> {
     let word = |at: usize| tokens.get(at).map_or("", |token: &Token| token.text.as_str());
     let mut faults = Vec::new();
+    let (mut depth, mut tests_end_at) = (0usize, None);
     for (at, token) in tokens.iter().enumerate() {
+        match word(at) {
+            "{" if at >= 2 && word(at - 2) == "mod" && word(at - 1) == "tests" => {
+                tests_end_at = tests_end_at.or(Some(depth));
+                depth += 1;
+            }
+            "{" => depth += 1,
+            "}" => {
+                depth = depth.saturating_sub(1);
+                tests_end_at = tests_end_at.filter(|end| *end != depth);
+            }
+            _ => {}
+        }
+        if tests_end_at.is_some() {
+            continue;
+        }
         let prints = PRINTING.contains(&word(at)) && word(at + 1) == "!";
         let exits = word(at) == "process" && word(at + 1) == "::" && matches!(word(at + 2), "exit" | "abort");
         if prints || exits {
@@ -84,6 +101,10 @@ mod tests {
         }
         let quiet = "// println!\nwriteln!(file, \"print!\")?; let exit = print(2);";
         assert!(check_silence(Path::new("a.rs"), &tokens(quiet)).is_empty());
+        let tested = "mod tests {\n fn f() { println!() }\n}\n";
+        assert!(check_silence(Path::new("a.rs"), &tokens(tested)).is_empty());
+        let after = format!("{tested}fn g() {{ println!() }}");
+        assert_eq!(check_silence(Path::new("a.rs"), &tokens(&after)).len(), 1);
     }
 
     #[test]

@@ -6,6 +6,7 @@ mod house_rules;
 mod imports;
 mod layers;
 mod new_law;
+mod python;
 mod shell;
 
 use clap::{Parser, Subcommand};
@@ -25,6 +26,8 @@ enum Command {
     Ci,
     /// All tests, with nextest where it is installed, and the examples in the documentation
     Test,
+    /// Run a small scenario and open what it wrote with PyVista
+    Python,
     /// Format all sources, also those that only a macro declares as modules
     Fmt {
         /// Change nothing, fail where something would change
@@ -63,6 +66,7 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Ci => checks::ci(),
         Command::Test => checks::test(),
+        Command::Python => python::test(),
         Command::Fmt { check } => checks::format(check),
         Command::Layers => checks::layers(),
         Command::NewLaw { family, name } => new_law::run(family, &name),

@@ -1,5 +1,6 @@
 //! Commands, folders and files.
 
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -81,4 +82,48 @@ pub fn rust_files(folder: &Path) -> Result<Vec<PathBuf>, String> {
     }
     files.sort();
     Ok(files)
+}
+
+/// Removes the folder of an earlier run, and nothing that is not one.
+pub fn remove_run(folder: &Path) -> Result<(), String> {
+    let folder = root().join(folder);
+    if !folder.join("summary.json").exists() {
+        return Err(format!(
+            "{} is there and is not the folder of a run; it is left as it is",
+            folder.display()
+        ));
+    }
+    std::fs::remove_dir_all(&folder).map_err(|error| format!("cannot remove {}: {error}", folder.display()))
+}
+
+/// Where cargo builds to.
+pub fn target_folder() -> Result<PathBuf, String> {
+    let output = Command::new(cargo())
+        .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])
+        .current_dir(root())
+        .output()
+        .map_err(|error| format!("cannot ask cargo for its target folder: {error}"))?;
+    let metadata: Value = serde_json::from_slice(&output.stdout).map_err(|error| format!("cargo metadata: {error}"))?;
+    metadata["target_directory"]
+        .as_str()
+        .map(PathBuf::from)
+        .ok_or_else(|| "cargo metadata names no target folder".to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_folder_of_a_run_is_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let run = folder.path().join("run");
+        std::fs::create_dir(&run).unwrap();
+        std::fs::write(run.join("notes.txt"), "mine").unwrap();
+        assert!(remove_run(&run).unwrap_err().contains("is not the folder of a run"));
+        assert!(run.join("notes.txt").exists());
+        std::fs::write(run.join("summary.json"), "{}").unwrap();
+        remove_run(&run).unwrap();
+        assert!(!run.exists());
+    }
 }
