@@ -5,6 +5,7 @@ mod document;
 mod grains;
 mod materials;
 mod overrides;
+mod plots;
 mod prepare;
 mod quantity;
 mod reader;
@@ -128,7 +129,7 @@ impl Scenario {
         };
         let walls = walls::walls(&table, &around);
         let grains = grains::grains(&table, &around);
-        let told = settings::output(&table);
+        let told = settings::output(&table, &walls);
         let protocol = stages::protocol(&table, &walls, told.intervals);
         table.finish("the scenario");
         Self {
@@ -146,6 +147,7 @@ impl Scenario {
                 cadence: protocol.cadence,
                 picture: !told.no_picture,
                 plots: told.plots,
+                strain: told.strain,
             },
             text: text.to_string(),
             name: name.to_string(),
