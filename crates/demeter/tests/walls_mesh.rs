@@ -1,5 +1,7 @@
 //! Contacts of spheres and triangle meshes: seams are not felt, edges and corners count once.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot set itself up must fail")]
+
 use demeter::walls::{Mesh, MeshError, SurfaceContact};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;

@@ -1,5 +1,7 @@
 //! Descriptions of walls and motions that are refused, and the message that each carries.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot set itself up must fail")]
+
 use demeter::walls::{Motion, Shape, Side, Wall, WallError};
 use glam::DVec3;
 

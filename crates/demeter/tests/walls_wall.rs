@@ -1,5 +1,7 @@
 //! Walls as the engine sees them: contacts under motion, extent, restart.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot set itself up must fail")]
+
 use demeter::walls::{Motion, Pose, Shape, Side, SurfaceContact, Wall, WallState};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;

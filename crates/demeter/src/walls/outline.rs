@@ -270,7 +270,7 @@ fn box_face(face: u32, lower: DVec3, upper: DVec3) -> Vec<[DVec3; 3]> {
     let axis = face as usize / 2;
     let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
     let at = |on_u: DVec3, on_v: DVec3| {
-        let mut point = if face % 2 == 0 { lower } else { upper };
+        let mut point = if face.is_multiple_of(2) { lower } else { upper };
         point[u] = on_u[u];
         point[v] = on_v[v];
         point
