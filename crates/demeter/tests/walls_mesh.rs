@@ -1,5 +1,7 @@
 //! Contacts of spheres and triangle meshes: seams are not felt, edges and corners count once.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot set itself up must fail")]
+
 use demeter::walls::{Mesh, MeshError, SurfaceContact};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
@@ -324,6 +326,46 @@ fn single_precision_leaves_no_holes_and_no_seams() {
         let found = contacts(&mesh, turn * v(s, 0.3 + 0.4 * s, 0.17), 0.2);
         assert!(found.len() == 1 && found[0].element == 0, "{found:?}");
         assert!((found[0].normal - turn * DVec3::Z).length() < 1e-5);
+    }
+}
+
+/// A frictionless elastic sphere slides around in a faceted drum: the contact force has a potential, so the facets give
+/// and take no energy. Returns the largest change of energy as a share of the height of fall.
+fn energy_drift(facets: usize, overlap: f64) -> f64 {
+    let mesh = Mesh::new(&faceted_cylinder(facets)).unwrap();
+    let (radius, gravity, dt) = (0.2, v(-9.81, 0.0, 0.0), 2e-5);
+    let stiffness = 3.0 * 9.81 / (overlap * radius);
+    let elastic = |x: DVec3| {
+        let touching = contacts(&mesh, x, radius);
+        let force = |c: &SurfaceContact| c.normal * (stiffness * (radius - c.distance));
+        let energy = |c: &SurfaceContact| 0.5 * stiffness * (radius - c.distance).powi(2);
+        (
+            touching.iter().map(force).sum::<DVec3>(),
+            touching.iter().map(energy).sum::<f64>(),
+        )
+    };
+    let (mut x, mut velocity) = (v(0.0, 0.79, 0.05), v(0.0, 0.0, 0.1));
+    let (mut force, stored) = elastic(x);
+    let start = stored - gravity.dot(x) + 0.5 * velocity.length_squared();
+    let mut worst = 0.0f64;
+    for _ in 0..100_000 {
+        velocity += (force + gravity) * (0.5 * dt);
+        x += velocity * dt;
+        let (now, stored) = elastic(x);
+        force = now;
+        velocity += (force + gravity) * (0.5 * dt);
+        let energy = stored - gravity.dot(x) + 0.5 * velocity.length_squared();
+        worst = worst.max((energy - start).abs() / (9.81 * 0.8));
+    }
+    worst
+}
+
+#[test]
+fn sliding_over_facets_keeps_the_energy() {
+    for (facets, overlap) in [(20, 0.05), (20, 0.005), (64, 0.01), (150, 0.02)] {
+        let drift = energy_drift(facets, overlap);
+        // A velocity Verlet step across a kink of the potential errs by about acceleration times step times speed.
+        assert!(drift < 2e-3, "{facets} facets, overlap {overlap}: {drift:e}");
     }
 }
 

@@ -1,5 +1,7 @@
 //! STL files, good and hostile.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot set itself up must fail")]
+
 use demeter::walls::{StlError, read_stl};
 use glam::DVec3;
 use std::fs;

@@ -1,6 +1,8 @@
 //! Walls as the engine sees them: contacts under motion, extent, restart.
 
-use demeter::walls::{Motion, Pose, Shape, Side, SurfaceContact, Wall, WallError, WallState};
+#![allow(clippy::unwrap_used, reason = "a test that cannot set itself up must fail")]
+
+use demeter::walls::{Motion, Pose, Shape, Side, SurfaceContact, Wall, WallState};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 
@@ -333,176 +335,38 @@ fn pictures_lie_on_the_surface_and_within_the_bounds() {
     assert!(floor.bounds().is_none());
 }
 
+/// A bed of springs under a plate pushes with `-stiffness x depth` and some damping.
 #[test]
-fn wrong_descriptions_are_refused() {
-    let (start, end) = (DVec3::ZERO, DVec3::Z);
-    let side = Side::Inside;
-    let cases = [
-        (
-            Shape::Plane {
-                point: DVec3::NAN,
-                normal: DVec3::Z,
-            },
-            "finite",
-        ),
-        (
-            Shape::Plane {
-                point: DVec3::ZERO,
-                normal: DVec3::Z * 2.0,
-            },
-            "unit vector",
-        ),
-        (
-            Shape::Plane {
-                point: DVec3::ZERO,
-                normal: DVec3::ZERO,
-            },
-            "unit vector",
-        ),
-        (
-            Shape::Box {
-                lower: DVec3::ONE,
-                upper: DVec3::ZERO,
-                open: [false; 6],
-            },
-            "exceed",
-        ),
-        (
-            Shape::Box {
-                lower: DVec3::ZERO,
-                upper: DVec3::ONE,
-                open: [true; 6],
-            },
-            "open",
-        ),
-        (
-            Shape::Cylinder {
-                start,
-                end,
-                radius: -1.0,
-                side,
-            },
-            "positive",
-        ),
-        (
-            Shape::Cylinder {
-                start,
-                end: start,
-                radius: 1.0,
-                side,
-            },
-            "two different points",
-        ),
-        (
-            Shape::Cylinder {
-                start,
-                end,
-                radius: f64::INFINITY,
-                side,
-            },
-            "finite",
-        ),
-        (
-            Shape::Cone {
-                start,
-                end,
-                start_radius: 0.0,
-                end_radius: 0.0,
-                side,
-            },
-            "both radii",
-        ),
-        (
-            Shape::Cone {
-                start,
-                end,
-                start_radius: f64::NAN,
-                end_radius: 1.0,
-                side,
-            },
-            "start_radius",
-        ),
-        (
-            Shape::Sphere {
-                center: start,
-                radius: 0.0,
-                side,
-            },
-            "positive",
-        ),
-        (
-            Shape::Rectangle {
-                center: start,
-                half_u: DVec3::X,
-                half_v: DVec3::ONE,
-            },
-            "perpendicular",
-        ),
-        (
-            Shape::Rectangle {
-                center: start,
-                half_u: DVec3::X,
-                half_v: DVec3::ZERO,
-            },
-            "half_v",
-        ),
-        (
-            Shape::Disc {
-                center: start,
-                normal: DVec3::X,
-                radius: f64::NAN,
-            },
-            "radius",
-        ),
-        (Shape::Mesh { triangles: vec![] }, "no triangle"),
-    ];
-    for (shape, message) in cases {
-        let error = Wall::new("w", 0, shape.clone(), Motion::Rest)
-            .expect_err(message)
-            .to_string();
-        assert!(error.contains(message), "{shape:?}: {error}");
-    }
-    let wrong_motions = [
-        Motion::Velocity(DVec3::NAN),
-        Motion::Rotation {
-            point: start,
-            axis: DVec3::ONE,
-            angular_velocity: 1.0,
-        },
-        Motion::Rotation {
-            point: start,
-            axis: DVec3::X,
-            angular_velocity: f64::INFINITY,
-        },
-        Motion::Oscillation {
-            amplitude: DVec3::X,
-            frequency: -1.0,
-            phase: 0.0,
-        },
-        Motion::Servo {
-            axis: DVec3::X,
-            force: 0.0,
-            max_speed: 1.0,
-        },
-        Motion::Servo {
-            axis: DVec3::X,
-            force: 1.0,
-            max_speed: f64::NAN,
-        },
-    ];
-    for motion in wrong_motions {
-        assert!(Wall::check_motion(&motion).is_err(), "{motion:?}");
-        let mut plane = wall(
-            Shape::Plane {
-                point: DVec3::ZERO,
-                normal: DVec3::Z,
-            },
-            Motion::Rest,
-        );
-        let before = plane.state();
-        let refused: Result<(), WallError> = plane.set_motion(motion);
-        assert!(refused.is_err());
-        assert_eq!(plane.state(), before);
+fn a_servo_presses_with_its_force_and_holds_it_when_the_bed_changes() {
+    let plate = Shape::Rectangle {
+        center: DVec3::ZERO,
+        half_u: DVec3::X,
+        half_v: DVec3::Y,
+    };
+    let motion = Motion::Servo {
+        axis: v(0.0, 0.0, -1.0),
+        force: 20.0,
+        max_speed: 0.05,
+    };
+    let mut plate = wall(plate, motion);
+    let dt = 1e-5;
+    for (stiffness, surface) in [(1e4, -1e-3), (1e4, -3e-3), (4e5, -2.5e-3), (5e3, -2e-3)] {
+        let mut pressing = 0.0;
+        for _ in 0..60_000 {
+            let before = plate.displacement();
+            plate.advance(dt);
+            let speed = -plate.velocity_at(plate.origin()).z;
+            assert!(speed.abs() <= 0.05 && ((before - plate.displacement()).z - speed * dt).abs() < 1e-15);
+            let depth = surface - plate.displacement().z;
+            pressing = if depth > 0.0 {
+                f64::max(stiffness * depth + 20.0 * speed, 0.0)
+            } else {
+                0.0
+            };
+            plate.set_load(v(0.3, 0.0, pressing), DVec3::ZERO);
+        }
+        assert!((pressing - 20.0).abs() < 1e-3, "{stiffness} {surface}: {pressing}");
+        assert!((surface - plate.displacement().z - 20.0 / stiffness).abs() < 1e-6);
     }
 }
 

@@ -200,7 +200,7 @@ fn box_surface(lower: DVec3, upper: DVec3, open: [bool; 6]) -> Result<Surface, W
             (
                 face,
                 Plane {
-                    point: if face % 2 == 0 { lower } else { upper },
+                    point: if face.is_multiple_of(2) { lower } else { upper },
                     normal,
                 },
             )
