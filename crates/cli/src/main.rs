@@ -1,1 +1,61 @@
-fn main() {}
+//! `demeter`: the command line of the Demeter engine.
+//!
+//! Arguments come in, a command runs, its answer goes to standard output and everything that is said on the way to
+//! standard error. Only this crate prints and ends the process.
+
+mod answer;
+mod arguments;
+mod bug_report;
+mod check;
+mod exit;
+mod failure;
+mod info;
+mod interrupt;
+mod laws;
+mod new;
+mod progress;
+mod readable;
+mod run;
+mod suggestion;
+
+use answer::note;
+use arguments::{Arguments, Command};
+use clap::Parser;
+use clap::error::ErrorKind;
+use exit::Exit;
+use failure::Failure;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    bug_report::install();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return refuse(&error).into(),
+    };
+    let json = arguments.command.wants_json();
+    let outcome = match arguments.command {
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Resume(arguments) => run::resume(&arguments),
+        Command::Check(arguments) => check::check(&arguments),
+        Command::Laws(arguments) => laws::laws(&arguments),
+        Command::New(arguments) => new::new(&arguments),
+        Command::Info(arguments) => info::info(&arguments),
+    };
+    match outcome {
+        Ok(exit) => exit.into(),
+        Err(failure) => failure.tell(json).into(),
+    }
+}
+
+/// What clap has to say instead of arguments: help, the version, or what is wrong.
+fn refuse(error: &clap::Error) -> Exit {
+    let asked_for = matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion);
+    let json = std::env::args_os().any(|argument| argument == "--json");
+    if !asked_for && json {
+        return Failure::wrong(error.render().to_string().trim_end()).tell(true);
+    }
+    if error.print().is_err() && !asked_for {
+        note("the command line is wrong; `demeter --help` tells what is right");
+    }
+    if asked_for { Exit::Finished } else { Exit::Wrong }
+}

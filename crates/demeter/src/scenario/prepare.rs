@@ -30,6 +30,8 @@ pub struct Prepared {
     pub time_step_reason: String,
     /// What the user should know, though it is no fault.
     pub warnings: Vec<String>,
+    /// Steps of every stage when no condition ends it early.
+    pub stage_steps: Vec<u64>,
     /// Steps of the whole protocol when no condition ends a stage early.
     pub steps: u64,
     /// Estimated memory [bytes].
@@ -45,6 +47,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::plots::check(scenario, &mut faults);
     let materials = materials(scenario, &mut faults);
     let walls = walls(scenario, &mut faults);
+    check_stage_motions(scenario, &mut faults);
     check_memory(scenario, &mut faults);
     if !faults.is_empty() {
         return Err(faults);
@@ -80,17 +83,15 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    let steps = scenario
-        .stages
-        .iter()
-        .map(|s| super::run::longest(s, dt))
-        .fold(0u64, u64::saturating_add);
+    let stage_steps: Vec<u64> = scenario.stages.iter().map(|s| super::run::longest(s, dt)).collect();
+    let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
     Ok(Prepared {
         memory: (grains.len() as f64 * BYTES_PER_GRAIN) as u64,
         run_time: grains.len() as f64 * steps as f64 / ASSUMED_SPEED,
         time_scale: scale,
         time_step_reason: reason,
         warnings,
+        stage_steps,
         steps,
         setup: Setup {
             grains,
@@ -158,6 +159,27 @@ fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> Vec<Wall> {
         }
     }
     walls
+}
+
+/// Refuses motions that a wall cannot make before any stage has run.
+fn check_stage_motions(scenario: &Scenario, faults: &mut Diagnostics) {
+    let mut told = std::collections::BTreeSet::new();
+    for (stage, path) in scenario.stages.iter().zip(&scenario.stage_paths) {
+        for (wall, motion) in &stage.motions {
+            let Err(error) = Wall::check_motion(motion) else {
+                continue;
+            };
+            let name = scenario.walls.get(*wall).map_or("", |w| w.name.as_str());
+            // repeats of a stage have one table
+            if told.insert((path, name)) {
+                faults.push(
+                    &format!("{path}.motion.{name}"),
+                    format!("wall `{name}`: {error}"),
+                    None,
+                );
+            }
+        }
+    }
 }
 
 /// Builds a wall, or tells the key at fault and why.

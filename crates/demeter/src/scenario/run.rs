@@ -140,9 +140,9 @@ pub fn run(
     observer: &mut dyn Observer,
 ) -> Result<Report, RunError> {
     let prepared = prepare(scenario)?;
-    let folder = RunFolder::create(folder, options.overwrite)?;
-    folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
     with_threads(options.threads, || {
+        let folder = RunFolder::create(folder, options.overwrite)?;
+        folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
         let mut runner = Runner::begin(scenario, prepared, folder, observer)?;
         runner.run_to_the_end()
     })
@@ -151,8 +151,10 @@ pub fn run(
 /// Continues the run in a folder from its latest checkpoint.
 pub fn resume(folder: &Path, options: RunOptions, observer: &mut dyn Observer) -> Result<Report, RunError> {
     let folder = RunFolder::open(folder)?;
-    let scenario = Scenario::read(&folder.scenario(), &[])?;
+    let mut scenario = Scenario::read(&folder.scenario(), &[])?;
     let restored = checkpoint::read_latest::<RunState>(folder.root())?;
+    // a scenario without a title is named after its file, which has another name here
+    scenario.title.clone_from(&restored.header.title);
     for warning in &restored.warnings {
         observer.message(&format!("warning: {warning}"));
     }
@@ -251,7 +253,7 @@ impl<'a> Runner<'a> {
         let sim = Simulation::resume(setup, state.simulation)?;
         let series = SeriesWriter::resume(&folder.series(), labels(scenario), step)?;
         let frames = FrameWriter::resume(&folder, step)?;
-        observer.message(&format!("going on from step {step}, time {:.6} s", sim.time()));
+        observer.message(&format!("going on from step {step}, time {:.4e} s", sim.time()));
         Ok(Self::new(
             scenario,
             sim,
@@ -370,7 +372,7 @@ impl<'a> Runner<'a> {
         let stage = self.stage();
         let (start, dt) = (self.place.stage_step, self.sim.dt);
         self.observer.message(&format!(
-            "stage `{}` ended at {:.6} s: {reason}",
+            "stage `{}` ended at {:.4e} s: {reason}",
             stage.name,
             self.sim.time()
         ));

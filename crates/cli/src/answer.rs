@@ -1,0 +1,48 @@
+//! Standard output and standard error. A reader that goes away, as `head` does, is no fault.
+
+use crate::failure::Failure;
+use std::io::{self, IsTerminal, Write};
+
+/// Writes the answer of a command to standard output.
+pub fn answer(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::io(format!("cannot write to standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes an answer as JSON.
+pub fn answer_json(value: &serde_json::Value) -> Result<(), Failure> {
+    answer(&format!("{value:#}\n"))
+}
+
+/// Tells something on standard error; there is nowhere to complain when that is gone.
+pub fn note(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// Whether what goes to standard error may be coloured: a terminal, and `NO_COLOR` is not set.
+pub fn colours() -> bool {
+    io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+}
+
+/// Rows of a name and a text, aligned.
+#[derive(Default)]
+pub struct Rows(Vec<(String, String)>);
+
+impl Rows {
+    /// Adds a row.
+    pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) {
+        self.0.push((name.into(), text.into()));
+    }
+
+    /// The rows as lines, indented.
+    pub fn lines(&self) -> String {
+        let width = self.0.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+        let line = |(name, text): &(String, String)| format!("  {name:width$}  {text}\n");
+        self.0.iter().map(line).collect()
+    }
+}

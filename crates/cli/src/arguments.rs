@@ -1,0 +1,135 @@
+//! The command line.
+
+use crate::exit;
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+/// Discrete element method for powders and soft grains: one text file in, one folder of results out.
+#[derive(Debug, Parser)]
+#[command(name = "demeter", version, after_help = exit::HELP)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Run a scenario and write its results into a folder
+    #[command(after_help = exit::HELP)]
+    Run(RunArguments),
+    /// Tell everything that is wrong with a scenario, or how it would run; writes nothing
+    #[command(after_help = exit::HELP)]
+    Check(CheckArguments),
+    /// Go on with an interrupted or killed run from its latest checkpoint
+    #[command(after_help = exit::HELP)]
+    Resume(ResumeArguments),
+    /// List the contact laws, or explain one
+    Laws(LawsArguments),
+    /// Write a scenario to start from, or list those there are
+    New(NewArguments),
+    /// Tell what is in a file or in the folder of a run
+    Info(InfoArguments),
+}
+
+impl Command {
+    /// Whether the answer is asked for as JSON.
+    pub fn wants_json(&self) -> bool {
+        match self {
+            Self::Run(a) => a.output.json,
+            Self::Check(a) => a.json,
+            Self::Resume(a) => a.output.json,
+            Self::Laws(a) => a.json,
+            Self::New(_) => false,
+            Self::Info(a) => a.json,
+        }
+    }
+}
+
+/// Of `demeter run`.
+#[derive(Debug, Args)]
+pub struct RunArguments {
+    /// The scenario
+    pub file: PathBuf,
+    /// Folder for the results
+    ///
+    /// Without it they go to `runs/NAME` in the present folder, where NAME is the name of the scenario file, or that of
+    /// its folder when the file is called `scenario.toml`. When `runs/NAME` is taken, the next free one of `runs/NAME-2`,
+    /// `runs/NAME-3`, ... is used, so that nothing is ever lost. A folder named here must be new or empty.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace an earlier run in the folder; other files in it are kept
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Change a value of the scenario, as `grains[0].count=200`; may be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// How to run it.
+    #[command(flatten)]
+    pub output: HowToRun,
+}
+
+/// Of `run` and `resume`.
+#[derive(Debug, Args)]
+pub struct HowToRun {
+    /// Number of threads; all cores when absent. The results are the same for any number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    pub threads: Option<u16>,
+    /// Write one JSON object to standard output at the end; everything else goes to standard error
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Of `demeter check`.
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    /// The scenario
+    pub file: PathBuf,
+    /// Change a value of the scenario, as `grains[0].count=200`; may be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Write one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Of `demeter resume`.
+#[derive(Debug, Args)]
+pub struct ResumeArguments {
+    /// The folder of the run
+    pub folder: PathBuf,
+    /// How to run it.
+    #[command(flatten)]
+    pub output: HowToRun,
+}
+
+/// Of `demeter laws`.
+#[derive(Debug, Args)]
+pub struct LawsArguments {
+    /// The law to explain
+    pub name: Option<String>,
+    /// Write one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Of `demeter new`.
+#[derive(Debug, Args)]
+pub struct NewArguments {
+    /// The template; all are listed when absent
+    pub template: Option<String>,
+    /// File to write; `TEMPLATE.toml` when absent. A file that exists is never replaced
+    #[arg(long, value_name = "FILE", requires = "template")]
+    pub out: Option<PathBuf>,
+}
+
+/// Of `demeter info`.
+#[derive(Debug, Args)]
+pub struct InfoArguments {
+    /// A scenario, the folder of a run, a checkpoint, a file of grains, an STL surface, or a series of a run
+    pub file: PathBuf,
+    /// Write one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
+}

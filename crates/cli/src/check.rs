@@ -1,0 +1,87 @@
+//! `demeter check`.
+
+use crate::answer::{Rows, answer, answer_json, note};
+use crate::arguments::CheckArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::readable::{bytes, count, number, things, wait};
+use demeter::scenario::{Prepared, Scenario, prepare};
+use serde_json::{Value, json};
+
+/// Most stages that are told.
+const MOST_STAGES: usize = 20;
+
+/// Tells all that is wrong with a scenario, or how it would run.
+pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
+    let scenario = Scenario::read(&arguments.file, &arguments.set)?;
+    let prepared = prepare(&scenario)?;
+    if arguments.json {
+        answer_json(&to_json(&scenario, &prepared))?;
+    } else {
+        for warning in &prepared.warnings {
+            note(&format!("warning: {warning}"));
+        }
+        answer(&to_text(&scenario, &prepared))?;
+    }
+    Ok(Exit::Finished)
+}
+
+fn to_text(scenario: &Scenario, prepared: &Prepared) -> String {
+    let setup = &prepared.setup;
+    let mut rows = Rows::default();
+    rows.add("title", scenario.title.as_str());
+    rows.add("time step", prepared.time_step_reason.as_str());
+    let batches = things(scenario.grains.len() as u64, "batch").replace("batchs", "batches");
+    rows.add("grains", format!("{} in {batches}", count(setup.grains.len() as u64)));
+    let names: Vec<&str> = scenario.walls.iter().map(|w| w.name.as_str()).collect();
+    rows.add(
+        "walls",
+        if names.is_empty() {
+            "none".to_string()
+        } else {
+            names.join(", ")
+        },
+    );
+    for (stage, steps) in scenario.stages.iter().zip(&prepared.stage_steps).take(MOST_STAGES) {
+        let early = if stage.stop.len() > 1 {
+            ", or until a condition ends it"
+        } else {
+            ""
+        };
+        let time = number(*steps as f64 * setup.dt);
+        rows.add(
+            format!("stage {}", stage.name),
+            format!("{}, {time} s{early}", things(*steps, "step")),
+        );
+    }
+    if let Some(more) = scenario.stages.len().checked_sub(MOST_STAGES).filter(|more| *more > 0) {
+        rows.add("stages", format!("and {more} more"));
+    }
+    rows.add("steps", count(prepared.steps));
+    rows.add("memory", format!("about {}", bytes(prepared.memory)));
+    rows.add("run time", format!("about {} on one thread", wait(prepared.run_time)));
+    format!("{} is right\n{}", scenario.name, rows.lines())
+}
+
+fn to_json(scenario: &Scenario, prepared: &Prepared) -> Value {
+    let stages = scenario.stages.iter().zip(&prepared.stage_steps);
+    let stages: Vec<Value> = stages
+        .map(|(stage, steps)| json!({ "name": stage.name, "steps": steps, "conditions": stage.stop.len() }))
+        .collect();
+    let walls: Vec<&str> = scenario.walls.iter().map(|w| w.name.as_str()).collect();
+    let materials: Vec<&str> = scenario.materials.iter().map(|m| m.name.as_str()).collect();
+    json!({
+        "scenario": scenario.name,
+        "title": scenario.title,
+        "time_step": prepared.setup.dt,
+        "time_step_reason": prepared.time_step_reason,
+        "grains": prepared.setup.grains.len(),
+        "materials": materials,
+        "walls": walls,
+        "stages": stages,
+        "steps": prepared.steps,
+        "memory": prepared.memory,
+        "run_time": prepared.run_time,
+        "warnings": prepared.warnings,
+    })
+}

@@ -1,0 +1,34 @@
+//! Exit codes, all of them.
+
+use std::process::ExitCode;
+
+/// How a command ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exit {
+    /// It did what it was asked to.
+    Finished = 0,
+    /// Results could not be written, or a file could not be read.
+    InputOutput = 1,
+    /// The scenario or the command line is wrong; nothing was written.
+    Wrong = 2,
+    /// The simulation stopped on a fault; a snapshot was written.
+    Fault = 3,
+    /// It was interrupted; a checkpoint was written.
+    Interrupted = 130,
+}
+
+/// The codes as `--help` tells them.
+pub const HELP: &str = "\
+Exit codes:
+    0  finished
+    1  results could not be written, or a file could not be read
+    2  the scenario or the command line is wrong; nothing was written
+    3  the simulation stopped on a fault; a snapshot of it was written
+  101  a defect of Demeter
+  130  interrupted (Ctrl-C, SIGTERM); a checkpoint was written, `demeter resume` goes on from it";
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        ExitCode::from(exit as u8)
+    }
+}

@@ -1,0 +1,118 @@
+//! Why a command failed, told as text or as JSON.
+
+use crate::answer::{answer_json, colours, note};
+use crate::exit::Exit;
+use demeter::checkpoint::CheckpointError;
+use demeter::output::OutputError;
+use demeter::scenario::{Diagnostics, RunError};
+use serde_json::{Value, json};
+
+/// Why a command failed.
+#[derive(Debug)]
+pub enum Failure {
+    /// The scenario is wrong.
+    Scenario(Box<Diagnostics>),
+    /// Anything else.
+    Other {
+        /// The exit code.
+        exit: Exit,
+        /// What is wrong and what to do.
+        message: String,
+    },
+}
+
+impl Failure {
+    /// The command line or what it names is wrong.
+    pub fn wrong(message: impl Into<String>) -> Self {
+        Self::Other {
+            exit: Exit::Wrong,
+            message: message.into(),
+        }
+    }
+
+    /// The system refused to read or write.
+    pub fn io(message: impl Into<String>) -> Self {
+        Self::Other {
+            exit: Exit::InputOutput,
+            message: message.into(),
+        }
+    }
+
+    /// Tells the user and gives the exit code.
+    pub fn tell(&self, as_json: bool) -> Exit {
+        if !as_json || answer_json(&self.to_json()).is_err() {
+            match self {
+                Self::Scenario(faults) => {
+                    let count = faults.list().len();
+                    let errors = if count == 1 {
+                        "1 error"
+                    } else {
+                        &format!("{count} errors")
+                    };
+                    note(&faults.render(colours()));
+                    note(&format!("\n{errors}; nothing was written"));
+                }
+                Self::Other { message, .. } => note(&format!("error: {message}")),
+            }
+        }
+        self.exit()
+    }
+
+    fn exit(&self) -> Exit {
+        match self {
+            Self::Scenario(_) => Exit::Wrong,
+            Self::Other { exit, .. } => *exit,
+        }
+    }
+
+    fn to_json(&self) -> Value {
+        let (message, diagnostics) = match self {
+            Self::Scenario(faults) => ("the scenario is wrong".to_string(), listed(faults)),
+            Self::Other { message, .. } => (message.clone(), Vec::new()),
+        };
+        let kind = match self.exit() {
+            _ if !diagnostics.is_empty() => "scenario",
+            Exit::Wrong => "command line",
+            _ => "input or output",
+        };
+        json!({ "error": {
+            "kind": kind, "exit_code": self.exit() as u8, "message": message, "diagnostics": diagnostics,
+        } })
+    }
+}
+
+fn listed(faults: &Diagnostics) -> Vec<Value> {
+    let one = |d: &demeter::scenario::Diagnostic| {
+        json!({
+            "message": d.message, "help": d.help, "path": d.path,
+            "source": d.source, "line": d.line, "column": d.column,
+        })
+    };
+    faults.list().iter().map(one).collect()
+}
+
+impl From<Diagnostics> for Failure {
+    fn from(faults: Diagnostics) -> Self {
+        Self::Scenario(Box::new(faults))
+    }
+}
+
+impl From<RunError> for Failure {
+    fn from(error: RunError) -> Self {
+        let wrong = match error {
+            RunError::Scenario(faults) => return Self::Scenario(faults),
+            RunError::Output(ref output) => matches!(
+                output,
+                OutputError::HoldsARun { .. }
+                    | OutputError::HoldsOtherFiles { .. }
+                    | OutputError::NotAFolder { .. }
+                    | OutputError::NotARun { .. }
+                    | OutputError::OtherSeries { .. }
+            ),
+            RunError::Checkpoint(ref checkpoint) => matches!(checkpoint, CheckpointError::Missing { .. }),
+            RunError::State(_) | RunError::Motion { .. } | RunError::Threads { .. } => true,
+        };
+        let message = error.to_string();
+        if wrong { Self::wrong(message) } else { Self::io(message) }
+    }
+}

@@ -1,0 +1,55 @@
+//! Ctrl-C and SIGTERM: the first asks a run to end with a checkpoint, the second ends the process at once.
+
+use crate::answer::note;
+use crate::exit::Exit;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Whether and how the run was asked to end.
+#[derive(Clone, Default)]
+pub struct Interrupt {
+    asked: Arc<AtomicBool>,
+    steps_run: Arc<AtomicBool>,
+}
+
+impl Interrupt {
+    /// Listens from now on. Where that is impossible, Ctrl-C ends the process at once, as it does without Demeter.
+    pub fn listen() -> Self {
+        let interrupt = Self::default();
+        let heard = interrupt.clone();
+        let listening = ctrlc::set_handler(move || heard.receive());
+        if let Err(error) = listening {
+            note(&format!(
+                "warning: Ctrl-C will end the run without a checkpoint: {error}"
+            ));
+        }
+        interrupt
+    }
+
+    /// Whether the run was asked to end.
+    pub fn is_asked(&self) -> bool {
+        self.asked.load(Ordering::SeqCst)
+    }
+
+    /// Steps are run from now on: there is something that is worth a checkpoint.
+    pub fn steps_begin(&self) {
+        self.steps_run.store(true, Ordering::SeqCst);
+    }
+
+    fn receive(&self) {
+        let again = self.asked.swap(true, Ordering::SeqCst);
+        if again || !self.steps_run.load(Ordering::SeqCst) {
+            note(if again {
+                "ended at once"
+            } else {
+                "interrupted before the first step"
+            });
+            end_at_once();
+        }
+    }
+}
+
+#[allow(clippy::exit, reason = "the user asked not to wait for the run")]
+fn end_at_once() {
+    std::process::exit(Exit::Interrupted as i32);
+}

@@ -1,0 +1,170 @@
+//! `demeter laws`.
+
+use crate::answer::{Rows, answer, answer_json};
+use crate::arguments::LawsArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::suggestion::did_you_mean;
+use demeter_physics::contact::{LawInfo, laws as all_laws};
+use demeter_physics::parameters::ParameterInfo;
+use serde_json::{Value, json};
+
+/// Lists the laws, or explains one.
+pub fn laws(arguments: &LawsArguments) -> Result<Exit, Failure> {
+    let Some(name) = &arguments.name else {
+        if arguments.json {
+            answer_json(&json!({ "laws": all_laws().map(to_json).collect::<Vec<Value>>() }))?;
+        } else {
+            answer(&list())?;
+        }
+        return Ok(Exit::Finished);
+    };
+    let found: Vec<&LawInfo> = all_laws().filter(|law| law.name == name).collect();
+    if found.is_empty() {
+        let hint = did_you_mean(name, all_laws().map(|law| law.name));
+        let message = format!("there is no law `{name}`.{hint} `demeter laws` lists all.");
+        return Err(Failure::wrong(message));
+    }
+    if arguments.json {
+        answer_json(&json!({ "laws": found.into_iter().map(to_json).collect::<Vec<Value>>() }))?;
+    } else {
+        let texts: Vec<String> = found.into_iter().map(explain).collect();
+        answer(&texts.join("\n"))?;
+    }
+    Ok(Exit::Finished)
+}
+
+fn list() -> String {
+    let mut text = String::new();
+    let mut families: Vec<&str> = all_laws().map(|law| law.family).collect();
+    families.dedup();
+    for family in families {
+        let mut rows = Rows::default();
+        for law in all_laws().filter(|law| law.family == family) {
+            rows.add(law.name, law.summary);
+        }
+        text.push_str(&format!("{family}\n{}\n", rows.lines()));
+    }
+    text.push_str("`demeter laws NAME` explains one.\n");
+    text
+}
+
+fn explain(law: &LawInfo) -> String {
+    let mut rows = Rows::default();
+    for parameter in law.parameters {
+        let unit = parameter.dimension.unit();
+        let kind = if unit.is_empty() {
+            "pure number".to_string()
+        } else {
+            format!("in {unit}")
+        };
+        let default = parameter.default.map_or_else(
+            || format!("must be given, typically {}", value(parameter, parameter.typical)),
+            |default| format!("{} when not given", value(parameter, default)),
+        );
+        rows.add(
+            parameter.name,
+            format!("{}: {kind}, {}; {default}", parameter.doc, parameter.range),
+        );
+    }
+    let parameters = if law.parameters.is_empty() {
+        "  none\n".to_string()
+    } else {
+        rows.lines()
+    };
+    format!(
+        "{}: {} ({} law)\n\n{}\n\nParameters\n{parameters}\nExample\n  [contact]\n  {}\n",
+        law.name,
+        law.summary,
+        law.family,
+        law.doc.trim(),
+        example(law)
+    )
+}
+
+/// A value as the scenario writes it.
+fn value(parameter: &ParameterInfo, value: f64) -> String {
+    let unit = parameter.dimension.unit();
+    match unit.is_empty() {
+        true => value.to_string(),
+        false => format!("\"{value} {unit}\""),
+    }
+}
+
+/// A line of a scenario that chooses the law.
+fn example(law: &LawInfo) -> String {
+    let required = law.parameters.iter().filter(|p| p.default.is_none());
+    let given: String = required
+        .map(|p| format!(", {} = {}", p.name, value(p, p.typical)))
+        .collect();
+    format!("{} = {{ law = \"{}\"{given} }}", law.family, law.name)
+}
+
+fn to_json(law: &LawInfo) -> Value {
+    let finite = |value: f64| value.is_finite().then_some(value);
+    let parameter = |p: &ParameterInfo| {
+        json!({
+            "name": p.name,
+            "unit": p.dimension.unit(),
+            "quantity": p.dimension.name(),
+            "minimum": finite(p.range.lower),
+            "minimum_allowed": p.range.lower_allowed,
+            "maximum": finite(p.range.upper),
+            "maximum_allowed": p.range.upper_allowed,
+            "range": p.range.to_string(),
+            "default": p.default,
+            "typical": p.typical,
+            "meaning": p.doc,
+        })
+    };
+    json!({
+        "name": law.name,
+        "family": law.family,
+        "summary": law.summary,
+        "doc": law.doc,
+        "parameters": law.parameters.iter().map(parameter).collect::<Vec<Value>>(),
+        "example": example(law),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use demeter::scenario::{Scenario, template};
+    use std::path::Path;
+
+    /// Every example line, put into a scenario, is accepted by the reader and builds the law.
+    #[test]
+    fn every_example_runs() {
+        let text = template("settle").unwrap();
+        for law in all_laws() {
+            let replaced: Vec<String> = text
+                .lines()
+                .map(|line| {
+                    let is_line = line.starts_with(&format!("{} = {{ law", law.family));
+                    if is_line { example(law) } else { line.to_string() }
+                })
+                .collect();
+            let replaced = replaced.join("\n");
+            assert!(replaced.contains(&example(law)), "{}: {replaced}", law.name);
+            let scenario = match Scenario::parse(&replaced, law.name, Path::new(""), &["grains[0].count=1".to_string()])
+            {
+                Ok(scenario) => scenario,
+                Err(faults) => panic!("{}", faults.render(false)),
+            };
+            if let Err(faults) = demeter::scenario::prepare(&scenario) {
+                panic!("{}", faults.render(false));
+            }
+        }
+    }
+
+    #[test]
+    fn the_explanation_names_every_parameter() {
+        for law in all_laws() {
+            let text = explain(law);
+            for parameter in law.parameters {
+                assert!(text.contains(parameter.name) && text.contains(parameter.doc), "{text}");
+            }
+        }
+    }
+}

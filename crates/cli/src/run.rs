@@ -1,0 +1,214 @@
+//! `demeter run` and `demeter resume`.
+
+use crate::answer::{Rows, answer, answer_json, note};
+use crate::arguments::{HowToRun, ResumeArguments, RunArguments};
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::progress::Watch;
+use crate::readable::{count, number, things, vector, wait};
+use demeter::output::RunFolder;
+use demeter::scenario::{Report, RunEnd, RunOptions, Scenario};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Most stages that are told at the end; a summary holds them all.
+const MOST_STAGES: usize = 12;
+
+/// Runs a scenario.
+pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
+    let interrupt = Interrupt::listen();
+    let mut scenario = Scenario::read(&arguments.file, &arguments.set)?;
+    // The scenario in the run folder must find its files wherever `resume` is called.
+    scenario.base = absolute(&scenario.base)?;
+    let folder = match &arguments.out {
+        Some(folder) => folder.clone(),
+        None => default_folder(&arguments.file, arguments.overwrite)?,
+    };
+    let options = options(&arguments.output, arguments.overwrite);
+    let mut watch = Watch::new(interrupt);
+    let report = demeter::scenario::run(&scenario, &folder, options, &mut watch);
+    watch.end();
+    tell(&report?, arguments.output.json)
+}
+
+/// Goes on with a run.
+pub fn resume(arguments: &ResumeArguments) -> Result<Exit, Failure> {
+    let mut watch = Watch::new(Interrupt::listen());
+    let report = demeter::scenario::resume(&arguments.folder, options(&arguments.output, false), &mut watch);
+    watch.end();
+    tell(&report?, arguments.output.json)
+}
+
+fn options(how: &HowToRun, overwrite: bool) -> RunOptions {
+    RunOptions {
+        threads: how.threads.map(usize::from),
+        overwrite,
+    }
+}
+
+fn absolute(path: &Path) -> Result<PathBuf, Failure> {
+    let path = if path.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        path
+    };
+    std::path::absolute(path).map_err(|error| Failure::io(format!("cannot find `{}`: {error}", path.display())))
+}
+
+/// `runs/NAME`, or the next free one of `runs/NAME-2`, `runs/NAME-3`, ...
+fn default_folder(scenario: &Path, overwrite: bool) -> Result<PathBuf, Failure> {
+    let name = run_name(&absolute(scenario)?);
+    let first = Path::new("runs").join(&name);
+    if overwrite || is_free(&first) {
+        return Ok(first);
+    }
+    let numbered = |number: u32| Path::new("runs").join(format!("{name}-{number}"));
+    let Some(free) = (2..=u32::MAX).map(numbered).find(|folder| is_free(folder)) else {
+        return Err(Failure::wrong("no folder is free in `runs`; choose one with --out"));
+    };
+    let (first, next) = (first.display(), free.display());
+    note(&format!(
+        "`{first}` is taken by an earlier run; this one goes to `{next}` (--overwrite replaces the earlier)"
+    ));
+    Ok(free)
+}
+
+/// Name of the runs of a scenario: that of its file, or of its folder when the file is `scenario.toml`.
+fn run_name(scenario: &Path) -> String {
+    let text = |name: Option<&std::ffi::OsStr>| name.map(|n| n.to_string_lossy().into_owned());
+    let folder = || text(scenario.parent()?.file_name());
+    match text(scenario.file_stem()) {
+        Some(stem) if stem == "scenario" => folder().unwrap_or(stem),
+        Some(stem) => stem,
+        None => "run".to_string(),
+    }
+}
+
+/// Whether nothing is there, or an empty folder.
+fn is_free(folder: &Path) -> bool {
+    match std::fs::read_dir(folder) {
+        Ok(mut entries) => entries.next().is_none(),
+        Err(error) => error.kind() == std::io::ErrorKind::NotFound,
+    }
+}
+
+/// Tells how a run ended.
+fn tell(report: &Report, as_json: bool) -> Result<Exit, Failure> {
+    let exit = match report.end {
+        RunEnd::Finished => Exit::Finished,
+        RunEnd::Interrupted => Exit::Interrupted,
+        RunEnd::Fault(_) => Exit::Fault,
+    };
+    if as_json {
+        answer_json(&to_json(report, exit)?)?;
+    } else {
+        answer(&to_text(report))?;
+    }
+    Ok(exit)
+}
+
+fn picture(report: &Report) -> Option<PathBuf> {
+    let picture = RunFolder::open(&report.folder).ok()?.picture();
+    picture.is_file().then_some(picture)
+}
+
+fn to_json(report: &Report, exit: Exit) -> Result<Value, Failure> {
+    let mut value = serde_json::to_value(&report.summary)
+        .map_err(|error| Failure::io(format!("the summary is no JSON: {error}")))?;
+    let (end, fault) = match &report.end {
+        RunEnd::Finished => ("finished", Value::Null),
+        RunEnd::Interrupted => ("interrupted", Value::Null),
+        RunEnd::Fault(fault) => ("fault", json!({ "message": fault.to_string(), "grain": fault.grain() })),
+    };
+    value["end"] = json!(end);
+    value["fault"] = fault;
+    value["exit_code"] = json!(exit as u8);
+    value["folder"] = json!(report.folder.display().to_string());
+    value["picture"] = json!(picture(report).map(|p| p.display().to_string()));
+    Ok(value)
+}
+
+fn to_text(report: &Report) -> String {
+    let summary = &report.summary;
+    let folder = report.folder.display();
+    let head = match &report.end {
+        RunEnd::Finished => "finished".to_string(),
+        RunEnd::Interrupted => {
+            format!("interrupted; a checkpoint was written. Go on with `demeter resume {folder}`")
+        }
+        // the fault itself was told when it happened
+        RunEnd::Fault(fault) => format!("stopped on a fault of grain {}; the last frame shows it", fault.grain()),
+    };
+    let mut rows = Rows::default();
+    rows.add("results", folder.to_string());
+    if let Some(picture) = picture(report) {
+        rows.add("picture", picture.display().to_string());
+    }
+    rows.add(
+        "time",
+        format!(
+            "{} s in {} of {} s",
+            number(summary.simulated_time),
+            things(summary.steps, "step"),
+            number(summary.time_step)
+        ),
+    );
+    rows.add(
+        "grains",
+        format!(
+            "{} with {}",
+            things(summary.grains, "grain"),
+            things(summary.contacts, "contact")
+        ),
+    );
+    for stage in summary.stages.iter().take(MOST_STAGES) {
+        let span = format!("{} s to {} s", number(stage.start), number(stage.end));
+        rows.add(format!("stage {}", stage.name), format!("{span}: {}", stage.ended_by));
+    }
+    if let Some(more) = summary.stages.len().checked_sub(MOST_STAGES).filter(|more| *more > 0) {
+        rows.add("stages", format!("and {more} more in summary.json"));
+    }
+    for (name, wall) in &summary.walls {
+        let touching = things(u64::from(wall.contacts), "contact");
+        rows.add(
+            format!("wall {name}"),
+            format!("force {} N, {touching}", vector(wall.force)),
+        );
+    }
+    let energies = &summary.energies;
+    rows.add(
+        "energy residual",
+        format!(
+            "{:.1e} at the end, {:.1e} at most",
+            energies.residual, energies.max_residual
+        ),
+    );
+    rows.add(
+        "speed",
+        format!(
+            "{} particle-steps/s on {}, {} of computing",
+            count(summary.particle_steps_per_second as u64),
+            things(summary.threads as u64, "thread"),
+            wait(summary.wall_clock_time)
+        ),
+    );
+    format!("{head}\n{}", rows.lines())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_is_named_after_its_scenario() {
+        let cases = [
+            ("/a/drum.toml", "drum"),
+            ("/a/mill/scenario.toml", "mill"),
+            ("/scenario.toml", "scenario"),
+        ];
+        for (path, name) in cases {
+            assert_eq!(run_name(Path::new(path)), name);
+        }
+    }
+}
