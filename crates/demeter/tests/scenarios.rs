@@ -1,5 +1,7 @@
 //! Walks `scenarios/`: the good ones are read, each bad one gives the messages written at its top.
 
+#![allow(clippy::unwrap_used)]
+
 use demeter::scenario::{Diagnostics, Scenario, TEMPLATES};
 use std::path::{Path, PathBuf};
 
