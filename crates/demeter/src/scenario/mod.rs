@@ -5,9 +5,12 @@ mod document;
 mod grains;
 mod materials;
 mod overrides;
+mod prepare;
 mod quantity;
 mod reader;
+mod report;
 mod resolved;
+mod run;
 mod settings;
 mod sizes;
 mod stages;
@@ -22,6 +25,9 @@ pub use diagnostics::{Diagnostic, Diagnostics};
 pub use document::{Document, SourceText, Span};
 pub use grains::{MAX_BATCHES, MAX_GRAINS};
 pub use materials::{ContactSpec, MAX_MATERIALS};
+pub use prepare::{Prepared, prepare};
+pub use report::{Report, RunEnd};
+pub use run::{Observer, Progress, RunError, RunOptions, RunState, resume, run};
 pub use settings::{
     AUTOMATIC_CHECKPOINTS, AUTOMATIC_FRAMES, AUTOMATIC_ROWS, DEFAULT_MAX_OVERLAP, DomainSpec, OutputSpec, PlotSpec,
     SimulationSpec, TimeStep,
