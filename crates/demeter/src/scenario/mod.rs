@@ -169,8 +169,8 @@ impl Scenario {
         self.document.origin(path)
     }
 
-    /// The scenario as TOML with all overrides put in, values as they were written. Paths of files are joined to the
-    /// folder of the scenario, so that the text means the same from anywhere when that folder is absolute.
+    /// The scenario as TOML with all overrides put in, values as they were written. Paths of files are absolute, so
+    /// that the text means the same from any folder.
     pub fn to_resolved_toml(&self) -> String {
         resolved::write(&self.document.root, &self.base)
     }
