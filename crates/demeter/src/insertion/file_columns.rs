@@ -6,7 +6,9 @@
 //! 1, 0.5, 0.5, 0.25, 0.5, glass
 //! ```
 
-use super::grain_file::{FileProblem, GrainTable, Located, TypeOfGrain, check_ids, density, diameter, number, shown, whole};
+use super::grain_file::{
+    FileProblem, GrainTable, Located, TypeOfGrain, check_ids, density, diameter, number, shown, whole,
+};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -29,7 +31,7 @@ enum Quantity {
 }
 
 /// Names of columns; the first of a quantity is the one that messages use.
-const COLUMNS: [(&str, Quantity); 16] = [
+const COLUMNS: [(&str, Quantity); 15] = [
     ("id", Quantity::Id),
     ("x", Quantity::Position(0)),
     ("y", Quantity::Position(1)),
@@ -45,7 +47,6 @@ const COLUMNS: [(&str, Quantity); 16] = [
     ("wx", Quantity::AngularVelocity(0)),
     ("wy", Quantity::AngularVelocity(1)),
     ("wz", Quantity::AngularVelocity(2)),
-    ("d", Quantity::Size { is_radius: false }),
 ];
 
 type Units = &'static [(&'static str, f64)];
@@ -105,7 +106,10 @@ impl Separator {
             Self::Character(c) => (Some(line.split(c)), None),
             Self::Blanks => (None, Some(line.split_whitespace())),
         };
-        let values = by_character.into_iter().flatten().chain(by_blanks.into_iter().flatten());
+        let values = by_character
+            .into_iter()
+            .flatten()
+            .chain(by_blanks.into_iter().flatten());
         values.map(|value| value.trim().trim_matches('"').trim())
     }
 }

@@ -95,17 +95,23 @@ pub enum FileProblem {
     TooLarge,
     #[error("is not text (byte {position} is not UTF-8); save it as text")]
     NotText { position: usize },
-    #[error("is a LAMMPS dump; write a data file instead (`write_data`), or columns with a header line `id x y z diameter`")]
+    #[error(
+        "is a LAMMPS dump; write a data file instead (`write_data`), or columns with a header line `id x y z diameter`"
+    )]
     Dump,
     #[error("there are no grains in it")]
     NoGrains,
-    #[error("a grain is on every line after the header, but this line starts with `{found}`; put a header such as `x y z diameter` first")]
+    #[error(
+        "a grain is on every line after the header, but this line starts with `{found}`; put a header such as `x y z diameter` first"
+    )]
     NoHeader { found: String },
     #[error("`{name}` is not a known column; known are {known}")]
     UnknownColumn { name: String, known: String },
     #[error("`{name}` is told twice (also as `{other}`); keep one of them")]
     TwiceColumn { name: String, other: String },
-    #[error("column `{name}` is missing; needed are x, y, z and diameter (or radius), and of vx, vy, vz or wx, wy, wz all or none")]
+    #[error(
+        "column `{name}` is missing; needed are x, y, z and diameter (or radius), and of vx, vy, vz or wx, wy, wz all or none"
+    )]
     MissingColumn { name: &'static str },
     #[error("unit `{unit}` is not known here; allowed: {allowed}")]
     UnknownUnit { unit: String, allowed: String },
@@ -121,15 +127,21 @@ pub enum FileProblem {
     UnknownMaterial { name: String, known: String },
     #[error("grain {number} is of type {found}, but the insertion gives materials for types 1 to {known}; add one")]
     TypeWithoutMaterial { number: usize, found: u32, known: usize },
-    #[error("the header does not tell `{what}`; a data file of atom_style sphere starts with lines such as `514 atoms` and `0 0.1 xlo xhi`")]
+    #[error(
+        "the header does not tell `{what}`; a data file of atom_style sphere starts with lines such as `514 atoms` and `0 0.1 xlo xhi`"
+    )]
     HeaderMissing { what: &'static str },
     #[error("`{what}` is told twice in the header")]
     HeaderTwice { what: String },
-    #[error("`{text}` is not known in the header of a data file; is it a section? Known sections are Atoms and Velocities")]
+    #[error(
+        "`{text}` is not known in the header of a data file; is it a section? Known sections are Atoms and Velocities"
+    )]
     UnknownHeader { text: String },
     #[error("{what} is not read; only spheres in a rectangular box are")]
     NotSpheres { what: String },
-    #[error("section `{name}` is not read; known are Atoms and Velocities (`write_data FILE nocoeff` leaves out the others)")]
+    #[error(
+        "section `{name}` is not read; known are Atoms and Velocities (`write_data FILE nocoeff` leaves out the others)"
+    )]
     UnknownSection { name: String },
     #[error("section `{name}` is there twice")]
     TwiceSection { name: &'static str },
@@ -145,7 +157,9 @@ pub enum FileProblem {
     TooManyLines { name: &'static str, expected: usize },
     #[error("the atom style is `{style}`; only sphere is read")]
     Style { style: String },
-    #[error("{found} values; an atom of atom_style sphere has 7 (id type diameter density x y z) or 10 (and 3 image flags)")]
+    #[error(
+        "{found} values; an atom of atom_style sphere has 7 (id type diameter density x y z) or 10 (and 3 image flags)"
+    )]
     AtomValues { found: usize },
     #[error("there is no atom with id {id}")]
     UnknownId { id: u32 },
@@ -181,8 +195,12 @@ impl FileProblem {
 
 /// The start of a text, for messages.
 pub(super) fn shown(text: &str) -> String {
-    const MOST: usize = 40;
-    let mut start: String = text.chars().take(MOST).map(|c| if c.is_control() { '?' } else { c }).collect();
+    const MOST: usize = 60;
+    let mut start: String = text
+        .chars()
+        .take(MOST)
+        .map(|c| if c.is_control() { '?' } else { c })
+        .collect();
     if text.chars().nth(MOST).is_some() {
         start.push_str("...");
     }
@@ -191,7 +209,9 @@ pub(super) fn shown(text: &str) -> String {
 
 /// Reads a finite number of magnitude up to 1e12.
 pub(super) fn number(text: &str) -> Result<f64, FileProblem> {
-    let value: f64 = text.parse().map_err(|_| FileProblem::NotANumber { text: shown(text) })?;
+    let value: f64 = text
+        .parse()
+        .map_err(|_| FileProblem::NotANumber { text: shown(text) })?;
     match value.abs() <= LARGEST {
         true => Ok(value),
         false => Err(not_allowed(text, "allowed are numbers of magnitude up to 1e12")),
@@ -315,21 +335,26 @@ pub(super) fn insert_file(insertion: &Insertion, materials: &[Material]) -> Resu
         };
         let own_density = table.densities.as_ref().map(|values| values[k]);
         let diameter_value = table.diameters[k] * scale;
-        diameter(diameter_value, &format!("{diameter_value} m, the scaled diameter of grain {},", k + 1))
-            .map_err(located)?;
+        diameter(
+            diameter_value,
+            &format!("{diameter_value:e} m (grain {}, scaled)", k + 1),
+        )
+        .map_err(located)?;
+        let position = table.positions[k] * *scale + *shift;
+        if position.abs().max_element() > LARGEST {
+            let text = format!("position of grain {} after scale and shift", k + 1);
+            return Err(located(not_allowed(&text, "coordinates must be within 1e12 m")).into());
+        }
         grains.push(NewGrain {
             material,
             radius: 0.5 * diameter_value,
             density: (density.or(own_density)).unwrap_or(materials[usize::from(material)].density),
-            position: table.positions[k] * *scale + *shift,
+            position,
             velocity: moving(&table.velocities) * *scale,
             angular_velocity: moving(&table.angular_velocities),
         });
     }
-    Ok(Inserted {
-        grains,
-        ids: table.ids,
-    })
+    Ok(Inserted { grains, ids: table.ids })
 }
 
 fn check_settings(density: Option<f64>, scale: f64, shift: DVec3) -> Result<(), InsertionProblem> {
@@ -342,7 +367,7 @@ fn check_settings(density: Option<f64>, scale: f64, shift: DVec3) -> Result<(), 
     if !(1e-12..=LARGEST).contains(&scale) {
         return setting("the scale", scale, "allowed are factors from 1e-12 to 1e12");
     }
-    let outside = |value: &f64| !(value.abs() <= LARGEST);
+    let outside = |value: &f64| !(0.0..=LARGEST).contains(&value.abs());
     match shift.to_array().into_iter().find(outside) {
         Some(value) => setting("a component of the shift", value, "it must be a number within 1e12 m"),
         None => Ok(()),

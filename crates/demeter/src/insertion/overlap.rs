@@ -98,7 +98,11 @@ mod tests {
                     // At a radius or more the search ends early.
                     (Some((_, _, relative)), Some(o)) if relative >= 1.0 => assert!(o.relative >= 1.0),
                     (expected, found) => {
-                        assert_eq!(expected.map(|e| (e.0, e.1)), found.map(|o| (o.first, o.second)), "seed {seed}");
+                        assert_eq!(
+                            expected.map(|e| (e.0, e.1)),
+                            found.map(|o| (o.first, o.second)),
+                            "seed {seed}"
+                        );
                     }
                 }
             }
@@ -126,7 +130,9 @@ mod tests {
         // A quadratic search would compare 2e10 pairs.
         let heap = vec![(DVec3::ONE, 0.1); 200_000];
         assert!(first_overlap(&heap, None).unwrap().relative >= 1.0);
-        let far: Vec<_> = (0..200_000).map(|k| (DVec3::new(1e9, 1e3, 1e-3) * f64::from(k), 1e-6)).collect();
+        let far: Vec<_> = (0..200_000)
+            .map(|k| (DVec3::new(1e9, 1e3, 1e-3) * f64::from(k), 1e-6))
+            .collect();
         assert_eq!(first_overlap(&far, None), None);
     }
 }

@@ -16,10 +16,20 @@ use std::ops::ControlFlow;
 pub(super) const CLEARANCE: f64 = 3e-9;
 /// Share by which the pushing radii exceed the true ones.
 const INFLATION: f64 = 1e-3;
-/// Steps before giving up.
-const MOST_STEPS: u32 = 30_000;
-/// Times that a jammed packing is shaken.
-const MOST_SHAKES: u32 = 6;
+/// Gap up to which pairs are listed, over the mean radius.
+const SKIN: f64 = 0.4;
+/// Limits before giving up: steps and shakes of a jammed packing. Few grains get more of both, as their packings jam by
+/// bad luck more often, and trying again is cheap.
+const LEAST_LIMITS: Limits = Limits {
+    steps: 30_000,
+    shakes: 6,
+};
+const MOST_LIMITS: Limits = Limits {
+    steps: 300_000,
+    shakes: 200,
+};
+/// Grains up to which there is more than the least limits.
+const FEW: usize = 1_000;
 /// Steps between two looks whether the packing is jammed.
 const LOOK_EVERY: u32 = 500;
 /// A look that finds the energy lowered by less than this share calls the packing jammed.
@@ -37,10 +47,28 @@ mod fire {
     pub(super) const MIXING_DECAY: f64 = 0.99;
 }
 
+struct Limits {
+    steps: u32,
+    shakes: u32,
+}
+
+impl Limits {
+    fn of(grains: usize) -> Self {
+        let times = |least: u32, most: u32| {
+            let scaled = u64::from(least) * FEW as u64 / grains.max(1) as u64;
+            scaled.clamp(u64::from(least), u64::from(most)) as u32
+        };
+        Self {
+            steps: times(LEAST_LIMITS.steps, MOST_LIMITS.steps),
+            shakes: times(LEAST_LIMITS.shakes, MOST_LIMITS.shakes),
+        }
+    }
+}
+
 /// A packing that jammed before its grains came free of each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Jammed {
-    /// Largest overlap over the sum of the radii: shrunk by this share, the grains would be free.
+    /// Shrunk by this share, the grains would be free of each other and inside the region.
     pub(super) shrink: f64,
 }
 
@@ -59,16 +87,17 @@ pub(super) fn relax(
     }
     let mut packing = Packing::new(space, radii, places, occupied);
     let mut least_shrink = f64::INFINITY;
+    let limits = Limits::of(radii.len());
     let (mut shakes, mut energy_before) = (0, f64::INFINITY);
-    for step in 1..=MOST_STEPS {
+    for step in 1..=limits.steps {
         let state = packing.push_apart();
-        if state.shrink <= -CLEARANCE && state.inside {
+        if state.pair_shrink <= -CLEARANCE && state.inside {
             return Ok(packing.into_places());
         }
-        least_shrink = least_shrink.min(state.shrink);
+        least_shrink = least_shrink.min(state.pair_shrink.max(state.side_shrink));
         if step % LOOK_EVERY == 0 {
             if state.energy > (1.0 - LEAST_PROGRESS) * energy_before {
-                if shakes == MOST_SHAKES {
+                if shakes == limits.shakes {
                     break;
                 }
                 shakes += 1;
@@ -87,7 +116,9 @@ pub(super) fn relax(
 struct State {
     energy: f64,
     /// Largest overlap of true radii over their sum; negative when all are apart.
-    shrink: f64,
+    pair_shrink: f64,
+    /// Largest overlap with a side of the region over the radius.
+    side_shrink: f64,
     /// Whether all true radii are inside the region.
     inside: bool,
 }
@@ -113,6 +144,8 @@ struct Packing<'a> {
     pairs: Vec<Pair>,
     /// Pairs are listed when their surfaces are closer than this.
     skin: f64,
+    /// How much closer two grains may come before an unlisted pair can push: the skin without the inflation.
+    slack: f64,
     listed_at: Vec<DVec3>,
     time_step: f64,
     mixing: f64,
@@ -123,6 +156,12 @@ impl<'a> Packing<'a> {
     fn new(space: &'a Space<'a>, radii: &'a [f64], mut places: Vec<DVec3>, occupied: &[(DVec3, f64)]) -> Self {
         let smallest = radii.iter().copied().fold(f64::INFINITY, f64::min);
         let mean = radii.iter().sum::<f64>() / radii.len() as f64;
+        let largest = radii
+            .iter()
+            .copied()
+            .chain(occupied.iter().map(|o| o.1))
+            .fold(0.0, f64::max);
+        let skin = SKIN * mean;
         let n = places.len();
         places.extend(occupied.iter().map(|o| space.wrap(o.0)));
         let mut packing = Self {
@@ -134,7 +173,8 @@ impl<'a> Packing<'a> {
             velocities: vec![DVec3::ZERO; n],
             forces: vec![DVec3::ZERO; n],
             pairs: Vec::new(),
-            skin: 0.4 * mean,
+            skin,
+            slack: (skin - 2.0 * INFLATION * largest).max(0.0),
             listed_at: Vec::new(),
             time_step: fire::FIRST_STEP,
             mixing: fire::FIRST_MIXING,
@@ -175,13 +215,19 @@ impl<'a> Packing<'a> {
         let n = self.radii.len();
         let mut state = State {
             energy: 0.0,
-            shrink: f64::NEG_INFINITY,
+            // No pair in reach means that all are apart by the inflation.
+            pair_shrink: -INFLATION,
+            side_shrink: 0.0,
             inside: true,
         };
         for (i, force) in self.forces.iter_mut().enumerate() {
-            *force = self.space.push(self.places[i], self.radii[i] * (1.0 + INFLATION));
-            state.energy += 0.5 * force.length_squared();
-            state.inside &= *force == DVec3::ZERO || self.space.holds(self.places[i], self.radii[i]);
+            let (place, radius) = (self.places[i], self.radii[i]);
+            *force = self.space.push(place, radius * (1.0 + INFLATION));
+            if *force != DVec3::ZERO {
+                state.energy += 0.5 * force.length_squared();
+                state.inside &= self.space.holds(place, radius);
+                state.side_shrink = state.side_shrink.max(self.space.excess(place, radius) / radius);
+            }
         }
         let domain = self.space.domain();
         for pair in &self.pairs {
@@ -198,9 +244,13 @@ impl<'a> Packing<'a> {
             let distance = square.sqrt();
             let overlap = reach - distance;
             // Grains at one place part along x.
-            let normal = if distance > 0.0 { difference / distance } else { DVec3::X };
+            let normal = if distance > 0.0 {
+                difference / distance
+            } else {
+                DVec3::X
+            };
             state.energy += 0.5 * overlap * overlap;
-            state.shrink = state.shrink.max(1.0 - distance / pair.sum);
+            state.pair_shrink = state.pair_shrink.max(1.0 - distance / pair.sum);
             if a < n {
                 self.forces[a] += normal * overlap;
             }
@@ -208,8 +258,6 @@ impl<'a> Packing<'a> {
                 self.forces[b] -= normal * overlap;
             }
         }
-        // No pair in reach: all are apart by the inflation.
-        state.shrink = state.shrink.max(-INFLATION);
         state
     }
 
@@ -223,7 +271,11 @@ impl<'a> Packing<'a> {
         }
         if power > 0.0 {
             self.downhill += 1;
-            let turn = if strength > 0.0 { self.mixing * (speed / strength).sqrt() } else { 0.0 };
+            let turn = if strength > 0.0 {
+                self.mixing * (speed / strength).sqrt()
+            } else {
+                0.0
+            };
             for (v, f) in self.velocities.iter_mut().zip(&self.forces) {
                 *v = *v * (1.0 - self.mixing) + *f * turn;
             }
@@ -242,7 +294,7 @@ impl<'a> Packing<'a> {
             farthest = farthest.max((self.places[i] - self.listed_at[i]).length_squared());
         }
         // Two grains may have come closer by twice the farthest move.
-        if 4.0 * farthest > (self.skin - 2.0 * INFLATION * self.skin).powi(2) {
+        if 4.0 * farthest > self.slack * self.slack {
             self.list_pairs();
         }
     }

@@ -53,7 +53,12 @@ fn class_of(radius: f64, largest: f64) -> usize {
 impl<'a> PlaceGrid<'a> {
     /// A grid for grains with these radii (in any order) in the box from `lower` to `upper`; in periodic directions
     /// the domain's box counts. Grains outside the box are found too.
-    pub(super) fn new(domain: Option<&'a Domain>, lower: DVec3, upper: DVec3, radii: impl Iterator<Item = f64> + Clone) -> Self {
+    pub(super) fn new(
+        domain: Option<&'a Domain>,
+        lower: DVec3,
+        upper: DVec3,
+        radii: impl Iterator<Item = f64> + Clone,
+    ) -> Self {
         let (mut lower, mut upper) = (lower, upper);
         if let Some(domain) = domain {
             for k in (0..3).filter(|k| domain.periodic[*k]) {
@@ -148,11 +153,11 @@ impl<'a> PlaceGrid<'a> {
         let own = usize::from(self.class_of[index]);
         let reach = self.radii[index] + skin;
         for (k, class) in self.classes.iter().enumerate().take(own + 1) {
-            let visited = self.visit_class(class, self.places[index], reach, &mut |found: Near| {
-                match k < own || found.index < index {
-                    true => near(found),
-                    false => ControlFlow::Continue(()),
-                }
+            let visited = self.visit_class(class, self.places[index], reach, &mut |found: Near| match k < own
+                || found.index < index
+            {
+                true => near(found),
+                false => ControlFlow::Continue(()),
             });
             if let ControlFlow::Break(b) = visited {
                 return Some(b);

@@ -166,7 +166,10 @@ mod tests {
     fn uniform_numbers_have_the_moments_of_a_uniform_distribution_for_neighbouring_seeds() {
         // 1e5 numbers: mean 1/2 with standard error 9.1e-4, covariance of two seeds 0 with 2.6e-4; 5 sigma allowed.
         let n = 100_000;
-        let (mut a, mut b) = (RandomNumbers::new(7, Purpose::Places), RandomNumbers::new(8, Purpose::Places));
+        let (mut a, mut b) = (
+            RandomNumbers::new(7, Purpose::Places),
+            RandomNumbers::new(8, Purpose::Places),
+        );
         let (mut mean, mut covariance) = (0.0, 0.0);
         for _ in 0..n {
             let (x, y) = (a.uniform(), b.uniform());

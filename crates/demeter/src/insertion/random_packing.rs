@@ -138,7 +138,7 @@ fn draw_diameters(space: &Space, sizes: &SizeSampler, amount: Amount, seed: u64)
             }
             let target = value * volume;
             let wanted = target / sizes.mean_volume();
-            if !(wanted <= f64::from(MAX_GRAINS)) {
+            if wanted > f64::from(MAX_GRAINS) {
                 return Err(PackingError::TooMany { wanted });
             }
             Ok(draw_volume(sizes, target, &mut random))

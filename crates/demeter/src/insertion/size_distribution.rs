@@ -22,11 +22,7 @@ pub enum SizeError {
     #[error("size distribution: {what} is {value}; allowed are 1e-12 m to 1e6 m")]
     Diameter { what: &'static str, value: f64 },
     #[error("size distribution: {what} is {value}; it must be a finite number above {above}")]
-    Parameter {
-        what: &'static str,
-        value: f64,
-        above: f64,
-    },
+    Parameter { what: &'static str, value: f64, above: f64 },
     #[error("size distribution: there are no diameters; give at least {least}")]
     Empty { least: usize },
     #[error("size distribution: {diameters} diameters but {shares} shares; give as many of both")]
