@@ -18,7 +18,7 @@ mod sequential_addition;
 mod size_distribution;
 mod spec;
 
-pub use grain_file::{FileError, FileProblem, GrainTable, MAX_FILE_BYTES, TypeOfGrain, read_grain_file};
+pub use grain_file::{FileError, FileProblem, GrainTable, Location, MAX_FILE_BYTES, TypeOfGrain, read_grain_file};
 pub use lattice::LatticeError;
 pub use overlap::{Overlap, first_overlap};
 pub use random_packing::{MAX_FRACTION, PackingError};

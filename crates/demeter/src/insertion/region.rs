@@ -220,7 +220,7 @@ impl<'a> Space<'a> {
     }
 
     /// How far a grain stands out of the region, at most 0 when it is inside.
-    pub(super) fn excess(&self, center: DVec3, reach: f64) -> f64 {
+    fn excess(&self, center: DVec3, reach: f64) -> f64 {
         let mut excess = f64::NEG_INFINITY;
         self.each_side(center, |gap, _| excess = excess.max(reach - gap));
         excess

@@ -280,8 +280,8 @@ fn packings_are_the_same_bits_everywhere() {
         found,
         [
             16_910_829_567_758_106_188,
-            18_408_401_045_567_965_329,
-            11_794_767_553_691_485_114,
+            2_111_590_973_878_454_856,
+            9_965_110_294_302_043_981,
             18_115_900_982_947_841_355
         ]
     );
@@ -579,51 +579,4 @@ proptest! {
             let _ = insert(&sites, &materials(), &[], domain);
         }
     }
-}
-#[test]
-fn timing() {
-    let t = |name: &str, region, diameter: SizeDistribution, fraction, d: Option<&Domain>| {
-        let start = std::time::Instant::now();
-        let result = insert(
-            &random(region, diameter, Amount::VolumeFraction(fraction)),
-            &materials(),
-            &[],
-            d,
-        );
-        eprintln!(
-            "TIME {name} {fraction} {:?} {:?}",
-            start.elapsed(),
-            result.as_ref().map(|g| g.grains.len()).map_err(|e| e.to_string())
-        );
-    };
-    let gel = Region::Box {
-        lower: DVec3::ZERO,
-        upper: DVec3::new(0.16519, 0.16583, 0.18),
-    };
-    for f in [0.55, 0.57, 0.58, 0.59, 0.60] {
-        t("gel", gel, HYDROGEL, f, None);
-    }
-    let log = SizeDistribution::Lognormal {
-        median: 0.02,
-        geometric_deviation: 1.5,
-        lower: 0.005,
-        upper: 0.08,
-    };
-    for f in [0.2, 0.3, 0.5, 0.58] {
-        t("lognormal", cube(1.0), log.clone(), f, None);
-    }
-    let rr = SizeDistribution::RosinRammler {
-        scale: 0.1,
-        exponent: 2.0,
-        lower: 0.008,
-        upper: 0.3,
-    };
-    for f in [0.3, 0.55] {
-        t("rr", cube(1.0), rr.clone(), f, None);
-    }
-    let mono = SizeDistribution::Single(0.02);
-    for f in [0.30, 0.5] {
-        t("mono", cube(1.0), mono.clone(), f, None);
-    }
-    t("mono box", cube(0.1), mono.clone(), 0.30, None);
 }
