@@ -9,13 +9,18 @@
 //!
 //! Every quantity is SI `f64`; units exist in [`scenario`] only.
 
+pub mod checkpoint;
+pub mod comm;
+pub mod contacts;
 pub mod insertion;
 pub mod materials;
 pub mod measure;
+pub mod neighbours;
 pub mod output;
 pub mod particles;
 pub mod scenario;
 pub mod simulation;
+mod step;
 pub mod walls;
 
 /// Version of the engine.

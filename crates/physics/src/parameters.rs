@@ -229,7 +229,6 @@ macro_rules! params {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params;
 
     params! {
         /// For the tests below.

@@ -1,37 +1,13 @@
 //! What is measured of a state: energies, contact statistics, stress, wall loads.
 
-use glam::DVec3;
+mod records;
 
-/// Energies of the ledger [J]. Residual: what is there and what was dissipated, less what came in.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Energies {
-    /// Kinetic energy of translation.
-    pub kinetic: f64,
-    /// Kinetic energy of rotation.
-    pub rotational: f64,
-    /// Potential energy in the field of gravity.
-    pub gravitational: f64,
-    /// Stored by normal laws.
-    pub elastic: f64,
-    /// Stored by tangential springs.
-    pub tangential: f64,
-    /// Stored by rolling springs.
-    pub rolling: f64,
-    /// Dissipated by normal dashpots since the start.
-    pub viscous_dissipated: f64,
-    /// Dissipated by friction since the start.
-    pub friction_dissipated: f64,
-    /// Dissipated by rolling resistance since the start.
-    pub rolling_dissipated: f64,
-    /// Work done on the grains by moving walls since the start.
-    pub wall_work: f64,
-    /// Energy of grains inserted since the start.
-    pub inserted: f64,
-    /// Energy of grains removed since the start.
-    pub removed: f64,
-    /// Share of the energy that passed through the system which the books do not explain.
-    pub residual: f64,
-}
+pub use crate::simulation::Energies;
+pub use records::{contact_records, wall_surfaces};
+
+use crate::contacts::ContactChunk;
+use crate::simulation::Simulation;
+use glam::DVec3;
 
 /// What a wall feels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -79,4 +55,137 @@ pub struct Measures {
     pub momentum: DVec3,
     /// One entry per wall.
     pub walls: Vec<WallLoad>,
+}
+
+/// Where a measurement stands in the protocol.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Moment {
+    /// Index of the stage.
+    pub stage: usize,
+    /// Time since the start of the stage [s].
+    pub stage_time: f64,
+}
+
+/// Measures everything that one row of the series tells.
+pub fn measure(sim: &mut Simulation, moment: Moment) -> Measures {
+    let energies = sim.energies();
+    let grains = &sim.grains;
+    let (contacts, wall_contacts) = (sim.contacts.pair_count(), sim.contacts.wall_count());
+    let (volume, solid) = volumes(sim);
+    let mut momentum = DVec3::ZERO;
+    let mut speed2 = 0.0f64;
+    for (velocity, mass) in grains.velocity.iter().zip(&grains.mass) {
+        momentum += *velocity * *mass;
+        speed2 = speed2.max(velocity.length_squared());
+    }
+    Measures {
+        step: sim.step,
+        time: sim.time(),
+        stage: moment.stage,
+        stage_time: moment.stage_time,
+        grains: grains.len(),
+        contacts,
+        coordination: (2 * contacts + wall_contacts) as f64 / grains.len().max(1) as f64,
+        max_overlap: max_overlap(sim),
+        max_speed: speed2.sqrt(),
+        kinetic_over_elastic: kinetic_over_elastic(&energies),
+        stress: stress(sim, volume),
+        packing_fraction: if volume > 0.0 { solid / volume } else { 0.0 },
+        momentum,
+        walls: wall_loads(sim),
+        energies,
+    }
+}
+
+/// Kinetic over elastic energy; infinite without elastic energy, 0 for grains at rest without contact.
+pub fn kinetic_over_elastic(energies: &Energies) -> f64 {
+    let kinetic = energies.kinetic + energies.rotational;
+    if kinetic > 0.0 { kinetic / energies.elastic } else { 0.0 }
+}
+
+/// Volume of the bounding box of the grains' surfaces, whole in periodic directions, and solid volume [m^3].
+fn volumes(sim: &Simulation) -> (f64, f64) {
+    let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let mut solid = 0.0;
+    for (&p, &r) in sim.grains.position.iter().zip(&sim.grains.radius) {
+        lower = lower.min(p - r);
+        upper = upper.max(p + r);
+        solid += 4.0 / 3.0 * std::f64::consts::PI * r * r * r;
+    }
+    let mut size = if sim.grains.is_empty() {
+        DVec3::ZERO
+    } else {
+        upper - lower
+    };
+    for axis in (0..3).filter(|&k| sim.domain().periodic[k]) {
+        size[axis] = sim.domain().size()[axis];
+    }
+    (size.x * size.y * size.z, solid)
+}
+
+/// Stress of all contacts over a volume, `sum F l / V` with the force `F` on a grain and the branch vector `l` from its
+/// partner's centre (a wall: from the contact point) to its own; compression is positive.
+fn stress(sim: &Simulation, volume: f64) -> [f64; 6] {
+    let mut sum = [0.0; 6];
+    let mut add = |chunk: &ContactChunk| {
+        for (force, contact) in chunk.force.iter().zip(chunk.geometry()) {
+            let l = contact.normal * (contact.lever_i + contact.lever_j);
+            let f = *force;
+            let shear = [f.x * l.y + f.y * l.x, f.x * l.z + f.z * l.x, f.y * l.z + f.z * l.y];
+            let terms = [
+                f.x * l.x,
+                f.y * l.y,
+                f.z * l.z,
+                0.5 * shear[0],
+                0.5 * shear[1],
+                0.5 * shear[2],
+            ];
+            for (s, term) in sum.iter_mut().zip(terms) {
+                *s += term;
+            }
+        }
+    };
+    sim.contacts.pairs.iter().chain(&sim.contacts.walls).for_each(&mut add);
+    if volume > 0.0 {
+        sum.map(|s| s / volume)
+    } else {
+        [0.0; 6]
+    }
+}
+
+/// Largest overlap as a share of the smaller radius.
+fn max_overlap(sim: &Simulation) -> f64 {
+    let radius = &sim.grains.radius;
+    let mut largest = 0.0f64;
+    for chunk in &sim.contacts.pairs {
+        for ((contact, &i), &j) in chunk.geometry().iter().zip(&chunk.i).zip(&chunk.j) {
+            largest = largest.max(contact.overlap / radius[i as usize].min(radius[j as usize]));
+        }
+    }
+    for chunk in &sim.contacts.walls {
+        for (contact, &i) in chunk.geometry().iter().zip(&chunk.i) {
+            largest = largest.max(contact.overlap / radius[i as usize]);
+        }
+    }
+    largest
+}
+
+fn wall_loads(sim: &Simulation) -> Vec<WallLoad> {
+    let mut loads: Vec<WallLoad> = (sim.walls.iter())
+        .map(|wall| {
+            let (force, torque) = wall.load();
+            WallLoad {
+                force,
+                torque,
+                displacement: wall.displacement(),
+                contacts: 0,
+            }
+        })
+        .collect();
+    for chunk in &sim.contacts.walls {
+        for &wall in &chunk.j {
+            loads[wall as usize].contacts += 1;
+        }
+    }
+    loads
 }

@@ -1,1 +1,248 @@
-//! scenario
+#![doc = include_str!("reference.md")]
+
+mod diagnostics;
+mod document;
+mod grains;
+mod materials;
+mod overrides;
+mod prepare;
+mod quantity;
+mod reader;
+mod report;
+mod resolved;
+mod run;
+mod settings;
+mod sizes;
+mod stages;
+mod templates;
+pub mod units;
+mod walls;
+
+pub use diagnostics::{Diagnostic, Diagnostics};
+pub use document::{Document, SourceText, Span};
+pub use grains::{MAX_BATCHES, MAX_GRAINS};
+pub use materials::{ContactSpec, MAX_MATERIALS};
+pub use prepare::{Prepared, prepare};
+pub use report::{Report, RunEnd};
+pub use run::{Observer, Progress, RunError, RunOptions, RunState, resume, run};
+pub use settings::{
+    AUTOMATIC_CHECKPOINTS, AUTOMATIC_FRAMES, AUTOMATIC_ROWS, DEFAULT_MAX_OVERLAP, DomainSpec, OutputSpec, PlotSpec,
+    SimulationSpec, TimeStep,
+};
+pub use stages::{MAX_REPEAT, MAX_STAGES};
+pub use templates::{TEMPLATES, template};
+pub use walls::{MAX_WALLS, MeshFile, WallShape, WallSpec};
+
+use crate::insertion::Insertion;
+use crate::materials::Material;
+use crate::simulation::Stage;
+use document::{Node, read_toml};
+use reader::{Context, TableReader};
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// All keys of a scenario, with their meaning.
+pub const REFERENCE: &str = include_str!("reference.md");
+
+/// Largest scenario file [bytes].
+pub const MAX_FILE_SIZE: u64 = 64 << 20;
+
+/// A scenario, read and checked; all values in SI.
+#[derive(Clone, Debug)]
+pub struct Scenario {
+    /// Title; the name of the file when it tells none.
+    pub title: String,
+    /// Seed of all random choices.
+    pub seed: u64,
+    /// Time step, gravity and watch.
+    pub simulation: SimulationSpec,
+    /// Where grains may be.
+    pub domain: DomainSpec,
+    /// Materials; elsewhere they are told by their index.
+    pub materials: Vec<Material>,
+    /// Contact laws of every pair of materials.
+    pub contact: ContactSpec,
+    /// Batches of grains; the path of the first is `grains[0]`.
+    pub grains: Vec<Insertion>,
+    /// Walls; the path of the first is `wall[0]`.
+    pub walls: Vec<WallSpec>,
+    /// Stages with repeats unrolled.
+    pub stages: Vec<Stage>,
+    /// Path of the table that told each stage, as `stage[1].stage[0]`.
+    pub stage_paths: Vec<String>,
+    /// Output of the run.
+    pub output: OutputSpec,
+    /// The text as read, without overrides.
+    pub text: String,
+    /// Name of the scenario for messages: its path as given.
+    pub name: String,
+    /// Folder that relative paths start from.
+    pub base: PathBuf,
+    document: Arc<Document>,
+    root: Node,
+}
+
+impl Scenario {
+    /// Reads a scenario from a file. Overrides are texts `key=value`, as `grains[0].count=200`.
+    pub fn read(path: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
+        let name = path.display().to_string();
+        let text = read_text(path).map_err(|fault| lone_fault(&name, fault))?;
+        let base = path.parent().unwrap_or(Path::new(""));
+        Self::parse(&text, &name, base, overrides)
+    }
+
+    /// Reads a scenario from a text. Relative paths in it start from `base`.
+    pub fn parse(text: &str, name: &str, base: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
+        let (root, document) = tree(text, name, overrides)?;
+        let context = Context {
+            faults: RefCell::new(Diagnostics::new(name, Arc::clone(&document))),
+            asked: RefCell::new(BTreeSet::new()),
+        };
+        let read = Self::walk(&context, root, text, name, base, document);
+        let faults = context.faults.into_inner();
+        if faults.is_empty() { Ok(read) } else { Err(faults) }
+    }
+
+    fn walk(context: &Context, root: Node, text: &str, name: &str, base: &Path, document: Arc<Document>) -> Self {
+        let table = TableReader::root(context, &root);
+        let stem = || {
+            Path::new(name)
+                .file_stem()
+                .map_or_else(|| name.into(), |s| s.to_string_lossy())
+        };
+        let title = table
+            .optional("title")
+            .map_or_else(|| stem().to_string(), |i| i.label());
+        let seed = table.optional("seed").map_or(1, |i| i.integer(0, i64::MAX)) as u64;
+        let simulation = settings::simulation(&table);
+        let domain = settings::domain(&table);
+        let materials = materials::materials(&table);
+        let contact = materials::contact(&table, &materials);
+        let around = grains::Surroundings {
+            materials: &materials,
+            base,
+            seed,
+        };
+        let walls = walls::walls(&table, &around);
+        let grains = grains::grains(&table, &around);
+        let told = settings::output(&table);
+        let protocol = stages::protocol(&table, &walls, told.intervals);
+        table.finish("the scenario");
+        Self {
+            title,
+            seed,
+            simulation,
+            domain,
+            materials,
+            contact,
+            grains,
+            walls,
+            stages: protocol.stages,
+            stage_paths: protocol.paths,
+            output: OutputSpec {
+                cadence: protocol.cadence,
+                picture: !told.no_picture,
+                plots: told.plots,
+            },
+            text: text.to_string(),
+            name: name.to_string(),
+            base: base.to_path_buf(),
+            document,
+            root,
+        }
+    }
+
+    /// An empty list of faults, to which later checks add theirs by the path of the key at fault.
+    pub fn diagnostics(&self) -> Diagnostics {
+        Diagnostics::new(&self.name, Arc::clone(&self.document))
+    }
+
+    /// Where the value of a key was written; see [`Document::origin`].
+    pub fn origin(&self, path: &str) -> Option<Span> {
+        self.document.origin(path)
+    }
+
+    /// The scenario as TOML with all overrides put in, values as they were written. Paths of files are joined to the
+    /// folder of the scenario, so that the text means the same from anywhere when that folder is absolute.
+    pub fn to_resolved_toml(&self) -> String {
+        resolved::write(&self.root, &self.base)
+    }
+}
+
+/// The tree of a text with its overrides.
+fn tree(text: &str, name: &str, overrides: &[String]) -> Result<(Node, Arc<Document>), Diagnostics> {
+    let file = SourceText {
+        name: name.to_string(),
+        text: text.to_string(),
+        is_override: false,
+    };
+    let mut sources = vec![file];
+    sources.extend(overrides.iter().map(|o| overrides::source_text(o)));
+    let refuse = |faults: Vec<overrides::OverrideFault>, sources: Vec<SourceText>| {
+        let document = Document::without_places(sources);
+        let mut diagnostics = Diagnostics::new(name, Arc::new(document));
+        for (fault, help) in faults {
+            diagnostics.push_at(Some(fault.span), "", fault.message, help);
+        }
+        diagnostics
+    };
+    let mut root = match read_toml(text, 0) {
+        Ok(root) => root,
+        Err(faults) => {
+            let message = |mut fault: document::SyntaxFault| {
+                fault.message = format!("not valid TOML: {}", fault.message);
+                (fault, None)
+            };
+            return Err(refuse(faults.into_iter().map(message).collect(), sources));
+        }
+    };
+    if root.is_empty_table() && overrides.is_empty() {
+        return Err(lone_fault(
+            name,
+            "the scenario is empty; `demeter new` writes one to start from".to_string(),
+        ));
+    }
+    let mut faults = Vec::new();
+    for (index, text) in overrides.iter().enumerate() {
+        if let Err(found) = overrides::apply(&mut root, text, index + 1) {
+            faults.extend(found);
+        }
+    }
+    if !faults.is_empty() {
+        return Err(refuse(faults, sources));
+    }
+    let document = Arc::new(Document::new(sources, &root));
+    Ok((root, document))
+}
+
+/// One fault without a place.
+fn lone_fault(name: &str, message: String) -> Diagnostics {
+    let mut diagnostics = Diagnostics::new(name, Arc::new(Document::default()));
+    diagnostics.push_at(None, "", message, None);
+    diagnostics
+}
+
+/// The text of a file, or why it cannot be had.
+fn read_text(path: &Path) -> Result<String, String> {
+    let explain = |error: std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => "there is no such file".to_string(),
+        kind => format!("the file cannot be read: {kind}"),
+    };
+    let file = std::fs::File::open(path).map_err(explain)?;
+    if file.metadata().map_err(explain)?.is_dir() {
+        return Err("this is a folder; name the scenario file in it".to_string());
+    }
+    let mut bytes = Vec::new();
+    file.take(MAX_FILE_SIZE + 1).read_to_end(&mut bytes).map_err(explain)?;
+    if bytes.len() as u64 > MAX_FILE_SIZE {
+        return Err(format!("the file is larger than {} MiB", MAX_FILE_SIZE >> 20));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        let line = error.as_bytes()[..at].iter().filter(|b| **b == b'\n').count() + 1;
+        format!("line {line} is not UTF-8 text; save the file as UTF-8")
+    })
+}

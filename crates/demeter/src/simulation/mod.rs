@@ -1,5 +1,205 @@
 //! The state of a run and its protocol.
 
+mod ledger;
 mod protocol;
+mod state;
+mod time_step;
 
+pub use ledger::{Books, Energies};
 pub use protocol::{Cadence, Stage, StopCondition};
+pub use state::{SimulationState, StateError};
+pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, UNSAFE_SHARE, shortest_time_scale};
+
+use crate::comm::Single;
+use crate::contacts::{Contacts, Fault, block};
+use crate::materials::Materials;
+use crate::neighbours::{Neighbours, space_filling_order};
+use crate::particles::{Domain, Grains};
+use crate::walls::{Pose, Wall};
+use glam::DVec3;
+
+/// Rebuilds of the candidates between two reorderings of the grains.
+const REBUILDS_PER_REORDER: u64 = 16;
+
+/// What a simulation is made of.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// Grains at the start.
+    pub grains: Grains,
+    /// Walls at the start.
+    pub walls: Vec<Wall>,
+    /// Materials and their laws.
+    pub materials: Materials,
+    /// The domain.
+    pub domain: Domain,
+    /// Acceleration of gravity [m/s^2].
+    pub gravity: DVec3,
+    /// Time step [s].
+    pub dt: f64,
+    /// Distance beyond touching at which bodies become candidates [m].
+    pub skin: f64,
+    /// Largest overlap allowed, as share of the smaller radius.
+    pub max_overlap: f64,
+}
+
+/// A run: grains, walls, contacts and books at one moment.
+#[derive(Debug)]
+pub struct Simulation {
+    /// Grains.
+    pub grains: Grains,
+    /// Walls.
+    pub walls: Vec<Wall>,
+    /// Materials and their laws.
+    pub materials: Materials,
+    /// Steps done.
+    pub step: u64,
+    /// Time step [s].
+    pub dt: f64,
+    /// Acceleration of gravity [m/s^2].
+    pub gravity: DVec3,
+    /// Active contacts.
+    pub contacts: Contacts,
+    /// Energy books.
+    pub books: Books,
+    pub(crate) comm: Single,
+    pub(crate) neighbours: Neighbours,
+    pub(crate) skin: f64,
+    pub(crate) max_overlap: f64,
+    rebuilds: u64,
+    /// Bounds of the grains when the candidates were found.
+    bounds: (DVec3, DVec3),
+    /// Places of the walls one step before.
+    walls_before: Vec<Pose>,
+    started: bool,
+}
+
+impl Simulation {
+    /// A simulation before its start; the first step, or [`Simulation::start`], finds the first forces.
+    pub fn new(setup: Setup) -> Self {
+        let stride = block::stride(&setup.materials);
+        Self {
+            comm: Single::new(setup.domain),
+            walls_before: setup.walls.iter().map(Wall::pose).collect(),
+            grains: setup.grains,
+            walls: setup.walls,
+            materials: setup.materials,
+            step: 0,
+            dt: setup.dt,
+            gravity: setup.gravity,
+            contacts: Contacts {
+                stride,
+                ..Contacts::default()
+            },
+            books: Books::default(),
+            neighbours: Neighbours::default(),
+            skin: setup.skin,
+            max_overlap: setup.max_overlap,
+            rebuilds: 0,
+            bounds: (DVec3::ZERO, DVec3::ZERO),
+            started: false,
+        }
+    }
+
+    /// Simulated time [s].
+    pub fn time(&self) -> f64 {
+        self.step as f64 * self.dt
+    }
+
+    /// Finds the forces of the first moment and opens the books. Nothing happens when that was done.
+    pub fn start(&mut self) -> Result<(), Fault> {
+        if !self.started {
+            self.find_first_forces()?;
+            let energies = self.mechanical_energies();
+            self.books.open(&energies);
+            self.started = true;
+        }
+        Ok(())
+    }
+
+    /// Whether the forces of the first moment were found.
+    pub fn is_started(&self) -> bool {
+        self.started
+    }
+
+    /// Distance beyond touching at which bodies become candidates [m].
+    pub fn skin(&self) -> f64 {
+        self.skin
+    }
+
+    /// The domain.
+    pub fn domain(&self) -> &Domain {
+        self.comm.domain()
+    }
+
+    /// How often the candidates were found anew.
+    pub fn rebuilds(&self) -> u64 {
+        self.rebuilds
+    }
+
+    /// Number of candidate pairs of grains.
+    pub fn candidate_count(&self) -> usize {
+        self.neighbours.pairs.len()
+    }
+
+    /// Finds all candidates anew; contacts keep what they remember.
+    pub(crate) fn find_candidates(&mut self) {
+        let carried = self.contacts.carry(&self.grains);
+        self.comm.wrap(&mut self.grains);
+        if self.rebuilds.is_multiple_of(REBUILDS_PER_REORDER) {
+            let order = space_filling_order(&self.grains);
+            self.grains.reorder(&order);
+        }
+        self.rebuilds += 1;
+        self.neighbours = Neighbours::find(&self.grains, &self.walls, &self.comm, self.skin);
+        self.contacts.adopt(&self.grains, &self.neighbours, &carried);
+        self.note_bounds();
+    }
+
+    fn note_bounds(&mut self) {
+        let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for (&p, &r) in self.neighbours.reference.iter().zip(&self.grains.radius) {
+            lower = lower.min(p - r);
+            upper = upper.max(p + r);
+        }
+        self.bounds = (lower - self.skin, upper + self.skin);
+    }
+
+    /// Largest displacement of any wall surface near the grains since the candidates were found [m].
+    pub(crate) fn wall_displacement(&self) -> f64 {
+        self.surface_displacement(&self.neighbours.wall_reference)
+    }
+
+    /// Largest speed of any wall surface near the grains in the latest step [m/s]; notes the places of the walls.
+    pub(crate) fn wall_speed(&mut self) -> f64 {
+        let speed = self.surface_displacement(&self.walls_before) / self.dt;
+        for (before, wall) in self.walls_before.iter_mut().zip(&self.walls) {
+            *before = wall.pose();
+        }
+        speed
+    }
+
+    fn surface_displacement(&self, since: &[Pose]) -> f64 {
+        let (lower, upper) = self.bounds;
+        let moved = |(wall, pose): (&Wall, &Pose)| wall.surface_displacement(pose, lower, upper);
+        self.walls.iter().zip(since).map(moved).fold(0.0, f64::max)
+    }
+
+    /// Takes grains out of the run and books what they carried.
+    pub(crate) fn remove(&mut self, indices: &[usize]) {
+        let gone = self.energies_of(|g| indices.contains(&g));
+        self.books.remove(indices.len() as u64, &gone);
+        let mut gone = indices.iter().peekable();
+        let keep: Vec<u32> = (0..self.grains.len() as u32)
+            .filter(|&g| gone.next_if(|&&k| k == g as usize).is_none())
+            .collect();
+        let ids: Vec<u32> = indices.iter().map(|&g| self.grains.id[g]).collect();
+        let carried: Vec<_> = (self.contacts.carry(&self.grains).into_iter())
+            .filter(|c| !ids.contains(&c.key.grain) && (c.key.wall || !ids.contains(&c.key.partner)))
+            .collect();
+        self.grains.reorder(&keep);
+        self.comm.wrap(&mut self.grains);
+        self.neighbours = Neighbours::find(&self.grains, &self.walls, &self.comm, self.skin);
+        self.contacts.adopt(&self.grains, &self.neighbours, &carried);
+        self.note_bounds();
+    }
+}

@@ -1,7 +1,25 @@
 //! Walls: shapes, motion, and what they feel.
+//!
+//! A [`Wall`] is built from a [`Shape`] and a [`Motion`]. Its shape never changes: it stays in the *wall frame*, the frame
+//! in which it was described, and a [`Pose`] carries it through the world. [`Wall::contacts`] is what the engine asks for
+//! each grain; [`Wall::advance`] moves the wall by one step.
 
+mod error;
+pub mod mesh;
 mod motion;
+mod motor;
+mod outline;
+mod pose;
+mod servo;
 mod shape;
+mod stl;
+mod surface;
+mod wall;
 
+pub use error::WallError;
+pub use mesh::{Mesh, MeshError};
 pub use motion::Motion;
+pub use pose::Pose;
 pub use shape::{Shape, Side};
+pub use stl::{StlError, read_stl};
+pub use wall::{SurfaceContact, Wall, WallState};

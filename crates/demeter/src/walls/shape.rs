@@ -1,16 +1,8 @@
 //! Shapes of walls, as a user describes them, in the wall's own frame.
 
+pub use demeter_physics::geometry::Side;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
-
-/// On which side of a closed surface the grains are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Side {
-    /// The surface contains the grains.
-    Inside,
-    /// The grains are around it.
-    Outside,
-}
 
 /// Shape of a wall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,1 +1,15 @@
+//! What every registered law must do, tested by walking the registry: nobody writes these tests for a new law.
+//!
+//! * [`registry`]: names, documentation, declared ranges
+//! * [`normal_laws`]: energy, stiffness, gaps, the mean over the window, cycles, dimensions
+//! * [`collisions`]: restitution and energy of head-on collisions in the engine's own scheme
+//! * [`planar_laws`]: bound, direction, symmetries, dimensions, history of friction and rolling laws
+//! * [`planar_energy`]: what friction and rolling laws store, return and dissipate
 
+mod cases;
+mod collisions;
+mod normal_laws;
+mod planar;
+mod planar_energy;
+mod planar_laws;
+mod registry;

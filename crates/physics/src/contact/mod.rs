@@ -61,7 +61,7 @@ impl MaterialPair {
 }
 
 /// Effective size of a contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PairSize {
     /// Effective radius, `r_i r_j / (r_i + r_j)`; the grain's radius against a wall [m].
     pub radius: f64,

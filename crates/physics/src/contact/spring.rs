@@ -60,6 +60,13 @@ pub fn carry_along(vector: DVec3, normal: DVec3, spin_angle: f64) -> DVec3 {
     }
 }
 
+/// A load cut back to the largest that the contact can carry.
+#[inline(always)]
+fn held(load: DVec3, limit: f64) -> DVec3 {
+    let size = load.length();
+    if size > limit { load * (limit / size) } else { load }
+}
+
 /// Advances the spring by one step.
 ///
 /// When the stiffness falls (unloading), the load falls with it, so that no energy is made (Thornton 2015); when it
@@ -75,22 +82,11 @@ pub fn advance_spring(input: &SpringInput, history: &mut [f64]) -> SpringRespons
     };
     let kept = carry_along(old, input.normal, input.spin * input.dt) * softening;
     let half = input.rate * (0.5 * input.dt * input.stiffness);
-    let middle = kept - half;
-    let trial = middle - input.rate * input.damping;
-    let size = trial.length();
-    let (load, next) = if size > input.limit {
-        let load = trial * (input.limit / size);
-        (load, load)
-    } else {
-        (trial, middle - half)
-    };
-    // the remembered load may not exceed the limit either: the limit can fall faster than the spring is advanced
-    let next_size = next.length();
-    let next = if next_size > input.limit {
-        next * (input.limit / next_size)
-    } else {
-        next
-    };
+    // The slider holds the spring at the limit at each of its times. The dashpot's share of the load is cut, too, but
+    // it never loads the spring: that would store energy that nobody put in.
+    let middle = held(kept - half, input.limit);
+    let load = held(kept - half - input.rate * input.damping, input.limit);
+    let next = held(middle - half, input.limit);
     history[0] = next.x;
     history[1] = next.y;
     history[2] = next.z;

@@ -48,9 +48,15 @@ impl Normal for Linear {
                 damping: mean_slope(input, |d| damping * d),
             }
         } else if input.overlap > 0.0 {
-            NormalResponse { elastic: self.stiffness * input.overlap, damping }
+            NormalResponse {
+                elastic: self.stiffness * input.overlap,
+                damping,
+            }
         } else {
-            NormalResponse { elastic: 0.0, damping: 0.0 }
+            NormalResponse {
+                elastic: 0.0,
+                damping: 0.0,
+            }
         }
     }
 
@@ -67,5 +73,89 @@ impl Normal for Linear {
 
     fn collision_time(&self, size: PairSize, _overlap: f64) -> f64 {
         restitution::linear_contact_time(self.stiffness, size.mass, self.restitution)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Elastic;
+    use approx::assert_relative_eq;
+
+    const ANY: Elastic = Elastic {
+        young_modulus: 1e9,
+        poisson_ratio: 0.3,
+    };
+
+    /// Duration, largest overlap and restitution of a collision at the impact speed 1, integrated with Runge-Kutta.
+    fn collide(law: &Linear, size: PairSize) -> [f64; 3] {
+        let slope = |[d, v]: [f64; 2]| {
+            // the law ends at zero overlap; the last step looks a little beyond it
+            let input = NormalInput {
+                size,
+                overlap: d.abs().max(f64::MIN_POSITIVE),
+                half_window: 0.0,
+            };
+            let response = law.respond(&input);
+            [v, -(response.elastic.copysign(d) + response.damping * v) / size.mass]
+        };
+        let advance = |y: [f64; 2], dt: f64| {
+            let shifted = |k: [f64; 2], share: f64| std::array::from_fn(|i| y[i] + share * dt * k[i]);
+            let k1 = slope(y);
+            let k2 = slope(shifted(k1, 0.5));
+            let k3 = slope(shifted(k2, 0.5));
+            let k4 = slope(shifted(k3, 1.0));
+            std::array::from_fn(|i| y[i] + dt / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]))
+        };
+        let end_at_zero = |y: [f64; 2], dt: f64, component: usize| {
+            let (mut lower, mut upper) = (0.0, dt);
+            for _ in 0..100 {
+                let middle = 0.5 * (lower + upper);
+                if advance(y, middle)[component] > 0.0 {
+                    lower = middle;
+                } else {
+                    upper = middle;
+                }
+            }
+            (lower, advance(y, lower))
+        };
+        let dt = 1e-3 * (size.mass / law.stiffness).sqrt();
+        let (mut y, mut steps, mut largest): ([f64; 2], u32, f64) = ([0.0, 1.0], 0, 0.0);
+        while steps < 1_000_000 {
+            let next = advance(y, dt);
+            if y[1] > 0.0 && next[1] <= 0.0 {
+                largest = end_at_zero(y, dt, 1).1[0];
+            }
+            if next[0] <= 0.0 {
+                let (rest, end) = end_at_zero(y, dt, 0);
+                return [f64::from(steps) * dt + rest, largest, -end[1]];
+            }
+            y = next;
+            steps += 1;
+        }
+        panic!("the bodies never parted");
+    }
+
+    #[test]
+    fn duration_overlap_and_restitution_of_damped_collisions() {
+        for restitution in [0.05, 0.1, 0.54, 0.9, 1.0] {
+            for (stiffness, mass) in [(1e4, 2e-3), (37.0, 5.0)] {
+                let values = [("stiffness", stiffness), ("restitution", restitution)];
+                let values = values.map(|(name, value)| (name.to_string(), value)).into();
+                let law = Linear::new(&values, &MaterialPair { a: ANY, b: ANY }).unwrap();
+                let size = PairSize { radius: 1e-3, mass };
+                let [duration, overlap, e] = collide(&law, size);
+                // eqs 7 and 21 of Antypov and Elliott
+                let l = -libm::log(restitution);
+                let g = l / (l * l + std::f64::consts::PI * std::f64::consts::PI).sqrt();
+                let w = (1.0 - g * g).sqrt();
+                let unit_time = (mass / stiffness).sqrt();
+                let expected = unit_time * libm::exp(-(g / w) * libm::atan2(w, g));
+                assert_relative_eq!(overlap, expected, max_relative = 1e-9);
+                assert_relative_eq!(duration, unit_time * std::f64::consts::PI / w, max_relative = 1e-9);
+                assert_relative_eq!(duration, law.collision_time(size, overlap), max_relative = 1e-9);
+                assert_relative_eq!(e, restitution, max_relative = 1e-9);
+            }
+        }
     }
 }

@@ -31,7 +31,9 @@ impl Rolling for ConstantTorque {
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = ConstantTorqueParameters::from_values(values)?;
-        Ok(Self { rolling_friction: p.rolling_friction })
+        Ok(Self {
+            rolling_friction: p.rolling_friction,
+        })
     }
 
     #[inline(always)]
@@ -39,10 +41,17 @@ impl Rolling for ConstantTorque {
         let speed = input.angular_velocity.length();
         let full = self.rolling_friction * input.size.radius * input.normal_force;
         let stopping = REMOVED_SHARE * input.rolling_inertia / input.dt;
-        let coefficient = if full < stopping * speed { full / speed } else { stopping };
+        let coefficient = if full < stopping * speed {
+            full / speed
+        } else {
+            stopping
+        };
         let coefficient = if full > 0.0 { coefficient } else { 0.0 };
         let torque = -input.angular_velocity * coefficient;
-        RollingResponse { torque, dissipated: coefficient * speed * speed * input.dt }
+        RollingResponse {
+            torque,
+            dissipated: coefficient * speed * speed * input.dt,
+        }
     }
 
     #[inline(always)]

@@ -27,10 +27,17 @@ impl Rolling for Epsd {
     const SUMMARY: &'static str = "elastic-plastic spring-dashpot against rolling";
     const DOC: &'static str = include_str!("epsd.md");
     const PARAMETERS: &'static [ParameterInfo] = EpsdParameters::TABLE;
-    const HISTORY: &'static [Dimension] = &[Dimension::ENERGY, Dimension::ENERGY, Dimension::ENERGY, Dimension::ENERGY];
+    const HISTORY: &'static [Dimension] = &[
+        Dimension::ENERGY,
+        Dimension::ENERGY,
+        Dimension::ENERGY,
+        Dimension::ENERGY,
+    ];
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
-        Ok(Self { parameters: EpsdParameters::from_values(values)? })
+        Ok(Self {
+            parameters: EpsdParameters::from_values(values)?,
+        })
     }
 
     #[inline(always)]
@@ -46,7 +53,10 @@ impl Rolling for Epsd {
             dt: input.dt,
         };
         let response = advance_spring(&spring, history);
-        RollingResponse { torque: response.load, dissipated: response.dissipated }
+        RollingResponse {
+            torque: response.load,
+            dissipated: response.dissipated,
+        }
     }
 
     #[inline(always)]

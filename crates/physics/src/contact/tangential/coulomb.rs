@@ -40,10 +40,17 @@ impl Tangential for Coulomb {
         let sliding = self.friction * input.normal_force;
         // force per speed, the smaller of the two branches: no division by a vanishing speed
         let sticking = REMOVED_SHARE * input.tangential_mass / input.dt;
-        let coefficient = if sliding < sticking * speed { sliding / speed } else { sticking };
+        let coefficient = if sliding < sticking * speed {
+            sliding / speed
+        } else {
+            sticking
+        };
         let coefficient = if sliding > 0.0 { coefficient } else { 0.0 };
         let force = -input.velocity * coefficient;
-        TangentialResponse { force, dissipated: coefficient * speed * speed * input.dt }
+        TangentialResponse {
+            force,
+            dissipated: coefficient * speed * speed * input.dt,
+        }
     }
 
     #[inline(always)]

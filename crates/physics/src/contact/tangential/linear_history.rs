@@ -28,11 +28,17 @@ impl Tangential for LinearHistory {
     const SUMMARY: &'static str = "linear tangential spring with history and Coulomb slider";
     const DOC: &'static str = include_str!("linear_history.md");
     const PARAMETERS: &'static [ParameterInfo] = LinearHistoryParameters::TABLE;
-    const HISTORY: &'static [Dimension] =
-        &[Dimension::FORCE, Dimension::FORCE, Dimension::FORCE, Dimension::STIFFNESS];
+    const HISTORY: &'static [Dimension] = &[
+        Dimension::FORCE,
+        Dimension::FORCE,
+        Dimension::FORCE,
+        Dimension::STIFFNESS,
+    ];
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
-        Ok(Self { parameters: LinearHistoryParameters::from_values(values)? })
+        Ok(Self {
+            parameters: LinearHistoryParameters::from_values(values)?,
+        })
     }
 
     #[inline(always)]
@@ -48,7 +54,10 @@ impl Tangential for LinearHistory {
             dt: input.dt,
         };
         let response = advance_spring(&spring, history);
-        TangentialResponse { force: response.load, dissipated: response.dissipated }
+        TangentialResponse {
+            force: response.load,
+            dissipated: response.dissipated,
+        }
     }
 
     #[inline(always)]

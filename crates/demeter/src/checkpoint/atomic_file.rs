@@ -1,0 +1,123 @@
+//! Files that appear whole under their name or not at all.
+
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What a finished file survives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Durability {
+    /// The death of the process, at any moment.
+    Kill,
+    /// A power cut too: the file and its folder are forced to the disk, which takes milliseconds.
+    PowerCut,
+}
+
+/// Name under which a file is written before it gets its own: the name with `.part` behind it, in the same folder.
+pub fn part_path(path: &Path) -> PathBuf {
+    let mut name = path.file_name().map_or_else(OsString::new, OsString::from);
+    name.push(".part");
+    path.with_file_name(name)
+}
+
+/// Writes a file under a temporary name in the same folder and then gives it its own name, replacing what was there.
+///
+/// On an error the file that was there before is untouched and the temporary one is removed.
+pub fn write_atomically(path: &Path, bytes: &[u8], durability: Durability) -> io::Result<()> {
+    let part = write_part(path, &[bytes], durability)?;
+    give_name(&part, path, durability)
+}
+
+/// Writes the pieces, one behind the other, under the temporary name and returns that.
+pub(super) fn write_part(path: &Path, pieces: &[&[u8]], durability: Durability) -> io::Result<PathBuf> {
+    let part = part_path(path);
+    let written = write_pieces(&part, pieces, durability);
+    if written.is_err() {
+        // A leftover is harmless, it is overwritten by the next attempt: the error that matters is the first.
+        let _ = fs::remove_file(&part);
+    }
+    written.map(|()| part)
+}
+
+fn write_pieces(path: &Path, pieces: &[&[u8]], durability: Durability) -> io::Result<()> {
+    use std::io::Write;
+    let mut file = File::create(path)?;
+    for piece in pieces {
+        file.write_all(piece)?;
+    }
+    match durability {
+        Durability::Kill => Ok(()),
+        Durability::PowerCut => file.sync_all(),
+    }
+}
+
+/// Renames a finished temporary file to its own name.
+pub(super) fn give_name(part: &Path, path: &Path, durability: Durability) -> io::Result<()> {
+    fs::rename(part, path)?;
+    match durability {
+        Durability::Kill => Ok(()),
+        Durability::PowerCut => sync_folder(path),
+    }
+}
+
+/// Forces the entries of the folder of a file to the disk, where the system knows how.
+fn sync_folder(path: &Path) -> io::Result<()> {
+    if !cfg!(unix) {
+        return Ok(());
+    }
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    File::open(folder)?.sync_all()
+}
+
+/// What a user can do about an error of the file system, as a sentence, if there is something to say.
+pub fn hint(error: &io::Error) -> Option<&'static str> {
+    use io::ErrorKind as Kind;
+    match error.kind() {
+        Kind::StorageFull => Some("The disk is full: free some space. Everything written before is intact."),
+        Kind::QuotaExceeded => {
+            Some("Your disk quota is used up: free some space. Everything written before is intact.")
+        }
+        Kind::PermissionDenied => Some("You may not write there: choose another folder or change its permissions."),
+        Kind::ReadOnlyFilesystem => Some("The file system is read-only: choose another folder."),
+        Kind::NotFound => Some("Check the path; was the folder moved or deleted?"),
+        Kind::FileTooLarge => Some("The file system cannot hold a file of this size: choose another disk."),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_replaced_whole_and_leaves_no_part() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        write_atomically(&path, b"first", Durability::Kill).unwrap();
+        write_atomically(&path, b"second", Durability::PowerCut).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"second");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_failed_write_keeps_the_old_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        write_atomically(&path, b"first", Durability::Kill).unwrap();
+        // A folder in the way of the temporary file makes the write fail.
+        fs::create_dir(part_path(&path)).unwrap();
+        write_atomically(&path, b"second", Durability::Kill).unwrap_err();
+        assert_eq!(fs::read(&path).unwrap(), b"first");
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_disk_is_named() {
+        let error = write_pieces(Path::new("/dev/full"), &[b"x"], Durability::Kill).unwrap_err();
+        assert!(hint(&error).unwrap().contains("disk is full"));
+    }
+}

@@ -1,0 +1,353 @@
+//! Contact laws, family by family, over blocks of contacts that stay in the cache.
+//!
+//! A block gathers the kinematics of its contacts, runs the normal, tangential and rolling laws over runs of contacts
+//! of one material pair (one dispatch per run), and writes forces and torques.
+
+use super::{ContactChunk, Scene};
+use crate::materials::Materials;
+use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor, centred_force};
+use demeter_physics::contact::rolling::{Rolling, RollingInput, RollingVisitor};
+use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialLaw, TangentialVisitor};
+use demeter_physics::contact::{PairLaw, PairSize};
+use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use glam::DVec3;
+use std::ops::Range;
+
+/// Contacts in one block.
+const BLOCK: usize = 64;
+
+/// One contact while its laws are evaluated.
+#[derive(Clone, Copy, Default)]
+struct Kinematics {
+    size: PairSize,
+    rate: f64,
+    tangential_velocity: DVec3,
+    rolling_velocity: DVec3,
+    spin: f64,
+    tangential_mass: f64,
+    rolling_inertia: f64,
+}
+
+/// The second body of a contact.
+#[derive(Clone, Copy)]
+struct Partner {
+    velocity: DVec3,
+    angular_velocity: DVec3,
+    inverse_radius: f64,
+    inverse_mass: f64,
+    inverse_inertia: f64,
+    /// `1/(I + m l^2)`.
+    inverse_rolling_inertia: f64,
+}
+
+/// The laws' view of a stretch of contacts of one material pair.
+struct Run<'a> {
+    dt: f64,
+    stride: usize,
+    law: &'a PairLaw,
+    geometry: &'a [Contact],
+    kinematics: &'a [Kinematics],
+    normal_force: &'a mut [f64],
+    history: &'a mut [f64],
+    tangential_force: &'a mut [DVec3],
+    rolling_torque: &'a mut [DVec3],
+}
+
+struct NormalPass<'r, 'a>(&'r mut Run<'a>);
+
+impl NormalVisitor for NormalPass<'_, '_> {
+    /// Energy dissipated [J].
+    type Output = f64;
+
+    fn visit<L: Normal>(self, law: &L) -> f64 {
+        let run = self.0;
+        let mut dissipated = 0.0;
+        for (k, (contact, kin)) in run.geometry.iter().zip(run.kinematics).enumerate() {
+            let response = law.respond(&NormalInput {
+                size: kin.size,
+                overlap: contact.overlap,
+                half_window: 0.5 * run.dt * kin.rate.abs(),
+            });
+            let (force, rate) = centred_force(response, kin.rate, run.normal_force[k], kin.size.mass, run.dt);
+            run.normal_force[k] = force;
+            dissipated += response.damping * rate * rate * run.dt;
+        }
+        dissipated
+    }
+}
+
+struct TangentialPass<'r, 'a>(&'r mut Run<'a>);
+
+impl TangentialVisitor for TangentialPass<'_, '_> {
+    type Output = f64;
+
+    fn visit<L: Tangential>(self, law: &L) -> f64 {
+        let run = self.0;
+        let mut dissipated = 0.0;
+        for (k, (contact, kin)) in run.geometry.iter().zip(run.kinematics).enumerate() {
+            let history = &mut run.history[k * run.stride..k * run.stride + L::HISTORY.len()];
+            let input = TangentialInput {
+                size: kin.size,
+                tangential_mass: kin.tangential_mass,
+                overlap: contact.overlap.max(0.0),
+                normal: contact.normal,
+                velocity: kin.tangential_velocity,
+                spin: kin.spin,
+                normal_force: run.normal_force[k].max(0.0),
+                dt: run.dt,
+            };
+            let response = law.respond(&input, history);
+            run.tangential_force[k] = response.force;
+            dissipated += response.dissipated;
+        }
+        dissipated
+    }
+}
+
+struct RollingPass<'r, 'a>(&'r mut Run<'a>, NormalStiffness);
+
+/// Tangent normal stiffness of every contact of a run [N/m].
+type NormalStiffness = [f64; BLOCK];
+
+impl RollingVisitor for RollingPass<'_, '_> {
+    type Output = f64;
+
+    fn visit<L: Rolling>(self, law: &L) -> f64 {
+        let Self(run, stiffness) = self;
+        let offset = run.law.tangential.map_or(0, |t| t.info().history);
+        let mut dissipated = 0.0;
+        for (k, (contact, kin)) in run.geometry.iter().zip(run.kinematics).enumerate() {
+            let first = k * run.stride + offset;
+            let input = RollingInput {
+                size: kin.size,
+                rolling_inertia: kin.rolling_inertia,
+                normal: contact.normal,
+                angular_velocity: kin.rolling_velocity,
+                spin: kin.spin,
+                normal_force: run.normal_force[k].max(0.0),
+                normal_stiffness: stiffness[k],
+                dt: run.dt,
+            };
+            let response = law.respond(&input, &mut run.history[first..first + L::HISTORY.len()]);
+            run.rolling_torque[k] = response.torque;
+            dissipated += response.dissipated;
+        }
+        dissipated
+    }
+}
+
+struct StiffnessPass<'r, 'a>(&'r Run<'a>);
+
+impl NormalVisitor for StiffnessPass<'_, '_> {
+    type Output = NormalStiffness;
+
+    fn visit<L: Normal>(self, law: &L) -> NormalStiffness {
+        let mut stiffness = [0.0; BLOCK];
+        for ((k, contact), out) in self.0.kinematics.iter().zip(self.0.geometry).zip(&mut stiffness) {
+            *out = law.stiffness(k.size, contact.overlap);
+        }
+        stiffness
+    }
+}
+
+impl ContactChunk {
+    /// Evaluates the laws of all contacts between grains.
+    pub(crate) fn evaluate_pairs(&mut self, scene: &Scene) {
+        let grains = scene.grains;
+        self.evaluate(scene, |j, _point, lever| {
+            let (radius, mass, inertia) = (grains.radius[j], grains.mass[j], grains.inertia[j]);
+            Partner {
+                velocity: grains.velocity[j],
+                angular_velocity: grains.angular_velocity[j],
+                inverse_radius: 1.0 / radius,
+                inverse_mass: 1.0 / mass,
+                inverse_inertia: 1.0 / inertia,
+                inverse_rolling_inertia: 1.0 / (inertia + mass * lever * lever),
+            }
+        });
+    }
+
+    /// Evaluates the laws of all contacts with walls, and sums up what the walls feel.
+    pub(crate) fn evaluate_walls(&mut self, scene: &Scene) {
+        self.evaluate(scene, |j, point, _lever| {
+            let wall = &scene.walls[j];
+            Partner {
+                velocity: wall.velocity_at(point),
+                angular_velocity: wall.angular_velocity(),
+                inverse_radius: 0.0,
+                inverse_mass: 0.0,
+                inverse_inertia: 0.0,
+                inverse_rolling_inertia: 0.0,
+            }
+        });
+        for k in 0..self.len() {
+            let wall = &scene.walls[self.j[k] as usize];
+            let contact = &self.now.geometry[k];
+            let point = scene.grains.position[self.i[k] as usize] - contact.normal * contact.lever_i;
+            let force = -self.force[k];
+            self.tally.wall_work -=
+                scene.dt * (force.dot(wall.velocity_at(point)) + self.torque_j[k].dot(wall.angular_velocity()));
+            let load = &mut self.wall_load[self.j[k] as usize];
+            load.0 += force;
+            load.1 += (point - wall.origin()).cross(force) + self.torque_j[k];
+        }
+    }
+
+    fn evaluate(&mut self, scene: &Scene, partner: impl Fn(usize, DVec3, f64) -> Partner) {
+        let count = self.len();
+        self.force.resize(count, DVec3::ZERO);
+        self.torque_i.resize(count, DVec3::ZERO);
+        self.torque_j.resize(count, DVec3::ZERO);
+        let mut first = 0;
+        while first < count {
+            let last = (first + BLOCK).min(count);
+            let mut kinematics = [Kinematics::default(); BLOCK];
+            for (kin, k) in kinematics.iter_mut().zip(first..last) {
+                *kin = gather(
+                    scene,
+                    self.i[k] as usize,
+                    self.j[k] as usize,
+                    &self.now.geometry[k],
+                    &partner,
+                );
+            }
+            let mut tangential = [DVec3::ZERO; BLOCK];
+            let mut rolling = [DVec3::ZERO; BLOCK];
+            let mut run = 0..0;
+            while run.end < last - first {
+                run = next_run(&self.now.pair[first..last], run.end);
+                self.run_laws(scene, first, run.clone(), &kinematics, &mut tangential, &mut rolling);
+            }
+            for (b, k) in (first..last).enumerate() {
+                let contact = &self.now.geometry[k];
+                self.force[k] = contact.normal * self.now.normal_force[k] + tangential[b];
+                let arm = contact.normal.cross(tangential[b]);
+                self.torque_i[k] = rolling[b] - arm * contact.lever_i;
+                self.torque_j[k] = -rolling[b] - arm * contact.lever_j;
+            }
+            first = last;
+        }
+    }
+
+    fn run_laws(
+        &mut self,
+        scene: &Scene,
+        first: usize,
+        run: Range<usize>,
+        kinematics: &[Kinematics; BLOCK],
+        tangential: &mut [DVec3; BLOCK],
+        rolling: &mut [DVec3; BLOCK],
+    ) {
+        let contacts = first + run.start..first + run.end;
+        let law = scene.materials.law(self.now.pair[contacts.start]);
+        let mut run = Run {
+            dt: scene.dt,
+            stride: scene.stride,
+            law,
+            geometry: &self.now.geometry[contacts.clone()],
+            kinematics: &kinematics[run.clone()],
+            normal_force: &mut self.now.normal_force[contacts.clone()],
+            history: &mut self.now.history[contacts.start * scene.stride..contacts.end * scene.stride],
+            tangential_force: &mut tangential[run.clone()],
+            rolling_torque: &mut rolling[run],
+        };
+        self.tally.viscous += law.normal.visit(NormalPass(&mut run));
+        if let Some(friction) = &law.tangential {
+            self.tally.friction += friction.visit(TangentialPass(&mut run));
+        }
+        if let Some(resistance) = &law.rolling {
+            let stiffness = law.normal.visit(StiffnessPass(&run));
+            self.tally.rolling += resistance.visit(RollingPass(&mut run, stiffness));
+        }
+    }
+}
+
+#[inline(always)]
+fn gather(
+    scene: &Scene,
+    i: usize,
+    j: usize,
+    contact: &Contact,
+    partner: &impl Fn(usize, DVec3, f64) -> Partner,
+) -> Kinematics {
+    let grains = scene.grains;
+    let n = contact.normal;
+    let point = grains.position[i] - n * contact.lever_i;
+    let other = partner(j, point, contact.lever_j);
+    let (omega_i, omega_j) = (grains.angular_velocity[i], other.angular_velocity);
+    let (mass, inertia) = (grains.mass[i], grains.inertia[i]);
+    let arms = omega_i * contact.lever_i + omega_j * contact.lever_j;
+    // a wall's velocity is that of its surface already, so its lever is 0
+    let velocity = grains.velocity[i] - other.velocity - arms.cross(n);
+    let rate = -velocity.dot(n);
+    let rolling = omega_i - omega_j;
+    let lever2 = contact.lever_i * contact.lever_i;
+    let lever2_j = contact.lever_j * contact.lever_j;
+    Kinematics {
+        size: PairSize {
+            radius: 1.0 / (1.0 / grains.radius[i] + other.inverse_radius),
+            mass: 1.0 / (1.0 / mass + other.inverse_mass),
+        },
+        rate,
+        tangential_velocity: velocity + n * rate,
+        rolling_velocity: rolling - n * rolling.dot(n),
+        spin: 0.5 * (omega_i + omega_j).dot(n),
+        tangential_mass: 1.0 / (1.0 / mass + other.inverse_mass + lever2 / inertia + lever2_j * other.inverse_inertia),
+        rolling_inertia: 1.0 / (1.0 / (inertia + mass * lever2) + other.inverse_rolling_inertia),
+    }
+}
+
+/// The stretch of equal values that begins at `start`.
+fn next_run(pairs: &[u32], start: usize) -> Range<usize> {
+    let length = pairs[start..].iter().take_while(|&&p| p == pairs[start]).count();
+    start..start + length
+}
+
+/// Number of history values of the laws of one pair.
+pub fn history_length(law: &PairLaw) -> usize {
+    law.tangential.map_or(0, |t| t.info().history) + law.rolling.map_or(0, |r| r.info().history)
+}
+
+/// Largest number of history values of any pair.
+pub fn stride(materials: &Materials) -> usize {
+    let count = materials.list().len() as u16;
+    let pairs = (0..count).flat_map(|a| (0..count).map(move |b| (a, b)));
+    pairs
+        .map(|(a, b)| history_length(materials.law(materials.pair(a, b))))
+        .max()
+        .unwrap_or(0)
+}
+
+/// Energy stored in the tangential and in the rolling spring of a contact with this history [J].
+pub fn spring_energies(law: &PairLaw, history: &[f64]) -> (f64, f64) {
+    struct Stored<'a>(&'a [f64]);
+    impl TangentialVisitor for Stored<'_> {
+        type Output = f64;
+        fn visit<L: Tangential>(self, law: &L) -> f64 {
+            law.energy(&self.0[..L::HISTORY.len()])
+        }
+    }
+    impl RollingVisitor for Stored<'_> {
+        type Output = f64;
+        fn visit<L: Rolling>(self, law: &L) -> f64 {
+            law.energy(&self.0[..L::HISTORY.len()])
+        }
+    }
+    let offset = law.tangential.as_ref().map_or(0, |t: &TangentialLaw| t.info().history);
+    (
+        law.tangential.map_or(0.0, |t| t.visit(Stored(history))),
+        law.rolling.map_or(0.0, |r| r.visit(Stored(&history[offset..]))),
+    )
+}
+
+/// Energy stored by the normal law of a contact between bodies of these sizes [J].
+pub fn normal_energy(law: &PairLaw, size: PairSize, overlap: f64) -> f64 {
+    struct Stored(PairSize, f64);
+    impl NormalVisitor for Stored {
+        type Output = f64;
+        fn visit<L: Normal>(self, law: &L) -> f64 {
+            law.energy(self.0, self.1)
+        }
+    }
+    law.normal.visit(Stored(size, overlap))
+}

@@ -1,0 +1,81 @@
+//! What stops a run: a state that the model does not cover.
+
+use glam::DVec3;
+
+/// Why a run stopped: what, where, since when, with whom, why, and what to change.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Fault {
+    /// Two bodies overlap more than the scenario allows.
+    #[error(
+        "step {step}: grain {id} at {} overlaps {partner} by {:.3} of its radius; the scenario allows {allowed:.3}. \
+         Cause: the load is higher, the impact faster or the grain softer than foreseen, or it passed through a wall in \
+         one step. Remedy: raise `young_modulus` or `stiffness`, lower the speed, or raise `simulation.max_overlap` \
+         (which makes the automatic time step smaller)",
+        place(.position), overlap_share
+    )]
+    Overlap {
+        /// Step.
+        step: u64,
+        /// Id of the grain.
+        id: u32,
+        /// Its centre [m].
+        position: DVec3,
+        /// The partner: `"grain 17"`, `"wall floor"`.
+        partner: String,
+        /// Overlap as share of the smaller radius.
+        overlap_share: f64,
+        /// Allowed share.
+        allowed: f64,
+    },
+    /// A grain left the domain.
+    #[error(
+        "step {step}: grain {id} left the domain at {}, moving at {} m/s; the domain reaches from {} to {}. \
+         Cause: a gap in the walls, an open side, or a grain shot out by too large a time step. Remedy: close the gap, \
+         widen `domain`, or set `domain.outside = \"remove\"` if grains may leave",
+        place(.position), place(.velocity), place(.lower), place(.upper)
+    )]
+    Outside {
+        /// Step.
+        step: u64,
+        /// Id of the grain.
+        id: u32,
+        /// Its centre [m].
+        position: DVec3,
+        /// Its velocity [m/s].
+        velocity: DVec3,
+        /// Lower corner of the domain [m].
+        lower: DVec3,
+        /// Upper corner of the domain [m].
+        upper: DVec3,
+    },
+    /// A value is not a finite number.
+    #[error(
+        "step {step}: the {quantity} of grain {id} (last seen near {}) is not a finite number. Cause: a time step far \
+         above the safe one, or a parameter at the edge of its range. Remedy: use `time_step = \"auto\"`; look at the \
+         snapshot of the last frame",
+        place(.position)
+    )]
+    NotFinite {
+        /// Step.
+        step: u64,
+        /// Id of the grain.
+        id: u32,
+        /// What is not finite: `"position"`, `"force"`.
+        quantity: &'static str,
+        /// The last position known [m].
+        position: DVec3,
+    },
+}
+
+fn place(p: &DVec3) -> String {
+    format!("({:.6}, {:.6}, {:.6})", p.x, p.y, p.z)
+}
+
+impl Fault {
+    /// Id of the grain at fault.
+    pub fn grain(&self) -> u32 {
+        match self {
+            Self::Overlap { id, .. } | Self::Outside { id, .. } | Self::NotFinite { id, .. } => *id,
+        }
+    }
+}

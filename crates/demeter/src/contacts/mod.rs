@@ -1,0 +1,207 @@
+//! Active contacts: the central table of the engine.
+//!
+//! Candidates are cut into chunks of fixed size. A chunk owns its contacts (struct of arrays), is handled by one task
+//! and keeps its own sums, so nothing depends on the number of threads. Within a step a chunk goes through
+//!
+//! 1. [`narrow`]: candidates -> contacts that touch during this step, with the history of the step before
+//! 2. [`block`]: contact laws, family by family, in blocks that stay in the cache
+//!
+//! and [`sum`] then adds up per grain, in the order of the partner's id.
+
+pub mod block;
+mod fault;
+pub mod narrow;
+pub mod sum;
+mod transfer;
+
+pub use fault::Fault;
+pub use narrow::Scene;
+pub use transfer::{CarriedContact, ContactKey};
+
+use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use glam::DVec3;
+
+/// Candidates handled by one chunk.
+pub const CHUNK: usize = 1024;
+
+/// Work of the contact forces in one step [J], and what is needed to watch a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Tally {
+    /// Dissipated by normal dashpots.
+    pub viscous: f64,
+    /// Dissipated by friction.
+    pub friction: f64,
+    /// Dissipated by rolling resistance.
+    pub rolling: f64,
+    /// Done on the grains by moving walls.
+    pub wall_work: f64,
+}
+
+impl Tally {
+    /// Adds another tally.
+    pub fn add(&mut self, other: &Self) {
+        self.viscous += other.viscous;
+        self.friction += other.friction;
+        self.rolling += other.rolling;
+        self.wall_work += other.wall_work;
+    }
+}
+
+/// What survives of a contact from one step to the next.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Kept {
+    /// Contacts of candidate `c` of the chunk: `start[c]..start[c + 1]`.
+    pub(crate) start: Vec<u32>,
+    /// Element of the wall that is touched; 0 between grains.
+    pub(crate) element: Vec<u32>,
+    /// Material pair.
+    pub(crate) pair: Vec<u32>,
+    /// Geometry.
+    pub(crate) geometry: Vec<Contact>,
+    /// Normal force on the first body along the normal [N].
+    pub(crate) normal_force: Vec<f64>,
+    /// History of the laws, `stride` values per contact.
+    pub(crate) history: Vec<f64>,
+}
+
+impl Kept {
+    fn clear(&mut self) {
+        self.start.clear();
+        self.start.push(0);
+        self.element.clear();
+        self.pair.clear();
+        self.geometry.clear();
+        self.normal_force.clear();
+        self.history.clear();
+    }
+
+    fn len(&self) -> usize {
+        self.geometry.len()
+    }
+
+    pub(crate) fn range(&self, candidate: usize) -> std::ops::Range<usize> {
+        if self.start.len() > candidate + 1 {
+            self.start[candidate] as usize..self.start[candidate + 1] as usize
+        } else {
+            0..0
+        }
+    }
+}
+
+/// Contacts of one chunk of candidates.
+#[derive(Clone, Debug, Default)]
+pub struct ContactChunk {
+    pub(crate) now: Kept,
+    pub(crate) before: Kept,
+    /// Index of the first grain.
+    pub i: Vec<u32>,
+    /// Index of the second grain, or of the wall.
+    pub j: Vec<u32>,
+    /// Force on the first body [N].
+    pub force: Vec<DVec3>,
+    /// Torque on the first body about its centre [N m].
+    pub torque_i: Vec<DVec3>,
+    /// Torque on the second body about its centre; of a rolling law only when it is a wall [N m].
+    pub torque_j: Vec<DVec3>,
+    /// Work of this step.
+    pub tally: Tally,
+    /// Force and torque on every wall (torque about its origin), for chunks of wall contacts.
+    pub wall_load: Vec<(DVec3, DVec3)>,
+    /// The fault with the lowest id, if any.
+    pub fault: Option<Fault>,
+}
+
+impl ContactChunk {
+    /// Number of contacts.
+    pub fn len(&self) -> usize {
+        self.now.len()
+    }
+
+    /// Whether there is no contact.
+    pub fn is_empty(&self) -> bool {
+        self.now.len() == 0
+    }
+
+    /// Geometry of every contact.
+    pub fn geometry(&self) -> &[Contact] {
+        &self.now.geometry
+    }
+
+    /// Normal force of every contact [N].
+    pub fn normal_force(&self) -> &[f64] {
+        &self.now.normal_force
+    }
+
+    /// Material pair of every contact.
+    pub fn pair(&self) -> &[u32] {
+        &self.now.pair
+    }
+
+    /// Wall element of every contact.
+    pub fn element(&self) -> &[u32] {
+        &self.now.element
+    }
+
+    /// History of one contact.
+    pub fn history(&self, contact: usize, stride: usize) -> &[f64] {
+        &self.now.history[contact * stride..(contact + 1) * stride]
+    }
+
+    /// Contacts of a candidate of this chunk.
+    #[inline(always)]
+    pub fn contacts_of(&self, candidate: usize) -> std::ops::Range<usize> {
+        self.now.range(candidate)
+    }
+}
+
+/// All contacts: between grains, and between grains and walls.
+#[derive(Clone, Debug, Default)]
+pub struct Contacts {
+    /// Contacts between grains, by chunks of [`crate::neighbours::Neighbours::pairs`].
+    pub pairs: Vec<ContactChunk>,
+    /// Contacts with walls, by chunks of [`crate::neighbours::Neighbours::wall_pairs`].
+    pub walls: Vec<ContactChunk>,
+    /// Number of history values per contact.
+    pub stride: usize,
+}
+
+impl Contacts {
+    /// Number of contacts between grains.
+    pub fn pair_count(&self) -> usize {
+        self.pairs.iter().map(ContactChunk::len).sum()
+    }
+
+    /// Number of contacts with walls.
+    pub fn wall_count(&self) -> usize {
+        self.walls.iter().map(ContactChunk::len).sum()
+    }
+
+    /// Work of this step, summed in a fixed order.
+    pub fn tally(&self) -> Tally {
+        let mut total = Tally::default();
+        for chunk in self.pairs.iter().chain(&self.walls) {
+            total.add(&chunk.tally);
+        }
+        total
+    }
+
+    /// Force and torque on every wall, summed in a fixed order.
+    pub fn wall_loads(&self, walls: usize) -> Vec<(DVec3, DVec3)> {
+        let mut loads = vec![(DVec3::ZERO, DVec3::ZERO); walls];
+        for chunk in &self.walls {
+            for (total, part) in loads.iter_mut().zip(&chunk.wall_load) {
+                total.0 += part.0;
+                total.1 += part.1;
+            }
+        }
+        loads
+    }
+
+    /// The first fault, between grains before walls.
+    pub fn fault(&self) -> Option<&Fault> {
+        self.pairs
+            .iter()
+            .chain(&self.walls)
+            .find_map(|chunk| chunk.fault.as_ref())
+    }
+}

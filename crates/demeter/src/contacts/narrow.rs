@@ -1,0 +1,195 @@
+//! Narrow phase: which candidates touch during this step.
+//!
+//! A step acts over the time from `t - dt/2` to `t + dt/2`. A contact is active when the bodies touch at any moment of
+//! it, assuming the present rate of approach: `overlap + |rate| dt/2 > 0`.
+
+use super::{ContactChunk, Fault, Kept};
+use crate::comm::Single;
+use crate::materials::Materials;
+use crate::neighbours::{Pair, WallPair};
+use crate::particles::Grains;
+use crate::walls::{SurfaceContact, Wall};
+use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
+use glam::DVec3;
+
+/// Everything that contacts are made of.
+#[derive(Clone, Copy)]
+pub struct Scene<'a> {
+    /// Grains, with predicted velocities.
+    pub grains: &'a Grains,
+    /// Walls, at their place of this step.
+    pub walls: &'a [Wall],
+    /// Materials and their laws.
+    pub materials: &'a Materials,
+    /// Periodic sides.
+    pub comm: &'a Single,
+    /// Time step [s].
+    pub dt: f64,
+    /// Number of this step.
+    pub step: u64,
+    /// Largest speed of any grain or wall surface [m/s].
+    pub max_speed: f64,
+    /// Largest overlap allowed, as share of the smaller radius.
+    pub max_overlap: f64,
+    /// History values per contact.
+    pub stride: usize,
+}
+
+impl ContactChunk {
+    /// Finds the contacts of a chunk of pairs of grains.
+    pub(crate) fn find_pairs(&mut self, pairs: &[Pair], scene: &Scene) {
+        self.begin(scene.walls.len());
+        let grains = scene.grains;
+        let window = scene.max_speed * scene.dt;
+        for (c, p) in pairs.iter().enumerate() {
+            let (i, j) = (p.i as usize, p.j as usize);
+            let separation = grains.position[i] - grains.position[j] + scene.comm.shift(p.shift);
+            let (ri, rj) = (grains.radius[i], grains.radius[j]);
+            let reach = ri + rj + window;
+            if separation.length_squared() < reach * reach {
+                let contact = contact_sphere_sphere(separation, ri, rj);
+                let rate = (grains.velocity[j] - grains.velocity[i]).dot(contact.normal);
+                if contact.overlap + 0.5 * scene.dt * rate.abs() > 0.0 {
+                    let pair = scene.materials.pair(grains.material[i], grains.material[j]);
+                    let old = self.before.range(c).next();
+                    self.push(scene.stride, (p.i, p.j, 0), pair, contact, old);
+                    self.watch_overlap(scene, i, contact.overlap / ri.min(rj), || {
+                        format!("grain {}", grains.id[j])
+                    });
+                }
+            }
+            self.now.start.push(self.now.len() as u32);
+        }
+    }
+
+    /// Finds the contacts of a chunk of pairs of grain and wall.
+    pub(crate) fn find_walls(&mut self, pairs: &[WallPair], scene: &Scene) {
+        self.begin(scene.walls.len());
+        let grains = scene.grains;
+        let window = scene.max_speed * scene.dt;
+        let mut touched: Vec<SurfaceContact> = Vec::new();
+        let mut taken: Vec<usize> = Vec::new();
+        for (c, p) in pairs.iter().enumerate() {
+            let (g, wall) = (p.grain as usize, &scene.walls[p.wall as usize]);
+            let (centre, radius) = (grains.position[g], grains.radius[g]);
+            touched.clear();
+            wall.contacts(centre, radius + window, &mut touched);
+            touched.retain(|s| {
+                let foot = centre - s.normal * s.distance;
+                let rate = (wall.velocity_at(foot) - grains.velocity[g]).dot(s.normal);
+                radius - s.distance + 0.5 * scene.dt * rate.abs() > 0.0
+            });
+            taken.clear();
+            for k in 0..touched.len() {
+                let s = touched[k];
+                let contact = Contact {
+                    normal: s.normal,
+                    overlap: radius - s.distance,
+                    lever_i: s.distance,
+                    lever_j: 0.0,
+                };
+                let old = self.before.heir(c, &touched, k, &taken);
+                taken.extend(old);
+                let pair = scene.materials.pair(grains.material[g], wall.material);
+                self.push(scene.stride, (p.grain, p.wall, s.element), pair, contact, old);
+                self.watch_overlap(scene, g, contact.overlap / radius, || format!("wall {}", wall.name));
+            }
+            self.now.start.push(self.now.len() as u32);
+        }
+    }
+
+    fn begin(&mut self, walls: usize) {
+        std::mem::swap(&mut self.now, &mut self.before);
+        self.now.clear();
+        self.i.clear();
+        self.j.clear();
+        self.fault = None;
+        self.tally = super::Tally::default();
+        self.wall_load.clear();
+        self.wall_load.resize(walls, (DVec3::ZERO, DVec3::ZERO));
+    }
+
+    fn push(
+        &mut self,
+        stride: usize,
+        (i, j, element): (u32, u32, u32),
+        pair: u32,
+        contact: Contact,
+        old: Option<usize>,
+    ) {
+        self.i.push(i);
+        self.j.push(j);
+        self.now.element.push(element);
+        self.now.pair.push(pair);
+        self.now.geometry.push(contact);
+        match old {
+            Some(k) => {
+                self.now.normal_force.push(self.before.normal_force[k]);
+                self.now
+                    .history
+                    .extend_from_slice(&self.before.history[k * stride..(k + 1) * stride]);
+                // what was handed on is not lost: see `book_lost`
+                self.before.pair[k] = HANDED_ON;
+            }
+            None => {
+                self.now.normal_force.push(0.0);
+                self.now.history.resize(self.now.history.len() + stride, 0.0);
+            }
+        }
+    }
+
+    fn watch_overlap(&mut self, scene: &Scene, grain: usize, share: f64, partner: impl Fn() -> String) {
+        // `!(<=)` catches a share that is not a number, too
+        if !(share <= scene.max_overlap) && self.fault.is_none() {
+            self.fault = Some(Fault::Overlap {
+                step: scene.step,
+                id: scene.grains.id[grain],
+                position: scene.grains.position[grain],
+                partner: partner(),
+                overlap_share: share,
+                allowed: scene.max_overlap,
+            });
+        }
+    }
+
+    /// Books the energy that springs still held when their contact ended.
+    pub(crate) fn book_lost(&mut self, scene: &Scene) {
+        if scene.stride == 0 {
+            return;
+        }
+        for (k, &pair) in self
+            .before
+            .pair
+            .iter()
+            .enumerate()
+            .filter(|(_, pair)| **pair != HANDED_ON)
+        {
+            let history = &self.before.history[k * scene.stride..(k + 1) * scene.stride];
+            let (tangential, rolling) = super::block::spring_energies(scene.materials.law(pair), history);
+            self.tally.friction += tangential;
+            self.tally.rolling += rolling;
+        }
+    }
+}
+
+/// Marks a contact of the step before whose history went on.
+const HANDED_ON: u32 = u32::MAX;
+
+/// Cosine of the largest turn of the normal at which a history passes from one wall element to another.
+const SAME_SURFACE: f64 = 0.5;
+
+impl Kept {
+    /// The contact of the step before that contact `k` of a grain and a wall continues: the same element, else (a grain
+    /// that rolled from one triangle onto the next) the one with the closest normal that no other continues.
+    fn heir(&self, candidate: usize, touched: &[SurfaceContact], k: usize, taken: &[usize]) -> Option<usize> {
+        let old = self.range(candidate);
+        if let Some(same) = old.clone().find(|&o| self.element[o] == touched[k].element) {
+            return Some(same);
+        }
+        old.filter(|o| !taken.contains(o) && touched.iter().all(|s| s.element != self.element[*o]))
+            .map(|o| (self.geometry[o].normal.dot(touched[k].normal), o))
+            .filter(|(cosine, _)| *cosine > SAME_SURFACE)
+            .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)))
+            .map(|(_, o)| o)
+    }
+}

@@ -1,0 +1,142 @@
+//! Handing contacts over when the candidates are found anew, and to and from a checkpoint.
+
+use super::{CHUNK, ContactChunk, Contacts, Kept};
+use crate::neighbours::Neighbours;
+use crate::particles::Grains;
+use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// What a contact is, whatever the order of the grains: lower id, partner's id (or index of the wall), element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct ContactKey {
+    /// Whether the partner is a wall.
+    pub wall: bool,
+    /// Id of the first grain.
+    pub grain: u32,
+    /// Id of the second grain, or index of the wall.
+    pub partner: u32,
+    /// Element of the wall.
+    pub element: u32,
+}
+
+/// A contact as it is handed over.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CarriedContact {
+    /// Identity.
+    pub key: ContactKey,
+    /// Material pair.
+    pub pair: u32,
+    /// Normal.
+    pub normal: DVec3,
+    /// Normal force [N].
+    pub normal_force: f64,
+    /// History of its laws.
+    pub history: Vec<f64>,
+}
+
+impl Contacts {
+    /// All contacts, sorted by their keys.
+    pub fn carry(&self, grains: &Grains) -> Vec<CarriedContact> {
+        let mut carried = Vec::with_capacity(self.pair_count() + self.wall_count());
+        for (wall, chunks) in [(false, &self.pairs), (true, &self.walls)] {
+            for chunk in chunks {
+                for k in 0..chunk.len() {
+                    let partner = if wall {
+                        chunk.j[k]
+                    } else {
+                        grains.id[chunk.j[k] as usize]
+                    };
+                    let grain = grains.id[chunk.i[k] as usize];
+                    carried.push(CarriedContact {
+                        key: ContactKey {
+                            wall,
+                            grain,
+                            partner,
+                            element: chunk.now.element[k],
+                        },
+                        pair: chunk.now.pair[k],
+                        normal: chunk.now.geometry[k].normal,
+                        normal_force: chunk.now.normal_force[k],
+                        history: chunk.history(k, self.stride).to_vec(),
+                    });
+                }
+            }
+        }
+        carried.sort_unstable_by_key(|c| c.key);
+        carried
+    }
+
+    /// Makes chunks for new candidates that remember the carried contacts, as if a step had just ended with them.
+    /// `carried` is sorted by its keys.
+    pub fn adopt(&mut self, grains: &Grains, neighbours: &Neighbours, carried: &[CarriedContact]) {
+        let stride = self.stride;
+        self.pairs = chunks(neighbours.pairs.len(), |c, kept| {
+            let p = neighbours.pairs[c];
+            let (i, j) = (grains.id[p.i as usize], grains.id[p.j as usize]);
+            remember(
+                carried,
+                ContactKey {
+                    wall: false,
+                    grain: i,
+                    partner: j,
+                    element: 0,
+                },
+                stride,
+                kept,
+            );
+        });
+        self.walls = chunks(neighbours.wall_pairs.len(), |c, kept| {
+            let p = neighbours.wall_pairs[c];
+            let grain = grains.id[p.grain as usize];
+            remember(
+                carried,
+                ContactKey {
+                    wall: true,
+                    grain,
+                    partner: p.wall,
+                    element: 0,
+                },
+                stride,
+                kept,
+            );
+        });
+    }
+}
+
+fn chunks(candidates: usize, fill: impl Fn(usize, &mut Kept)) -> Vec<ContactChunk> {
+    (0..candidates.div_ceil(CHUNK))
+        .map(|chunk| {
+            let mut kept = Kept::default();
+            kept.clear();
+            for c in chunk * CHUNK..((chunk + 1) * CHUNK).min(candidates) {
+                fill(c, &mut kept);
+                kept.start.push(kept.len() as u32);
+            }
+            ContactChunk {
+                now: kept,
+                ..ContactChunk::default()
+            }
+        })
+        .collect()
+}
+
+/// Appends the carried contacts of a grain and a partner, from `first` on, whatever their elements.
+fn remember(carried: &[CarriedContact], first: ContactKey, stride: usize, kept: &mut Kept) {
+    let start = carried.partition_point(|c| c.key < first);
+    let same =
+        |c: &&CarriedContact| c.key.wall == first.wall && c.key.grain == first.grain && c.key.partner == first.partner;
+    for c in carried[start..].iter().take_while(same) {
+        kept.element.push(c.key.element);
+        kept.pair.push(c.pair);
+        kept.geometry.push(Contact {
+            normal: c.normal,
+            overlap: 0.0,
+            lever_i: 0.0,
+            lever_j: 0.0,
+        });
+        kept.normal_force.push(c.normal_force);
+        kept.history
+            .extend(c.history.iter().copied().chain(std::iter::repeat(0.0)).take(stride));
+    }
+}

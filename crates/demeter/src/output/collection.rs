@@ -1,0 +1,166 @@
+//! Collections (`.pvd`): which file belongs to which time.
+
+use super::error::OutputError;
+use super::folder::{RunFolder, names_in};
+use std::fmt::Write as _;
+use std::fs;
+use std::io;
+use std::path::PathBuf;
+
+/// The files of one kind, in the order of their steps.
+#[derive(Debug)]
+pub(super) struct Collection {
+    kind: &'static str,
+    path: PathBuf,
+    /// Step and time [s].
+    entries: Vec<(u64, f64)>,
+}
+
+impl Collection {
+    /// An empty collection.
+    pub fn new(folder: &RunFolder, kind: &'static str) -> Self {
+        Self {
+            kind,
+            path: folder.root().join(format!("{kind}.pvd")),
+            entries: Vec::new(),
+        }
+    }
+
+    /// Number of files.
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Name of the file of a step, from the folder of the run. The digits keep names sorted by step.
+    pub fn file(&self, step: u64) -> String {
+        format!("frames/{}_{step:010}.vtp", self.kind)
+    }
+
+    /// Adds a file, in place of one of the same step.
+    pub fn add(&mut self, step: u64, time: f64) {
+        let at = self.entries.partition_point(|entry| entry.0 < step);
+        match self.entries.get_mut(at) {
+            Some(entry) if entry.0 == step => entry.1 = time,
+            _ => self.entries.insert(at, (step, time)),
+        }
+    }
+
+    /// Writes the collection.
+    pub fn save(&self, folder: &RunFolder) -> Result<(), OutputError> {
+        let mut text = String::from(
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n",
+        );
+        for &(step, time) in &self.entries {
+            // Writing to a String cannot fail.
+            let _ = writeln!(
+                text,
+                "<DataSet timestep=\"{time:?}\" part=\"0\" file=\"{}\"/>",
+                self.file(step)
+            );
+        }
+        text.push_str("</Collection>\n</VTKFile>\n");
+        folder.write(&self.path, text.as_bytes())
+    }
+
+    /// Reads the collection as [`Self::save`] wrote it; lines that it does not know, and files that are not there,
+    /// are left out.
+    pub fn load(&mut self, folder: &RunFolder) -> Result<(), OutputError> {
+        let text = match fs::read_to_string(&self.path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => String::new(),
+            text => text.map_err(OutputError::io("read", &self.path))?,
+        };
+        self.entries.clear();
+        let entries: Vec<(u64, f64)> = text.lines().filter_map(|line| self.parse(line)).collect();
+        for (step, time) in entries {
+            if folder.root().join(self.file(step)).is_file() {
+                self.add(step, time);
+            }
+        }
+        Ok(())
+    }
+
+    fn parse(&self, line: &str) -> Option<(u64, f64)> {
+        let time = attribute(line, "timestep")?.parse().ok()?;
+        let step = self.step_of(attribute(line, "file")?.strip_prefix("frames/")?)?;
+        Some((step, time))
+    }
+
+    fn step_of(&self, name: &str) -> Option<u64> {
+        let digits = name.strip_prefix(self.kind)?.strip_prefix('_')?;
+        digits.strip_suffix(".vtp")?.parse().ok()
+    }
+
+    /// Drops what is later than a step: from the collection first, then the files.
+    pub fn cut(&mut self, folder: &RunFolder, step: u64) -> Result<(), OutputError> {
+        self.entries.retain(|entry| entry.0 <= step);
+        self.save(folder)?;
+        let frames = folder.frames();
+        for name in names_in(&frames)? {
+            if self
+                .step_of(name.strip_suffix(".part").unwrap_or(&name))
+                .is_some_and(|s| s > step)
+            {
+                let path = frames.join(name);
+                fs::remove_file(&path).map_err(OutputError::io("remove", &path))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
+    let start = line.find(&format!("{name}=\""))? + name.len() + 2;
+    let length = line[start..].find('"')?;
+    line.get(start..start + length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_later_than_the_restart_goes() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = RunFolder::create(place.path(), false).unwrap();
+        let mut collection = Collection::new(&folder, "grains");
+        for step in [0, 10, 20, 30] {
+            folder.write(&folder.root().join(collection.file(step)), b"x").unwrap();
+            collection.add(step, step as f64 / 3.0);
+        }
+        collection.save(&folder).unwrap();
+        // A frame that was written before the kill, but is not yet in the collection.
+        folder.write(&folder.root().join(collection.file(40)), b"x").unwrap();
+        fs::write(folder.frames().join("contacts_0000000040.vtp"), b"x").unwrap();
+
+        let mut again = Collection::new(&folder, "grains");
+        again.load(&folder).unwrap();
+        again.cut(&folder, 15).unwrap();
+        assert_eq!(again.entries, [(0, 0.0), (10, 10.0 / 3.0)]);
+        let left = names_in(&folder.frames()).unwrap();
+        assert_eq!(
+            left,
+            [
+                "contacts_0000000040.vtp",
+                "grains_0000000000.vtp",
+                "grains_0000000010.vtp"
+            ]
+        );
+        let text = fs::read_to_string(folder.root().join("grains.pvd")).unwrap();
+        assert_eq!(text.matches("<DataSet ").count(), 2);
+    }
+
+    #[test]
+    fn a_damaged_collection_is_read_as_far_as_it_makes_sense() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = RunFolder::create(place.path(), false).unwrap();
+        let mut collection = Collection::new(&folder, "walls");
+        collection.load(&folder).unwrap();
+        assert_eq!(collection.len(), 0);
+        folder.write(&folder.root().join(collection.file(7)), b"x").unwrap();
+        let text = "<DataSet timestep=\"1.5\" file=\"frames/walls_0000000007.vtp\"/>\n<DataSet timestep=\"\n\
+                    <DataSet timestep=\"2\" file=\"../walls_0000000008.vtp\"/>\n";
+        fs::write(&collection.path, text).unwrap();
+        collection.load(&folder).unwrap();
+        assert_eq!(collection.entries, [(7, 1.5)]);
+    }
+}

@@ -1,0 +1,103 @@
+//! What can go wrong when results are written.
+
+use crate::checkpoint::hint;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why results could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputError {
+    /// The system refused.
+    #[error("cannot {action} `{}`: {source}.{}", path.display(), hint_of(source))]
+    Io {
+        /// What was tried.
+        action: &'static str,
+        /// The file or folder.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The folder holds results of an earlier run.
+    #[error(
+        "`{}` already holds a Demeter run. Choose another folder, continue that run with `demeter resume`, \
+         or allow to overwrite it.",
+        folder.display()
+    )]
+    HoldsARun {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// The folder holds something else.
+    #[error(
+        "`{}` is not empty and not a Demeter run (it holds `{example}`): nothing was written there. Choose another \
+         folder, or allow to overwrite; only files with the names of a run would be replaced.",
+        folder.display()
+    )]
+    HoldsOtherFiles {
+        /// The folder.
+        folder: PathBuf,
+        /// Something in it.
+        example: String,
+    },
+    /// The name belongs to a file.
+    #[error("`{}` is a file, a folder is needed for the results. Choose another name.", path.display())]
+    NotAFolder {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The folder is no run.
+    #[error("`{}` is not the folder of a Demeter run: it has no `{marker}`. Name the folder that `demeter run` wrote.", folder.display())]
+    NotARun {
+        /// The folder.
+        folder: PathBuf,
+        /// The file that is missing.
+        marker: &'static str,
+    },
+    /// The series does not belong to the run.
+    #[error(
+        "`{}` does not continue this run: {problem}. Move the file away; a new one is then started.",
+        path.display()
+    )]
+    OtherSeries {
+        /// The file.
+        path: PathBuf,
+        /// What differs.
+        problem: String,
+    },
+    /// A row does not fit the header.
+    #[error("a row of `{}` has {found} walls, its header has {expected}. This is a defect of Demeter.", path.display())]
+    RowDoesNotFit {
+        /// The file.
+        path: PathBuf,
+        /// Walls of the header.
+        expected: usize,
+        /// Walls of the row.
+        found: usize,
+    },
+    /// Something cannot be encoded.
+    #[error("cannot encode `{}`: {problem}. This is a defect of Demeter.", path.display())]
+    Encode {
+        /// The file.
+        path: PathBuf,
+        /// What the encoder said.
+        problem: String,
+    },
+}
+
+impl OutputError {
+    pub(super) fn io(action: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
+        let path = path.to_owned();
+        move |source| Self::Io { action, path, source }
+    }
+
+    pub(super) fn encode(path: &Path, problem: &impl ToString) -> Self {
+        Self::Encode {
+            path: path.to_owned(),
+            problem: problem.to_string(),
+        }
+    }
+}
+
+fn hint_of(source: &io::Error) -> String {
+    hint(source).map_or_else(String::new, |hint| format!(" {hint}"))
+}

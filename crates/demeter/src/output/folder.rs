@@ -1,0 +1,227 @@
+//! The folder of a run and the names of the files in it.
+
+use super::error::OutputError;
+use crate::checkpoint::{self, Durability, part_path, write_atomically};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// The file that marks the folder of a run.
+const MARKER: &str = "run.json";
+
+/// Every file that a run writes at the top of its folder.
+const FILES: [&str; 10] = [
+    MARKER,
+    "scenario.toml",
+    "log.txt",
+    "series.csv",
+    "summary.json",
+    "packing.png",
+    "grains.pvd",
+    "contacts.pvd",
+    "walls.pvd",
+    "report.html",
+];
+
+/// The folder of a run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RunFolder {
+    root: PathBuf,
+}
+
+impl RunFolder {
+    /// Makes the folder of a new run.
+    ///
+    /// A folder that is not empty is refused, unless `overwrite` is set: then the files of an earlier run, known by
+    /// their names, are removed. Other files are never touched.
+    pub fn create(root: &Path, overwrite: bool) -> Result<Self, OutputError> {
+        if root.exists() && !root.is_dir() {
+            return Err(OutputError::NotAFolder { path: root.to_owned() });
+        }
+        fs::create_dir_all(root).map_err(OutputError::io("make the folder", root))?;
+        let folder = Self { root: root.to_owned() };
+        let inside = names_in(root)?;
+        if let (Some(example), false) = (inside.first(), overwrite) {
+            let root = root.to_owned();
+            return Err(if inside.iter().any(|name| name == MARKER) {
+                OutputError::HoldsARun { folder: root }
+            } else {
+                OutputError::HoldsOtherFiles {
+                    folder: root,
+                    example: example.clone(),
+                }
+            });
+        }
+        folder.remove_run()?;
+        for sub in [folder.frames(), folder.plots()] {
+            fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))?;
+        }
+        let marker = format!(
+            "{{\n  \"program\": \"demeter\",\n  \"version\": \"{}\"\n}}\n",
+            crate::VERSION
+        );
+        folder.write(&folder.root.join(MARKER), marker.as_bytes())?;
+        Ok(folder)
+    }
+
+    /// Opens the folder of a run that exists.
+    pub fn open(root: &Path) -> Result<Self, OutputError> {
+        if !root.join(MARKER).is_file() {
+            return Err(OutputError::NotARun {
+                folder: root.to_owned(),
+                marker: MARKER,
+            });
+        }
+        let folder = Self { root: root.to_owned() };
+        for sub in [folder.frames(), folder.plots()] {
+            fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))?;
+        }
+        Ok(folder)
+    }
+
+    /// Removes what an earlier run left, by name.
+    fn remove_run(&self) -> Result<(), OutputError> {
+        let checkpoints = [checkpoint::LATEST, checkpoint::PREVIOUS];
+        for name in FILES.iter().chain(&checkpoints) {
+            let path = self.root.join(name);
+            remove_if_there(&part_path(&path))?;
+            remove_if_there(&path)?;
+        }
+        for (sub, ours) in [(self.frames(), is_frame as fn(&str) -> bool), (self.plots(), is_plot)] {
+            for name in names_in(&sub)?.into_iter().filter(|name| ours(name)) {
+                remove_if_there(&sub.join(name))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes a file of the run, whole or not at all.
+    pub fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
+        write_atomically(path, bytes, Durability::Kill).map_err(OutputError::io("write", path))
+    }
+
+    /// The folder itself.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The resolved scenario.
+    pub fn scenario(&self) -> PathBuf {
+        self.root.join("scenario.toml")
+    }
+
+    /// The log.
+    pub fn log(&self) -> PathBuf {
+        self.root.join("log.txt")
+    }
+
+    /// The time series.
+    pub fn series(&self) -> PathBuf {
+        self.root.join("series.csv")
+    }
+
+    /// The summary.
+    pub fn summary(&self) -> PathBuf {
+        self.root.join("summary.json")
+    }
+
+    /// The picture of the packing.
+    pub fn picture(&self) -> PathBuf {
+        self.root.join("packing.png")
+    }
+
+    /// The folder of the frames.
+    pub fn frames(&self) -> PathBuf {
+        self.root.join("frames")
+    }
+
+    /// The folder of the plots.
+    pub fn plots(&self) -> PathBuf {
+        self.root.join("plots")
+    }
+
+    /// A plot, by name without extension.
+    pub fn plot(&self, name: &str) -> PathBuf {
+        self.plots().join(format!("{name}.svg"))
+    }
+}
+
+fn is_frame(name: &str) -> bool {
+    let name = name.strip_suffix(".part").unwrap_or(name);
+    name.ends_with(".vtp")
+        && ["grains_", "contacts_", "walls_"]
+            .iter()
+            .any(|start| name.starts_with(start))
+}
+
+fn is_plot(name: &str) -> bool {
+    name.strip_suffix(".part").unwrap_or(name).ends_with(".svg")
+}
+
+fn remove_if_there(path: &Path) -> Result<(), OutputError> {
+    match fs::remove_file(path) {
+        Err(e) if e.kind() != io::ErrorKind::NotFound => Err(OutputError::io("remove", path)(e)),
+        _ => Ok(()),
+    }
+}
+
+/// Names in a folder, sorted; none when the folder does not exist.
+pub(super) fn names_in(folder: &Path) -> Result<Vec<String>, OutputError> {
+    let entries = match fs::read_dir(folder) {
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries.map_err(OutputError::io("list", folder))?,
+    };
+    let mut names = Vec::new();
+    for entry in entries {
+        let entry = entry.map_err(OutputError::io("list", folder))?;
+        names.push(entry.file_name().to_string_lossy().into_owned());
+    }
+    names.sort();
+    Ok(names)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_new_folder_opens_again() {
+        let place = tempfile::tempdir().unwrap();
+        let root = place.path().join("runs").join("first");
+        let folder = RunFolder::create(&root, false).unwrap();
+        assert_eq!(RunFolder::open(&root).unwrap(), folder);
+        assert!(folder.frames().is_dir() && folder.plots().is_dir());
+    }
+
+    #[test]
+    fn an_earlier_run_is_kept_unless_told() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = RunFolder::create(place.path(), false).unwrap();
+        folder.write(&folder.series(), b"time\n").unwrap();
+        folder
+            .write(&folder.frames().join("grains_0000000001.vtp"), b"x")
+            .unwrap();
+        fs::write(place.path().join("notes.txt"), "mine").unwrap();
+        let error = RunFolder::create(place.path(), false).unwrap_err();
+        assert!(matches!(error, OutputError::HoldsARun { .. }));
+        assert!(folder.series().exists());
+
+        RunFolder::create(place.path(), true).unwrap();
+        assert!(!folder.series().exists());
+        assert!(!folder.frames().join("grains_0000000001.vtp").exists());
+        assert_eq!(fs::read(place.path().join("notes.txt")).unwrap(), b"mine");
+    }
+
+    #[test]
+    fn a_folder_of_something_else_is_refused() {
+        let place = tempfile::tempdir().unwrap();
+        fs::write(place.path().join("thesis.tex"), "mine").unwrap();
+        let text = RunFolder::create(place.path(), false).unwrap_err().to_string();
+        assert!(text.contains("thesis.tex"), "{text}");
+        assert_eq!(names_in(place.path()).unwrap(), ["thesis.tex"]);
+        let error = RunFolder::open(place.path()).unwrap_err();
+        assert!(matches!(error, OutputError::NotARun { .. }));
+        let error = RunFolder::create(&place.path().join("thesis.tex"), true).unwrap_err();
+        assert!(matches!(error, OutputError::NotAFolder { .. }));
+    }
+}

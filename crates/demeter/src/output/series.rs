@@ -1,0 +1,359 @@
+//! The time series: one row of measures per line of a CSV file.
+
+use super::error::OutputError;
+use crate::measure::{Measures, WallLoad};
+use std::fmt::Write as _;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// A value of a row.
+enum Cell {
+    Count(u64),
+    /// Index of a stage, written as its name.
+    Stage(usize),
+    Number(f64),
+}
+
+/// A column of the series.
+pub struct Column<T: 'static> {
+    /// Name of the quantity.
+    pub name: &'static str,
+    /// Unit; empty for dimensionless quantities.
+    pub unit: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+    value: fn(&T) -> Cell,
+}
+
+const fn column<T>(name: &'static str, unit: &'static str, meaning: &'static str, value: fn(&T) -> Cell) -> Column<T> {
+    Column {
+        name,
+        unit,
+        meaning,
+        value,
+    }
+}
+
+/// Columns of every series, in order.
+pub const COLUMNS: &[Column<Measures>] = {
+    use Cell::{Count, Number};
+    &[
+        column("step", "", "steps done since the start of the run", |m| Count(m.step)),
+        column("time", "s", "simulated time", |m| Number(m.time)),
+        column("stage", "", "name of the stage", |m| Cell::Stage(m.stage)),
+        column("stage time", "s", "time since the start of the stage", |m| {
+            Number(m.stage_time)
+        }),
+        column("grains", "", "number of grains", |m| Count(m.grains as u64)),
+        column("contacts", "", "number of contacts between grains", |m| {
+            Count(m.contacts as u64)
+        }),
+        column(
+            "coordination",
+            "",
+            "mean number of contacts per grain, those with walls counted",
+            |m| Number(m.coordination),
+        ),
+        column(
+            "max overlap",
+            "",
+            "largest overlap as a share of the smaller radius",
+            |m| Number(m.max_overlap),
+        ),
+        column("max speed", "m/s", "largest speed of a grain", |m| Number(m.max_speed)),
+        column("kinetic over elastic", "", "kinetic over elastic energy", |m| {
+            Number(m.kinetic_over_elastic)
+        }),
+        column(
+            "packing fraction",
+            "",
+            "solid volume over the volume open to the grains, overlaps not subtracted",
+            |m| Number(m.packing_fraction),
+        ),
+        column(
+            "stress xx",
+            "Pa",
+            "stress of contacts between grains over the volume, compression positive",
+            |m| Number(m.stress[0]),
+        ),
+        column("stress yy", "Pa", "see stress xx", |m| Number(m.stress[1])),
+        column("stress zz", "Pa", "see stress xx", |m| Number(m.stress[2])),
+        column("stress xy", "Pa", "see stress xx", |m| Number(m.stress[3])),
+        column("stress xz", "Pa", "see stress xx", |m| Number(m.stress[4])),
+        column("stress yz", "Pa", "see stress xx", |m| Number(m.stress[5])),
+        column("momentum x", "kg m/s", "total momentum", |m| Number(m.momentum.x)),
+        column("momentum y", "kg m/s", "total momentum", |m| Number(m.momentum.y)),
+        column("momentum z", "kg m/s", "total momentum", |m| Number(m.momentum.z)),
+        column("kinetic energy", "J", "energy of translation", |m| {
+            Number(m.energies.kinetic)
+        }),
+        column("rotational energy", "J", "energy of rotation", |m| {
+            Number(m.energies.rotational)
+        }),
+        column(
+            "gravitational energy",
+            "J",
+            "potential energy in the field of gravity",
+            |m| Number(m.energies.gravitational),
+        ),
+        column("elastic energy", "J", "stored by normal laws", |m| {
+            Number(m.energies.elastic)
+        }),
+        column("tangential energy", "J", "stored by tangential springs", |m| {
+            Number(m.energies.tangential)
+        }),
+        column("rolling energy", "J", "stored by rolling springs", |m| {
+            Number(m.energies.rolling)
+        }),
+        column(
+            "viscous dissipation",
+            "J",
+            "dissipated by normal dashpots since the start",
+            |m| Number(m.energies.viscous_dissipated),
+        ),
+        column(
+            "friction dissipation",
+            "J",
+            "dissipated by friction since the start",
+            |m| Number(m.energies.friction_dissipated),
+        ),
+        column(
+            "rolling dissipation",
+            "J",
+            "dissipated by rolling resistance since the start",
+            |m| Number(m.energies.rolling_dissipated),
+        ),
+        column(
+            "wall work",
+            "J",
+            "work done on the grains by moving walls since the start",
+            |m| Number(m.energies.wall_work),
+        ),
+        column(
+            "inserted energy",
+            "J",
+            "energy of grains inserted since the start",
+            |m| Number(m.energies.inserted),
+        ),
+        column("removed energy", "J", "energy of grains removed since the start", |m| {
+            Number(m.energies.removed)
+        }),
+        column(
+            "energy residual",
+            "",
+            "share of the energy that passed through the system which the books do not explain",
+            |m| Number(m.energies.residual),
+        ),
+    ]
+};
+
+/// Columns of every wall, behind the others; their names begin with `wall NAME`.
+pub const WALL_COLUMNS: &[Column<WallLoad>] = {
+    use Cell::{Count, Number};
+    &[
+        column("force x", "N", "force of the grains on the wall", |w| Number(w.force.x)),
+        column("force y", "N", "force of the grains on the wall", |w| Number(w.force.y)),
+        column("force z", "N", "force of the grains on the wall", |w| Number(w.force.z)),
+        column(
+            "torque x",
+            "N m",
+            "torque of the grains on the wall about the origin of its pose",
+            |w| Number(w.torque.x),
+        ),
+        column("torque y", "N m", "see torque x", |w| Number(w.torque.y)),
+        column("torque z", "N m", "see torque x", |w| Number(w.torque.z)),
+        column("displacement x", "m", "displacement since the start of the run", |w| {
+            Number(w.displacement.x)
+        }),
+        column("displacement y", "m", "displacement since the start of the run", |w| {
+            Number(w.displacement.y)
+        }),
+        column("displacement z", "m", "displacement since the start of the run", |w| {
+            Number(w.displacement.z)
+        }),
+        column("contacts", "", "number of contacts with grains", |w| {
+            Count(u64::from(w.contacts))
+        }),
+    ]
+};
+
+impl<T> Column<T> {
+    /// Name and unit, as in the header: `time [s]`.
+    pub fn title(&self) -> String {
+        if self.unit.is_empty() {
+            self.name.to_owned()
+        } else {
+            format!("{} [{}]", self.name, self.unit)
+        }
+    }
+}
+
+/// Header name of a column of a wall: `wall top force z [N]`.
+fn wall_title(wall: &str, column: &Column<WallLoad>) -> String {
+    format!("wall {wall} {}", column.title())
+}
+
+/// The table of all columns in Markdown, for the book.
+pub fn columns_table() -> String {
+    let mut text = String::from("| column | unit | meaning |\n|---|---|---|\n");
+    let plain = COLUMNS.iter().map(|c| (c.title(), c.unit, c.meaning));
+    let walls = WALL_COLUMNS.iter().map(|c| (wall_title("NAME", c), c.unit, c.meaning));
+    for (title, unit, meaning) in plain.chain(walls) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "| `{title}` | {} | {meaning} |",
+            if unit.is_empty() { "1" } else { unit }
+        );
+    }
+    text
+}
+
+/// Names that a series needs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SeriesLabels {
+    /// Names of the stages, by index.
+    pub stages: Vec<String>,
+    /// Names of the walls, by index.
+    pub walls: Vec<String>,
+}
+
+/// Writes the series of a run.
+#[derive(Debug)]
+pub struct SeriesWriter {
+    path: PathBuf,
+    file: File,
+    labels: SeriesLabels,
+    length: u64,
+}
+
+impl SeriesWriter {
+    /// Starts a series with its header.
+    pub fn create(path: &Path, labels: SeriesLabels) -> Result<Self, OutputError> {
+        let file = File::create(path).map_err(OutputError::io("create", path))?;
+        let mut writer = Self {
+            path: path.to_owned(),
+            file,
+            labels,
+            length: 0,
+        };
+        let header = header(&writer.labels.walls);
+        writer.line(&header)?;
+        Ok(writer)
+    }
+
+    /// Goes on after a step: rows of later steps and a row that was cut short are removed. A series that is not there,
+    /// or was cut in its header, is started again.
+    pub fn resume(path: &Path, labels: SeriesLabels, step: u64) -> Result<Self, OutputError> {
+        let bytes = match fs::read(path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Self::create(path, labels),
+            bytes => bytes.map_err(OutputError::io("read", path))?,
+        };
+        let expected = encode_line(&header(&labels.walls), path)?;
+        if expected.starts_with(&bytes) && bytes != expected {
+            return Self::create(path, labels);
+        }
+        let length = kept_length(&bytes, &expected, step).map_err(|problem| OutputError::OtherSeries {
+            path: path.to_owned(),
+            problem,
+        })?;
+        let io = |e| OutputError::io("continue", path)(e);
+        let mut file = OpenOptions::new().write(true).open(path).map_err(io)?;
+        file.set_len(length).map_err(io)?;
+        file.seek(SeekFrom::Start(length)).map_err(io)?;
+        Ok(Self {
+            path: path.to_owned(),
+            file,
+            labels,
+            length,
+        })
+    }
+
+    /// Writes a row; it is in the file when this returns.
+    pub fn write(&mut self, row: &Measures) -> Result<(), OutputError> {
+        if row.walls.len() != self.labels.walls.len() {
+            return Err(OutputError::RowDoesNotFit {
+                path: self.path.clone(),
+                expected: self.labels.walls.len(),
+                found: row.walls.len(),
+            });
+        }
+        let mut cells: Vec<String> = COLUMNS.iter().map(|c| self.text(&(c.value)(row))).collect();
+        for wall in &row.walls {
+            cells.extend(WALL_COLUMNS.iter().map(|c| self.text(&(c.value)(wall))));
+        }
+        self.line(&cells)
+    }
+
+    /// Shortest text that reads back to the same bits.
+    fn text(&self, cell: &Cell) -> String {
+        match *cell {
+            Cell::Count(n) => n.to_string(),
+            Cell::Number(x) => format!("{x:?}"),
+            Cell::Stage(k) => self.labels.stages.get(k).cloned().unwrap_or_else(|| k.to_string()),
+        }
+    }
+
+    /// Writes a line in one piece. When that fails, what got through of it is taken back.
+    fn line(&mut self, cells: &[String]) -> Result<(), OutputError> {
+        let bytes = encode_line(cells, &self.path)?;
+        let written = self.file.write_all(&bytes);
+        if written.is_err() {
+            let back = self.file.set_len(self.length);
+            // If even that fails, `resume` removes the line that was cut short.
+            let _ = back.and_then(|()| self.file.seek(SeekFrom::Start(self.length)));
+        }
+        written.map_err(OutputError::io("add a row to", &self.path))?;
+        self.length += bytes.len() as u64;
+        Ok(())
+    }
+}
+
+fn header(walls: &[String]) -> Vec<String> {
+    let mut names: Vec<String> = COLUMNS.iter().map(Column::title).collect();
+    for wall in walls {
+        names.extend(WALL_COLUMNS.iter().map(|c| wall_title(wall, c)));
+    }
+    names
+}
+
+fn encode_line(cells: &[String], path: &Path) -> Result<Vec<u8>, OutputError> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(cells).map_err(|e| OutputError::encode(path, &e))?;
+    writer.into_inner().map_err(|e| OutputError::encode(path, &e))
+}
+
+/// Length of the part of a series that is kept: the header and the whole rows up to a step.
+fn kept_length(bytes: &[u8], header: &[u8], step: u64) -> Result<u64, String> {
+    if !bytes.starts_with(header) {
+        return Err("its header names other columns or walls".to_owned());
+    }
+    let whole = bytes.iter().rposition(|&b| b == b'\n').map_or(0, |k| k + 1);
+    let mut kept = header.len();
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .from_reader(&bytes[kept..whole.max(kept)]);
+    let mut record = csv::ByteRecord::new();
+    let start = kept;
+    loop {
+        match reader.read_byte_record(&mut record) {
+            Ok(false) => break,
+            Ok(true) => {}
+            Err(e) => return Err(e.to_string()),
+        }
+        let line = 2 + reader.position().record().saturating_sub(1);
+        let first = record.get(0).and_then(|cell| std::str::from_utf8(cell).ok());
+        let found: u64 = (first.and_then(|cell| cell.parse().ok()))
+            .ok_or_else(|| format!("row {line} does not begin with a step"))?;
+        if found > step {
+            break;
+        }
+        kept = start + usize::try_from(reader.position().byte()).unwrap_or(0);
+    }
+    Ok(kept as u64)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,217 @@
+//! The summary of a run: `summary.json`.
+
+use super::error::OutputError;
+use super::folder::RunFolder;
+use crate::measure::{Energies, Measures};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// What a run was and how it went. Times of the simulation in [s], energies in [J], SI throughout.
+///
+/// A value that is not finite is `null` in the file.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Summary {
+    /// Version of Demeter.
+    pub version: String,
+    /// Title of the scenario.
+    pub title: String,
+    /// The scenario file.
+    pub scenario: String,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// Whether the run came to the end of its last stage.
+    pub finished: bool,
+    /// What stopped it, as a sentence.
+    pub stopped_by: String,
+    /// Grains at the end.
+    pub grains: u64,
+    /// Contacts between grains at the end.
+    pub contacts: u64,
+    /// Steps done.
+    pub steps: u64,
+    /// Simulated time [s].
+    pub simulated_time: f64,
+    /// Time step [s].
+    pub time_step: f64,
+    /// Why the time step is what it is.
+    pub time_step_reason: String,
+    /// Wall-clock time of this process in the step loop [s].
+    pub wall_clock_time: f64,
+    /// Grains times steps over the wall-clock time [1/s].
+    pub particle_steps_per_second: f64,
+    /// Number of threads.
+    pub threads: usize,
+    /// The stages that ran, in order.
+    pub stages: Vec<StageSummary>,
+    /// Energies at the end [J].
+    pub energies: EnergySummary,
+    /// Loads on the walls at the end, by name.
+    pub walls: BTreeMap<String, WallSummary>,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+}
+
+/// One stage that ran.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct StageSummary {
+    /// Name.
+    pub name: String,
+    /// Step at its start.
+    pub first_step: u64,
+    /// Step at its end.
+    pub last_step: u64,
+    /// Time at its start [s].
+    pub start: f64,
+    /// Time at its end [s].
+    pub end: f64,
+    /// Which of its conditions ended it.
+    pub ended_by: String,
+}
+
+/// The ledger at the end [J]; see the columns of the series.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct EnergySummary {
+    /// Kinetic energy of translation.
+    pub kinetic: f64,
+    /// Kinetic energy of rotation.
+    pub rotational: f64,
+    /// Potential energy in the field of gravity.
+    pub gravitational: f64,
+    /// Stored by normal laws.
+    pub elastic: f64,
+    /// Stored by tangential springs.
+    pub tangential: f64,
+    /// Stored by rolling springs.
+    pub rolling: f64,
+    /// Dissipated by normal dashpots.
+    pub viscous_dissipated: f64,
+    /// Dissipated by friction.
+    pub friction_dissipated: f64,
+    /// Dissipated by rolling resistance.
+    pub rolling_dissipated: f64,
+    /// Work done on the grains by moving walls.
+    pub wall_work: f64,
+    /// Energy of grains inserted.
+    pub inserted: f64,
+    /// Energy of grains removed.
+    pub removed: f64,
+    /// Share of the energy that passed through the system which the books do not explain, at the end.
+    pub residual: f64,
+    /// The largest such share in any row of the series.
+    pub max_residual: f64,
+}
+
+impl EnergySummary {
+    /// The ledger and the largest residual of the run.
+    pub fn new(energies: &Energies, max_residual: f64) -> Self {
+        Self {
+            kinetic: energies.kinetic,
+            rotational: energies.rotational,
+            gravitational: energies.gravitational,
+            elastic: energies.elastic,
+            tangential: energies.tangential,
+            rolling: energies.rolling,
+            viscous_dissipated: energies.viscous_dissipated,
+            friction_dissipated: energies.friction_dissipated,
+            rolling_dissipated: energies.rolling_dissipated,
+            wall_work: energies.wall_work,
+            inserted: energies.inserted,
+            removed: energies.removed,
+            residual: energies.residual,
+            max_residual,
+        }
+    }
+}
+
+/// A wall at the end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct WallSummary {
+    /// Force of the grains on it [N].
+    pub force: [f64; 3],
+    /// Torque of the grains on it about the origin of its pose [N m].
+    pub torque: [f64; 3],
+    /// Displacement since the start of the run [m].
+    pub displacement: [f64; 3],
+    /// Contacts with grains.
+    pub contacts: u32,
+}
+
+impl Summary {
+    /// Takes over what the last row of measures tells.
+    pub fn set_measures(&mut self, last: &Measures, max_residual: f64, wall_names: &[String]) {
+        self.grains = last.grains as u64;
+        self.contacts = last.contacts as u64;
+        self.steps = last.step;
+        self.simulated_time = last.time;
+        self.energies = EnergySummary::new(&last.energies, max_residual);
+        let walls = wall_names.iter().zip(&last.walls).map(|(name, load)| {
+            let wall = WallSummary {
+                force: load.force.to_array(),
+                torque: load.torque.to_array(),
+                displacement: load.displacement.to_array(),
+                contacts: load.contacts,
+            };
+            (name.clone(), wall)
+        });
+        self.walls = walls.collect();
+    }
+
+    /// Writes the summary into the folder of the run, whole or not at all.
+    pub fn write(&self, folder: &RunFolder) -> Result<(), OutputError> {
+        let path = folder.summary();
+        let mut text = serde_json::to_string_pretty(self).map_err(|e| OutputError::encode(&path, &e))?;
+        text.push('\n');
+        folder.write(&path, text.as_bytes())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measure::WallLoad;
+    use glam::DVec3;
+
+    #[test]
+    fn a_summary_reads_back() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = RunFolder::create(place.path(), false).unwrap();
+        let mut summary = Summary {
+            version: crate::VERSION.to_owned(),
+            title: "A \"box\"".to_owned(),
+            seed: u64::MAX,
+            time_step: 1.0 / 3.0,
+            stages: vec![StageSummary {
+                name: "settle".to_owned(),
+                ..StageSummary::default()
+            }],
+            ..Summary::default()
+        };
+        let last = Measures {
+            step: 12,
+            walls: vec![WallLoad {
+                force: DVec3::new(0.0, 0.0, 6.7),
+                ..WallLoad::default()
+            }],
+            energies: Energies {
+                elastic: 0.1,
+                residual: 1e-5,
+                wall_work: f64::NAN,
+                ..Energies::default()
+            },
+            ..Measures::default()
+        };
+        summary.set_measures(&last, 2e-5, &["top".to_owned()]);
+        summary.write(&folder).unwrap();
+        let bytes = std::fs::read(folder.summary()).unwrap();
+        let read: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
+        assert_eq!(read["title"], "A \"box\"");
+        assert_eq!(read["seed"], u64::MAX);
+        assert_eq!(read["steps"], 12);
+        assert_eq!(read["time_step"], 1.0 / 3.0);
+        assert_eq!(read["stages"][0]["name"], "settle");
+        assert_eq!(read["walls"]["top"]["force"][2], 6.7);
+        assert_eq!(read["energies"]["elastic"], 0.1);
+        assert_eq!(read["energies"]["max_residual"], 2e-5);
+        assert!(read["energies"]["wall_work"].is_null());
+    }
+}

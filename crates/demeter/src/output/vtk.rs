@@ -1,0 +1,160 @@
+//! Frames for ParaView, PyVista and OVITO: one `.vtp` file each for grains, contacts and walls, and collections that
+//! tell the time of every file.
+//!
+//! | file | one element is | arrays |
+//! |---|---|---|
+//! | `grains` | a point at the centre of a grain | `id`, `material`, `radius` and `diameter` [m], `mass` [kg], `velocity` [m/s], `angular_velocity` [1/s], `orientation` (quaternion x, y, z, w), `force` [N], `torque` [N m], `coordination` (contacts, walls counted) |
+//! | `contacts` | a point at the contact | `id_i`, `id_j` (0: wall), `wall` (-1: none), `element`, `normal` (from i outwards), `overlap` [m], `normal_force`, `tangential_force` and their vector sum `force` [N], all on i, `normal_force_magnitude`, `force_magnitude` [N], `rolling_torque` [N m] |
+//! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s] |
+//!
+//! Every file carries `TimeValue` [s] and `step`; `grains` the names of the materials, `walls` those of the walls.
+
+use super::collection::Collection;
+use super::error::OutputError;
+use super::folder::RunFolder;
+use super::frame::Frame;
+use super::vtp::{Array, Cells, PolyData, Values};
+use glam::DVec3;
+
+/// Writes frames into the folder of a run.
+#[derive(Debug)]
+pub struct FrameWriter {
+    folder: RunFolder,
+    collections: [Collection; 3],
+}
+
+/// What the three files of a frame are called.
+const KINDS: [&str; 3] = ["grains", "contacts", "walls"];
+
+impl FrameWriter {
+    /// Starts with no frame.
+    pub fn create(folder: &RunFolder) -> Result<Self, OutputError> {
+        let collections = KINDS.map(|kind| Collection::new(folder, kind));
+        for collection in &collections {
+            collection.save(folder)?;
+        }
+        Ok(Self {
+            folder: folder.clone(),
+            collections,
+        })
+    }
+
+    /// Goes on after a step: later frames are taken out of the collections and their files removed.
+    pub fn resume(folder: &RunFolder, step: u64) -> Result<Self, OutputError> {
+        let mut collections = KINDS.map(|kind| Collection::new(folder, kind));
+        for collection in &mut collections {
+            collection.load(folder)?;
+            collection.cut(folder, step)?;
+        }
+        Ok(Self {
+            folder: folder.clone(),
+            collections,
+        })
+    }
+
+    /// Writes a frame. A frame of the same step is replaced.
+    pub fn write(&mut self, frame: &Frame) -> Result<(), OutputError> {
+        let files = [grains(frame), contacts(frame), walls(frame)];
+        for (collection, data) in self.collections.iter_mut().zip(files) {
+            let path = self.folder.root().join(collection.file(frame.step));
+            let bytes = data.encode().map_err(|e| OutputError::encode(&path, &e))?;
+            self.folder.write(&path, &bytes)?;
+            collection.add(frame.step, frame.time);
+        }
+        // The collections come last, so that none names a file that is not there.
+        for collection in &self.collections {
+            collection.save(&self.folder)?;
+        }
+        Ok(())
+    }
+
+    /// Number of frames.
+    pub fn len(&self) -> usize {
+        self.collections[0].len()
+    }
+
+    /// Whether there is no frame yet.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+fn grains(frame: &Frame) -> PolyData {
+    let g = frame.grains;
+    let coordination = frame.sum_over_contacts(0_u32, |sum, _| sum + 1);
+    let materials = g.material.iter().map(|&m| i32::from(m)).collect();
+    let orientations = g.orientation.iter().flat_map(|q| q.to_array()).collect();
+    PolyData {
+        step: frame.step,
+        time: frame.time,
+        texts: vec![(
+            "material_names",
+            frame.materials.iter().map(|m| m.name.clone()).collect(),
+        )],
+        points: g.position.clone(),
+        cells: Cells::Vertices,
+        point_data: vec![
+            Array::new("id", 1, Values::UInt32(g.id.clone())),
+            Array::new("material", 1, Values::Int32(materials)),
+            Array::scalars("radius", g.radius.iter().copied()),
+            Array::scalars("diameter", g.radius.iter().map(|r| 2.0 * r)),
+            Array::scalars("mass", g.mass.iter().copied()),
+            Array::vectors("velocity", &g.velocity),
+            Array::vectors("angular_velocity", &g.angular_velocity),
+            Array::new("orientation", 4, Values::Float64(orientations)),
+            Array::vectors("force", &g.force),
+            Array::vectors("torque", &g.torque),
+            Array::new("coordination", 1, Values::UInt32(coordination)),
+        ],
+        cell_data: Vec::new(),
+    }
+}
+
+fn contacts(frame: &Frame) -> PolyData {
+    let c = frame.contacts;
+    let forces: Vec<DVec3> = c.iter().map(|k| k.normal_force + k.tangential_force).collect();
+    PolyData {
+        step: frame.step,
+        time: frame.time,
+        texts: Vec::new(),
+        points: c.iter().map(|k| k.position).collect(),
+        cells: Cells::Vertices,
+        point_data: vec![
+            Array::new("id_i", 1, Values::UInt32(c.iter().map(|k| k.id_i).collect())),
+            Array::new("id_j", 1, Values::UInt32(c.iter().map(|k| k.id_j).collect())),
+            Array::new("wall", 1, Values::Int32(c.iter().map(|k| k.wall).collect())),
+            Array::new("element", 1, Values::UInt32(c.iter().map(|k| k.element).collect())),
+            Array::vectors("normal", c.iter().map(|k| &k.normal)),
+            Array::scalars("overlap", c.iter().map(|k| k.overlap)),
+            Array::vectors("normal_force", c.iter().map(|k| &k.normal_force)),
+            Array::vectors("tangential_force", c.iter().map(|k| &k.tangential_force)),
+            Array::vectors("force", &forces),
+            Array::scalars("normal_force_magnitude", c.iter().map(|k| k.normal_force.length())),
+            Array::scalars("force_magnitude", forces.iter().map(|f| f.length())),
+            Array::vectors("rolling_torque", c.iter().map(|k| &k.rolling_torque)),
+        ],
+        cell_data: Vec::new(),
+    }
+}
+
+fn walls(frame: &Frame) -> PolyData {
+    let cells = || {
+        (0..)
+            .zip(frame.walls)
+            .flat_map(|(index, wall)| wall.triangles.iter().map(move |t| (index, wall, t)))
+    };
+    PolyData {
+        step: frame.step,
+        time: frame.time,
+        texts: vec![("wall_names", frame.walls.iter().map(|w| w.name.to_owned()).collect())],
+        points: cells().flat_map(|(_, _, triangle)| *triangle).collect(),
+        cells: Cells::Triangles,
+        point_data: Vec::new(),
+        cell_data: vec![
+            Array::new("wall", 1, Values::Int32(cells().map(|(index, _, _)| index).collect())),
+            Array::vectors("force", cells().map(|(_, wall, _)| &wall.force)),
+            Array::vectors("torque", cells().map(|(_, wall, _)| &wall.torque)),
+            Array::vectors("velocity", cells().map(|(_, wall, _)| &wall.velocity)),
+        ],
+    }
+}

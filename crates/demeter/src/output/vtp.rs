@@ -1,0 +1,261 @@
+//! The `.vtp` file of VTK: points with cells and named arrays, as XML with compressed binary data behind it.
+//!
+//! Format: "VTK XML file formats" (version 1.0, `header_type="UInt64"`, zlib blocks, appended raw data).
+
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+use glam::DVec3;
+use std::fmt::Write as _;
+use std::io::{self, Write as _};
+
+/// Length of an uncompressed block [bytes], a multiple of the size of every type.
+const BLOCK: usize = 1 << 18;
+/// The fastest level: higher ones cost much time and win little on the digits of `f64`.
+const LEVEL: u32 = 1;
+
+/// The numbers of an array.
+pub(super) enum Values {
+    /// 64-bit floating point.
+    Float64(Vec<f64>),
+    /// 32-bit integer.
+    Int32(Vec<i32>),
+    /// 32-bit integer, not negative.
+    UInt32(Vec<u32>),
+    /// 64-bit integer.
+    Int64(Vec<i64>),
+}
+
+impl Values {
+    /// Name of the type in the file.
+    fn kind(&self) -> &'static str {
+        match self {
+            Self::Float64(_) => "Float64",
+            Self::Int32(_) => "Int32",
+            Self::UInt32(_) => "UInt32",
+            Self::Int64(_) => "Int64",
+        }
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        match self {
+            Self::Float64(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
+            Self::Int32(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
+            Self::UInt32(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
+            Self::Int64(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
+        }
+    }
+}
+
+/// A named array.
+pub(super) struct Array {
+    name: &'static str,
+    components: usize,
+    values: Values,
+}
+
+impl Array {
+    /// One `f64` per point or cell.
+    pub fn scalars(name: &'static str, values: impl IntoIterator<Item = f64>) -> Self {
+        Self::new(name, 1, Values::Float64(values.into_iter().collect()))
+    }
+
+    /// One vector per point or cell.
+    pub fn vectors<'a>(name: &'static str, values: impl IntoIterator<Item = &'a DVec3>) -> Self {
+        let values = values.into_iter().flat_map(|v| v.to_array()).collect();
+        Self::new(name, 3, Values::Float64(values))
+    }
+
+    /// Any array.
+    pub fn new(name: &'static str, components: usize, values: Values) -> Self {
+        Self {
+            name,
+            components,
+            values,
+        }
+    }
+}
+
+/// The cells of a piece.
+pub(super) enum Cells {
+    /// One vertex cell for every point.
+    Vertices,
+    /// Triangles that use three points each, in order.
+    Triangles,
+}
+
+/// A `.vtp` file.
+pub(super) struct PolyData {
+    /// Steps done.
+    pub step: u64,
+    /// Simulated time [s].
+    pub time: f64,
+    /// Texts that belong to the file as a whole, by name.
+    pub texts: Vec<(&'static str, Vec<String>)>,
+    /// The points [m].
+    pub points: Vec<DVec3>,
+    /// The cells.
+    pub cells: Cells,
+    /// Arrays of the points.
+    pub point_data: Vec<Array>,
+    /// Arrays of the cells.
+    pub cell_data: Vec<Array>,
+}
+
+impl PolyData {
+    /// The bytes of the file.
+    pub fn encode(&self) -> io::Result<Vec<u8>> {
+        let mut file = Writer::default();
+        let corners = match self.cells {
+            Cells::Vertices => 1,
+            Cells::Triangles => 3,
+        };
+        let points = self.points.len();
+        let cells = points / corners;
+        let (vertices, triangles) = if corners == 1 { (cells, 0) } else { (0, cells) };
+        file.line(
+            "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" \
+             compressor=\"vtkZLibDataCompressor\">\n<PolyData>",
+        );
+        self.field_data(&mut file);
+        file.line(&format!(
+            "<Piece NumberOfPoints=\"{points}\" NumberOfVerts=\"{vertices}\" NumberOfLines=\"0\" \
+             NumberOfStrips=\"0\" NumberOfPolys=\"{triangles}\">"
+        ));
+        file.arrays("PointData", &self.point_data)?;
+        file.arrays("CellData", &self.cell_data)?;
+        file.arrays("Points", &[Array::vectors("Points", &self.points)])?;
+        let connectivity = (0..points as i64).collect();
+        let offsets = (1..=cells as i64).map(|k| k * corners as i64).collect();
+        let topology = [
+            Array::new("connectivity", 1, Values::Int64(connectivity)),
+            Array::new("offsets", 1, Values::Int64(offsets)),
+        ];
+        file.arrays(if corners == 1 { "Verts" } else { "Polys" }, &topology)?;
+        file.line("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">");
+        Ok(file.finish())
+    }
+
+    /// Time, step and texts, readable in the head of the file.
+    fn field_data(&self, file: &mut Writer) {
+        file.line("<FieldData>");
+        file.line(&format!(
+            "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:?}</DataArray>",
+            self.time
+        ));
+        file.line(&format!(
+            "<DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>",
+            self.step
+        ));
+        for (name, texts) in &self.texts {
+            file.line(&format!(
+                "<DataArray type=\"String\" Name=\"{name}\" NumberOfTuples=\"{}\" format=\"ascii\">",
+                texts.len()
+            ));
+            // Texts are written as the codes of their bytes, each text closed by a zero.
+            for text in texts {
+                let codes: Vec<String> = text.bytes().chain([0]).map(|byte| byte.to_string()).collect();
+                file.line(&codes.join(" "));
+            }
+            file.line("</DataArray>");
+        }
+        file.line("</FieldData>");
+    }
+}
+
+/// The XML and, to be put behind it, the binary data.
+#[derive(Default)]
+struct Writer {
+    xml: String,
+    data: Vec<u8>,
+}
+
+impl Writer {
+    fn line(&mut self, text: &str) {
+        self.xml.push_str(text);
+        self.xml.push('\n');
+    }
+
+    fn arrays(&mut self, element: &str, arrays: &[Array]) -> io::Result<()> {
+        self.line(&format!("<{element}>"));
+        for array in arrays {
+            let offset = self.data.len();
+            // Writing to a String cannot fail.
+            let _ = writeln!(
+                self.xml,
+                "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{offset}\"/>",
+                array.values.kind(),
+                array.name,
+                array.components,
+            );
+            append_compressed(&mut self.data, &array.values.bytes())?;
+        }
+        self.line(&format!("</{element}>"));
+        Ok(())
+    }
+
+    fn finish(self) -> Vec<u8> {
+        let mut bytes = self.xml.into_bytes();
+        bytes.push(b'_');
+        bytes.extend_from_slice(&self.data);
+        bytes.extend_from_slice(b"\n</AppendedData>\n</VTKFile>\n");
+        bytes
+    }
+}
+
+/// Appends `[blocks][block length][length of the last block if it is shorter][compressed lengths][blocks]`.
+fn append_compressed(out: &mut Vec<u8>, bytes: &[u8]) -> io::Result<()> {
+    let blocks: Vec<&[u8]> = bytes.chunks(BLOCK).collect();
+    let mut compressed = Vec::with_capacity(blocks.len());
+    for block in &blocks {
+        let mut encoder = ZlibEncoder::new(Vec::new(), Compression::new(LEVEL));
+        encoder.write_all(block)?;
+        compressed.push(encoder.finish()?);
+    }
+    let head = [blocks.len(), BLOCK, bytes.len() % BLOCK];
+    for number in head.into_iter().chain(compressed.iter().map(Vec::len)) {
+        out.extend_from_slice(&(number as u64).to_le_bytes());
+    }
+    for block in &compressed {
+        out.extend_from_slice(block);
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use flate2::read::ZlibDecoder;
+    use std::io::Read;
+
+    fn number(bytes: &[u8], k: usize) -> usize {
+        u64::from_le_bytes(bytes[8 * k..8 * k + 8].try_into().unwrap()) as usize
+    }
+
+    /// Reads an array as VTK does: a last block of length 0 means that the last block is a full one.
+    fn decode(bytes: &[u8]) -> Vec<u8> {
+        let (blocks, length, last) = (number(bytes, 0), number(bytes, 1), number(bytes, 2));
+        let mut at = 8 * (3 + blocks);
+        let mut out = Vec::new();
+        for k in 0..blocks {
+            let size = number(bytes, 3 + k);
+            let mut block = Vec::new();
+            ZlibDecoder::new(&bytes[at..at + size]).read_to_end(&mut block).unwrap();
+            let expected = if k + 1 == blocks && last > 0 { last } else { length };
+            assert_eq!(block.len(), expected);
+            out.extend_from_slice(&block);
+            at += size;
+        }
+        assert_eq!(at, bytes.len());
+        out
+    }
+
+    #[test]
+    fn blocks_decode_at_every_edge_of_the_block_length() {
+        for length in [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK, 2 * BLOCK + 8] {
+            let bytes: Vec<u8> = (0..length).map(|k| (k % 251) as u8).collect();
+            let mut out = Vec::new();
+            append_compressed(&mut out, &bytes).unwrap();
+            assert!(decode(&out) == bytes, "{length}");
+        }
+    }
+}

@@ -1,0 +1,275 @@
+//! Tables `[material.*]` and `[contact]`: materials and the contact laws of every pair.
+
+use super::document::Value;
+use super::quantity::Kind;
+use super::reader::{Item, TableReader, suggest_or_list};
+use crate::materials::{Material, PairChoice};
+use demeter_physics::contact::{LawChoice, LawInfo, normal, rolling, tangential};
+use demeter_physics::dimension::Dimension;
+use demeter_physics::parameters::{ParameterError, Range, Values, resolve};
+
+/// Most materials: the laws of every pair are kept.
+pub const MAX_MATERIALS: usize = 256;
+
+/// Poisson's ratio of a stable isotropic solid: `-1 < nu <= 1/2`.
+const POISSON: Range = Range::new(-1.0, false, 0.5, true);
+
+/// Contact laws of every pair of materials.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactSpec {
+    /// Laws of a pair without an entry of its own.
+    pub default: PairChoice,
+    /// Entries of pairs by the indices of their materials, the lower first.
+    pub pairs: Vec<(u16, u16, PairChoice)>,
+}
+
+impl ContactSpec {
+    /// Laws of a pair of materials, in any order.
+    pub fn choice(&self, a: usize, b: usize) -> PairChoice {
+        let (a, b) = (a.min(b), a.max(b));
+        let entry = self
+            .pairs
+            .iter()
+            .find(|p| (usize::from(p.0), usize::from(p.1)) == (a, b));
+        entry.map_or(&self.default, |p| &p.2).clone()
+    }
+}
+
+pub(super) fn materials(root: &TableReader<'_>) -> Vec<Material> {
+    let example = "[material.glass] with young_modulus, poisson_ratio and density";
+    let Some(item) = root.required("material", &format!("at least one table, as {example}")) else {
+        return Vec::new();
+    };
+    let Some(table) = item.table() else {
+        return Vec::new();
+    };
+    let entries = table.named();
+    if entries.is_empty() {
+        item.fault(format!("there is no material; write {example}"), None);
+    }
+    if entries.len() > MAX_MATERIALS {
+        item.fault(
+            format!("{} materials are too many; at most {MAX_MATERIALS}", entries.len()),
+            None,
+        );
+    }
+    entries.iter().take(MAX_MATERIALS).map(material).collect()
+}
+
+fn material(item: &Item<'_>) -> Material {
+    let mut material = Material {
+        name: item.name.clone(),
+        young_modulus: f64::NAN,
+        poisson_ratio: f64::NAN,
+        density: f64::NAN,
+    };
+    let Value::Table(_) = &item.node.value else {
+        let message = format!(
+            "a material is a table; write `[material.NAME]` with `{}` in it",
+            item.name
+        );
+        item.fault(message, None);
+        return material;
+    };
+    if let Some(table) = item.table() {
+        let modulus = Kind::Physical(Dimension::PRESSURE);
+        let density = Kind::Physical(Dimension::DENSITY);
+        material.young_modulus = table.quantity(
+            "young_modulus",
+            modulus,
+            Range::POSITIVE,
+            "Young's modulus, as \"5 MPa\"",
+        );
+        material.poisson_ratio = table.quantity("poisson_ratio", Kind::Number, POISSON, "Poisson's ratio, as 0.3");
+        material.density = table.quantity(
+            "density",
+            density,
+            Range::POSITIVE,
+            "the mass density, as \"2500 kg/m^3\"",
+        );
+        table.finish("a material");
+    }
+    material
+}
+
+/// Index of the material that a value names; 0 with a fault when there is none of this name.
+pub(super) fn material_index(item: &Item<'_>, materials: &[Material]) -> u16 {
+    let name = item.text();
+    match materials.iter().position(|m| m.name == name) {
+        Some(index) => index as u16,
+        None => {
+            if matches!(item.node.value, Value::String(_)) && !materials.is_empty() {
+                let known = materials.iter().map(|m| m.name.as_str());
+                item.fault(format!("unknown material `{name}`"), suggest_or_list(&name, known));
+            }
+            0
+        }
+    }
+}
+
+/// The families in the order of their keys.
+const FAMILIES: [(&str, &[LawInfo]); 3] = [
+    ("normal", normal::LAWS),
+    ("tangential", tangential::LAWS),
+    ("rolling", rolling::LAWS),
+];
+
+/// Laws of the three families.
+type Laws = [Option<LawChoice>; 3];
+
+fn nothing() -> PairChoice {
+    PairChoice {
+        normal: LawChoice {
+            law: String::new(),
+            parameters: Values::new(),
+        },
+        tangential: None,
+        rolling: None,
+    }
+}
+
+fn pair_choice([normal, tangential, rolling]: Laws) -> PairChoice {
+    let normal = normal.unwrap_or_else(|| nothing().normal);
+    PairChoice {
+        normal,
+        tangential,
+        rolling,
+    }
+}
+
+pub(super) fn contact(root: &TableReader<'_>, materials: &[Material]) -> ContactSpec {
+    let mut spec = ContactSpec {
+        default: nothing(),
+        pairs: Vec::new(),
+    };
+    let meaning = "a table [contact] with the contact laws, as normal = { law = \"hertz-tsuji\", restitution = 0.9 }";
+    let Some(table) = root.required("contact", meaning).and_then(|i| i.table()) else {
+        return spec;
+    };
+    let defaults = laws(&table, &[None, None, None]);
+    if !table.has("normal") {
+        let help = "write normal = { law = \"hertz-tsuji\", restitution = 0.9 }";
+        table.fault("`normal` is missing: the law of normal contact", Some(help.to_string()));
+    }
+    for entry in table
+        .optional("pair")
+        .map(|i| i.tables("contact.pair"))
+        .unwrap_or_default()
+    {
+        let between = between(&entry, materials);
+        let choice = pair_choice(laws(&entry, &defaults));
+        if let Some((a, b)) = between {
+            if spec.pairs.iter().any(|p| (p.0, p.1) == (a, b)) {
+                let (first, second) = (&materials[usize::from(a)].name, &materials[usize::from(b)].name);
+                entry.fault(format!("the pair `{first}` and `{second}` has two entries"), None);
+            }
+            spec.pairs.push((a, b, choice));
+        }
+        entry.finish("[[contact.pair]]");
+    }
+    table.finish("[contact]");
+    spec.default = pair_choice(defaults);
+    spec
+}
+
+fn between(entry: &TableReader<'_>, materials: &[Material]) -> Option<(u16, u16)> {
+    let item = entry.required("between", "the two materials, as [\"glass\", \"steel\"]")?;
+    let names = item.items();
+    if names.len() != 2 {
+        if matches!(item.node.value, Value::Array(_)) {
+            item.fault(format!("`between` names two materials, found {}", names.len()), None);
+        }
+        return None;
+    }
+    let a = material_index(&names[0], materials);
+    let b = material_index(&names[1], materials);
+    (usize::from(a.max(b)) < materials.len()).then_some((a.min(b), a.max(b)))
+}
+
+fn laws(table: &TableReader<'_>, defaults: &Laws) -> Laws {
+    let mut chosen: Laws = [None, None, None];
+    for (index, (family, known)) in FAMILIES.into_iter().enumerate() {
+        let default = defaults[index].as_ref();
+        chosen[index] = match table.optional(family) {
+            None => default.cloned(),
+            Some(item) => law(&item, family, known, default),
+        };
+    }
+    chosen
+}
+
+/// A law: its name alone, `"none"`, or a table of its name and parameters. Parameters that an entry of a pair does
+/// not name are those of the default, as long as the law is the same.
+fn law(item: &Item<'_>, family: &str, known: &[LawInfo], default: Option<&LawChoice>) -> Option<LawChoice> {
+    if let Value::String(name) = &item.node.value {
+        if name == "none" && family != "normal" {
+            return None;
+        }
+        let info = find_law(item, name, family, known)?;
+        let parameters = inherited(info, default);
+        check_parameters(item, info, &parameters);
+        return Some(LawChoice {
+            law: info.name.to_string(),
+            parameters,
+        });
+    }
+    let table = item.table()?;
+    let info = match (table.optional("law"), default) {
+        (Some(name), _) => find_law(&name, &name.text(), family, known),
+        (None, Some(default)) => known.iter().find(|l| l.name == default.law),
+        (None, None) => {
+            let names: Vec<String> = known.iter().map(|l| format!("`{}`", l.name)).collect();
+            let help = format!("known are {}", names.join(", "));
+            table.fault(format!("`law` is missing: the name of the {family} law"), Some(help));
+            None
+        }
+    };
+    let Some(info) = info else {
+        table.abandon();
+        return None;
+    };
+    let mut parameters = inherited(info, default);
+    for parameter in info.parameters {
+        if let Some(value) = table.optional(parameter.name) {
+            let value = value.quantity(Kind::of(parameter.dimension), parameter.range);
+            parameters.insert(parameter.name.to_string(), value);
+        }
+    }
+    check_parameters(item, info, &parameters);
+    table.finish(&format!("the {family} law `{}`", info.name));
+    Some(LawChoice {
+        law: info.name.to_string(),
+        parameters,
+    })
+}
+
+fn inherited(info: &LawInfo, default: Option<&LawChoice>) -> Values {
+    let same = default.filter(|d| d.law == info.name);
+    same.map(|d| d.parameters.clone()).unwrap_or_default()
+}
+
+/// Tells parameters that are missing; those that are there were checked when they were read.
+fn check_parameters(item: &Item<'_>, info: &LawInfo, parameters: &Values) {
+    let Err(errors) = resolve(info.parameters, parameters) else {
+        return;
+    };
+    for error in errors {
+        if let ParameterError::Missing { .. } = error {
+            let message = format!("law `{}`: {error}", info.name).trim_end().to_string();
+            item.fault(message, None);
+        }
+    }
+}
+
+fn find_law<'l>(item: &Item<'_>, name: &str, family: &str, known: &'l [LawInfo]) -> Option<&'l LawInfo> {
+    let found = known.iter().find(|l| l.name == name);
+    if found.is_none() && matches!(item.node.value, Value::String(_)) {
+        let other = FAMILIES.iter().find(|(_, laws)| laws.iter().any(|l| l.name == name));
+        let help = match other {
+            Some((other, _)) => Some(format!("`{name}` is a {other} law")),
+            None => suggest_or_list(name, known.iter().map(|l| l.name)),
+        };
+        item.fault(format!("unknown {family} law `{name}`"), help);
+    }
+    found
+}

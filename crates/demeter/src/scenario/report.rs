@@ -1,0 +1,74 @@
+//! What a run leaves behind at its end: summary, picture, plots.
+
+use super::run::{RunError, Runner};
+use crate::contacts::Fault;
+use crate::output::Summary;
+use std::path::PathBuf;
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RunEnd {
+    /// All stages are done.
+    Finished,
+    /// It was asked to end; a checkpoint holds its state.
+    Interrupted,
+    /// The simulation reached a state that the model does not cover.
+    Fault(Fault),
+}
+
+/// A run at its end.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// How it ended.
+    pub end: RunEnd,
+    /// What `summary.json` tells.
+    pub summary: Summary,
+    /// The folder of the results.
+    pub folder: PathBuf,
+}
+
+impl Runner<'_> {
+    /// Writes the summary and, after whole runs and faults, the picture and the plots.
+    pub(super) fn report(&mut self, end: RunEnd) -> Result<Report, RunError> {
+        let steps_here = (self.sim.step - self.first_step) as f64;
+        let seconds_here = self.started.elapsed().as_secs_f64();
+        let speed = steps_here * self.sim.grains.len() as f64 / seconds_here.max(1e-9);
+        let mut summary = Summary {
+            version: crate::VERSION.to_string(),
+            title: self.scenario.title.clone(),
+            scenario: self.scenario.name.clone(),
+            seed: self.scenario.seed,
+            finished: end == RunEnd::Finished,
+            stopped_by: match &end {
+                RunEnd::Finished => "all stages are done".to_string(),
+                RunEnd::Interrupted => "interrupted; continue with `demeter resume`".to_string(),
+                RunEnd::Fault(fault) => fault.to_string(),
+            },
+            grains: self.sim.grains.len() as u64,
+            contacts: (self.sim.contacts.pair_count() + self.sim.contacts.wall_count()) as u64,
+            steps: self.sim.step,
+            simulated_time: self.sim.time(),
+            time_step: self.sim.dt,
+            time_step_reason: self.place.time_step_reason.clone(),
+            wall_clock_time: self.place.wall_clock,
+            particle_steps_per_second: speed,
+            threads: rayon::current_num_threads(),
+            stages: self.place.stages_done.clone(),
+            warnings: self.place.warnings.clone(),
+            ..Summary::default()
+        };
+        let names: Vec<String> = self.sim.walls.iter().map(|w| w.name.clone()).collect();
+        if let Some(latest) = &self.latest {
+            summary.set_measures(latest, self.place.max_residual, &names);
+        }
+        // the latest row may be older than the state
+        summary.steps = self.sim.step;
+        summary.simulated_time = self.sim.time();
+        summary.write(&self.folder)?;
+        Ok(Report {
+            end,
+            summary,
+            folder: self.folder.root().to_owned(),
+        })
+    }
+}

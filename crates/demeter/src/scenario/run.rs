@@ -1,0 +1,522 @@
+//! Running a scenario: stages in order, output at its cadence, checkpoints, and how it ends.
+
+use super::prepare::{Prepared, prepare, prepare_to_resume};
+use super::report::{Report, RunEnd};
+use super::{Diagnostics, Scenario};
+use crate::checkpoint::{self, CheckpointError, Header};
+use crate::contacts::Fault;
+use crate::measure::{Measures, Moment, contact_records, kinetic_over_elastic, measure, wall_surfaces};
+use crate::output::{Frame, FrameWriter, OutputError, RunFolder, SeriesLabels, SeriesWriter, StageSummary};
+use crate::particles::Domain;
+use crate::simulation::{Setup, Simulation, SimulationState, Stage, StateError, StopCondition};
+use crate::walls::WallError;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use std::time::Instant;
+
+/// Steps between two looks at the energies for a stop condition.
+const ENERGY_INTERVAL: u64 = 50;
+
+/// Time between two reports of progress [s].
+const PROGRESS_INTERVAL: f64 = 0.25;
+
+/// How a run is carried out; none of it changes the results.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RunOptions {
+    /// Number of threads; all cores when absent.
+    pub threads: Option<usize>,
+    /// Whether an earlier run in the folder may be replaced.
+    pub overwrite: bool,
+}
+
+/// Where a run stands.
+#[derive(Clone, Debug)]
+pub struct Progress<'a> {
+    /// Name of the stage.
+    pub stage: &'a str,
+    /// Its number, from 1, and the number of stages.
+    pub stage_of: (usize, usize),
+    /// Steps done.
+    pub step: u64,
+    /// Steps of the whole run when no condition ends a stage early.
+    pub steps: u64,
+    /// Simulated time [s].
+    pub time: f64,
+    /// Number of grains.
+    pub grains: usize,
+    /// Seconds since this process began to run steps.
+    pub elapsed: f64,
+    /// Steps done by this process.
+    pub steps_here: u64,
+}
+
+/// Whoever watches a run.
+pub trait Observer: Send {
+    /// Told now and then; `false` asks the run to end with a checkpoint.
+    fn progress(&mut self, progress: &Progress) -> bool;
+    /// Told once things happen that a user wants to read: the time step, the end of a stage, a warning.
+    fn message(&mut self, text: &str);
+}
+
+/// Why a run could not be carried out.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The scenario is wrong.
+    #[error("the scenario is wrong")]
+    Scenario(Box<Diagnostics>),
+    /// Results could not be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// A checkpoint could not be written or read.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
+    /// The checkpoint does not fit the scenario.
+    #[error(transparent)]
+    State(#[from] StateError),
+    /// A stage tells a wall a motion that it cannot make.
+    #[error("stage `{stage}`: {source}")]
+    Motion {
+        /// The stage.
+        stage: String,
+        /// Why.
+        source: WallError,
+    },
+    /// The threads could not be started.
+    #[error("cannot start {threads} threads: {reason}. Ask for fewer with --threads")]
+    Threads {
+        /// Number asked for.
+        threads: usize,
+        /// What the system said.
+        reason: String,
+    },
+}
+
+impl From<Diagnostics> for RunError {
+    fn from(faults: Diagnostics) -> Self {
+        Self::Scenario(Box::new(faults))
+    }
+}
+
+/// Place in the protocol and everything else that a restart needs.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Place {
+    pub(super) stage: usize,
+    /// Step at which the stage began.
+    stage_step: u64,
+    /// Displacements of the walls when the stage began [m].
+    stage_displacement: Vec<DVec3>,
+    last_row: Option<u64>,
+    last_frame: Option<u64>,
+    pub(super) max_residual: f64,
+    pub(super) stages_done: Vec<StageSummary>,
+    /// Seconds of computing so far.
+    pub(super) wall_clock: f64,
+    pub(super) time_step_reason: String,
+    pub(super) warnings: Vec<String>,
+}
+
+/// Contents of a checkpoint.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct RunState {
+    simulation: SimulationState,
+    place: Place,
+    domain: Domain,
+    skin: f64,
+}
+
+impl RunState {
+    /// State of the simulation.
+    pub fn simulation(&self) -> &SimulationState {
+        &self.simulation
+    }
+}
+
+/// Runs a scenario and writes its results into a folder.
+pub fn run(
+    scenario: &Scenario,
+    folder: &Path,
+    options: RunOptions,
+    observer: &mut dyn Observer,
+) -> Result<Report, RunError> {
+    let prepared = prepare(scenario)?;
+    let folder = RunFolder::create(folder, options.overwrite)?;
+    folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
+    with_threads(options.threads, || {
+        let mut runner = Runner::begin(scenario, prepared, folder, observer)?;
+        runner.run_to_the_end()
+    })
+}
+
+/// Continues the run in a folder from its latest checkpoint.
+pub fn resume(folder: &Path, options: RunOptions, observer: &mut dyn Observer) -> Result<Report, RunError> {
+    let folder = RunFolder::open(folder)?;
+    let scenario = Scenario::read(&folder.scenario(), &[])?;
+    let restored = checkpoint::read_latest::<RunState>(folder.root())?;
+    for warning in &restored.warnings {
+        observer.message(&format!("warning: {warning}"));
+    }
+    with_threads(options.threads, || {
+        let mut runner = Runner::resume(&scenario, restored.value, folder, observer)?;
+        runner.run_to_the_end()
+    })
+}
+
+fn with_threads<T: Send>(
+    threads: Option<usize>,
+    work: impl FnOnce() -> Result<T, RunError> + Send,
+) -> Result<T, RunError> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.unwrap_or(0))
+        .build();
+    let failed = |e: rayon::ThreadPoolBuildError| RunError::Threads {
+        threads: threads.unwrap_or(0),
+        reason: e.to_string(),
+    };
+    pool.map_err(failed)?.install(work)
+}
+
+/// Steps that a stage takes when no other condition ends it.
+pub(super) fn longest(stage: &Stage, dt: f64) -> u64 {
+    let limits = stage.stop.iter().filter_map(|stop| match stop {
+        StopCondition::Duration(seconds) => Some(steps_in(*seconds, dt)),
+        StopCondition::Steps(steps) => Some(*steps),
+        _ => None,
+    });
+    limits.min().unwrap_or(0)
+}
+
+/// Whole steps nearest to a time, at least one.
+fn steps_in(seconds: f64, dt: f64) -> u64 {
+    (seconds / dt).round().max(1.0) as u64
+}
+
+pub(super) struct Runner<'a> {
+    pub(super) scenario: &'a Scenario,
+    pub(super) sim: Simulation,
+    pub(super) folder: RunFolder,
+    pub(super) place: Place,
+    pub(super) started: Instant,
+    pub(super) first_step: u64,
+    /// What the latest row told.
+    pub(super) latest: Option<Measures>,
+    steps: u64,
+    series: SeriesWriter,
+    frames: FrameWriter,
+    observer: &'a mut dyn Observer,
+    told: f64,
+    cancelled: bool,
+}
+
+impl<'a> Runner<'a> {
+    fn begin(
+        scenario: &'a Scenario,
+        prepared: Prepared,
+        folder: RunFolder,
+        observer: &'a mut dyn Observer,
+    ) -> Result<Self, RunError> {
+        observer.message(&format!("time step {}", prepared.time_step_reason));
+        for warning in &prepared.warnings {
+            observer.message(&format!("warning: {warning}"));
+        }
+        let place = Place {
+            stage: 0,
+            stage_step: 0,
+            stage_displacement: Vec::new(),
+            last_row: None,
+            last_frame: None,
+            max_residual: 0.0,
+            stages_done: Vec::new(),
+            wall_clock: 0.0,
+            time_step_reason: prepared.time_step_reason,
+            warnings: prepared.warnings,
+        };
+        let series = SeriesWriter::create(&folder.series(), labels(scenario))?;
+        let frames = FrameWriter::create(&folder)?;
+        let sim = Simulation::new(prepared.setup);
+        let mut runner = Self::new(scenario, sim, folder, place, (series, frames), observer);
+        runner.begin_stage()?;
+        Ok(runner)
+    }
+
+    fn resume(
+        scenario: &'a Scenario,
+        state: RunState,
+        folder: RunFolder,
+        observer: &'a mut dyn Observer,
+    ) -> Result<Self, RunError> {
+        let mut setup: Setup = prepare_to_resume(scenario, state.domain, state.skin)?;
+        setup.dt = state.simulation.dt;
+        let step = state.simulation.step;
+        let sim = Simulation::resume(setup, state.simulation)?;
+        let series = SeriesWriter::resume(&folder.series(), labels(scenario), step)?;
+        let frames = FrameWriter::resume(&folder, step)?;
+        observer.message(&format!("going on from step {step}, time {:.6} s", sim.time()));
+        Ok(Self::new(
+            scenario,
+            sim,
+            folder,
+            state.place,
+            (series, frames),
+            observer,
+        ))
+    }
+
+    fn new(
+        scenario: &'a Scenario,
+        sim: Simulation,
+        folder: RunFolder,
+        place: Place,
+        (series, frames): (SeriesWriter, FrameWriter),
+        observer: &'a mut dyn Observer,
+    ) -> Self {
+        let steps = scenario
+            .stages
+            .iter()
+            .map(|s| longest(s, sim.dt))
+            .fold(0, u64::saturating_add);
+        Self {
+            scenario,
+            first_step: sim.step,
+            started: Instant::now(),
+            sim,
+            folder,
+            place,
+            latest: None,
+            steps,
+            series,
+            frames,
+            observer,
+            told: 0.0,
+            cancelled: false,
+        }
+    }
+
+    fn run_to_the_end(&mut self) -> Result<Report, RunError> {
+        let end = match self.run_stages()? {
+            Ok(end) => end,
+            Err(fault) => {
+                self.observer.message(&format!("error: {fault}"));
+                self.write_frame()?;
+                RunEnd::Fault(fault)
+            }
+        };
+        self.place.wall_clock += self.started.elapsed().as_secs_f64();
+        self.report(end)
+    }
+
+    /// Runs all stages; the inner result tells a fault of the simulation.
+    fn run_stages(&mut self) -> Result<Result<RunEnd, Fault>, RunError> {
+        if !self.sim.is_started() {
+            if let Err(fault) = self.sim.start() {
+                return Ok(Err(fault));
+            }
+            self.write_row()?;
+            self.write_frame()?;
+        }
+        while self.place.stage < self.scenario.stages.len() {
+            if let Some(reason) = self.stage_is_over() {
+                self.end_stage(&reason)?;
+                continue;
+            }
+            if self.cancelled {
+                self.write_checkpoint()?;
+                return Ok(Ok(RunEnd::Interrupted));
+            }
+            if self.is_due(self.stage().cadence.checkpoints) {
+                self.write_checkpoint()?;
+            }
+            if let Err(fault) = self.sim.step() {
+                return Ok(Err(fault));
+            }
+            let cadence = self.stage().cadence;
+            if self.is_due(cadence.series) {
+                self.write_row()?;
+            }
+            if self.is_due(cadence.frames) {
+                self.write_frame()?;
+            }
+            self.tell();
+        }
+        self.write_checkpoint()?;
+        Ok(Ok(RunEnd::Finished))
+    }
+
+    fn stage(&self) -> &'a Stage {
+        &self.scenario.stages[self.place.stage.min(self.scenario.stages.len() - 1)]
+    }
+
+    fn begin_stage(&mut self) -> Result<(), RunError> {
+        self.place.stage_step = self.sim.step;
+        self.place.stage_displacement = self.sim.walls.iter().map(|w| w.displacement()).collect();
+        let Some(stage) = self.scenario.stages.get(self.place.stage) else {
+            return Ok(());
+        };
+        for (wall, motion) in &stage.motions {
+            self.sim.walls[*wall]
+                .set_motion(motion.clone())
+                .map_err(|source| RunError::Motion {
+                    stage: stage.name.clone(),
+                    source,
+                })?;
+        }
+        Ok(())
+    }
+
+    fn end_stage(&mut self, reason: &str) -> Result<(), RunError> {
+        self.write_row()?;
+        self.write_frame()?;
+        let stage = self.stage();
+        let (start, dt) = (self.place.stage_step, self.sim.dt);
+        self.observer.message(&format!(
+            "stage `{}` ended at {:.6} s: {reason}",
+            stage.name,
+            self.sim.time()
+        ));
+        self.place.stages_done.push(StageSummary {
+            name: stage.name.clone(),
+            first_step: start,
+            last_step: self.sim.step,
+            start: start as f64 * dt,
+            end: self.sim.time(),
+            ended_by: reason.to_string(),
+        });
+        self.place.stage += 1;
+        self.begin_stage()
+    }
+
+    /// Whether an interval of the stage ends at this step.
+    fn is_due(&self, interval: Option<f64>) -> bool {
+        let elapsed = self.sim.step - self.place.stage_step;
+        interval.is_some_and(|seconds| elapsed > 0 && elapsed.is_multiple_of(steps_in(seconds, self.sim.dt)))
+    }
+
+    /// What ends the stage at this step, in words.
+    fn stage_is_over(&mut self) -> Option<String> {
+        let elapsed = self.sim.step - self.place.stage_step;
+        let dt = self.sim.dt;
+        self.stage().stop.iter().find_map(|stop| match stop {
+            StopCondition::Duration(seconds) => {
+                (elapsed >= steps_in(*seconds, dt)).then(|| format!("its duration of {seconds} s is over"))
+            }
+            StopCondition::Steps(steps) => (elapsed >= *steps).then(|| format!("its {steps} steps are done")),
+            StopCondition::KineticOverElastic(share) => {
+                let looks = elapsed > 0 && elapsed.is_multiple_of(ENERGY_INTERVAL);
+                let energies = looks.then(|| self.sim.energies()).filter(|e| e.elastic > 0.0)?;
+                let ratio = kinetic_over_elastic(&energies);
+                (ratio < *share).then(|| format!("kinetic over elastic energy is {ratio:.3e}, below {share:e}"))
+            }
+            StopCondition::WallForce { wall, direction, above } => {
+                let wall = &self.sim.walls[*wall];
+                let force = wall.load().0.dot(DVec3::from_array(*direction));
+                (elapsed > 0 && force >= *above)
+                    .then(|| format!("the force on wall `{}` is {force:.6} N, {above} N was asked", wall.name))
+            }
+            StopCondition::WallTravel { wall, distance } => {
+                let travel = self.travel(*wall);
+                (travel >= *distance * (1.0 - 1e-12))
+                    .then(|| format!("wall `{}` has moved by {travel:.6} m", self.sim.walls[*wall].name))
+            }
+            StopCondition::Strain { wall, length, strain } => {
+                let reached = self.travel(*wall) / length;
+                (reached >= *strain * (1.0 - 1e-12)).then(|| format!("the strain is {reached:.6}"))
+            }
+        })
+    }
+
+    /// Distance of a wall from where it stood at the start of the stage [m].
+    fn travel(&self, wall: usize) -> f64 {
+        (self.sim.walls[wall].displacement() - self.place.stage_displacement[wall]).length()
+    }
+
+    fn write_row(&mut self) -> Result<(), RunError> {
+        if self.place.last_row == Some(self.sim.step) {
+            return Ok(());
+        }
+        let stage_time = (self.sim.step - self.place.stage_step) as f64 * self.sim.dt;
+        let row = measure(
+            &mut self.sim,
+            Moment {
+                stage: self.place.stage,
+                stage_time,
+            },
+        );
+        self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
+        self.series.write(&row)?;
+        self.place.last_row = Some(self.sim.step);
+        self.latest = Some(row);
+        Ok(())
+    }
+
+    fn write_frame(&mut self) -> Result<(), RunError> {
+        if self.place.last_frame == Some(self.sim.step) {
+            return Ok(());
+        }
+        self.with_frame(|frames, frame| frames.write(frame))?;
+        self.place.last_frame = Some(self.sim.step);
+        Ok(())
+    }
+
+    /// Hands the present state to a writer.
+    pub(super) fn with_frame<T>(&mut self, work: impl FnOnce(&mut FrameWriter, &Frame) -> T) -> T {
+        let contacts = contact_records(&self.sim);
+        let walls = wall_surfaces(&self.sim);
+        let frame = Frame {
+            step: self.sim.step,
+            time: self.sim.time(),
+            grains: &self.sim.grains,
+            materials: self.sim.materials.list(),
+            contacts: &contacts,
+            walls: &walls,
+        };
+        work(&mut self.frames, &frame)
+    }
+
+    fn write_checkpoint(&mut self) -> Result<(), RunError> {
+        let simulation = self.sim.state();
+        let header = Header {
+            engine_version: crate::VERSION.to_string(),
+            title: self.scenario.title.clone(),
+            step: self.sim.step,
+            time: self.sim.time(),
+            grains: self.sim.grains.len() as u64,
+            contacts: simulation.contact_count() as u64,
+        };
+        let mut place = self.place.clone();
+        place.wall_clock += self.started.elapsed().as_secs_f64();
+        let state = RunState {
+            simulation,
+            place,
+            domain: *self.sim.domain(),
+            skin: self.sim.skin(),
+        };
+        checkpoint::write_latest(self.folder.root(), &header, &state)?;
+        Ok(())
+    }
+
+    fn tell(&mut self) {
+        let elapsed = self.started.elapsed().as_secs_f64();
+        if elapsed - self.told < PROGRESS_INTERVAL {
+            return;
+        }
+        self.told = elapsed;
+        let progress = Progress {
+            stage: &self.stage().name,
+            stage_of: (self.place.stage + 1, self.scenario.stages.len()),
+            step: self.sim.step,
+            steps: self.steps,
+            time: self.sim.time(),
+            grains: self.sim.grains.len(),
+            elapsed,
+            steps_here: self.sim.step - self.first_step,
+        };
+        self.cancelled = !self.observer.progress(&progress);
+    }
+}
+
+fn labels(scenario: &Scenario) -> SeriesLabels {
+    SeriesLabels {
+        stages: scenario.stages.iter().map(|s| s.name.clone()).collect(),
+        walls: scenario.walls.iter().map(|w| w.name.clone()).collect(),
+    }
+}

@@ -1,0 +1,285 @@
+//! Tables `[[stage]]`: the protocol, with repeats unrolled.
+
+use super::document::{Value, join};
+use super::quantity::Kind;
+use super::reader::{Item, TableReader};
+use super::settings::{Intervals, cadence, intervals};
+use super::walls::{WallSpec, motion, wall_index};
+use crate::simulation::{Cadence, Stage, StopCondition};
+use crate::walls::Motion;
+use demeter_physics::dimension::Dimension;
+use demeter_physics::parameters::Range;
+use std::collections::BTreeSet;
+
+/// Most stages after unrolling.
+pub const MAX_STAGES: usize = 10_000;
+/// Most repeats of one stage.
+pub const MAX_REPEAT: i64 = 10_000;
+/// Deepest nesting of stages.
+const MAX_NESTING: usize = 8;
+/// Most steps of a stage.
+const MAX_STEPS: i64 = 1_000_000_000_000_000;
+
+/// A stage as told, before unrolling.
+struct Told {
+    name: String,
+    path: String,
+    repeat: usize,
+    content: Content,
+}
+
+enum Content {
+    Group(Vec<Told>),
+    Single {
+        stop: Vec<StopCondition>,
+        motions: Vec<(usize, Motion)>,
+        intervals: Intervals,
+    },
+}
+
+/// The stages in order, each with the path of the table that told it, and the resolved cadence of the whole run.
+pub(super) struct Protocol {
+    pub stages: Vec<Stage>,
+    pub paths: Vec<String>,
+    pub cadence: Cadence,
+}
+
+pub(super) fn protocol(root: &TableReader<'_>, walls: &[WallSpec], told: Intervals) -> Protocol {
+    let mut protocol = Protocol {
+        stages: Vec::new(),
+        paths: Vec::new(),
+        cadence: cadence(told, 0.0),
+    };
+    let meaning = "at least one table [[stage]] with a `duration`";
+    let Some(item) = root.required("stage", meaning) else {
+        return protocol;
+    };
+    let stages = group(&item, "stage", "stage", walls, 1);
+    let count = unrolled(&stages);
+    if count > MAX_STAGES {
+        item.fault(
+            format!("the protocol has {count} stages when unrolled; at most {MAX_STAGES} are allowed"),
+            None,
+        );
+        return protocol;
+    }
+    let duration = total_duration(&stages);
+    protocol.cadence = cadence(told, duration);
+    let context = root.context;
+    unroll(&stages, "", &mut |single, name| {
+        let Content::Single {
+            stop,
+            motions,
+            intervals,
+        } = &single.content
+        else {
+            return;
+        };
+        let own: Intervals = std::array::from_fn(|k| intervals[k].or(told[k]));
+        protocol.paths.push(single.path.clone());
+        protocol.stages.push(Stage {
+            name,
+            stop: stop.clone(),
+            motions: motions.clone(),
+            cadence: cadence(own, duration),
+        });
+    });
+    let mut names = BTreeSet::new();
+    for (stage, path) in protocol.stages.iter().zip(&protocol.paths) {
+        if !names.insert(stage.name.as_str()) {
+            let help = "give the stages different names; repeats are numbered, as `squeeze 2`";
+            let message = format!("two stages are named `{}`", stage.name);
+            context.fault(&join(path, "name"), message, Some(help.to_string()));
+            break;
+        }
+    }
+    protocol
+}
+
+/// Reads a list of stages.
+fn group(item: &Item<'_>, header: &str, label: &str, walls: &[WallSpec], depth: usize) -> Vec<Told> {
+    if depth > MAX_NESTING {
+        item.fault(format!("stages are nested more than {MAX_NESTING} deep"), None);
+        return Vec::new();
+    }
+    let tables = item.tables(header);
+    if tables.is_empty() && matches!(&item.node.value, Value::Array(nodes) if nodes.is_empty()) {
+        item.fault("the list of stages is empty", None);
+    }
+    if tables.len() > MAX_STAGES {
+        item.fault(
+            format!("{} stages are too many; at most {MAX_STAGES}", tables.len()),
+            None,
+        );
+    }
+    let numbered = tables.into_iter().take(MAX_STAGES).enumerate();
+    numbered
+        .map(|(index, table)| stage(table, header, &format!("{label} {}", index + 1), walls, depth))
+        .collect()
+}
+
+fn stage(table: TableReader<'_>, header: &str, default_name: &str, walls: &[WallSpec], depth: usize) -> Told {
+    let path = table.path.clone();
+    let name = table
+        .optional("name")
+        .map_or_else(|| default_name.to_string(), |i| i.label());
+    let repeat = table.optional("repeat").map_or(1, |i| i.integer(1, MAX_REPEAT)) as usize;
+    let content = match table.optional("stage") {
+        Some(nested) => {
+            let stages = group(&nested, &format!("{header}.stage"), &name, walls, depth + 1);
+            table.finish("a stage that holds stages; wall motion, output and ends belong to the stages in it");
+            Content::Group(stages)
+        }
+        None => single(table, walls),
+    };
+    Told {
+        name,
+        path,
+        repeat,
+        content,
+    }
+}
+
+fn single(table: TableReader<'_>, walls: &[WallSpec]) -> Content {
+    let mut stop = Vec::new();
+    let duration = table.optional_quantity("duration", Kind::Physical(Dimension::TIME), Range::POSITIVE);
+    stop.extend(duration.map(StopCondition::Duration));
+    let steps = table.optional("steps").map(|i| i.integer(1, MAX_STEPS) as u64);
+    stop.extend(steps.map(StopCondition::Steps));
+    if stop.is_empty() {
+        let help = "give `duration` or `steps`; conditions in `stop` may end the stage earlier";
+        table.fault("the stage has no end", Some(help.to_string()));
+    }
+    if let Some(item) = table.optional("stop") {
+        match &item.node.value {
+            Value::Array(_) => item.items().iter().for_each(|i| conditions(i, walls, &mut stop)),
+            _ => conditions(&item, walls, &mut stop),
+        }
+    }
+    let mut motions = Vec::new();
+    if let Some(told) = table.optional("motion").and_then(|i| i.table()) {
+        for item in told.named() {
+            motions.push((wall_index(&item, &item.name, walls), motion(&item)));
+        }
+        told.finish("the motion of a stage");
+    }
+    let output = table.optional("output").and_then(|i| i.table());
+    let intervals = output.map_or([None; 3], |output| {
+        let read = intervals(&output);
+        output.finish("the output of a stage");
+        read
+    });
+    table.finish("a stage");
+    Content::Single {
+        stop,
+        motions,
+        intervals,
+    }
+}
+
+/// Reads the conditions of a table `stop`.
+fn conditions(item: &Item<'_>, walls: &[WallSpec], stop: &mut Vec<StopCondition>) {
+    let Some(table) = item.table() else {
+        return;
+    };
+    let before = stop.len();
+    if let Some(share) = table.optional_quantity("kinetic_over_elastic", Kind::Number, Range::POSITIVE) {
+        stop.push(StopCondition::KineticOverElastic(share));
+    }
+    if let Some(told) = table.optional("wall_force").and_then(|i| i.table()) {
+        stop.push(StopCondition::WallForce {
+            wall: wall_of(&told, walls),
+            direction: told
+                .direction("direction", "along which the force on the wall is measured, as \"z\"")
+                .to_array(),
+            above: told.quantity(
+                "above",
+                Kind::Physical(Dimension::FORCE),
+                Range::POSITIVE,
+                "the force that ends the stage, as \"5 N\"",
+            ),
+        });
+        told.finish("the condition wall_force");
+    }
+    if let Some(told) = table.optional("wall_travel").and_then(|i| i.table()) {
+        stop.push(StopCondition::WallTravel {
+            wall: wall_of(&told, walls),
+            distance: told.length("distance", "the way of the wall that ends the stage, as \"30 mm\""),
+        });
+        told.finish("the condition wall_travel");
+    }
+    if let Some(told) = table.optional("strain").and_then(|i| i.table()) {
+        stop.push(StopCondition::Strain {
+            wall: wall_of(&told, walls),
+            length: told.length("length", "the length that the way of the wall is divided by"),
+            strain: told.quantity(
+                "strain",
+                Kind::Number,
+                Range::POSITIVE,
+                "the strain that ends the stage, as 0.1",
+            ),
+        });
+        told.finish("the condition strain");
+    }
+    table.finish("the stop conditions");
+    if stop.len() == before && matches!(&item.node.value, Value::Table(entries) if entries.is_empty()) {
+        item.fault("there is no stop condition in `stop`", None);
+    }
+}
+
+fn wall_of(table: &TableReader<'_>, walls: &[WallSpec]) -> usize {
+    let Some(item) = table.required("wall", "the name of the wall") else {
+        return 0;
+    };
+    let name = item.text();
+    if name.is_empty() {
+        0
+    } else {
+        wall_index(&item, &name, walls)
+    }
+}
+
+/// Number of stages when unrolled.
+fn unrolled(stages: &[Told]) -> usize {
+    stages.iter().fold(0, |sum: usize, stage| {
+        let inside = match &stage.content {
+            Content::Group(stages) => unrolled(stages),
+            Content::Single { .. } => 1,
+        };
+        sum.saturating_add(inside.saturating_mul(stage.repeat))
+    })
+}
+
+/// Sum of the durations of all stages when unrolled [s].
+fn total_duration(stages: &[Told]) -> f64 {
+    let one = |stage: &Told| match &stage.content {
+        Content::Group(stages) => total_duration(stages),
+        Content::Single { stop, .. } => stop
+            .iter()
+            .find_map(|s| match s {
+                StopCondition::Duration(seconds) => Some(*seconds),
+                _ => None,
+            })
+            .unwrap_or(0.0),
+    };
+    stages.iter().map(|s| one(s) * s.repeat as f64).sum()
+}
+
+/// Hands every stage to `take` in order with its unrolled name: `squeeze 2`; `squeeze 2.3` is the third repeat of a
+/// stage within the second repeat of its group.
+fn unroll(stages: &[Told], suffix: &str, take: &mut impl FnMut(&Told, String)) {
+    for stage in stages {
+        for turn in 1..=stage.repeat {
+            let suffix = match (stage.repeat, suffix) {
+                (1, outer) => outer.to_string(),
+                (_, "") => turn.to_string(),
+                (_, outer) => format!("{outer}.{turn}"),
+            };
+            match &stage.content {
+                Content::Group(inside) => unroll(inside, &suffix, take),
+                Content::Single { .. } if suffix.is_empty() => take(stage, stage.name.clone()),
+                Content::Single { .. } => take(stage, format!("{} {suffix}", stage.name)),
+            }
+        }
+    }
+}

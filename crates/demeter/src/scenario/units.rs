@@ -1,0 +1,586 @@
+//! Units of the scenario: `"23.3 kPa"`, `"2 mm/min"`, `"9.81 m/s^2"`, `"60 rpm"`.
+//!
+//! A quantity is a number, a space and a unit; a unit is a product or quotient of symbols with SI prefixes and integer
+//! powers. Decimal prefixes are put into the exponent of the number before it is read, so that `"9.3 mm"` has the bits
+//! of `9.3e-3`.
+
+use demeter_physics::dimension::Dimension;
+use std::f64::consts::PI;
+
+/// One row of the table of units.
+#[derive(Clone, Copy, Debug)]
+pub struct Unit {
+    /// Symbol as written.
+    pub symbol: &'static str,
+    /// The SI value is `factor 10^tens`.
+    pub factor: f64,
+    /// Power of ten of the SI value.
+    pub tens: i32,
+    /// Dimension.
+    pub dimension: Dimension,
+    /// Power of the angle: 1 for `deg` and `rpm`, 0 for all that is no angle.
+    pub angle: i8,
+    /// Whether SI prefixes may stand before it.
+    pub prefixes: bool,
+    /// Name in words.
+    pub name: &'static str,
+}
+
+const fn unit(symbol: &'static str, tens: i32, dimension: Dimension, name: &'static str) -> Unit {
+    Unit {
+        symbol,
+        factor: 1.0,
+        tens,
+        dimension,
+        angle: 0,
+        prefixes: true,
+        name,
+    }
+}
+
+const fn plain(symbol: &'static str, factor: f64, tens: i32, dimension: Dimension, name: &'static str) -> Unit {
+    Unit {
+        symbol,
+        factor,
+        tens,
+        dimension,
+        angle: 0,
+        prefixes: false,
+        name,
+    }
+}
+
+const fn angular(symbol: &'static str, factor: f64, dimension: Dimension, name: &'static str) -> Unit {
+    Unit {
+        symbol,
+        factor,
+        tens: 0,
+        dimension,
+        angle: 1,
+        prefixes: false,
+        name,
+    }
+}
+
+const POWER: Dimension = Dimension::new(1, 2, -3);
+
+/// All units.
+pub const UNITS: &[Unit] = &[
+    unit("m", 0, Dimension::LENGTH, "metre"),
+    unit("g", -3, Dimension::MASS, "gram"),
+    unit("s", 0, Dimension::TIME, "second"),
+    unit("N", 0, Dimension::FORCE, "newton"),
+    unit("Pa", 0, Dimension::PRESSURE, "pascal"),
+    unit("bar", 5, Dimension::PRESSURE, "bar"),
+    unit("J", 0, Dimension::ENERGY, "joule"),
+    unit("W", 0, POWER, "watt"),
+    unit("Hz", 0, Dimension::FREQUENCY, "hertz, cycles per second"),
+    unit("L", -3, Dimension::VOLUME, "litre"),
+    plain("t", 1.0, 3, Dimension::MASS, "tonne"),
+    plain("min", 60.0, 0, Dimension::TIME, "minute"),
+    plain("h", 3600.0, 0, Dimension::TIME, "hour"),
+    plain("day", 86400.0, 0, Dimension::TIME, "day"),
+    plain("in", 254.0, -4, Dimension::LENGTH, "inch"),
+    plain("ft", 3048.0, -4, Dimension::LENGTH, "foot"),
+    plain("lb", 0.453_592_37, 0, Dimension::MASS, "pound"),
+    plain(
+        "psi",
+        6_894.757_293_168_361,
+        0,
+        Dimension::PRESSURE,
+        "pound-force per square inch",
+    ),
+    angular("rad", 1.0, Dimension::NONE, "radian"),
+    angular("deg", PI / 180.0, Dimension::NONE, "degree"),
+    angular("rev", 2.0 * PI, Dimension::NONE, "revolution"),
+    angular("rpm", 2.0 * PI / 60.0, Dimension::FREQUENCY, "revolutions per minute"),
+];
+
+/// SI prefixes and their powers of ten.
+pub const PREFIXES: &[(&str, i32)] = &[
+    ("f", -15),
+    ("p", -12),
+    ("n", -9),
+    ("u", -6),
+    ("µ", -6),
+    ("μ", -6),
+    ("m", -3),
+    ("c", -2),
+    ("d", -1),
+    ("h", 2),
+    ("k", 3),
+    ("M", 6),
+    ("G", 9),
+    ("T", 12),
+];
+
+/// A number with its unit, in SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// Value in SI; angles in radian.
+    pub value: f64,
+    /// Dimension.
+    pub dimension: Dimension,
+    /// Power of the angle in the unit: 1 for an angle or an angular velocity.
+    pub angle: i8,
+    /// Whether the text gave a unit (or `%`).
+    pub has_unit: bool,
+}
+
+/// Why a quantity could not be read.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum UnitError {
+    /// There is no number at the start.
+    #[error("a number is missing: write it as in \"2.5 mm\"")]
+    Number,
+    /// The number is infinite, not a number, or beyond what a double holds.
+    #[error("`{0}` is not a finite number")]
+    NotFinite(String),
+    /// A symbol is not in the table.
+    #[error("unknown unit `{symbol}`")]
+    Unknown {
+        /// The symbol.
+        symbol: String,
+        /// A symbol that is close to it.
+        suggestion: Option<String>,
+    },
+    /// The unit is not well formed.
+    #[error("the unit `{unit}` cannot be read: {why}")]
+    Form {
+        /// The unit as written.
+        unit: String,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+}
+
+/// Product of powers of units, as read.
+#[derive(Clone, Copy, Debug)]
+struct Product {
+    multiplier: f64,
+    divisor: f64,
+    tens: i32,
+    exponents: [i32; 4],
+}
+
+impl Product {
+    const ONE: Self = Self {
+        multiplier: 1.0,
+        divisor: 1.0,
+        tens: 0,
+        exponents: [0; 4],
+    };
+
+    fn times(mut self, unit: &Unit, prefix: i32, power: i32) -> Self {
+        for _ in 0..power.unsigned_abs() {
+            if power > 0 {
+                self.multiplier *= unit.factor;
+            } else {
+                self.divisor *= unit.factor;
+            }
+        }
+        let dimension = unit.dimension;
+        self.tens += (unit.tens + prefix) * power;
+        let parts = [dimension.mass, dimension.length, dimension.time, unit.angle];
+        for (sum, part) in self.exponents.iter_mut().zip(parts) {
+            *sum += i32::from(part) * power;
+        }
+        self
+    }
+}
+
+/// Reads `"-2.64 nN"`: a number, then a unit or nothing or `%`.
+pub fn parse(text: &str) -> Result<Quantity, UnitError> {
+    let text = text.trim();
+    let (number, unit) = split_number(text)?;
+    let product = match unit {
+        "" => Product::ONE,
+        "%" => Product {
+            tens: -2,
+            ..Product::ONE
+        },
+        _ => parse_unit(unit)?,
+    };
+    let value = decimal(number, product.tens)? * product.multiplier / product.divisor;
+    if !value.is_finite() {
+        return Err(UnitError::NotFinite(text.to_string()));
+    }
+    let form = |_| UnitError::Form {
+        unit: unit.to_string(),
+        why: "its powers are too high",
+    };
+    let [mass, length, time, angle] = product.exponents.map(i8::try_from);
+    Ok(Quantity {
+        value,
+        dimension: Dimension::new(mass.map_err(form)?, length.map_err(form)?, time.map_err(form)?),
+        angle: angle.map_err(form)?,
+        has_unit: !unit.is_empty(),
+    })
+}
+
+/// Splits `"1e-5 s"` into the number and the rest.
+fn split_number(text: &str) -> Result<(&str, &str), UnitError> {
+    let first = text.split([' ', '\t']).next().unwrap_or("");
+    let word = first.trim_start_matches(['+', '-']).to_ascii_lowercase();
+    if ["nan", "inf", "infinity"].contains(&word.as_str()) {
+        return Err(UnitError::NotFinite(first.to_string()));
+    }
+    // the longest start that reads as a number; a number is short, which bounds the work on a hostile text
+    let candidates = text
+        .char_indices()
+        .take_while(|(_, c)| c.is_ascii_digit() || "+-.eE".contains(*c))
+        .map(|(at, c)| at + c.len_utf8());
+    let end = candidates
+        .filter(|&end| text[..end].ends_with(|c: char| c.is_ascii_digit() || c == '.'))
+        .take(MAX_DIGITS)
+        .filter(|&end| text[..end].parse::<f64>().is_ok())
+        .last()
+        .ok_or(UnitError::Number)?;
+    Ok((&text[..end], text[end..].trim_start()))
+}
+
+/// Longest number that is read.
+const MAX_DIGITS: usize = 64;
+
+/// The number times a power of ten, rounded once.
+fn decimal(number: &str, tens: i32) -> Result<f64, UnitError> {
+    let not_finite = || UnitError::NotFinite(number.to_string());
+    let (mantissa, exponent) = match number.find(['e', 'E']) {
+        None => (number, 0),
+        Some(at) => (
+            &number[..at],
+            number[at + 1..].parse::<i32>().map_err(|_| not_finite())?,
+        ),
+    };
+    let exponent = i64::from(exponent) + i64::from(tens);
+    let value: f64 = format!("{mantissa}e{exponent}").parse().map_err(|_| not_finite())?;
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(not_finite())
+    }
+}
+
+/// Reads a unit expression: symbols joined by spaces, `*`, `.` or `/`, with powers and one level of brackets.
+fn parse_unit(text: &str) -> Result<Product, UnitError> {
+    let fail = |why| {
+        Err(UnitError::Form {
+            unit: text.to_string(),
+            why,
+        })
+    };
+    if text.len() > 100 {
+        return fail("it is too long");
+    }
+    let mut product = Product::ONE;
+    let mut rest = text;
+    let mut sign = 1;
+    let mut in_brackets = false;
+    let mut divided = false;
+    let mut expect_factor = true;
+    while let Some(c) = rest.chars().next() {
+        match c {
+            ' ' | '*' | '·' => {
+                // a product after a quotient is read differently by different people
+                let trimmed = rest.trim_start_matches([' ', '*', '·']);
+                if divided && !in_brackets && !trimmed.starts_with(['/', ')']) && !trimmed.is_empty() {
+                    return fail("a product after `/` is ambiguous, use brackets as in `N/(m s)`");
+                }
+                rest = trimmed;
+                continue;
+            }
+            '/' if in_brackets || expect_factor => return fail("`/` is out of place"),
+            '/' => {
+                sign = -1;
+                divided = true;
+                expect_factor = true;
+            }
+            '(' if sign < 0 && expect_factor && !in_brackets => in_brackets = true,
+            ')' if in_brackets && !expect_factor => {
+                in_brackets = false;
+                expect_factor = false;
+            }
+            '(' | ')' => return fail("brackets stand only around what follows a `/`"),
+            _ => {
+                let (factor, after) = parse_factor(rest, text)?;
+                if let Some((unit, prefix, power)) = factor {
+                    product = product.times(unit, prefix, sign * power);
+                }
+                expect_factor = false;
+                rest = after;
+                continue;
+            }
+        }
+        rest = &rest[c.len_utf8()..];
+    }
+    if in_brackets || expect_factor {
+        return fail("it ends too early");
+    }
+    Ok(product)
+}
+
+/// A unit with its power of ten from the prefix and its power.
+type Factor = Option<(&'static Unit, i32, i32)>;
+
+/// Reads one symbol with its power: `"s^2 ..."`; `1` stands for itself.
+fn parse_factor<'t>(rest: &'t str, whole: &str) -> Result<(Factor, &'t str), UnitError> {
+    let fail = |why| UnitError::Form {
+        unit: whole.to_string(),
+        why,
+    };
+    if let Some(after) = rest.strip_prefix('1') {
+        return Ok((None, after));
+    }
+    let end = rest
+        .find(|c: char| !(c.is_alphabetic() || c == '°'))
+        .unwrap_or(rest.len());
+    let (symbol, mut after) = rest.split_at(end);
+    if symbol.is_empty() {
+        return Err(fail("a unit symbol is expected"));
+    }
+    let (unit, prefix) = find(symbol).ok_or_else(|| UnitError::Unknown {
+        symbol: symbol.to_string(),
+        suggestion: suggest(symbol),
+    })?;
+    let mut power = 1;
+    if let Some((_, value)) = [('²', 2), ('³', 3)].into_iter().find(|(c, _)| after.starts_with(*c)) {
+        power = value;
+        after = &after['²'.len_utf8()..];
+    } else if let Some(exponent) = after.strip_prefix('^') {
+        let end = exponent
+            .char_indices()
+            .find(|&(at, c)| !(c.is_ascii_digit() || (at == 0 && c == '-')))
+            .map_or(exponent.len(), |(at, _)| at);
+        power = exponent[..end]
+            .parse()
+            .ok()
+            .filter(|p| (-9..=9).contains(p) && *p != 0)
+            .ok_or_else(|| fail("a power is a whole number from -9 to 9, as in `m^3`"))?;
+        after = &exponent[end..];
+    } else if after.starts_with(|c: char| c.is_ascii_digit()) {
+        return Err(fail("write powers with `^`, as in `m^3`"));
+    }
+    Ok((Some((unit, prefix, power)), after))
+}
+
+/// The unit of a symbol and the power of ten of its prefix.
+fn find(symbol: &str) -> Option<(&'static Unit, i32)> {
+    let symbol = if symbol == "°" { "deg" } else { symbol };
+    if let Some(unit) = UNITS.iter().find(|u| u.symbol == symbol) {
+        return Some((unit, 0));
+    }
+    PREFIXES.iter().find_map(|&(prefix, tens)| {
+        let base = symbol.strip_prefix(prefix)?;
+        let unit = UNITS.iter().find(|u| u.prefixes && u.symbol == base)?;
+        Some((unit, tens))
+    })
+}
+
+/// Names that people write in place of a symbol.
+const WORDS: &[(&str, &str)] = &[
+    ("sec", "s"),
+    ("second", "s"),
+    ("seconds", "s"),
+    ("meter", "m"),
+    ("metre", "m"),
+    ("meters", "m"),
+    ("metres", "m"),
+    ("micron", "um"),
+    ("microns", "um"),
+    ("gram", "g"),
+    ("grams", "g"),
+    ("gr", "g"),
+    ("newton", "N"),
+    ("newtons", "N"),
+    ("pascal", "Pa"),
+    ("degree", "deg"),
+    ("degrees", "deg"),
+    ("hr", "h"),
+    ("hour", "h"),
+    ("hours", "h"),
+    ("minute", "min"),
+    ("minutes", "min"),
+    ("inch", "in"),
+    ("l", "L"),
+    ("ml", "mL"),
+];
+
+/// A known symbol close to an unknown one.
+fn suggest(symbol: &str) -> Option<String> {
+    let lower = symbol.to_lowercase();
+    if let Some((_, unit)) = WORDS.iter().find(|(word, _)| *word == lower) {
+        return Some((*unit).to_string());
+    }
+    let joined = |at: usize| symbol.is_char_boundary(at) && find(&symbol[..at]).and(find(&symbol[at..])).is_some();
+    if let Some(at) = (1..symbol.len()).find(|&at| joined(at)) {
+        return Some(format!("{} {}", &symbol[..at], &symbol[at..]));
+    }
+    let common = ["k", "M", "m", "u", "n", "c", "G"];
+    let prefixed = UNITS
+        .iter()
+        .filter(|u| u.prefixes)
+        .flat_map(|u| common.iter().map(move |p| format!("{p}{}", u.symbol)));
+    let all: Vec<String> = UNITS.iter().map(|u| u.symbol.to_string()).chain(prefixed).collect();
+    if let Some(same) = all.iter().find(|s| s.to_lowercase() == lower) {
+        return Some(same.clone());
+    }
+    (all.into_iter()
+        .filter(|s| s.len() > 1 && strsim::osa_distance(s, symbol) == 1))
+    .min_by_key(|s| s.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every row of the table once: symbol, SI value of one, and the same worked out by hand.
+    const ROWS: &[(&str, f64, Dimension)] = &[
+        ("m", 1.0, Dimension::LENGTH),
+        ("g", 0.001, Dimension::MASS),
+        ("s", 1.0, Dimension::TIME),
+        ("N", 1.0, Dimension::FORCE),
+        ("Pa", 1.0, Dimension::PRESSURE),
+        ("bar", 100_000.0, Dimension::PRESSURE),
+        ("J", 1.0, Dimension::ENERGY),
+        ("W", 1.0, POWER),
+        ("Hz", 1.0, Dimension::FREQUENCY),
+        ("L", 0.001, Dimension::VOLUME),
+        ("t", 1000.0, Dimension::MASS),
+        ("min", 60.0, Dimension::TIME),
+        ("h", 3600.0, Dimension::TIME),
+        ("day", 86_400.0, Dimension::TIME),
+        ("in", 0.0254, Dimension::LENGTH),
+        ("ft", 0.3048, Dimension::LENGTH),
+        ("lb", 0.453_592_37, Dimension::MASS),
+        // 1 lb times 9.80665 m/s^2 over (0.0254 m)^2
+        ("psi", 0.453_592_37 * 9.806_65 / (0.0254 * 0.0254), Dimension::PRESSURE),
+        ("rad", 1.0, Dimension::NONE),
+        ("deg", 0.017_453_292_519_943_295, Dimension::NONE),
+        ("rev", 6.283_185_307_179_586, Dimension::NONE),
+        ("rpm", 0.104_719_755_119_659_77, Dimension::FREQUENCY),
+    ];
+
+    #[test]
+    fn every_unit_has_its_value() {
+        assert_eq!(
+            ROWS.iter().map(|r| r.0).collect::<Vec<_>>(),
+            UNITS.iter().map(|u| u.symbol).collect::<Vec<_>>(),
+            "one row per unit"
+        );
+        for &(symbol, value, dimension) in ROWS {
+            let read = parse(&format!("1 {symbol}")).unwrap();
+            assert!((read.value - value).abs() <= 1e-15 * value, "{symbol}: {}", read.value);
+            assert_eq!(read.dimension, dimension, "{symbol}");
+            let angle = i8::from(["rad", "deg", "rev", "rpm"].contains(&symbol));
+            assert_eq!(read.angle, angle, "{symbol}");
+        }
+    }
+
+    #[test]
+    fn every_prefix_has_its_value() {
+        let values = [
+            ("f", 1e-15),
+            ("p", 1e-12),
+            ("n", 1e-9),
+            ("u", 1e-6),
+            ("µ", 1e-6),
+            ("μ", 1e-6),
+            ("m", 1e-3),
+            ("c", 1e-2),
+            ("d", 1e-1),
+            ("h", 1e2),
+            ("k", 1e3),
+            ("M", 1e6),
+            ("G", 1e9),
+            ("T", 1e12),
+        ];
+        assert_eq!(
+            values.map(|v| v.0).to_vec(),
+            PREFIXES.iter().map(|p| p.0).collect::<Vec<_>>()
+        );
+        for (prefix, value) in values {
+            assert_eq!(parse(&format!("1 {prefix}N")).unwrap().value, value, "{prefix}");
+        }
+    }
+
+    #[test]
+    fn no_prefixed_unit_reads_as_another_unit() {
+        for unit in UNITS.iter().filter(|u| u.prefixes) {
+            for (prefix, _) in PREFIXES {
+                let symbol = format!("{prefix}{}", unit.symbol);
+                let clash = UNITS.iter().any(|u| u.symbol == symbol);
+                assert!(!clash, "{symbol} is a unit of its own and a prefixed {}", unit.name);
+            }
+        }
+    }
+
+    #[test]
+    fn quantities_of_the_design_read_exactly() {
+        let cases = [
+            ("23.3 kPa", 23_300.0, Dimension::PRESSURE),
+            ("2 mm/min", 2e-3 / 60.0, Dimension::VELOCITY),
+            ("-2.64 nN", -2.64e-9, Dimension::FORCE),
+            ("1000 kg/m^3", 1000.0, Dimension::DENSITY),
+            ("9.81 m/s^2", 9.81, Dimension::ACCELERATION),
+            ("9.3 mm", 9.3e-3, Dimension::LENGTH),
+            ("1e-5 s", 1e-5, Dimension::TIME),
+            ("1.5e3 N s/m", 1500.0, Dimension::DAMPING),
+            ("3 1/s", 3.0, Dimension::FREQUENCY),
+            ("2 N/(m s)", 2.0, Dimension::new(1, 0, -3)),
+            ("5mm", 5e-3, Dimension::LENGTH),
+            ("2 cm^2", 2e-4, Dimension::AREA),
+            ("2 m s^-1", 2.0, Dimension::VELOCITY),
+            ("4 mm³", 4e-9, Dimension::VOLUME),
+            ("1 g/cm^3", 1000.0, Dimension::DENSITY),
+            ("7 kg/m/s", 7.0, Dimension::new(1, -1, -1)),
+            ("+.5 m", 0.5, Dimension::LENGTH),
+        ];
+        for (text, value, dimension) in cases {
+            let read = parse(text).unwrap();
+            assert_eq!((read.value, read.dimension), (value, dimension), "{text}");
+        }
+        assert_eq!(parse("30 deg").unwrap().value, 30.0 * (PI / 180.0));
+        assert_eq!(parse("5 %").unwrap().value, 0.05);
+        assert!(!parse("5").unwrap().has_unit);
+    }
+
+    #[test]
+    fn faults_say_what_is_wrong() {
+        let message = |text: &str| parse(text).unwrap_err().to_string();
+        assert_eq!(message("mm"), "a number is missing: write it as in \"2.5 mm\"");
+        assert_eq!(message("nan m"), "`nan` is not a finite number");
+        assert_eq!(message("-inf m"), "`-inf` is not a finite number");
+        assert_eq!(message("1e999 m"), "`1e999` is not a finite number");
+        assert_eq!(message("2 kp"), "unknown unit `kp`");
+        for text in [
+            "1 N/m s", "1 m3", "1 m^", "1 m^2.5", "1 N/", "1 (m s)", "1 N/(m", "1 m)", "1 m$", "1 m//s",
+        ] {
+            assert!(
+                matches!(parse(text), Err(UnitError::Form { .. })),
+                "{text}: {:?}",
+                parse(text)
+            );
+        }
+        assert!(parse(&format!("1 {}", "m ".repeat(1000))).is_err());
+        assert!(parse(&format!("1 {}", ["m^9"; 15].join(" "))).is_err());
+    }
+
+    #[test]
+    fn unknown_units_are_met_with_a_suggestion() {
+        for (written, meant) in [
+            ("sec", "s"),
+            ("kpa", "kPa"),
+            ("micron", "um"),
+            ("ml", "mL"),
+            ("KPa", "kPa"),
+            ("Nm", "N m"),
+        ] {
+            match parse(&format!("1 {written}")) {
+                Err(UnitError::Unknown { suggestion, .. }) => {
+                    assert_eq!(suggestion.as_deref(), Some(meant), "{written}");
+                }
+                other => panic!("{written}: {other:?}"),
+            }
+        }
+    }
+}

@@ -1,0 +1,355 @@
+//! Tables `[[wall]]`: shapes, materials and motion of walls.
+
+use super::document::{Value, join};
+use super::grains::{Surroundings, axis_ends, existing_file};
+use super::materials::material_index;
+use super::quantity::Kind;
+use super::reader::{Item, TableReader, suggest_or_list};
+use crate::walls::{Motion, Shape, Side};
+use demeter_physics::dimension::Dimension;
+use demeter_physics::parameters::Range;
+use glam::DVec3;
+use std::path::PathBuf;
+
+/// Most walls.
+pub const MAX_WALLS: usize = 10_000;
+/// Most triangles written in the scenario itself.
+const MAX_TRIANGLES: usize = 100_000;
+/// Largest cosine of the angle between two edges that must be perpendicular.
+const PERPENDICULAR: f64 = 1e-9;
+
+/// A wall as the scenario tells it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WallSpec {
+    /// Name, unique.
+    pub name: String,
+    /// Index of the material.
+    pub material: u16,
+    /// Shape, or the file it is in.
+    pub shape: WallShape,
+    /// Whether the mesh is told to be closed: a hole in it is then an error.
+    pub closed: bool,
+    /// Motion from the start of the run.
+    pub motion: Motion,
+}
+
+/// Shape of a wall, or the file it is in.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WallShape {
+    /// Told in the scenario.
+    Given(Shape),
+    /// Told by an STL file.
+    File(MeshFile),
+}
+
+/// An STL file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshFile {
+    /// The file.
+    pub path: PathBuf,
+    /// Factor on all coordinates of the file, which then count metres.
+    pub scale: f64,
+    /// Shift after scaling [m].
+    pub shift: DVec3,
+}
+
+const LENGTH: Kind = Kind::Physical(Dimension::LENGTH);
+
+pub(super) fn walls(root: &TableReader<'_>, around: &Surroundings<'_>) -> Vec<WallSpec> {
+    let Some(item) = root.optional("wall") else {
+        return Vec::new();
+    };
+    let tables = item.tables("wall");
+    if tables.len() > MAX_WALLS {
+        item.fault(
+            format!("{} walls are too many; at most {MAX_WALLS}", tables.len()),
+            None,
+        );
+    }
+    let mut walls: Vec<WallSpec> = Vec::new();
+    for table in tables.into_iter().take(MAX_WALLS) {
+        let path = join(&table.path, "name");
+        let wall = wall(table, around);
+        if !wall.name.is_empty() && walls.iter().any(|w| w.name == wall.name) {
+            item.context
+                .fault(&path, format!("two walls are named `{}`", wall.name), None);
+        }
+        walls.push(wall);
+    }
+    walls
+}
+
+fn wall(table: TableReader<'_>, around: &Surroundings<'_>) -> WallSpec {
+    let name = table
+        .required("name", "the name of the wall")
+        .map_or_else(String::new, |i| i.label());
+    let material = table.required("material", "the material of the wall");
+    let mut wall = WallSpec {
+        name,
+        material: material.map_or(0, |i| material_index(&i, around.materials)),
+        shape: WallShape::Given(Shape::Mesh { triangles: Vec::new() }),
+        closed: false,
+        motion: table.optional("motion").map_or(Motion::Rest, |i| motion(&i)),
+    };
+    let meaning = "\"plane\", \"box\", \"cylinder\", \"cone\", \"sphere\", \"rectangle\", \"disc\" or \"mesh\"";
+    let shape = table.required("shape", meaning);
+    let Some(index) = shape.and_then(|i| i.choice(&SHAPES)) else {
+        table.abandon();
+        return wall;
+    };
+    wall.shape = match SHAPES[index] {
+        "plane" => WallShape::Given(Shape::Plane {
+            point: table.point("point", "a point of the plane"),
+            normal: table.direction("normal", "the direction from the plane to the grains, as \"z\""),
+        }),
+        "box" => WallShape::Given(box_shape(&table)),
+        "cylinder" => WallShape::Given(cylinder(&table)),
+        "cone" => WallShape::Given(cone(&table)),
+        "sphere" => WallShape::Given(Shape::Sphere {
+            center: table.point("center", "the centre of the sphere"),
+            radius: table.length("radius", "the radius of the sphere"),
+            side: side(&table),
+        }),
+        "rectangle" => WallShape::Given(rectangle(&table)),
+        "disc" => WallShape::Given(Shape::Disc {
+            center: table.point("center", "the centre of the disc"),
+            normal: table.direction("normal", "the direction across the disc, as \"z\""),
+            radius: table.length("radius", "the radius of the disc"),
+        }),
+        _ => {
+            wall.closed = table.optional("closed").is_some_and(|i| i.boolean());
+            mesh(&table, around)
+        }
+    };
+    table.finish(&format!("a wall of shape \"{}\"", SHAPES[index]));
+    wall
+}
+
+const SHAPES: [&str; 8] = [
+    "plane",
+    "box",
+    "cylinder",
+    "cone",
+    "sphere",
+    "rectangle",
+    "disc",
+    "mesh",
+];
+
+fn side(table: &TableReader<'_>) -> Side {
+    match table.optional("side").and_then(|i| i.choice(&["inside", "outside"])) {
+        Some(1) => Side::Outside,
+        _ => Side::Inside,
+    }
+}
+
+fn box_shape(table: &TableReader<'_>) -> Shape {
+    let (lower, upper) = table.corners();
+    let mut open = [false; 6];
+    if let Some(item) = table.optional("open") {
+        for face in item.items() {
+            if let Some(index) = face.choice(&["-x", "+x", "-y", "+y", "-z", "+z"]) {
+                open[index] = true;
+            }
+        }
+        if open == [true; 6] {
+            item.fault("all six faces are open: there is no wall", None);
+        }
+    }
+    Shape::Box { lower, upper, open }
+}
+
+fn cylinder(table: &TableReader<'_>) -> Shape {
+    let (start, end) = axis_ends(table);
+    Shape::Cylinder {
+        start,
+        end,
+        radius: table.length("radius", "the radius of the cylinder"),
+        side: side(table),
+    }
+}
+
+fn cone(table: &TableReader<'_>) -> Shape {
+    let (start, end) = axis_ends(table);
+    let start_radius = table.quantity(
+        "start_radius",
+        LENGTH,
+        Range::NOT_NEGATIVE,
+        "the radius at the start, may be 0",
+    );
+    let end_radius = table.quantity(
+        "end_radius",
+        LENGTH,
+        Range::NOT_NEGATIVE,
+        "the radius at the end, may be 0",
+    );
+    if start_radius == end_radius {
+        let message = if start_radius == 0.0 {
+            "a cone without radius at both ends has no surface"
+        } else {
+            "a cone of the same radius at both ends is a cylinder; use shape = \"cylinder\""
+        };
+        table.context.fault(&join(&table.path, "end_radius"), message, None);
+    }
+    Shape::Cone {
+        start,
+        end,
+        start_radius,
+        end_radius,
+        side: side(table),
+    }
+}
+
+fn rectangle(table: &TableReader<'_>) -> Shape {
+    let center = table.point("center", "the centre of the rectangle");
+    let half_u = table.point("half_u", "from the centre to the middle of one edge");
+    let half_v = table.point("half_v", "from the centre to the middle of the next edge");
+    for (key, half) in [("half_u", half_u), ("half_v", half_v)] {
+        if half == DVec3::ZERO {
+            table
+                .context
+                .fault(&join(&table.path, key), format!("`{key}` has no length"), None);
+        }
+    }
+    let product = half_u.dot(half_v).abs();
+    if product > PERPENDICULAR * half_u.length() * half_v.length() {
+        let message = "`half_u` and `half_v` must be perpendicular";
+        table.context.fault(&join(&table.path, "half_v"), message, None);
+    }
+    Shape::Rectangle { center, half_u, half_v }
+}
+
+fn mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> WallShape {
+    let nothing = WallShape::Given(Shape::Mesh { triangles: Vec::new() });
+    let file = table.optional("file");
+    let triangles = table.optional("triangles");
+    match (file, triangles) {
+        (Some(file), None) => WallShape::File(MeshFile {
+            path: existing_file(&file, around.base),
+            scale: table
+                .optional_quantity("scale", Kind::Number, Range::POSITIVE)
+                .unwrap_or(1.0),
+            shift: table.vector_or_zero("shift", LENGTH),
+        }),
+        (None, Some(item)) => {
+            let items = item.items();
+            if matches!(item.node.value, Value::Array(_)) && (items.is_empty() || items.len() > MAX_TRIANGLES) {
+                item.fault(format!("`triangles` must have 1 to {MAX_TRIANGLES} entries"), None);
+            }
+            let triangles = items.iter().take(MAX_TRIANGLES).map(triangle).collect();
+            WallShape::Given(Shape::Mesh { triangles })
+        }
+        (None, None) => {
+            let help = "give `file`, the path of an STL file, or `triangles`";
+            table.fault("the triangles of the mesh are missing", Some(help.to_string()));
+            nothing
+        }
+        (Some(_), Some(_)) => {
+            table.fault("`file` and `triangles` exclude each other; give one of them", None);
+            nothing
+        }
+    }
+}
+
+fn triangle(item: &Item<'_>) -> [DVec3; 3] {
+    let corners = item.items();
+    if corners.len() != 3 {
+        if matches!(item.node.value, Value::Array(_)) {
+            item.fault(format!("a triangle has three corners, found {}", corners.len()), None);
+        }
+        return [DVec3::NAN; 3];
+    }
+    [0, 1, 2].map(|k| corners[k].vector(LENGTH))
+}
+
+/// A motion: `"rest"`, or a table with one key that names the kind of motion.
+pub(super) fn motion(item: &Item<'_>) -> Motion {
+    const KINDS: [&str; 4] = ["velocity", "rotation", "oscillation", "servo"];
+    let form = || {
+        let help = "write \"rest\", { velocity = ... }, { rotation = ... }, { oscillation = ... } or { servo = ... }";
+        Some(help.to_string())
+    };
+    if let Value::String(word) = &item.node.value {
+        if word != "rest" {
+            item.fault(format!("unknown motion `{word}`"), form());
+        }
+        return Motion::Rest;
+    }
+    let Some(table) = item.table() else {
+        return Motion::Rest;
+    };
+    let present = table.present(&KINDS);
+    if present.len() != 1 {
+        let given = if present.is_empty() {
+            "none".to_string()
+        } else {
+            present.join(" and ")
+        };
+        item.fault(format!("a motion is of one kind, found {given}"), form());
+    }
+    let mut read = Motion::Rest;
+    for kind in KINDS {
+        if let Some(told) = table.optional(kind) {
+            read = match kind {
+                "velocity" => Motion::Velocity(told.vector(Kind::Physical(Dimension::VELOCITY))),
+                "rotation" => told.table().map_or(Motion::Rest, rotation),
+                "oscillation" => told.table().map_or(Motion::Rest, oscillation),
+                _ => told.table().map_or(Motion::Rest, servo),
+            };
+        }
+    }
+    table.finish("a motion");
+    read
+}
+
+fn rotation(table: TableReader<'_>) -> Motion {
+    let speed = table.required("angular_velocity", "how fast it turns, as \"60 rpm\"");
+    let motion = Motion::Rotation {
+        point: table.point("point", "a point of the axis"),
+        axis: table.direction("axis", "the direction of the axis, as \"z\""),
+        angular_velocity: speed.map_or(f64::NAN, |i| i.quantity(Kind::AngularVelocity, Range::FINITE)),
+    };
+    table.finish("a rotation");
+    motion
+}
+
+fn oscillation(table: TableReader<'_>) -> Motion {
+    let amplitude = table.point("amplitude", "the largest displacement, as [\"0 m\", \"0 m\", \"1 mm\"]");
+    let frequency = Kind::Physical(Dimension::FREQUENCY);
+    let frequency = table.quantity(
+        "frequency",
+        frequency,
+        Range::POSITIVE,
+        "cycles per second, as \"50 Hz\"",
+    );
+    let phase = table
+        .optional_quantity("phase", Kind::Angle, Range::FINITE)
+        .unwrap_or(0.0);
+    table.finish("an oscillation");
+    Motion::Oscillation {
+        amplitude,
+        frequency,
+        phase,
+    }
+}
+
+fn servo(table: TableReader<'_>) -> Motion {
+    let force = Kind::Physical(Dimension::FORCE);
+    let speed = Kind::Physical(Dimension::VELOCITY);
+    let motion = Motion::Servo {
+        axis: table.direction("axis", "the direction in which the wall pushes the grains, as \"-z\""),
+        force: table.quantity("force", force, Range::NOT_NEGATIVE, "the force to hold, as \"5 N\""),
+        max_speed: table.quantity("max_speed", speed, Range::POSITIVE, "the largest speed, as \"10 mm/s\""),
+    };
+    table.finish("a servo");
+    motion
+}
+
+/// Index of the wall that a name tells; notes a fault when there is none.
+pub(super) fn wall_index(item: &Item<'_>, name: &str, walls: &[WallSpec]) -> usize {
+    walls.iter().position(|w| w.name == name).unwrap_or_else(|| {
+        let known = walls.iter().map(|w| w.name.as_str());
+        item.fault(format!("there is no wall named `{name}`"), suggest_or_list(name, known));
+        0
+    })
+}

@@ -1,0 +1,200 @@
+//! The energy books: what came in, what is stored, what was dissipated.
+
+use super::Simulation;
+use crate::contacts::block::{normal_energy, spring_energies};
+use crate::contacts::{ContactChunk, Tally};
+use demeter_physics::contact::PairSize;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+/// Energies of the ledger [J].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Energies {
+    /// Kinetic energy of translation.
+    pub kinetic: f64,
+    /// Kinetic energy of rotation.
+    pub rotational: f64,
+    /// Potential energy in the field of gravity.
+    pub gravitational: f64,
+    /// Stored by normal laws.
+    pub elastic: f64,
+    /// Stored by tangential springs.
+    pub tangential: f64,
+    /// Stored by rolling springs.
+    pub rolling: f64,
+    /// Dissipated by normal dashpots since the start.
+    pub viscous_dissipated: f64,
+    /// Dissipated by friction since the start.
+    pub friction_dissipated: f64,
+    /// Dissipated by rolling resistance since the start.
+    pub rolling_dissipated: f64,
+    /// Work done on the grains by moving walls since the start.
+    pub wall_work: f64,
+    /// Energy of grains inserted since the start.
+    pub inserted: f64,
+    /// Energy of grains removed since the start.
+    pub removed: f64,
+    /// Share of the energy that passed through the system which the books do not explain.
+    pub residual: f64,
+}
+
+impl Energies {
+    /// What is there now: kinetic, gravitational and stored [J].
+    pub fn present(&self) -> f64 {
+        self.kinetic + self.rotational + self.gravitational + self.elastic + self.tangential + self.rolling
+    }
+
+    /// What was dissipated since the start [J].
+    pub fn dissipated(&self) -> f64 {
+        self.viscous_dissipated + self.friction_dissipated + self.rolling_dissipated
+    }
+}
+
+/// Books since the start of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Books {
+    /// Work of all steps so far.
+    done: Tally,
+    /// Work of the latest step: half of it lies behind, half ahead.
+    latest: Tally,
+    /// Sum of the magnitudes of the wall work of every step [J].
+    wall_throughput: f64,
+    /// Energy at the start [J].
+    initial: f64,
+    /// Energy at the start without the gravitational part, whose zero is arbitrary [J].
+    initial_throughput: f64,
+    initial_gravitational: f64,
+    lowest_gravitational: f64,
+    removed: f64,
+    /// Number of grains removed since the start.
+    pub removed_grains: u64,
+}
+
+impl Books {
+    /// Opens the books with what is there at the start.
+    pub(crate) fn open(&mut self, energies: &Energies) {
+        self.initial = energies.present();
+        self.initial_throughput = energies.present() - energies.gravitational;
+        self.initial_gravitational = energies.gravitational;
+        self.lowest_gravitational = energies.gravitational;
+    }
+
+    /// Books one step. A force acts from half a step before its moment to half a step after it, so the work up to now
+    /// is half of the latest step's.
+    pub(crate) fn book(&mut self, step: Tally) {
+        for work in [self.latest, step] {
+            self.done.add(&Tally {
+                viscous: 0.5 * work.viscous,
+                friction: 0.5 * work.friction,
+                rolling: 0.5 * work.rolling,
+                wall_work: 0.5 * work.wall_work,
+            });
+        }
+        self.wall_throughput += step.wall_work.abs();
+        self.latest = step;
+    }
+
+    /// Books the removal of grains that carried these energies.
+    pub(crate) fn remove(&mut self, grains: u64, gone: &Energies) {
+        self.removed_grains += grains;
+        self.removed += gone.present();
+        // what they take along must not look like a fall of the others
+        self.lowest_gravitational -= gone.gravitational;
+        self.initial_gravitational -= gone.gravitational;
+    }
+
+    /// Completes the energies of this moment with what happened since the start, and the residual.
+    pub(crate) fn close(&mut self, mut now: Energies) -> Energies {
+        now.viscous_dissipated = self.done.viscous;
+        now.friction_dissipated = self.done.friction;
+        now.rolling_dissipated = self.done.rolling;
+        now.wall_work = self.done.wall_work;
+        now.removed = self.removed;
+        self.lowest_gravitational = self.lowest_gravitational.min(now.gravitational);
+        let explained = self.initial + now.wall_work + now.inserted - now.removed - now.dissipated();
+        let passed = self.initial_throughput
+            + self.wall_throughput
+            + (self.initial_gravitational - self.lowest_gravitational)
+            + now.inserted;
+        now.residual = if passed > 0.0 {
+            (now.present() - explained) / passed
+        } else {
+            0.0
+        };
+        now
+    }
+}
+
+impl Simulation {
+    pub(crate) fn book_step(&mut self) {
+        let tally = self.contacts.tally();
+        self.books.book(tally);
+    }
+
+    /// Energies at this moment with the books since the start.
+    pub fn energies(&mut self) -> Energies {
+        let now = self.mechanical_energies();
+        self.books.close(now)
+    }
+
+    /// Kinetic, gravitational and stored energies at this moment.
+    pub(crate) fn mechanical_energies(&self) -> Energies {
+        self.energies_of(|_| true)
+    }
+
+    /// Energies of some grains and of the contacts that they are in.
+    pub(crate) fn energies_of(&self, counts: impl Fn(usize) -> bool + Sync) -> Energies {
+        let mut e = Energies::default();
+        let grains = &self.grains;
+        for g in (0..grains.len()).filter(|&g| counts(g)) {
+            e.kinetic += 0.5 * grains.mass[g] * grains.velocity[g].length_squared();
+            e.rotational += 0.5 * grains.inertia[g] * grains.angular_velocity[g].length_squared();
+            let place = self.comm.unwrapped(grains.position[g], grains.image[g]);
+            e.gravitational -= grains.mass[g] * self.gravity.dot(place);
+        }
+        let pairs = self
+            .contacts
+            .pairs
+            .par_iter()
+            .map(|chunk| self.stored(chunk, false, &counts));
+        let walls = self
+            .contacts
+            .walls
+            .par_iter()
+            .map(|chunk| self.stored(chunk, true, &counts));
+        let stored: Vec<(f64, f64, f64)> = pairs.chain(walls).collect();
+        for (normal, tangential, rolling) in stored {
+            e.elastic += normal;
+            e.tangential += tangential;
+            e.rolling += rolling;
+        }
+        e
+    }
+
+    /// Normal, tangential and rolling energy stored in the contacts of a chunk [J].
+    fn stored(&self, chunk: &ContactChunk, wall: bool, counts: &impl Fn(usize) -> bool) -> (f64, f64, f64) {
+        let mut sum = (0.0, 0.0, 0.0);
+        // after a hand-over the table holds no indices until the next narrow phase
+        for k in 0..chunk.i.len() {
+            if !counts(chunk.i[k] as usize) && (wall || !counts(chunk.j[k] as usize)) {
+                continue;
+            }
+            let law = self.materials.law(chunk.pair()[k]);
+            let size = self.pair_size(chunk.i[k] as usize, (!wall).then(|| chunk.j[k] as usize));
+            sum.0 += normal_energy(law, size, chunk.geometry()[k].overlap);
+            let (tangential, rolling) = spring_energies(law, chunk.history(k, self.contacts.stride));
+            sum.1 += tangential;
+            sum.2 += rolling;
+        }
+        sum
+    }
+
+    /// Effective radius and mass of a grain and its partner, a grain or a wall.
+    pub(crate) fn pair_size(&self, i: usize, j: Option<usize>) -> PairSize {
+        let inverse = |values: &[f64], j: Option<usize>| j.map_or(0.0, |j| 1.0 / values[j]);
+        PairSize {
+            radius: 1.0 / (1.0 / self.grains.radius[i] + inverse(&self.grains.radius, j)),
+            mass: 1.0 / (1.0 / self.grains.mass[i] + inverse(&self.grains.mass, j)),
+        }
+    }
+}

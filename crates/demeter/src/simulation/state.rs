@@ -1,0 +1,123 @@
+//! Everything that a restart to the same bits needs.
+
+use super::{Books, Setup, Simulation};
+use crate::contacts::CarriedContact;
+use crate::neighbours::Neighbours;
+use crate::particles::Grains;
+use crate::walls::{Wall, WallState};
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// State of a simulation after a whole step.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct SimulationState {
+    /// Steps done.
+    pub step: u64,
+    /// Time step [s].
+    pub dt: f64,
+    /// Grains, in their present order.
+    pub grains: Grains,
+    /// Walls, in the order of the scenario.
+    pub walls: Vec<WallState>,
+    contacts: Vec<CarriedContact>,
+    neighbours: Neighbours,
+    books: Books,
+    rebuilds: u64,
+    bounds: (DVec3, DVec3),
+}
+
+/// Why a state does not fit the scenario that it is to continue.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StateError {
+    /// The number of walls differs.
+    #[error("the checkpoint holds {found} walls, the scenario {expected}: it belongs to another scenario")]
+    Walls {
+        /// Walls in the checkpoint.
+        found: usize,
+        /// Walls in the scenario.
+        expected: usize,
+    },
+    /// Arrays of the checkpoint contradict each other.
+    #[error("the checkpoint contradicts itself ({0}): it was not written by this engine")]
+    Inconsistent(&'static str),
+}
+
+impl SimulationState {
+    /// Number of contacts.
+    pub fn contact_count(&self) -> usize {
+        self.contacts.len()
+    }
+
+    fn check(&self, walls: usize, materials: usize) -> Result<(), StateError> {
+        let g = &self.grains;
+        let n = g.len();
+        let lengths = [
+            g.material.len(),
+            g.radius.len(),
+            g.mass.len(),
+            g.inertia.len(),
+            g.position.len(),
+            g.image.len(),
+            g.velocity.len(),
+            g.angular_velocity.len(),
+            g.orientation.len(),
+            g.force.len(),
+            g.torque.len(),
+        ];
+        let pair_fits = |p: &u32| (*p as usize) < materials * materials;
+        if self.walls.len() != walls {
+            Err(StateError::Walls {
+                found: self.walls.len(),
+                expected: walls,
+            })
+        } else if lengths.iter().any(|&l| l != n) {
+            Err(StateError::Inconsistent("lengths of the grain arrays"))
+        } else if g.material.iter().any(|&m| m as usize >= materials) {
+            Err(StateError::Inconsistent("a grain's material"))
+        } else if !self.contacts.iter().all(|c| pair_fits(&c.pair)) || !self.contacts.is_sorted_by_key(|c| c.key) {
+            Err(StateError::Inconsistent("contacts"))
+        } else if !self.neighbours.fits(n, walls) {
+            Err(StateError::Inconsistent("candidate pairs"))
+        } else {
+            Ok(())
+        }
+    }
+}
+
+impl Simulation {
+    /// The state after the latest step.
+    pub fn state(&self) -> SimulationState {
+        SimulationState {
+            step: self.step,
+            dt: self.dt,
+            grains: self.grains.clone(),
+            walls: self.walls.iter().map(Wall::state).collect(),
+            contacts: self.contacts.carry(&self.grains),
+            neighbours: self.neighbours.clone(),
+            books: self.books,
+            rebuilds: self.rebuilds,
+            bounds: self.bounds,
+        }
+    }
+
+    /// Continues from a state; the bits are those of an uninterrupted run. The grains and the time step of `setup` are
+    /// replaced by the state's.
+    pub fn resume(setup: Setup, state: SimulationState) -> Result<Self, StateError> {
+        state.check(setup.walls.len(), setup.materials.list().len())?;
+        let mut sim = Self::new(setup);
+        for (wall, state) in sim.walls.iter_mut().zip(&state.walls) {
+            wall.restore(state);
+        }
+        sim.started = true;
+        sim.step = state.step;
+        sim.dt = state.dt;
+        sim.grains = state.grains;
+        sim.books = state.books;
+        sim.rebuilds = state.rebuilds;
+        sim.bounds = state.bounds;
+        sim.neighbours = state.neighbours;
+        sim.contacts.adopt(&sim.grains, &sim.neighbours, &state.contacts);
+        sim.walls_before = sim.walls.iter().map(Wall::pose).collect();
+        Ok(sim)
+    }
+}

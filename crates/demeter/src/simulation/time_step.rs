@@ -1,0 +1,200 @@
+//! The time step: a stated share of the shortest time scale of the laws in use.
+
+use crate::materials::Materials;
+use crate::particles::Grains;
+use demeter_physics::contact::normal::{Normal, NormalVisitor};
+use demeter_physics::contact::rolling::{Rolling, RollingVisitor};
+use demeter_physics::contact::tangential::{Tangential, TangentialVisitor};
+use demeter_physics::contact::{PairLaw, PairSize};
+use std::f64::consts::PI;
+
+/// The automatic time step is this share of the shortest time scale: restitution is then met within 1e-4
+/// (`verification_restitution`).
+pub const SAFE_SHARE: f64 = 0.01;
+
+/// Above this share of the shortest time scale a time step is refused unless the scenario says it wants it.
+pub const UNSAFE_SHARE: f64 = 0.05;
+
+/// A time scale and where it comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TimeScale {
+    /// Time [s].
+    pub time: f64,
+    /// In words: `"collision of two grains of glass (hertz-tsuji) at an overlap of 0.05 r"`.
+    pub origin: String,
+}
+
+/// Why there is no automatic time step.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum TimeStepError {
+    /// There is no contact whose time scale could be asked.
+    #[error("an automatic time step needs grains: there is none, so give `time_step` a value such as \"1e-5 s\"")]
+    NoGrains,
+    /// The time scale is not a usable number.
+    #[error(
+        "the shortest time scale, {origin}, is {time} s, which is no usable number: check the moduli, stiffnesses and \
+         radii of these bodies"
+    )]
+    Unusable {
+        /// The time scale [s].
+        time: f64,
+        /// Where it comes from.
+        origin: String,
+    },
+}
+
+/// A grain as far as time scales go.
+#[derive(Clone, Copy)]
+struct Representative {
+    radius: f64,
+    mass: f64,
+    inertia: f64,
+}
+
+/// Shortest time scale of all laws between the materials in use, at overlaps up to `max_overlap` of the smaller
+/// radius. `wall_materials` are the materials of the walls.
+pub fn shortest_time_scale(
+    grains: &Grains,
+    wall_materials: &[u16],
+    materials: &Materials,
+    max_overlap: f64,
+) -> Result<TimeScale, TimeStepError> {
+    let count = materials.list().len() as u16;
+    let used: Vec<(u16, Vec<Representative>)> = (0..count)
+        .map(|m| (m, representatives(grains, m)))
+        .filter(|(_, r)| !r.is_empty())
+        .collect();
+    let mut shortest: Option<TimeScale> = None;
+    let mut consider = |scale: TimeScale| {
+        // a scale that is not a number must win, so that it is told
+        if !shortest.as_ref().is_some_and(|s| scale.time >= s.time) {
+            shortest = Some(scale);
+        }
+    };
+    for (k, (a, grains_a)) in used.iter().enumerate() {
+        for (b, grains_b) in &used[k..] {
+            for one in grains_a {
+                for other in grains_b {
+                    consider(of_contact(materials, (*a, *b), *one, Some(*other), max_overlap));
+                }
+            }
+        }
+        for &wall in wall_materials {
+            for one in grains_a {
+                consider(of_contact(materials, (*a, wall), *one, None, max_overlap));
+            }
+        }
+    }
+    match shortest {
+        None => Err(TimeStepError::NoGrains),
+        Some(s) if s.time > 0.0 && s.time.is_finite() => Ok(s),
+        Some(s) => Err(TimeStepError::Unusable {
+            time: s.time,
+            origin: s.origin,
+        }),
+    }
+}
+
+/// The smallest and the largest grain of a material, and the lightest.
+fn representatives(grains: &Grains, material: u16) -> Vec<Representative> {
+    let of = |g: usize| Representative {
+        radius: grains.radius[g],
+        mass: grains.mass[g],
+        inertia: grains.inertia[g],
+    };
+    let members = || (0..grains.len()).filter(|&g| grains.material[g] == material);
+    let smallest = members().min_by(|&a, &b| grains.radius[a].total_cmp(&grains.radius[b]));
+    let largest = members().max_by(|&a, &b| grains.radius[a].total_cmp(&grains.radius[b]));
+    let lightest = members().min_by(|&a, &b| grains.mass[a].total_cmp(&grains.mass[b]));
+    [smallest, largest, lightest].into_iter().flatten().map(of).collect()
+}
+
+fn of_contact(
+    materials: &Materials,
+    (a, b): (u16, u16),
+    one: Representative,
+    other: Option<Representative>,
+    max_overlap: f64,
+) -> TimeScale {
+    let law = materials.law(materials.pair(a, b));
+    let size = PairSize {
+        radius: 1.0 / (1.0 / one.radius + other.map_or(0.0, |o| 1.0 / o.radius)),
+        mass: 1.0 / (1.0 / one.mass + other.map_or(0.0, |o| 1.0 / o.mass)),
+    };
+    let overlap = max_overlap * other.map_or(one.radius, |o| one.radius.min(o.radius));
+    let rolling = |g: Representative| 1.0 / (g.inertia + g.mass * g.radius * g.radius);
+    let rolling_inertia = 1.0 / (rolling(one) + other.map_or(0.0, rolling));
+    let (time, what) = time_scale(law, size, rolling_inertia, overlap);
+    let name = |m: u16| materials.list()[m as usize].name.as_str();
+    let bodies = match other {
+        Some(_) if a == b => format!("two grains of `{}`", name(a)),
+        Some(_) => format!("a grain of `{}` and one of `{}`", name(a), name(b)),
+        None => format!("a grain of `{}` and a wall of `{}`", name(a), name(b)),
+    };
+    TimeScale {
+        time,
+        origin: format!("{what} of {bodies} at an overlap of {max_overlap} r"),
+    }
+}
+
+/// Shortest time scale of the laws of one contact [s], and what it is.
+fn time_scale(law: &PairLaw, size: PairSize, rolling_inertia: f64, overlap: f64) -> (f64, String) {
+    let half_period = |inertia: f64, stiffness: f64| PI * (inertia / stiffness).sqrt();
+    let collision = law.normal.visit(CollisionTime(size, overlap));
+    let mut shortest = (collision, format!("collision (`{}`)", law.normal.info().name));
+    let mut consider = |time: f64, what: String| {
+        if time < shortest.0 {
+            shortest = (time, what);
+        }
+    };
+    if let Some(friction) = law.tangential {
+        // a solid sphere's tangential mass at the contact point is 2/7 of the effective mass
+        let stiffness = friction.visit(Stiffness(size, overlap));
+        consider(
+            half_period(2.0 / 7.0 * size.mass, stiffness),
+            format!("half a tangential oscillation (`{}`)", friction.info().name),
+        );
+    }
+    if let Some(resistance) = law.rolling {
+        let normal_stiffness = law.normal.visit(Stiffness(size, overlap));
+        let stiffness = resistance.visit(Stiffness(size, normal_stiffness));
+        consider(
+            half_period(rolling_inertia, stiffness),
+            format!("half a rolling oscillation (`{}`)", resistance.info().name),
+        );
+    }
+    shortest
+}
+
+struct CollisionTime(PairSize, f64);
+
+impl NormalVisitor for CollisionTime {
+    type Output = f64;
+    fn visit<L: Normal>(self, law: &L) -> f64 {
+        law.collision_time(self.0, self.1)
+    }
+}
+
+/// Stiffness at an overlap; for rolling laws, at a normal stiffness.
+struct Stiffness(PairSize, f64);
+
+impl NormalVisitor for Stiffness {
+    type Output = f64;
+    fn visit<L: Normal>(self, law: &L) -> f64 {
+        law.stiffness(self.0, self.1)
+    }
+}
+
+impl TangentialVisitor for Stiffness {
+    type Output = f64;
+    fn visit<L: Tangential>(self, law: &L) -> f64 {
+        law.stiffness(self.0, self.1)
+    }
+}
+
+impl RollingVisitor for Stiffness {
+    type Output = f64;
+    fn visit<L: Rolling>(self, law: &L) -> f64 {
+        law.stiffness(self.0, self.1)
+    }
+}

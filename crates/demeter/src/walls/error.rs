@@ -1,0 +1,71 @@
+//! What can be wrong with the description of a wall.
+
+use super::mesh::MeshError;
+use glam::DVec3;
+use thiserror::Error;
+
+/// Why a wall was refused.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum WallError {
+    /// A number is infinite, not a number, or so large that its square overflows.
+    #[error("{field} of the wall is {value}; every coordinate must be finite and at most 1e100 m in magnitude")]
+    NotFinite {
+        /// What holds the number.
+        field: &'static str,
+        /// The value.
+        value: DVec3,
+    },
+    /// A number is out of its range.
+    #[error("{field} of the wall is {value}; it must be finite and {allowed}")]
+    OutOfRange {
+        /// What holds the number.
+        field: &'static str,
+        /// The value.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A direction is not a unit vector.
+    #[error("{field} of the wall is {value} with length {}; it must be a unit vector, so divide it by its length", .value.length())]
+    NotUnit {
+        /// What holds the vector.
+        field: &'static str,
+        /// The value.
+        value: DVec3,
+    },
+    /// The two half axes of a rectangle are not perpendicular.
+    #[error(
+        "half_u {half_u} and half_v {half_v} of the rectangle are not perpendicular; choose half_v at a right angle to half_u"
+    )]
+    NotPerpendicular {
+        /// First half axis [m].
+        half_u: DVec3,
+        /// Second half axis [m].
+        half_v: DVec3,
+    },
+    /// Start and end of an axis are the same point.
+    #[error("start and end of the {shape} are both {point}; they must be two different points of its axis")]
+    NoLength {
+        /// Name of the shape.
+        shape: &'static str,
+        /// The point [m].
+        point: DVec3,
+    },
+    /// The upper corner of a box is not above the lower.
+    #[error("the box reaches from {lower} to {upper}; every coordinate of upper must exceed that of lower")]
+    EmptyBox {
+        /// Lower corner [m].
+        lower: DVec3,
+        /// Upper corner [m].
+        upper: DVec3,
+    },
+    /// All six faces of a box are open.
+    #[error("all six faces of the box are open; leave at least one closed, or remove the wall")]
+    NoFace,
+    /// Both radii of a cone are 0.
+    #[error("both radii of the cone are 0; at least one must be positive")]
+    NoRadius,
+    /// The mesh is not usable.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}

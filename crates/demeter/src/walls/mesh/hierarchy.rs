@@ -1,0 +1,177 @@
+//! Bounding-volume hierarchy: which triangles are near a point.
+
+use demeter_physics::geometry::contact_sphere_triangle::Triangle;
+use glam::DVec3;
+
+/// Most triangles in a leaf.
+const LEAF: usize = 4;
+/// Deepest level: halving 2^32 triangles ends far above it.
+const DEEPEST: usize = 64;
+
+/// Binary tree of boxes, built by halving along the longest side of the centroids. It depends on nothing but the order
+/// of the triangles.
+#[derive(Clone, Debug)]
+pub(super) struct Hierarchy {
+    /// Nodes in depth-first order: the left child of a node follows it.
+    nodes: Vec<Node>,
+    /// Triangles, grouped by leaf.
+    order: Vec<u32>,
+}
+
+#[derive(Clone, Debug)]
+struct Node {
+    lower: DVec3,
+    upper: DVec3,
+    /// Leaf: first entry of `order`. Inner node: the right child.
+    start: u32,
+    /// Leaf: number of triangles. Inner node: 0.
+    count: u32,
+}
+
+impl Node {
+    /// Squared distance of a point from the box.
+    #[inline]
+    fn distance_squared(&self, point: DVec3) -> f64 {
+        (self.lower - point)
+            .max(point - self.upper)
+            .max(DVec3::ZERO)
+            .length_squared()
+    }
+}
+
+impl Hierarchy {
+    pub(super) fn new(triangles: &[Triangle]) -> Self {
+        let mut tree = Hierarchy {
+            nodes: Vec::new(),
+            order: (0..triangles.len() as u32).collect(),
+        };
+        let centroids: Vec<DVec3> = triangles
+            .iter()
+            .map(|t| t.corners().iter().sum::<DVec3>() / 3.0)
+            .collect();
+        let mut order = std::mem::take(&mut tree.order);
+        tree.build(&mut order, 0, triangles, &centroids);
+        tree.order = order;
+        tree
+    }
+
+    fn build(&mut self, order: &mut [u32], offset: usize, triangles: &[Triangle], centroids: &[DVec3]) {
+        let (mut lower, mut upper) = (DVec3::MAX, DVec3::MIN);
+        let (mut least, mut most) = (DVec3::MAX, DVec3::MIN);
+        for &id in order.iter() {
+            for corner in triangles[id as usize].corners() {
+                (lower, upper) = (lower.min(corner), upper.max(corner));
+            }
+            let centroid = centroids[id as usize];
+            (least, most) = (least.min(centroid), most.max(centroid));
+        }
+        let node = self.nodes.len();
+        self.nodes.push(Node {
+            lower,
+            upper,
+            start: offset as u32,
+            count: order.len() as u32,
+        });
+        if order.len() <= LEAF {
+            return;
+        }
+        let axis = longest_axis(most - least);
+        let middle = order.len() / 2;
+        order.select_nth_unstable_by(middle, |&a, &b| {
+            centroids[a as usize][axis]
+                .total_cmp(&centroids[b as usize][axis])
+                .then(a.cmp(&b))
+        });
+        let (left, right) = order.split_at_mut(middle);
+        left.sort_unstable();
+        right.sort_unstable();
+        self.build(left, offset, triangles, centroids);
+        self.nodes[node].start = self.nodes.len() as u32;
+        self.nodes[node].count = 0;
+        self.build(right, offset + middle, triangles, centroids);
+    }
+
+    pub(super) fn bounds(&self) -> (DVec3, DVec3) {
+        (self.nodes[0].lower, self.nodes[0].upper)
+    }
+
+    /// Calls `visit` with every triangle whose box is within `reach` of a point, until it returns `true`; tells whether
+    /// it did.
+    #[inline]
+    pub(super) fn any_near(&self, point: DVec3, reach: f64, mut visit: impl FnMut(u32) -> bool) -> bool {
+        // Room for the rounding of the distances that follow.
+        let limit = reach * reach * (1.0 + 1e-9);
+        let mut waiting = [0u32; DEEPEST];
+        let mut depth = 1;
+        while depth > 0 {
+            depth -= 1;
+            let index = waiting[depth];
+            let node = &self.nodes[index as usize];
+            if node.distance_squared(point) > limit {
+                continue;
+            }
+            if node.count == 0 {
+                waiting[depth] = node.start;
+                waiting[depth + 1] = index + 1;
+                depth += 2;
+                continue;
+            }
+            let leaf = node.start as usize..(node.start + node.count) as usize;
+            if self.order[leaf].iter().any(|&triangle| visit(triangle)) {
+                return true;
+            }
+        }
+        false
+    }
+}
+
+fn longest_axis(size: DVec3) -> usize {
+    if size.x >= size.y && size.x >= size.z {
+        0
+    } else if size.y >= size.z {
+        1
+    } else {
+        2
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_the_same_triangles_as_looking_at_all() {
+        let mut triangles = Vec::new();
+        for i in 0..200u32 {
+            let t = f64::from(i);
+            let at = DVec3::new(libm::sin(t * 1.7), libm::cos(t * 2.3), libm::sin(t * 0.9)) * 3.0;
+            triangles
+                .push(Triangle::new([at, at + DVec3::new(0.4, 0.1, 0.0), at + DVec3::new(0.0, 0.3, 0.2)]).unwrap());
+        }
+        let tree = Hierarchy::new(&triangles);
+        for i in 0..100 {
+            let t = f64::from(i);
+            let point = DVec3::new(libm::cos(t), libm::sin(t * 3.1), libm::cos(t * 0.7)) * 3.5;
+            let reach = 0.1 + 0.02 * t;
+            let mut found = Vec::new();
+            tree.any_near(point, reach, |id| {
+                found.push(id);
+                false
+            });
+            found.sort_unstable();
+            let expected: Vec<u32> = (0..200u32)
+                .filter(|&id| {
+                    let corners = triangles[id as usize].corners();
+                    let lower = corners[0].min(corners[1]).min(corners[2]);
+                    let upper = corners[0].max(corners[1]).max(corners[2]);
+                    point.distance(point.clamp(lower, upper)) <= reach
+                })
+                .collect();
+            for id in &expected {
+                assert!(found.contains(id));
+            }
+            let order: Vec<u32> = tree.order.iter().copied().filter(|id| found.contains(id)).collect();
+            assert_eq!(order.len(), found.len(), "each triangle once");
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! Triangle meshes as walls.
+//!
+//! * `weld` joins corners that are the same point, `topology` finds edges, neighbours and flat patches
+//! * `hierarchy` finds the triangles near a grain
+//! * `contacts` decides which of their closest points are contacts
+
+mod contacts;
+mod hierarchy;
+mod topology;
+mod weld;
+
+use demeter_physics::geometry::contact_sphere_triangle::Triangle;
+use glam::DVec3;
+use hierarchy::Hierarchy;
+use thiserror::Error;
+use topology::Topology;
+
+/// Why a mesh was refused. Triangles are counted from 1, as in most programs that show them.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum MeshError {
+    /// There is no triangle.
+    #[error("the mesh has no triangle; give at least one")]
+    Empty,
+    /// More triangles than contacts can be keyed for.
+    #[error(
+        "the mesh has {count} triangles; at most {} are supported, so simplify it",
+        Mesh::MOST_TRIANGLES
+    )]
+    TooMany {
+        /// Triangles given.
+        count: usize,
+    },
+    /// A corner is infinite or not a number, or too large to square.
+    #[error("triangle {triangle} of the mesh has a corner at {corner}; coordinates must be finite and at most 1e100 m")]
+    NotFinite {
+        /// The triangle, counted from 1.
+        triangle: usize,
+        /// The corner [m].
+        corner: DVec3,
+    },
+    /// A triangle has no area.
+    #[error(
+        "triangle {triangle} of the mesh, {} {} {}, has zero area; remove it or repair the mesh",
+        corners[0], corners[1], corners[2]
+    )]
+    ZeroArea {
+        /// The triangle, counted from 1.
+        triangle: usize,
+        /// Its corners [m].
+        corners: [DVec3; 3],
+    },
+    /// The mesh should be closed and is not.
+    #[error(
+        "the mesh is not closed: {count} edges belong to an odd number of triangles, the first from {start} to {end} of \
+         triangle {triangle}; close the hole, or do not ask for a closed mesh"
+    )]
+    Open {
+        /// Edges with an odd number of triangles.
+        count: usize,
+        /// A triangle at the first of them, counted from 1.
+        triangle: usize,
+        /// Start of the edge [m].
+        start: DVec3,
+        /// End of the edge [m].
+        end: DVec3,
+    },
+}
+
+/// A surface of triangles, ready for queries. It never changes.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    triangles: Vec<Triangle>,
+    topology: Topology,
+    hierarchy: Hierarchy,
+}
+
+impl Mesh {
+    /// Most triangles that a mesh may have, so that faces, edges and vertices have keys of their own in 32 bits.
+    pub const MOST_TRIANGLES: usize = 1 << 29;
+
+    /// Largest coordinate [m].
+    const LARGEST: f64 = 1e100;
+
+    /// Builds a mesh from the corners of its triangles [m].
+    ///
+    /// Corners that differ by no more than the rounding of single precision (in which STL files are written) are joined.
+    /// Edges with one, two or more triangles are all allowed, and the order of the corners does not matter.
+    pub fn new(corners: &[[DVec3; 3]]) -> Result<Self, MeshError> {
+        if corners.is_empty() {
+            return Err(MeshError::Empty);
+        }
+        if corners.len() > Self::MOST_TRIANGLES {
+            return Err(MeshError::TooMany { count: corners.len() });
+        }
+        for (index, triangle) in corners.iter().enumerate() {
+            let usable = |corner: &DVec3| corner.is_finite() && corner.abs().max_element() <= Self::LARGEST;
+            if let Some(&corner) = triangle.iter().find(|corner| !usable(corner)) {
+                return Err(MeshError::NotFinite {
+                    triangle: index + 1,
+                    corner,
+                });
+            }
+            make_triangle(index, *triangle)?;
+        }
+        let welded = weld::weld(corners);
+        let mut triangles = Vec::with_capacity(corners.len());
+        for (index, ids) in welded.triangles.iter().enumerate() {
+            triangles.push(make_triangle(index, ids.map(|id| welded.points[id as usize]))?);
+        }
+        let topology = Topology::new(&welded, &triangles);
+        let hierarchy = Hierarchy::new(&triangles);
+        Ok(Mesh {
+            triangles,
+            topology,
+            hierarchy,
+        })
+    }
+
+    /// Error when the surface has a hole: an edge with an odd number of triangles.
+    pub fn require_closed(&self) -> Result<(), MeshError> {
+        let open = self.topology.odd_edges();
+        match open.first() {
+            None => Ok(()),
+            Some(&(triangle, side)) => {
+                let corners = self.triangles[triangle as usize].corners();
+                let (start, end) = (corners[side as usize], corners[(side as usize + 1) % 3]);
+                Err(MeshError::Open {
+                    count: open.len(),
+                    triangle: triangle as usize + 1,
+                    start,
+                    end,
+                })
+            }
+        }
+    }
+
+    /// Triangles, with joined corners, in the order given.
+    pub fn triangles(&self) -> &[Triangle] {
+        &self.triangles
+    }
+
+    /// Smallest box around the mesh [m].
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        self.hierarchy.bounds()
+    }
+
+    /// Centroid of the surface [m].
+    pub fn centroid(&self) -> DVec3 {
+        let first = self.triangles[0].corners()[0];
+        let (mut moment, mut total) = (DVec3::ZERO, 0.0);
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.corners();
+            let area = (b - a).cross(c - a).length();
+            moment += ((a - first) + (b - first) + (c - first)) * (area / 3.0);
+            total += area;
+        }
+        if total > 0.0 { first + moment / total } else { first }
+    }
+}
+
+fn make_triangle(index: usize, corners: [DVec3; 3]) -> Result<Triangle, MeshError> {
+    Triangle::new(corners).ok_or(MeshError::ZeroArea {
+        triangle: index + 1,
+        corners,
+    })
+}

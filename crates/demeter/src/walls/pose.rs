@@ -1,0 +1,91 @@
+//! Where a wall stands.
+
+use glam::{DQuat, DVec3};
+use serde::{Deserialize, Serialize};
+
+/// Place and orientation of a wall relative to its start. A point `x` of the wall frame is in the world at
+/// `origin + translation + rotation (x - origin)`, with the wall's own [`origin`](super::Wall::origin).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pose {
+    /// Displacement of the origin since the start [m].
+    pub translation: DVec3,
+    /// Rotation about the origin since the start.
+    pub rotation: DQuat,
+}
+
+impl Pose {
+    /// The pose at the start.
+    pub const START: Pose = Pose {
+        translation: DVec3::ZERO,
+        rotation: DQuat::IDENTITY,
+    };
+
+    /// Whether the wall has exactly its first orientation; rotation arithmetic is skipped then, so that a wall that is
+    /// not turned gives the same bits as one that cannot turn.
+    #[inline(always)]
+    pub fn is_unrotated(&self) -> bool {
+        self.rotation == DQuat::IDENTITY
+    }
+
+    /// World place of a point of the wall frame [m].
+    #[inline]
+    pub fn place(&self, origin: DVec3, point: DVec3) -> DVec3 {
+        if self.is_unrotated() {
+            point + self.translation
+        } else {
+            origin + self.translation + self.rotation * (point - origin)
+        }
+    }
+
+    /// Wall-frame place of a point of the world [m].
+    #[inline]
+    pub fn unplace(&self, origin: DVec3, point: DVec3) -> DVec3 {
+        if self.is_unrotated() {
+            point - self.translation
+        } else {
+            origin + self.rotation.conjugate() * (point - origin - self.translation)
+        }
+    }
+
+    /// World direction of a direction of the wall frame.
+    #[inline]
+    pub fn turn(&self, direction: DVec3) -> DVec3 {
+        if self.is_unrotated() {
+            direction
+        } else {
+            self.rotation * direction
+        }
+    }
+}
+
+/// Rotation by `angle` [rad] about the unit vector `axis`, right-handed; the same bits on every machine.
+pub(super) fn rotation_about(axis: DVec3, angle: f64) -> DQuat {
+    let (sin, cos) = (libm::sin(0.5 * angle), libm::cos(0.5 * angle));
+    DQuat::from_xyzw(axis.x * sin, axis.y * sin, axis.z * sin, cos)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn place_and_unplace_are_inverse() {
+        let axis = DVec3::new(1.0, -2.0, 0.5).normalize();
+        let pose = Pose {
+            translation: DVec3::new(0.1, 2.0, -3.0),
+            rotation: rotation_about(axis, 1.3),
+        };
+        let (origin, point) = (DVec3::new(4.0, 5.0, 6.0), DVec3::new(-1.0, 0.3, 2.0));
+        assert!((pose.unplace(origin, pose.place(origin, point)) - point).length() < 1e-14);
+        assert!(
+            (pose.place(origin, point).distance(pose.place(origin, origin)) - point.distance(origin)).abs() < 1e-14
+        );
+        assert_eq!(pose.place(origin, origin), origin + pose.translation);
+    }
+
+    #[test]
+    fn rotation_is_right_handed() {
+        let quarter = rotation_about(DVec3::Z, std::f64::consts::FRAC_PI_2);
+        assert!((quarter * DVec3::X - DVec3::Y).length() < 1e-15);
+    }
+}

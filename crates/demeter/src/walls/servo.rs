@@ -1,0 +1,199 @@
+//! Force control of a wall.
+//!
+//! The wall is driven as a massless plate with a viscous brake: `D v = F - f`, with the target `F`, the measured force
+//! `f` and the speed `v` clamped to the largest allowed. Such a plate only takes energy out of the bed, so whatever the
+//! bed's stiffness it cannot excite it, and it rests only where `f = F`: there is no steady error. `D` starts at
+//! `F / max_speed`, so that an unloaded plate approaches at the largest speed.
+//!
+//! What can still make it oscillate is that the force is one step old. A loop that is too fast for that overshoots the
+//! target again after less than [`HASTE`] steps; then `D` doubles. When a pressing plate has closed less than a tenth of
+//! the error in [`PATIENCE`] steps, `D` halves, down to a share of its start, so that a brake that was once needed never
+//! stays for good, and a slow plate does not creep to its target.
+
+use serde::{Deserialize, Serialize};
+
+/// Steps between two overshoots below which the loop, not the bed, is oscillating.
+const HASTE: u32 = 8;
+/// Steps of slow approach before the brake is loosened.
+const PATIENCE: u32 = 100;
+/// Largest and smallest brake, as multiples of its start.
+const STRONGEST: f64 = 1e12;
+const WEAKEST: f64 = 1.0 / 32.0;
+
+/// State of the controller.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Servo {
+    target: f64,
+    max_speed: f64,
+    /// `D` as a multiple of `F / max_speed`.
+    brake: f64,
+    /// Whether the wall pressed too little in the last step.
+    wanting: bool,
+    since_crossing: u32,
+    since_review: u32,
+    error_at_review: f64,
+}
+
+impl Servo {
+    pub(super) fn new(target: f64, max_speed: f64) -> Self {
+        Servo {
+            target,
+            max_speed,
+            brake: 1.0,
+            wanting: true,
+            since_crossing: u32::MAX,
+            since_review: 0,
+            error_at_review: f64::MAX,
+        }
+    }
+
+    /// Speed along the axis for the next step, from the force with which the wall pressed in the last [m/s].
+    pub(super) fn speed(&mut self, pressing: f64) -> f64 {
+        let error = self.target - pressing;
+        self.review(error);
+        (self.max_speed * (error / (self.target * self.brake))).clamp(-self.max_speed, self.max_speed)
+    }
+
+    fn review(&mut self, error: f64) {
+        let wanting = error >= 0.0;
+        self.since_crossing = self.since_crossing.saturating_add(1);
+        if wanting != self.wanting {
+            if self.since_crossing <= HASTE {
+                self.brake = (2.0 * self.brake).min(STRONGEST);
+            }
+            self.wanting = wanting;
+            self.since_crossing = 0;
+            self.since_review = 0;
+            self.error_at_review = error.abs();
+            return;
+        }
+        self.since_review += 1;
+        if self.since_review >= PATIENCE {
+            let weakest = if error < self.target { WEAKEST } else { 1.0 };
+            if error.abs() > 0.9 * self.error_at_review && self.brake > weakest {
+                self.brake *= 0.5;
+            }
+            self.since_review = 0;
+            self.error_at_review = error.abs();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A mass on a spring and dashpot above the floor, met by the plate through a contact spring and dashpot.
+    struct Bed {
+        stiffness: f64,
+        damping: f64,
+        mass: f64,
+        contact: f64,
+        contact_damping: f64,
+    }
+
+    struct Outcome {
+        force: f64,
+        /// Largest error in the last tenth of the run, as a share of the target.
+        ripple: f64,
+        largest: f64,
+    }
+
+    fn press(bed: &Bed, target: f64, max_speed: f64, dt: f64, steps: u32) -> Outcome {
+        let mut servo = Servo::new(target, max_speed);
+        let (mut plate, mut x, mut v) = (-1e-3, 0.0, 0.0);
+        let mut out = Outcome {
+            force: 0.0,
+            ripple: 0.0,
+            largest: 0.0,
+        };
+        for step in 0..steps {
+            let speed = servo.speed(out.force);
+            assert!(speed.abs() <= max_speed);
+            plate += speed * dt;
+            let overlap: f64 = plate - x;
+            out.force = if overlap > 0.0 {
+                bed.contact * overlap + bed.contact_damping * (speed - v)
+            } else {
+                0.0
+            };
+            out.force = out.force.max(0.0);
+            v += (out.force - bed.stiffness * x - bed.damping * v) / bed.mass * dt;
+            x += v * dt;
+            out.largest = out.largest.max(out.force);
+            if step > steps / 10 * 9 {
+                out.ripple = out.ripple.max((out.force - target).abs() / target);
+            }
+        }
+        out
+    }
+
+    /// Time step a twentieth of the shortest period of the bed.
+    fn safe_step(bed: &Bed) -> f64 {
+        0.3 * (bed.mass / (bed.stiffness + bed.contact)).sqrt()
+    }
+
+    #[test]
+    fn reaches_the_target_on_soft_and_stiff_beds_without_ripple() {
+        for stiffness in [1e2f64, 1e4, 1e6] {
+            for share in [0.02, 0.3] {
+                for contact in [1.0f64, 30.0] {
+                    let contact = contact * stiffness;
+                    let mass = 0.1f64;
+                    let damping = share * 2.0 * (stiffness * mass).sqrt();
+                    let contact_damping = share * 2.0 * (contact * mass).sqrt();
+                    let bed = Bed {
+                        stiffness,
+                        damping,
+                        mass,
+                        contact,
+                        contact_damping,
+                    };
+                    let dt = safe_step(&bed);
+                    // At full speed the force of the contact rises by this share of the target in one step.
+                    for fraction in [1e-4, 1e-2, 1.0] {
+                        let max_speed = fraction * 10.0 / (contact * dt);
+                        let travel = 1e-3 + 10.0 / stiffness + 10.0 / contact;
+                        let steps = (2.0 * travel / (max_speed * dt) + 2e5) as u32;
+                        let out = press(&bed, 10.0, max_speed, dt, steps);
+                        assert!(
+                            out.ripple < 1e-3,
+                            "k {stiffness} c {contact} {share} speed {fraction}: {}",
+                            out.ripple
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn tames_a_plate_that_is_far_too_fast() {
+        let bed = Bed {
+            stiffness: 1e5,
+            damping: 60.0,
+            mass: 0.1,
+            contact: 1e6,
+            contact_damping: 100.0,
+        };
+        let dt = safe_step(&bed);
+        // In one step at full speed the force rises by a hundred times the target.
+        let out = press(&bed, 10.0, 100.0 * 10.0 / (bed.contact * dt), dt, 400_000);
+        assert!(out.ripple < 1e-2, "{} {}", out.ripple, out.force);
+    }
+
+    #[test]
+    fn a_slow_plate_does_not_overshoot() {
+        let bed = Bed {
+            stiffness: 1e4,
+            damping: 30.0,
+            mass: 0.1,
+            contact: 1e5,
+            contact_damping: 40.0,
+        };
+        let dt = safe_step(&bed);
+        let out = press(&bed, 10.0, 1e-3 * 10.0 / (bed.contact * dt), dt, 200_000);
+        assert!(out.largest < 10.0 * 1.02, "{}", out.largest);
+        assert!((out.force - 10.0).abs() < 1e-3);
+    }
+}

@@ -1,0 +1,310 @@
+//! A shape, checked and made ready for queries in the wall frame.
+
+use super::error::WallError;
+use super::mesh::Mesh;
+use super::motion::Motion;
+use super::shape::Shape;
+use super::wall::SurfaceContact;
+use demeter_physics::geometry::SurfacePoint;
+use demeter_physics::geometry::contact_sphere_cone::{Cone, contact_sphere_cone};
+use demeter_physics::geometry::contact_sphere_cylinder::{Cylinder, contact_sphere_cylinder};
+use demeter_physics::geometry::contact_sphere_disc::{Disc, contact_sphere_disc};
+use demeter_physics::geometry::contact_sphere_plane::{Plane, contact_sphere_plane};
+use demeter_physics::geometry::contact_sphere_rectangle::{Rectangle, contact_sphere_rectangle};
+use demeter_physics::geometry::contact_sphere_shell::{Shell, contact_sphere_shell};
+use glam::DVec3;
+
+/// Largest coordinate [m]: its square is far from overflow.
+const LARGEST: f64 = 1e100;
+/// Largest deviation from 1 of the length of a unit vector, and from 0 of the cosine of a right angle.
+const UNIT_TOLERANCE: f64 = 1e-6;
+
+/// A surface in the wall frame.
+#[derive(Clone, Debug)]
+pub(super) enum Surface {
+    Plane(Plane),
+    /// Faces of a box with their numbers, and its corners.
+    Box {
+        faces: Vec<(u32, Plane)>,
+        lower: DVec3,
+        upper: DVec3,
+    },
+    Cylinder(Cylinder),
+    Cone(Cone),
+    Shell(Shell),
+    Rectangle(Rectangle),
+    Disc(Disc),
+    Mesh(Box<Mesh>),
+}
+
+impl Surface {
+    pub(super) fn new(shape: Shape) -> Result<Self, WallError> {
+        Ok(match shape {
+            Shape::Plane { point, normal } => Surface::Plane(Plane {
+                point: finite("the point", point)?,
+                normal: unit("the normal", normal)?,
+            }),
+            Shape::Box { lower, upper, open } => box_surface(lower, upper, open)?,
+            Shape::Cylinder {
+                start,
+                end,
+                radius,
+                side,
+            } => {
+                let (axis, length) = axis_between("cylinder", start, end)?;
+                Surface::Cylinder(Cylinder {
+                    start,
+                    axis,
+                    length,
+                    radius: positive("the radius", radius)?,
+                    side,
+                })
+            }
+            Shape::Cone {
+                start,
+                end,
+                start_radius,
+                end_radius,
+                side,
+            } => {
+                let (axis, length) = axis_between("cone", start, end)?;
+                let start_radius = not_negative("start_radius", start_radius)?;
+                let end_radius = not_negative("end_radius", end_radius)?;
+                if start_radius == 0.0 && end_radius == 0.0 {
+                    return Err(WallError::NoRadius);
+                }
+                Surface::Cone(Cone {
+                    start,
+                    axis,
+                    length,
+                    start_radius,
+                    end_radius,
+                    side,
+                })
+            }
+            Shape::Sphere { center, radius, side } => Surface::Shell(Shell {
+                center: finite("the centre", center)?,
+                radius: positive("the radius", radius)?,
+                side,
+            }),
+            Shape::Rectangle { center, half_u, half_v } => rectangle_surface(center, half_u, half_v)?,
+            Shape::Disc { center, normal, radius } => Surface::Disc(Disc {
+                center: finite("the centre", center)?,
+                normal: unit("the normal", normal)?,
+                radius: positive("the radius", radius)?,
+            }),
+            Shape::Mesh { triangles } => Surface::Mesh(Box::new(Mesh::new(&triangles)?)),
+        })
+    }
+
+    /// Appends all contacts with `distance < reach`, sorted by element.
+    #[inline]
+    pub(super) fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+        match self {
+            Surface::Mesh(mesh) => mesh.contacts(centre, reach, out),
+            Surface::Box { faces, .. } => {
+                for (element, plane) in faces {
+                    push(contact_sphere_plane(plane, centre), *element, reach, out);
+                }
+            }
+            single => {
+                if let Some(point) = single
+                    .closest(centre)
+                    .filter(|point| !single.is_left_behind(point, reach))
+                {
+                    push(point, 0, reach, out);
+                }
+            }
+        }
+    }
+
+    /// Whether a sphere has wholly passed through the side of an open-ended surface, or came beside it around an end.
+    ///
+    /// Only there does the one-sided rule have an end, beyond which a grain far outside is not touched; would it be
+    /// touched before the end, whatever its distance, then it would matter whether a list of neighbours knew of it.
+    #[inline]
+    fn is_left_behind(&self, point: &SurfacePoint, reach: f64) -> bool {
+        matches!(self, Surface::Cylinder(_) | Surface::Cone(_)) && point.distance < -reach
+    }
+
+    /// Whether anything is within `reach`.
+    #[inline]
+    pub(super) fn near(&self, centre: DVec3, reach: f64) -> bool {
+        match self {
+            Surface::Mesh(mesh) => mesh.near(centre, reach),
+            Surface::Box { faces, .. } => faces
+                .iter()
+                .any(|(_, plane)| contact_sphere_plane(plane, centre).distance <= reach),
+            single => {
+                let within = |point: SurfacePoint| point.distance <= reach && !single.is_left_behind(&point, reach);
+                single.closest(centre).is_some_and(within)
+            }
+        }
+    }
+
+    /// The one closest point of a shape that touches a sphere at most once; `None` for boxes and meshes.
+    #[inline]
+    fn closest(&self, centre: DVec3) -> Option<SurfacePoint> {
+        Some(match self {
+            Surface::Plane(plane) => contact_sphere_plane(plane, centre),
+            Surface::Cylinder(cylinder) => contact_sphere_cylinder(cylinder, centre),
+            Surface::Cone(cone) => contact_sphere_cone(cone, centre),
+            Surface::Shell(shell) => contact_sphere_shell(shell, centre),
+            Surface::Rectangle(plate) => contact_sphere_rectangle(plate, centre),
+            Surface::Disc(disc) => contact_sphere_disc(disc, centre),
+            Surface::Box { .. } | Surface::Mesh(_) => return None,
+        })
+    }
+
+    /// Centroid of the shape; of an infinite plane, the point it was described with [m].
+    pub(super) fn centroid(&self) -> DVec3 {
+        match self {
+            Surface::Plane(plane) => plane.point,
+            Surface::Box { lower, upper, .. } => 0.5 * (*lower + *upper),
+            Surface::Cylinder(cylinder) => cylinder.start + cylinder.axis * (0.5 * cylinder.length),
+            Surface::Cone(cone) => {
+                // Of the lateral surface: slices weigh as their radius.
+                let (a, b) = (cone.start_radius, cone.end_radius);
+                cone.start + cone.axis * (cone.length * (a + 2.0 * b) / (3.0 * (a + b)))
+            }
+            Surface::Shell(shell) => shell.center,
+            Surface::Rectangle(plate) => plate.center,
+            Surface::Disc(disc) => disc.center,
+            Surface::Mesh(mesh) => mesh.centroid(),
+        }
+    }
+}
+
+#[inline]
+fn push(point: SurfacePoint, element: u32, reach: f64, out: &mut Vec<SurfaceContact>) {
+    if point.distance < reach {
+        out.push(SurfaceContact {
+            normal: point.normal,
+            distance: point.distance,
+            element,
+        });
+    }
+}
+
+fn box_surface(lower: DVec3, upper: DVec3, open: [bool; 6]) -> Result<Surface, WallError> {
+    finite("the lower corner", lower)?;
+    finite("the upper corner", upper)?;
+    if !lower.cmplt(upper).all() {
+        return Err(WallError::EmptyBox { lower, upper });
+    }
+    let normals = [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y, DVec3::Z, -DVec3::Z];
+    let faces: Vec<(u32, Plane)> = (0u32..)
+        .zip(normals.into_iter().zip(open))
+        .filter(|(_, (_, open))| !open)
+        .map(|(face, (normal, _))| {
+            (
+                face,
+                Plane {
+                    point: if face % 2 == 0 { lower } else { upper },
+                    normal,
+                },
+            )
+        })
+        .collect();
+    if faces.is_empty() {
+        return Err(WallError::NoFace);
+    }
+    Ok(Surface::Box { faces, lower, upper })
+}
+
+fn rectangle_surface(center: DVec3, half_u: DVec3, half_v: DVec3) -> Result<Surface, WallError> {
+    finite("the centre", center)?;
+    let half = [finite("half_u", half_u)?.length(), finite("half_v", half_v)?.length()];
+    positive("the length of half_u", half[0])?;
+    positive("the length of half_v", half[1])?;
+    let u = half_u / half[0];
+    let across = half_v / half[1];
+    if u.dot(across).abs() > UNIT_TOLERANCE {
+        return Err(WallError::NotPerpendicular { half_u, half_v });
+    }
+    let v = across - u * u.dot(across);
+    Ok(Surface::Rectangle(Rectangle {
+        center,
+        axes: [u, v / v.length()],
+        half,
+    }))
+}
+
+fn axis_between(shape: &'static str, start: DVec3, end: DVec3) -> Result<(DVec3, f64), WallError> {
+    let along = finite("the end of the axis", end)? - finite("the start of the axis", start)?;
+    let length = along.length();
+    if length > 0.0 {
+        Ok((along / length, length))
+    } else {
+        Err(WallError::NoLength { shape, point: start })
+    }
+}
+
+/// Checks a motion, and makes its directions exact unit vectors.
+pub(super) fn check_motion(motion: Motion) -> Result<Motion, WallError> {
+    Ok(match motion {
+        Motion::Rest => Motion::Rest,
+        Motion::Velocity(velocity) => Motion::Velocity(finite("the velocity", velocity)?),
+        Motion::Rotation {
+            point,
+            axis,
+            angular_velocity,
+        } => Motion::Rotation {
+            point: finite("the point of the axis of rotation", point)?,
+            axis: unit("the axis of rotation", axis)?,
+            angular_velocity: in_range("the angular velocity", angular_velocity, "at most 1e100", |_| true)?,
+        },
+        Motion::Oscillation {
+            amplitude,
+            frequency,
+            phase,
+        } => Motion::Oscillation {
+            amplitude: finite("the amplitude", amplitude)?,
+            frequency: not_negative("the frequency", frequency)?,
+            phase: in_range("the phase", phase, "at most 1e100", |_| true)?,
+        },
+        Motion::Servo { axis, force, max_speed } => Motion::Servo {
+            axis: unit("the axis of the servo", axis)?,
+            force: positive("the force of the servo", force)?,
+            max_speed: positive("max_speed of the servo", max_speed)?,
+        },
+    })
+}
+
+fn finite(field: &'static str, value: DVec3) -> Result<DVec3, WallError> {
+    if value.is_finite() && value.abs().max_element() <= LARGEST {
+        Ok(value)
+    } else {
+        Err(WallError::NotFinite { field, value })
+    }
+}
+
+fn unit(field: &'static str, value: DVec3) -> Result<DVec3, WallError> {
+    let length = finite(field, value)?.length();
+    if (length - 1.0).abs() <= UNIT_TOLERANCE {
+        Ok(value / length)
+    } else {
+        Err(WallError::NotUnit { field, value })
+    }
+}
+
+fn positive(field: &'static str, value: f64) -> Result<f64, WallError> {
+    in_range(field, value, "positive", |value| value > 0.0)
+}
+
+fn not_negative(field: &'static str, value: f64) -> Result<f64, WallError> {
+    in_range(field, value, "0 or positive", |value| value >= 0.0)
+}
+
+fn in_range(
+    field: &'static str,
+    value: f64,
+    allowed: &'static str,
+    fits: impl Fn(f64) -> bool,
+) -> Result<f64, WallError> {
+    if value.abs() <= LARGEST && fits(value) {
+        Ok(value)
+    } else {
+        Err(WallError::OutOfRange { field, value, allowed })
+    }
+}

@@ -1,0 +1,175 @@
+//! A wall of a run.
+
+use super::error::WallError;
+use super::motion::Motion;
+use super::motor::Motor;
+use super::outline;
+use super::pose::Pose;
+use super::shape::Shape;
+use super::surface::{Surface, check_motion};
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// One contact of a sphere and a wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceContact {
+    /// Unit vector from the wall to the grain, in the world frame.
+    pub normal: DVec3,
+    /// Distance of the centre from the surface [m]; negative behind a one-sided surface.
+    pub distance: f64,
+    /// Key of the touched part, stable while the grain stays on it. Faces of a box: 0 to 5. Meshes: the lowest triangle of
+    /// the flat patch for a face, then keys of edges, then of vertices. Every other shape: 0.
+    pub element: u32,
+}
+
+/// A wall: a surface of one material that moves as told and feels the grains.
+#[derive(Clone, Debug)]
+pub struct Wall {
+    /// Name, unique in a run.
+    pub name: String,
+    /// Index of its material.
+    pub material: u16,
+    surface: Surface,
+    /// Centroid of the shape in the wall frame.
+    origin: DVec3,
+    motor: Motor,
+    force: DVec3,
+    torque: DVec3,
+}
+
+/// All that a restart needs to continue with the same bits, given a wall built from the same shape.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WallState {
+    motor: Motor,
+    force: DVec3,
+    torque: DVec3,
+}
+
+impl Wall {
+    /// Builds a wall at its start, or tells what is wrong with its description.
+    pub fn new(name: &str, material: u16, shape: Shape, motion: Motion) -> Result<Self, WallError> {
+        let surface = Surface::new(shape)?;
+        let origin = surface.centroid();
+        let motor = Motor::new(check_motion(motion)?, Pose::START, origin);
+        let (force, torque) = (DVec3::ZERO, DVec3::ZERO);
+        Ok(Wall {
+            name: name.to_owned(),
+            material,
+            surface,
+            origin,
+            motor,
+            force,
+            torque,
+        })
+    }
+
+    /// Appends to `out` all contacts of a sphere centre with `distance < reach` [m], in the world frame, sorted by element.
+    /// No element comes twice. Behind a plane, a box face or a sphere the distance may be negative without limit; behind
+    /// the side of a cylinder or cone, whose ends are open, a contact ends at `-reach`, when a grain of that radius has
+    /// wholly passed.
+    #[inline]
+    pub fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+        let first = out.len();
+        self.surface
+            .contacts(self.motor.pose.unplace(self.origin, centre), reach, out);
+        if !self.motor.pose.is_unrotated() {
+            for contact in &mut out[first..] {
+                contact.normal = self.motor.pose.turn(contact.normal);
+            }
+        }
+    }
+
+    /// Whether any part of the surface is within `reach` [m] of a point, or the point behind a one-sided one and so in contact.
+    #[inline]
+    pub fn near(&self, centre: DVec3, reach: f64) -> bool {
+        self.surface.near(self.motor.pose.unplace(self.origin, centre), reach)
+    }
+
+    /// Velocity of the wall, as a rigid body, at a point of the world [m/s].
+    #[inline]
+    pub fn velocity_at(&self, point: DVec3) -> DVec3 {
+        if self.motor.angular_velocity == DVec3::ZERO {
+            self.motor.velocity
+        } else {
+            self.motor.velocity + self.motor.angular_velocity.cross(point - self.origin())
+        }
+    }
+
+    /// Angular velocity of the wall [1/s].
+    #[inline]
+    pub fn angular_velocity(&self) -> DVec3 {
+        self.motor.angular_velocity
+    }
+
+    /// Tells what is wrong with a motion, if anything, before a run needs it.
+    pub fn check_motion(motion: &Motion) -> Result<(), WallError> {
+        check_motion(motion.clone()).map(drop)
+    }
+
+    /// Starts another motion from where the wall stands. On error the wall keeps the motion it has.
+    pub fn set_motion(&mut self, motion: Motion) -> Result<(), WallError> {
+        self.motor = Motor::new(check_motion(motion)?, self.motor.pose, self.origin);
+        Ok(())
+    }
+
+    /// Moves the wall by one step of `dt` [s]; a servo answers to the load of the last step.
+    pub fn advance(&mut self, dt: f64) {
+        self.motor.advance(dt, self.force, self.origin);
+    }
+
+    /// Tells the wall the force [N] of the grains on it and their torque about its [`origin`](Self::origin) [N m].
+    pub fn set_load(&mut self, force: DVec3, torque: DVec3) {
+        (self.force, self.torque) = (force, torque);
+    }
+
+    /// Force of the grains on the wall [N] and their torque about its [`origin`](Self::origin) [N m].
+    pub fn load(&self) -> (DVec3, DVec3) {
+        (self.force, self.torque)
+    }
+
+    /// Where the wall stands relative to its start.
+    pub fn pose(&self) -> Pose {
+        self.motor.pose
+    }
+
+    /// Place of the wall's origin in the world [m]: the centroid of its shape, for a plane the point it was described with.
+    pub fn origin(&self) -> DVec3 {
+        self.origin + self.motor.pose.translation
+    }
+
+    /// Displacement of the origin since the start of the run [m].
+    pub fn displacement(&self) -> DVec3 {
+        self.motor.pose.translation
+    }
+
+    /// Upper bound of how far the surface inside a box has moved since an earlier pose [m]. A surface of revolution that
+    /// turns about its own axis stays where it is.
+    pub fn surface_displacement(&self, since: &Pose, lower: DVec3, upper: DVec3) -> f64 {
+        outline::displacement(&self.surface, self.origin, since, &self.motor.pose, lower, upper)
+    }
+
+    /// Smallest box around the wall in the world [m]; `None` when it is infinite, as planes and boxes of planes are.
+    pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
+        outline::bounds(&self.surface, self.origin, &self.motor.pose)
+    }
+
+    /// Triangles that draw the surface in the world frame [m]; an infinite plane is cut by the box given.
+    pub fn triangles(&self, lower: DVec3, upper: DVec3) -> Vec<[DVec3; 3]> {
+        outline::triangles(&self.surface, self.origin, &self.motor.pose, lower, upper)
+    }
+
+    /// State for a checkpoint.
+    pub fn state(&self) -> WallState {
+        WallState {
+            motor: self.motor.clone(),
+            force: self.force,
+            torque: self.torque,
+        }
+    }
+
+    /// Continues from a checkpoint.
+    pub fn restore(&mut self, state: &WallState) {
+        self.motor = state.motor.clone();
+        (self.force, self.torque) = (state.force, state.torque);
+    }
+}

@@ -1,0 +1,118 @@
+//! Walks `scenarios/`: the good ones are read, each bad one gives the messages written at its top.
+
+use demeter::scenario::{Diagnostics, Scenario, TEMPLATES};
+use std::path::{Path, PathBuf};
+
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(name)
+}
+
+fn scenarios(name: &str) -> Vec<PathBuf> {
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder(name))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|e| e == "toml"))
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn good_scenarios_are_read() {
+    let files = scenarios("good");
+    assert!(files.len() >= 6);
+    for file in files {
+        if let Err(faults) = Scenario::read(&file, &[]) {
+            panic!("{}", faults.render(false));
+        }
+    }
+}
+
+#[test]
+fn templates_are_read() {
+    for (name, _, text) in TEMPLATES {
+        if let Err(faults) = Scenario::parse(text, name, Path::new(""), &[]) {
+            panic!("{}", faults.render(false));
+        }
+    }
+}
+
+#[test]
+fn a_resolved_scenario_means_the_same() {
+    let texts = scenarios("good")
+        .into_iter()
+        .map(|f| (std::fs::read_to_string(&f).unwrap(), folder("good")));
+    let templates = TEMPLATES.iter().map(|t| (t.2.to_string(), PathBuf::new()));
+    for (text, base) in texts.chain(templates) {
+        let first = Scenario::parse(&text, "case", &base, &[]).unwrap();
+        let resolved = first.to_resolved_toml();
+        let again = match Scenario::parse(&resolved, "case", Path::new("elsewhere"), &[]) {
+            Ok(again) => again,
+            Err(faults) => panic!("{}\n{resolved}", faults.render(false)),
+        };
+        let told = |s: &Scenario| {
+            let head = (
+                s.title.clone(),
+                s.seed,
+                s.simulation.clone(),
+                s.domain.clone(),
+                s.materials.clone(),
+            );
+            let body = (
+                s.contact.clone(),
+                s.grains.clone(),
+                s.walls.clone(),
+                s.stages.clone(),
+                s.output.clone(),
+            );
+            format!("{head:?}{body:?}")
+        };
+        assert_eq!(told(&first), told(&again), "{resolved}");
+    }
+}
+
+/// What a bad scenario must produce: its lines `# error: ...` and `# help: ...`, and overrides, its lines `# set: ...`.
+fn expected(text: &str) -> (Vec<String>, Vec<String>) {
+    let head = || text.lines().map_while(|l| l.strip_prefix("# "));
+    let faults = head().filter(|l| l.starts_with("error: ") || l.starts_with("help: "));
+    let sets = head().filter_map(|l| l.strip_prefix("set: "));
+    (faults.map(str::to_string).collect(), sets.map(str::to_string).collect())
+}
+
+fn found(faults: &Diagnostics) -> Vec<String> {
+    let mut lines = Vec::new();
+    for fault in faults.list() {
+        match (fault.line, fault.source.as_str()) {
+            (0, _) => lines.push(format!("error: {}", fault.message)),
+            (_, "--set") => lines.push(format!("error: --set: {}", fault.message)),
+            (line, _) => lines.push(format!("error: line {line}: {}", fault.message)),
+        }
+        lines.extend(fault.help.as_ref().map(|help| format!("help: {help}")));
+    }
+    lines
+}
+
+#[test]
+fn bad_scenarios_give_their_messages() {
+    let mut wrong = Vec::new();
+    for file in scenarios("bad") {
+        let text = String::from_utf8_lossy(&std::fs::read(&file).unwrap()).to_string();
+        let (expected, sets) = expected(&text);
+        let found = match Scenario::read(&file, &sets) {
+            Ok(_) => vec!["no error".to_string()],
+            Err(faults) => {
+                assert!(!faults.render(false).is_empty() && !faults.render(true).is_empty());
+                found(&faults)
+            }
+        };
+        if expected.is_empty() || found != expected {
+            let lines: Vec<String> = found.iter().map(|l| format!("# {l}")).collect();
+            wrong.push(format!("{}\n{}", file.display(), lines.join("\n")));
+        }
+    }
+    assert!(
+        wrong.is_empty(),
+        "these give other messages than they carry:\n\n{}",
+        wrong.join("\n\n")
+    );
+}

@@ -1,0 +1,204 @@
+//! Materials, sizes and parameter values that the laws are tested with.
+
+use crate::contact::normal::{Normal, NormalInput, NormalLaw, NormalResponse, NormalVisitor};
+use crate::contact::{Elastic, LawInfo, MaterialPair, PairSize};
+use crate::dimension::Dimension;
+use crate::parameters::Values;
+
+const fn material(young_modulus: f64, poisson_ratio: f64) -> Elastic {
+    Elastic {
+        young_modulus,
+        poisson_ratio,
+    }
+}
+
+const STEEL: Elastic = material(210e9, 0.3);
+const GLASS: Elastic = material(63e9, 0.22);
+const HYDROGEL: Elastic = material(23.3e3, 0.5);
+const CORK: Elastic = material(20e6, 0.0);
+
+/// Equal, alike and very unequal partners.
+pub const PAIRS: [MaterialPair; 4] = [
+    MaterialPair { a: GLASS, b: GLASS },
+    MaterialPair { a: GLASS, b: STEEL },
+    MaterialPair {
+        a: HYDROGEL,
+        b: HYDROGEL,
+    },
+    MaterialPair { a: CORK, b: STEEL },
+];
+
+/// From a fine powder to a boulder; the masses are those of equal spheres and of very unequal ones.
+pub const SIZES: [PairSize; 3] = [
+    PairSize {
+        radius: 2.5e-6,
+        mass: 8e-14,
+    },
+    PairSize {
+        radius: 5e-3,
+        mass: 2e-3,
+    },
+    PairSize {
+        radius: 0.7,
+        mass: 3400.0,
+    },
+];
+
+/// Typical values of a law's parameters, with those of `replaced` that the law has set to other values.
+pub fn values(info: &LawInfo, replaced: &[(&str, f64)]) -> Values {
+    let mut values: Values = info
+        .parameters
+        .iter()
+        .map(|p| (p.name.to_string(), p.typical))
+        .collect();
+    for (name, value) in replaced {
+        if has_parameter(info, name) {
+            values.insert((*name).to_string(), *value);
+        }
+    }
+    values
+}
+
+/// Whether the law takes a parameter of this name.
+pub fn has_parameter(info: &LawInfo, name: &str) -> bool {
+    info.parameters.iter().any(|p| p.name == name)
+}
+
+/// The values in units of kilogram, metre and second that are smaller by the factors of `units`.
+pub fn scaled_values(info: &LawInfo, values: &Values, units: Units) -> Values {
+    info.parameters
+        .iter()
+        .map(|p| (p.name.to_string(), values[p.name] * units.of(p.dimension)))
+        .collect()
+}
+
+/// Factors by which the numbers for a mass, a length and a time grow in other units.
+#[derive(Clone, Copy)]
+pub struct Units {
+    pub mass: f64,
+    pub length: f64,
+    pub time: f64,
+}
+
+/// Numbers without small common powers, so that no wrong exponent can hide.
+pub const OTHER_UNITS: Units = Units {
+    mass: 3.7,
+    length: 0.21,
+    time: 5.3,
+};
+
+impl Units {
+    pub fn of(self, dimension: Dimension) -> f64 {
+        dimension.scale(self.mass, self.length, self.time)
+    }
+
+    pub fn size(self, size: PairSize) -> PairSize {
+        PairSize {
+            radius: size.radius * self.length,
+            mass: size.mass * self.mass,
+        }
+    }
+
+    pub fn pair(self, pair: &MaterialPair) -> MaterialPair {
+        let scaled = |m: Elastic| material(m.young_modulus * self.of(Dimension::PRESSURE), m.poisson_ratio);
+        MaterialPair {
+            a: scaled(pair.a),
+            b: scaled(pair.b),
+        }
+    }
+}
+
+/// SplitMix64 (Steele, Lea and Flood 2014): enough randomness for a test, the same on every machine.
+pub struct Random(pub u64);
+
+impl Random {
+    /// Uniform in `[0, 1)`.
+    pub fn share(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 * (0.5 / (1u64 << 52) as f64)
+    }
+
+    /// Uniform between two numbers.
+    pub fn between(&mut self, lower: f64, upper: f64) -> f64 {
+        lower + (upper - lower) * self.share()
+    }
+}
+
+/// A normal law with what it was built from.
+#[derive(Clone, Copy)]
+pub struct NormalCase {
+    pub info: &'static LawInfo,
+    pub law: NormalLaw,
+    pub pair: MaterialPair,
+    pub size: PairSize,
+}
+
+impl NormalCase {
+    pub fn respond(&self, overlap: f64, half_window: f64) -> NormalResponse {
+        struct Respond(NormalInput);
+        impl NormalVisitor for Respond {
+            type Output = NormalResponse;
+            fn visit<L: Normal>(self, law: &L) -> NormalResponse {
+                law.respond(&self.0)
+            }
+        }
+        self.law.visit(Respond(NormalInput {
+            size: self.size,
+            overlap,
+            half_window,
+        }))
+    }
+
+    pub fn energy(&self, overlap: f64) -> f64 {
+        struct Energy(PairSize, f64);
+        impl NormalVisitor for Energy {
+            type Output = f64;
+            fn visit<L: Normal>(self, law: &L) -> f64 {
+                law.energy(self.0, self.1)
+            }
+        }
+        self.law.visit(Energy(self.size, overlap))
+    }
+
+    pub fn stiffness(&self, overlap: f64) -> f64 {
+        struct Stiffness(PairSize, f64);
+        impl NormalVisitor for Stiffness {
+            type Output = f64;
+            fn visit<L: Normal>(self, law: &L) -> f64 {
+                law.stiffness(self.0, self.1)
+            }
+        }
+        self.law.visit(Stiffness(self.size, overlap))
+    }
+
+    pub fn collision_time(&self, overlap: f64) -> f64 {
+        struct CollisionTime(PairSize, f64);
+        impl NormalVisitor for CollisionTime {
+            type Output = f64;
+            fn visit<L: Normal>(self, law: &L) -> f64 {
+                law.collision_time(self.0, self.1)
+            }
+        }
+        self.law.visit(CollisionTime(self.size, overlap))
+    }
+
+    /// For messages.
+    pub fn name(&self) -> String {
+        format!("{} at radius {} m", self.info.name, self.size.radius)
+    }
+}
+
+/// Every normal law for every pair of materials and every size.
+pub fn normal_cases(replaced: &[(&str, f64)]) -> Vec<NormalCase> {
+    let mut cases = Vec::new();
+    for info in crate::contact::normal::LAWS {
+        for pair in PAIRS {
+            let law = NormalLaw::build(info.name, &values(info, replaced), &pair).unwrap();
+            cases.extend(SIZES.map(|size| NormalCase { info, law, pair, size }));
+        }
+    }
+    cases
+}
