@@ -34,6 +34,8 @@ enum Command {
         #[arg(long)]
         check: bool,
     },
+    /// Documentation without warnings
+    Doc,
     /// Modules import along the arrows of the design; libraries neither print nor exit
     Layers,
     /// Write the files of a new contact law and register it
@@ -68,6 +70,7 @@ fn main() -> ExitCode {
         Command::Test => checks::test(),
         Command::Python => python::test(),
         Command::Fmt { check } => checks::format(check),
+        Command::Doc => checks::documentation(),
         Command::Layers => checks::layers(),
         Command::NewLaw { family, name } => new_law::run(family, &name),
         Command::Verify { filter } => checks::verify(filter.as_deref()),
