@@ -1,1 +1,86 @@
-fn main() {}
+//! What Demeter's developers do often, as `cargo xtask <command>`.
+
+mod bench;
+mod checks;
+mod house_rules;
+mod imports;
+mod layers;
+mod new_law;
+mod python;
+mod shell;
+
+use clap::{Parser, Subcommand};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(Parser)]
+#[command(name = "cargo xtask", about = "What Demeter's developers do often")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Everything that must hold before a merge: format, layers, clippy, tests, documentation, the Python crate
+    Ci,
+    /// All tests, with nextest where it is installed, and the examples in the documentation
+    Test,
+    /// Run a small scenario and open what it wrote with PyVista
+    Python,
+    /// Format all sources, also those that only a macro declares as modules
+    Fmt {
+        /// Change nothing, fail where something would change
+        #[arg(long)]
+        check: bool,
+    },
+    /// Documentation without warnings
+    Doc,
+    /// Modules import along the arrows of the design; libraries neither print nor exit
+    Layers,
+    /// Write the files of a new contact law and register it
+    NewLaw {
+        /// `normal`, `tangential` or `rolling`
+        family: new_law::Family,
+        /// Name in the scenario, such as `thornton-ning`
+        name: String,
+    },
+    /// Verification cases at full size, in release mode
+    Verify {
+        /// Only cases whose name contains this
+        filter: Option<String>,
+    },
+    /// Settle the benchmark packing and print the speed
+    Bench {
+        /// Threads
+        #[arg(long, default_value_t = 1)]
+        threads: usize,
+        /// Scenario to run
+        #[arg(long, default_value = "examples/settle-20000/scenario.toml")]
+        scenario: PathBuf,
+        /// Folder of the run; by default one in the target folder
+        #[arg(long)]
+        out: Option<PathBuf>,
+    },
+}
+
+fn main() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Ci => checks::ci(),
+        Command::Test => checks::test(),
+        Command::Python => python::test(),
+        Command::Fmt { check } => checks::format(check),
+        Command::Doc => checks::documentation(),
+        Command::Layers => checks::layers(),
+        Command::NewLaw { family, name } => new_law::run(family, &name),
+        Command::Verify { filter } => checks::verify(filter.as_deref()),
+        Command::Bench { threads, scenario, out } => bench::run(&scenario, threads, out),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}

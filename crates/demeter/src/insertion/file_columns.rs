@@ -31,7 +31,7 @@ enum Quantity {
 }
 
 /// Names of columns; the first of a quantity is the one that messages use.
-const COLUMNS: [(&str, Quantity); 16] = [
+const COLUMNS: [(&str, Quantity); 15] = [
     ("id", Quantity::Id),
     ("x", Quantity::Position(0)),
     ("y", Quantity::Position(1)),
@@ -47,7 +47,6 @@ const COLUMNS: [(&str, Quantity); 16] = [
     ("wx", Quantity::AngularVelocity(0)),
     ("wy", Quantity::AngularVelocity(1)),
     ("wz", Quantity::AngularVelocity(2)),
-    ("d", Quantity::Size { is_radius: false }),
 ];
 
 type Units = &'static [(&'static str, f64)];

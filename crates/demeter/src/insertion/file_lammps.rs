@@ -10,6 +10,17 @@ use glam::DVec3;
 
 /// Lines searched for the count of atoms when a file's format is told.
 const HEADER_LINES: usize = 200;
+/// What the header may count besides atoms, in the singular.
+const OTHERS: [&str; 8] = [
+    "bond",
+    "angle",
+    "dihedral",
+    "improper",
+    "ellipsoid",
+    "line",
+    "triangle",
+    "bodie",
+];
 const BOUNDS: [[&str; 2]; 3] = [["xlo", "xhi"], ["ylo", "yhi"], ["zlo", "zhi"]];
 
 /// Whether a text is a data file: it has a line `N atoms` near its start, or says so in its first line.
@@ -55,7 +66,7 @@ struct Lines<'a> {
 impl<'a> Lines<'a> {
     /// The next line with content: its number, its content and the whole.
     fn next(&mut self) -> Option<(usize, &'a str, &'a str)> {
-        while let Some((k, line)) = self.lines.next() {
+        for (k, line) in self.lines.by_ref() {
             if !content(line).is_empty() {
                 return Some((k + 1, content(line), line));
             }
@@ -90,10 +101,6 @@ pub(super) fn parse(text: &str) -> Result<GrainTable, Located> {
     let mut velocities: Option<Vec<[DVec3; 2]>> = None;
     while let Some((line, content, whole_line)) = lines.next() {
         if !content.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            if atoms.is_some() {
-                let (name, expected) = ("Atoms", header.atoms.unwrap_or(0) as usize);
-                return Err(FileProblem::TooManyLines { name, expected }.at(line, None));
-            }
             read_header(&mut header, content).map_err(|problem| problem.at(line, None))?;
             continue;
         }
@@ -130,9 +137,7 @@ fn finish(header: &Header, atoms: Option<Atoms>, velocities: Option<Vec<[DVec3; 
         return Err(FileProblem::NoGrains.into());
     }
     let mut bounds = (DVec3::ZERO, DVec3::ZERO);
-    for (k, names) in BOUNDS.iter().enumerate() {
-        let what = ["xlo xhi", "ylo yhi", "zlo zhi"][k];
-        debug_assert!(what.starts_with(names[0]));
+    for (k, what) in ["xlo xhi", "ylo yhi", "zlo zhi"].into_iter().enumerate() {
         (bounds.0[k], bounds.1[k]) = header.bounds[k].ok_or(FileProblem::HeaderMissing { what })?;
     }
     let part = |k: usize| velocities.as_ref().map(|v| v.iter().map(|both| both[k]).collect());
@@ -185,19 +190,14 @@ fn read_header(header: &mut Header, content: &str) -> Result<(), FileProblem> {
                 what: "a triclinic box".to_owned(),
             });
         }
-        // Space for what may be bonded later, and counts of what is not there, say nothing of the grains.
+        // Space for what may be bonded later says nothing of the grains.
         (_, ["extra", ..]) => {}
-        (&["0"], [_]) | (&["0"], [_, "types"]) => {}
-        (
-            &[_],
-            &[
-                kind @ ("ellipsoids" | "lines" | "triangles" | "bodies" | "bonds" | "angles" | "dihedrals"
-                | "impropers"),
-            ],
-        ) => {
-            return Err(FileProblem::NotSpheres {
-                what: format!("an entry of `{kind}`"),
-            });
+        (&[count], &[kind, ..]) if OTHERS.iter().any(|other| kind.trim_end_matches('s') == *other) => {
+            if count != "0" {
+                return Err(FileProblem::NotSpheres {
+                    what: format!("an entry of `{}`", names.join(" ")),
+                });
+            }
         }
         _ => return Err(FileProblem::UnknownHeader { text: shown(content) }),
     }

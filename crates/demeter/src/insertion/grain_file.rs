@@ -195,7 +195,7 @@ impl FileProblem {
 
 /// The start of a text, for messages.
 pub(super) fn shown(text: &str) -> String {
-    const MOST: usize = 40;
+    const MOST: usize = 60;
     let mut start: String = text
         .chars()
         .take(MOST)
@@ -337,14 +337,19 @@ pub(super) fn insert_file(insertion: &Insertion, materials: &[Material]) -> Resu
         let diameter_value = table.diameters[k] * scale;
         diameter(
             diameter_value,
-            &format!("{diameter_value} m, the scaled diameter of grain {},", k + 1),
+            &format!("{diameter_value:e} m (grain {}, scaled)", k + 1),
         )
         .map_err(located)?;
+        let position = table.positions[k] * *scale + *shift;
+        if position.abs().max_element() > LARGEST {
+            let text = format!("position of grain {} after scale and shift", k + 1);
+            return Err(located(not_allowed(&text, "coordinates must be within 1e12 m")).into());
+        }
         grains.push(NewGrain {
             material,
             radius: 0.5 * diameter_value,
             density: (density.or(own_density)).unwrap_or(materials[usize::from(material)].density),
-            position: table.positions[k] * *scale + *shift,
+            position,
             velocity: moving(&table.velocities) * *scale,
             angular_velocity: moving(&table.angular_velocities),
         });
@@ -362,7 +367,7 @@ fn check_settings(density: Option<f64>, scale: f64, shift: DVec3) -> Result<(), 
     if !(1e-12..=LARGEST).contains(&scale) {
         return setting("the scale", scale, "allowed are factors from 1e-12 to 1e12");
     }
-    let outside = |value: &f64| !(value.abs() <= LARGEST);
+    let outside = |value: &f64| !(0.0..=LARGEST).contains(&value.abs());
     match shift.to_array().into_iter().find(outside) {
         Some(value) => setting("a component of the shift", value, "it must be a number within 1e12 m"),
         None => Ok(()),

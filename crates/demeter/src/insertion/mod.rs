@@ -18,7 +18,7 @@ mod sequential_addition;
 mod size_distribution;
 mod spec;
 
-pub use grain_file::{FileError, FileProblem, GrainTable, MAX_FILE_BYTES, TypeOfGrain, read_grain_file};
+pub use grain_file::{FileError, FileProblem, GrainTable, Location, MAX_FILE_BYTES, TypeOfGrain, read_grain_file};
 pub use lattice::LatticeError;
 pub use overlap::{Overlap, first_overlap};
 pub use random_packing::{MAX_FRACTION, PackingError};
@@ -35,7 +35,7 @@ use region::Space;
 use thiserror::Error;
 
 /// Most grains that one insertion may make.
-pub const MAX_GRAINS: u32 = 100_000_000;
+pub const MAX_GRAINS: u32 = 20_000_000;
 
 /// Centre and radius [m].
 type SizedPlace = (DVec3, f64);
@@ -73,7 +73,7 @@ pub enum InsertionProblem {
     #[error(transparent)]
     Packing(#[from] PackingError),
     #[error(transparent)]
-    File(#[from] FileError),
+    File(Box<FileError>),
     #[error("material number {index} does not exist; there are {known}")]
     MaterialIndex { index: u16, known: usize },
     #[error("{what} is ({}, {}, {}); it must be finite numbers", value.x, value.y, value.z)]
@@ -97,6 +97,12 @@ pub enum InsertionProblem {
         value: f64,
         allowed: &'static str,
     },
+}
+
+impl From<FileError> for InsertionProblem {
+    fn from(error: FileError) -> Self {
+        Self::File(Box::new(error))
+    }
 }
 
 /// Makes the grains of an insertion.
@@ -221,7 +227,7 @@ fn listed(positions: &[DVec3], diameters: &[f64]) -> Result<Vec<SizedPlace>, Ins
                 allowed: "allowed are 1e-12 m to 1e6 m",
             });
         }
-        let outside = |value: &f64| !(value.abs() <= region::LARGEST_LENGTH);
+        let outside = |value: &f64| !(0.0..=region::LARGEST_LENGTH).contains(&value.abs());
         if let Some(value) = position.to_array().into_iter().find(outside) {
             return Err(InsertionProblem::ListValue {
                 number,

@@ -16,17 +16,32 @@ use std::ops::ControlFlow;
 pub(super) const CLEARANCE: f64 = 3e-9;
 /// Share by which the pushing radii exceed the true ones.
 const INFLATION: f64 = 1e-3;
-/// Steps before giving up.
-const MOST_STEPS: u32 = 30_000;
-/// Times that a jammed packing is shaken.
-const MOST_SHAKES: u32 = 6;
+/// Gap up to which pairs are listed, over the mean radius.
+const SKIN: f64 = 0.4;
+/// Limits before giving up: steps and shakes of a jammed packing. Few grains get more of both, as their packings jam by
+/// bad luck more often, and trying again is cheap.
+const LEAST_LIMITS: Limits = Limits {
+    steps: 30_000,
+    shakes: 6,
+};
+const MOST_LIMITS: Limits = Limits {
+    steps: 300_000,
+    shakes: 200,
+};
+/// Grains up to which there is more than the least limits.
+const FEW: usize = 1_000;
 /// Steps between two looks whether the packing is jammed.
 const LOOK_EVERY: u32 = 500;
 /// A look that finds the energy lowered by less than this share calls the packing jammed.
 const LEAST_PROGRESS: f64 = 0.1;
 
-/// Parameters of FIRE as published; the time step is in units of the oscillation of the smallest grain (mass 1,
-/// stiffness 1 per contact).
+/// Neighbours up to which a grain has mass 1.
+const FEW_NEIGHBOURS: f64 = 14.0;
+/// Steps by which the radii shrink to find what a jammed packing reached.
+const SHRINK: f64 = 0.0025;
+
+/// Parameters of FIRE as published; the time step is in units of the oscillation of a grain of mass 1 at a contact of
+/// stiffness 1.
 mod fire {
     pub(super) const FIRST_STEP: f64 = 0.1;
     pub(super) const LONGEST_STEP: f64 = 0.35;
@@ -37,11 +52,29 @@ mod fire {
     pub(super) const MIXING_DECAY: f64 = 0.99;
 }
 
+struct Limits {
+    steps: u32,
+    shakes: u32,
+}
+
+impl Limits {
+    fn of(grains: usize) -> Self {
+        let times = |least: u32, most: u32| {
+            let scaled = u64::from(least) * FEW as u64 / grains.max(1) as u64;
+            scaled.clamp(u64::from(least), u64::from(most)) as u32
+        };
+        Self {
+            steps: times(LEAST_LIMITS.steps, MOST_LIMITS.steps),
+            shakes: times(LEAST_LIMITS.shakes, MOST_LIMITS.shakes),
+        }
+    }
+}
+
 /// A packing that jammed before its grains came free of each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Jammed {
-    /// Largest overlap over the sum of the radii: shrunk by this share, the grains would be free.
-    pub(super) shrink: f64,
+    /// With their radii times this, the grains came free.
+    pub(super) scale: f64,
 }
 
 /// Places for grains with these radii, from random ones.
@@ -51,45 +84,89 @@ pub(super) fn relax(
     occupied: &[(DVec3, f64)],
     random: &mut RandomNumbers,
 ) -> Result<Vec<DVec3>, Jammed> {
-    let mut order: Vec<usize> = (0..radii.len()).collect();
-    order.sort_by(|a, b| radii[*b].total_cmp(&radii[*a]));
-    let mut places = vec![DVec3::ZERO; radii.len()];
-    for index in order {
-        places[index] = space.random_place(radii[index], random);
+    let places: Vec<DVec3> = radii.iter().map(|r| space.random_place(*r, random)).collect();
+    // Neighbours in space are made neighbours in memory.
+    let order = slices(space, &places, radii);
+    let sorted_radii: Vec<f64> = order.iter().map(|i| radii[*i]).collect();
+    let sorted_places = order.iter().map(|i| places[*i]).collect();
+    let mut packing = Packing::new(space, &sorted_radii, sorted_places, occupied);
+    packing.free_all(random)?;
+    let mut places = places;
+    for (index, place) in order.into_iter().zip(packing.into_places()) {
+        places[index] = place;
     }
-    let mut packing = Packing::new(space, radii, places, occupied);
-    let mut least_shrink = f64::INFINITY;
-    let (mut shakes, mut energy_before) = (0, f64::INFINITY);
-    for step in 1..=MOST_STEPS {
-        let state = packing.push_apart();
-        if state.shrink <= -CLEARANCE && state.inside {
-            return Ok(packing.into_places());
-        }
-        least_shrink = least_shrink.min(state.shrink);
-        if step % LOOK_EVERY == 0 {
-            if state.energy > (1.0 - LEAST_PROGRESS) * energy_before {
-                if shakes == MOST_SHAKES {
-                    break;
-                }
-                shakes += 1;
-                packing.shake(random);
-                energy_before = f64::INFINITY;
-                continue;
+    Ok(places)
+}
+
+/// Order of grains by slices along z, rows along y, and x.
+fn slices(space: &Space, places: &[DVec3], radii: &[f64]) -> Vec<usize> {
+    let edge = 4.0 * radii.iter().sum::<f64>() / radii.len() as f64;
+    let lower = space.bounds().0;
+    let cell = |i: usize| {
+        let p = (places[i] - lower) / edge;
+        [p.z as i64, p.y as i64, p.x as i64]
+    };
+    let mut order: Vec<usize> = (0..places.len()).collect();
+    order.sort_by_key(|i| cell(*i));
+    order
+}
+
+impl Packing<'_> {
+    /// Pushes and shakes until all grains are free.
+    fn free_all(&mut self, random: &mut RandomNumbers) -> Result<(), Jammed> {
+        let limits = Limits::of(self.radii.len());
+        let (mut shakes, mut energy_before) = (0, f64::INFINITY);
+        for step in 1..=limits.steps {
+            let state = self.push_apart();
+            if state.is_free() {
+                return Ok(());
             }
-            energy_before = state.energy;
+            if step % LOOK_EVERY == 0 {
+                if state.energy > (1.0 - LEAST_PROGRESS) * energy_before {
+                    if shakes == limits.shakes {
+                        break;
+                    }
+                    shakes += 1;
+                    self.shake(random);
+                    energy_before = f64::INFINITY;
+                    continue;
+                }
+                energy_before = state.energy;
+            }
+            self.descend();
         }
-        packing.descend();
+        Err(self.shrink_until_free())
     }
-    Err(Jammed { shrink: least_shrink })
+
+    /// Finds by how much the radii must shrink so that the grains come free of each other soon.
+    fn shrink_until_free(&mut self) -> Jammed {
+        while self.scale > SHRINK {
+            self.scale -= SHRINK;
+            self.rest();
+            for _ in 0..LOOK_EVERY {
+                if self.push_apart().is_free() {
+                    return Jammed { scale: self.scale };
+                }
+                self.descend();
+            }
+        }
+        Jammed { scale: 0.0 }
+    }
 }
 
 /// What one pass over all pairs found.
 struct State {
     energy: f64,
-    /// Largest overlap of true radii over their sum; negative when all are apart.
-    shrink: f64,
+    /// Least distance over the sum of the true radii, at most what the inflation makes of it.
+    closest: f64,
     /// Whether all true radii are inside the region.
     inside: bool,
+}
+
+impl State {
+    fn is_free(&self) -> bool {
+        self.inside && self.closest >= 1.0 + CLEARANCE
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -106,13 +183,17 @@ struct Packing<'a> {
     /// Own grains first, then the fixed ones.
     places: Vec<DVec3>,
     fixed: Vec<f64>,
-    /// 1 over mass; a grain's mass is as its surface, as is the number of its contacts, so that all oscillate alike.
+    /// Factor on all radii, 1 unless the packing jammed.
+    scale: f64,
+    /// 1 over mass; the mass is as the number of neighbours, so that large and small grains oscillate alike.
     inverse_mass: Vec<f64>,
     velocities: Vec<DVec3>,
     forces: Vec<DVec3>,
     pairs: Vec<Pair>,
     /// Pairs are listed when their surfaces are closer than this.
     skin: f64,
+    /// How much closer two grains may come before an unlisted pair can push: the skin without the inflation.
+    slack: f64,
     listed_at: Vec<DVec3>,
     time_step: f64,
     mixing: f64,
@@ -121,8 +202,13 @@ struct Packing<'a> {
 
 impl<'a> Packing<'a> {
     fn new(space: &'a Space<'a>, radii: &'a [f64], mut places: Vec<DVec3>, occupied: &[(DVec3, f64)]) -> Self {
-        let smallest = radii.iter().copied().fold(f64::INFINITY, f64::min);
         let mean = radii.iter().sum::<f64>() / radii.len() as f64;
+        let largest = radii
+            .iter()
+            .copied()
+            .chain(occupied.iter().map(|o| o.1))
+            .fold(0.0, f64::max);
+        let skin = SKIN * mean;
         let n = places.len();
         places.extend(occupied.iter().map(|o| space.wrap(o.0)));
         let mut packing = Self {
@@ -130,11 +216,13 @@ impl<'a> Packing<'a> {
             radii,
             places,
             fixed: occupied.iter().map(|o| o.1).collect(),
-            inverse_mass: radii.iter().map(|r| (smallest / r) * (smallest / r)).collect(),
+            scale: 1.0,
+            inverse_mass: vec![1.0; n],
             velocities: vec![DVec3::ZERO; n],
             forces: vec![DVec3::ZERO; n],
             pairs: Vec::new(),
-            skin: 0.4 * mean,
+            skin,
+            slack: (skin - 2.0 * INFLATION * largest).max(0.0),
             listed_at: Vec::new(),
             time_step: fire::FIRST_STEP,
             mixing: fire::FIRST_MIXING,
@@ -166,6 +254,14 @@ impl<'a> Packing<'a> {
                 ControlFlow::Continue(())
             });
         }
+        let mut neighbours = vec![0u32; grains.len()];
+        for pair in &self.pairs {
+            neighbours[pair.a as usize] += 1;
+            neighbours[pair.b as usize] += 1;
+        }
+        for (inverse, number) in self.inverse_mass.iter_mut().zip(neighbours) {
+            *inverse = (FEW_NEIGHBOURS / f64::from(number)).min(1.0);
+        }
         self.listed_at.clear();
         self.listed_at.extend_from_slice(&self.places[..n]);
     }
@@ -175,13 +271,16 @@ impl<'a> Packing<'a> {
         let n = self.radii.len();
         let mut state = State {
             energy: 0.0,
-            shrink: f64::NEG_INFINITY,
+            closest: 1.0 + INFLATION,
             inside: true,
         };
         for (i, force) in self.forces.iter_mut().enumerate() {
-            *force = self.space.push(self.places[i], self.radii[i] * (1.0 + INFLATION));
-            state.energy += 0.5 * force.length_squared();
-            state.inside &= *force == DVec3::ZERO || self.space.holds(self.places[i], self.radii[i]);
+            let (place, radius) = (self.places[i], self.scale * self.radii[i]);
+            *force = self.space.push(place, radius * (1.0 + INFLATION));
+            if *force != DVec3::ZERO {
+                state.energy += 0.5 * force.length_squared();
+                state.inside &= self.space.holds(place, radius);
+            }
         }
         let domain = self.space.domain();
         for pair in &self.pairs {
@@ -190,7 +289,7 @@ impl<'a> Packing<'a> {
                 Some(domain) => domain.difference(self.places[a], self.places[b]),
                 None => self.places[a] - self.places[b],
             };
-            let reach = pair.sum * (1.0 + INFLATION);
+            let reach = self.scale * pair.sum * (1.0 + INFLATION);
             let square = difference.length_squared();
             if square >= reach * reach {
                 continue;
@@ -204,7 +303,7 @@ impl<'a> Packing<'a> {
                 DVec3::X
             };
             state.energy += 0.5 * overlap * overlap;
-            state.shrink = state.shrink.max(1.0 - distance / pair.sum);
+            state.closest = state.closest.min(distance / (self.scale * pair.sum));
             if a < n {
                 self.forces[a] += normal * overlap;
             }
@@ -212,8 +311,6 @@ impl<'a> Packing<'a> {
                 self.forces[b] -= normal * overlap;
             }
         }
-        // No pair in reach: all are apart by the inflation.
-        state.shrink = state.shrink.max(-INFLATION);
         state
     }
 
@@ -250,7 +347,7 @@ impl<'a> Packing<'a> {
             farthest = farthest.max((self.places[i] - self.listed_at[i]).length_squared());
         }
         // Two grains may have come closer by twice the farthest move.
-        if 4.0 * farthest > (self.skin - 2.0 * INFLATION * self.skin).powi(2) {
+        if 4.0 * farthest > self.slack * self.slack {
             self.list_pairs();
         }
     }

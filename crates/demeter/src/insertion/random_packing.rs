@@ -1,6 +1,6 @@
 //! Random packings without overlap.
 
-use super::overlap_relaxation::relax;
+use super::overlap_relaxation::{Jammed, relax};
 use super::random::{Purpose, RandomNumbers};
 use super::region::Space;
 use super::sequential_addition::add_sequentially;
@@ -79,12 +79,9 @@ pub(super) fn pack(
     };
     let places = match sequential {
         Some(places) => places,
-        None => relax(space, &radii, &occupied, &mut random).map_err(|jammed| {
-            let left = (1.0 - jammed.shrink).clamp(0.0, 1.0);
-            PackingError::Jammed {
-                wanted: own_fraction,
-                reached: own_fraction * left * left * left,
-            }
+        None => relax(space, &radii, &occupied, &mut random).map_err(|Jammed { scale }| PackingError::Jammed {
+            wanted: own_fraction,
+            reached: own_fraction * scale * scale * scale,
         })?,
     };
     Ok(places.into_iter().zip(radii).collect())
@@ -138,7 +135,7 @@ fn draw_diameters(space: &Space, sizes: &SizeSampler, amount: Amount, seed: u64)
             }
             let target = value * volume;
             let wanted = target / sizes.mean_volume();
-            if !(wanted <= f64::from(MAX_GRAINS)) {
+            if wanted > f64::from(MAX_GRAINS) {
                 return Err(PackingError::TooMany { wanted });
             }
             Ok(draw_volume(sizes, target, &mut random))

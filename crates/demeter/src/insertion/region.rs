@@ -112,7 +112,41 @@ impl<'a> Space<'a> {
             domain,
         };
         space.periodic = space.spanned();
+        space.cut_to_domain();
         Ok(space)
+    }
+
+    /// Ends the region at the periodic sides that it spans, so that no place is in it twice.
+    fn cut_to_domain(&mut self) {
+        let Some(domain) = self.domain else {
+            return;
+        };
+        for k in (0..3).filter(|k| self.periodic[*k]) {
+            match &mut self.shape {
+                Shape::Box { lower, upper } => (lower[k], upper[k]) = (domain.lower[k], domain.upper[k]),
+                Shape::Cylinder { frame, length, .. } => {
+                    let is_upward = frame.axis[k] > 0.0;
+                    frame.start[k] = if is_upward { domain.lower[k] } else { domain.upper[k] };
+                    *length = domain.size()[k];
+                }
+            }
+        }
+    }
+
+    /// The image of a point across periodic sides that is nearest to the middle of the region.
+    fn nearest_image(&self, point: DVec3) -> DVec3 {
+        let Some(domain) = self.domain else {
+            return point;
+        };
+        let (lower, upper) = self.bounds();
+        let (middle, size) = (0.5 * (lower + upper), domain.size());
+        DVec3::from_array(std::array::from_fn(|k| {
+            let away = point[k] - middle[k];
+            match domain.periodic[k] && !self.periodic[k] && away.abs() > 0.5 * size[k] {
+                true => point[k] - size[k] * (away / size[k]).round(),
+                false => point[k],
+            }
+        }))
     }
 
     /// Periodic directions that the region spans from side to side.
@@ -168,13 +202,9 @@ impl<'a> Space<'a> {
     /// Diameter of the largest grain that fits.
     pub(super) fn largest_diameter(&self) -> f64 {
         let mut largest = match self.shape {
-            Shape::Box { .. } => f64::INFINITY,
-            Shape::Cylinder { length, radius, .. } if self.periodic.contains(&true) => (2.0 * radius).min(length),
+            Shape::Box { lower, upper } => (upper - lower).min_element(),
             Shape::Cylinder { length, radius, .. } => (2.0 * radius).min(length),
         };
-        if let Shape::Box { lower, upper } = self.shape {
-            largest = largest.min((upper - lower).min_element());
-        }
         if let Some(domain) = self.domain {
             // A larger grain would touch its own image.
             for k in (0..3).filter(|k| domain.periodic[*k]) {
@@ -209,6 +239,7 @@ impl<'a> Space<'a> {
 
     /// Calls back with the distance to each side (negative outside) and its inward unit normal.
     fn each_side(&self, center: DVec3, mut side: impl FnMut(f64, DVec3)) {
+        let center = self.nearest_image(center);
         match &self.shape {
             Shape::Box { lower, upper } => {
                 for k in (0..3).filter(|k| !self.periodic[*k]) {
@@ -276,14 +307,15 @@ impl<'a> Space<'a> {
     /// Moves a grain that stands out by no more than rounding of its radius wholly inside, where sides are flat.
     pub(super) fn settle(&self, center: DVec3, radius: f64) -> DVec3 {
         match &self.shape {
-            Shape::Box { lower, upper } => DVec3::from_array(std::array::from_fn(|k| {
+            Shape::Box { lower, upper } => self.wrap(DVec3::from_array(std::array::from_fn(|k| {
+                let center = self.nearest_image(center);
                 let (least, most) = (lower[k] + radius, upper[k] - radius);
                 if self.periodic[k] || least > most {
                     center[k]
                 } else {
                     center[k].clamp(least, most)
                 }
-            })),
+            }))),
             Shape::Cylinder { .. } => center,
         }
     }

@@ -101,7 +101,7 @@ impl RosinRammlerSampler {
 
     /// Mean of `d^power` by number, for a power of at most 3, by Simpson's rule in the mass of each stratum.
     pub(super) fn mean_of_power(&self, power: u32) -> f64 {
-        const INTERVALS: u32 = 8;
+        const INTERVALS: u32 = 32;
         let (mut numbers, mut sum) = (0.0, 0.0);
         for stratum in self.strata.iter().filter(|s| s.mass > 0.0) {
             for k in 0..=INTERVALS {

@@ -51,10 +51,31 @@ pub struct Measures {
     pub stress: [f64; 6],
     /// Solid volume over the volume that is open to the grains (see the book), overlaps not subtracted.
     pub packing_fraction: f64,
+    /// Strain told by the plate of a [`StrainGauge`]; `None` without one.
+    pub strain: Option<f64>,
     /// Total momentum [kg m/s].
     pub momentum: DVec3,
     /// One entry per wall.
     pub walls: Vec<WallLoad>,
+}
+
+/// A wall whose displacement tells the strain of the packing: `strain = (displacement . direction - from) / length`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StrainGauge {
+    /// Index of the wall.
+    pub wall: usize,
+    /// Unit vector along which the wall compresses the packing.
+    pub direction: DVec3,
+    /// Displacement at which the strain is 0 [m].
+    pub from: f64,
+    /// Length of the packing at strain 0 [m].
+    pub length: f64,
+}
+
+impl StrainGauge {
+    fn strain(&self, sim: &Simulation) -> f64 {
+        (sim.walls[self.wall].displacement().dot(self.direction) - self.from) / self.length
+    }
 }
 
 /// Where a measurement stands in the protocol.
@@ -67,7 +88,7 @@ pub struct Moment {
 }
 
 /// Measures everything that one row of the series tells.
-pub fn measure(sim: &mut Simulation, moment: Moment) -> Measures {
+pub fn measure(sim: &mut Simulation, moment: Moment, gauge: Option<&StrainGauge>) -> Measures {
     let energies = sim.energies();
     let grains = &sim.grains;
     let (contacts, wall_contacts) = (sim.contacts.pair_count(), sim.contacts.wall_count());
@@ -91,6 +112,7 @@ pub fn measure(sim: &mut Simulation, moment: Moment) -> Measures {
         kinetic_over_elastic: kinetic_over_elastic(&energies),
         stress: stress(sim, volume),
         packing_fraction: if volume > 0.0 { solid / volume } else { 0.0 },
+        strain: gauge.map(|g| g.strain(sim)),
         momentum,
         walls: wall_loads(sim),
         energies,

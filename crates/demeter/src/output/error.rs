@@ -90,7 +90,7 @@ impl OutputError {
         move |source| Self::Io { action, path, source }
     }
 
-    pub(super) fn encode(path: &Path, problem: &impl ToString) -> Self {
+    pub(crate) fn encode(path: &Path, problem: &impl ToString) -> Self {
         Self::Encode {
             path: path.to_owned(),
             problem: problem.to_string(),

@@ -53,7 +53,7 @@ impl RunFolder {
             });
         }
         folder.remove_run()?;
-        for sub in [folder.frames(), folder.plots()] {
+        for sub in [folder.frames(), folder.plots(), folder.pictures()] {
             fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))?;
         }
         let marker = format!(
@@ -78,7 +78,7 @@ impl RunFolder {
     /// Opens the folder of a run that exists, to write more into it.
     pub fn open(root: &Path) -> Result<Self, OutputError> {
         let folder = Self::find(root)?;
-        for sub in [folder.frames(), folder.plots()] {
+        for sub in [folder.frames(), folder.plots(), folder.pictures()] {
             fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))?;
         }
         Ok(folder)
@@ -92,7 +92,11 @@ impl RunFolder {
             remove_if_there(&part_path(&path))?;
             remove_if_there(&path)?;
         }
-        for (sub, ours) in [(self.frames(), is_frame as fn(&str) -> bool), (self.plots(), is_plot)] {
+        for (sub, ours) in [
+            (self.frames(), is_frame as fn(&str) -> bool),
+            (self.plots(), is_plot),
+            (self.pictures(), is_picture),
+        ] {
             for name in names_in(&sub)?.into_iter().filter(|name| ours(name)) {
                 remove_if_there(&sub.join(name))?;
             }
@@ -145,9 +149,19 @@ impl RunFolder {
         self.root.join("plots")
     }
 
+    /// Folder of the pictures of the ends of the stages.
+    pub fn pictures(&self) -> PathBuf {
+        self.root.join("pictures")
+    }
+
+    /// The picture of the end of a stage, by its number from 1 and its name.
+    pub fn stage_picture(&self, number: usize, stage: &str) -> PathBuf {
+        self.pictures().join(format!("{number:02}-{}.png", file_stem(stage)))
+    }
+
     /// A plot, by name without extension.
     pub fn plot(&self, name: &str) -> PathBuf {
-        self.plots().join(format!("{name}.svg"))
+        self.plots().join(format!("{}.svg", file_stem(name)))
     }
 }
 
@@ -157,6 +171,21 @@ fn is_frame(name: &str) -> bool {
         && ["grains_", "contacts_", "walls_"]
             .iter()
             .any(|start| name.starts_with(start))
+}
+
+/// A name that is a file name everywhere: letters and digits in lower case, all else as hyphens.
+fn file_stem(name: &str) -> String {
+    let words = name
+        .split(|c: char| !c.is_alphanumeric())
+        .filter(|word| !word.is_empty());
+    let stem = words.map(str::to_lowercase).collect::<Vec<_>>().join("-");
+    let cut: String = stem.chars().take(60).collect();
+    if cut.is_empty() { "unnamed".to_string() } else { cut }
+}
+
+fn is_picture(name: &str) -> bool {
+    let name = name.strip_suffix(".part").unwrap_or(name);
+    name.ends_with(".png") && name.starts_with(|c: char| c.is_ascii_digit())
 }
 
 fn is_plot(name: &str) -> bool {

@@ -17,7 +17,7 @@ pub struct ContactRecord {
     pub element: u32,
     /// Contact point [m].
     pub position: DVec3,
-    /// Unit normal, from `i` to `j` or to the wall.
+    /// Unit normal, from `j` or the wall towards `i`.
     pub normal: DVec3,
     /// Overlap [m].
     pub overlap: f64,

@@ -8,14 +8,18 @@ mod collection;
 mod error;
 mod folder;
 mod frame;
+pub mod picture;
+mod plot;
 pub mod series;
 mod summary;
+mod ticks;
 mod vtk;
 mod vtp;
 
 pub use error::OutputError;
 pub use folder::RunFolder;
 pub use frame::{ContactRecord, Frame, WallSurface};
+pub use plot::Plot;
 pub use series::{COLUMNS, Column, SeriesLabels, SeriesWriter, WALL_COLUMNS};
 pub use summary::{EnergySummary, StageSummary, Summary, WallSummary};
 pub use vtk::FrameWriter;

@@ -148,6 +148,14 @@ pub const COLUMNS: &[Column<Measures>] = {
     ]
 };
 
+/// Column of the strain, behind [`COLUMNS`] when the scenario tells which wall strains the packing.
+pub const STRAIN_COLUMN: Column<Measures> = column(
+    "strain",
+    "",
+    "displacement of the wall that strains the packing over the length of the packing",
+    |m| Cell::Number(m.strain.unwrap_or(f64::NAN)),
+);
+
 /// Columns of every wall, behind the others; their names begin with `wall NAME`.
 pub const WALL_COLUMNS: &[Column<WallLoad>] = {
     use Cell::{Count, Number};
@@ -197,7 +205,10 @@ fn wall_title(wall: &str, column: &Column<WallLoad>) -> String {
 /// The table of all columns in Markdown, for the book.
 pub fn columns_table() -> String {
     let mut text = String::from("| column | unit | meaning |\n|---|---|---|\n");
-    let plain = COLUMNS.iter().map(|c| (c.title(), c.unit, c.meaning));
+    let plain = COLUMNS
+        .iter()
+        .chain([&STRAIN_COLUMN])
+        .map(|c| (c.title(), c.unit, c.meaning));
     let walls = WALL_COLUMNS.iter().map(|c| (wall_title("NAME", c), c.unit, c.meaning));
     for (title, unit, meaning) in plain.chain(walls) {
         // Writing to a String cannot fail.
@@ -217,6 +228,24 @@ pub struct SeriesLabels {
     pub stages: Vec<String>,
     /// Names of the walls, by index.
     pub walls: Vec<String>,
+    /// Whether there is a column for the strain.
+    pub strain: bool,
+}
+
+impl SeriesLabels {
+    /// The columns in front of those of the walls.
+    fn columns(&self) -> impl Iterator<Item = &'static Column<Measures>> {
+        COLUMNS.iter().chain(self.strain.then_some(&STRAIN_COLUMN))
+    }
+
+    /// Titles of all columns, as in the header.
+    pub fn header(&self) -> Vec<String> {
+        let mut names: Vec<String> = self.columns().map(Column::title).collect();
+        for wall in &self.walls {
+            names.extend(WALL_COLUMNS.iter().map(|c| wall_title(wall, c)));
+        }
+        names
+    }
 }
 
 /// Writes the series of a run.
@@ -238,7 +267,7 @@ impl SeriesWriter {
             labels,
             length: 0,
         };
-        let header = header(&writer.labels.walls);
+        let header = writer.labels.header();
         writer.line(&header)?;
         Ok(writer)
     }
@@ -250,7 +279,7 @@ impl SeriesWriter {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Self::create(path, labels),
             bytes => bytes.map_err(OutputError::io("read", path))?,
         };
-        let expected = encode_line(&header(&labels.walls), path)?;
+        let expected = encode_line(&labels.header(), path)?;
         if expected.starts_with(&bytes) && bytes != expected {
             return Self::create(path, labels);
         }
@@ -279,7 +308,7 @@ impl SeriesWriter {
                 found: row.walls.len(),
             });
         }
-        let mut cells: Vec<String> = COLUMNS.iter().map(|c| self.text(&(c.value)(row))).collect();
+        let mut cells: Vec<String> = self.labels.columns().map(|c| self.text(&(c.value)(row))).collect();
         for wall in &row.walls {
             cells.extend(WALL_COLUMNS.iter().map(|c| self.text(&(c.value)(wall))));
         }
@@ -308,14 +337,6 @@ impl SeriesWriter {
         self.length += bytes.len() as u64;
         Ok(())
     }
-}
-
-fn header(walls: &[String]) -> Vec<String> {
-    let mut names: Vec<String> = COLUMNS.iter().map(Column::title).collect();
-    for wall in walls {
-        names.extend(WALL_COLUMNS.iter().map(|c| wall_title(wall, c)));
-    }
-    names
 }
 
 fn encode_line(cells: &[String], path: &Path) -> Result<Vec<u8>, OutputError> {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 const MAX_FAULTS: usize = 100;
 
 /// One fault.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Diagnostic {
     /// What is wrong and what is allowed.
     pub message: String,

@@ -1,12 +1,11 @@
 //! The scenario as a tree in which every key and value remembers where it was written.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Where something was written: in the file (source 0) or in an override (1, 2, ...).
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Span {
     /// Index into [`Document::sources`].
     pub source: usize,
@@ -113,86 +112,52 @@ pub(super) fn join(path: &str, key: &str) -> String {
     if path.is_empty() { key } else { format!("{path}.{key}") }
 }
 
-/// The texts that a scenario was read from, and the place of every key.
-#[derive(Clone, Debug, Default)]
+/// The texts that a scenario was read from, and where every key stands in them.
+#[derive(Clone, Debug)]
 pub struct Document {
     /// The file, then the overrides.
     pub sources: Vec<SourceText>,
-    places: BTreeMap<String, Place>,
+    pub(super) root: Node,
 }
 
 /// Where a key and its value stand.
-#[derive(Clone, Debug)]
-struct Place {
-    key: Span,
-    value: Span,
+struct Place<'a> {
+    key: &'a Span,
+    value: &'a Span,
 }
 
 impl Document {
-    /// Notes where every key of a tree stands.
-    pub(super) fn new(sources: Vec<SourceText>, root: &Node) -> Self {
-        let mut document = Self {
-            sources,
-            places: BTreeMap::new(),
-        };
-        document.note("", root);
-        document
-    }
-
     /// Texts alone, of a scenario whose keys are not known.
-    pub(super) fn without_places(sources: Vec<SourceText>) -> Self {
-        Self {
-            sources,
-            places: BTreeMap::new(),
-        }
-    }
-
-    fn note(&mut self, path: &str, node: &Node) {
-        match &node.value {
-            Value::Table(entries) => {
-                for entry in entries {
-                    let below = join(path, &entry.key);
-                    let place = Place {
-                        key: entry.key_span.clone(),
-                        value: entry.node.span.clone(),
-                    };
-                    self.places.insert(below.clone(), place);
-                    self.note(&below, &entry.node);
-                }
-            }
-            Value::Array(items) => {
-                for (index, item) in items.iter().enumerate() {
-                    let below = format!("{path}[{index}]");
-                    let place = Place {
-                        key: item.span.clone(),
-                        value: item.span.clone(),
-                    };
-                    self.places.insert(below.clone(), place);
-                    self.note(&below, item);
-                }
-            }
-            _ => {}
-        }
+    pub(super) fn without_keys(sources: Vec<SourceText>) -> Self {
+        let root = Node {
+            value: Value::Table(Vec::new()),
+            span: Span::default(),
+        };
+        Self { sources, root }
     }
 
     /// Where the value of a path stands, as `wall[1].radius`. A path that was not written is looked up at the nearest
     /// table above it; `None` when no part of it was written.
     pub fn origin(&self, path: &str) -> Option<Span> {
-        self.nearest(path).map(|(_, place)| place.value.clone())
+        self.nearest(path).map(|place| place.value.clone())
     }
 
     /// Where the key of a path stands.
     pub fn key_origin(&self, path: &str) -> Option<Span> {
-        self.nearest(path).map(|(_, place)| place.key.clone())
+        self.nearest(path).map(|place| place.key.clone())
     }
 
-    fn nearest(&self, path: &str) -> Option<(String, &Place)> {
-        let mut path = path;
+    /// The place of the longest written part of a path.
+    fn nearest(&self, path: &str) -> Option<Place<'_>> {
+        let mut found = None;
+        let mut node = &self.root;
+        let mut rest = path;
         loop {
-            if let Some(place) = self.places.get(path) {
-                return Some((path.to_string(), place));
-            }
-            path = &path[..path.rfind(['.', '['])?];
+            let (place, next, after) = match step(node, rest) {
+                Some(step) => step,
+                None => return found,
+            };
+            (found, node, rest) = (Some(place), next, after);
         }
     }
 
@@ -205,6 +170,33 @@ impl Document {
         let line = before.matches('\n').count() + 1;
         let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
         (line, column)
+    }
+}
+
+/// One step along a path: the place reached, the node there and the rest of the path.
+fn step<'n, 'p>(node: &'n Node, path: &'p str) -> Option<(Place<'n>, &'n Node, &'p str)> {
+    match &node.value {
+        Value::Table(entries) => {
+            let path = path.strip_prefix('.').unwrap_or(path);
+            entries.iter().find_map(|entry| {
+                let rest = path.strip_prefix(written_key(&entry.key).as_str())?;
+                let place = Place {
+                    key: &entry.key_span,
+                    value: &entry.node.span,
+                };
+                (rest.is_empty() || rest.starts_with(['.', '['])).then_some((place, &entry.node, rest))
+            })
+        }
+        Value::Array(items) => {
+            let (index, rest) = path.strip_prefix('[')?.split_once(']')?;
+            let item = items.get(index.parse::<usize>().ok()?)?;
+            let place = Place {
+                key: &item.span,
+                value: &item.span,
+            };
+            Some((place, item, rest))
+        }
+        _ => None,
     }
 }
 

@@ -227,7 +227,10 @@ fn list(table: &TableReader<'_>) -> Source {
             Vec::new()
         }
         (Some(_), Some(_)) => {
-            table.fault("`diameter` and `diameters` exclude each other; give one of them", None);
+            table.fault_at(
+                "diameters",
+                "`diameter` and `diameters` exclude each other; give one of them",
+            );
             Vec::new()
         }
     };
@@ -264,8 +267,7 @@ pub(super) fn axis_ends(table: &TableReader<'_>) -> (DVec3, DVec3) {
     let start = table.point("start", "the start of the axis");
     let end = table.point("end", "the end of the axis");
     if start == end {
-        let path = super::document::join(&table.path, "end");
-        table.context.fault(&path, "`start` and `end` are the same point", None);
+        table.fault_at("end", "`start` and `end` are the same point");
     }
     (start, end)
 }

@@ -1,5 +1,7 @@
 //! Tables `[material.*]` and `[contact]`: materials and the contact laws of every pair.
 
+use super::Scenario;
+use super::diagnostics::Diagnostics;
 use super::document::Value;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
@@ -46,6 +48,13 @@ pub(super) fn materials(root: &TableReader<'_>) -> Vec<Material> {
     let entries = table.named();
     if entries.is_empty() {
         item.fault(format!("there is no material; write {example}"), None);
+    }
+    if !entries.is_empty() && entries.iter().all(|e| !matches!(e.node.value, Value::Table(_))) {
+        item.fault(
+            "a material needs a name",
+            Some("write `[material.NAME]`, as [material.glass]".to_string()),
+        );
+        return Vec::new();
     }
     if entries.len() > MAX_MATERIALS {
         item.fault(
@@ -103,6 +112,27 @@ pub(super) fn material_index(item: &Item<'_>, materials: &[Material]) -> u16 {
                 item.fault(format!("unknown material `{name}`"), suggest_or_list(&name, known));
             }
             0
+        }
+    }
+}
+
+/// Binds the laws of every pair: a law may refuse values that are each within their range but do not go together.
+pub(super) fn check_laws(scenario: &Scenario, faults: &mut Diagnostics) {
+    let Scenario { materials, contact, .. } = scenario;
+    for (a, first) in materials.iter().enumerate() {
+        for (b, second) in materials.iter().enumerate().skip(a) {
+            if let Err(error) = contact.choice(a, b).bind(first, second) {
+                let entry = contact
+                    .pairs
+                    .iter()
+                    .position(|p| (usize::from(p.0), usize::from(p.1)) == (a, b));
+                let path = entry.map_or_else(|| "contact".to_string(), |index| format!("contact.pair[{index}]"));
+                faults.push(
+                    &path,
+                    format!("between `{}` and `{}`: {error}", first.name, second.name),
+                    None,
+                );
+            }
         }
     }
 }

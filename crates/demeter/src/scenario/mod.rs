@@ -5,6 +5,7 @@ mod document;
 mod grains;
 mod materials;
 mod overrides;
+mod plots;
 mod prepare;
 mod quantity;
 mod reader;
@@ -17,6 +18,9 @@ mod stages;
 mod templates;
 pub mod units;
 mod walls;
+
+#[cfg(test)]
+mod tests;
 
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use document::{Document, SourceText, Span};
@@ -36,7 +40,7 @@ pub use walls::{MAX_WALLS, MeshFile, WallShape, WallSpec};
 use crate::insertion::Insertion;
 use crate::materials::Material;
 use crate::simulation::Stage;
-use document::{Node, read_toml};
+use document::read_toml;
 use reader::{Context, TableReader};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -48,7 +52,7 @@ use std::sync::Arc;
 pub const REFERENCE: &str = include_str!("reference.md");
 
 /// Largest scenario file [bytes].
-pub const MAX_FILE_SIZE: u64 = 64 << 20;
+pub const MAX_FILE_SIZE: u64 = 16 << 20;
 
 /// A scenario, read and checked; all values in SI.
 #[derive(Clone, Debug)]
@@ -82,7 +86,6 @@ pub struct Scenario {
     /// Folder that relative paths start from.
     pub base: PathBuf,
     document: Arc<Document>,
-    root: Node,
 }
 
 impl Scenario {
@@ -96,18 +99,21 @@ impl Scenario {
 
     /// Reads a scenario from a text. Relative paths in it start from `base`.
     pub fn parse(text: &str, name: &str, base: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
-        let (root, document) = tree(text, name, overrides)?;
+        let document = tree(text, name, overrides)?;
         let context = Context {
             faults: RefCell::new(Diagnostics::new(name, Arc::clone(&document))),
             asked: RefCell::new(BTreeSet::new()),
         };
-        let read = Self::walk(&context, root, text, name, base, document);
-        let faults = context.faults.into_inner();
+        let read = Self::walk(&context, text, name, base, document);
+        let mut faults = context.faults.into_inner();
+        if faults.is_empty() {
+            materials::check_laws(&read, &mut faults);
+        }
         if faults.is_empty() { Ok(read) } else { Err(faults) }
     }
 
-    fn walk(context: &Context, root: Node, text: &str, name: &str, base: &Path, document: Arc<Document>) -> Self {
-        let table = TableReader::root(context, &root);
+    fn walk(context: &Context, text: &str, name: &str, base: &Path, document: Arc<Document>) -> Self {
+        let table = TableReader::root(context, &document.root);
         let stem = || {
             Path::new(name)
                 .file_stem()
@@ -128,7 +134,7 @@ impl Scenario {
         };
         let walls = walls::walls(&table, &around);
         let grains = grains::grains(&table, &around);
-        let told = settings::output(&table);
+        let told = settings::output(&table, &walls);
         let protocol = stages::protocol(&table, &walls, told.intervals);
         table.finish("the scenario");
         Self {
@@ -146,12 +152,12 @@ impl Scenario {
                 cadence: protocol.cadence,
                 picture: !told.no_picture,
                 plots: told.plots,
+                strain: told.strain,
             },
             text: text.to_string(),
             name: name.to_string(),
             base: base.to_path_buf(),
             document,
-            root,
         }
     }
 
@@ -165,15 +171,15 @@ impl Scenario {
         self.document.origin(path)
     }
 
-    /// The scenario as TOML with all overrides put in, values as they were written. Paths of files are joined to the
-    /// folder of the scenario, so that the text means the same from anywhere when that folder is absolute.
+    /// The scenario as TOML with all overrides put in, values as they were written. Paths of files are absolute, so
+    /// that the text means the same from any folder.
     pub fn to_resolved_toml(&self) -> String {
-        resolved::write(&self.root, &self.base)
+        resolved::write(&self.document.root, &self.base)
     }
 }
 
 /// The tree of a text with its overrides.
-fn tree(text: &str, name: &str, overrides: &[String]) -> Result<(Node, Arc<Document>), Diagnostics> {
+fn tree(text: &str, name: &str, overrides: &[String]) -> Result<Arc<Document>, Diagnostics> {
     let file = SourceText {
         name: name.to_string(),
         text: text.to_string(),
@@ -182,7 +188,7 @@ fn tree(text: &str, name: &str, overrides: &[String]) -> Result<(Node, Arc<Docum
     let mut sources = vec![file];
     sources.extend(overrides.iter().map(|o| overrides::source_text(o)));
     let refuse = |faults: Vec<overrides::OverrideFault>, sources: Vec<SourceText>| {
-        let document = Document::without_places(sources);
+        let document = Document::without_keys(sources);
         let mut diagnostics = Diagnostics::new(name, Arc::new(document));
         for (fault, help) in faults {
             diagnostics.push_at(Some(fault.span), "", fault.message, help);
@@ -214,13 +220,12 @@ fn tree(text: &str, name: &str, overrides: &[String]) -> Result<(Node, Arc<Docum
     if !faults.is_empty() {
         return Err(refuse(faults, sources));
     }
-    let document = Arc::new(Document::new(sources, &root));
-    Ok((root, document))
+    Ok(Arc::new(Document { sources, root }))
 }
 
 /// One fault without a place.
 fn lone_fault(name: &str, message: String) -> Diagnostics {
-    let mut diagnostics = Diagnostics::new(name, Arc::new(Document::default()));
+    let mut diagnostics = Diagnostics::new(name, Arc::new(Document::without_keys(Vec::new())));
     diagnostics.push_at(None, "", message, None);
     diagnostics
 }

@@ -154,11 +154,12 @@ fn position(items: &[Node], text: &str) -> Result<usize, Refused> {
         if index < items.len() {
             return Ok(index);
         }
-        let last = items.len().saturating_sub(1);
-        return Err((
-            format!("there is no element {index}"),
-            Some(format!("elements are numbered from 0 to {last}")),
-        ));
+        let help = match items.len() {
+            0 => "the list is empty".to_string(),
+            1 => "the only element is number 0".to_string(),
+            n => format!("elements are numbered from 0 to {}", n - 1),
+        };
+        return Err((format!("there is no element {index}"), Some(help)));
     }
     let names: Vec<Option<String>> = items.iter().map(name_of).collect();
     names.iter().position(|n| n.as_deref() == Some(text)).ok_or_else(|| {

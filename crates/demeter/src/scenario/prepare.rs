@@ -44,6 +44,7 @@ pub struct Prepared {
 pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let mut faults = scenario.diagnostics();
     let mut warnings = Vec::new();
+    super::plots::check(scenario, &mut faults);
     let materials = materials(scenario, &mut faults);
     let walls = walls(scenario, &mut faults);
     check_stage_motions(scenario, &mut faults);

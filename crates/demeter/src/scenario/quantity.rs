@@ -42,6 +42,7 @@ impl Kind {
     /// What is expected, with an article.
     fn expected(self) -> String {
         match self {
+            Self::Physical(Dimension::FREQUENCY) => "a frequency".to_string(),
             Self::Physical(dimension) => with_article(&dimension.name()),
             Self::Angle => "an angle".to_string(),
             Self::AngularVelocity => "an angular velocity".to_string(),
@@ -133,7 +134,7 @@ impl Item<'_> {
                     UnitError::Unknown { suggestion, .. } => {
                         suggestion.as_ref().map(|s| format!("did you mean `{s}`?"))
                     }
-                    UnitError::Number | UnitError::NotFinite(_) => Some(format!("write it as {}", kind.example())),
+                    UnitError::Number(_) | UnitError::NotFinite(_) => Some(format!("write it as {}", kind.example())),
                     UnitError::Form { .. } => None,
                 };
                 self.fault(format!("`{}`: {error}", self.name), help);
@@ -293,9 +294,8 @@ impl TableReader<'_> {
         let upper = self.point("upper", "the corner with the largest coordinates");
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
             if upper[axis] <= lower[axis] {
-                let path = super::document::join(&self.path, "upper");
                 let message = format!("`upper` must be above `lower` in every direction; in {name} it is not");
-                self.context.fault(&path, message, None);
+                self.fault_at("upper", message);
             }
         }
         (lower, upper)

@@ -140,7 +140,7 @@ impl<'a> Item<'a> {
         };
         let found = known.iter().position(|k| k == text);
         if found.is_none() {
-            let message = format!("unknown {} `{text}`", self.name.replace('_', " "));
+            let message = format!("unknown value `{text}` of `{}`", self.name);
             self.fault(message, suggest_or_list(text, known.iter().copied()));
         }
         found
@@ -226,6 +226,11 @@ impl<'a> TableReader<'a> {
     /// Notes a fault at the table.
     pub fn fault(&self, message: impl Into<String>, help: Option<String>) {
         self.context.faults.borrow_mut().push_key(&self.path, message, help);
+    }
+
+    /// Notes a fault at the value of a key.
+    pub fn fault_at(&self, key: &str, message: impl Into<String>) {
+        self.context.fault(&join(&self.path, key), message, None);
     }
 
     /// The value of a key, when it is there.

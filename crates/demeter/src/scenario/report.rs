@@ -1,9 +1,11 @@
 //! What a run leaves behind at its end: summary, picture, plots.
 
-use super::run::{RunError, Runner};
+use super::plots;
+use super::run::{RunError, Runner, labels};
 use crate::contacts::Fault;
-use crate::output::Summary;
-use std::path::PathBuf;
+use crate::output::picture::{PictureOptions, render_packing};
+use crate::output::{OutputError, Summary};
+use std::path::{Path, PathBuf};
 
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +29,30 @@ pub struct Report {
     pub folder: PathBuf,
 }
 
+/// Most stages whose ends are drawn.
+const MAX_STAGE_PICTURES: usize = 99;
+
 impl Runner<'_> {
+    /// Draws the end of the present stage.
+    pub(super) fn draw_stage(&mut self) -> Result<(), RunError> {
+        let stage = self.place.stage;
+        if !self.scenario.output.picture || stage >= MAX_STAGE_PICTURES {
+            return Ok(());
+        }
+        let name = &self.scenario.stages[stage].name;
+        let path = self.folder.stage_picture(stage + 1, name);
+        Ok(self.draw(&path, &format!("{}: end of {name}", self.scenario.title))?)
+    }
+
+    fn draw(&mut self, path: &Path, title: &str) -> Result<(), OutputError> {
+        let options = PictureOptions {
+            title: title.to_string(),
+            ..PictureOptions::default()
+        };
+        self.with_frame(|_, frame| render_packing(frame, &options))
+            .write_png(path)
+    }
+
     /// Writes the summary and, after whole runs and faults, the picture and the plots.
     pub(super) fn report(&mut self, end: RunEnd) -> Result<Report, RunError> {
         let steps_here = (self.sim.step - self.first_step) as f64;
@@ -64,6 +89,11 @@ impl Runner<'_> {
         // the latest row may be older than the state
         summary.steps = self.sim.step;
         summary.simulated_time = self.sim.time();
+        if self.scenario.output.picture {
+            let title = format!("{} at {:.4} s", self.scenario.title, self.sim.time());
+            self.draw(&self.folder.picture(), &title)?;
+        }
+        plots::write(&self.folder, &labels(self.scenario), &self.scenario.output.plots)?;
         summary.write(&self.folder)?;
         Ok(Report {
             end,

@@ -1,9 +1,9 @@
-//! Writes the tree of a scenario back as TOML.
+//! Writes the tree of a scenario back as TOML, so that it means the same when it is read from another folder.
 
 use super::document::{Entry, Node, Value, join, written_key};
 use std::path::Path;
 
-/// The tree as TOML, with the paths of files joined to `base`.
+/// The tree as TOML, with the paths of files made absolute from `base`.
 pub(super) fn write(root: &Node, base: &Path) -> String {
     let mut text = String::new();
     if let Value::Table(entries) = &root.value {

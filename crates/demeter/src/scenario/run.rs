@@ -368,6 +368,7 @@ impl<'a> Runner<'a> {
     fn end_stage(&mut self, reason: &str) -> Result<(), RunError> {
         self.write_row()?;
         self.write_frame()?;
+        self.draw_stage()?;
         let stage = self.stage();
         let (start, dt) = (self.place.stage_step, self.sim.dt);
         self.observer.message(&format!(
@@ -436,13 +437,11 @@ impl<'a> Runner<'a> {
             return Ok(());
         }
         let stage_time = (self.sim.step - self.place.stage_step) as f64 * self.sim.dt;
-        let row = measure(
-            &mut self.sim,
-            Moment {
-                stage: self.place.stage,
-                stage_time,
-            },
-        );
+        let moment = Moment {
+            stage: self.place.stage,
+            stage_time,
+        };
+        let row = measure(&mut self.sim, moment, self.scenario.output.strain.as_ref());
         self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
         self.series.write(&row)?;
         self.place.last_row = Some(self.sim.step);
@@ -516,9 +515,10 @@ impl<'a> Runner<'a> {
     }
 }
 
-fn labels(scenario: &Scenario) -> SeriesLabels {
+pub(super) fn labels(scenario: &Scenario) -> SeriesLabels {
     SeriesLabels {
         stages: scenario.stages.iter().map(|s| s.name.clone()).collect(),
         walls: scenario.walls.iter().map(|w| w.name.clone()).collect(),
+        strain: scenario.output.strain.is_some(),
     }
 }

@@ -2,6 +2,9 @@
 
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
+use super::stages::wall_of;
+use super::walls::WallSpec;
+use crate::measure::StrainGauge;
 use crate::particles::Outside;
 use crate::simulation::Cadence;
 use demeter_physics::dimension::Dimension;
@@ -152,8 +155,10 @@ pub struct OutputSpec {
     pub cadence: Cadence,
     /// Whether the report shows a picture of the last state.
     pub picture: bool,
-    /// Plots of the report beside those that every report has.
+    /// Plots beside those that every run has.
     pub plots: Vec<PlotSpec>,
+    /// The wall whose displacement tells the strain of the packing.
+    pub strain: Option<StrainGauge>,
 }
 
 /// Rows of the series that the automatic cadence aims at over the whole run.
@@ -215,15 +220,20 @@ pub(super) struct OutputTold {
     pub intervals: Intervals,
     pub no_picture: bool,
     pub plots: Vec<PlotSpec>,
+    pub strain: Option<StrainGauge>,
 }
 
-pub(super) fn output(root: &TableReader<'_>) -> OutputTold {
+pub(super) fn output(root: &TableReader<'_>, walls: &[WallSpec]) -> OutputTold {
     let mut told = OutputTold::default();
     let Some(table) = root.optional("output").and_then(|i| i.table()) else {
         return told;
     };
     told.intervals = intervals(&table);
     told.no_picture = table.optional("picture").is_some_and(|i| !i.boolean());
+    told.strain = table
+        .optional("strain")
+        .and_then(|i| i.table())
+        .map(|t| strain_gauge(t, walls));
     if let Some(item) = table.optional("plots") {
         let plots = item.items();
         if plots.len() > MAX_PLOTS {
@@ -238,6 +248,23 @@ pub(super) fn output(root: &TableReader<'_>) -> OutputTold {
     }
     table.finish("[output]");
     told
+}
+
+fn strain_gauge(table: TableReader<'_>, walls: &[WallSpec]) -> StrainGauge {
+    let length = Kind::Physical(Dimension::LENGTH);
+    let gauge = StrainGauge {
+        wall: wall_of(&table, walls),
+        direction: table.direction("direction", "the direction along which the wall compresses the packing"),
+        from: table.optional_quantity("from", length, Range::FINITE).unwrap_or(0.0),
+        length: table.quantity(
+            "length",
+            length,
+            Range::POSITIVE,
+            "the length of the packing at strain 0",
+        ),
+    };
+    table.finish("output.strain");
+    gauge
 }
 
 fn plot(table: TableReader<'_>) -> PlotSpec {

@@ -1,6 +1,6 @@
 //! Diameters of grains: one, or a distribution.
 
-use super::document::{Value, join};
+use super::document::Value;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use crate::insertion::{Basis, SizeDistribution};
@@ -67,9 +67,8 @@ fn bounds(table: &TableReader<'_>, automatic: Option<(f64, f64)>) -> (f64, f64) 
     let lower = read("lower", "the smallest diameter", automatic.map(|a| a.0));
     let upper = read("upper", "the largest diameter", automatic.map(|a| a.1));
     if upper <= lower {
-        let path = join(&table.path, "upper");
         let message = format!("the largest diameter, {upper} m, must be above the smallest, {lower} m");
-        table.context.fault(&path, message, None);
+        table.fault_at("upper", message);
     }
     (lower, upper)
 }
@@ -117,10 +116,9 @@ fn lognormal(table: &TableReader<'_>) -> SizeDistribution {
 /// The centre of a distribution lies between its bounds, or nearly all draws would be thrown away.
 fn check_mean_inside(table: &TableReader<'_>, key: &str, value: f64, (lower, upper): (f64, f64)) {
     if lower < upper && (value < lower || value > upper) {
-        let path = join(&table.path, key);
-        let message =
-            format!("`{key}` must lie between the smallest and the largest diameter, {lower} m and {upper} m");
-        table.context.fault(&path, message, None);
+        let bounds = format!("{lower} m and {upper} m");
+        let message = format!("`{key}` must lie between the smallest and the largest diameter, {bounds}");
+        table.fault_at(key, message);
     }
 }
 

@@ -227,7 +227,7 @@ fn conditions(item: &Item<'_>, walls: &[WallSpec], stop: &mut Vec<StopCondition>
     }
 }
 
-fn wall_of(table: &TableReader<'_>, walls: &[WallSpec]) -> usize {
+pub(super) fn wall_of(table: &TableReader<'_>, walls: &[WallSpec]) -> usize {
     let Some(item) = table.required("wall", "the name of the wall") else {
         return 0;
     };

@@ -189,7 +189,7 @@ fn cone(table: &TableReader<'_>) -> Shape {
         } else {
             "a cone of the same radius at both ends is a cylinder; use shape = \"cylinder\""
         };
-        table.context.fault(&join(&table.path, "end_radius"), message, None);
+        table.fault_at("end_radius", message);
     }
     Shape::Cone {
         start,
@@ -214,7 +214,7 @@ fn rectangle(table: &TableReader<'_>) -> Shape {
     let product = half_u.dot(half_v).abs();
     if product > PERPENDICULAR * half_u.length() * half_v.length() {
         let message = "`half_u` and `half_v` must be perpendicular";
-        table.context.fault(&join(&table.path, "half_v"), message, None);
+        table.fault_at("half_v", message);
     }
     Shape::Rectangle { center, half_u, half_v }
 }
@@ -245,7 +245,10 @@ fn mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> WallShape {
             nothing
         }
         (Some(_), Some(_)) => {
-            table.fault("`file` and `triangles` exclude each other; give one of them", None);
+            table.fault_at(
+                "triangles",
+                "`file` and `triangles` exclude each other; give one of them",
+            );
             nothing
         }
     }

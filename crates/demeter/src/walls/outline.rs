@@ -99,6 +99,22 @@ pub(super) fn bounds(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(D
     }
 }
 
+/// A box around a placed surface that costs little, for it is asked for in every step: a turned mesh is as large as its
+/// turned box.
+fn enclosing(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(DVec3, DVec3)> {
+    match surface {
+        Surface::Mesh(mesh) => {
+            let (lower, upper) = mesh.bounds();
+            Some(around(
+                corners(lower, upper)
+                    .into_iter()
+                    .map(|corner| pose.place(origin, corner)),
+            ))
+        }
+        _ => bounds(surface, origin, pose),
+    }
+}
+
 fn around(points: impl Iterator<Item = DVec3>) -> (DVec3, DVec3) {
     points.fold((DVec3::MAX, DVec3::MIN), |(lower, upper), point| {
         (lower.min(point), upper.max(point))
@@ -120,7 +136,7 @@ pub(super) fn displacement(
     // The displacement is an affine function of the place, so it is longest at a corner of the box; the box counts both
     // as what holds the surface now and as what held it then.
     let moved = |from: &Pose, to: &Pose, point: DVec3| to.place(origin, from.unplace(origin, point)).distance(point);
-    let (inner, outer) = match bounds(surface, origin, now).zip(bounds(surface, origin, since)) {
+    let (inner, outer) = match enclosing(surface, origin, now).zip(enclosing(surface, origin, since)) {
         // A finite wall need not be looked for outside its own box.
         Some((a, b)) => (a.0.min(b.0).max(lower), a.1.max(b.1).min(upper)),
         None => (lower, upper),
@@ -254,7 +270,7 @@ fn box_face(face: u32, lower: DVec3, upper: DVec3) -> Vec<[DVec3; 3]> {
     let axis = face as usize / 2;
     let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
     let at = |on_u: DVec3, on_v: DVec3| {
-        let mut point = if face % 2 == 0 { lower } else { upper };
+        let mut point = if face.is_multiple_of(2) { lower } else { upper };
         point[u] = on_u[u];
         point[v] = on_v[v];
         point

@@ -6,8 +6,9 @@
 //! `F / max_speed`, so that an unloaded plate approaches at the largest speed.
 //!
 //! What can still make it oscillate is that the force is one step old. A loop that is too fast for that overshoots the
-//! target within few steps, again and again; then `D` doubles. When the error keeps its sign and shrinks by less than a
-//! tenth in [`PATIENCE`] steps, `D` halves, down to its start, so a brake that was once needed never stays for good.
+//! target again after less than [`HASTE`] steps; then `D` doubles. When a pressing plate has closed less than a tenth of
+//! the error in [`PATIENCE`] steps, `D` halves, down to a share of its start, so that a brake that was once needed never
+//! stays for good, and a slow plate does not creep to its target.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,8 +16,9 @@ use serde::{Deserialize, Serialize};
 const HASTE: u32 = 8;
 /// Steps of slow approach before the brake is loosened.
 const PATIENCE: u32 = 100;
-/// Largest brake, as a multiple of its start.
+/// Largest and smallest brake, as multiples of its start.
 const STRONGEST: f64 = 1e12;
+const WEAKEST: f64 = 1.0 / 32.0;
 
 /// State of the controller.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -67,8 +69,9 @@ impl Servo {
         }
         self.since_review += 1;
         if self.since_review >= PATIENCE {
-            if error.abs() > 0.9 * self.error_at_review {
-                self.brake = (0.5 * self.brake).max(1.0);
+            let weakest = if error < self.target { WEAKEST } else { 1.0 };
+            if error.abs() > 0.9 * self.error_at_review && self.brake > weakest {
+                self.brake *= 0.5;
             }
             self.since_review = 0;
             self.error_at_review = error.abs();
@@ -147,10 +150,11 @@ mod tests {
                         contact_damping,
                     };
                     let dt = safe_step(&bed);
-                    // A tenth of a millimetre per step would be mad; these are slow to brisk plates.
+                    // At full speed the force of the contact rises by this share of the target in one step.
                     for fraction in [1e-4, 1e-2, 1.0] {
                         let max_speed = fraction * 10.0 / (contact * dt);
-                        let steps = (1e-3 / (max_speed * dt) + 2e5) as u32;
+                        let travel = 1e-3 + 10.0 / stiffness + 10.0 / contact;
+                        let steps = (2.0 * travel / (max_speed * dt) + 2e5) as u32;
                         let out = press(&bed, 10.0, max_speed, dt, steps);
                         assert!(
                             out.ripple < 1e-3,

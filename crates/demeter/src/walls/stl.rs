@@ -171,10 +171,13 @@ fn corners_of_record(record: &[u8]) -> [DVec3; 3] {
     [0, 3, 6].map(|first| DVec3::new(number(first), number(first + 1), number(first + 2)))
 }
 
-/// Lines of an ASCII file that are not blank, as words.
+/// Lines of a file with their numbers, from 0.
+type NumberedLines<'a> = std::iter::Enumerate<std::slice::Split<'a, u8, fn(&u8) -> bool>>;
+
+/// Lines of an ASCII file that are not blank.
 struct Lines<'a> {
     path: &'a Path,
-    rest: std::iter::Enumerate<std::slice::Split<'a, u8, fn(&u8) -> bool>>,
+    rest: NumberedLines<'a>,
 }
 
 struct Line<'a> {

@@ -108,11 +108,23 @@ impl Surface {
                 }
             }
             single => {
-                if let Some(point) = single.closest(centre) {
+                if let Some(point) = single
+                    .closest(centre)
+                    .filter(|point| !single.is_left_behind(point, reach))
+                {
                     push(point, 0, reach, out);
                 }
             }
         }
+    }
+
+    /// Whether a sphere has wholly passed through the side of an open-ended surface, or came beside it around an end.
+    ///
+    /// Only there does the one-sided rule have an end, beyond which a grain far outside is not touched; would it be
+    /// touched before the end, whatever its distance, then it would matter whether a list of neighbours knew of it.
+    #[inline]
+    fn is_left_behind(&self, point: &SurfacePoint, reach: f64) -> bool {
+        matches!(self, Surface::Cylinder(_) | Surface::Cone(_)) && point.distance < -reach
     }
 
     /// Whether anything is within `reach`.
@@ -123,7 +135,10 @@ impl Surface {
             Surface::Box { faces, .. } => faces
                 .iter()
                 .any(|(_, plane)| contact_sphere_plane(plane, centre).distance <= reach),
-            single => single.closest(centre).is_some_and(|point| point.distance <= reach),
+            single => {
+                let within = |point: SurfacePoint| point.distance <= reach && !single.is_left_behind(&point, reach);
+                single.closest(centre).is_some_and(within)
+            }
         }
     }
 
@@ -185,7 +200,7 @@ fn box_surface(lower: DVec3, upper: DVec3, open: [bool; 6]) -> Result<Surface, W
             (
                 face,
                 Plane {
-                    point: if face % 2 == 0 { lower } else { upper },
+                    point: if face.is_multiple_of(2) { lower } else { upper },
                     normal,
                 },
             )

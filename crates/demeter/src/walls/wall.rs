@@ -64,7 +64,9 @@ impl Wall {
     }
 
     /// Appends to `out` all contacts of a sphere centre with `distance < reach` [m], in the world frame, sorted by element.
-    /// No element comes twice.
+    /// No element comes twice. Behind a plane, a box face or a sphere the distance may be negative without limit; behind
+    /// the side of a cylinder or cone, whose ends are open, a contact ends at `-reach`, when a grain of that radius has
+    /// wholly passed.
     #[inline]
     pub fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
         let first = out.len();
@@ -77,7 +79,7 @@ impl Wall {
         }
     }
 
-    /// Whether any part of the surface is within `reach` [m] of a point, or the point behind a one-sided surface.
+    /// Whether any part of the surface is within `reach` [m] of a point, or the point behind a one-sided one and so in contact.
     #[inline]
     pub fn near(&self, centre: DVec3, reach: f64) -> bool {
         self.surface.near(self.motor.pose.unplace(self.origin, centre), reach)

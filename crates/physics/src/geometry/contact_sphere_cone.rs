@@ -1,6 +1,6 @@
 //! Contact of a sphere and the lateral surface of a (truncated) cone with open ends.
 
-use super::surface_point::{direction, perpendicular};
+use super::surface_point::{OffAxis, direction};
 use super::{Feature, Side, SurfacePoint};
 use glam::DVec3;
 
@@ -28,14 +28,11 @@ pub struct Cone {
 /// the sphere. A centre on the axis takes a fixed radial direction.
 #[inline]
 pub fn contact_sphere_cone(cone: &Cone, centre: DVec3) -> SurfacePoint {
-    let from_start = centre - cone.start;
-    let height = from_start.dot(cone.axis);
-    let (radial, off_axis) = direction(from_start - cone.axis * height, DVec3::ZERO);
-    let radial = if off_axis > 0.0 {
-        radial
-    } else {
-        perpendicular(cone.axis)
-    };
+    let OffAxis {
+        height,
+        distance: off_axis,
+        radial,
+    } = OffAxis::new(centre - cone.start, cone.axis);
     let rise = cone.end_radius - cone.start_radius;
     let slant = (cone.length * cone.length + rise * rise).sqrt();
     let tangent = (cone.length / slant, rise / slant);
@@ -73,6 +70,7 @@ pub fn contact_sphere_cone(cone: &Cone, centre: DVec3) -> SurfacePoint {
 
 #[cfg(test)]
 mod tests {
+    use super::super::surface_point::perpendicular;
     use super::super::surface_point::sampling::{centres, nearest};
     use super::*;
     use std::f64::consts::TAU;

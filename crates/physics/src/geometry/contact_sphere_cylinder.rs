@@ -1,6 +1,6 @@
 //! Contact of a sphere and the lateral surface of a finite cylinder with open ends.
 
-use super::surface_point::{direction, perpendicular};
+use super::surface_point::OffAxis;
 use super::{Feature, Side, SurfacePoint};
 use glam::DVec3;
 
@@ -24,14 +24,11 @@ pub struct Cylinder {
 /// A centre on the axis takes a fixed radial direction.
 #[inline]
 pub fn contact_sphere_cylinder(cylinder: &Cylinder, centre: DVec3) -> SurfacePoint {
-    let from_start = centre - cylinder.start;
-    let height = from_start.dot(cylinder.axis);
-    let (radial, off_axis) = direction(from_start - cylinder.axis * height, DVec3::ZERO);
-    let radial = if off_axis > 0.0 {
-        radial
-    } else {
-        perpendicular(cylinder.axis)
-    };
+    let OffAxis {
+        height,
+        distance: off_axis,
+        radial,
+    } = OffAxis::new(centre - cylinder.start, cylinder.axis);
     let along = height.clamp(0.0, cylinder.length);
     let foot = cylinder.start + cylinder.axis * along + radial * cylinder.radius;
     let outward = cylinder.side.sign();
@@ -49,6 +46,7 @@ pub fn contact_sphere_cylinder(cylinder: &Cylinder, centre: DVec3) -> SurfacePoi
 
 #[cfg(test)]
 mod tests {
+    use super::super::surface_point::perpendicular;
     use super::super::surface_point::sampling::{centres, nearest};
     use super::*;
     use std::f64::consts::TAU;

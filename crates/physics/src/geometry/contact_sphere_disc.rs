@@ -1,6 +1,6 @@
 //! Contact of a sphere and a circular plate without thickness.
 
-use super::surface_point::{direction, perpendicular};
+use super::surface_point::OffAxis;
 use super::{Feature, SurfacePoint};
 use glam::DVec3;
 
@@ -18,11 +18,12 @@ pub struct Disc {
 /// Closest point of the plate; the rim is `Edge(0)`. A centre in the plate is pushed along the plate's normal.
 #[inline]
 pub fn contact_sphere_disc(disc: &Disc, centre: DVec3) -> SurfacePoint {
-    let from_centre = centre - disc.center;
-    let height = from_centre.dot(disc.normal);
+    let OffAxis {
+        height,
+        distance: off_axis,
+        radial,
+    } = OffAxis::new(centre - disc.center, disc.normal);
     let facing = if height < 0.0 { -disc.normal } else { disc.normal };
-    let in_plane = from_centre - disc.normal * height;
-    let (radial, off_axis) = direction(in_plane, DVec3::ZERO);
     if off_axis <= disc.radius {
         return SurfacePoint {
             normal: facing,
@@ -31,17 +32,13 @@ pub fn contact_sphere_disc(disc: &Disc, centre: DVec3) -> SurfacePoint {
             feature: Feature::Face,
         };
     }
-    let radial = if off_axis > 0.0 {
-        radial
-    } else {
-        perpendicular(disc.normal)
-    };
     let foot = disc.center + radial * disc.radius;
     SurfacePoint::away_from(foot, centre, facing, Feature::Edge(0))
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::surface_point::perpendicular;
     use super::super::surface_point::sampling::{centres, nearest};
     use super::*;
     use std::f64::consts::TAU;

@@ -95,6 +95,36 @@ pub fn perpendicular(axis: DVec3) -> DVec3 {
     across / across.length()
 }
 
+/// Place of a point relative to an axis.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OffAxis {
+    /// Height along the axis.
+    pub(crate) height: f64,
+    /// Distance from the axis.
+    pub(crate) distance: f64,
+    /// Unit vector from the axis to the point; a fixed one for a point on the axis.
+    pub(crate) radial: DVec3,
+}
+
+impl OffAxis {
+    /// Where `v`, measured from a point of the axis, lies about the unit vector `axis`.
+    #[inline]
+    pub(crate) fn new(v: DVec3, axis: DVec3) -> Self {
+        let height = v.dot(axis);
+        let across = v - axis * height;
+        // What rounding left along the axis is taken out again, else a point beside the axis has a skew direction; where
+        // nothing else is left, the point is on the axis.
+        let square = across - axis * across.dot(axis);
+        let (radial, distance) = direction(square, DVec3::ZERO);
+        let beside = distance > 1e-3 * across.length() && distance > 0.0;
+        OffAxis {
+            height,
+            distance,
+            radial: if beside { radial } else { perpendicular(axis) },
+        }
+    }
+}
+
 #[cfg(test)]
 pub(crate) mod sampling {
     //! Brute-force oracle: the nearest of many points of a surface.
@@ -172,6 +202,20 @@ mod tests {
             assert!(length > 0.0);
         }
         assert_eq!(direction(DVec3::ZERO, DVec3::Y), (DVec3::Y, 0.0));
+    }
+
+    #[test]
+    fn directions_from_an_axis_are_square_to_it_however_near() {
+        let axis = DVec3::new(0.2, 0.1, 1.1).normalize();
+        let aside = perpendicular(axis);
+        for height in [0.0, 0.7, -1e3] {
+            for distance in [0.0, 1e-300, 1e-17, 1e-16, 1e-12, 1e-3, 10.0] {
+                let found = OffAxis::new(axis * height + aside * distance, axis);
+                assert!(found.radial.dot(axis).abs() < 1e-12, "{height} {distance:e} {found:?}");
+                assert!((found.radial.length() - 1.0).abs() < 1e-14);
+                assert!((found.distance - distance).abs() < 1e-15 * (1.0 + height.abs()));
+            }
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::cases::OTHER_UNITS;
 use super::planar::{PlanarCase, PlanarInput, load_and_rate, planar_cases};
+use crate::contact::MaterialPair;
 use crate::dimension::Dimension;
 use crate::integrator::rotate;
 use glam::{DQuat, DVec3};
@@ -103,6 +104,20 @@ fn swapping_the_bodies_reverses_the_load() {
             assert_eq!(load, -other, "{}", case.name());
         }
     });
+}
+
+#[test]
+fn swapping_the_materials_changes_nothing() {
+    for case in planar_cases(&[]) {
+        let swapped = PlanarCase {
+            pair: MaterialPair {
+                a: case.pair.b,
+                b: case.pair.a,
+            },
+            ..case
+        };
+        assert_eq!(swapped.rebuilt(&[]).law, case.law, "{}", case.name());
+    }
 }
 
 #[test]

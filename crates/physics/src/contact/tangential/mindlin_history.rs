@@ -73,3 +73,34 @@ impl Tangential for MindlinHistory {
         self.modulus * (size.radius * overlap.max(0.0)).sqrt()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Elastic;
+    use crate::contact::normal::{HertzTsuji, Normal};
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn stiffness_against_that_of_hertz() {
+        // Mindlin (1949): for equal bodies k_t/k_n = 2 (1 - nu)/(2 - nu), at any overlap and size
+        for poisson_ratio in [0.0, 0.2, 0.3, 0.5] {
+            let material = Elastic {
+                young_modulus: 7e9,
+                poisson_ratio,
+            };
+            let pair = MaterialPair {
+                a: material,
+                b: material,
+            };
+            let normal = HertzTsuji::new(&[("restitution".to_string(), 0.5)].into(), &pair).unwrap();
+            let tangential = MindlinHistory::new(&[("friction".to_string(), 0.5)].into(), &pair).unwrap();
+            for (radius, overlap) in [(1e-3, 1e-6), (0.2, 1e-3)] {
+                let size = PairSize { radius, mass: 1.0 };
+                let ratio = tangential.stiffness(size, overlap) / normal.stiffness(size, overlap);
+                let expected = 2.0 * (1.0 - poisson_ratio) / (2.0 - poisson_ratio);
+                assert_relative_eq!(ratio, expected, max_relative = 1e-14);
+            }
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! Light: a lamp from above with shadows, light from all sides that neighbours hold back, and a soft highlight.
+
+use super::camera::Camera;
+use super::spheres::{Seen, Sphere, hit};
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// Share of the light that comes from all sides, and from the lamp.
+const AMBIENT: f64 = 0.68;
+const LAMP: f64 = 0.62;
+const HIGHLIGHT: f64 = 0.07;
+/// What is left of the lamp in a shadow: a hard shadow would hide the colour.
+const IN_SHADOW: f64 = 0.45;
+/// Neighbours that hold light back, at most; those that matter most are kept.
+const MOST_NEIGHBOURS: usize = 20;
+
+/// A linear colour, 1 is white.
+pub(super) type Rgb = [f32; 3];
+
+/// What is needed to light a pixel.
+pub(super) struct Lighting<'a> {
+    spheres: &'a [Sphere],
+    camera: &'a Camera,
+    /// Towards the lamp, and up, in the frame of the camera.
+    lamp: DVec3,
+    up: DVec3,
+    /// Neighbours of every sphere that is seen.
+    neighbours: Neighbours,
+}
+
+impl<'a> Lighting<'a> {
+    /// Prepares the light for what is seen.
+    pub fn new(spheres: &'a [Sphere], seen: &[Seen], camera: &'a Camera) -> Self {
+        let up = camera.turn(DVec3::Z);
+        let lamp = (1.1 * up + DVec3::new(-0.4, 0.0, -0.85)).normalize();
+        Self {
+            spheres,
+            camera,
+            lamp,
+            up,
+            neighbours: Neighbours::new(spheres, seen),
+        }
+    }
+
+    /// Colours all pixels; `albedo` is the colour of every sphere.
+    pub fn shade(&self, seen: &[Seen], width: usize, albedo: &[Rgb], background: Rgb) -> Vec<Rgb> {
+        let mut colours = vec![background; seen.len()];
+        let rows = colours.par_chunks_mut(width).zip(seen.par_chunks(width)).enumerate();
+        rows.for_each(|(y, (colours, seen))| {
+            for (x, (colour, pixel)) in colours.iter_mut().zip(seen).enumerate() {
+                if pixel.sphere != u32::MAX {
+                    *colour = self.pixel(x, y, pixel.sphere as usize, albedo[pixel.sphere as usize]);
+                }
+            }
+        });
+        colours
+    }
+
+    fn pixel(&self, x: usize, y: usize, index: usize, albedo: Rgb) -> Rgb {
+        let sphere = &self.spheres[index];
+        let ray = self.camera.ray(x, y);
+        let point = hit(sphere, ray);
+        let normal = (point - sphere.centre) / sphere.radius;
+        let (open, lit) = self.light_at(point, normal, index);
+        let sky = 0.5 + 0.5 * normal.dot(self.up);
+        let ambient = AMBIENT * open * (0.7 + 0.3 * sky);
+        let lamp = normal.dot(self.lamp).max(0.0) * lit;
+        let view = -ray.normalize();
+        let half = (self.lamp + view).normalize();
+        let glance = normal.dot(half).max(0.0);
+        let glance2 = glance * glance;
+        let glance8 = glance2 * glance2 * glance2 * glance2;
+        let highlight = HIGHLIGHT * lit * glance8 * glance8 * glance8;
+        let diffuse = ambient + LAMP * lamp;
+        albedo.map(|c| (f64::from(c) * diffuse + highlight).min(1.0) as f32)
+    }
+
+    /// How open the sky is at a point, and how much of the lamp reaches it, with respect to the neighbours.
+    ///
+    /// A sphere of radius r at a distance d covers the share `cos(angle) (r/d)^2` of the light from all sides.
+    fn light_at(&self, point: DVec3, normal: DVec3, index: usize) -> (f64, f64) {
+        let (mut open, mut lit) = (1.0, 1.0_f64);
+        for &neighbour in self.neighbours.of(index) {
+            let other = &self.spheres[neighbour as usize];
+            let towards = other.centre - point;
+            let squared = towards.length_squared().max(other.radius * other.radius);
+            let distance = squared.sqrt();
+            let cosine = normal.dot(towards) / distance;
+            let cover = other.radius * other.radius / squared;
+            open *= 1.0 - (0.5 * cosine + 0.25).clamp(0.0, 0.72) * cover;
+            lit = lit.min(self.reaches(towards, other.radius));
+        }
+        (open, IN_SHADOW + (1.0 - IN_SHADOW) * lit)
+    }
+
+    /// How much of the lamp, which is a disc, passes a sphere: 1 past its soft rim, 0 inside it.
+    fn reaches(&self, towards: DVec3, radius: f64) -> f64 {
+        let along = towards.dot(self.lamp);
+        if along <= 0.0 {
+            return 1.0;
+        }
+        let miss = (towards.length_squared() - along * along).max(0.0).sqrt();
+        let rim = 0.08 * radius + 0.10 * along;
+        let share = ((miss - radius + rim) / (2.0 * rim)).clamp(0.0, 1.0);
+        share * share * (3.0 - 2.0 * share)
+    }
+}
+
+/// The spheres around every sphere that is seen, in one list.
+struct Neighbours {
+    start: Vec<u32>,
+    list: Vec<u32>,
+}
+
+impl Neighbours {
+    fn of(&self, sphere: usize) -> &[u32] {
+        &self.list[self.start[sphere] as usize..self.start[sphere + 1] as usize]
+    }
+
+    fn new(spheres: &[Sphere], seen: &[Seen]) -> Self {
+        let mut is_seen = vec![false; spheres.len()];
+        for pixel in seen.iter().filter(|pixel| pixel.sphere != u32::MAX) {
+            is_seen[pixel.sphere as usize] = true;
+        }
+        let largest = spheres
+            .iter()
+            .map(|s| s.radius)
+            .filter(|r| r.is_finite())
+            .fold(0.0, f64::max);
+        let grid = Grid::new(spheres, 3.0 * largest);
+        let lists: Vec<Vec<u32>> = (0..spheres.len())
+            .into_par_iter()
+            .map(|index| if is_seen[index] { grid.around(index) } else { Vec::new() })
+            .collect();
+        let mut neighbours = Self {
+            start: vec![0],
+            list: Vec::new(),
+        };
+        for list in lists {
+            neighbours.list.extend(list);
+            // A list has at most MOST_NEIGHBOURS entries, and there are less than 2^27 spheres in a picture.
+            neighbours.start.push(neighbours.list.len() as u32);
+        }
+        neighbours
+    }
+}
+
+/// Spheres sorted by the cell that their centre is in.
+struct Grid<'a> {
+    spheres: &'a [Sphere],
+    cell: f64,
+    /// Cell and index of a sphere, sorted.
+    entries: Vec<([i64; 3], u32)>,
+}
+
+impl<'a> Grid<'a> {
+    fn new(spheres: &'a [Sphere], cell: f64) -> Self {
+        let mut grid = Self {
+            spheres,
+            cell: if cell > 0.0 { cell } else { 1.0 },
+            entries: Vec::new(),
+        };
+        let drawn = (0..).zip(spheres).filter(|(_, s)| s.centre.is_finite());
+        grid.entries = drawn.map(|(index, s)| (grid.cell_of(s.centre), index)).collect();
+        grid.entries.sort_unstable();
+        grid
+    }
+
+    fn cell_of(&self, p: DVec3) -> [i64; 3] {
+        // The conversion saturates, which only puts far spheres into one cell.
+        [p.x, p.y, p.z].map(|x| (x / self.cell).floor() as i64)
+    }
+
+    /// The spheres that hold most light back from a sphere, by what they cover as seen from its surface.
+    fn around(&self, index: usize) -> Vec<u32> {
+        let me = &self.spheres[index];
+        let [i, j, k] = self.cell_of(me.centre);
+        let mut found: Vec<(f64, u32)> = Vec::new();
+        for (a, b) in (-1..=1).flat_map(|a| (-1..=1).map(move |b| (a, b))) {
+            let (i, j) = (i.saturating_add(a), j.saturating_add(b));
+            let from = self.entries.partition_point(|e| e.0 < [i, j, k.saturating_sub(1)]);
+            let to = self.entries.partition_point(|e| e.0 <= [i, j, k.saturating_add(1)]);
+            for &(_, other) in &self.entries[from..to.max(from)] {
+                let s = &self.spheres[other as usize];
+                let distance = s.centre.distance(me.centre);
+                if other as usize != index && distance < me.radius + 3.0 * s.radius {
+                    let gap = (distance - me.radius).max(0.5 * s.radius);
+                    found.push((s.radius * s.radius / (gap * gap), other));
+                }
+            }
+        }
+        found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        found.truncate(MOST_NEIGHBOURS);
+        found.into_iter().map(|(_, other)| other).collect()
+    }
+}

@@ -1,0 +1,366 @@
+mod faults;
+
+use super::reader::Context;
+use super::*;
+use crate::insertion::{Amount, Basis, LatticeKind, Region, SizeDistribution, Source};
+use crate::particles::Outside;
+use crate::simulation::StopCondition;
+use crate::walls::{Motion, Shape, Side};
+use glam::dvec3;
+use std::f64::consts::PI;
+
+fn good() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/good")
+}
+
+fn read_good(name: &str) -> Scenario {
+    match Scenario::read(&good().join(name), &[]) {
+        Ok(scenario) => scenario,
+        Err(faults) => panic!("{}", faults.render(false)),
+    }
+}
+
+fn parse(text: &str, overrides: &[&str]) -> Result<Scenario, Diagnostics> {
+    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
+    Scenario::parse(text, "case.toml", Path::new(""), &overrides)
+}
+
+fn settle() -> &'static str {
+    template("settle").unwrap()
+}
+
+/// Every key that reading a text asks for.
+fn asked(text: &str, base: &Path) -> BTreeSet<String> {
+    let document = tree(text, "case", &[]).unwrap();
+    let context = Context {
+        faults: RefCell::new(Diagnostics::new("case", Arc::clone(&document))),
+        asked: RefCell::new(BTreeSet::new()),
+    };
+    Scenario::walk(&context, text, "case", base, document);
+    context.asked.into_inner()
+}
+
+/// The section of the reference and the key in it, of the path of a key.
+fn place_in_reference(path: &str) -> Option<(String, String)> {
+    let mut path = path.to_string();
+    while path.contains("stage[].stage[]") {
+        path = path.replace("stage[].stage[]", "stage[]");
+    }
+    let path = path
+        .replace("stop[]", "stop")
+        .replace("wall[].motion.", "motion.")
+        .replace("stage[].motion.*.", "motion.");
+    let (section, key) = path.rsplit_once('.').unwrap_or(("", &path));
+    let of_a_law = ["normal", "tangential", "rolling"]
+        .iter()
+        .any(|family| section.ends_with(family));
+    (key != "*" && !of_a_law).then(|| (section.to_string(), key.to_string()))
+}
+
+#[test]
+fn the_reference_lists_exactly_the_keys_that_are_read() {
+    let mut read = BTreeSet::new();
+    for file in std::fs::read_dir(good()).unwrap().map(|f| f.unwrap().path()) {
+        if file.extension().is_some_and(|e| e == "toml") {
+            read.extend(asked(&std::fs::read_to_string(file).unwrap(), &good()));
+        }
+    }
+    let read: BTreeSet<_> = read.iter().filter_map(|path| place_in_reference(path)).collect();
+    let mut listed = BTreeSet::new();
+    let mut sections: Vec<String> = Vec::new();
+    for line in REFERENCE.lines() {
+        if let Some(heading) = line.strip_prefix("## `") {
+            let heading = heading.split(": ").next().unwrap_or_default();
+            sections = heading
+                .split(", ")
+                .map(|s| s.trim_matches(['`', ' ']).to_string())
+                .collect();
+        } else if let Some(row) = line.strip_prefix("| `") {
+            let key = row.split('`').next().unwrap_or_default();
+            // two keys of `[output]` alone stand in the section that it shares with the output of a stage
+            let alone = ["picture", "plots"].contains(&key);
+            for section in sections.iter().filter(|s| !alone || *s == "output") {
+                listed.insert((section.clone(), key.to_string()));
+            }
+        }
+    }
+    let missing: Vec<_> = read.difference(&listed).collect();
+    let stale: Vec<_> = listed.difference(&read).collect();
+    assert!(
+        missing.is_empty() && stale.is_empty(),
+        "missing: {missing:?}\nnot read: {stale:?}"
+    );
+}
+
+#[test]
+fn walls_and_motions_are_read_as_told() {
+    let scenario = read_good("every_wall.toml");
+    let shape = |name: &str| {
+        scenario
+            .walls
+            .iter()
+            .find(|w| w.name == name)
+            .map(|w| w.shape.clone())
+            .unwrap()
+    };
+    let given = |name: &str| match shape(name) {
+        WallShape::Given(shape) => shape,
+        WallShape::File(file) => panic!("{file:?}"),
+    };
+    let motion = |name: &str| {
+        scenario
+            .walls
+            .iter()
+            .find(|w| w.name == name)
+            .map(|w| w.motion.clone())
+            .unwrap()
+    };
+    let plane = Shape::Plane {
+        point: dvec3(0.0, 0.0, -0.05),
+        normal: dvec3(0.0, 0.0, 1.0),
+    };
+    assert_eq!(given("floor"), plane);
+    let (lower, upper) = (dvec3(-0.05, -0.05, -0.05), dvec3(0.05, 0.05, 0.05));
+    let open = [false, false, false, false, true, true];
+    assert_eq!(given("box"), Shape::Box { lower, upper, open });
+    assert_eq!(
+        given("shell"),
+        Shape::Cylinder {
+            start: dvec3(0.01, 0.01, -0.04),
+            end: dvec3(0.01, 0.01, 0.04),
+            radius: 0.03,
+            side: Side::Inside,
+        }
+    );
+    assert_eq!(
+        given("hopper"),
+        Shape::Cone {
+            start: dvec3(0.01, 0.01, -0.03),
+            end: dvec3(0.01, 0.01, -0.01),
+            start_radius: 0.0,
+            end_radius: 0.03,
+            side: Side::Inside,
+        }
+    );
+    assert_eq!(
+        given("ball"),
+        Shape::Sphere {
+            center: dvec3(0.01, 0.01, -0.008),
+            radius: 0.003,
+            side: Side::Outside,
+        }
+    );
+    assert_eq!(
+        given("plate"),
+        Shape::Rectangle {
+            center: dvec3(0.01, 0.01, 0.014),
+            half_u: dvec3(0.008, 0.0, 0.0),
+            half_v: dvec3(0.0, 0.008, 0.0),
+        }
+    );
+    assert_eq!(
+        given("lid"),
+        Shape::Disc {
+            center: dvec3(0.01, 0.01, 0.03),
+            normal: dvec3(0.0, 0.0, -1.0),
+            radius: 0.02,
+        }
+    );
+    let corner = dvec3(0.03, 0.0, 0.0);
+    assert!(matches!(given("ramp"), Shape::Mesh { triangles } if triangles.len() == 1 && triangles[0][0] == corner));
+    match shape("mesh") {
+        WallShape::File(file) => {
+            assert_eq!((file.scale, file.shift), (0.001, dvec3(0.0, 0.0, -0.002)));
+            assert!(file.path.ends_with("plate.stl") && file.path.is_file());
+        }
+        WallShape::Given(shape) => panic!("{shape:?}"),
+    }
+    assert_eq!(motion("floor"), Motion::Rest);
+    assert_eq!(motion("lid"), Motion::Velocity(dvec3(0.0, 0.0, -0.005)));
+    match motion("shell") {
+        Motion::Rotation {
+            point,
+            axis,
+            angular_velocity,
+        } => {
+            assert_eq!((point, axis), (dvec3(0.01, 0.01, 0.0), dvec3(0.0, 0.0, 1.0)));
+            assert!((angular_velocity - 2.0 * PI).abs() < 1e-14);
+        }
+        other => panic!("{other:?}"),
+    }
+    let oscillation = Motion::Oscillation {
+        amplitude: dvec3(0.0, 0.0, 0.001),
+        frequency: 50.0,
+        phase: 90.0 * (PI / 180.0),
+    };
+    assert_eq!(motion("ball"), oscillation);
+    let servo = Motion::Servo {
+        axis: dvec3(0.0, 0.0, -1.0),
+        force: 0.01,
+        max_speed: 0.05,
+    };
+    assert_eq!(motion("plate"), servo);
+}
+
+#[test]
+fn settings_are_read_as_told() {
+    let scenario = read_good("every_wall.toml");
+    assert_eq!((scenario.title.as_str(), scenario.seed), ("Every wall", 7));
+    let simulation = SimulationSpec {
+        gravity: dvec3(0.0, 0.0, -9.81),
+        max_overlap: 0.1,
+        skin: Some(5e-4),
+        ..SimulationSpec::default()
+    };
+    assert_eq!(scenario.simulation, simulation);
+    assert_eq!(
+        scenario.domain.bounds,
+        Some((dvec3(-0.06, -0.06, -0.06), dvec3(0.06, 0.06, 0.06)))
+    );
+    assert_eq!(
+        (scenario.domain.outside, scenario.domain.periodic),
+        (Outside::Remove, [false; 3])
+    );
+    let lattice = read_good("every_lattice.toml");
+    assert_eq!(lattice.simulation.time_step, TimeStep::Fixed(2e-6));
+    assert_eq!(
+        (lattice.domain.outside, lattice.domain.periodic),
+        (Outside::Stop, [true, true, false])
+    );
+    let minimal = read_good("free_fall.toml");
+    assert_eq!((minimal.title.as_str(), minimal.seed), ("free_fall", 1));
+    assert_eq!(minimal.simulation.time_step, TimeStep::Auto);
+    assert_eq!(minimal.simulation.max_overlap, DEFAULT_MAX_OVERLAP);
+    assert_eq!((minimal.domain.bounds, minimal.domain.outside), (None, Outside::Stop));
+    assert_eq!(minimal.contact.default.tangential, None);
+    let cadence = minimal.output.cadence;
+    assert_eq!(
+        (cadence.series, cadence.frames),
+        (Some(0.05 / AUTOMATIC_ROWS), Some(0.05 / AUTOMATIC_FRAMES))
+    );
+}
+
+#[test]
+fn grains_and_sizes_are_read_as_told() {
+    let scenario = read_good("every_size.toml");
+    let size = |index: usize| match &scenario.grains[index].source {
+        Source::Random { diameter, .. } => diameter.clone(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(
+        size(0),
+        SizeDistribution::List {
+            diameters: vec![1.5e-3, 2.5e-3],
+            shares: vec![3.0, 1.0],
+            basis: Basis::Number,
+        }
+    );
+    let (lower, upper) = (1.5e-3, 2.5e-3);
+    assert_eq!(size(1), SizeDistribution::Uniform { lower, upper });
+    match size(3) {
+        SizeDistribution::Lognormal { lower, upper, .. } => {
+            assert!((lower * 1.1 * 1.1 * 1.1 / 2e-3 - 1.0).abs() < 1e-14);
+            assert!((upper / (2e-3 * 1.1 * 1.1 * 1.1) - 1.0).abs() < 1e-14);
+        }
+        other => panic!("{other:?}"),
+    }
+    assert!(matches!(size(5), SizeDistribution::Table { finer, .. } if finer == [0.0, 0.2, 0.7, 1.0]));
+    let milled = &scenario.grains[4];
+    assert_eq!((milled.seed, milled.velocity_deviation), (11, 0.01));
+    assert_eq!(scenario.grains[5].seed, 3 + 5);
+    assert!((milled.angular_velocity.z - PI).abs() < 1e-14);
+    assert!(matches!(&milled.source, Source::Random { amount, .. } if *amount == Amount::VolumeFraction(0.05)));
+    let region = Region::Cylinder {
+        start: dvec3(0.01, 0.01, 0.04),
+        end: dvec3(0.01, 0.01, 0.06),
+        radius: 0.009,
+    };
+    assert!(matches!(&scenario.grains[2].source, Source::Random { region: r, .. } if *r == region));
+    let lattices = read_good("every_lattice.toml");
+    let kinds: Vec<_> = (lattices.grains.iter())
+        .filter_map(|g| match &g.source {
+            Source::Lattice {
+                kind, count, jitter, ..
+            } => Some((*kind, *count, *jitter)),
+            _ => None,
+        })
+        .collect();
+    let expected = [
+        (LatticeKind::SimpleCubic, None, 0.05),
+        (LatticeKind::Bcc, Some(50), 0.0),
+        (LatticeKind::Fcc, None, 0.0),
+        (LatticeKind::Hcp, None, 0.0),
+    ];
+    assert_eq!(kinds, expected);
+}
+
+#[test]
+fn a_pair_changes_only_what_it_names() {
+    let scenario = read_good("every_stop.toml");
+    let friction = |a, b| {
+        scenario
+            .contact
+            .choice(a, b)
+            .tangential
+            .map(|t| (t.law, t.parameters["friction"]))
+    };
+    assert_eq!(friction(0, 0), Some(("coulomb".to_string(), 0.1)));
+    assert_eq!(friction(0, 1), Some(("coulomb".to_string(), 0.02)));
+    assert_eq!(friction(1, 0), friction(0, 1));
+    assert_eq!(friction(1, 1), None);
+    assert_eq!(scenario.contact.choice(0, 1).normal, scenario.contact.default.normal);
+    let steel = scenario.contact.choice(1, 1).normal;
+    assert_eq!(
+        (steel.law.as_str(), steel.parameters["stiffness"]),
+        ("linear", 10_000.0)
+    );
+}
+
+#[test]
+fn repeats_are_unrolled_with_names_of_their_own() {
+    let scenario = read_good("every_stop.toml");
+    let names: Vec<&str> = scenario.stages.iter().map(|s| s.name.as_str()).collect();
+    let expected = [
+        "settle",
+        "touch",
+        "hold",
+        "squeeze 1",
+        "shake 1.1",
+        "shake 1.2",
+        "release 1",
+        "squeeze 2",
+        "shake 2.1",
+        "shake 2.2",
+        "release 2",
+    ];
+    assert_eq!(names, expected);
+    assert_eq!(scenario.stage_paths[8], "stage[3].stage[1]");
+    let settle = &scenario.stages[0];
+    assert_eq!(
+        settle.stop,
+        [StopCondition::Duration(0.5), StopCondition::KineticOverElastic(1e-3)]
+    );
+    assert_eq!((settle.cadence.frames, settle.cadence.series), (None, Some(2e-3)));
+    let touch = StopCondition::WallForce {
+        wall: 1,
+        direction: [0.0, 0.0, 1.0],
+        above: 5e-3,
+    };
+    assert_eq!(scenario.stages[1].stop[1], touch);
+    assert_eq!(
+        scenario.stages[1].motions,
+        [(1, Motion::Velocity(dvec3(0.0, 0.0, -0.05)))]
+    );
+    assert_eq!(scenario.stages[2].stop, [StopCondition::Steps(1000)]);
+    let strain = StopCondition::Strain {
+        wall: 1,
+        length: 0.02,
+        strain: 0.05,
+    };
+    assert_eq!(scenario.stages[3].stop[1], strain);
+    // 0.5 + 0.2 + 2 (0.5 + 2 0.02 + 0.1) s
+    let total = 1.98;
+    let checkpoints = scenario.stages[3].cadence.checkpoints.unwrap();
+    assert!((checkpoints * AUTOMATIC_CHECKPOINTS - total).abs() < 1e-12);
+    assert_eq!(scenario.output.cadence.checkpoints, Some(0.1));
+}

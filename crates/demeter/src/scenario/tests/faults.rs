@@ -1,0 +1,176 @@
+use super::*;
+use proptest::prelude::*;
+
+#[test]
+fn overrides_reach_every_part() {
+    let overrides = [
+        "grains[0].count=20",
+        "wall.box.open=[]",
+        "stage.0.duration=2 ms",
+        "simulation.skin=\"1 mm\"",
+        "output.frames=never",
+        "material.glass.density = 2600 kg/m^3",
+        "domain.outside=remove",
+    ];
+    let scenario = parse(settle(), &overrides).unwrap();
+    assert!(matches!(
+        &scenario.grains[0].source,
+        Source::Random {
+            amount: Amount::Count(20),
+            ..
+        }
+    ));
+    assert!(matches!(&scenario.walls[0].shape, WallShape::Given(Shape::Box { open, .. }) if *open == [false; 6]));
+    assert_eq!(scenario.stages[0].stop[0], StopCondition::Duration(2e-3));
+    assert_eq!(
+        (scenario.simulation.skin, scenario.output.cadence.frames),
+        (Some(1e-3), None)
+    );
+    assert_eq!(
+        (scenario.materials[0].density, scenario.domain.outside),
+        (2600.0, Outside::Remove)
+    );
+    assert!(scenario.to_resolved_toml().contains("count = 20"));
+    let whole = parse(
+        settle(),
+        &["grains[0]={ material = \"glass\", source = \"list\", positions = [\"0 0 9 mm\"], diameter = \"2 mm\" }"],
+    );
+    assert!(matches!(&whole.unwrap().grains[0].source, Source::List { diameters, .. } if *diameters == [2e-3]));
+}
+
+#[test]
+fn a_fault_of_an_override_points_at_its_text() {
+    let faults = parse(settle(), &["seed=2", "grains[0].diameter=2 s"]).unwrap_err();
+    let fault = &faults.list()[0];
+    assert_eq!((fault.source.as_str(), fault.line, fault.column), ("--set", 1, 20));
+    assert_eq!(fault.path, "grains[0].diameter");
+    let drawn = faults.render(false);
+    assert!(
+        drawn.contains("grains[0].diameter=2 s\n") && drawn.contains("^^^"),
+        "{drawn}"
+    );
+}
+
+#[test]
+fn later_checks_point_at_the_key() {
+    let scenario = parse(settle(), &[]).unwrap();
+    let mut faults = scenario.diagnostics();
+    assert!(faults.is_empty());
+    faults.push("stage[0].stop.kinetic_over_elastic", "too small", None);
+    faults.push("wall[0].lower", "outside the domain", Some("move it".to_string()));
+    faults.push("wall[0].radius", "not written: at its wall", None);
+    let after_wall = |text: &str| {
+        settle()
+            .lines()
+            .skip_while(|l| *l != "[[wall]]")
+            .position(|l| l.starts_with(text))
+    };
+    let wall = settle().lines().position(|l| l == "[[wall]]").unwrap() + 1;
+    let expected = [
+        wall,
+        wall + after_wall("lower").unwrap(),
+        wall + after_wall("stop").unwrap(),
+    ];
+    let lines: Vec<usize> = faults.list().iter().map(|f| f.line).collect();
+    assert_eq!(lines, expected);
+    let span = scenario.origin("material.glass.density").unwrap();
+    assert_eq!(&scenario.text[span.bytes], "\"2500 kg/m^3\"");
+    assert_eq!(scenario.origin("nothing"), None);
+}
+
+#[test]
+fn a_fault_is_drawn_with_its_line_and_underlined() {
+    let text = settle().replace("poisson_ratio = 0.25", "poisson_ratio = 0.75");
+    let faults = parse(&text, &[]).unwrap_err();
+    let drawn = faults.render(false);
+    let line = text.lines().position(|l| l.contains("0.75")).unwrap() + 1;
+    assert!(drawn.contains(&format!("--> case.toml:{line}:17")), "{drawn}");
+    assert!(
+        drawn.contains("poisson_ratio = 0.75") && drawn.contains("^^^^"),
+        "{drawn}"
+    );
+    let plain = format!("case.toml:{line}:17: `poisson_ratio` is 0.75; it must be above -1 and at most 0.5");
+    assert_eq!(faults.to_string(), plain);
+}
+
+#[test]
+fn files_that_cannot_be_read_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let message = |path: &Path| Scenario::read(path, &[]).unwrap_err().list()[0].message.clone();
+    assert_eq!(message(&folder.path().join("none.toml")), "there is no such file");
+    assert_eq!(message(folder.path()), "this is a folder; name the scenario file in it");
+    let large = folder.path().join("large.toml");
+    std::fs::File::create(&large)
+        .unwrap()
+        .set_len(MAX_FILE_SIZE + 1)
+        .unwrap();
+    assert_eq!(message(&large), "the file is larger than 16 MiB");
+}
+
+#[test]
+fn hostile_texts_are_refused() {
+    let deep = [
+        format!("a = {}", "[".repeat(100_000)),
+        format!("a = {}", "{a=".repeat(100_000)),
+        format!("{}a = 1", "a.".repeat(100_000)),
+        format!("[{}a]\nb = 1", "a.".repeat(100_000)),
+        format!("title = \"{}\"", "x".repeat(1_000_000)),
+        format!("title = \"x\"\n{}", "[[stage]]\n".repeat(100_000)),
+        format!("[[stage]]\n{}", "x = 1\n".repeat(10_000)),
+    ];
+    for text in deep {
+        assert!(!parse(&text, &[]).unwrap_err().is_empty());
+    }
+    for set in [
+        "",
+        "=",
+        "a",
+        "[0]=1",
+        "a..b=1",
+        "a[=1",
+        "a]=1",
+        "\"=1",
+        "stage[99999999999999999999]=1",
+        "title.x.y=1",
+    ] {
+        assert!(parse(settle(), &[set]).is_err(), "{set}");
+    }
+    let path = format!("{}a=1", "a.".repeat(100_000));
+    assert!(parse(settle(), &[&path]).is_err());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Whatever is done to a scenario, it is read or refused with messages that can be drawn.
+    #[test]
+    fn a_garbled_scenario_never_panics(
+        which in 0..TEMPLATES.len(),
+        edits in prop::collection::vec((any::<prop::sample::Index>(), 0..6usize, "[ -~é\n]{0,6}"), 1..8),
+    ) {
+        let mut text: Vec<char> = TEMPLATES[which].2.chars().collect();
+        for (at, length, insert) in edits {
+            let at = at.index(text.len().max(1)).min(text.len());
+            let end = (at + length).min(text.len());
+            text.splice(at..end, insert.chars());
+        }
+        let text: String = text.into_iter().collect();
+        if let Err(faults) = parse(&text, &[]) {
+            prop_assert!(!faults.render(false).is_empty());
+        }
+    }
+
+    #[test]
+    fn an_override_never_panics(set in "[a-z0-9.\\[\\]=\"é]{0,20}") {
+        if let Err(faults) = parse(settle(), &[&set]) {
+            prop_assert!(!faults.render(true).is_empty());
+        }
+    }
+
+    #[test]
+    fn a_quantity_never_panics(text in "[0-9a-zA-Z+-.^/()* %°µé]{0,30}") {
+        if let Ok(quantity) = units::parse(&text) {
+            prop_assert!(quantity.value.is_finite());
+        }
+    }
+}

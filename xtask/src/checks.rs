@@ -1,0 +1,147 @@
+//! The checks of a merge, one by one and all together.
+
+use crate::shell::{answers, cargo, root, run, run_cargo, rust_files};
+use crate::{house_rules, layers, python};
+use std::process::Command;
+
+/// The Python crate is left out of what needs linking: it is checked on its own.
+const ALL_BUT_PYTHON: [&str; 3] = ["--workspace", "--exclude", "demeter-py"];
+
+/// Everything that must hold before a merge. The quick checks come first.
+pub fn ci() -> Result<(), String> {
+    format(true)?;
+    layers()?;
+    clippy()?;
+    run_cargo(&["check", "-p", "demeter-py", "--locked"], &[])?;
+    documentation()?;
+    test()?;
+    python::test()?;
+    println!("==> all checks passed");
+    Ok(())
+}
+
+/// All tests and the examples in the documentation.
+pub fn test() -> Result<(), String> {
+    if answers(&cargo(), &["nextest", "--version"]) {
+        run_cargo(&[&["nextest", "run"], &ALL_BUT_PYTHON[..]].concat(), &[])?;
+        run_cargo(&[&["test", "--doc"], &ALL_BUT_PYTHON[..]].concat(), &[])
+    } else {
+        run_cargo(&[&["test"], &ALL_BUT_PYTHON[..]].concat(), &[])
+    }
+}
+
+fn clippy() -> Result<(), String> {
+    let arguments = [
+        &["clippy"],
+        &ALL_BUT_PYTHON[..],
+        &["--all-targets", "--", "-D", "warnings"],
+    ];
+    run_cargo(&arguments.concat(), &[])
+}
+
+/// Units in documentation, such as `[m]`, which rustdoc takes for links.
+const UNITS: [&str; 14] = [
+    "m", "s", "kg", "N", "J", "Pa", "W", "K", "Hz", "rad", "deg", "bytes", "J/m", "N/m",
+];
+
+/// Documentation without warnings, but for units in brackets that look like links.
+pub fn documentation() -> Result<(), String> {
+    println!("==> cargo doc, warnings as errors");
+    let output = Command::new(cargo())
+        .args([
+            "doc",
+            "--no-deps",
+            "-p",
+            "demeter-physics",
+            "-p",
+            "demeter",
+            "--message-format",
+            "short",
+        ])
+        .env("RUSTDOCFLAGS", "--force-warn rustdoc::broken-intra-doc-links")
+        .current_dir(root())
+        .output()
+        .map_err(|error| format!("cannot start cargo: {error}"))?;
+    let told = String::from_utf8_lossy(&output.stderr);
+    let warnings: Vec<&str> = told.lines().filter(|line| is_warning(line)).collect();
+    match (output.status.success(), warnings.is_empty()) {
+        (true, true) => Ok(()),
+        (true, false) => Err(warnings.join("\n")),
+        (false, _) => Err(told.into_owned()),
+    }
+}
+
+/// Whether a line of `cargo doc` warns of anything but a unit.
+fn is_warning(line: &str) -> bool {
+    let Some((_, message)) = line.split_once("warning: ") else {
+        return false;
+    };
+    let generated = message.contains("generated") && message.contains("warning");
+    let unit = message
+        .strip_prefix("unresolved link to `")
+        .and_then(|rest| rest.split('`').next())
+        .is_some_and(|link| UNITS.contains(&link));
+    !generated && !unit
+}
+
+/// Formats every file: `cargo fmt` does not see modules that a macro declares, which all contact laws are.
+pub fn format(check: bool) -> Result<(), String> {
+    let mut files = Vec::new();
+    for folder in ["crates", "xtask/src"] {
+        files.extend(rust_files(&root().join(folder))?);
+    }
+    let files: Vec<String> = files
+        .iter()
+        .map(|path| path.strip_prefix(root()).unwrap_or(path).display().to_string())
+        .collect();
+    let mut arguments = vec!["--edition", "2024"];
+    if check {
+        arguments.push("--check");
+    }
+    arguments.extend(files.iter().map(String::as_str));
+    run("rustfmt", &arguments, &[])
+}
+
+/// The arrows of the design and the rules of the house.
+pub fn layers() -> Result<(), String> {
+    println!("==> layers");
+    let mut faults = layers::check(&root())?;
+    faults.extend(house_rules::check(&root())?);
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(faults.join("\n"))
+    }
+}
+
+/// The verification cases at full size.
+pub fn verify(filter: Option<&str>) -> Result<(), String> {
+    let mut arguments = vec![
+        "nextest",
+        "run",
+        "--release",
+        "--workspace",
+        "--exclude",
+        "demeter-py",
+        "-E",
+        "binary(/^verification_/)",
+    ];
+    arguments.extend(filter);
+    run_cargo(&arguments, &[("DEMETER_FULL", "1")])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_is_no_broken_link() {
+        assert!(is_warning("a.rs:1:2: warning: unresolved link to `Grain`: no item"));
+        assert!(is_warning("a.rs:1:2: warning: unclosed HTML tag `f64`"));
+        assert!(!is_warning(
+            "a.rs:1:2: warning: unresolved link to `m`: no item named `m` in scope"
+        ));
+        assert!(!is_warning("warning: `demeter` (lib doc) generated 3 warnings"));
+        assert!(!is_warning("    Finished `dev` profile"));
+    }
+}
