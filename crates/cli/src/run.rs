@@ -109,7 +109,7 @@ fn tell(report: &Report, as_json: bool) -> Result<Exit, Failure> {
 }
 
 fn picture(report: &Report) -> Option<PathBuf> {
-    let picture = RunFolder::open(&report.folder).ok()?.picture();
+    let picture = RunFolder::find(&report.folder).ok()?.picture();
     picture.is_file().then_some(picture)
 }
 

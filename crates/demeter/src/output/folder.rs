@@ -64,15 +64,20 @@ impl RunFolder {
         Ok(folder)
     }
 
-    /// Opens the folder of a run that exists.
-    pub fn open(root: &Path) -> Result<Self, OutputError> {
-        if !root.join(MARKER).is_file() {
-            return Err(OutputError::NotARun {
-                folder: root.to_owned(),
-                marker: MARKER,
-            });
+    /// Finds the folder of a run that exists, to read from it.
+    pub fn find(root: &Path) -> Result<Self, OutputError> {
+        if root.join(MARKER).is_file() {
+            return Ok(Self { root: root.to_owned() });
         }
-        let folder = Self { root: root.to_owned() };
+        Err(OutputError::NotARun {
+            folder: root.to_owned(),
+            marker: MARKER,
+        })
+    }
+
+    /// Opens the folder of a run that exists, to write more into it.
+    pub fn open(root: &Path) -> Result<Self, OutputError> {
+        let folder = Self::find(root)?;
         for sub in [folder.frames(), folder.plots(), folder.pictures()] {
             fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))?;
         }
