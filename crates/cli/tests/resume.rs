@@ -48,6 +48,11 @@ fn a_killed_run_resumes_to_the_same_bits() {
     std::thread::sleep(std::time::Duration::from_millis(300));
     signal(&mut child, "KILL");
     place.expect(0, &["resume", "cut"]);
+    let summary = fs::read(place.path("cut/summary.json")).unwrap();
+    let said = place.expect(0, &["resume", "cut"]);
+    assert!(said.out.contains("nothing is left to do"), "{}", said.out);
+    assert_eq!(place.expect(0, &["resume", "cut", "--json"]).json()["end"], "finished");
+    assert!(summary == fs::read(place.path("cut/summary.json")).unwrap());
     assert_same(&place.results("whole"), &place.results("cut"));
 }
 

@@ -130,9 +130,10 @@ title = "Grains fall into a box"
 
 [simulation]
 gravity = "0 0 -9.81 m/s^2"
+max_overlap = 0.3
 
 [material.glass]
-young_modulus = "1 MPa"
+young_modulus = "2 MPa"
 poisson_ratio = 0.25
 density = "2500 kg/m^3"
 

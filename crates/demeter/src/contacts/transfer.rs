@@ -1,6 +1,6 @@
 //! Handing contacts over when the candidates are found anew, and to and from a checkpoint.
 
-use super::{CHUNK, ContactChunk, Contacts, Kept};
+use super::{CHUNK, ContactChunk, Contacts};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
@@ -29,6 +29,8 @@ pub struct CarriedContact {
     pub pair: u32,
     /// Normal.
     pub normal: DVec3,
+    /// Overlap [m].
+    pub overlap: f64,
     /// Normal force [N].
     pub normal_force: f64,
     /// History of its laws.
@@ -57,6 +59,7 @@ impl Contacts {
                         },
                         pair: chunk.now.pair[k],
                         normal: chunk.now.geometry[k].normal,
+                        overlap: chunk.now.geometry[k].overlap,
                         normal_force: chunk.now.normal_force[k],
                         history: chunk.history(k, self.stride).to_vec(),
                     });
@@ -71,7 +74,7 @@ impl Contacts {
     /// `carried` is sorted by its keys.
     pub fn adopt(&mut self, grains: &Grains, neighbours: &Neighbours, carried: &[CarriedContact]) {
         let stride = self.stride;
-        self.pairs = chunks(neighbours.pairs.len(), |c, kept| {
+        self.pairs = chunks(neighbours.pairs.len(), |c, chunk| {
             let p = neighbours.pairs[c];
             let (i, j) = (grains.id[p.i as usize], grains.id[p.j as usize]);
             remember(
@@ -82,11 +85,12 @@ impl Contacts {
                     partner: j,
                     element: 0,
                 },
+                (p.i, p.j),
                 stride,
-                kept,
+                chunk,
             );
         });
-        self.walls = chunks(neighbours.wall_pairs.len(), |c, kept| {
+        self.walls = chunks(neighbours.wall_pairs.len(), |c, chunk| {
             let p = neighbours.wall_pairs[c];
             let grain = grains.id[p.grain as usize];
             remember(
@@ -97,41 +101,49 @@ impl Contacts {
                     partner: p.wall,
                     element: 0,
                 },
+                (p.grain, p.wall),
                 stride,
-                kept,
+                chunk,
             );
         });
     }
 }
 
-fn chunks(candidates: usize, fill: impl Fn(usize, &mut Kept)) -> Vec<ContactChunk> {
+fn chunks(candidates: usize, fill: impl Fn(usize, &mut ContactChunk)) -> Vec<ContactChunk> {
     (0..candidates.div_ceil(CHUNK))
-        .map(|chunk| {
-            let mut kept = Kept::default();
-            kept.clear();
-            for c in chunk * CHUNK..((chunk + 1) * CHUNK).min(candidates) {
-                fill(c, &mut kept);
-                kept.start.push(kept.len() as u32);
+        .map(|index| {
+            let mut chunk = ContactChunk::default();
+            chunk.now.clear();
+            for c in index * CHUNK..((index + 1) * CHUNK).min(candidates) {
+                fill(c, &mut chunk);
+                chunk.now.start.push(chunk.now.len() as u32);
             }
-            ContactChunk {
-                now: kept,
-                ..ContactChunk::default()
-            }
+            chunk
         })
         .collect()
 }
 
-/// Appends the carried contacts of a grain and a partner, from `first` on, whatever their elements.
-fn remember(carried: &[CarriedContact], first: ContactKey, stride: usize, kept: &mut Kept) {
+/// Appends the carried contacts of a grain and a partner, from `first` on, whatever their elements. `bodies` are the
+/// indices of the two.
+fn remember(
+    carried: &[CarriedContact],
+    first: ContactKey,
+    bodies: (u32, u32),
+    stride: usize,
+    chunk: &mut ContactChunk,
+) {
     let start = carried.partition_point(|c| c.key < first);
     let same =
         |c: &&CarriedContact| c.key.wall == first.wall && c.key.grain == first.grain && c.key.partner == first.partner;
     for c in carried[start..].iter().take_while(same) {
+        chunk.i.push(bodies.0);
+        chunk.j.push(bodies.1);
+        let kept = &mut chunk.now;
         kept.element.push(c.key.element);
         kept.pair.push(c.pair);
         kept.geometry.push(Contact {
             normal: c.normal,
-            overlap: 0.0,
+            overlap: c.overlap,
             lever_i: 0.0,
             lever_j: 0.0,
         });

@@ -12,7 +12,7 @@ use crate::simulation::{Setup, Simulation, SimulationState, Stage, StateError, S
 use crate::walls::WallError;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Steps between two looks at the energies for a stop condition.
@@ -74,6 +74,12 @@ pub enum RunError {
     /// The checkpoint does not fit the scenario.
     #[error(transparent)]
     State(#[from] StateError),
+    /// There is nothing to go on with.
+    #[error("the run in `{}` is finished: nothing is left to do", folder.display())]
+    Finished {
+        /// The folder of the run.
+        folder: PathBuf,
+    },
     /// A stage tells a wall a motion that it cannot make.
     #[error("stage `{stage}`: {source}")]
     Motion {
@@ -157,6 +163,10 @@ pub fn resume(folder: &Path, options: RunOptions, observer: &mut dyn Observer) -
     scenario.title.clone_from(&restored.header.title);
     for warning in &restored.warnings {
         observer.message(&format!("warning: {warning}"));
+    }
+    if restored.value.place.stage >= scenario.stages.len() {
+        let folder = folder.root().to_owned();
+        return Err(RunError::Finished { folder });
     }
     with_threads(options.threads, || {
         let mut runner = Runner::resume(&scenario, restored.value, folder, observer)?;
@@ -304,7 +314,12 @@ impl<'a> Runner<'a> {
             }
         };
         self.place.wall_clock += self.started.elapsed().as_secs_f64();
-        self.report(end)
+        let report = self.report(end)?;
+        if report.end == RunEnd::Finished {
+            // last of all: a run whose checkpoint says that it is finished has its report
+            self.write_checkpoint()?;
+        }
+        Ok(report)
     }
 
     /// Runs all stages; the inner result tells a fault of the simulation.
@@ -325,7 +340,8 @@ impl<'a> Runner<'a> {
                 self.write_checkpoint()?;
                 return Ok(Ok(RunEnd::Interrupted));
             }
-            if self.is_due(self.stage().cadence.checkpoints) {
+            // right after a restart it would only push the one before it out
+            if self.sim.step > self.first_step && self.is_due(self.stage().cadence.checkpoints) {
                 self.write_checkpoint()?;
             }
             if let Err(fault) = self.sim.step() {
@@ -340,7 +356,6 @@ impl<'a> Runner<'a> {
             }
             self.tell();
         }
-        self.write_checkpoint()?;
         Ok(Ok(RunEnd::Finished))
     }
 
