@@ -1,4 +1,5 @@
 //! `demeter check`, `new`, `laws` and `info`.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod demeter;
 

@@ -1,5 +1,6 @@
 //! `demeter resume`: an interrupted or killed run ends with the bits of a whole one.
 #![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod demeter;
 

@@ -1,4 +1,5 @@
 //! `demeter run`: results, exit codes, and that nothing is lost.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod demeter;
 
