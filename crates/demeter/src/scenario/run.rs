@@ -227,9 +227,13 @@ impl<'a> Runner<'a> {
         folder: RunFolder,
         observer: &'a mut dyn Observer,
     ) -> Result<Self, RunError> {
-        observer.message(&format!("time step {}", prepared.time_step_reason));
+        let mut say = |text: String| {
+            observer.message(&text);
+            folder.log_line(&text)
+        };
+        say(format!("time step {}", prepared.time_step_reason))?;
         for warning in &prepared.warnings {
-            observer.message(&format!("warning: {warning}"));
+            say(format!("warning: {warning}"))?;
         }
         let place = Place {
             stage: 0,
@@ -263,7 +267,9 @@ impl<'a> Runner<'a> {
         let sim = Simulation::resume(setup, state.simulation)?;
         let series = SeriesWriter::resume(&folder.series(), labels(scenario), step)?;
         let frames = FrameWriter::resume(&folder, step)?;
-        observer.message(&format!("going on from step {step}, time {:.4e} s", sim.time()));
+        let text = format!("going on from step {step}, time {:.4e} s", sim.time());
+        observer.message(&text);
+        folder.log_line(&text)?;
         Ok(Self::new(
             scenario,
             sim,
@@ -308,7 +314,7 @@ impl<'a> Runner<'a> {
         let end = match self.run_stages()? {
             Ok(end) => end,
             Err(fault) => {
-                self.observer.message(&format!("error: {fault}"));
+                self.say(&format!("error: {fault}"))?;
                 self.write_frame()?;
                 RunEnd::Fault(fault)
             }
@@ -330,6 +336,8 @@ impl<'a> Runner<'a> {
             }
             self.write_row()?;
             self.write_frame()?;
+            // a run that is killed before its first interval ends can go on, too
+            self.write_checkpoint()?;
         }
         while self.place.stage < self.scenario.stages.len() {
             if let Some(reason) = self.stage_is_over() {
@@ -359,6 +367,12 @@ impl<'a> Runner<'a> {
         Ok(Ok(RunEnd::Finished))
     }
 
+    /// Tells the observer and the log.
+    fn say(&mut self, text: &str) -> Result<(), RunError> {
+        self.observer.message(text);
+        Ok(self.folder.log_line(text)?)
+    }
+
     fn stage(&self) -> &'a Stage {
         &self.scenario.stages[self.place.stage.min(self.scenario.stages.len() - 1)]
     }
@@ -386,11 +400,11 @@ impl<'a> Runner<'a> {
         self.draw_stage()?;
         let stage = self.stage();
         let (start, dt) = (self.place.stage_step, self.sim.dt);
-        self.observer.message(&format!(
+        self.say(&format!(
             "stage `{}` ended at {:.4e} s: {reason}",
             stage.name,
             self.sim.time()
-        ));
+        ))?;
         self.place.stages_done.push(StageSummary {
             name: stage.name.clone(),
             first_step: start,
