@@ -1,7 +1,11 @@
 //! Every example and every template runs to its end, and its energy books close within 1e-3 of the energy that passed
 //! through. Shortened here; whole with `DEMETER_FULL=1`.
 
-#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test tells what it measured, and may panic")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test tells what it measured, and may panic"
+)]
 
 use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, TEMPLATES, run};
 use std::path::{Path, PathBuf};
@@ -86,7 +90,15 @@ fn templates_close_their_books() {
         let overrides: Vec<String> = match *name {
             _ if full() => vec![],
             "collide" => vec![],
-            "settle" | "drum" | "silo" => vec!["stage[0].duration=\"30 ms\"".into()],
+            "settle" => vec!["stage[0].duration=\"60 ms\"".into()],
+            "drum" => vec![
+                "stage[0].duration=\"30 ms\"".into(),
+                "stage[1].duration=\"60 ms\"".into(),
+            ],
+            "silo" => vec![
+                "stage[0].duration=\"30 ms\"".into(),
+                "stage[2].duration=\"60 ms\"".into(),
+            ],
             _ => vec![
                 "stage[0].duration=\"30 ms\"".into(),
                 "stage[1].duration=\"20 ms\"".into(),
