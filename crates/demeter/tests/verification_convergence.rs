@@ -11,6 +11,9 @@ const YOUNG_MODULUS: f64 = 1e8;
 /// The automatic time step divided by these.
 const DIVISORS: [f64; 5] = [0.5, 1.0, 2.0, 4.0, 8.0];
 
+/// Largest error of a trajectory through a collision at the automatic time step, in radii and impact speeds.
+const AUTOMATIC: f64 = 5e-4;
+
 /// Slope of a straight line through `(ln x, ln y)`.
 fn fitted_order(points: &[(f64, f64)]) -> f64 {
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (libm::log(*x), libm::log(*y))).collect();
@@ -99,12 +102,17 @@ fn after_an_oblique_collision(laws: &Laws, divisor: f64) -> [DVec3; 3] {
 fn trajectories_converge_with_second_order() {
     on_threads(1, || {
         let frictions = [
-            ("frictionless", None),
-            ("mindlin-history", Some(law("mindlin-history", &[("friction", 0.3)]))),
-            ("coulomb", Some(law("coulomb", &[("friction", 0.05)]))),
+            ("frictionless", None, Some(1.8)),
+            ("coulomb", Some(law("coulomb", &[("friction", 0.05)])), Some(1.8)),
+            // sticks and slips: at every change the force has a kink somewhere in a step, so only the size is told
+            (
+                "mindlin-history",
+                Some(law("mindlin-history", &[("friction", 0.3)])),
+                None,
+            ),
         ];
         for (name, laws, _) in laws() {
-            for (friction, choice) in &frictions {
+            for (friction, choice, least) in &frictions {
                 let laws = match choice {
                     Some(choice) => laws.clone().friction(choice.clone()),
                     None => laws.clone(),
@@ -120,7 +128,9 @@ fn trajectories_converge_with_second_order() {
                 let order = fitted_order(&errors);
                 report(&format!("{name}, {friction}: error at the automatic step"), errors[1].1);
                 report(&format!("{name}, {friction}: order"), order);
-                assert!(order > 1.0, "{name}, {friction}: order {order} from {errors:?}");
+                let least = least.unwrap_or(f64::NEG_INFINITY);
+                assert!(order > least, "{name}, {friction}: order {order} from {errors:?}");
+                assert!(errors[1].1 < AUTOMATIC, "{name}, {friction}: {errors:?}");
             }
         }
     });

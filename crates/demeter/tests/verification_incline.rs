@@ -193,6 +193,10 @@ fn rolling_resistance_holds_a_sphere_below_its_limit() {
                 sim.grains.velocity[0]
             );
             assert!(r.turning.abs() * RADIUS < 1e-6 * G);
+            // released at once the spring swings to almost twice its load, and yields when that is above the limit
+            if 2.0 * angle > ROLLING_FRICTION {
+                continue;
+            }
             // the rolling spring, k_r = 9/4 k_n (mu_r r)^2, twists by M/k_r, and the tangential one, k_t/k_n =
             // 2 (1 - nu)/(2 - nu) (Mindlin), gives by F/k_t
             let load = mass(RADIUS) * G * libm::cos(angle);
