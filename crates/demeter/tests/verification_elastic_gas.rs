@@ -23,7 +23,10 @@ const YOUNG_MODULUS: f64 = 7e10;
 ///
 /// Velocity Verlet keeps not the energy but one that differs from it by a share of about `(omega dt)^2/8` of what contacts
 /// store, so the energy of the moment swings with the contacts that are loaded. At this speed few are at a time.
-const SPEED: f64 = 0.05;
+const SPEED: f64 = 0.1;
+
+/// A random packing leaves many grains at the very point of touching; spread by this they all fly free at first.
+const SPREAD: f64 = 1.01;
 
 fn gas(laws: &Laws, fraction: f64, periodic: bool) -> Setup {
     let count = 1000;
@@ -32,11 +35,14 @@ fn gas(laws: &Laws, fraction: f64, periodic: bool) -> Setup {
     let a = libm::cbrt(f64::from(count) * 4.0 / 3.0 * PI * r * r * r * 1.0625 / fraction);
     case.domain = Domain {
         lower: DVec3::ZERO,
-        upper: DVec3::splat(a),
+        upper: DVec3::splat(a / SPREAD),
         periodic: [periodic; 3],
         ..case.domain
     };
-    fill(&mut case, DVec3::ZERO, DVec3::splat(a), count, SPEED);
+    let upper = case.domain.upper;
+    fill(&mut case, DVec3::ZERO, upper, count, SPEED);
+    case.grains.position.iter_mut().for_each(|p| *p *= SPREAD);
+    case.domain.upper = DVec3::splat(a);
     if !periodic {
         let shape = Shape::Box {
             lower: DVec3::ZERO,
@@ -93,10 +99,13 @@ fn run(setup: Setup, steps: u64) -> Changes {
 }
 
 fn keeps_energy(name: &str, laws: &Laws) {
-    let steps = if full() { 100_000 } else { 6_000 };
+    let steps = if full() { 100_000 } else { 8_000 };
     let mut met = 0;
     for fraction in [0.1, 0.4] {
         for periodic in [true, false] {
+            if !full() && periodic != (fraction > 0.2) {
+                continue;
+            }
             let found = on_threads(2, || run(gas(laws, fraction, periodic), steps));
             let label = format!("{name}, fraction {fraction}, periodic {periodic}");
             report(&format!("{label}: energy"), found.energy);
@@ -113,7 +122,7 @@ fn keeps_energy(name: &str, laws: &Laws) {
             );
         }
     }
-    assert!(met > 300, "{met} contacts, so nothing was tested");
+    assert!(met > 200, "{met} contacts, so nothing was tested");
 }
 
 #[test]
