@@ -8,7 +8,7 @@ use crate::interrupt::Interrupt;
 use crate::progress::Watch;
 use crate::readable::{count, number, things, vector, wait};
 use demeter::output::RunFolder;
-use demeter::scenario::{Report, RunEnd, RunOptions, Scenario};
+use demeter::scenario::{Report, RunEnd, RunError, RunOptions, Scenario};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -37,7 +37,32 @@ pub fn resume(arguments: &ResumeArguments) -> Result<Exit, Failure> {
     let mut watch = Watch::new(Interrupt::listen());
     let report = demeter::scenario::resume(&arguments.folder, options(&arguments.output, false), &mut watch);
     watch.end();
-    tell(&report?, arguments.output.json)
+    match report {
+        Err(RunError::Finished { folder }) => finished(&folder, arguments.output.json),
+        report => tell(&report?, arguments.output.json),
+    }
+}
+
+/// Tells that there was nothing to go on with, which is what was wanted.
+fn finished(folder: &Path, as_json: bool) -> Result<Exit, Failure> {
+    let shown = folder.display().to_string();
+    if as_json {
+        let mut value = read_summary(folder)?;
+        value["end"] = json!("finished");
+        value["exit_code"] = json!(Exit::Finished as u8);
+        value["folder"] = json!(shown);
+        answer_json(&value)?;
+    } else {
+        answer(&format!("the run in {shown} is finished: nothing is left to do\n"))?;
+    }
+    Ok(Exit::Finished)
+}
+
+fn read_summary(folder: &Path) -> Result<Value, Failure> {
+    let path = RunFolder::find(folder).map_err(RunError::from)?.summary();
+    let fail = |error: &dyn std::fmt::Display| Failure::io(format!("cannot read `{}`: {error}", path.display()));
+    let bytes = std::fs::read(&path).map_err(|error| fail(&error))?;
+    serde_json::from_slice(&bytes).map_err(|error| fail(&error))
 }
 
 fn options(how: &HowToRun, overwrite: bool) -> RunOptions {
@@ -109,7 +134,7 @@ fn tell(report: &Report, as_json: bool) -> Result<Exit, Failure> {
 }
 
 fn picture(report: &Report) -> Option<PathBuf> {
-    let picture = RunFolder::open(&report.folder).ok()?.picture();
+    let picture = RunFolder::find(&report.folder).ok()?.picture();
     picture.is_file().then_some(picture)
 }
 

@@ -7,7 +7,7 @@ use glam::DVec3;
 pub enum Fault {
     /// Two bodies overlap more than the scenario allows.
     #[error(
-        "step {step}: grain {id} at {} overlaps {partner} by {:.3} of its radius; the scenario allows {allowed:.3}. \
+        "step {step}: grain {id} at {} overlaps {partner} by {:.5} of the smaller radius; the scenario allows {allowed}. \
          Cause: the load is higher, the impact faster or the grain softer than foreseen, or it passed through a wall in \
          one step. Remedy: raise `young_modulus` or `stiffness`, lower the speed, or raise `simulation.max_overlap` \
          (which makes the automatic time step smaller)",

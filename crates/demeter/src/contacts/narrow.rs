@@ -139,8 +139,7 @@ impl ContactChunk {
     }
 
     fn watch_overlap(&mut self, scene: &Scene, grain: usize, share: f64, partner: impl Fn() -> String) {
-        // `!(<=)` catches a share that is not a number, too
-        if !(share <= scene.max_overlap) && self.fault.is_none() {
+        if (share.is_nan() || share > scene.max_overlap) && self.fault.is_none() {
             self.fault = Some(Fault::Overlap {
                 step: scene.step,
                 id: scene.grains.id[grain],

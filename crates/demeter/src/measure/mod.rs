@@ -47,9 +47,11 @@ pub struct Measures {
     pub kinetic_over_elastic: f64,
     /// Energies.
     pub energies: Energies,
-    /// Stress tensor, compression positive, of contacts between grains over the volume: xx, yy, zz, xy, xz, yz [Pa].
+    /// Stress tensor of all contacts over the volume of the box around the grains, compression positive:
+    /// xx, yy, zz, xy, xz, yz [Pa].
     pub stress: [f64; 6],
-    /// Solid volume over the volume that is open to the grains (see the book), overlaps not subtracted.
+    /// Solid volume over the volume of the box around the grains' surfaces (the whole box in periodic directions),
+    /// overlaps not subtracted.
     pub packing_fraction: f64,
     /// Strain told by the plate of a [`StrainGauge`]; `None` without one.
     pub strain: Option<f64>,

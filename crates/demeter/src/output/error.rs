@@ -20,7 +20,7 @@ pub enum OutputError {
     /// The folder holds results of an earlier run.
     #[error(
         "`{}` already holds a Demeter run. Choose another folder, continue that run with `demeter resume`, \
-         or allow to overwrite it.",
+         or allow to overwrite it (`--overwrite`).",
         folder.display()
     )]
     HoldsARun {

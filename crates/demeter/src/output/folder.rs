@@ -3,7 +3,7 @@
 use super::error::OutputError;
 use crate::checkpoint::{self, Durability, part_path, write_atomically};
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// The file that marks the folder of a run.
@@ -64,15 +64,20 @@ impl RunFolder {
         Ok(folder)
     }
 
-    /// Opens the folder of a run that exists.
-    pub fn open(root: &Path) -> Result<Self, OutputError> {
-        if !root.join(MARKER).is_file() {
-            return Err(OutputError::NotARun {
-                folder: root.to_owned(),
-                marker: MARKER,
-            });
+    /// Finds the folder of a run that exists, to read from it.
+    pub fn find(root: &Path) -> Result<Self, OutputError> {
+        if root.join(MARKER).is_file() {
+            return Ok(Self { root: root.to_owned() });
         }
-        let folder = Self { root: root.to_owned() };
+        Err(OutputError::NotARun {
+            folder: root.to_owned(),
+            marker: MARKER,
+        })
+    }
+
+    /// Opens the folder of a run that exists, to write more into it.
+    pub fn open(root: &Path) -> Result<Self, OutputError> {
+        let folder = Self::find(root)?;
         for sub in [folder.frames(), folder.plots(), folder.pictures()] {
             fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))?;
         }
@@ -102,6 +107,16 @@ impl RunFolder {
     /// Writes a file of the run, whole or not at all.
     pub fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
         write_atomically(path, bytes, Durability::Kill).map_err(OutputError::io("write", path))
+    }
+
+    /// Adds a line to the log.
+    pub fn log_line(&self, text: &str) -> Result<(), OutputError> {
+        let path = self.log();
+        let add = || {
+            let mut file = fs::OpenOptions::new().create(true).append(true).open(&path)?;
+            file.write_all(format!("{text}\n").as_bytes())
+        };
+        add().map_err(OutputError::io("add to", &path))
     }
 
     /// The folder itself.

@@ -20,6 +20,6 @@ pub use error::OutputError;
 pub use folder::RunFolder;
 pub use frame::{ContactRecord, Frame, WallSurface};
 pub use plot::Plot;
-pub use series::{SeriesLabels, SeriesWriter};
+pub use series::{COLUMNS, Column, SeriesLabels, SeriesWriter, WALL_COLUMNS};
 pub use summary::{EnergySummary, StageSummary, Summary, WallSummary};
 pub use vtk::FrameWriter;

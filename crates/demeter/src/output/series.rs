@@ -68,13 +68,13 @@ pub const COLUMNS: &[Column<Measures>] = {
         column(
             "packing fraction",
             "",
-            "solid volume over the volume open to the grains, overlaps not subtracted",
+            "solid volume over the volume of the box around the grains, overlaps not subtracted",
             |m| Number(m.packing_fraction),
         ),
         column(
             "stress xx",
             "Pa",
-            "stress of contacts between grains over the volume, compression positive",
+            "stress of all contacts over the volume of the box around the grains, compression positive",
             |m| Number(m.stress[0]),
         ),
         column("stress yy", "Pa", "see stress xx", |m| Number(m.stress[1])),

@@ -1,5 +1,6 @@
 #![doc = include_str!("reference.md")]
 
+mod checks;
 mod diagnostics;
 mod document;
 mod grains;

@@ -1,17 +1,14 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
+use super::checks::{BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_wall_speeds};
 use super::{Diagnostics, Scenario, TimeStep, WallShape, WallSpec};
-use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap, insert};
+use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains};
 use crate::simulation::{SAFE_SHARE, Setup, TimeScale, UNSAFE_SHARE, shortest_time_scale};
-use crate::walls::{Mesh, Shape, SurfaceContact, Wall, read_stl};
+use crate::walls::{Mesh, Shape, Wall, read_stl};
 use demeter_physics::contact::LawError;
 use glam::DVec3;
-use std::f64::consts::PI;
-
-/// Memory of a grain with its contacts and candidates in a dense packing, measured on 20,000 settled grains [bytes].
-const BYTES_PER_GRAIN: f64 = 3000.0;
 
 /// Particle-steps per second and thread assumed for the estimate of the run time.
 const ASSUMED_SPEED: f64 = 2e6;
@@ -80,6 +77,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         }
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
+    check_wall_speeds(scenario, &grains, dt, &mut faults);
     if !faults.is_empty() {
         return Err(faults);
     }
@@ -199,70 +197,6 @@ fn wall(spec: &WallSpec) -> Result<Wall, (&'static str, String)> {
     Wall::new(&spec.name, spec.material, shape, spec.motion.clone()).map_err(|error| ("", error.to_string()))
 }
 
-/// Refuses grains that cannot fit into memory before any is made.
-fn check_memory(scenario: &Scenario, faults: &mut Diagnostics) {
-    let expected: f64 = scenario.grains.iter().map(expected_count).sum();
-    let Some(available) = available_memory() else { return };
-    let needed = expected * BYTES_PER_GRAIN;
-    if needed > available {
-        let largest = (0..scenario.grains.len())
-            .max_by(|&a, &b| expected_count(&scenario.grains[a]).total_cmp(&expected_count(&scenario.grains[b])));
-        faults.push(
-            &format!("grains[{}]", largest.unwrap_or(0)),
-            format!(
-                "about {expected:.3e} grains need {:.1} GiB of memory, and {:.1} GiB are free",
-                needed / GIBIBYTE,
-                available / GIBIBYTE
-            ),
-            Some("insert fewer or larger grains, or use a machine with more memory".to_string()),
-        );
-    }
-}
-
-const GIBIBYTE: f64 = (1u64 << 30) as f64;
-
-/// Number of grains that an insertion will make, as far as its description tells.
-fn expected_count(insertion: &Insertion) -> f64 {
-    match &insertion.source {
-        Source::Random {
-            amount: Amount::Count(count),
-            ..
-        } => f64::from(*count),
-        Source::Random {
-            region,
-            diameter,
-            amount: Amount::VolumeFraction(fraction),
-        } => SizeSampler::new(diameter).map_or(0.0, |sizes| volume(region) * fraction / sizes.mean_volume()),
-        Source::Lattice {
-            spacing, region, count, ..
-        } => {
-            // no lattice holds more than sqrt(2) sites per cubed spacing
-            let sites = 2f64.sqrt() * volume(region) / (spacing * spacing * spacing);
-            count.map_or(sites, |c| sites.min(f64::from(c)))
-        }
-        Source::List { positions, .. } => positions.len() as f64,
-        Source::File { .. } => 0.0,
-    }
-}
-
-fn volume(region: &Region) -> f64 {
-    match region {
-        Region::Box { lower, upper } => {
-            let size = *upper - *lower;
-            size.x * size.y * size.z
-        }
-        Region::Cylinder { start, end, radius } => PI * radius * radius * (*end - *start).length(),
-    }
-}
-
-/// Memory that is free, where the system tells it [bytes].
-fn available_memory() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text.lines().find_map(|l| l.strip_prefix("MemAvailable:"))?;
-    let kibibytes: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    Some(1024.0 * kibibytes)
-}
-
 fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> Grains {
     let mut grains = Grains::default();
     let mut occupied: Vec<(DVec3, f64)> = Vec::new();
@@ -352,90 +286,6 @@ fn domain(scenario: &Scenario, grains: &Grains, walls: &[Wall], faults: &mut Dia
     }
 }
 
-/// In a periodic direction a grain must not meet two images of one partner.
-fn check_periodic_size(grains: &Grains, domain: &Domain, skin: f64, faults: &mut Diagnostics) {
-    let largest = grains.radius.iter().copied().fold(0.0, f64::max);
-    let least = 4.0 * largest + 2.0 * skin;
-    for axis in (0..3).filter(|&k| domain.periodic[k]) {
-        let size = domain.size()[axis];
-        if size <= least {
-            faults.push(
-                "domain",
-                format!(
-                    "the domain is {size} m long in the periodic direction {}; with grains of radius {largest} m it \
-                     must be longer than {least} m, or a grain meets two images of one partner",
-                    ["x", "y", "z"][axis]
-                ),
-                Some("widen the domain".to_string()),
-            );
-        }
-    }
-}
-
-fn check_overlaps(
-    scenario: &Scenario,
-    grains: &Grains,
-    walls: &[Wall],
-    domain: &Domain,
-    faults: &mut Diagnostics,
-    warnings: &mut Vec<String>,
-) {
-    let allowed = scenario.simulation.max_overlap;
-    let places: Vec<(DVec3, f64)> = grains
-        .position
-        .iter()
-        .copied()
-        .zip(grains.radius.iter().copied())
-        .collect();
-    let advice =
-        || Some("move them apart, or raise `simulation.max_overlap` if the packing is meant to be loaded".into());
-    if let Some(pair) = first_overlap(&places, Some(domain)) {
-        let (i, j) = (pair.first, pair.second);
-        let share = pair.relative;
-        let words = format!(
-            "grains {} at {} and {} at {} overlap at the start by {share:.3} of the smaller radius",
-            grains.id[i], grains.position[i], grains.id[j], grains.position[j]
-        );
-        if share > allowed {
-            faults.push("grains", format!("{words}; {allowed} is allowed"), advice());
-        } else if share > 1e-9 {
-            warnings.push(format!("{words}: they start loaded"));
-        }
-    }
-    if let Some((g, wall, share)) = deepest_in_wall(grains, walls) {
-        let words = format!(
-            "grain {} at {} overlaps wall `{}` at the start by {share:.3} of its radius",
-            grains.id[g], grains.position[g], walls[wall].name
-        );
-        if share > allowed {
-            faults.push("grains", format!("{words}; {allowed} is allowed"), advice());
-        } else if share > 1e-9 {
-            warnings.push(format!("{words}: it starts loaded"));
-        }
-    }
-}
-
-/// The deepest overlap of a grain with a wall: grain, wall, share of the radius.
-fn deepest_in_wall(grains: &Grains, walls: &[Wall]) -> Option<(usize, usize, f64)> {
-    let mut deepest: Option<(usize, usize, f64)> = None;
-    let mut touched: Vec<SurfaceContact> = Vec::new();
-    for g in 0..grains.len() {
-        for (w, wall) in walls.iter().enumerate() {
-            touched.clear();
-            if wall.near(grains.position[g], grains.radius[g]) {
-                wall.contacts(grains.position[g], grains.radius[g], &mut touched);
-            }
-            for contact in &touched {
-                let share = (grains.radius[g] - contact.distance) / grains.radius[g];
-                if deepest.is_none_or(|(_, _, s)| share > s) {
-                    deepest = Some((g, w, share));
-                }
-            }
-        }
-    }
-    deepest
-}
-
 /// The time step and its reason in words.
 fn time_step(
     scenario: &Scenario,
@@ -444,9 +294,13 @@ fn time_step(
     warnings: &mut Vec<String>,
 ) -> (f64, String) {
     let words = |dt: f64| {
-        let share = scale.time / dt;
+        let share = if dt < scale.time {
+            format!("1/{:.0} of", scale.time / dt)
+        } else {
+            format!("{:.3} times", dt / scale.time)
+        };
         format!(
-            "{dt:.4e} s, 1/{share:.0} of the shortest time scale, {:.4e} s: {}",
+            "{dt:.4e} s, {share} the shortest time scale, {:.4e} s: {}",
             scale.time, scale.origin
         )
     };

@@ -90,8 +90,7 @@ impl Runner<'_> {
         summary.steps = self.sim.step;
         summary.simulated_time = self.sim.time();
         if self.scenario.output.picture {
-            let title = format!("{} at {:.4} s", self.scenario.title, self.sim.time());
-            self.draw(&self.folder.picture(), &title)?;
+            self.draw(&self.folder.picture(), &self.scenario.title)?;
         }
         plots::write(&self.folder, &labels(self.scenario), &self.scenario.output.plots)?;
         summary.write(&self.folder)?;

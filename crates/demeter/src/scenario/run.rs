@@ -12,7 +12,7 @@ use crate::simulation::{Setup, Simulation, SimulationState, Stage, StateError, S
 use crate::walls::WallError;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Steps between two looks at the energies for a stop condition.
@@ -74,6 +74,12 @@ pub enum RunError {
     /// The checkpoint does not fit the scenario.
     #[error(transparent)]
     State(#[from] StateError),
+    /// There is nothing to go on with.
+    #[error("the run in `{}` is finished: nothing is left to do", folder.display())]
+    Finished {
+        /// The folder of the run.
+        folder: PathBuf,
+    },
     /// A stage tells a wall a motion that it cannot make.
     #[error("stage `{stage}`: {source}")]
     Motion {
@@ -158,6 +164,10 @@ pub fn resume(folder: &Path, options: RunOptions, observer: &mut dyn Observer) -
     for warning in &restored.warnings {
         observer.message(&format!("warning: {warning}"));
     }
+    if restored.value.place.stage >= scenario.stages.len() {
+        let folder = folder.root().to_owned();
+        return Err(RunError::Finished { folder });
+    }
     with_threads(options.threads, || {
         let mut runner = Runner::resume(&scenario, restored.value, folder, observer)?;
         runner.run_to_the_end()
@@ -217,9 +227,13 @@ impl<'a> Runner<'a> {
         folder: RunFolder,
         observer: &'a mut dyn Observer,
     ) -> Result<Self, RunError> {
-        observer.message(&format!("time step {}", prepared.time_step_reason));
+        let mut say = |text: String| {
+            observer.message(&text);
+            folder.log_line(&text)
+        };
+        say(format!("time step {}", prepared.time_step_reason))?;
         for warning in &prepared.warnings {
-            observer.message(&format!("warning: {warning}"));
+            say(format!("warning: {warning}"))?;
         }
         let place = Place {
             stage: 0,
@@ -253,7 +267,9 @@ impl<'a> Runner<'a> {
         let sim = Simulation::resume(setup, state.simulation)?;
         let series = SeriesWriter::resume(&folder.series(), labels(scenario), step)?;
         let frames = FrameWriter::resume(&folder, step)?;
-        observer.message(&format!("going on from step {step}, time {:.4e} s", sim.time()));
+        let text = format!("going on from step {step}, time {:.4e} s", sim.time());
+        observer.message(&text);
+        folder.log_line(&text)?;
         Ok(Self::new(
             scenario,
             sim,
@@ -298,13 +314,18 @@ impl<'a> Runner<'a> {
         let end = match self.run_stages()? {
             Ok(end) => end,
             Err(fault) => {
-                self.observer.message(&format!("error: {fault}"));
+                self.say(&format!("error: {fault}"))?;
                 self.write_frame()?;
                 RunEnd::Fault(fault)
             }
         };
         self.place.wall_clock += self.started.elapsed().as_secs_f64();
-        self.report(end)
+        let report = self.report(end)?;
+        if report.end == RunEnd::Finished {
+            // last of all: a run whose checkpoint says that it is finished has its report
+            self.write_checkpoint()?;
+        }
+        Ok(report)
     }
 
     /// Runs all stages; the inner result tells a fault of the simulation.
@@ -315,6 +336,8 @@ impl<'a> Runner<'a> {
             }
             self.write_row()?;
             self.write_frame()?;
+            // a run that is killed before its first interval ends can go on, too
+            self.write_checkpoint()?;
         }
         while self.place.stage < self.scenario.stages.len() {
             if let Some(reason) = self.stage_is_over() {
@@ -325,7 +348,8 @@ impl<'a> Runner<'a> {
                 self.write_checkpoint()?;
                 return Ok(Ok(RunEnd::Interrupted));
             }
-            if self.is_due(self.stage().cadence.checkpoints) {
+            // right after a restart it would only push the one before it out
+            if self.sim.step > self.first_step && self.is_due(self.stage().cadence.checkpoints) {
                 self.write_checkpoint()?;
             }
             if let Err(fault) = self.sim.step() {
@@ -340,8 +364,13 @@ impl<'a> Runner<'a> {
             }
             self.tell();
         }
-        self.write_checkpoint()?;
         Ok(Ok(RunEnd::Finished))
+    }
+
+    /// Tells the observer and the log.
+    fn say(&mut self, text: &str) -> Result<(), RunError> {
+        self.observer.message(text);
+        Ok(self.folder.log_line(text)?)
     }
 
     fn stage(&self) -> &'a Stage {
@@ -371,11 +400,11 @@ impl<'a> Runner<'a> {
         self.draw_stage()?;
         let stage = self.stage();
         let (start, dt) = (self.place.stage_step, self.sim.dt);
-        self.observer.message(&format!(
+        self.say(&format!(
             "stage `{}` ended at {:.4e} s: {reason}",
             stage.name,
             self.sim.time()
-        ));
+        ))?;
         self.place.stages_done.push(StageSummary {
             name: stage.name.clone(),
             first_step: start,

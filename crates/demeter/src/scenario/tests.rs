@@ -77,8 +77,9 @@ fn the_reference_lists_exactly_the_keys_that_are_read() {
                 .collect();
         } else if let Some(row) = line.strip_prefix("| `") {
             let key = row.split('`').next().unwrap_or_default();
-            // two keys of `[output]` alone stand in the section that it shares with the output of a stage
-            let alone = ["picture", "plots"].contains(&key);
+            // keys of `[output]` alone stand in the section that it shares with the output of a stage
+            let shared = sections.iter().any(|s| s == "output");
+            let alone = shared && ["picture", "strain", "plots"].contains(&key);
             for section in sections.iter().filter(|s| !alone || *s == "output") {
                 listed.insert((section.clone(), key.to_string()));
             }

@@ -69,10 +69,16 @@ fn rings(surface: &Surface) -> Vec<Ring> {
     }
 }
 
-/// Smallest box around a placed surface; `None` when it is infinite.
+/// Smallest box around a placed surface; `None` when it is infinite. The faces of a box go on beyond its edges, but it
+/// is meant to hold what is between them.
 pub(super) fn bounds(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(DVec3, DVec3)> {
     match surface {
-        Surface::Plane(_) | Surface::Box { .. } => None,
+        Surface::Plane(_) => None,
+        Surface::Box { lower, upper, .. } => Some(around(
+            corners(*lower, *upper)
+                .into_iter()
+                .map(|corner| pose.place(origin, corner)),
+        )),
         Surface::Shell(shell) => {
             let center = pose.place(origin, shell.center);
             Some((center - DVec3::splat(shell.radius), center + DVec3::splat(shell.radius)))
@@ -103,6 +109,7 @@ pub(super) fn bounds(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(D
 /// turned box.
 fn enclosing(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(DVec3, DVec3)> {
     match surface {
+        Surface::Box { .. } => None,
         Surface::Mesh(mesh) => {
             let (lower, upper) = mesh.bounds();
             Some(around(

@@ -109,7 +109,13 @@ fn scene(frame: &Frame, colouring: &Colouring, width: usize, height: usize) -> I
         .collect();
     let cover = edges::draw(&lines, &camera, &seen, columns, 0.7 * scale);
     let ink = LINE.map(to_linear);
-    for (colour, share) in colours.iter_mut().zip(cover) {
+    // A wall that goes on far beyond the grains must not run through the title and the legend.
+    let (first_row, last_column) = (
+        (area.top - 20.0 * scale) as usize,
+        (area.left + area.width + 20.0 * scale) as usize,
+    );
+    let pixels = colours.iter_mut().zip(cover).enumerate();
+    for (_, (colour, share)) in pixels.filter(|(k, _)| k / columns >= first_row && k % columns <= last_column) {
         (0..3).for_each(|c| colour[c] += share * (ink[c] - colour[c]));
     }
     Image::reduce(&colours, columns, SCALE)
@@ -131,7 +137,7 @@ fn bounds(frame: &Frame) -> Bounds {
             .filter(|p| p.is_finite())
     };
     let (near, far) = if lower.x <= upper.x {
-        let margin = 0.3 * (upper - lower).max_element();
+        let margin = 0.8 * (upper - lower).max_element();
         (lower - margin, upper + margin)
     } else {
         (DVec3::NEG_INFINITY, DVec3::INFINITY)

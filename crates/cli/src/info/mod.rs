@@ -1,0 +1,99 @@
+//! `demeter info`: what is in a file, told by its content.
+
+mod grains;
+mod run_folder;
+mod scenario;
+mod series;
+mod surface;
+
+use crate::answer::{Rows, answer, answer_json};
+use crate::arguments::InfoArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use demeter::checkpoint;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// What can be told of a file.
+struct Info {
+    /// What it is.
+    kind: &'static str,
+    /// For people.
+    rows: Rows,
+    /// For programs, in SI.
+    value: serde_json::Value,
+}
+
+/// What a file is.
+#[derive(Debug, PartialEq)]
+enum Kind {
+    Run,
+    Checkpoint,
+    Surface,
+    Scenario,
+    Series,
+    Grains,
+    Unknown,
+}
+
+/// Tells what is in a file.
+pub fn info(arguments: &InfoArguments) -> Result<Exit, Failure> {
+    let path = &arguments.file;
+    let info = match kind(path)? {
+        Kind::Run => run_folder::run_folder(path),
+        Kind::Checkpoint => run_folder::one_checkpoint(path),
+        Kind::Surface => surface::surface(path),
+        Kind::Scenario => scenario::scenario(path),
+        Kind::Series => series::series(path),
+        Kind::Grains => grains::grains(path),
+        Kind::Unknown => Err(unknown(path)),
+    }?;
+    let shown = path.display();
+    if arguments.json {
+        let mut value = info.value;
+        value["kind"] = info.kind.into();
+        value["path"] = shown.to_string().into();
+        answer_json(&value)?;
+    } else {
+        answer(&format!("{shown}: {}\n{}", info.kind, info.rows.lines()))?;
+    }
+    Ok(Exit::Finished)
+}
+
+/// Tells the kind of a file by its content, and by its name where the content could be anything.
+fn kind(path: &Path) -> Result<Kind, Failure> {
+    let refused = |error: std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => Failure::wrong(format!("there is no file `{}`", path.display())),
+        _ => Failure::io(format!("cannot read `{}`: {error}", path.display())),
+    };
+    let metadata = std::fs::metadata(path).map_err(refused)?;
+    if metadata.is_dir() {
+        return Ok(Kind::Run);
+    }
+    if !metadata.is_file() {
+        return Ok(Kind::Unknown);
+    }
+    let mut start = Vec::new();
+    let file = File::open(path).map_err(refused)?;
+    file.take(256).read_to_end(&mut start).map_err(refused)?;
+    let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+    Ok(match extension.as_deref() {
+        _ if checkpoint::looks_like_one(path) => Kind::Checkpoint,
+        _ if series::looks_like_one(&start) => Kind::Series,
+        Some("stl") => Kind::Surface,
+        Some("toml") => Kind::Scenario,
+        Some("csv" | "txt" | "dat" | "data" | "lammps" | "liggghts" | "xyz") => Kind::Grains,
+        _ if start.starts_with(b"solid ") => Kind::Surface,
+        _ => Kind::Unknown,
+    })
+}
+
+fn unknown(path: &Path) -> Failure {
+    Failure::wrong(format!(
+        "`{}` is none of the files that Demeter reads: a scenario (.toml), the folder of a run, a checkpoint, a file of \
+         grains (.csv, .txt, .dat, .data), a surface (.stl), or a series (series.csv of a run). Frames (.vtp, .pvd) open \
+         in ParaView, PyVista and OVITO.",
+        path.display()
+    ))
+}

@@ -1,0 +1,139 @@
+//! `demeter resume`: an interrupted or killed run ends with the bits of a whole one.
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
+
+mod demeter;
+
+use demeter::{FALL, Place, assert_same, signal};
+use std::fs;
+
+const CHECKPOINT: &str = "cut/checkpoint.latest";
+
+/// Interrupts a run behind its first checkpoint. A signal is heard within a quarter of a second; when the run was
+/// over by then, it is tried again.
+fn interrupt(place: &Place, run: &[&str], folder: &str, name: &str) {
+    for _ in 0..10 {
+        let _ = fs::remove_file(place.path(folder).join("checkpoint.latest"));
+        let mut child = place.start_until(run, &format!("{folder}/checkpoint.latest"));
+        match signal(&mut child, name).code() {
+            Some(0) => continue,
+            code => return assert_eq!(code, Some(130)),
+        }
+    }
+    panic!("no run was long enough to be interrupted");
+}
+
+#[test]
+fn an_interrupted_run_resumes_to_the_same_bits() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    place.expect(0, &["run", "fall.toml", "--out", "whole"]);
+    for name in ["INT", "TERM"] {
+        let folder = format!("cut-{name}");
+        interrupt(
+            &place,
+            &["run", "fall.toml", "--out", &folder, "--overwrite"],
+            &folder,
+            name,
+        );
+        let summary: serde_json::Value =
+            serde_json::from_slice(&fs::read(place.path(&folder).join("summary.json")).unwrap()).unwrap();
+        let steps = summary["steps"].as_u64().unwrap();
+        assert!(summary["finished"] == false && steps < 12_000, "{summary}");
+        let said = place.expect(0, &["resume", &folder, "--json"]);
+        assert_eq!(said.json()["steps"], 12_000);
+        assert!(
+            said.err.contains(&format!("going on from step {steps}")),
+            "{}",
+            said.err
+        );
+        assert_same(&place.results("whole"), &place.results(&folder));
+    }
+}
+
+#[test]
+fn a_killed_run_resumes_to_the_same_bits() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    place.expect(0, &["run", "fall.toml", "--out", "whole"]);
+    let mut child = place.start_until(&["run", "fall.toml", "--out", "cut"], CHECKPOINT);
+    assert_eq!(signal(&mut child, "KILL").code(), None);
+    assert!(!place.path("cut/summary.json").exists());
+    // resuming twice, killed again in between, on another number of threads
+    let mut child = place.command(&["resume", "cut", "--threads", "1"]).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    signal(&mut child, "KILL");
+    place.expect(0, &["resume", "cut"]);
+    let summary = fs::read(place.path("cut/summary.json")).unwrap();
+    let said = place.expect(0, &["resume", "cut"]);
+    assert!(said.out.contains("nothing is left to do"), "{}", said.out);
+    assert_eq!(place.expect(0, &["resume", "cut", "--json"]).json()["end"], "finished");
+    assert!(summary == fs::read(place.path("cut/summary.json")).unwrap());
+    assert_same(&place.results("whole"), &place.results("cut"));
+}
+
+/// Files named by the scenario are found wherever `resume` is called, and the title stays.
+#[test]
+fn a_run_resumes_from_another_folder() {
+    let place = Place::new();
+    fs::create_dir_all(place.path("case/elsewhere")).unwrap();
+    let listed = FALL.find("[[grains]]").unwrap()..FALL.find("[[wall]]").unwrap();
+    let mut text = FALL.replace("title = \"Grains fall into a box\"\n", "");
+    let shift = FALL.len() - text.len();
+    text.replace_range(
+        listed.start - shift..listed.end - shift,
+        "[[grains]]\nmaterial = \"glass\"\nsource = \"file\"\nfile = \"two.csv\"\n\n",
+    );
+    place.write("case/fall.toml", &text);
+    place.write(
+        "case/two.csv",
+        "x y z diameter\n0.004 0.004 0.004 0.002\n0.008 0.004 0.006 0.002\n",
+    );
+    let run = ["run", "case/fall.toml", "--out", "cut", "--set", "stage[0].steps=60000"];
+    let mut child = place.start_until(&run, CHECKPOINT);
+    assert_eq!(signal(&mut child, "KILL").code(), None);
+    let mut command = place.command(&["resume", "../../cut", "--json"]);
+    let output = command.current_dir(place.path("case/elsewhere")).output().unwrap();
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((&answer["title"], &answer["steps"]), (&"fall".into(), &66_000.into()));
+}
+
+#[test]
+fn what_cannot_be_resumed_is_told() {
+    let place = Place::new();
+    let said = place.expect(2, &["resume", "nothing"]);
+    assert!(said.err.contains("is not the folder of a Demeter run"), "{}", said.err);
+    place.write("fall.toml", FALL);
+    place.expect(
+        0,
+        &[
+            "run",
+            "fall.toml",
+            "--out",
+            "cut",
+            "--set",
+            "stage[0].steps=10",
+            "--set",
+            "stage[1].steps=10",
+        ],
+    );
+    for name in ["checkpoint.latest", "checkpoint.previous"] {
+        let _ = fs::remove_file(place.path("cut").join(name));
+    }
+    let said = place.expect(2, &["resume", "cut", "--json"]);
+    assert!(
+        said.json()["error"]["message"]
+            .as_str()
+            .unwrap()
+            .contains("holds no checkpoint")
+    );
+    place.write("cut/checkpoint.latest", "DEMETERC");
+    let said = place.expect(1, &["resume", "cut"]);
+    assert!(said.err.contains("cut short"), "{}", said.err);
+}

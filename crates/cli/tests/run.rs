@@ -1,0 +1,235 @@
+//! `demeter run`: results, exit codes, and that nothing is lost.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
+
+mod demeter;
+
+use demeter::{FALL, Place, assert_same};
+use std::fs;
+use std::process::{Command, Stdio};
+
+const SHORT: [&str; 4] = ["--set", "stage[0].steps=300", "--set", "stage[1].steps=300"];
+
+#[test]
+fn a_run_to_the_end_answers_in_json() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let said = place.expect(0, &[&["run", "fall.toml", "--json"], &SHORT[..]].concat());
+    let answer = said.json();
+    assert_eq!(answer["end"], "finished");
+    assert_eq!(answer["exit_code"], 0);
+    assert_eq!(answer["folder"], "runs/fall");
+    assert_eq!(answer["grains"], 120);
+    assert_eq!(answer["steps"], 600);
+    assert_eq!(answer["stages"].as_array().unwrap().len(), 2);
+    assert!(answer["energies"]["max_residual"].as_f64().unwrap() < 1e-3);
+    let summary: serde_json::Value =
+        serde_json::from_slice(&fs::read(place.path("runs/fall/summary.json")).unwrap()).unwrap();
+    assert_eq!(summary["simulated_time"], answer["simulated_time"]);
+    assert!(said.err.contains("stage `fall` ended"), "{}", said.err);
+}
+
+#[test]
+fn an_earlier_run_is_never_lost() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let run = [&["run", "fall.toml"], &SHORT[..]].concat();
+    let said = place.expect(0, &run);
+    assert!(
+        said.out.contains("runs/fall\n") && said.out.contains("energy residual"),
+        "{}",
+        said.out
+    );
+    let first = place.results("runs/fall");
+    let said = place.expect(0, &run);
+    assert!(
+        said.err.contains("runs/fall-2") && said.err.contains("--overwrite"),
+        "{}",
+        said.err
+    );
+    assert_same(&first, &place.results("runs/fall-2"));
+    assert!(
+        place
+            .call(&[&run[..], &["--overwrite"]].concat())
+            .out
+            .contains("runs/fall\n")
+    );
+    assert!(!place.path("runs/fall-3").exists());
+
+    let said = place.expect(2, &[&run[..], &["--out", "runs/fall"]].concat());
+    assert!(said.err.contains("already holds a Demeter run"), "{}", said.err);
+    assert!(
+        said.err.contains("demeter resume") && said.err.contains("--overwrite"),
+        "{}",
+        said.err
+    );
+    assert_same(&first, &place.results("runs/fall"));
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let base = [&["run", "fall.toml", "--set", "grains[0].count=300"], &SHORT[..]].concat();
+    let base = [
+        &base[..],
+        &["--set", "grains[0].region.upper=[\"12 mm\",\"12 mm\",\"30 mm\"]"],
+    ]
+    .concat();
+    let base = [&base[..], &["--set", "wall[0].upper=[\"12 mm\",\"12 mm\",\"32 mm\"]"]].concat();
+    place.expect(0, &[&base[..], &["--threads", "1", "--out", "one"]].concat());
+    place.expect(0, &[&base[..], &["--threads", "2", "--out", "two"]].concat());
+    place.expect(0, &[&base[..], &["--threads", "5", "--out", "five"]].concat());
+    assert_same(&place.results("one"), &place.results("two"));
+    assert_same(&place.results("one"), &place.results("five"));
+}
+
+#[test]
+fn a_wrong_scenario_writes_nothing() {
+    let place = Place::new();
+    place.write(
+        "wrong.toml",
+        &FALL
+            .replace("poisson_ratio = 0.25", "poisson_ratio = 0.9")
+            .replace("count", "cuont"),
+    );
+    for command in ["run", "check"] {
+        let said = place.expect(2, &[command, "wrong.toml"]);
+        assert!(said.out.is_empty(), "{}", said.out);
+        assert!(
+            said.err.contains("did you mean `count`") && said.err.contains("poisson_ratio"),
+            "{}",
+            said.err
+        );
+        assert!(said.err.contains("wrong.toml:10:17"), "{}", said.err);
+        assert!(!said.err.contains('\u{1b}'), "colours without a terminal: {}", said.err);
+        let error = &place.expect(2, &[command, "wrong.toml", "--json"]).json()["error"];
+        let diagnostics = error["diagnostics"].as_array().unwrap();
+        assert_eq!(error["kind"], "scenario");
+        assert_eq!(diagnostics[0]["path"], "material.glass.poisson_ratio");
+        assert_eq!(
+            (&diagnostics[0]["line"], &diagnostics[0]["column"]),
+            (&10.into(), &17.into())
+        );
+        assert!(diagnostics.iter().any(|d| d["help"] == "did you mean `count`?"));
+    }
+    assert_eq!(place.names(), ["wrong.toml"]);
+}
+
+/// What only shows while the run is made ready must also leave nothing behind.
+#[test]
+fn what_the_reader_cannot_see_writes_nothing() {
+    let place = Place::new();
+    place.write(
+        "mesh.toml",
+        &FALL.replace(
+            "shape = \"box\"\nlower = \"0 0 0 mm\"\nupper = \"12 12 14 mm\"",
+            "shape = \"mesh\"\nfile = \"none.stl\"",
+        ),
+    );
+    let said = place.expect(2, &["run", "mesh.toml"]);
+    assert!(said.err.contains("none.stl"), "{}", said.err);
+    place.write("fall.toml", FALL);
+    place.expect(2, &["run", "fall.toml", "--set", "grains[0].count=100000"]);
+    place.expect(2, &["run", "fall.toml", "--set", "simulation.time_step=1 ms"]);
+    place.expect(2, &["run", "fall.toml", "--threads", "0"]);
+    place.expect(2, &["run", "absent.toml"]);
+    place.expect(2, &["run", "."]);
+    assert_eq!(place.names(), ["fall.toml", "mesh.toml"]);
+}
+
+/// Grains fly out of a box through its open side.
+fn leak(outside: &str) -> String {
+    let open = FALL.replace("upper = \"12 12 14 mm\"", "upper = \"12 12 14 mm\"\nopen = [\"+x\"]");
+    let domain = format!(
+        "[domain]\nlower = \"-5 -5 -5 mm\"\nupper = \"15 20 20 mm\"\noutside = \"{outside}\"\n\n[material.glass]"
+    );
+    open.replace("0.3 0.1 -0.2 m/s", "3 0 0 m/s")
+        .replace("[material.glass]", &domain)
+}
+
+/// Grains in contact that leave in the step in which candidates are found anew.
+#[test]
+fn grains_that_may_leave_do() {
+    let place = Place::new();
+    place.write("leak.toml", &leak("remove"));
+    let answer = place.expect(0, &["run", "leak.toml", "--json"]).json();
+    assert!(answer["grains"].as_u64().unwrap() < 60, "{}", answer["grains"]);
+    assert!(answer["energies"]["removed"].as_f64().unwrap() > 0.0);
+    assert!(answer["energies"]["max_residual"].as_f64().unwrap() < 1e-3);
+}
+
+#[test]
+fn a_fault_leaves_a_snapshot_and_names_the_grain() {
+    let place = Place::new();
+    place.write("leak.toml", &leak("stop"));
+    let said = place.expect(3, &["run", "leak.toml", "--out", "leak"]);
+    assert!(
+        said.err.contains("error: step") && said.err.contains("left the domain"),
+        "{}",
+        said.err
+    );
+    assert!(said.out.contains("stopped on a fault of grain"), "{}", said.out);
+    let answer = place
+        .expect(3, &["run", "leak.toml", "--out", "again", "--json"])
+        .json();
+    assert_eq!(answer["end"], "fault");
+    let grain = answer["fault"]["grain"].as_u64().unwrap();
+    assert!(
+        answer["fault"]["message"]
+            .as_str()
+            .unwrap()
+            .contains(&format!("grain {grain} left"))
+    );
+    assert!(answer["finished"] == false && answer["stopped_by"] == answer["fault"]["message"]);
+    // the last frame is the state at the fault
+    let pvd = fs::read_to_string(place.path("leak/grains.pvd")).unwrap();
+    let last = pvd.lines().rfind(|line| line.contains("<DataSet")).unwrap();
+    let snapshot = format!("frames/grains_{:010}.vtp", answer["steps"].as_u64().unwrap());
+    assert!(last.contains(&snapshot), "{last} {snapshot}");
+    assert!(place.path("leak").join(snapshot).is_file());
+}
+
+/// A limit on the size of files stands in for a full disk, which needs privileges to make.
+#[test]
+fn a_refused_write_keeps_what_was_written() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let demeter = env!("CARGO_BIN_EXE_demeter");
+    // 16 blocks of 512 or 1024 bytes, after which a write fails
+    let script = format!(
+        "trap '' XFSZ; ulimit -f 16; exec '{demeter}' run fall.toml --out full --set output.series='\"20 us\"'"
+    );
+    let mut command = Command::new("bash");
+    let output = command
+        .args(["-c", &script])
+        .current_dir(place.path(""))
+        .output()
+        .unwrap();
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{err}");
+    let last = err.lines().last().unwrap();
+    assert!(
+        last.starts_with("error: cannot") && last.contains("full/") && last.contains("choose another disk"),
+        "{err}"
+    );
+    let series = fs::read_to_string(place.path("full/series.csv")).unwrap();
+    assert!(series.starts_with("step,time [s]") && series.ends_with('\n') && series.lines().count() > 1);
+    assert!(place.path("full/scenario.toml").is_file());
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_fault() {
+    let place = Place::new();
+    for arguments in [&["laws"][..], &["new"], &["laws", "epsd", "--json"], &["--help"]] {
+        let mut child = place
+            .command(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        let err = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), err.as_str()), (Some(0), ""), "{arguments:?}");
+    }
+}
