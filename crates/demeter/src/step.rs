@@ -208,7 +208,11 @@ impl Simulation {
                     spin[k] += (new_torque - torque[k]) * (correction / inertia[k]);
                     force[k] = new_force;
                     torque[k] = new_torque;
-                    if !(new_force.is_finite() && new_torque.is_finite()) {
+                    if !(velocity[k].is_finite()
+                        && spin[k].is_finite()
+                        && new_force.is_finite()
+                        && new_torque.is_finite())
+                    {
                         bad = bad.or(Some(task * n + k));
                     }
                 }
@@ -220,9 +224,21 @@ impl Simulation {
             Some(g) => Err(Fault::NotFinite {
                 step: self.step,
                 id: self.grains.id[g],
-                quantity: "force",
+                quantity: self.not_finite(g),
                 position: self.grains.position[g],
             }),
+        }
+    }
+
+    /// Which quantity of a grain is not finite: the cause before its effects.
+    fn not_finite(&self, g: usize) -> &'static str {
+        let grains = &self.grains;
+        if !(grains.force[g].is_finite() && grains.torque[g].is_finite()) {
+            "force"
+        } else if !grains.velocity[g].is_finite() {
+            "velocity"
+        } else {
+            "angular velocity"
         }
     }
 

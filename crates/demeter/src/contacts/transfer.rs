@@ -31,8 +31,14 @@ pub struct CarriedContact {
     pub normal: DVec3,
     /// Overlap [m].
     pub overlap: f64,
+    /// Distances of the contact point from the centres of the two bodies [m].
+    pub levers: (f64, f64),
     /// Normal force [N].
     pub normal_force: f64,
+    /// Force on the first body [N].
+    pub force: DVec3,
+    /// Torques on the two bodies [N m].
+    pub torques: (DVec3, DVec3),
     /// History of its laws.
     pub history: Vec<f64>,
 }
@@ -50,6 +56,7 @@ impl Contacts {
                         grains.id[chunk.j[k] as usize]
                     };
                     let grain = grains.id[chunk.i[k] as usize];
+                    let contact = &chunk.now.geometry[k];
                     carried.push(CarriedContact {
                         key: ContactKey {
                             wall,
@@ -58,9 +65,12 @@ impl Contacts {
                             element: chunk.now.element[k],
                         },
                         pair: chunk.now.pair[k],
-                        normal: chunk.now.geometry[k].normal,
-                        overlap: chunk.now.geometry[k].overlap,
+                        normal: contact.normal,
+                        overlap: contact.overlap,
+                        levers: (contact.lever_i, contact.lever_j),
                         normal_force: chunk.now.normal_force[k],
+                        force: chunk.force[k],
+                        torques: (chunk.torque_i[k], chunk.torque_j[k]),
                         history: chunk.history(k, self.stride).to_vec(),
                     });
                 }
@@ -70,51 +80,39 @@ impl Contacts {
         carried
     }
 
-    /// Makes chunks for new candidates that remember the carried contacts, as if a step had just ended with them.
-    /// `carried` is sorted by its keys.
+    /// Makes chunks for new candidates with the carried contacts, as if a step had just ended with them: all that can be
+    /// asked of a contact after a step can be asked now. `carried` is sorted by its keys.
     pub fn adopt(&mut self, grains: &Grains, neighbours: &Neighbours, carried: &[CarriedContact]) {
         let stride = self.stride;
         self.pairs = chunks(neighbours.pairs.len(), |c, chunk| {
             let p = neighbours.pairs[c];
-            let (i, j) = (grains.id[p.i as usize], grains.id[p.j as usize]);
-            remember(
-                carried,
-                ContactKey {
-                    wall: false,
-                    grain: i,
-                    partner: j,
-                    element: 0,
-                },
-                (p.i, p.j),
-                stride,
-                chunk,
-            );
+            let key = ContactKey {
+                wall: false,
+                grain: grains.id[p.i as usize],
+                partner: grains.id[p.j as usize],
+                element: 0,
+            };
+            remember(carried, key, (p.i, p.j), stride, chunk);
         });
         self.walls = chunks(neighbours.wall_pairs.len(), |c, chunk| {
             let p = neighbours.wall_pairs[c];
-            let grain = grains.id[p.grain as usize];
-            remember(
-                carried,
-                ContactKey {
-                    wall: true,
-                    grain,
-                    partner: p.wall,
-                    element: 0,
-                },
-                (p.grain, p.wall),
-                stride,
-                chunk,
-            );
+            let key = ContactKey {
+                wall: true,
+                grain: grains.id[p.grain as usize],
+                partner: p.wall,
+                element: 0,
+            };
+            remember(carried, key, (p.grain, p.wall), stride, chunk);
         });
     }
 }
 
 fn chunks(candidates: usize, fill: impl Fn(usize, &mut ContactChunk)) -> Vec<ContactChunk> {
     (0..candidates.div_ceil(CHUNK))
-        .map(|index| {
+        .map(|number| {
             let mut chunk = ContactChunk::default();
             chunk.now.clear();
-            for c in index * CHUNK..((index + 1) * CHUNK).min(candidates) {
+            for c in number * CHUNK..((number + 1) * CHUNK).min(candidates) {
                 fill(c, &mut chunk);
                 chunk.now.start.push(chunk.now.len() as u32);
             }
@@ -123,12 +121,11 @@ fn chunks(candidates: usize, fill: impl Fn(usize, &mut ContactChunk)) -> Vec<Con
         .collect()
 }
 
-/// Appends the carried contacts of a grain and a partner, from `first` on, whatever their elements. `bodies` are the
-/// indices of the two.
+/// Appends the carried contacts of a grain and a partner, from `first` on, whatever their elements.
 fn remember(
     carried: &[CarriedContact],
     first: ContactKey,
-    bodies: (u32, u32),
+    (i, j): (u32, u32),
     stride: usize,
     chunk: &mut ContactChunk,
 ) {
@@ -136,16 +133,19 @@ fn remember(
     let same =
         |c: &&CarriedContact| c.key.wall == first.wall && c.key.grain == first.grain && c.key.partner == first.partner;
     for c in carried[start..].iter().take_while(same) {
-        chunk.i.push(bodies.0);
-        chunk.j.push(bodies.1);
+        chunk.i.push(i);
+        chunk.j.push(j);
+        chunk.force.push(c.force);
+        chunk.torque_i.push(c.torques.0);
+        chunk.torque_j.push(c.torques.1);
         let kept = &mut chunk.now;
         kept.element.push(c.key.element);
         kept.pair.push(c.pair);
         kept.geometry.push(Contact {
             normal: c.normal,
             overlap: c.overlap,
-            lever_i: 0.0,
-            lever_j: 0.0,
+            lever_i: c.levers.0,
+            lever_j: c.levers.1,
         });
         kept.normal_force.push(c.normal_force);
         kept.history

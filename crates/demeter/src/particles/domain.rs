@@ -49,8 +49,14 @@ impl Domain {
         d
     }
 
-    /// Whether a point lies inside, or beyond periodic sides only.
+    /// Whether a point lies inside. Beyond a periodic side it does, too, up to one box: a grain is put back whenever the
+    /// candidates are found, so farther away it was thrown by one step over more than a box. A point that is not finite
+    /// lies nowhere.
     pub fn contains(&self, p: DVec3) -> bool {
-        (0..3).all(|k| self.periodic[k] || (p[k] >= self.lower[k] && p[k] <= self.upper[k]))
+        let size = self.size();
+        (0..3).all(|k| {
+            let slack = if self.periodic[k] { size[k] } else { 0.0 };
+            p[k] >= self.lower[k] - slack && p[k] <= self.upper[k] + slack
+        })
     }
 }

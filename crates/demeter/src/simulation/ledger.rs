@@ -174,7 +174,7 @@ impl Simulation {
     /// Normal, tangential and rolling energy stored in the contacts of a chunk [J].
     fn stored(&self, chunk: &ContactChunk, wall: bool, counts: &impl Fn(usize) -> bool) -> (f64, f64, f64) {
         let mut sum = (0.0, 0.0, 0.0);
-        for k in 0..chunk.i.len() {
+        for k in 0..chunk.len() {
             if !counts(chunk.i[k] as usize) && (wall || !counts(chunk.j[k] as usize)) {
                 continue;
             }

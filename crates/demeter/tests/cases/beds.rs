@@ -1,0 +1,222 @@
+//! Small beds of many grains that use every feature that has a memory: friction, rolling springs, meshes, servo,
+//! periodic sides, removal.
+
+use super::{Case, G, Laws, law, one_material};
+use demeter::insertion::{Amount, Insertion, Region, SizeDistribution, Source, insert};
+use demeter::particles::{Domain, Outside};
+use demeter::simulation::Setup;
+use demeter::walls::{Motion, Shape};
+use demeter_physics::DVec3;
+use std::f64::consts::TAU;
+
+/// Mean radius of the grains [m].
+pub const RADIUS: f64 = 2e-3;
+
+/// All beds by name.
+pub const BEDS: [&str; 7] = [
+    "settling",
+    "drum",
+    "servo",
+    "shear",
+    "oscillating floor",
+    "removal",
+    "squeezing",
+];
+
+/// The bed of a name with about `count` grains.
+pub fn bed(name: &str, count: u32) -> Setup {
+    match name {
+        "settling" => settling(count),
+        "drum" => drum(count),
+        "servo" => servo(count),
+        "shear" => shear(count),
+        "oscillating floor" => oscillating_floor(count),
+        "removal" => removal(count),
+        "squeezing" => squeezing(count),
+        _ => panic!("there is no bed `{name}`"),
+    }
+}
+
+fn mindlin() -> demeter_physics::contact::LawChoice {
+    law("mindlin-history", &[("friction", 0.4)])
+}
+
+/// Fills a box with loose grains that move at random.
+pub fn fill(case: &mut Case, lower: DVec3, upper: DVec3, count: u32, speed: f64) {
+    let insertion = Insertion {
+        name: "grains".into(),
+        material: 0,
+        types: vec![],
+        source: Source::Random {
+            region: Region::Box { lower, upper },
+            diameter: SizeDistribution::Uniform {
+                lower: 1.5 * RADIUS,
+                upper: 2.5 * RADIUS,
+            },
+            amount: Amount::Count(count),
+        },
+        velocity: DVec3::ZERO,
+        velocity_deviation: speed,
+        angular_velocity: DVec3::new(3.0, -2.0, 1.0),
+        seed: 7,
+    };
+    let inserted = insert(&insertion, case.materials.list(), &[], Some(&case.domain)).unwrap();
+    for (k, grain) in inserted.grains.iter().enumerate() {
+        case.grains.push(k as u32 + 1, grain);
+    }
+}
+
+/// Edge of a cube that `count` grains fill to a share.
+fn edge(count: u32, fraction: f64) -> f64 {
+    let volume = 2.0 * TAU / 3.0 * RADIUS * RADIUS * RADIUS * 1.06;
+    libm::cbrt(f64::from(count) * volume / fraction)
+}
+
+fn boxed(count: u32, laws: &Laws, open: [bool; 6]) -> (Case, f64) {
+    let mut case = Case::new(one_material(5e6, laws));
+    let a = edge(count, 0.25);
+    fill(&mut case, DVec3::ZERO, DVec3::splat(a), count, 0.1);
+    let walls = Shape::Box {
+        lower: DVec3::ZERO,
+        upper: DVec3::splat(a),
+        open,
+    };
+    case.wall(0, walls, Motion::Rest);
+    case.gravity = DVec3::new(0.0, 0.0, -G);
+    case.skin = 0.2 * RADIUS;
+    case.max_overlap = 0.4;
+    (case, a)
+}
+
+fn settling(count: u32) -> Setup {
+    let laws = Laws::hertz(0.5).friction(mindlin()).rolling("epsd", 0.1);
+    boxed(count, &laws, [false; 6]).0.setup()
+}
+
+/// A prism of 12 triangulated sides that turns about the y axis between two planes.
+fn drum(count: u32) -> Setup {
+    let laws = Laws::linear(2e3, 0.6)
+        .friction(law("linear-history", &[("friction", 0.5), ("stiffness", 6e2)]))
+        .rolling("constant-torque", 0.05);
+    let mut case = Case::new(one_material(5e6, &laws));
+    let a = edge(count, 0.2);
+    let half = DVec3::splat(0.5 * a);
+    fill(&mut case, -half, half, count, 0.1);
+    let radius = 0.8 * a;
+    let corner = |k: u32, y: f64| {
+        let angle = TAU * f64::from(k % 12) / 12.0;
+        DVec3::new(radius * libm::cos(angle), y, radius * libm::sin(angle))
+    };
+    let mut triangles = vec![];
+    for k in 0..12 {
+        let [p, q, r, s] = [corner(k, -a), corner(k + 1, -a), corner(k + 1, a), corner(k, a)];
+        triangles.extend([[p, q, r], [p, r, s]]);
+    }
+    let turning = Motion::Rotation {
+        point: DVec3::ZERO,
+        axis: DVec3::Y,
+        angular_velocity: 15.0,
+    };
+    case.wall(0, Shape::Mesh { triangles }, turning);
+    case.plane(0, DVec3::new(0.0, -0.5 * a, 0.0), DVec3::Y);
+    case.plane(0, DVec3::new(0.0, 0.5 * a, 0.0), -DVec3::Y);
+    case.gravity = DVec3::new(0.0, 0.0, -G);
+    case.skin = 0.2 * RADIUS;
+    case.max_overlap = 0.4;
+    case.setup()
+}
+
+fn plate(case: &mut Case, a: f64, motion: Motion) {
+    let shape = Shape::Rectangle {
+        center: DVec3::new(0.5 * a, 0.5 * a, a),
+        half_u: DVec3::new(0.6 * a, 0.0, 0.0),
+        half_v: DVec3::new(0.0, 0.6 * a, 0.0),
+    };
+    case.wall(0, shape, motion);
+}
+
+const OPEN_TOP: [bool; 6] = [false, false, false, false, false, true];
+
+fn servo(count: u32) -> Setup {
+    let laws = Laws::hertz(0.5).friction(mindlin());
+    let (mut case, a) = boxed(count, &laws, OPEN_TOP);
+    let motion = Motion::Servo {
+        axis: -DVec3::Z,
+        force: 500.0 * a * a,
+        max_speed: 0.5,
+    };
+    plate(&mut case, a, motion);
+    case.setup()
+}
+
+fn squeezing(count: u32) -> Setup {
+    let laws = Laws::hertz(0.7).friction(law("coulomb", &[("friction", 0.3)]));
+    let (mut case, a) = boxed(count, &laws, OPEN_TOP);
+    let motion = Motion::Oscillation {
+        amplitude: DVec3::new(0.0, 0.0, -0.62 * a),
+        frequency: 5.0,
+        phase: 0.0,
+    };
+    plate(&mut case, a, motion);
+    case.setup()
+}
+
+fn oscillating_floor(count: u32) -> Setup {
+    let laws = Laws::hertz(0.6).friction(mindlin()).rolling("epsd", 0.05);
+    let (mut case, a) = boxed(count, &laws, [false, false, false, false, true, true]);
+    let floor = Shape::Plane {
+        point: DVec3::ZERO,
+        normal: DVec3::Z,
+    };
+    let motion = Motion::Oscillation {
+        amplitude: DVec3::new(0.1 * RADIUS, 0.0, 0.5 * RADIUS),
+        frequency: 30.0,
+        phase: 0.4,
+    };
+    case.wall(0, floor, motion);
+    case.domain.upper.z = 1.0 + a;
+    case.setup()
+}
+
+/// Sheared between two planes, periodic along x and y.
+fn shear(count: u32) -> Setup {
+    let laws = Laws::hertz(0.8).friction(mindlin()).rolling("epsd", 0.05);
+    let mut case = Case::new(one_material(5e6, &laws));
+    let a = edge(count, 0.45);
+    case.domain = Domain {
+        lower: DVec3::new(0.0, 0.0, -a),
+        upper: DVec3::new(a, a, 2.0 * a),
+        periodic: [true, true, false],
+        outside: Outside::Stop,
+    };
+    fill(&mut case, DVec3::ZERO, DVec3::splat(a), count, 0.2);
+    for (z, normal, speed) in [(0.0, DVec3::Z, -0.5), (a, -DVec3::Z, 0.5)] {
+        let shape = Shape::Plane {
+            point: DVec3::Z * z,
+            normal,
+        };
+        case.wall(0, shape, Motion::Velocity(DVec3::X * speed));
+    }
+    case.skin = 0.2 * RADIUS;
+    case.max_overlap = 0.4;
+    case.setup()
+}
+
+/// A cloud that flies apart; what leaves the domain is removed.
+fn removal(count: u32) -> Setup {
+    let laws = Laws::hertz(0.7).friction(mindlin());
+    let mut case = Case::new(one_material(5e6, &laws));
+    let a = edge(count, 0.4);
+    fill(&mut case, DVec3::ZERO, DVec3::splat(a), count, 0.8);
+    case.plane(0, DVec3::ZERO, DVec3::Z);
+    case.domain = Domain {
+        lower: DVec3::splat(-0.1 * a),
+        upper: DVec3::splat(1.1 * a),
+        periodic: [false; 3],
+        outside: Outside::Remove,
+    };
+    case.gravity = DVec3::new(2.0, 0.0, -G);
+    case.skin = 0.2 * RADIUS;
+    case.max_overlap = 0.4;
+    case.setup()
+}

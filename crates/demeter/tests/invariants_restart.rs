@@ -1,0 +1,78 @@
+//! A run continued from any of its states gives the bits of the uninterrupted run.
+
+mod cases;
+
+use cases::beds::{BEDS, bed};
+use cases::{full, on_threads};
+use demeter::contacts::CarriedContact;
+use demeter::measure::{Moment, contact_records, measure};
+use demeter::simulation::{Simulation, SimulationState};
+use demeter::walls::Wall;
+
+/// All that can be seen of a run, in bytes.
+fn fingerprint(sim: &mut Simulation) -> Vec<u8> {
+    let carried: Vec<CarriedContact> = sim.contacts.carry(&sim.grains);
+    let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
+    let mut bytes = postcard::to_stdvec(&(sim.step, &sim.grains, &carried, &walls)).unwrap();
+    bytes.extend(postcard::to_stdvec(&(sim.energies(), sim.books, sim.rebuilds())).unwrap());
+    bytes.extend(format!("{:?}", measure(sim, Moment::default(), None)).bytes());
+    bytes.extend(format!("{:?}", contact_records(sim)).bytes());
+    bytes
+}
+
+/// Steps at which states are saved: a fixed pseudo-random choice and, in a dense stretch, every step, so that some lie
+/// right before a search for candidates or the removal of a grain.
+fn saved_steps(last: u64) -> Vec<u64> {
+    let mut x = 12345u64;
+    let mut steps: Vec<u64> = (0..6)
+        .map(|_| {
+            x = x
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (x >> 33) % last + 1
+        })
+        .collect();
+    steps.extend(last - 20..last);
+    steps.sort_unstable();
+    steps.dedup();
+    steps
+}
+
+#[test]
+fn a_continued_run_gives_the_same_bits() {
+    let (count, last, more) = if full() { (300, 20_000, 3_000) } else { (60, 5_000, 400) };
+    on_threads(1, || {
+        for name in BEDS {
+            let saved = saved_steps(last);
+            let mut sim = Simulation::new(bed(name, count));
+            let mut states = vec![];
+            for step in 1..=last {
+                sim.step().unwrap();
+                if saved.contains(&step) {
+                    states.push((postcard::to_stdvec(&sim.state()).unwrap(), fingerprint(&mut sim)));
+                }
+            }
+            for _ in 0..more {
+                sim.step().unwrap();
+            }
+            let expected = fingerprint(&mut sim);
+            for (bytes, at_once) in states {
+                let state: SimulationState = postcard::from_bytes(&bytes).unwrap();
+                let start = state.step;
+                let mut continued = Simulation::resume(bed(name, count), state).unwrap();
+                assert!(
+                    fingerprint(&mut continued) == at_once,
+                    "{name}: restored at step {start}, before any step"
+                );
+                let remaining = last + more - start;
+                for _ in 0..remaining {
+                    continued.step().unwrap();
+                }
+                assert!(
+                    fingerprint(&mut continued) == expected,
+                    "{name}: {remaining} steps after the restart at step {start}"
+                );
+            }
+        }
+    });
+}

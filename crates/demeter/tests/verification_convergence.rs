@@ -1,0 +1,137 @@
+//! The error of collisions falls with the square of the time step.
+
+mod cases;
+
+use cases::{Case, Laws, advance, full, index, law, on_threads, one_material, report, run_until_parted};
+use demeter::simulation::SAFE_SHARE;
+use demeter_physics::DVec3;
+
+const RADIUS: f64 = 2e-3;
+const YOUNG_MODULUS: f64 = 1e8;
+/// The automatic time step divided by these.
+const DIVISORS: [f64; 5] = [0.5, 1.0, 2.0, 4.0, 8.0];
+
+/// Largest error of a trajectory through a collision at the automatic time step, in radii and impact speeds.
+const AUTOMATIC: f64 = 5e-4;
+
+/// Slope of a straight line through `(ln x, ln y)`.
+fn fitted_order(points: &[(f64, f64)]) -> f64 {
+    let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (libm::log(*x), libm::log(*y))).collect();
+    let n = logs.len() as f64;
+    let (mx, my) = (
+        logs.iter().map(|p| p.0).sum::<f64>() / n,
+        logs.iter().map(|p| p.1).sum::<f64>() / n,
+    );
+    let covariance: f64 = logs.iter().map(|p| (p.0 - mx) * (p.1 - my)).sum();
+    let variance: f64 = logs.iter().map(|p| (p.0 - mx) * (p.0 - mx)).sum();
+    covariance / variance
+}
+
+fn laws() -> [(&'static str, Laws, f64); 6] {
+    [
+        ("hertz-tsuji, e 0.9", Laws::hertz(0.9), 0.9),
+        ("hertz-tsuji, e 0.5", Laws::hertz(0.5), 0.5),
+        ("hertz-tsuji, e 0.2", Laws::hertz(0.2), 0.2),
+        ("linear, e 0.9", Laws::linear(1e5, 0.9), 0.9),
+        ("linear, e 0.5", Laws::linear(1e5, 0.5), 0.5),
+        ("linear, e 0.2", Laws::linear(1e5, 0.2), 0.2),
+    ]
+}
+
+/// Root mean square over the phase at which steps hit the contact of the error of the restitution.
+fn restitution_error(laws: &Laws, expected: f64, divisor: f64) -> f64 {
+    let phases = if full() { 64 } else { 16 };
+    let mut sum = 0.0;
+    for phase in 0..phases {
+        let mut case = Case::new(one_material(YOUNG_MODULUS, laws));
+        case.share = SAFE_SHARE / divisor;
+        let v = DVec3::X * 0.3;
+        case.grain(RADIUS, -DVec3::X * 2.0 * RADIUS, v);
+        case.grain(RADIUS, DVec3::ZERO, DVec3::ZERO);
+        let mut setup = case.setup();
+        setup.grains.position[0] -= v * setup.dt * (3.0 + f64::from(phase) / f64::from(phases));
+        let mut sim = demeter::simulation::Simulation::new(setup);
+        run_until_parted(&mut sim);
+        let (a, b) = (index(&sim, 1), index(&sim, 2));
+        let e = (sim.grains.velocity[b] - sim.grains.velocity[a]).x / 0.3;
+        sum += (e - expected) * (e - expected);
+    }
+    (sum / f64::from(phases)).sqrt()
+}
+
+#[test]
+fn restitution_converges_with_second_order() {
+    on_threads(1, || {
+        for (name, laws, e) in laws() {
+            let errors: Vec<(f64, f64)> = (DIVISORS.iter())
+                .map(|&d| (SAFE_SHARE / d, restitution_error(&laws, e, d)))
+                .collect();
+            for (share, error) in &errors {
+                report(&format!("{name}: error of e at {share} of the collision time"), *error);
+            }
+            let order = fitted_order(&errors);
+            report(&format!("{name}: order"), order);
+            assert!(order > 1.8, "{name}: order {order} from {errors:?}");
+        }
+    });
+}
+
+/// Position, velocity and spin of a grain that has met another obliquely, at one moment after they parted.
+fn after_an_oblique_collision(laws: &Laws, divisor: f64) -> [DVec3; 3] {
+    let mut case = Case::new(one_material(YOUNG_MODULUS, laws));
+    let v = DVec3::new(0.3, 0.0, 0.05);
+    let n = DVec3::new(0.8, 0.6, 0.0);
+    case.grain(RADIUS, -n * 2.0 * RADIUS - v * 1.234e-5, v);
+    case.spinning_grain(1.5 * RADIUS, n * 0.5 * RADIUS, DVec3::ZERO, DVec3::new(5.0, 0.0, -30.0));
+    let mut setup = case.setup();
+    // whole numbers of steps to the same moment, whatever the divisor
+    let duration = 600.0 * setup.dt;
+    setup.dt /= divisor;
+    let mut sim = demeter::simulation::Simulation::new(setup);
+    advance(&mut sim, duration);
+    assert_eq!(sim.contacts.pair_count(), 0, "the grains still touch");
+    let k = index(&sim, 1);
+    [
+        sim.grains.position[k] / RADIUS,
+        sim.grains.velocity[k] / 0.3,
+        sim.grains.angular_velocity[k] * RADIUS / 0.3,
+    ]
+}
+
+#[test]
+fn trajectories_converge_with_second_order() {
+    on_threads(1, || {
+        let frictions = [
+            ("frictionless", None, Some(1.8)),
+            ("coulomb", Some(law("coulomb", &[("friction", 0.05)])), Some(1.8)),
+            // sticks and slips: at every change the force has a kink somewhere in a step, so only the size is told
+            (
+                "mindlin-history",
+                Some(law("mindlin-history", &[("friction", 0.3)])),
+                None,
+            ),
+        ];
+        for (name, laws, _) in laws() {
+            for (friction, choice, least) in &frictions {
+                let laws = match choice {
+                    Some(choice) => laws.clone().friction(choice.clone()),
+                    None => laws.clone(),
+                };
+                let reference = after_an_oblique_collision(&laws, 128.0);
+                let errors: Vec<(f64, f64)> = (DIVISORS.iter())
+                    .map(|&d| {
+                        let found = after_an_oblique_collision(&laws, d);
+                        let error = (0..3).map(|k| (found[k] - reference[k]).length()).fold(0.0, f64::max);
+                        (1.0 / d, error)
+                    })
+                    .collect();
+                let order = fitted_order(&errors);
+                report(&format!("{name}, {friction}: error at the automatic step"), errors[1].1);
+                report(&format!("{name}, {friction}: order"), order);
+                let least = least.unwrap_or(f64::NEG_INFINITY);
+                assert!(order > least, "{name}, {friction}: order {order} from {errors:?}");
+                assert!(errors[1].1 < AUTOMATIC, "{name}, {friction}: {errors:?}");
+            }
+        }
+    });
+}
