@@ -14,6 +14,8 @@ use std::path::{Path, PathBuf};
 
 /// Most stages that are told at the end; a summary holds them all.
 const MOST_STAGES: usize = 12;
+/// With more walls than this their forces at the end of a stage are left to `summary.json`.
+const MOST_STAGE_WALLS: usize = 4;
 
 /// Runs a scenario.
 pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
@@ -190,6 +192,13 @@ fn to_text(report: &Report) -> String {
     for stage in summary.stages.iter().take(MOST_STAGES) {
         let span = format!("{} s to {} s", number(stage.start), number(stage.end));
         rows.add(format!("stage {}", stage.name), format!("{span}: {}", stage.ended_by));
+        if !stage.walls.is_empty() && stage.walls.len() <= MOST_STAGE_WALLS {
+            let loads = stage.walls.iter().map(|(name, wall)| {
+                let [x, y, z] = wall.force;
+                format!("`{name}` {} N", number((x * x + y * y + z * z).sqrt()))
+            });
+            rows.add("", format!("force on {}", loads.collect::<Vec<_>>().join(", ")));
+        }
     }
     if let Some(more) = summary.stages.len().checked_sub(MOST_STAGES).filter(|more| *more > 0) {
         rows.add("stages", format!("and {more} more in summary.json"));

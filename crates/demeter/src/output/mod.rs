@@ -21,5 +21,5 @@ pub use folder::RunFolder;
 pub use frame::{ContactRecord, Frame, WallSurface};
 pub use plot::Plot;
 pub use series::{COLUMNS, Column, SeriesLabels, SeriesWriter, WALL_COLUMNS};
-pub use summary::{EnergySummary, StageSummary, Summary, WallSummary};
+pub use summary::{EnergySummary, StageSummary, Summary, WallSummary, wall_summaries};
 pub use vtk::FrameWriter;

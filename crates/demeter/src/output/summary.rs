@@ -66,6 +66,8 @@ pub struct StageSummary {
     pub end: f64,
     /// Which of its conditions ended it.
     pub ended_by: String,
+    /// Walls at its end.
+    pub walls: BTreeMap<String, WallSummary>,
 }
 
 /// The ledger at the end [J]; see the columns of the series.
@@ -123,8 +125,8 @@ impl EnergySummary {
     }
 }
 
-/// A wall at the end.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+/// A wall at the end of a stage or of the run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct WallSummary {
     /// Force of the grains on it [N].
     pub force: [f64; 3],
@@ -136,6 +138,20 @@ pub struct WallSummary {
     pub contacts: u32,
 }
 
+/// What a row of measures tells of every wall.
+pub fn wall_summaries(row: &Measures, wall_names: &[String]) -> BTreeMap<String, WallSummary> {
+    let walls = wall_names.iter().zip(&row.walls).map(|(name, load)| {
+        let wall = WallSummary {
+            force: load.force.to_array(),
+            torque: load.torque.to_array(),
+            displacement: load.displacement.to_array(),
+            contacts: load.contacts,
+        };
+        (name.clone(), wall)
+    });
+    walls.collect()
+}
+
 impl Summary {
     /// Takes over what the last row of measures tells.
     pub fn set_measures(&mut self, last: &Measures, max_residual: f64, wall_names: &[String]) {
@@ -144,16 +160,7 @@ impl Summary {
         self.steps = last.step;
         self.simulated_time = last.time;
         self.energies = EnergySummary::new(&last.energies, max_residual);
-        let walls = wall_names.iter().zip(&last.walls).map(|(name, load)| {
-            let wall = WallSummary {
-                force: load.force.to_array(),
-                torque: load.torque.to_array(),
-                displacement: load.displacement.to_array(),
-                contacts: load.contacts,
-            };
-            (name.clone(), wall)
-        });
-        self.walls = walls.collect();
+        self.walls = wall_summaries(last, wall_names);
     }
 
     /// Writes the summary into the folder of the run, whole or not at all.

@@ -6,7 +6,9 @@ use super::{Diagnostics, Scenario};
 use crate::checkpoint::{self, CheckpointError, Header};
 use crate::contacts::Fault;
 use crate::measure::{Measures, Moment, contact_records, kinetic_over_elastic, measure, wall_surfaces};
-use crate::output::{Frame, FrameWriter, OutputError, RunFolder, SeriesLabels, SeriesWriter, StageSummary};
+use crate::output::{
+    Frame, FrameWriter, OutputError, RunFolder, SeriesLabels, SeriesWriter, StageSummary, wall_summaries,
+};
 use crate::particles::Domain;
 use crate::simulation::{Setup, Simulation, SimulationState, Stage, StateError, StopCondition};
 use crate::walls::WallError;
@@ -412,6 +414,11 @@ impl<'a> Runner<'a> {
             start: start as f64 * dt,
             end: self.sim.time(),
             ended_by: reason.to_string(),
+            walls: self
+                .latest
+                .as_ref()
+                .map(|row| wall_summaries(row, &labels(self.scenario).walls))
+                .unwrap_or_default(),
         });
         self.place.stage += 1;
         self.begin_stage()
