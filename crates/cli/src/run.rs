@@ -215,7 +215,7 @@ fn to_text(report: &Report) -> String {
         "energy residual",
         format!(
             "{:.1e} at the end, {:.1e} at most",
-            energies.residual, energies.max_residual
+            energies.ledger.residual, energies.max_residual
         ),
     );
     rows.add(

@@ -70,59 +70,14 @@ pub struct StageSummary {
     pub walls: BTreeMap<String, WallSummary>,
 }
 
-/// The ledger at the end [J]; see the columns of the series.
+/// The ledger at the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct EnergySummary {
-    /// Kinetic energy of translation.
-    pub kinetic: f64,
-    /// Kinetic energy of rotation.
-    pub rotational: f64,
-    /// Potential energy in the field of gravity.
-    pub gravitational: f64,
-    /// Stored by normal laws.
-    pub elastic: f64,
-    /// Stored by tangential springs.
-    pub tangential: f64,
-    /// Stored by rolling springs.
-    pub rolling: f64,
-    /// Dissipated by normal dashpots.
-    pub viscous_dissipated: f64,
-    /// Dissipated by friction.
-    pub friction_dissipated: f64,
-    /// Dissipated by rolling resistance.
-    pub rolling_dissipated: f64,
-    /// Work done on the grains by moving walls.
-    pub wall_work: f64,
-    /// Energy of grains inserted.
-    pub inserted: f64,
-    /// Energy of grains removed.
-    pub removed: f64,
-    /// Share of the energy that passed through the system which the books do not explain, at the end.
-    pub residual: f64,
-    /// The largest such share in any row of the series.
+    /// Energies and the residual at the end.
+    #[serde(flatten)]
+    pub ledger: Energies,
+    /// The largest residual in any row of the series.
     pub max_residual: f64,
-}
-
-impl EnergySummary {
-    /// The ledger and the largest residual of the run.
-    pub fn new(energies: &Energies, max_residual: f64) -> Self {
-        Self {
-            kinetic: energies.kinetic,
-            rotational: energies.rotational,
-            gravitational: energies.gravitational,
-            elastic: energies.elastic,
-            tangential: energies.tangential,
-            rolling: energies.rolling,
-            viscous_dissipated: energies.viscous_dissipated,
-            friction_dissipated: energies.friction_dissipated,
-            rolling_dissipated: energies.rolling_dissipated,
-            wall_work: energies.wall_work,
-            inserted: energies.inserted,
-            removed: energies.removed,
-            residual: energies.residual,
-            max_residual,
-        }
-    }
 }
 
 /// A wall at the end of a stage or of the run.
@@ -159,7 +114,10 @@ impl Summary {
         self.contacts = last.contacts as u64;
         self.steps = last.step;
         self.simulated_time = last.time;
-        self.energies = EnergySummary::new(&last.energies, max_residual);
+        self.energies = EnergySummary {
+            ledger: last.energies,
+            max_residual,
+        };
         self.walls = wall_summaries(last, wall_names);
     }
 
