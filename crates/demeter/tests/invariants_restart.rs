@@ -1,4 +1,5 @@
 //! A run continued from any of its states gives the bits of the uninterrupted run.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 

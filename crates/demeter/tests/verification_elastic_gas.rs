@@ -1,4 +1,5 @@
 //! An elastic gas without friction keeps its energy and, in a periodic box, its momentum.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 

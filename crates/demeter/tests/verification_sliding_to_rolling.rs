@@ -1,4 +1,5 @@
 //! A sphere launched without spin ends rolling at 5/7 of its speed, whatever the friction and whatever it rolls on.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 
@@ -98,7 +99,7 @@ fn ends_at_five_sevenths_after_the_time_of_theory() {
                     let label = format!("{friction}, mu {mu}, {kind}");
                     report(&format!("{label}: time"), time);
                     report(&format!("{label}: speed"), speed);
-                    assert!(time.abs() < 3e-4, "{label}: {time}");
+                    assert!(time.abs() < 1e-4 + sim.dt / theory, "{label}: {time}");
                     assert!(speed.abs() < 1e-9, "{label}: {speed}");
                     assert!((v.length() / (5.0 / 7.0 * SPEED) - 1.0).abs() < 1e-3);
                     assert!(
