@@ -1,4 +1,5 @@
 //! The energy books of a run close: what came in, what is there and what was dissipated agree.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 

@@ -1,4 +1,5 @@
 //! Neither the order of the grains in memory nor the skin changes a trajectory.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 

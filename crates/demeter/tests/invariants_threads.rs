@@ -1,4 +1,5 @@
 //! A run gives the same bits on any number of threads.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 

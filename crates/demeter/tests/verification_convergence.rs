@@ -1,4 +1,5 @@
 //! The error of collisions falls with the square of the time step.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 

@@ -2,6 +2,7 @@
 //!
 //! Gravity is tilted instead of the plane. The sphere starts in its static overlap, so that nothing bounces. Theory of a
 //! rigid sphere of radius `r` touching at the distance `l` (`r` less the overlap) from its centre.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 

@@ -1,4 +1,5 @@
 //! Head-on, off-centre and wall collisions give the requested restitution within 1e-4 at the automatic time step.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 

@@ -1,4 +1,5 @@
 //! Spin: free, driven by turning walls, and gained in oblique impacts.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 

@@ -1,4 +1,5 @@
 //! A sphere launched without spin ends rolling at 5/7 of its speed, whatever the friction and whatever it rolls on.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 
@@ -79,8 +80,12 @@ fn ends_at_five_sevenths_after_the_time_of_theory() {
                 for kind in ["plane", "rectangle", "mesh"] {
                     let mut sim = launched(friction, mu, kind);
                     let l = sim.grains.position[0].z;
-                    // coulomb ends its slide by creeping
-                    let at_rest = if friction == "coulomb" { 1e-3 * SPEED } else { 0.0 };
+                    // coulomb ends its slide by creeping, from the speed 7/2 mu g dt/f on, f = 0.2
+                    let at_rest = if friction == "coulomb" {
+                        20.0 * mu * G * sim.dt
+                    } else {
+                        0.0
+                    };
                     // 2 v0/(7 mu g) when the overlap is nothing
                     let theory = (SPEED - at_rest) / (mu * G * (1.0 + 2.5 * (l / RADIUS) * (l / RADIUS)));
                     while slip(&sim) > at_rest {
@@ -98,7 +103,7 @@ fn ends_at_five_sevenths_after_the_time_of_theory() {
                     let label = format!("{friction}, mu {mu}, {kind}");
                     report(&format!("{label}: time"), time);
                     report(&format!("{label}: speed"), speed);
-                    assert!(time.abs() < 3e-4, "{label}: {time}");
+                    assert!(time.abs() < 1e-4 + sim.dt / theory, "{label}: {time}");
                     assert!(speed.abs() < 1e-9, "{label}: {speed}");
                     assert!((v.length() / (5.0 / 7.0 * SPEED) - 1.0).abs() < 1e-3);
                     assert!(

@@ -1,4 +1,5 @@
 //! Three grains (a block) and four (a pyramid) settle under gravity to the contact forces of statics.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
 
