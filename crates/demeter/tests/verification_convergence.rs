@@ -10,7 +10,7 @@ use demeter_physics::DVec3;
 const RADIUS: f64 = 2e-3;
 const YOUNG_MODULUS: f64 = 1e8;
 /// The automatic time step divided by these.
-const DIVISORS: [f64; 5] = [0.5, 1.0, 2.0, 4.0, 8.0];
+const DIVISORS: [f64; 4] = [0.25, 0.5, 1.0, 2.0];
 
 /// Largest error of a trajectory through a collision at the automatic time step, in radii and impact speeds.
 const AUTOMATIC: f64 = 5e-4;
@@ -68,7 +68,10 @@ fn restitution_converges_with_second_order() {
                 .map(|&d| (SAFE_SHARE / d, restitution_error(&laws, e, d)))
                 .collect();
             for (share, error) in &errors {
-                report(&format!("{name}: error of e at {share} of the collision time"), *error);
+                report(
+                    &format!("{name}: error of e at {share} of the shortest time scale"),
+                    *error,
+                );
             }
             let order = fitted_order(&errors);
             report(&format!("{name}: order"), order);
@@ -127,11 +130,11 @@ fn trajectories_converge_with_second_order() {
                     })
                     .collect();
                 let order = fitted_order(&errors);
-                report(&format!("{name}, {friction}: error at the automatic step"), errors[1].1);
+                report(&format!("{name}, {friction}: error at the automatic step"), errors[2].1);
                 report(&format!("{name}, {friction}: order"), order);
                 let least = least.unwrap_or(f64::NEG_INFINITY);
                 assert!(order > least, "{name}, {friction}: order {order} from {errors:?}");
-                assert!(errors[1].1 < AUTOMATIC, "{name}, {friction}: {errors:?}");
+                assert!(errors[2].1 < AUTOMATIC, "{name}, {friction}: {errors:?}");
             }
         }
     });

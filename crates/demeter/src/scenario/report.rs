@@ -32,6 +32,9 @@ pub struct Report {
 /// Most stages whose ends are drawn.
 const MAX_STAGE_PICTURES: usize = 99;
 
+/// A residual of the energy books that a run is warned of.
+const LARGEST_RESIDUAL: f64 = 1e-3;
+
 impl Runner<'_> {
     /// Draws the end of the present stage.
     pub(super) fn draw_stage(&mut self) -> Result<(), RunError> {
@@ -42,6 +45,19 @@ impl Runner<'_> {
         let name = &self.scenario.stages[stage].name;
         let path = self.folder.stage_picture(stage + 1, name);
         Ok(self.draw(&path, &format!("{}: end of {name}", self.scenario.title))?)
+    }
+
+    /// The warnings of the run, with that of books that do not close.
+    fn warnings(&self) -> Vec<String> {
+        let mut warnings = self.place.warnings.clone();
+        let residual = self.place.max_residual;
+        if residual > LARGEST_RESIDUAL {
+            warnings.push(format!(
+                "the energy books do not close: the residual reached {residual:.1e} of the energy that passed through; \
+                 a shorter time step makes it smaller"
+            ));
+        }
+        warnings
     }
 
     fn draw(&mut self, path: &Path, title: &str) -> Result<(), OutputError> {
@@ -79,7 +95,7 @@ impl Runner<'_> {
             particle_steps_per_second: speed,
             threads: rayon::current_num_threads(),
             stages: self.place.stages_done.clone(),
-            warnings: self.place.warnings.clone(),
+            warnings: self.warnings(),
             ..Summary::default()
         };
         let names: Vec<String> = self.sim.walls.iter().map(|w| w.name.clone()).collect();

@@ -140,8 +140,8 @@ fn of_contact(
 /// Shortest time scale of the laws of one contact [s], and what it is.
 fn time_scale(law: &PairLaw, size: PairSize, rolling_inertia: f64, overlap: f64) -> (f64, String) {
     let half_period = |inertia: f64, stiffness: f64| PI * (inertia / stiffness).sqrt();
-    let collision = law.normal.visit(CollisionTime(size, overlap));
-    let mut shortest = (collision, format!("collision (`{}`)", law.normal.info().name));
+    let (collision, what) = law.normal.visit(CollisionScale(size, overlap));
+    let mut shortest = (collision, format!("{what} (`{}`)", law.normal.info().name));
     let mut consider = |time: f64, what: String| {
         if time < shortest.0 {
             shortest = (time, what);
@@ -166,12 +166,12 @@ fn time_scale(law: &PairLaw, size: PairSize, rolling_inertia: f64, overlap: f64)
     shortest
 }
 
-struct CollisionTime(PairSize, f64);
+struct CollisionScale(PairSize, f64);
 
-impl NormalVisitor for CollisionTime {
-    type Output = f64;
-    fn visit<L: Normal>(self, law: &L) -> f64 {
-        law.collision_time(self.0, self.1)
+impl NormalVisitor for CollisionScale {
+    type Output = (f64, &'static str);
+    fn visit<L: Normal>(self, law: &L) -> (f64, &'static str) {
+        law.time_scale(self.0, self.1)
     }
 }
 
