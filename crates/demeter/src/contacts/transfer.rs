@@ -27,12 +27,8 @@ pub struct CarriedContact {
     pub key: ContactKey,
     /// Material pair.
     pub pair: u32,
-    /// Normal.
-    pub normal: DVec3,
-    /// Overlap [m].
-    pub overlap: f64,
-    /// Distances of the contact point from the centres of the two bodies [m].
-    pub levers: (f64, f64),
+    /// Geometry.
+    pub geometry: Contact,
     /// Normal force [N].
     pub normal_force: f64,
     /// Force on the first body [N].
@@ -56,7 +52,6 @@ impl Contacts {
                         grains.id[chunk.j[k] as usize]
                     };
                     let grain = grains.id[chunk.i[k] as usize];
-                    let contact = &chunk.now.geometry[k];
                     carried.push(CarriedContact {
                         key: ContactKey {
                             wall,
@@ -65,9 +60,7 @@ impl Contacts {
                             element: chunk.now.element[k],
                         },
                         pair: chunk.now.pair[k],
-                        normal: contact.normal,
-                        overlap: contact.overlap,
-                        levers: (contact.lever_i, contact.lever_j),
+                        geometry: chunk.now.geometry[k],
                         normal_force: chunk.now.normal_force[k],
                         force: chunk.force[k],
                         torques: (chunk.torque_i[k], chunk.torque_j[k]),
@@ -141,12 +134,7 @@ fn remember(
         let kept = &mut chunk.now;
         kept.element.push(c.key.element);
         kept.pair.push(c.pair);
-        kept.geometry.push(Contact {
-            normal: c.normal,
-            overlap: c.overlap,
-            lever_i: c.levers.0,
-            lever_j: c.levers.1,
-        });
+        kept.geometry.push(c.geometry);
         kept.normal_force.push(c.normal_force);
         kept.history
             .extend(c.history.iter().copied().chain(std::iter::repeat(0.0)).take(stride));

@@ -1,9 +1,10 @@
 //! Contact of two spheres.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// Geometry of one contact, seen from its first body.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
     /// Unit vector from the second body to the first: the direction of a repulsive force on the first.
     pub normal: DVec3,
