@@ -40,8 +40,8 @@ fn clippy() -> Result<(), String> {
 }
 
 /// Units in documentation, such as `[m]`, which rustdoc takes for links.
-const UNITS: [&str; 14] = [
-    "m", "s", "kg", "N", "J", "Pa", "W", "K", "Hz", "rad", "deg", "bytes", "J/m", "N/m",
+const UNITS: [&str; 15] = [
+    "m", "s", "kg", "N", "J", "Pa", "W", "K", "Hz", "rad", "deg", "bytes", "pixels", "J/m", "N/m",
 ];
 
 /// Documentation without warnings, but for units in brackets that look like links.
