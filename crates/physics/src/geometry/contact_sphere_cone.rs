@@ -38,13 +38,14 @@ pub fn contact_sphere_cone(cone: &Cone, centre: DVec3) -> SurfacePoint {
     let tangent = (cone.length / slant, rise / slant);
     let offset = off_axis - cone.start_radius;
     let along = height * tangent.0 + offset * tangent.1;
-    let outward = cone.side.sign();
+    let beside = offset * tangent.0 - height * tangent.1;
+    let outward = cone.side.sign(beside);
     let normal = (radial * tangent.0 - cone.axis * tangent.1) * outward;
     if (0.0..=slant).contains(&along) {
         let foot_radius = cone.start_radius + along * tangent.1;
         return SurfacePoint {
             normal,
-            distance: (offset * tangent.0 - height * tangent.1) * outward,
+            distance: beside * outward,
             foot: cone.start + cone.axis * (along * tangent.0) + radial * foot_radius,
             feature: Feature::Face,
         };
@@ -98,7 +99,7 @@ mod tests {
                 cone.start + cone.axis * (t * cone.length) + (u * cos + v * sin) * (a + t * (b - a))
             };
             for centre in centres() {
-                for side in [Side::Inside, Side::Outside] {
+                for side in [Side::Inside, Side::Outside, Side::Both] {
                     let found = contact_sphere_cone(&example(a, b, side), centre);
                     let expected = nearest(centre, &surface);
                     // The search of the oracle may stop early beside the apex, but never below the true minimum.

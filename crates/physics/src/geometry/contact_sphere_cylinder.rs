@@ -31,7 +31,7 @@ pub fn contact_sphere_cylinder(cylinder: &Cylinder, centre: DVec3) -> SurfacePoi
     } = OffAxis::new(centre - cylinder.start, cylinder.axis);
     let along = height.clamp(0.0, cylinder.length);
     let foot = cylinder.start + cylinder.axis * along + radial * cylinder.radius;
-    let outward = cylinder.side.sign();
+    let outward = cylinder.side.sign(off_axis - cylinder.radius);
     if along == height {
         return SurfacePoint {
             normal: radial * outward,
@@ -72,7 +72,7 @@ mod tests {
             cylinder.start + cylinder.axis * (t * cylinder.length) + (u * cos + v * sin) * cylinder.radius
         };
         for centre in centres() {
-            for side in [Side::Inside, Side::Outside] {
+            for side in [Side::Inside, Side::Outside, Side::Both] {
                 let found = contact_sphere_cylinder(&example(side), centre);
                 let expected = nearest(centre, &surface);
                 assert!(
@@ -102,6 +102,11 @@ mod tests {
         let outside = contact_sphere_cylinder(&c, centre);
         assert_eq!(outside.normal, DVec3::Y);
         assert!((outside.distance + 0.1).abs() < 1e-15);
+        c.side = Side::Both;
+        assert_eq!(contact_sphere_cylinder(&c, centre), inside);
+        let beside = contact_sphere_cylinder(&c, DVec3::new(0.0, 1.1, 0.5));
+        assert_eq!(beside.normal, DVec3::Y);
+        assert!((beside.distance - 0.1).abs() < 1e-15);
     }
 
     #[test]

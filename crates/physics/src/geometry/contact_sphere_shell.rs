@@ -20,7 +20,7 @@ pub struct Shell {
 #[inline]
 pub fn contact_sphere_shell(shell: &Shell, centre: DVec3) -> SurfacePoint {
     let (radial, off_centre) = direction(centre - shell.center, DVec3::Z);
-    let outward = shell.side.sign();
+    let outward = shell.side.sign(off_centre - shell.radius);
     SurfacePoint {
         normal: radial * outward,
         distance: (off_centre - shell.radius) * outward,

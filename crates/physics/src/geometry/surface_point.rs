@@ -10,15 +10,20 @@ pub enum Side {
     Inside,
     /// The grains are around it.
     Outside,
+    /// The surface is a thin shell with grains on both sides, as a tube that is lifted off a heap.
+    Both,
 }
 
 impl Side {
-    /// Sign of the outward direction on the side of the grains: +1 outside, -1 inside.
+    /// Sign of the outward direction on the side of a grain whose centre lies `offset` outside the surface: +1 outside,
+    /// -1 inside.
     #[inline(always)]
-    pub(crate) fn sign(self) -> f64 {
+    pub(crate) fn sign(self, offset: f64) -> f64 {
         match self {
             Side::Inside => -1.0,
             Side::Outside => 1.0,
+            Side::Both if offset < 0.0 => -1.0,
+            Side::Both => 1.0,
         }
     }
 }
