@@ -1,5 +1,5 @@
-//! Every example and every template runs to its end, and its energy books close within 1e-3 of the energy that passed
-//! through. Shortened here; whole with `DEMETER_FULL=1`.
+//! Every example and every template runs to its end, its energy books close within 1e-3 of the energy that passed
+//! through, and an interruption changes no bit. Shortened here; whole with `DEMETER_FULL=1`.
 
 #![allow(
     clippy::unwrap_used,
@@ -7,18 +7,27 @@
     reason = "a test tells what it measured, and may panic"
 )]
 
-use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, TEMPLATES, run};
+use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, TEMPLATES, resume, run};
 use std::path::{Path, PathBuf};
 
 const LARGEST_RESIDUAL: f64 = 1e-3;
 
-struct Silent;
+/// Says nothing, and asks the run to end after some reports of progress.
+struct Silent {
+    reports: u32,
+}
 
 impl Observer for Silent {
     fn progress(&mut self, _progress: &Progress) -> bool {
-        true
+        self.reports = self.reports.saturating_sub(1);
+        self.reports > 0
     }
     fn message(&mut self, _text: &str) {}
+}
+
+/// An observer that lets the run end by itself.
+fn silent() -> Silent {
+    Silent { reports: u32::MAX }
 }
 
 fn full() -> bool {
@@ -26,8 +35,9 @@ fn full() -> bool {
 }
 
 fn check(name: &str, scenario: &Scenario) {
-    let folder = tempfile::tempdir().unwrap();
-    let report = run(scenario, &folder.path().join(name), RunOptions::default(), &mut Silent).unwrap();
+    let place = tempfile::tempdir().unwrap();
+    let whole = place.path().join("whole");
+    let report = run(scenario, &whole, RunOptions::default(), &mut silent()).unwrap();
     assert_eq!(report.end, RunEnd::Finished, "{name}");
     let residual = report.summary.energies.max_residual;
     println!(
@@ -35,6 +45,33 @@ fn check(name: &str, scenario: &Scenario) {
         report.summary.steps
     );
     assert!(residual < LARGEST_RESIDUAL, "{name}: largest residual {residual:e}");
+
+    // interrupted wherever the first report happens to come, and continued on one thread
+    let parts = place.path().join("parts");
+    let first = run(scenario, &parts, RunOptions::default(), &mut Silent { reports: 1 }).unwrap();
+    if first.end == RunEnd::Interrupted {
+        println!("{name}: interrupted at step {}", first.summary.steps);
+        let options = RunOptions {
+            threads: Some(1),
+            ..RunOptions::default()
+        };
+        assert_eq!(
+            resume(&parts, options, &mut silent()).unwrap().end,
+            RunEnd::Finished,
+            "{name}"
+        );
+    }
+    for file in results(&whole) {
+        let same = std::fs::read(whole.join(&file)).unwrap() == std::fs::read(parts.join(&file)).unwrap();
+        assert!(same, "{name}: {} differs after a restart", file.display());
+    }
+}
+
+/// Series and frames of a run, relative to its folder.
+fn results(folder: &Path) -> Vec<PathBuf> {
+    let frames = std::fs::read_dir(folder.join("frames")).unwrap();
+    let frames = frames.map(|entry| Path::new("frames").join(entry.unwrap().file_name()));
+    frames.chain([PathBuf::from("series.csv")]).collect()
 }
 
 fn examples() -> PathBuf {
@@ -69,7 +106,7 @@ fn shortened(name: &str) -> Vec<&'static str> {
 }
 
 #[test]
-fn examples_close_their_books() {
+fn examples_close_their_books_and_restart() {
     let mut found = 0;
     for folder in std::fs::read_dir(examples())
         .unwrap()
@@ -85,7 +122,7 @@ fn examples_close_their_books() {
 }
 
 #[test]
-fn templates_close_their_books() {
+fn templates_close_their_books_and_restart() {
     for (name, _, text) in TEMPLATES {
         let overrides: Vec<String> = match *name {
             _ if full() => vec![],

@@ -137,7 +137,10 @@ const SHAPES: [&str; 8] = [
 ];
 
 fn side(table: &TableReader<'_>) -> Side {
-    match table.optional("side").and_then(|i| i.choice(&["inside", "outside", "both"])) {
+    match table
+        .optional("side")
+        .and_then(|i| i.choice(&["inside", "outside", "both"]))
+    {
         Some(1) => Side::Outside,
         Some(2) => Side::Both,
         _ => Side::Inside,
