@@ -116,18 +116,12 @@ pub fn layers() -> Result<(), String> {
 
 /// The verification cases at full size.
 pub fn verify(filter: Option<&str>) -> Result<(), String> {
-    let mut arguments = vec![
-        "nextest",
-        "run",
-        "--release",
-        "--workspace",
-        "--exclude",
-        "demeter-py",
-        "-E",
-        "binary(/^verification_/)",
-    ];
-    arguments.extend(filter);
-    run_cargo(&arguments, &[("DEMETER_FULL", "1")])
+    let cases = match filter {
+        None => "binary(/^verification_/)".to_string(),
+        Some(part) => format!("binary(/^verification_.*{part}/) | (binary(/^verification_/) & test({part}))"),
+    };
+    let arguments = [&["nextest", "run", "--release"], &ALL_BUT_PYTHON[..], &["-E", &cases]];
+    run_cargo(&arguments.concat(), &[("DEMETER_FULL", "1")])
 }
 
 #[cfg(test)]

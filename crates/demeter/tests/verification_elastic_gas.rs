@@ -24,7 +24,7 @@ const YOUNG_MODULUS: f64 = 7e10;
 ///
 /// Velocity Verlet keeps not the energy but one that differs from it by a share of about `(omega dt)^2/8` of what contacts
 /// store, so the energy of the moment swings with the contacts that are loaded. At this speed few are at a time.
-const SPEED: f64 = 0.05;
+const SPEED: f64 = 0.2;
 
 /// A random packing leaves many grains at the very point of touching; spread by this they all fly free at first.
 const SPREAD: f64 = 1.01;
