@@ -71,12 +71,6 @@ impl Normal for Linear {
         self.stiffness
     }
 
-    /// Half a collision: the energy of a linear contact swings by `(pi dt / T)^2 / 4` of itself, three times more than
-    /// that of a Hertzian one, and its collision time is the same for weak impacts.
-    fn time_scale(&self, size: PairSize, overlap: f64) -> (f64, &'static str) {
-        (0.5 * self.collision_time(size, overlap), "half a collision")
-    }
-
     fn collision_time(&self, size: PairSize, _overlap: f64) -> f64 {
         restitution::linear_contact_time(self.stiffness, size.mass, self.restitution)
     }

@@ -47,11 +47,6 @@ pub trait Normal: Copy + Send + Sync {
     fn stiffness(&self, size: PairSize, overlap: f64) -> f64;
     /// Shortest time of a collision that reaches `overlap` [s].
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64;
-    /// Time scale that the automatic time step is a share of [s], and its name: the shortest collision time, unless the
-    /// law asks for more.
-    fn time_scale(&self, size: PairSize, overlap: f64) -> (f64, &'static str) {
-        (self.collision_time(size, overlap), "collision")
-    }
 }
 
 law_family! {
