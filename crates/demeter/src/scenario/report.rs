@@ -71,9 +71,8 @@ impl Runner<'_> {
 
     /// Writes the summary and, after whole runs and faults, the picture and the plots.
     pub(super) fn report(&mut self, end: RunEnd) -> Result<Report, RunError> {
-        let steps_here = (self.sim.step - self.first_step) as f64;
         let seconds_here = self.started.elapsed().as_secs_f64();
-        let speed = steps_here * self.sim.grains.len() as f64 / seconds_here.max(1e-9);
+        let speed = self.particle_steps as f64 / seconds_here.max(1e-9);
         let mut summary = Summary {
             version: crate::VERSION.to_string(),
             title: self.scenario.title.clone(),

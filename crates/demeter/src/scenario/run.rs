@@ -212,6 +212,8 @@ pub(super) struct Runner<'a> {
     pub(super) place: Place,
     pub(super) started: Instant,
     pub(super) first_step: u64,
+    /// Sum over the steps of this process of the number of grains.
+    pub(super) particle_steps: u64,
     /// What the latest row told.
     pub(super) latest: Option<Measures>,
     steps: u64,
@@ -298,6 +300,7 @@ impl<'a> Runner<'a> {
         Self {
             scenario,
             first_step: sim.step,
+            particle_steps: 0,
             started: Instant::now(),
             sim,
             folder,
@@ -357,6 +360,7 @@ impl<'a> Runner<'a> {
             if let Err(fault) = self.sim.step() {
                 return Ok(Err(fault));
             }
+            self.particle_steps += self.sim.grains.len() as u64;
             let cadence = self.stage().cadence;
             if self.is_due(cadence.series) {
                 self.write_row()?;
