@@ -7,8 +7,9 @@ use crate::walls::{Motion, SurfaceContact, Wall};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Memory of a grain with its contacts and candidates in a dense packing, measured on 20,000 settled grains [bytes].
-pub(super) const BYTES_PER_GRAIN: f64 = 3000.0;
+/// Memory of a grain with its contacts, candidates, and its share of a checkpoint and a frame while these are written
+/// [bytes]: the largest resident size of `examples/settle-20000` (`/usr/bin/time -v`), 168 MB, over 20,000.
+pub(super) const BYTES_PER_GRAIN: f64 = 8400.0;
 
 /// Refuses grains that cannot fit into memory before any is made.
 pub(super) fn check_memory(scenario: &Scenario, faults: &mut Diagnostics) {

@@ -11,12 +11,13 @@ pub use state::{SimulationState, StateError};
 pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, UNSAFE_SHARE, shortest_time_scale};
 
 use crate::comm::Single;
-use crate::contacts::{Contacts, Fault, block};
+use crate::contacts::{CarriedContact, Contacts, Fault, block};
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, space_filling_order};
 use crate::particles::{Domain, Grains};
 use crate::walls::{Pose, Wall};
 use glam::DVec3;
+use std::collections::BTreeSet;
 
 /// Rebuilds of the candidates between two reorderings of the grains.
 const REBUILDS_PER_REORDER: u64 = 16;
@@ -136,11 +137,6 @@ impl Simulation {
         self.rebuilds
     }
 
-    /// Number of candidate pairs of grains.
-    pub fn candidate_count(&self) -> usize {
-        self.neighbours.pairs.len()
-    }
-
     /// Finds all candidates anew; contacts keep what they remember.
     pub(crate) fn find_candidates(&mut self) {
         let carried = self.contacts.carry(&self.grains);
@@ -150,8 +146,13 @@ impl Simulation {
             self.grains.reorder(&order);
         }
         self.rebuilds += 1;
+        self.continue_with(&carried);
+    }
+
+    /// Finds the candidates of the grains as they are, and hands them the contacts.
+    fn continue_with(&mut self, carried: &[CarriedContact]) {
         self.neighbours = Neighbours::find(&self.grains, &self.walls, &self.comm, self.skin);
-        self.contacts.adopt(&self.grains, &self.neighbours, &carried);
+        self.contacts.adopt(&self.grains, &self.neighbours, carried);
         self.note_bounds();
     }
 
@@ -184,22 +185,18 @@ impl Simulation {
         self.walls.iter().zip(since).map(moved).fold(0.0, f64::max)
     }
 
-    /// Takes grains out of the run and books what they carried.
+    /// Takes grains, told by rising indices, out of the run and books what they carried.
     pub(crate) fn remove(&mut self, indices: &[usize]) {
-        let gone = self.energies_of(|g| indices.contains(&g));
+        let leaves = |g: usize| indices.binary_search(&g).is_ok();
+        let gone = self.energies_of(leaves);
         self.books.remove(indices.len() as u64, &gone);
-        let mut gone = indices.iter().peekable();
-        let keep: Vec<u32> = (0..self.grains.len() as u32)
-            .filter(|&g| gone.next_if(|&&k| k == g as usize).is_none())
-            .collect();
-        let ids: Vec<u32> = indices.iter().map(|&g| self.grains.id[g]).collect();
+        let keep: Vec<u32> = (0..self.grains.len() as u32).filter(|&g| !leaves(g as usize)).collect();
+        let ids: BTreeSet<u32> = indices.iter().map(|&g| self.grains.id[g]).collect();
         let carried: Vec<_> = (self.contacts.carry(&self.grains).into_iter())
             .filter(|c| !ids.contains(&c.key.grain) && (c.key.wall || !ids.contains(&c.key.partner)))
             .collect();
         self.grains.reorder(&keep);
         self.comm.wrap(&mut self.grains);
-        self.neighbours = Neighbours::find(&self.grains, &self.walls, &self.comm, self.skin);
-        self.contacts.adopt(&self.grains, &self.neighbours, &carried);
-        self.note_bounds();
+        self.continue_with(&carried);
     }
 }
