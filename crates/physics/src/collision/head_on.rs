@@ -23,7 +23,7 @@ pub enum Start {
 /// How exactly a collision is integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// Error allowed in a step, over the largest speed and the largest change of the overlap so far.
+    /// Error allowed in a step, over the largest speed so far and the overlap, that now or the largest so far.
     pub relative: f64,
     /// Most steps that are tried.
     pub max_steps: usize,
@@ -313,7 +313,6 @@ const REST: f64 = 1e-10;
 struct Course<'p, 'a, L> {
     pair: &'p Pair<'a, L>,
     speed: f64,
-    start: State,
     stored_before: f64,
     time: f64,
     state: State,
@@ -323,7 +322,6 @@ struct Course<'p, 'a, L> {
     /// Length of the next step [s].
     next: f64,
     largest_speed: f64,
-    largest_move: f64,
     largest_force: f64,
     max_overlap: f64,
     steps: usize,
@@ -354,7 +352,6 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         Ok(Self {
             pair,
             speed: impact.speed,
-            start: state,
             stored_before: pair.stored(&held, overlap),
             time: 0.0,
             state,
@@ -362,7 +359,6 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
             direction: 1.0,
             next: 1e-3 * shortest.fold(f64::INFINITY, f64::min),
             largest_speed: impact.speed,
-            largest_move: 0.0,
             largest_force: 0.0,
             max_overlap: overlap,
             steps: 0,
@@ -412,7 +408,7 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         let h = self.next;
         let speed = self.largest_speed;
         let allowed = [
-            tolerance.relative * self.largest_move.max(speed * h),
+            tolerance.relative * self.max_overlap.max(state[0].abs()).max(speed * h),
             tolerance.relative * speed,
             tolerance.relative * 0.5 * pair.size.mass * speed * speed,
         ];
@@ -489,7 +485,6 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         }
         self.held = self.pair.hold(&self.held, end[0], end[1]);
         self.largest_speed = self.largest_speed.max(end[1].abs());
-        self.largest_move = self.largest_move.max((end[0] - self.start[0]).abs());
         self.largest_force = self.largest_force.max(force.abs());
         self.max_overlap = self.max_overlap.max(end[0]);
     }

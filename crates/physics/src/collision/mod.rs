@@ -11,8 +11,10 @@ mod record;
 pub mod sticking;
 
 #[cfg(test)]
+mod adhesive_tests;
+#[cfg(test)]
 mod tests;
 
 pub use head_on::{Collision, CollisionEnergy, CollisionError, HeadOn, Outcome, Start, Tolerance, restitution_of};
 pub use record::Moment;
-pub use sticking::{Sticking, sticking_speed};
+pub use sticking::{Sticking, sticking_speed, sticking_speed_of};

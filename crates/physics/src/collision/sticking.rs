@@ -2,7 +2,7 @@
 
 use super::head_on::{CollisionError, HeadOn, Outcome, Start, Tolerance};
 use crate::contact::PairSize;
-use crate::contact::normal::{Normal, NormalLaw};
+use crate::contact::normal::{Normal, NormalLaw, NormalVisitor};
 
 /// What is known of the speeds at which two bodies stick.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,10 +24,27 @@ const STRIDE: f64 = 4.0;
 /// The range of speeds that is searched, as power of [`STRIDE`] below and above the first one tried.
 const MOST_STRIDES: i32 = 40;
 
+/// Critical sticking speed of two bodies under a law by name; see [`sticking_speed`].
+pub fn sticking_speed_of(
+    law: &NormalLaw,
+    size: PairSize,
+    start: Start,
+    tolerance: &Tolerance,
+) -> Result<Sticking, CollisionError> {
+    struct Search<'a>(PairSize, Start, &'a Tolerance);
+    impl NormalVisitor for Search<'_> {
+        type Output = Result<Sticking, CollisionError>;
+        fn visit<L: Normal>(self, law: &L) -> Self::Output {
+            sticking_speed(law, self.0, self.1, self.2)
+        }
+    }
+    law.visit(Search(size, start, tolerance))
+}
+
 /// Critical sticking speed of two bodies. Where there are several, as laws whose force jumps may have, it is one of
 /// them.
-pub fn sticking_speed(
-    law: &NormalLaw,
+pub fn sticking_speed<L: Normal>(
+    law: &L,
     size: PairSize,
     start: Start,
     tolerance: &Tolerance,
@@ -44,8 +61,7 @@ pub fn sticking_speed(
     };
     // the speed that makes a dent of a millionth of the radius in the time scale of such a collision
     let overlap = 1e-6 * size.radius;
-    let first = overlap / collision_time(law, size, overlap);
-    let mut speed = first;
+    let mut speed = overlap / law.collision_time(size, overlap);
     let (stuck_first, _) = sticks(speed)?;
     let (mut stuck, mut parted) = (speed, speed);
     for stride in 0.. {
@@ -72,15 +88,4 @@ pub fn sticking_speed(
         }
     }
     Ok(Sticking::Below((stuck * parted).sqrt()))
-}
-
-fn collision_time(law: &NormalLaw, size: PairSize, overlap: f64) -> f64 {
-    struct Scale(PairSize, f64);
-    impl crate::contact::normal::NormalVisitor for Scale {
-        type Output = f64;
-        fn visit<L: Normal>(self, law: &L) -> f64 {
-            law.collision_time(self.0, self.1)
-        }
-    }
-    law.visit(Scale(size, overlap))
 }
