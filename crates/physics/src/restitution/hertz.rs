@@ -15,7 +15,8 @@
 //! is not needed: in the units above the frequency is 1.
 
 use super::linear::{LinearCollision, PhasePoint, phases};
-use super::{ContactEnd, RestitutionError, duration, not_negative, root};
+use super::{ContactEnd, RestitutionError, duration, not_negative};
+use crate::root;
 
 /// `alpha` from which on the overlap never returns to zero: `sqrt(5)`.
 pub const CRITICAL_ALPHA: f64 = 2.236_067_977_499_79;

@@ -14,7 +14,8 @@
 use super::hertz::HertzCollision;
 use super::linear::LinearCollision;
 use super::power::PowerScale;
-use super::{ContactEnd, RestitutionError, positive, root, share};
+use super::{ContactEnd, RestitutionError, positive, share};
+use crate::root;
 
 /// Which spring-dashpot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

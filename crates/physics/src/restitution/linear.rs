@@ -26,7 +26,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::{ContactEnd, RestitutionError, not_negative, root, share};
+use super::{ContactEnd, RestitutionError, not_negative, share};
+use crate::root;
 
 /// State of a collision at one phase, in units of the collision.
 #[derive(Clone, Copy, Debug, PartialEq)]

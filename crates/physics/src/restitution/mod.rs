@@ -22,7 +22,6 @@ pub mod linear;
 pub mod power;
 pub mod profile;
 mod quadrature;
-mod root;
 mod taylor;
 pub mod viscoelastic;
 

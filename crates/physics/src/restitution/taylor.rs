@@ -10,7 +10,7 @@
 //! first touch or at zero overlap. Steps are as long as the last coefficients allow; an event is a root of a polynomial.
 
 use super::ContactEnd;
-use super::root;
+use crate::root;
 
 /// Highest power of the series.
 const ORDER: usize = 24;

@@ -18,7 +18,8 @@
 //!   `e = 5.1583817043 beta^(-5)`, up to a share of about `exp(-2 beta^(5/3))`: exact to rounding from `beta = 7` on.
 
 use super::taylor::{self, Outcome};
-use super::{ContactEnd, RestitutionError, root, share};
+use super::{ContactEnd, RestitutionError, share};
+use crate::root;
 
 /// Coefficients of `e` in powers of `beta`, end at zero overlap (radius of convergence about 1.4).
 const ZERO_OVERLAP: [f64; 17] = [
