@@ -72,9 +72,9 @@ impl Series {
         let scales = [(&self.root, self.root[0].abs() + speed), (&self.speed, speed)];
         let mut step = f64::INFINITY;
         for (series, scale) in scales {
-            for k in ORDER - 4..=ORDER {
-                if series[k] != 0.0 {
-                    step = step.min(libm::pow(TOLERANCE * scale / series[k].abs(), 1.0 / k as f64));
+            for (k, coefficient) in series.iter().enumerate().skip(ORDER - 4) {
+                if *coefficient != 0.0 {
+                    step = step.min(libm::pow(TOLERANCE * scale / coefficient.abs(), 1.0 / k as f64));
                 }
             }
         }
