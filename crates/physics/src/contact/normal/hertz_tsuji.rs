@@ -9,7 +9,7 @@ use crate::{params, restitution};
 params! {
     /// Parameters of the Hertzian spring-dashpot.
     pub struct HertzTsujiParameters {
-        restitution: NONE, typical 0.9, default None, Range::POSITIVE_SHARE,
+        restitution: NONE, required 0.9, in Range::POSITIVE_SHARE,
             "Coefficient of restitution, the same at every impact speed";
     }
 }
@@ -50,39 +50,36 @@ impl Normal for HertzTsuji {
     }
 
     #[inline(always)]
-    fn respond(&self, input: &NormalInput) -> NormalResponse {
+    fn respond(&self, input: &NormalInput, _history: &mut [f64]) -> NormalResponse {
         let k = self.hertz_stiffness(input.size);
         let dashpot = self.alpha * (input.size.mass * k).sqrt();
         if near_end(input) {
-            NormalResponse {
-                elastic: mean_slope(input, |d| 0.4 * k * d * d * d.sqrt()),
-                damping: mean_slope(input, |d| 0.8 * dashpot * d * d.sqrt().sqrt()),
-            }
+            NormalResponse::viscoelastic(
+                mean_slope(input, |d| 0.4 * k * d * d * d.sqrt()),
+                mean_slope(input, |d| 0.8 * dashpot * d * d.sqrt().sqrt()),
+            )
         } else if input.overlap > 0.0 {
             // means over the window to second order: f + f'' h^2/6 with f = d^(3/2) and d^(1/4)
             let root = input.overlap.sqrt();
             let share = input.half_window / input.overlap;
             let share2 = share * share;
-            NormalResponse {
-                elastic: k * input.overlap * root * (1.0 + share2 / 8.0),
-                damping: dashpot * root.sqrt() * (1.0 - share2 / 32.0),
-            }
+            NormalResponse::viscoelastic(
+                k * input.overlap * root * (1.0 + share2 / 8.0),
+                dashpot * root.sqrt() * (1.0 - share2 / 32.0),
+            )
         } else {
-            NormalResponse {
-                elastic: 0.0,
-                damping: 0.0,
-            }
+            NormalResponse::NOTHING
         }
     }
 
     #[inline(always)]
-    fn energy(&self, size: PairSize, overlap: f64) -> f64 {
+    fn energy(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
         let d = overlap.max(0.0);
         0.4 * self.hertz_stiffness(size) * d * d * d.sqrt()
     }
 
     #[inline(always)]
-    fn stiffness(&self, size: PairSize, overlap: f64) -> f64 {
+    fn stiffness(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
         1.5 * self.hertz_stiffness(size) * overlap.max(0.0).sqrt()
     }
 
@@ -98,6 +95,7 @@ impl Normal for HertzTsuji {
 mod tests {
     use super::*;
     use crate::contact::Elastic;
+    use crate::parameters::values;
     use approx::assert_relative_eq;
 
     /// What a collision came to.
@@ -111,12 +109,7 @@ mod tests {
     /// and `dt = u^3 ds`: this takes the singular start out of the dashpot.
     fn collide(law: &HertzTsuji, size: PairSize, speed: f64) -> Collision {
         let slope = |[u, v, _]: [f64; 3]| {
-            let input = NormalInput {
-                size,
-                overlap: u * u * u * u,
-                half_window: 0.0,
-            };
-            let response = law.respond(&input);
+            let response = law.respond(&NormalInput::at(size, u * u * u * u, v), &mut []);
             let force = response.elastic + response.damping * v;
             [0.25 * v, -u * u * u * force / size.mass, u * u * u]
         };
@@ -166,7 +159,7 @@ mod tests {
 
     fn law(elastic: Elastic, restitution: f64) -> HertzTsuji {
         let pair = MaterialPair { a: elastic, b: elastic };
-        HertzTsuji::new(&[("restitution".to_string(), restitution)].into(), &pair).unwrap()
+        HertzTsuji::new(&values(&[("restitution", restitution)]), &pair).unwrap()
     }
 
     const PERSPEX: Elastic = Elastic {
@@ -258,17 +251,13 @@ mod tests {
                 poisson_ratio: 0.0,
             },
         };
-        let law = HertzTsuji::new(&[("restitution".to_string(), 1.0)].into(), &pair).unwrap();
+        let law = HertzTsuji::new(&values(&[("restitution", 1.0)]), &pair).unwrap();
         let size = PairSize {
             radius: 0.01,
             mass: 1.0,
         };
-        let input = NormalInput {
-            size,
-            overlap: 1e-5,
-            half_window: 0.0,
-        };
+        let input = NormalInput::at(size, 1e-5, 0.0);
         // 4/3 * 6e9/0.91 * 0.1 * 10^-7.5
-        assert_relative_eq!(law.respond(&input).elastic, 27.800243166, max_relative = 1e-9);
+        assert_relative_eq!(law.respond(&input, &mut []).elastic, 27.800243166, max_relative = 1e-9);
     }
 }

@@ -9,8 +9,8 @@ use crate::{params, restitution};
 params! {
     /// Parameters of the linear spring-dashpot.
     pub struct LinearParameters {
-        stiffness: STIFFNESS, typical 1e4, default None, Range::POSITIVE, "Normal stiffness, force per overlap";
-        restitution: NONE, typical 0.9, default None, Range::POSITIVE_SHARE,
+        stiffness: STIFFNESS, required 1e4, in Range::POSITIVE, "Normal stiffness, force per overlap";
+        restitution: NONE, required 0.9, in Range::POSITIVE_SHARE,
             "Coefficient of restitution, the same at every impact speed";
     }
 }
@@ -40,34 +40,28 @@ impl Normal for Linear {
     }
 
     #[inline(always)]
-    fn respond(&self, input: &NormalInput) -> NormalResponse {
+    fn respond(&self, input: &NormalInput, _history: &mut [f64]) -> NormalResponse {
         let damping = 2.0 * self.damping_ratio * (self.stiffness * input.size.mass).sqrt();
         if near_end(input) {
-            NormalResponse {
-                elastic: mean_slope(input, |d| 0.5 * self.stiffness * d * d),
-                damping: mean_slope(input, |d| damping * d),
-            }
+            NormalResponse::viscoelastic(
+                mean_slope(input, |d| 0.5 * self.stiffness * d * d),
+                mean_slope(input, |d| damping * d),
+            )
         } else if input.overlap > 0.0 {
-            NormalResponse {
-                elastic: self.stiffness * input.overlap,
-                damping,
-            }
+            NormalResponse::viscoelastic(self.stiffness * input.overlap, damping)
         } else {
-            NormalResponse {
-                elastic: 0.0,
-                damping: 0.0,
-            }
+            NormalResponse::NOTHING
         }
     }
 
     #[inline(always)]
-    fn energy(&self, _size: PairSize, overlap: f64) -> f64 {
+    fn energy(&self, _size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
         let d = overlap.max(0.0);
         0.5 * self.stiffness * d * d
     }
 
     #[inline(always)]
-    fn stiffness(&self, _size: PairSize, _overlap: f64) -> f64 {
+    fn stiffness(&self, _size: PairSize, _overlap: f64, _history: &[f64]) -> f64 {
         self.stiffness
     }
 
@@ -91,12 +85,8 @@ mod tests {
     fn collide(law: &Linear, size: PairSize) -> [f64; 3] {
         let slope = |[d, v]: [f64; 2]| {
             // the law ends at zero overlap; the last step looks a little beyond it
-            let input = NormalInput {
-                size,
-                overlap: d.abs().max(f64::MIN_POSITIVE),
-                half_window: 0.0,
-            };
-            let response = law.respond(&input);
+            let input = NormalInput::at(size, d.abs().max(f64::MIN_POSITIVE), v);
+            let response = law.respond(&input, &mut []);
             [v, -(response.elastic.copysign(d) + response.damping * v) / size.mass]
         };
         let advance = |y: [f64; 2], dt: f64| {
@@ -141,8 +131,7 @@ mod tests {
         for restitution in [0.05, 0.1, 0.54, 0.9, 1.0] {
             for (stiffness, mass) in [(1e4, 2e-3), (37.0, 5.0)] {
                 let values = [("stiffness", stiffness), ("restitution", restitution)];
-                let values = values.map(|(name, value)| (name.to_string(), value)).into();
-                let law = Linear::new(&values, &MaterialPair { a: ANY, b: ANY }).unwrap();
+                let law = Linear::new(&crate::parameters::values(&values), &MaterialPair { a: ANY, b: ANY }).unwrap();
                 let size = PairSize { radius: 1e-3, mass };
                 let [duration, overlap, e] = collide(&law, size);
                 // eqs 7 and 21 of Antypov and Elliott
