@@ -16,7 +16,7 @@
 
 pub use super::duration::{contact_time_first_order, contact_time_quadratic};
 use super::linear::{LinearCollision, PhasePoint, phases};
-use super::{ContactEnd, RestitutionError, duration, not_negative, root};
+use super::{ContactEnd, RestitutionError, bracketed, duration, not_negative};
 
 /// `alpha` from which on the overlap never returns to zero: `sqrt(5)`.
 pub const CRITICAL_ALPHA: f64 = 2.236_067_977_499_79;
@@ -93,7 +93,7 @@ impl HertzCollision {
         };
         // below this phase the force still grows as time^(1/5); an undamped collision has its maximum at 1
         let phase = if linear.ratio() > 0.0 {
-            libm::exp(root::bracketed(rise, -40.0, std::f64::consts::LN_2))
+            libm::exp(bracketed(rise, -40.0, std::f64::consts::LN_2))
         } else {
             1.0
         };

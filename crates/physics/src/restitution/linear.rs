@@ -26,7 +26,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::{ContactEnd, RestitutionError, not_negative, root, share};
+use super::{ContactEnd, RestitutionError, bracketed, not_negative, share};
 
 /// State of a collision at one phase, in units of the collision.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -242,7 +242,7 @@ fn ratio_of_decay(decay: f64) -> f64 {
     let low = decay / FRAC_PI_2;
     let high = if decay < 1.0 { 1.0 } else { libm::exp(decay) };
     let misfit = |log: f64| decay_of(libm::exp(log)) - decay;
-    let mut g = libm::exp(root::bracketed(misfit, libm::log(low), libm::log(high)));
+    let mut g = libm::exp(bracketed(misfit, libm::log(low), libm::log(high)));
     for _ in 0..3 {
         let at_g = decay_of(g);
         g = (g - (at_g - decay) / decay_slope(g, at_g)).clamp(low, high);

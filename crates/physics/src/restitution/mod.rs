@@ -22,14 +22,16 @@ pub mod linear;
 pub mod power;
 pub mod profile;
 mod quadrature;
-mod root;
 mod taylor;
 pub mod viscoelastic;
 
 #[cfg(test)]
 mod brute_force;
 
+use std::convert::Infallible;
 use std::f64::consts::PI;
+
+use crate::root::bracketed_within;
 
 pub use profile::{ProfileError, RestitutionProfile};
 
@@ -87,6 +89,12 @@ pub enum RestitutionError {
         /// Contact that ends at zero overlap needs a smaller value than this.
         limit: f64,
     },
+}
+
+/// Root of `f` between `a` and `b`, where it has opposite signs, to the last bits of it.
+fn bracketed(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+    let Ok(root) = bracketed_within(|x| Ok::<f64, Infallible>(f(x)), a, b, 0.0);
+    root
 }
 
 /// The value, if it is finite and above zero.

@@ -18,7 +18,7 @@
 //!   `e = 5.1583817043 beta^(-5)`, up to a share of about `exp(-2 beta^(5/3))`: exact to rounding from `beta = 7` on.
 
 use super::taylor::{self, Outcome};
-use super::{ContactEnd, RestitutionError, root, share};
+use super::{ContactEnd, RestitutionError, bracketed, share};
 
 /// Coefficients of `e` in powers of `beta`, end at zero overlap (radius of convergence about 1.4).
 const ZERO_OVERLAP: [f64; 17] = [
@@ -108,7 +108,7 @@ impl ViscoelasticCollision {
         let last = series_until(end);
         if loss <= series_loss(last, end) {
             let beta = if loss > 0.0 {
-                root::bracketed(|beta| series_loss(beta, end) - loss, 0.0, last)
+                bracketed(|beta| series_loss(beta, end) - loss, 0.0, last)
             } else {
                 0.0
             };
@@ -133,7 +133,7 @@ impl ViscoelasticCollision {
             };
             collision.restitution(end).map_or(f64::NAN, |e| libm::log(e) - wanted)
         };
-        let log_beta = root::bracketed(misfit, libm::log(last), libm::log(most));
+        let log_beta = bracketed(misfit, libm::log(last), libm::log(most));
         Ok(Self {
             beta: libm::exp(log_beta),
         })
@@ -320,6 +320,8 @@ mod tests {
             0.54,
             0.3,
             0.1,
+            0.0501,
+            0.05,
             1e-3,
             2e-5,
             1e-12,
