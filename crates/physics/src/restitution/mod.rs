@@ -30,6 +30,8 @@ mod brute_force;
 
 use std::f64::consts::PI;
 
+use crate::root::bracketed;
+
 pub use profile::{ProfileError, RestitutionProfile};
 
 /// When two bodies in rebound are taken to have parted.
