@@ -19,7 +19,7 @@ pub struct Impact {
     kappa: f64,
     /// Inverse of the mass of tangential motion over that of normal motion: 7/2 for solid spheres.
     mobility: f64,
-    /// Radii of the annuli at largest compression.
+    /// Number of annuli at largest compression.
     annuli: usize,
     /// Time steps per contact.
     steps: usize,
@@ -193,6 +193,14 @@ impl Impact {
             mobility: 3.5,
             annuli,
             steps,
+        }
+    }
+
+    /// A disc cut from a sphere along a diameter, on a half-space: `K^2 = 1/2`.
+    pub fn of_disc(poisson_ratio: f64, annuli: usize, steps: usize) -> Self {
+        Self {
+            mobility: 3.0,
+            ..Self::of_solid_spheres(poisson_ratio, annuli, steps)
         }
     }
 
