@@ -11,7 +11,7 @@ use cases::{Laws, full, law, on_threads, report};
 use demeter::materials::Material;
 use demeter_physics::DVec3;
 use demeter_physics::contact::LawChoice;
-use impact::{Body, of_spheres, on_wall};
+use impact::{Approach, Body, of_spheres, on_wall};
 use maw::Impact;
 
 const FRICTION: f64 = 0.3;
@@ -151,14 +151,17 @@ fn restitution(choice: &LawChoice, poisson_ratio: f64, incidence: f64, partner: 
 /// Stiffness of a spring that keeps the ratio `kappa` to a linear normal spring of the same contact time as Hertz.
 fn matched_stiffness(poisson_ratio: f64, partner: Partner) -> f64 {
     let sphere = DENSITY * 4.0 / 3.0 * std::f64::consts::PI * RADIUS * RADIUS * RADIUS;
-    let (mass, radius) = match partner {
-        Partner::Wall => (sphere, RADIUS),
-        Partner::Grain => (0.5 * sphere, 0.5 * RADIUS),
+    let share = match partner {
+        Partner::Wall => 1.0,
+        Partner::Grain => 0.5,
     };
-    let modulus = YOUNG_MODULUS / (2.0 * (1.0 - poisson_ratio * poisson_ratio));
-    let deepest = libm::pow(15.0 / 16.0 * mass * SPEED * SPEED / (modulus * radius.sqrt()), 0.4);
-    let rate = std::f64::consts::PI * SPEED / (2.943_275 * deepest);
-    kappa(poisson_ratio) * mass * rate * rate
+    let approach = Approach {
+        mass: share * sphere,
+        radius: share * RADIUS,
+        modulus: YOUNG_MODULUS / (2.0 * (1.0 - poisson_ratio * poisson_ratio)),
+        speed: SPEED,
+    };
+    kappa(poisson_ratio) * approach.matched_stiffness()
 }
 
 /// A law as it is measured, with the error that it may make: of the restitution, at any angle and any `nu`.

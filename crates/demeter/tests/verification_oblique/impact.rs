@@ -15,7 +15,7 @@ pub struct Body {
 }
 
 /// Overlap for which the time step is chosen, as share of the radius; the impacts stay below it.
-const MAX_OVERLAP: f64 = 5e-3;
+const MAX_OVERLAP: f64 = 1e-2;
 
 fn case(materials: Materials) -> Case {
     let mut case = Case::new(materials);
@@ -67,6 +67,28 @@ fn after(sim: &Simulation, id: u32, radius: f64) -> Body {
         radius,
         velocity: sim.grains.velocity[k],
         spin: sim.grains.angular_velocity[k],
+    }
+}
+
+/// An elastic impact along the normal.
+pub struct Approach {
+    /// Effective mass [kg].
+    pub mass: f64,
+    /// Effective radius [m].
+    pub radius: f64,
+    /// Effective Young's modulus [Pa].
+    pub modulus: f64,
+    /// Speed [m/s].
+    pub speed: f64,
+}
+
+impl Approach {
+    /// Stiffness of the linear spring whose contact lasts as long as that of Hertz [N/m].
+    pub fn matched_stiffness(&self) -> f64 {
+        let energy = 15.0 / 16.0 * self.mass * self.speed * self.speed;
+        let deepest = libm::pow(energy / (self.modulus * self.radius.sqrt()), 0.4);
+        let rate = std::f64::consts::PI * self.speed / (2.943_275 * deepest);
+        self.mass * rate * rate
     }
 }
 
