@@ -149,7 +149,7 @@ impl Shot {
         let mut choice = law(name, &[("friction", self.surface.friction)]);
         if name == "linear-history" {
             let stiffness = self.kappa() * self.approach().matched_stiffness();
-            choice.parameters.insert("stiffness".into(), stiffness);
+            choice.parameters.insert("stiffness".into(), stiffness.into());
         }
         Laws::hertz(self.surface.restitution).friction(choice)
     }

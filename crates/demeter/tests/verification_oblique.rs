@@ -210,11 +210,11 @@ impl Measured {
     fn choice(&self, poisson_ratio: f64, partner: Partner) -> LawChoice {
         let mut choice = law(self.law, &[("friction", FRICTION)]);
         if let Some(damping_ratio) = self.damping_ratio {
-            choice.parameters.insert("damping_ratio".into(), damping_ratio);
+            choice.parameters.insert("damping_ratio".into(), damping_ratio.into());
         }
         if self.law == "linear-history" {
             let stiffness = matched_stiffness(poisson_ratio, partner);
-            choice.parameters.insert("stiffness".into(), stiffness);
+            choice.parameters.insert("stiffness".into(), stiffness.into());
         }
         choice
     }

@@ -10,8 +10,8 @@ use glam::{DVec2, DVec3};
 params! {
     /// Parameters of Mindlin-Deresiewicz friction.
     pub struct MindlinDeresiewiczParameters {
-        friction: NONE, typical 0.3, default None, Range::NOT_NEGATIVE, "Coefficient of friction";
-        damping_ratio: NONE, typical 0.0, default Some(0.0), Range::SHARE,
+        friction: NONE, required 0.3, in Range::NOT_NEGATIVE, "Coefficient of friction";
+        damping_ratio: NONE, default 0.0, in Range::SHARE,
             "Share of critical damping of the tangential spring; slip dissipates without it";
     }
 }
@@ -110,17 +110,32 @@ impl Row {
         (radius - cell as f64 * self.width).clamp(0.0, self.width)
     }
 
+    /// How many cells touch; the last of them perhaps in part.
+    #[inline(always)]
+    fn count(&self) -> usize {
+        if self.width > 0.0 {
+            ((self.radius / self.width).ceil() as usize).min(CELLS)
+        } else {
+            0
+        }
+    }
+
     /// Energy stored for a stiffness per length [J].
     #[inline(always)]
     fn energy(&self, modulus: f64) -> f64 {
-        let mut sum = 0.0;
-        for (cell, force) in self.forces.iter().enumerate() {
-            let width = self.touching(cell, self.radius);
-            if width > 0.0 {
-                sum += force.length_squared() / width;
-            }
+        let count = self.count();
+        if count == 0 {
+            return 0.0;
         }
-        sum / (2.0 * modulus)
+        let (last, whole) = (self.forces[count - 1], &self.forces[..count - 1]);
+        let sum: f64 = whole.iter().map(|force| force.length_squared()).sum();
+        let width = self.touching(count - 1, self.radius);
+        let part = if width > 0.0 {
+            last.length_squared() / width
+        } else {
+            0.0
+        };
+        (sum / self.width + part) / (2.0 * modulus)
     }
 
     /// Turns the forces with the contact, all alike, so that what they store does not change: by the shortest way from
@@ -196,10 +211,11 @@ impl Row {
     fn shear(&mut self, velocity: DVec2, input: &TangentialInput, modulus: f64, limit: f64) -> DVec2 {
         let half = velocity * (0.5 * input.dt * modulus);
         let share = |x: f64| 0.5 * x * (3.0 - x * x);
+        let step = self.width / self.radius;
         let (mut sum, mut inner) = (DVec2::ZERO, 0.0);
-        for cell in 0..CELLS {
+        for cell in 0..self.count() {
             let width = self.touching(cell, self.radius);
-            let outer = share(((cell + 1) as f64 * self.width / self.radius).min(1.0));
+            let outer = share(((cell + 1) as f64 * step).min(1.0));
             let cell_limit = limit * (outer - inner);
             inner = outer;
             let middle = held(self.forces[cell] - half * width, cell_limit);
@@ -286,7 +302,7 @@ mod tests {
             a: material,
             b: material,
         };
-        MindlinDeresiewicz::new(&[("friction".to_string(), FRICTION)].into(), &pair).unwrap()
+        MindlinDeresiewicz::new(&crate::parameters::values(&[("friction", FRICTION)]), &pair).unwrap()
     }
 
     /// Contact under constant normal force, moved along x by small steps.
