@@ -68,6 +68,7 @@ law_family! {
         coulomb::Coulomb,
         linear_history::LinearHistory,
         mindlin_history::MindlinHistory,
+        mindlin_deresiewicz::MindlinDeresiewicz,
     }
 }
 
