@@ -10,6 +10,7 @@ use demeter_physics::contact::rolling::{Rolling, RollingInput, RollingVisitor};
 use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialLaw, TangentialVisitor};
 use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -43,6 +44,7 @@ struct Partner {
 /// The laws' view of a stretch of contacts of one material pair.
 struct Run<'a> {
     dt: f64,
+    integrator: Integrator,
     stride: usize,
     law: &'a PairLaw,
     geometry: &'a [Contact],
@@ -66,9 +68,15 @@ impl NormalVisitor for NormalPass<'_, '_> {
             let response = law.respond(&NormalInput {
                 size: kin.size,
                 overlap: contact.overlap,
-                half_window: 0.5 * run.dt * kin.rate.abs(),
+                half_window: run.integrator.half_window(contact.overlap, kin.rate, run.dt),
             });
-            let (force, rate) = centred_force(response, kin.rate, run.normal_force[k], kin.size.mass, run.dt);
+            let (force, rate) = match run.integrator {
+                Integrator::VelocityVerlet => {
+                    centred_force(response, kin.rate, run.normal_force[k], kin.size.mass, run.dt)
+                }
+                // the predicted rate is of high order already
+                Integrator::Gear => (response.elastic + response.damping * kin.rate, kin.rate),
+            };
             run.normal_force[k] = force;
             dissipated += response.damping * rate * rate * run.dt;
         }
@@ -95,6 +103,7 @@ impl TangentialVisitor for TangentialPass<'_, '_> {
                 spin: kin.spin,
                 normal_force: run.normal_force[k].max(0.0),
                 dt: run.dt,
+                removable_share: run.integrator.removable_share(),
             };
             let response = law.respond(&input, history);
             run.tangential_force[k] = response.force;
@@ -127,6 +136,7 @@ impl RollingVisitor for RollingPass<'_, '_> {
                 normal_force: run.normal_force[k].max(0.0),
                 normal_stiffness: stiffness[k],
                 dt: run.dt,
+                removable_share: run.integrator.removable_share(),
             };
             let response = law.respond(&input, &mut run.history[first..first + L::HISTORY.len()]);
             run.rolling_torque[k] = response.torque;
@@ -242,6 +252,7 @@ impl ContactChunk {
         let law = scene.materials.law(self.now.pair[contacts.start]);
         let mut run = Run {
             dt: scene.dt,
+            integrator: scene.integrator,
             stride: scene.stride,
             law,
             geometry: &self.now.geometry[contacts.clone()],

@@ -10,6 +10,7 @@ use demeter::simulation::{SAFE_SHARE, Setup, Simulation, shortest_time_scale};
 use demeter::walls::{Motion, Shape, Wall};
 use demeter_physics::DVec3;
 use demeter_physics::contact::LawChoice;
+use demeter_physics::integrator::Integrator;
 
 /// Largest overlap for which the automatic time step is made, as share of the radius.
 pub const MAX_OVERLAP: f64 = 0.05;
@@ -98,6 +99,7 @@ pub struct Case {
     pub materials: Materials,
     pub domain: Domain,
     pub gravity: DVec3,
+    pub integrator: Integrator,
     pub skin: f64,
     pub max_overlap: f64,
     /// The time step as share of the shortest time scale.
@@ -117,6 +119,7 @@ impl Case {
                 outside: Outside::Stop,
             },
             gravity: DVec3::ZERO,
+            integrator: Integrator::VelocityVerlet,
             skin: 1e-4,
             max_overlap: MAX_OVERLAP,
             share: SAFE_SHARE,
@@ -161,6 +164,7 @@ impl Case {
             materials: self.materials,
             domain: self.domain,
             gravity: self.gravity,
+            integrator: self.integrator,
             dt: self.share * scale.time,
             skin: self.skin,
             max_overlap: self.max_overlap,
