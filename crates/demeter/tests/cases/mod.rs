@@ -32,6 +32,19 @@ pub fn report(what: &str, value: f64) {
     eprintln!("{what}: {value:.4e}");
 }
 
+/// Slope of a straight line through `(ln x, ln y)`.
+pub fn fitted_order(points: &[(f64, f64)]) -> f64 {
+    let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (libm::log(*x), libm::log(*y))).collect();
+    let n = logs.len() as f64;
+    let (mx, my) = (
+        logs.iter().map(|p| p.0).sum::<f64>() / n,
+        logs.iter().map(|p| p.1).sum::<f64>() / n,
+    );
+    let covariance: f64 = logs.iter().map(|p| (p.0 - mx) * (p.1 - my)).sum();
+    let variance: f64 = logs.iter().map(|p| (p.0 - mx) * (p.0 - mx)).sum();
+    covariance / variance
+}
+
 /// A law with its parameters.
 pub fn law(name: &str, parameters: &[(&str, f64)]) -> LawChoice {
     LawChoice {
@@ -195,14 +208,19 @@ pub fn advance(sim: &mut Simulation, duration: f64) {
     }
 }
 
-/// Steps until the first contact has come and gone.
+/// Steps until the first contact has come and gone, and until the integrator no longer remembers its forces.
 pub fn run_until_parted(sim: &mut Simulation) {
+    // the predictor-corrector hands the impulse of a force over to the velocity within four steps
+    let remembered = if sim.grains.higher.is_empty() { 0 } else { 4 };
     let mut touched = false;
     for _ in 0..1_000_000 {
         sim.step().unwrap();
         let contacts = sim.contacts.pair_count() + sim.contacts.wall_count();
         touched |= contacts > 0;
         if touched && contacts == 0 {
+            for _ in 0..remembered {
+                sim.step().unwrap();
+            }
             return;
         }
     }
