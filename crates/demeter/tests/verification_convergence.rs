@@ -1,4 +1,5 @@
-//! The error of collisions falls with the square of the time step.
+//! The error of collisions falls with the square of the time step with velocity Verlet; with the predictor-corrector too
+//! where the kinks at the ends of a contact are steps or ramps.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
@@ -16,11 +17,15 @@ const DIVISORS: [f64; 4] = [0.25, 0.5, 1.0, 2.0];
 /// Largest error of a trajectory through a collision at the automatic time step, in radii and impact speeds.
 const AUTOMATIC: f64 = 5e-4;
 
-/// Least order of collisions. The predictor-corrector passes a kink through several steps, at whatever phase it comes.
-fn least_order(integrator: Integrator, verlet: f64) -> f64 {
-    match integrator {
-        Integrator::VelocityVerlet => verlet,
-        Integrator::Gear => 0.0,
+/// Least order of collisions, where second order is expected of velocity Verlet.
+///
+/// The predictor-corrector takes the plain force from a few steps after the first touch on. A dashpot that rises as the
+/// fourth root of the overlap has no derivative there, so that the order is 5/4, at a small error; so it is where sliding
+/// turns.
+fn least_order(integrator: Integrator, smooth: bool) -> f64 {
+    match (integrator, smooth) {
+        (Integrator::Gear, false) => 1.2,
+        _ => 1.8,
     }
 }
 
@@ -63,7 +68,7 @@ fn restitution_converges_with_second_order() {
 }
 
 #[test]
-fn restitution_converges_with_second_order_with_gear() {
+fn restitution_converges_with_gear() {
     restitution_converges(Integrator::Gear);
 }
 
@@ -81,7 +86,7 @@ fn restitution_converges(integrator: Integrator) {
             }
             let order = fitted_order(&errors);
             report(&format!("{name}: order"), order);
-            let least = least_order(integrator, 1.8);
+            let least = least_order(integrator, name.starts_with("linear"));
             assert!(order > least, "{name}: order {order} from {errors:?}");
         }
     });
@@ -116,24 +121,24 @@ fn trajectories_converge_with_second_order() {
 }
 
 #[test]
-fn trajectories_converge_with_second_order_with_gear() {
+fn trajectories_converge_with_gear() {
     trajectories_converge(Integrator::Gear);
 }
 
 fn trajectories_converge(integrator: Integrator) {
     on_threads(1, || {
         let frictions = [
-            ("frictionless", None, Some(1.8)),
-            ("coulomb", Some(law("coulomb", &[("friction", 0.05)])), Some(1.8)),
+            ("frictionless", None, true),
+            ("coulomb", Some(law("coulomb", &[("friction", 0.05)])), true),
             // sticks and slips: at every change the force has a kink somewhere in a step, so only the size is told
             (
                 "mindlin-history",
                 Some(law("mindlin-history", &[("friction", 0.3)])),
-                None,
+                false,
             ),
         ];
         for (name, laws, _) in laws() {
-            for (friction, choice, least) in &frictions {
+            for (friction, choice, known) in &frictions {
                 let laws = match choice {
                     Some(choice) => laws.clone().friction(choice.clone()),
                     None => laws.clone(),
@@ -149,7 +154,12 @@ fn trajectories_converge(integrator: Integrator) {
                 let order = fitted_order(&errors);
                 report(&format!("{name}, {friction}: error at the automatic step"), errors[2].1);
                 report(&format!("{name}, {friction}: order"), order);
-                let least = least.map_or(f64::NEG_INFINITY, |l| least_order(integrator, l));
+                let smooth = name.starts_with("linear") && choice.is_none();
+                let least = if *known {
+                    least_order(integrator, smooth)
+                } else {
+                    f64::NEG_INFINITY
+                };
                 assert!(order > least, "{name}, {friction}: order {order} from {errors:?}");
                 assert!(errors[2].1 < AUTOMATIC, "{name}, {friction}: {errors:?}");
             }

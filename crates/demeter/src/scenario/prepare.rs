@@ -5,7 +5,7 @@ use super::{Diagnostics, Scenario, TimeStep, WallShape, WallSpec};
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains};
-use crate::simulation::{SAFE_SHARE, Setup, TimeScale, UNSAFE_SHARE, shortest_time_scale};
+use crate::simulation::{SAFE_SHARE, Setup, TimeScale, shortest_time_scale, unsafe_share};
 use crate::walls::{Mesh, Shape, Wall, read_stl};
 use demeter_physics::contact::LawError;
 use glam::DVec3;
@@ -312,7 +312,10 @@ fn time_step(
             (dt, format!("automatic: {}", words(dt)))
         }
         TimeStep::Fixed(dt) => {
-            let (safe, largest) = (SAFE_SHARE * scale.time, UNSAFE_SHARE * scale.time);
+            let (safe, largest) = (
+                SAFE_SHARE * scale.time,
+                unsafe_share(scenario.simulation.integrator) * scale.time,
+            );
             if dt > largest && !scenario.simulation.allow_unsafe_time_step {
                 faults.push(
                     "simulation.time_step",

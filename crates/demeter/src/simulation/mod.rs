@@ -8,7 +8,7 @@ mod time_step;
 pub use ledger::{Books, Energies};
 pub use protocol::{Cadence, Stage, StopCondition};
 pub use state::{SimulationState, StateError};
-pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, UNSAFE_SHARE, shortest_time_scale};
+pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, shortest_time_scale, unsafe_share};
 
 use crate::comm::Single;
 use crate::contacts::{CarriedContact, Contacts, Fault, block};

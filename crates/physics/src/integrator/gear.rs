@@ -176,6 +176,28 @@ mod tests {
         }
     }
 
+    /// Largest ratio of a decaying rate to that of the step before, late in its decay.
+    fn growth(decay_per_step: f64) -> f64 {
+        let gear = Gear::new(1.0);
+        let (mut motion, mut higher) = (Motion::default(), [DVec3::ZERO; 3]);
+        (motion.rate, motion.acceleration) = (DVec3::X, DVec3::X * -decay_per_step);
+        let mut size = [0.0; 2];
+        for step in 0..4000 {
+            gear.predict(&mut motion, &mut higher);
+            let error = motion.rate * -decay_per_step - motion.acceleration;
+            motion.acceleration += error;
+            gear.correct(&mut motion.place, &mut motion.rate, &mut higher, error);
+            size[usize::from(step >= 2000)] = motion.rate.x.abs().max(size[usize::from(step >= 2000)]);
+        }
+        size[1] / size[0]
+    }
+
+    #[test]
+    fn limit_of_stability() {
+        assert!(growth(0.163) < 1.0, "{}", growth(0.163));
+        assert!(growth(0.164) > 1.0, "{}", growth(0.164));
+    }
+
     #[test]
     fn a_polynomial_of_the_fifth_degree_is_exact() {
         let gear = Gear::new(0.125);

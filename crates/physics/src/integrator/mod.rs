@@ -37,7 +37,7 @@ impl Integrator {
     pub fn removable_share(self) -> f64 {
         match self {
             Self::VelocityVerlet => 0.2,
-            Self::Gear => 0.02,
+            Self::Gear => 0.01,
         }
     }
 
