@@ -6,7 +6,7 @@ use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::suggestion::did_you_mean;
 use demeter_physics::contact::{LawInfo, laws as all_laws};
-use demeter_physics::parameters::ParameterInfo;
+use demeter_physics::parameters::{ParameterInfo, ParameterKind, Presence};
 use serde_json::{Value, json};
 
 /// Lists the laws, or explains one.
@@ -52,20 +52,7 @@ fn list() -> String {
 fn explain(law: &LawInfo) -> String {
     let mut rows = Rows::default();
     for parameter in law.parameters {
-        let unit = parameter.dimension.unit();
-        let kind = if unit.is_empty() {
-            "pure number".to_string()
-        } else {
-            format!("in {unit}")
-        };
-        let default = parameter.default.map_or_else(
-            || format!("must be given, typically {}", value(parameter, parameter.typical)),
-            |default| format!("{} when not given", value(parameter, default)),
-        );
-        rows.add(
-            parameter.name,
-            format!("{}: {kind}, {}; {default}", parameter.doc, parameter.range),
-        );
+        rows.add(parameter.name, format!("{}: {}", parameter.doc, allowed(parameter)));
     }
     let parameters = if law.parameters.is_empty() {
         "  none\n".to_string()
@@ -82,6 +69,30 @@ fn explain(law: &LawInfo) -> String {
     )
 }
 
+/// What a parameter may be, and what stands in for it.
+fn allowed(parameter: &ParameterInfo) -> String {
+    if let ParameterKind::Choice(words) = parameter.kind {
+        let words: Vec<String> = words.iter().map(|w| format!("\"{w}\"")).collect();
+        return format!("{}; the first when not given", words.join(" or "));
+    }
+    let unit = parameter.dimension.unit();
+    let kind = if parameter.kind == ParameterKind::Restitution {
+        "a number, rows [speed, restitution], or a formula in v".to_string()
+    } else if unit.is_empty() {
+        "pure number".to_string()
+    } else {
+        format!("in {unit}")
+    };
+    let typical = value(parameter, parameter.typical);
+    let stand_in = match parameter.presence {
+        Presence::Required => format!("must be given, typically {typical}"),
+        Presence::Usual => format!("the usual one of several alternatives, typically {typical}"),
+        Presence::Optional => format!("may be given, typically {typical}"),
+        Presence::Default(_) => format!("{typical} when not given"),
+    };
+    format!("{kind}, {}; {stand_in}", parameter.range)
+}
+
 /// A value as the scenario writes it.
 fn value(parameter: &ParameterInfo, value: f64) -> String {
     let unit = parameter.dimension.unit();
@@ -93,8 +104,8 @@ fn value(parameter: &ParameterInfo, value: f64) -> String {
 
 /// A line of a scenario that chooses the law.
 fn example(law: &LawInfo) -> String {
-    let required = law.parameters.iter().filter(|p| p.default.is_none());
-    let given: String = required
+    let shown = law.parameters.iter().filter(|p| p.in_example());
+    let given: String = shown
         .map(|p| format!(", {} = {}", p.name, value(p, p.typical)))
         .collect();
     format!("{} = {{ law = \"{}\"{given} }}", law.family, law.name)
@@ -112,7 +123,13 @@ fn to_json(law: &LawInfo) -> Value {
             "maximum": finite(p.range.upper),
             "maximum_allowed": p.range.upper_allowed,
             "range": p.range.to_string(),
-            "default": p.default,
+            "default": p.default(),
+            "required": p.presence == Presence::Required,
+            "may_depend_on_speed": p.kind == ParameterKind::Restitution,
+            "choices": match p.kind {
+                ParameterKind::Choice(words) => json!(words),
+                ParameterKind::Number | ParameterKind::Restitution => Value::Null,
+            },
             "typical": p.typical,
             "meaning": p.doc,
         })

@@ -99,7 +99,8 @@ impl Simulation {
     /// Whether some grain may touch a partner that is not among its candidates.
     fn candidates_are_stale(&self, motion: &Motion) -> bool {
         // the narrow phase looks ahead by half a step
-        let grain = motion.max_displacement + motion.max_speed * self.dt;
+        let windows = if self.max_reach > 0.0 { 2.0 } else { 1.0 };
+        let grain = motion.max_displacement + windows * motion.max_speed * self.dt;
         let wall = self.wall_displacement();
         self.neighbours.reference.len() != self.grains.len() || 2.0 * grain > self.skin || grain + wall > self.skin
     }
@@ -116,6 +117,7 @@ impl Simulation {
             integrator: self.integrator,
             step: self.step,
             max_speed,
+            max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
         };

@@ -166,7 +166,7 @@ fn an_oblique_impact_in_gross_sliding() {
                 for degrees in [70f64, 80.0, 85.0] {
                     let mut choice = friction(law_name);
                     if law_name == "linear-history" {
-                        choice.parameters.insert("stiffness".into(), 5e6);
+                        choice.parameters.insert("stiffness".into(), 5e6.into());
                     }
                     let angle = degrees.to_radians();
                     let (sim, repulsion) = impact(&Laws::hertz(e).friction(choice), 2.0, angle);

@@ -1,6 +1,7 @@
 //! Formulas of the discrete element method, free of any engine.
 //!
 //! * [`dimension`] and [`parameters`]: what a law parameter is, its dimension and its allowed range.
+//! * [`collision`]: head-on collisions with error control: restitution, contact time, sticking speed.
 //! * [`contact`]: contact laws, one file each, in families (normal, tangential, rolling).
 //! * [`restitution`]: exact maps between the restitution coefficient and damping.
 //! * [`geometry`]: where a sphere touches a surface.
@@ -8,11 +9,13 @@
 //!
 //! Every quantity is SI. Nothing here knows of grains in number, neighbours, files or units.
 
+pub mod collision;
 pub mod contact;
 pub mod dimension;
 pub mod geometry;
 pub mod integrator;
 pub mod parameters;
 pub mod restitution;
+mod root;
 
 pub use glam::{DQuat, DVec3};

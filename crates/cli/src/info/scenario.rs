@@ -8,6 +8,7 @@ use demeter::insertion::{Amount, Insertion, Source};
 use demeter::materials::PairChoice;
 use demeter::scenario::{Scenario, WallShape, WallSpec};
 use demeter::walls::Shape;
+use demeter_physics::parameters::Value;
 use serde_json::json;
 use std::path::Path;
 
@@ -76,10 +77,11 @@ fn laws(choice: &PairChoice) -> String {
         choice.rolling.as_ref(),
     ];
     let words = chosen.into_iter().flatten().map(|law| {
-        let values = law
-            .parameters
-            .iter()
-            .map(|(name, value)| format!("{name} {}", number(*value)));
+        let values = law.parameters.iter().map(|(name, value)| match value {
+            Value::Number(x) => format!("{name} {}", number(*x)),
+            Value::Text(word) => format!("{name} {word}"),
+            Value::Table(rows) => format!("{name} of {} rows", rows.len()),
+        });
         let values: Vec<String> = values.collect();
         match values.is_empty() {
             true => law.law.clone(),

@@ -3,11 +3,11 @@
 //! A block gathers the kinematics of its contacts, runs the normal, tangential and rolling laws over runs of contacts
 //! of one material pair (one dispatch per run), and writes forces and torques.
 
-use super::{ContactChunk, Scene};
+use super::{ContactChunk, Scene, Tally};
 use crate::materials::Materials;
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor, centred_force};
 use demeter_physics::contact::rolling::{Rolling, RollingInput, RollingVisitor};
-use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialLaw, TangentialVisitor};
+use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialVisitor};
 use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::integrator::Integrator;
@@ -50,6 +50,8 @@ struct Run<'a> {
     geometry: &'a [Contact],
     kinematics: &'a [Kinematics],
     normal_force: &'a mut [f64],
+    /// Normal force that friction and rolling resistance are limited by: with the pull of adhesion, not negative [N].
+    friction_load: &'a mut [f64],
     history: &'a mut [f64],
     tangential_force: &'a mut [DVec3],
     rolling_torque: &'a mut [DVec3],
@@ -57,30 +59,51 @@ struct Run<'a> {
 
 struct NormalPass<'r, 'a>(&'r mut Run<'a>);
 
-impl NormalVisitor for NormalPass<'_, '_> {
-    /// Energy dissipated [J].
-    type Output = f64;
+/// What the normal forces of a run took out of the mechanical energy [J].
+struct NormalLoss {
+    viscous: f64,
+    plastic: f64,
+}
 
-    fn visit<L: Normal>(self, law: &L) -> f64 {
+impl NormalVisitor for NormalPass<'_, '_> {
+    type Output = NormalLoss;
+
+    fn visit<L: Normal>(self, law: &L) -> NormalLoss {
         let run = self.0;
-        let mut dissipated = 0.0;
+        let mut loss = NormalLoss {
+            viscous: 0.0,
+            plastic: 0.0,
+        };
+        let remembered = law.history();
         for (k, (contact, kin)) in run.geometry.iter().zip(run.kinematics).enumerate() {
-            let response = law.respond(&NormalInput {
+            let input = NormalInput {
                 size: kin.size,
                 overlap: contact.overlap,
-                half_window: run.integrator.half_window(contact.overlap, kin.rate, run.dt),
-            });
+                rate: kin.rate,
+                half_window: if L::FOLLOWS_KINKS {
+                    0.5 * run.dt * kin.rate.abs()
+                } else {
+                    run.integrator.half_window(contact.overlap, kin.rate, run.dt)
+                },
+            };
+            let response = law.respond(&input, &mut run.history[k * run.stride..][..remembered]);
             let (force, rate) = match run.integrator {
                 Integrator::VelocityVerlet => {
                     centred_force(response, kin.rate, run.normal_force[k], kin.size.mass, run.dt)
                 }
                 // the predicted rate is of high order already
-                Integrator::Gear => (response.elastic + response.damping * kin.rate, kin.rate),
+                Integrator::Gear => (
+                    (response.elastic + response.damping * kin.rate).max(response.least),
+                    kin.rate,
+                ),
             };
             run.normal_force[k] = force;
-            dissipated += response.damping * rate * rate * run.dt;
+            run.friction_load[k] = (force + response.adhesion).max(0.0);
+            // where the force is cut at its least, the spring relaxes into the dashpot without pulling
+            loss.viscous += (force - response.elastic) * rate * run.dt;
+            loss.plastic += response.lost;
         }
-        dissipated
+        loss
     }
 }
 
@@ -91,9 +114,10 @@ impl TangentialVisitor for TangentialPass<'_, '_> {
 
     fn visit<L: Tangential>(self, law: &L) -> f64 {
         let run = self.0;
+        let offset = normal_history(run.law);
         let mut dissipated = 0.0;
         for (k, (contact, kin)) in run.geometry.iter().zip(run.kinematics).enumerate() {
-            let history = &mut run.history[k * run.stride..k * run.stride + L::HISTORY.len()];
+            let history = &mut run.history[k * run.stride + offset..][..L::HISTORY.len()];
             let input = TangentialInput {
                 size: kin.size,
                 tangential_mass: kin.tangential_mass,
@@ -101,7 +125,7 @@ impl TangentialVisitor for TangentialPass<'_, '_> {
                 normal: contact.normal,
                 velocity: kin.tangential_velocity,
                 spin: kin.spin,
-                normal_force: run.normal_force[k].max(0.0),
+                normal_force: run.friction_load[k],
                 dt: run.dt,
                 removable_share: run.integrator.removable_share(),
             };
@@ -123,7 +147,7 @@ impl RollingVisitor for RollingPass<'_, '_> {
 
     fn visit<L: Rolling>(self, law: &L) -> f64 {
         let Self(run, stiffness) = self;
-        let offset = run.law.tangential.map_or(0, |t| t.info().history);
+        let offset = normal_history(run.law) + tangential_history(run.law);
         let mut dissipated = 0.0;
         for (k, (contact, kin)) in run.geometry.iter().zip(run.kinematics).enumerate() {
             let first = k * run.stride + offset;
@@ -133,7 +157,7 @@ impl RollingVisitor for RollingPass<'_, '_> {
                 normal: contact.normal,
                 angular_velocity: kin.rolling_velocity,
                 spin: kin.spin,
-                normal_force: run.normal_force[k].max(0.0),
+                normal_force: run.friction_load[k],
                 normal_stiffness: stiffness[k],
                 dt: run.dt,
                 removable_share: run.integrator.removable_share(),
@@ -153,8 +177,10 @@ impl NormalVisitor for StiffnessPass<'_, '_> {
 
     fn visit<L: Normal>(self, law: &L) -> NormalStiffness {
         let mut stiffness = [0.0; BLOCK];
-        for ((k, contact), out) in self.0.kinematics.iter().zip(self.0.geometry).zip(&mut stiffness) {
-            *out = law.stiffness(k.size, contact.overlap);
+        let (run, remembered) = (self.0, law.history());
+        for (k, out) in stiffness.iter_mut().enumerate().take(run.kinematics.len()) {
+            let history = &run.history[k * run.stride..][..remembered];
+            *out = law.stiffness(run.kinematics[k].size, run.geometry[k].overlap, history);
         }
         stiffness
     }
@@ -221,12 +247,27 @@ impl ContactChunk {
                     &partner,
                 );
             }
+            let mut friction_load = [0.0; BLOCK];
             let mut tangential = [DVec3::ZERO; BLOCK];
             let mut rolling = [DVec3::ZERO; BLOCK];
             let mut run = 0..0;
             while run.end < last - first {
                 run = next_run(&self.now.pair[first..last], run.end);
-                self.run_laws(scene, first, run.clone(), &kinematics, &mut tangential, &mut rolling);
+                let contacts = first + run.start..first + run.end;
+                let laws = Run {
+                    dt: scene.dt,
+                    integrator: scene.integrator,
+                    stride: scene.stride,
+                    law: scene.materials.law(self.now.pair[contacts.start]),
+                    geometry: &self.now.geometry[contacts.clone()],
+                    kinematics: &kinematics[run.clone()],
+                    normal_force: &mut self.now.normal_force[contacts.clone()],
+                    friction_load: &mut friction_load[run.clone()],
+                    history: &mut self.now.history[contacts.start * scene.stride..contacts.end * scene.stride],
+                    tangential_force: &mut tangential[run.clone()],
+                    rolling_torque: &mut rolling[run.clone()],
+                };
+                run_laws(laws, &mut self.tally);
             }
             for (b, k) in (first..last).enumerate() {
                 let contact = &self.now.geometry[k];
@@ -238,38 +279,20 @@ impl ContactChunk {
             first = last;
         }
     }
+}
 
-    fn run_laws(
-        &mut self,
-        scene: &Scene,
-        first: usize,
-        run: Range<usize>,
-        kinematics: &[Kinematics; BLOCK],
-        tangential: &mut [DVec3; BLOCK],
-        rolling: &mut [DVec3; BLOCK],
-    ) {
-        let contacts = first + run.start..first + run.end;
-        let law = scene.materials.law(self.now.pair[contacts.start]);
-        let mut run = Run {
-            dt: scene.dt,
-            integrator: scene.integrator,
-            stride: scene.stride,
-            law,
-            geometry: &self.now.geometry[contacts.clone()],
-            kinematics: &kinematics[run.clone()],
-            normal_force: &mut self.now.normal_force[contacts.clone()],
-            history: &mut self.now.history[contacts.start * scene.stride..contacts.end * scene.stride],
-            tangential_force: &mut tangential[run.clone()],
-            rolling_torque: &mut rolling[run],
-        };
-        self.tally.viscous += law.normal.visit(NormalPass(&mut run));
-        if let Some(friction) = &law.tangential {
-            self.tally.friction += friction.visit(TangentialPass(&mut run));
-        }
-        if let Some(resistance) = &law.rolling {
-            let stiffness = law.normal.visit(StiffnessPass(&run));
-            self.tally.rolling += resistance.visit(RollingPass(&mut run, stiffness));
-        }
+/// Runs the laws over one stretch of contacts of one material pair.
+fn run_laws(mut run: Run, tally: &mut Tally) {
+    let law = run.law;
+    let loss = law.normal.visit(NormalPass(&mut run));
+    tally.viscous += loss.viscous;
+    tally.plastic += loss.plastic;
+    if let Some(friction) = &law.tangential {
+        tally.friction += friction.visit(TangentialPass(&mut run));
+    }
+    if let Some(resistance) = &law.rolling {
+        let stiffness = law.normal.visit(StiffnessPass(&run));
+        tally.rolling += resistance.visit(RollingPass(&mut run, stiffness));
     }
 }
 
@@ -314,9 +337,26 @@ fn next_run(pairs: &[u32], start: usize) -> Range<usize> {
     start..start + length
 }
 
+/// Number of history values of the normal law of a pair; they come first.
+fn normal_history(law: &PairLaw) -> usize {
+    struct Length;
+    impl NormalVisitor for Length {
+        type Output = usize;
+        fn visit<L: Normal>(self, law: &L) -> usize {
+            law.history()
+        }
+    }
+    law.normal.visit(Length)
+}
+
+/// Number of history values of the tangential law; they come next, then those of the rolling law.
+fn tangential_history(law: &PairLaw) -> usize {
+    law.tangential.map_or(0, |t| t.info().history)
+}
+
 /// Number of history values of the laws of one pair.
 pub fn history_length(law: &PairLaw) -> usize {
-    law.tangential.map_or(0, |t| t.info().history) + law.rolling.map_or(0, |r| r.info().history)
+    normal_history(law) + tangential_history(law) + law.rolling.map_or(0, |r| r.info().history)
 }
 
 /// Largest number of history values of any pair.
@@ -344,21 +384,34 @@ pub fn spring_energies(law: &PairLaw, history: &[f64]) -> (f64, f64) {
             law.energy(&self.0[..L::HISTORY.len()])
         }
     }
-    let offset = law.tangential.as_ref().map_or(0, |t: &TangentialLaw| t.info().history);
+    let tangential = &history[normal_history(law)..];
+    let rolling = &tangential[tangential_history(law)..];
     (
-        law.tangential.map_or(0.0, |t| t.visit(Stored(history))),
-        law.rolling.map_or(0.0, |r| r.visit(Stored(&history[offset..]))),
+        law.tangential.map_or(0.0, |t| t.visit(Stored(tangential))),
+        law.rolling.map_or(0.0, |r| r.visit(Stored(rolling))),
     )
 }
 
 /// Energy stored by the normal law of a contact between bodies of these sizes [J].
-pub fn normal_energy(law: &PairLaw, size: PairSize, overlap: f64) -> f64 {
-    struct Stored(PairSize, f64);
-    impl NormalVisitor for Stored {
+pub fn normal_energy(law: &PairLaw, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+    struct Stored<'a>(PairSize, f64, &'a [f64]);
+    impl NormalVisitor for Stored<'_> {
         type Output = f64;
         fn visit<L: Normal>(self, law: &L) -> f64 {
-            law.energy(self.0, self.1)
+            law.energy(self.0, self.1, &self.2[..law.history()])
         }
     }
-    law.normal.visit(Stored(size, overlap))
+    law.normal.visit(Stored(size, overlap, history))
+}
+
+/// Largest gap across which the normal law acts between bodies of these sizes [m].
+pub fn largest_reach(law: &PairLaw, size: PairSize) -> f64 {
+    struct Reach(PairSize);
+    impl NormalVisitor for Reach {
+        type Output = f64;
+        fn visit<L: Normal>(self, law: &L) -> f64 {
+            law.largest_reach(self.0)
+        }
+    }
+    law.normal.visit(Reach(size))
 }

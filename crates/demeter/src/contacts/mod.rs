@@ -29,6 +29,8 @@ pub const CHUNK: usize = 1024;
 pub struct Tally {
     /// Dissipated by normal dashpots.
     pub viscous: f64,
+    /// Lost by normal laws otherwise: plastic work, tear-off of adhesive contacts.
+    pub plastic: f64,
     /// Dissipated by friction.
     pub friction: f64,
     /// Dissipated by rolling resistance.
@@ -41,6 +43,7 @@ impl Tally {
     /// Adds another tally.
     pub fn add(&mut self, other: &Self) {
         self.viscous += other.viscous;
+        self.plastic += other.plastic;
         self.friction += other.friction;
         self.rolling += other.rolling;
         self.wall_work += other.wall_work;

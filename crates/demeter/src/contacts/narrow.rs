@@ -1,14 +1,17 @@
 //! Narrow phase: which candidates touch during this step.
 //!
 //! A step acts over the time from `t - dt/2` to `t + dt/2`. A contact is active when the bodies touch at any moment of
-//! it, assuming the present rate of approach: `overlap + |rate| dt/2 > 0`.
+//! it, assuming the present rate of approach: `overlap + |rate| dt/2 > 0`. A law that attracts across a gap is asked
+//! as far as it reaches, and one window farther, so that it sees itself let go and books what that loses.
 
+use super::block::largest_reach;
 use super::{ContactChunk, Fault, Kept};
 use crate::comm::Single;
 use crate::materials::Materials;
 use crate::neighbours::{Pair, WallPair};
 use crate::particles::Grains;
 use crate::walls::{SurfaceContact, Wall};
+use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
@@ -32,10 +35,38 @@ pub struct Scene<'a> {
     pub step: u64,
     /// Largest speed of any grain or wall surface [m/s].
     pub max_speed: f64,
+    /// Largest gap across which any law acts [m].
+    pub max_reach: f64,
     /// Largest overlap allowed, as share of the smaller radius.
     pub max_overlap: f64,
     /// History values per contact.
     pub stride: usize,
+}
+
+impl Scene<'_> {
+    /// Distance beyond touching at which bodies may act on each other in this step [m].
+    fn widest_window(&self) -> f64 {
+        let window = self.max_speed * self.dt;
+        if self.max_reach > 0.0 {
+            self.max_reach + 2.0 * window
+        } else {
+            window
+        }
+    }
+
+    /// Whether two bodies act on each other at any moment of this step.
+    #[inline(always)]
+    fn acts(&self, pair: u32, size: impl Fn() -> PairSize, overlap: f64, rate: f64) -> bool {
+        let half_window = 0.5 * self.dt * rate.abs();
+        if overlap + half_window > 0.0 {
+            return true;
+        }
+        if self.max_reach == 0.0 {
+            return false;
+        }
+        let reach = largest_reach(self.materials.law(pair), size());
+        reach > 0.0 && overlap + reach + 2.0 * half_window > 0.0
+    }
 }
 
 impl ContactChunk {
@@ -43,7 +74,7 @@ impl ContactChunk {
     pub(crate) fn find_pairs(&mut self, pairs: &[Pair], scene: &Scene) {
         self.begin(scene.walls.len());
         let grains = scene.grains;
-        let window = scene.max_speed * scene.dt;
+        let window = scene.widest_window();
         for (c, p) in pairs.iter().enumerate() {
             let (i, j) = (p.i as usize, p.j as usize);
             let separation = grains.position[i] - grains.position[j] + scene.comm.shift(p.shift);
@@ -52,8 +83,12 @@ impl ContactChunk {
             if separation.length_squared() < reach * reach {
                 let contact = contact_sphere_sphere(separation, ri, rj);
                 let rate = (grains.velocity[j] - grains.velocity[i]).dot(contact.normal);
-                if contact.overlap + 0.5 * scene.dt * rate.abs() > 0.0 {
-                    let pair = scene.materials.pair(grains.material[i], grains.material[j]);
+                let pair = scene.materials.pair(grains.material[i], grains.material[j]);
+                let size = || PairSize {
+                    radius: 1.0 / (1.0 / ri + 1.0 / rj),
+                    mass: 1.0 / (1.0 / grains.mass[i] + 1.0 / grains.mass[j]),
+                };
+                if scene.acts(pair, size, contact.overlap, rate) {
                     let old = self.before.range(c).next();
                     self.push(scene.stride, (p.i, p.j, 0), pair, contact, old);
                     self.watch_overlap(scene, i, contact.overlap / ri.min(rj), || {
@@ -69,7 +104,7 @@ impl ContactChunk {
     pub(crate) fn find_walls(&mut self, pairs: &[WallPair], scene: &Scene) {
         self.begin(scene.walls.len());
         let grains = scene.grains;
-        let window = scene.max_speed * scene.dt;
+        let window = scene.widest_window();
         let mut touched: Vec<SurfaceContact> = Vec::new();
         let mut taken: Vec<usize> = Vec::new();
         for (c, p) in pairs.iter().enumerate() {
@@ -77,10 +112,12 @@ impl ContactChunk {
             let (centre, radius) = (grains.position[g], grains.radius[g]);
             touched.clear();
             wall.contacts(centre, radius + window, &mut touched);
+            let pair = scene.materials.pair(grains.material[g], wall.material);
+            let mass = grains.mass[g];
             touched.retain(|s| {
                 let foot = centre - s.normal * s.distance;
                 let rate = (wall.velocity_at(foot) - grains.velocity[g]).dot(s.normal);
-                radius - s.distance + 0.5 * scene.dt * rate.abs() > 0.0
+                scene.acts(pair, || PairSize { radius, mass }, radius - s.distance, rate)
             });
             taken.clear();
             for k in 0..touched.len() {
@@ -93,7 +130,6 @@ impl ContactChunk {
                 };
                 let old = self.before.heir(c, &touched, k, &taken);
                 taken.extend(old);
-                let pair = scene.materials.pair(grains.material[g], wall.material);
                 self.push(scene.stride, (p.grain, p.wall, s.element), pair, contact, old);
                 self.watch_overlap(scene, g, contact.overlap / radius, || format!("wall {}", wall.name));
             }

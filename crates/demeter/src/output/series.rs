@@ -113,6 +113,12 @@ pub const COLUMNS: &[Column<Measures>] = {
             |m| Number(m.energies.viscous_dissipated),
         ),
         column(
+            "plastic dissipation",
+            "J",
+            "lost by plastic work and by the tear-off of adhesive contacts since the start",
+            |m| Number(m.energies.plastic_dissipated),
+        ),
+        column(
             "friction dissipation",
             "J",
             "dissipated by friction since the start",

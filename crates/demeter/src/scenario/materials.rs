@@ -8,7 +8,9 @@ use super::reader::{Item, TableReader, suggest_or_list};
 use crate::materials::{Material, PairChoice};
 use demeter_physics::contact::{LawChoice, LawInfo, normal, rolling, tangential};
 use demeter_physics::dimension::Dimension;
-use demeter_physics::parameters::{ParameterError, Range, Values, resolve};
+use demeter_physics::parameters::{
+    ParameterError, ParameterInfo, ParameterKind, Range, Value as ParameterValue, Values, resolve,
+};
 
 /// Most materials: the laws of every pair are kept.
 pub const MAX_MATERIALS: usize = 256;
@@ -28,12 +30,20 @@ pub struct ContactSpec {
 impl ContactSpec {
     /// Laws of a pair of materials, in any order.
     pub fn choice(&self, a: usize, b: usize) -> PairChoice {
-        let (a, b) = (a.min(b), a.max(b));
-        let entry = self
-            .pairs
-            .iter()
-            .find(|p| (usize::from(p.0), usize::from(p.1)) == (a, b));
-        entry.map_or(&self.default, |p| &p.2).clone()
+        self.entry(a, b)
+            .map_or(&self.default, |index| &self.pairs[index].2)
+            .clone()
+    }
+
+    /// Path of the table that tells the laws of a pair of materials, in any order.
+    pub fn path(&self, a: usize, b: usize) -> String {
+        let entry = self.entry(a, b);
+        entry.map_or_else(|| "contact".to_string(), |index| format!("contact.pair[{index}]"))
+    }
+
+    fn entry(&self, a: usize, b: usize) -> Option<usize> {
+        let pair = (a.min(b), a.max(b));
+        (self.pairs.iter()).position(|p| (usize::from(p.0), usize::from(p.1)) == pair)
     }
 }
 
@@ -122,13 +132,8 @@ pub(super) fn check_laws(scenario: &Scenario, faults: &mut Diagnostics) {
     for (a, first) in materials.iter().enumerate() {
         for (b, second) in materials.iter().enumerate().skip(a) {
             if let Err(error) = contact.choice(a, b).bind(first, second) {
-                let entry = contact
-                    .pairs
-                    .iter()
-                    .position(|p| (usize::from(p.0), usize::from(p.1)) == (a, b));
-                let path = entry.map_or_else(|| "contact".to_string(), |index| format!("contact.pair[{index}]"));
                 faults.push(
-                    &path,
+                    &contact.path(a, b),
                     format!("between `{}` and `{}`: {error}", first.name, second.name),
                     None,
                 );
@@ -260,9 +265,8 @@ fn law(item: &Item<'_>, family: &str, known: &[LawInfo], default: Option<&LawCho
     };
     let mut parameters = inherited(info, default);
     for parameter in info.parameters {
-        if let Some(value) = table.optional(parameter.name) {
-            let value = value.quantity(Kind::of(parameter.dimension), parameter.range);
-            parameters.insert(parameter.name.to_string(), value);
+        if let Some(item) = table.optional(parameter.name) {
+            parameters.insert(parameter.name.to_string(), parameter_value(&item, parameter));
         }
     }
     check_parameters(item, info, &parameters);
@@ -271,6 +275,54 @@ fn law(item: &Item<'_>, family: &str, known: &[LawInfo], default: Option<&LawCho
         law: info.name.to_string(),
         parameters,
     })
+}
+
+/// Value of a parameter as its kind asks.
+fn parameter_value(item: &Item<'_>, parameter: &ParameterInfo) -> ParameterValue {
+    match parameter.kind {
+        ParameterKind::Number => item.quantity(Kind::of(parameter.dimension), parameter.range).into(),
+        ParameterKind::Choice(words) => {
+            let word = item.text();
+            if matches!(item.node.value, Value::String(_)) && !words.contains(&word.as_str()) {
+                let message = format!("`{}` has no choice `{word}`", item.name);
+                item.fault(message, suggest_or_list(&word, words.iter().copied()));
+            }
+            ParameterValue::Text(word)
+        }
+        ParameterKind::Restitution => restitution_value(item, parameter),
+    }
+}
+
+/// A restitution: a number, rows of impact speed and restitution, or a formula.
+fn restitution_value(item: &Item<'_>, parameter: &ParameterInfo) -> ParameterValue {
+    let value = match &item.node.value {
+        Value::Array(_) => ParameterValue::Table(item.items().iter().map(restitution_row).collect()),
+        // a percentage is a number, too
+        Value::String(text) if super::units::parse(text).is_err() => ParameterValue::Text(text.clone()),
+        _ => return item.quantity(Kind::Number, parameter.range).into(),
+    };
+    let alone = [(parameter.name.to_string(), value.clone())].into();
+    let known = std::slice::from_ref(parameter);
+    for error in resolve(known, &alone).err().into_iter().flatten() {
+        item.fault(error.to_string(), None);
+    }
+    value
+}
+
+/// One row `["0.1 m/s", 0.9]` of a table of restitution.
+fn restitution_row(row: &Item<'_>) -> [f64; 2] {
+    let cells = row.items();
+    let [speed, restitution] = cells.as_slice() else {
+        if matches!(row.node.value, Value::Array(_)) {
+            let message = format!("a row of a restitution table holds two values, found {}", cells.len());
+            row.fault(message, Some("write it as [\"0.1 m/s\", 0.9]".to_string()));
+        }
+        return [f64::NAN; 2];
+    };
+    [
+        speed.quantity(Kind::Physical(Dimension::VELOCITY), Range::POSITIVE),
+        restitution.quantity(Kind::Number, Range::POSITIVE_SHARE),
+    ]
 }
 
 fn inherited(info: &LawInfo, default: Option<&LawChoice>) -> Values {

@@ -5,7 +5,7 @@ use super::{Diagnostics, Scenario, TimeStep, WallShape, WallSpec};
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains};
-use crate::simulation::{SAFE_SHARE, Setup, TimeScale, shortest_time_scale, unsafe_share};
+use crate::simulation::{SAFE_SHARE, Setup, TimeScale, refusals, shortest_time_scale, unsafe_share};
 use crate::walls::{Mesh, Shape, Wall, read_stl};
 use demeter_physics::contact::LawError;
 use glam::DVec3;
@@ -64,6 +64,10 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         .unwrap_or_else(|| SKIN_SHARE * mean(&grains.radius));
     check_periodic_size(&grains, &domain, skin, &mut faults);
     let wall_materials: Vec<u16> = walls.iter().map(|w| w.material).collect();
+    for (a, b, why) in refusals(&grains, &wall_materials, &materials) {
+        let path = scenario.contact.path(a.into(), b.into());
+        faults.push(&format!("{path}.normal"), why, None);
+    }
     let max_overlap = scenario.simulation.max_overlap;
     let scale = shortest_time_scale(&grains, &wall_materials, &materials, max_overlap);
     let scale = match scale {

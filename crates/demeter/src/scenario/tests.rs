@@ -303,17 +303,17 @@ fn a_pair_changes_only_what_it_names() {
             .contact
             .choice(a, b)
             .tangential
-            .map(|t| (t.law, t.parameters["friction"]))
+            .map(|t| (t.law, t.parameters["friction"].clone()))
     };
-    assert_eq!(friction(0, 0), Some(("coulomb".to_string(), 0.1)));
-    assert_eq!(friction(0, 1), Some(("coulomb".to_string(), 0.02)));
+    assert_eq!(friction(0, 0), Some(("coulomb".to_string(), 0.1.into())));
+    assert_eq!(friction(0, 1), Some(("coulomb".to_string(), 0.02.into())));
     assert_eq!(friction(1, 0), friction(0, 1));
     assert_eq!(friction(1, 1), None);
     assert_eq!(scenario.contact.choice(0, 1).normal, scenario.contact.default.normal);
     let steel = scenario.contact.choice(1, 1).normal;
     assert_eq!(
-        (steel.law.as_str(), steel.parameters["stiffness"]),
-        ("linear", 10_000.0)
+        (steel.law.as_str(), steel.parameters["stiffness"].clone()),
+        ("linear", 10_000.0.into())
     );
 }
 

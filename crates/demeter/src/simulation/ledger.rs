@@ -16,7 +16,7 @@ pub struct Energies {
     pub rotational: f64,
     /// Potential energy in the field of gravity.
     pub gravitational: f64,
-    /// Stored by normal laws.
+    /// Stored by normal laws; negative where adhesion holds bodies together.
     pub elastic: f64,
     /// Stored by tangential springs.
     pub tangential: f64,
@@ -24,6 +24,8 @@ pub struct Energies {
     pub rolling: f64,
     /// Dissipated by normal dashpots since the start.
     pub viscous_dissipated: f64,
+    /// Lost by normal laws otherwise since the start: plastic work, tear-off of adhesive contacts.
+    pub plastic_dissipated: f64,
     /// Dissipated by friction since the start.
     pub friction_dissipated: f64,
     /// Dissipated by rolling resistance since the start.
@@ -46,7 +48,7 @@ impl Energies {
 
     /// What was dissipated since the start [J].
     pub fn dissipated(&self) -> f64 {
-        self.viscous_dissipated + self.friction_dissipated + self.rolling_dissipated
+        self.viscous_dissipated + self.plastic_dissipated + self.friction_dissipated + self.rolling_dissipated
     }
 }
 
@@ -85,6 +87,7 @@ impl Books {
         for work in [self.latest, step] {
             self.done.add(&Tally {
                 viscous: 0.5 * work.viscous,
+                plastic: 0.5 * work.plastic,
                 friction: 0.5 * work.friction,
                 rolling: 0.5 * work.rolling,
                 wall_work: 0.5 * work.wall_work,
@@ -106,6 +109,7 @@ impl Books {
     /// Completes the energies of this moment with what happened since the start, and the residual.
     pub(crate) fn close(&mut self, mut now: Energies) -> Energies {
         now.viscous_dissipated = self.done.viscous;
+        now.plastic_dissipated = self.done.plastic;
         now.friction_dissipated = self.done.friction;
         now.rolling_dissipated = self.done.rolling;
         now.wall_work = self.done.wall_work;
@@ -180,8 +184,9 @@ impl Simulation {
             }
             let law = self.materials.law(chunk.pair()[k]);
             let size = self.pair_size(chunk.i[k] as usize, (!wall).then(|| chunk.j[k] as usize));
-            sum.0 += normal_energy(law, size, chunk.geometry()[k].overlap);
-            let (tangential, rolling) = spring_energies(law, chunk.history(k, self.contacts.stride));
+            let history = chunk.history(k, self.contacts.stride);
+            sum.0 += normal_energy(law, size, chunk.geometry()[k].overlap, history);
+            let (tangential, rolling) = spring_energies(law, history);
             sum.1 += tangential;
             sum.2 += rolling;
         }

@@ -8,7 +8,9 @@ mod time_step;
 pub use ledger::{Books, Energies};
 pub use protocol::{Cadence, Stage, StopCondition};
 pub use state::{SimulationState, StateError};
-pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, shortest_time_scale, unsafe_share};
+pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_time_scale, unsafe_share};
+
+use time_step::largest_reach;
 
 use crate::comm::Single;
 use crate::contacts::{CarriedContact, Contacts, Fault, block};
@@ -69,6 +71,8 @@ pub struct Simulation {
     pub(crate) comm: Single,
     pub(crate) neighbours: Neighbours,
     pub(crate) skin: f64,
+    /// Largest gap across which any law acts [m]; candidates are found that much farther away.
+    pub(crate) max_reach: f64,
     pub(crate) max_overlap: f64,
     rebuilds: u64,
     /// Bounds of the grains when the candidates were found.
@@ -87,6 +91,8 @@ impl Simulation {
             Integrator::Gear => setup.grains.len(),
         };
         setup.grains.higher.resize(remembered, HigherDerivatives::default());
+        let wall_materials: Vec<u16> = setup.walls.iter().map(|w| w.material).collect();
+        let max_reach = largest_reach(&setup.grains, &wall_materials, &setup.materials);
         Self {
             integrator: setup.integrator,
             comm: Single::new(setup.domain),
@@ -104,6 +110,7 @@ impl Simulation {
             books: Books::default(),
             neighbours: Neighbours::default(),
             skin: setup.skin,
+            max_reach,
             max_overlap: setup.max_overlap,
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
@@ -161,7 +168,7 @@ impl Simulation {
 
     /// Finds the candidates of the grains as they are, and hands them the contacts.
     fn continue_with(&mut self, carried: &[CarriedContact]) {
-        self.neighbours = Neighbours::find(&self.grains, &self.walls, &self.comm, self.skin);
+        self.neighbours = Neighbours::find(&self.grains, &self.walls, &self.comm, self.skin + self.max_reach);
         self.contacts.adopt(&self.grains, &self.neighbours, carried);
         self.note_bounds();
     }
@@ -172,7 +179,8 @@ impl Simulation {
             lower = lower.min(p - r);
             upper = upper.max(p + r);
         }
-        self.bounds = (lower - self.skin, upper + self.skin);
+        let margin = self.skin + self.max_reach;
+        self.bounds = (lower - margin, upper + margin);
     }
 
     /// Largest displacement of any wall surface near the grains since the candidates were found [m].

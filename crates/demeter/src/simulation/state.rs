@@ -25,6 +25,7 @@ pub struct SimulationState {
     books: Books,
     rebuilds: u64,
     bounds: (DVec3, DVec3),
+    max_reach: f64,
 }
 
 /// Why a state does not fit the scenario that it is to continue.
@@ -110,6 +111,7 @@ impl Simulation {
             books: self.books,
             rebuilds: self.rebuilds,
             bounds: self.bounds,
+            max_reach: self.max_reach,
         }
     }
 
@@ -128,6 +130,7 @@ impl Simulation {
         sim.books = state.books;
         sim.rebuilds = state.rebuilds;
         sim.bounds = state.bounds;
+        sim.max_reach = state.max_reach;
         sim.neighbours = state.neighbours;
         sim.contacts.adopt(&sim.grains, &sim.neighbours, &state.contacts);
         sim.walls_before = sim.walls.iter().map(Wall::pose).collect();

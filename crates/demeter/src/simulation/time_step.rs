@@ -1,5 +1,6 @@
 //! The time step: a stated share of the shortest time scale of the laws in use.
 
+use crate::contacts::block;
 use crate::materials::Materials;
 use crate::particles::Grains;
 use demeter_physics::contact::normal::{Normal, NormalVisitor};
@@ -69,32 +70,14 @@ pub fn shortest_time_scale(
     materials: &Materials,
     max_overlap: f64,
 ) -> Result<TimeScale, TimeStepError> {
-    let count = materials.list().len() as u16;
-    let used: Vec<(u16, Vec<Representative>)> = (0..count)
-        .map(|m| (m, representatives(grains, m)))
-        .filter(|(_, r)| !r.is_empty())
-        .collect();
     let mut shortest: Option<TimeScale> = None;
-    let mut consider = |scale: TimeScale| {
+    each_contact(grains, wall_materials, materials, |pair, one, other| {
+        let scale = of_contact(materials, pair, one, other, max_overlap);
         // a scale that is not a number must win, so that it is told
         if !shortest.as_ref().is_some_and(|s| scale.time >= s.time) {
             shortest = Some(scale);
         }
-    };
-    for (k, (a, grains_a)) in used.iter().enumerate() {
-        for (b, grains_b) in &used[k..] {
-            for one in grains_a {
-                for other in grains_b {
-                    consider(of_contact(materials, (*a, *b), *one, Some(*other), max_overlap));
-                }
-            }
-        }
-        for &wall in wall_materials {
-            for one in grains_a {
-                consider(of_contact(materials, (*a, wall), *one, None, max_overlap));
-            }
-        }
-    }
+    });
     match shortest {
         None => Err(TimeStepError::NoGrains),
         Some(s) if s.time > 0.0 && s.time.is_finite() => Ok(s),
@@ -102,6 +85,75 @@ pub fn shortest_time_scale(
             time: s.time,
             origin: s.origin,
         }),
+    }
+}
+
+/// Largest gap across which any law acts between the bodies in use [m].
+pub(super) fn largest_reach(grains: &Grains, wall_materials: &[u16], materials: &Materials) -> f64 {
+    let mut largest = 0.0f64;
+    each_contact(grains, wall_materials, materials, |(a, b), one, other| {
+        let law = materials.law(materials.pair(a, b));
+        largest = largest.max(block::largest_reach(law, pair_size(one, other)));
+    });
+    largest
+}
+
+/// What the laws refuse to do for the sizes in use, as `(material, material, why)`.
+pub fn refusals(grains: &Grains, wall_materials: &[u16], materials: &Materials) -> Vec<(u16, u16, String)> {
+    struct Check(PairSize);
+    impl NormalVisitor for Check {
+        type Output = Result<(), String>;
+        fn visit<L: Normal>(self, law: &L) -> Self::Output {
+            law.check(self.0)
+        }
+    }
+    let mut refused: Vec<(u16, u16, String)> = Vec::new();
+    each_contact(grains, wall_materials, materials, |(a, b), one, other| {
+        let (a, b) = (a.min(b), a.max(b));
+        let law = materials.law(materials.pair(a, b));
+        if let Err(why) = law.normal.visit(Check(pair_size(one, other)))
+            && refused.iter().all(|r| (r.0, r.1) != (a, b))
+        {
+            refused.push((a, b, why));
+        }
+    });
+    refused
+}
+
+/// Visits contacts between all materials in use, of grains of extreme sizes and masses; without a second grain the
+/// partner is a wall.
+fn each_contact(
+    grains: &Grains,
+    wall_materials: &[u16],
+    materials: &Materials,
+    mut visit: impl FnMut((u16, u16), Representative, Option<Representative>),
+) {
+    let count = materials.list().len() as u16;
+    let used: Vec<(u16, Vec<Representative>)> = (0..count)
+        .map(|m| (m, representatives(grains, m)))
+        .filter(|(_, r)| !r.is_empty())
+        .collect();
+    for (k, (a, grains_a)) in used.iter().enumerate() {
+        for (b, grains_b) in &used[k..] {
+            for one in grains_a {
+                for other in grains_b {
+                    visit((*a, *b), *one, Some(*other));
+                }
+            }
+        }
+        for &wall in wall_materials {
+            for one in grains_a {
+                visit((*a, wall), *one, None);
+            }
+        }
+    }
+}
+
+/// Effective radius and mass.
+fn pair_size(one: Representative, other: Option<Representative>) -> PairSize {
+    PairSize {
+        radius: 1.0 / (1.0 / one.radius + other.map_or(0.0, |o| 1.0 / o.radius)),
+        mass: 1.0 / (1.0 / one.mass + other.map_or(0.0, |o| 1.0 / o.mass)),
     }
 }
 
@@ -127,10 +179,7 @@ fn of_contact(
     max_overlap: f64,
 ) -> TimeScale {
     let law = materials.law(materials.pair(a, b));
-    let size = PairSize {
-        radius: 1.0 / (1.0 / one.radius + other.map_or(0.0, |o| 1.0 / o.radius)),
-        mass: 1.0 / (1.0 / one.mass + other.map_or(0.0, |o| 1.0 / o.mass)),
-    };
+    let size = pair_size(one, other);
     let overlap = max_overlap * other.map_or(one.radius, |o| one.radius.min(o.radius));
     let rolling = |g: Representative| 1.0 / (g.inertia + g.mass * g.radius * g.radius);
     let rolling_inertia = 1.0 / (rolling(one) + other.map_or(0.0, rolling));
@@ -191,7 +240,8 @@ struct Stiffness(PairSize, f64);
 impl NormalVisitor for Stiffness {
     type Output = f64;
     fn visit<L: Normal>(self, law: &L) -> f64 {
-        law.stiffness(self.0, self.1)
+        // of a contact that has just come to be
+        law.stiffness(self.0, self.1, &vec![0.0; law.history()])
     }
 }
 

@@ -49,7 +49,7 @@ pub fn fitted_order(points: &[(f64, f64)]) -> f64 {
 pub fn law(name: &str, parameters: &[(&str, f64)]) -> LawChoice {
     LawChoice {
         law: name.into(),
-        parameters: parameters.iter().map(|(k, v)| ((*k).to_string(), *v)).collect(),
+        parameters: demeter_physics::parameters::values(parameters),
     }
 }
 

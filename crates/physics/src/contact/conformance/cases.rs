@@ -3,7 +3,7 @@
 use crate::contact::normal::{Normal, NormalInput, NormalLaw, NormalResponse, NormalVisitor};
 use crate::contact::{Elastic, LawInfo, MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::Values;
+use crate::parameters::{Value, Values};
 
 const fn material(young_modulus: f64, poisson_ratio: f64) -> Elastic {
     Elastic {
@@ -44,16 +44,17 @@ pub const SIZES: [PairSize; 3] = [
     },
 ];
 
-/// Typical values of a law's parameters, with those of `replaced` that the law has set to other values.
+/// Typical values of the parameters that an example of the law gives, with those of `replaced` that the law has set to other values.
 pub fn values(info: &LawInfo, replaced: &[(&str, f64)]) -> Values {
     let mut values: Values = info
         .parameters
         .iter()
-        .map(|p| (p.name.to_string(), p.typical))
+        .filter(|p| p.in_example())
+        .map(|p| (p.name.to_string(), p.typical.into()))
         .collect();
     for (name, value) in replaced {
         if has_parameter(info, name) {
-            values.insert((*name).to_string(), *value);
+            values.insert((*name).to_string(), (*value).into());
         }
     }
     values
@@ -66,10 +67,17 @@ pub fn has_parameter(info: &LawInfo, name: &str) -> bool {
 
 /// The values in units of kilogram, metre and second that are smaller by the factors of `units`.
 pub fn scaled_values(info: &LawInfo, values: &Values, units: Units) -> Values {
-    info.parameters
-        .iter()
-        .map(|p| (p.name.to_string(), values[p.name] * units.of(p.dimension)))
-        .collect()
+    let scale = |name: &str| {
+        info.parameters
+            .iter()
+            .find(|p| p.name == name)
+            .map_or(1.0, |p| units.of(p.dimension))
+    };
+    let scaled = |(name, value): (&String, &Value)| match value {
+        Value::Number(x) => (name.clone(), Value::Number(x * scale(name))),
+        Value::Text(_) | Value::Table(_) => (name.clone(), value.clone()),
+    };
+    values.iter().map(scaled).collect()
 }
 
 /// Factors by which the numbers for a mass, a length and a time grow in other units.
@@ -136,31 +144,58 @@ pub struct NormalCase {
     pub size: PairSize,
 }
 
+/// More history values than any law has.
+pub const MOST_HISTORY: usize = 16;
+
 impl NormalCase {
+    /// Response of a contact that has just come to be.
     pub fn respond(&self, overlap: f64, half_window: f64) -> NormalResponse {
-        struct Respond(NormalInput);
-        impl NormalVisitor for Respond {
-            type Output = NormalResponse;
-            fn visit<L: Normal>(self, law: &L) -> NormalResponse {
-                law.respond(&self.0)
-            }
-        }
-        self.law.visit(Respond(NormalInput {
+        let input = NormalInput {
             size: self.size,
             overlap,
+            rate: half_window,
             half_window,
-        }))
+        };
+        self.respond_with(&input, &mut [0.0; MOST_HISTORY])
+    }
+
+    /// Response of a contact with a history.
+    pub fn respond_with(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
+        struct Respond<'h>(NormalInput, &'h mut [f64]);
+        impl NormalVisitor for Respond<'_> {
+            type Output = NormalResponse;
+            fn visit<L: Normal>(self, law: &L) -> NormalResponse {
+                law.respond(&self.0, &mut self.1[..law.history()])
+            }
+        }
+        self.law.visit(Respond(*input, history))
+    }
+
+    /// Whether the law remembers nothing and acts only where the bodies overlap.
+    pub fn is_plain(&self) -> bool {
+        struct Plain(PairSize);
+        impl NormalVisitor for Plain {
+            type Output = bool;
+            fn visit<L: Normal>(self, law: &L) -> bool {
+                law.history() == 0 && law.largest_reach(self.0) == 0.0
+            }
+        }
+        self.law.visit(Plain(self.size))
     }
 
     pub fn energy(&self, overlap: f64) -> f64 {
-        struct Energy(PairSize, f64);
-        impl NormalVisitor for Energy {
+        self.energy_with(overlap, &[0.0; MOST_HISTORY])
+    }
+
+    pub fn energy_with(&self, overlap: f64, history: &[f64]) -> f64 {
+        struct Energy<'h>(PairSize, f64, &'h [f64]);
+        impl NormalVisitor for Energy<'_> {
             type Output = f64;
             fn visit<L: Normal>(self, law: &L) -> f64 {
-                law.energy(self.0, self.1)
+                law.energy(self.0, self.1, &self.2[..law.history()])
             }
         }
-        self.law.visit(Energy(self.size, overlap))
+        self.law.visit(Energy(self.size, overlap, history))
     }
 
     pub fn stiffness(&self, overlap: f64) -> f64 {
@@ -168,7 +203,7 @@ impl NormalCase {
         impl NormalVisitor for Stiffness {
             type Output = f64;
             fn visit<L: Normal>(self, law: &L) -> f64 {
-                law.stiffness(self.0, self.1)
+                law.stiffness(self.0, self.1, &[0.0; MOST_HISTORY][..law.history()])
             }
         }
         self.law.visit(Stiffness(self.size, overlap))
@@ -200,5 +235,12 @@ pub fn normal_cases(replaced: &[(&str, f64)]) -> Vec<NormalCase> {
             cases.extend(SIZES.map(|size| NormalCase { info, law, pair, size }));
         }
     }
+    cases
+}
+
+/// Those of the cases whose law remembers nothing and acts only where the bodies overlap.
+pub fn plain_cases(replaced: &[(&str, f64)]) -> Vec<NormalCase> {
+    let mut cases = normal_cases(replaced);
+    cases.retain(NormalCase::is_plain);
     cases
 }

@@ -1,6 +1,6 @@
 //! Head-on collisions in the engine's own scheme: velocity Verlet with the predicted velocity and `centred_force`.
 
-use super::cases::{NormalCase, PAIRS, values};
+use super::cases::{MOST_HISTORY, NormalCase, PAIRS, values};
 use crate::contact::normal::{NormalInput, NormalLaw, centred_force};
 use crate::contact::{LawInfo, PairSize};
 
@@ -60,6 +60,7 @@ impl Encounter {
         let kinetic_before = kinetic(self.mass_i, v_i) + kinetic(self.mass_j, v_j);
         let mut gap = self.speed * dt * (2.0 + phase);
         let mut force = 0.0;
+        let mut history = [0.0; MOST_HISTORY];
         for _ in 0..100_000 {
             let (a_i, a_j) = (force / self.mass_i, -force / self.mass_j);
             let (half_i, half_j) = (v_i + 0.5 * a_i * dt, v_j + 0.5 * a_j * dt);
@@ -69,10 +70,11 @@ impl Encounter {
             let input = NormalInput {
                 size: self.case.size,
                 overlap: -gap,
+                rate: approach,
                 half_window: 0.5 * approach.abs() * dt,
             };
             let next = if input.overlap + input.half_window > 0.0 {
-                let response = self.case.respond(input.overlap, input.half_window);
+                let response = self.case.respond_with(&input, &mut history);
                 centred_force(response, approach, force, mass, dt).0
             } else {
                 0.0

@@ -1,6 +1,6 @@
-//! Normal laws one by one: no engine, no motion.
+//! Normal laws without memory, one by one: no engine, no motion.
 
-use super::cases::{NormalCase, OTHER_UNITS, Random, normal_cases, scaled_values};
+use super::cases::{NormalCase, OTHER_UNITS, Random, plain_cases, scaled_values};
 use crate::contact::normal::{NormalLaw, NormalResponse};
 use crate::dimension::Dimension;
 
@@ -8,7 +8,7 @@ use crate::dimension::Dimension;
 const OVERLAP_SHARES: [f64; 6] = [1e-9, 1e-6, 1e-4, 1e-3, 1e-2, 0.1];
 
 fn each_overlap(check: impl Fn(&NormalCase, f64)) {
-    for case in normal_cases(&[]) {
+    for case in plain_cases(&[]) {
         for share in OVERLAP_SHARES {
             check(&case, share * case.size.radius);
         }
@@ -60,10 +60,7 @@ fn damping_is_never_negative() {
 
 #[test]
 fn nothing_acts_across_a_gap() {
-    let nothing = NormalResponse {
-        elastic: 0.0,
-        damping: 0.0,
-    };
+    let nothing = NormalResponse::NOTHING;
     each_overlap(|case, d| {
         for gap in [0.0, f64::MIN_POSITIVE, 1e-9 * d, d, 1e3 * d] {
             assert_eq!(case.respond(-gap, 0.0), nothing, "{}: gap {gap:e}", case.name());
@@ -88,10 +85,7 @@ fn integrated_mean(case: &NormalCase, overlap: f64, h: f64) -> NormalResponse {
     let root = |d: f64| d.max(0.0).sqrt().sqrt();
     let (lower, upper) = (root(overlap - h), root(overlap + h));
     let (middle, half) = (0.5 * (lower + upper), 0.5 * (upper - lower));
-    let mut mean = NormalResponse {
-        elastic: 0.0,
-        damping: 0.0,
-    };
+    let mut mean = NormalResponse::NOTHING;
     for (point, weight) in GAUSS {
         for u in [middle - half * point, middle + half * point] {
             let cube = u * u * u;
@@ -140,7 +134,7 @@ fn response_steps_by_less_than_1e_4_as_the_window_grows() {
     // wherever a law changes from an expansion to the exact mean: no step of more than 1e-4 of the response
     const LARGEST_STEP: f64 = 1e-4;
     const FINE: f64 = 1e-5;
-    for case in normal_cases(&[]).iter().step_by(3) {
+    for case in plain_cases(&[]).iter().step_by(3) {
         let d = 1e-3 * case.size.radius;
         let mut before = case.respond(d, 0.0);
         for i in 1..300_000 {
@@ -160,7 +154,7 @@ fn response_steps_by_less_than_1e_4_as_the_window_grows() {
 
 #[test]
 fn no_closed_cycle_of_overlap_gives_energy() {
-    for (index, case) in normal_cases(&[]).iter().enumerate() {
+    for (index, case) in plain_cases(&[]).iter().enumerate() {
         let mut random = Random(index as u64);
         for _ in 0..10 {
             let cycle = Cycle::new(case, &mut random);
@@ -224,7 +218,7 @@ impl Cycle {
 #[test]
 fn response_scales_as_the_declared_dimensions() {
     let units = OTHER_UNITS;
-    for case in normal_cases(&[]) {
+    for case in plain_cases(&[]) {
         let values = scaled_values(case.info, &super::cases::values(case.info, &[]), units);
         let law = NormalLaw::build(case.info.name, &values, &units.pair(&case.pair)).unwrap();
         let other = NormalCase {
@@ -265,7 +259,7 @@ fn response_scales_as_the_declared_dimensions() {
 
 #[test]
 fn swapping_the_materials_changes_nothing() {
-    for case in normal_cases(&[]) {
+    for case in plain_cases(&[]) {
         let swapped = crate::contact::MaterialPair {
             a: case.pair.b,
             b: case.pair.a,

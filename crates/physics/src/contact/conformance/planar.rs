@@ -199,15 +199,10 @@ impl PlanarCase {
     /// A Hertzian contact of this size at rest, `overlap_share` of the radius deep, with steps much shorter than its
     /// period.
     pub fn at_rest(&self, overlap_share: f64) -> PlanarInput {
-        let elastic = HertzTsuji::new(&[("restitution".to_string(), 1.0)].into(), &self.pair).unwrap();
+        let elastic = HertzTsuji::new(&crate::parameters::values(&[("restitution", 1.0)]), &self.pair).unwrap();
         let overlap = overlap_share * self.size.radius;
         let mass = self.size.mass;
-        let half_window = 0.0;
-        let response = elastic.respond(&NormalInput {
-            size: self.size,
-            overlap,
-            half_window,
-        });
+        let response = elastic.respond(&NormalInput::at(self.size, overlap, 0.0), &mut []);
         PlanarInput {
             size: self.size,
             inertia: if self.is_friction() {
@@ -216,7 +211,7 @@ impl PlanarCase {
                 1.4 * mass * self.size.radius * self.size.radius
             },
             overlap,
-            normal_stiffness: elastic.stiffness(self.size, overlap),
+            normal_stiffness: elastic.stiffness(self.size, overlap, &[]),
             normal: DVec3::Z,
             rate: DVec3::ZERO,
             spin: 0.0,

@@ -9,7 +9,7 @@ use crate::params;
 params! {
     /// Parameters of the constant directional torque.
     pub struct ConstantTorqueParameters {
-        rolling_friction: NONE, typical 0.05, default None, Range::NOT_NEGATIVE, "Coefficient of rolling friction";
+        rolling_friction: NONE, required 0.05, in Range::NOT_NEGATIVE, "Coefficient of rolling friction";
     }
 }
 

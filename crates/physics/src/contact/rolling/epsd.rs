@@ -10,8 +10,8 @@ use crate::params;
 params! {
     /// Parameters of the elastic-plastic spring-dashpot against rolling.
     pub struct EpsdParameters {
-        rolling_friction: NONE, typical 0.05, default None, Range::NOT_NEGATIVE, "Coefficient of rolling friction";
-        damping_ratio: NONE, typical 0.3, default Some(0.3), Range::SHARE,
+        rolling_friction: NONE, required 0.05, in Range::NOT_NEGATIVE, "Coefficient of rolling friction";
+        damping_ratio: NONE, default 0.3, in Range::SHARE,
             "Share of critical damping of the rolling spring";
     }
 }

@@ -9,7 +9,7 @@ use crate::params;
 params! {
     /// Parameters of saturated Coulomb friction.
     pub struct CoulombParameters {
-        friction: NONE, typical 0.3, default None, Range::NOT_NEGATIVE, "Coefficient of friction";
+        friction: NONE, required 0.3, in Range::NOT_NEGATIVE, "Coefficient of friction";
     }
 }
 

@@ -10,9 +10,9 @@ use crate::params;
 params! {
     /// Parameters of the linear tangential spring.
     pub struct LinearHistoryParameters {
-        friction: NONE, typical 0.3, default None, Range::NOT_NEGATIVE, "Coefficient of friction";
-        stiffness: STIFFNESS, typical 2e3, default None, Range::POSITIVE, "Tangential stiffness, force per elongation";
-        damping_ratio: NONE, typical 0.1, default Some(0.1), Range::SHARE,
+        friction: NONE, required 0.3, in Range::NOT_NEGATIVE, "Coefficient of friction";
+        stiffness: STIFFNESS, required 2e3, in Range::POSITIVE, "Tangential stiffness, force per elongation";
+        damping_ratio: NONE, default 0.1, in Range::SHARE,
             "Share of critical damping of the tangential spring";
     }
 }

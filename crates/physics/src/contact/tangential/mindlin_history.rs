@@ -10,8 +10,8 @@ use crate::params;
 params! {
     /// Parameters of Mindlin friction.
     pub struct MindlinHistoryParameters {
-        friction: NONE, typical 0.3, default None, Range::NOT_NEGATIVE, "Coefficient of friction";
-        damping_ratio: NONE, typical 0.1, default Some(0.1), Range::SHARE,
+        friction: NONE, required 0.3, in Range::NOT_NEGATIVE, "Coefficient of friction";
+        damping_ratio: NONE, default 0.1, in Range::SHARE,
             "Share of critical damping of the tangential spring";
     }
 }
@@ -79,6 +79,7 @@ mod tests {
     use super::*;
     use crate::contact::Elastic;
     use crate::contact::normal::{HertzTsuji, Normal};
+    use crate::parameters::values;
     use approx::assert_relative_eq;
 
     #[test]
@@ -93,11 +94,11 @@ mod tests {
                 a: material,
                 b: material,
             };
-            let normal = HertzTsuji::new(&[("restitution".to_string(), 0.5)].into(), &pair).unwrap();
-            let tangential = MindlinHistory::new(&[("friction".to_string(), 0.5)].into(), &pair).unwrap();
+            let normal = HertzTsuji::new(&values(&[("restitution", 0.5)]), &pair).unwrap();
+            let tangential = MindlinHistory::new(&values(&[("friction", 0.5)]), &pair).unwrap();
             for (radius, overlap) in [(1e-3, 1e-6), (0.2, 1e-3)] {
                 let size = PairSize { radius, mass: 1.0 };
-                let ratio = tangential.stiffness(size, overlap) / normal.stiffness(size, overlap);
+                let ratio = tangential.stiffness(size, overlap) / normal.stiffness(size, overlap, &[]);
                 let expected = 2.0 * (1.0 - poisson_ratio) / (2.0 - poisson_ratio);
                 assert_relative_eq!(ratio, expected, max_relative = 1e-14);
             }

@@ -1,0 +1,20 @@
+//! Collisions of two bodies, integrated with error control instead of a fixed time step.
+//!
+//! * [`ode`]: an adaptive Runge-Kutta method of order 8 whose steps end on events.
+//! * [`head_on`]: a head-on collision under any normal law: restitution, contact time, outcome, energies.
+//! * [`sticking`]: the speed below which two bodies stick.
+
+mod dormand_prince;
+pub mod head_on;
+pub mod ode;
+mod record;
+pub mod sticking;
+
+#[cfg(test)]
+mod adhesive_tests;
+#[cfg(test)]
+mod tests;
+
+pub use head_on::{Collision, CollisionEnergy, CollisionError, HeadOn, Outcome, Start, Tolerance, restitution_of};
+pub use record::Moment;
+pub use sticking::{Sticking, sticking_speed, sticking_speed_of};

@@ -1,0 +1,91 @@
+//! The critical sticking speed: below it two bodies stick, above it they part.
+
+use super::head_on::{CollisionError, HeadOn, Outcome, Start, Tolerance};
+use crate::contact::PairSize;
+use crate::contact::normal::{Normal, NormalLaw, NormalVisitor};
+
+/// What is known of the speeds at which two bodies stick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sticking {
+    /// They stick below this speed [m/s].
+    Below(f64),
+    /// They part at every speed, down to the one told [m/s].
+    Never(f64),
+    /// They stick at every speed, up to the one told [m/s], at which they would overlap by their effective radius.
+    Always(f64),
+}
+
+/// Relative width to which the critical speed is bracketed.
+pub const BRACKET: f64 = 1e-7;
+
+/// Factor between the speeds that are tried in search of a bracket.
+const STRIDE: f64 = 4.0;
+
+/// The range of speeds that is searched, as power of [`STRIDE`] below and above the first one tried.
+const MOST_STRIDES: i32 = 40;
+
+/// Critical sticking speed of two bodies under a law by name; see [`sticking_speed`].
+pub fn sticking_speed_of(
+    law: &NormalLaw,
+    size: PairSize,
+    start: Start,
+    tolerance: &Tolerance,
+) -> Result<Sticking, CollisionError> {
+    struct Search<'a>(PairSize, Start, &'a Tolerance);
+    impl NormalVisitor for Search<'_> {
+        type Output = Result<Sticking, CollisionError>;
+        fn visit<L: Normal>(self, law: &L) -> Self::Output {
+            sticking_speed(law, self.0, self.1, self.2)
+        }
+    }
+    law.visit(Search(size, start, tolerance))
+}
+
+/// Critical sticking speed of two bodies. Where there are several, as laws whose force jumps may have, it is one of
+/// them.
+pub fn sticking_speed<L: Normal>(
+    law: &L,
+    size: PairSize,
+    start: Start,
+    tolerance: &Tolerance,
+) -> Result<Sticking, CollisionError> {
+    let sticks = |speed: f64| -> Result<(bool, f64), CollisionError> {
+        let impact = HeadOn {
+            law,
+            size,
+            speed,
+            start,
+        };
+        let collision = impact.run(tolerance)?;
+        Ok((collision.outcome == Outcome::Stick, collision.max_overlap))
+    };
+    // the speed that makes a dent of a millionth of the radius in the time scale of such a collision
+    let overlap = 1e-6 * size.radius;
+    let mut speed = overlap / law.collision_time(size, overlap);
+    let (stuck_first, _) = sticks(speed)?;
+    let (mut stuck, mut parted) = (speed, speed);
+    for stride in 0.. {
+        let next = if stuck_first { speed * STRIDE } else { speed / STRIDE };
+        let (stuck_now, max_overlap) = sticks(next)?;
+        if stuck_now != stuck_first {
+            (stuck, parted) = if stuck_first { (speed, next) } else { (next, speed) };
+            break;
+        }
+        speed = next;
+        if stuck_first && (max_overlap > size.radius || stride == MOST_STRIDES) {
+            return Ok(Sticking::Always(speed));
+        }
+        if !stuck_first && stride == MOST_STRIDES {
+            return Ok(Sticking::Never(speed));
+        }
+    }
+    while parted > stuck * (1.0 + BRACKET) {
+        let middle = (stuck * parted).sqrt();
+        if sticks(middle)?.0 {
+            stuck = middle;
+        } else {
+            parted = middle;
+        }
+    }
+    Ok(Sticking::Below((stuck * parted).sqrt()))
+}
