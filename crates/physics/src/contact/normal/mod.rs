@@ -1,5 +1,6 @@
 //! Normal laws: force along the line of centres.
 
+pub mod dashpot;
 pub mod path;
 
 use super::{MaterialPair, PairSize, law_family};
