@@ -64,9 +64,15 @@ fn to_text(report: &CollideReport) -> String {
     rows.add("largest overlap", format!("{} m", number(report.max_overlap)));
     rows.add("largest force", format!("{} N", number(report.max_force)));
     for (body, k) in [("a", 0), ("b", 1)] {
-        rows.add(format!("velocity of {body}"), format!("{} m/s", vector(report.velocity[k].to_array())));
+        rows.add(
+            format!("velocity of {body}"),
+            format!("{} m/s", vector(report.velocity[k].to_array())),
+        );
         if report.spin[k].length_squared() > 0.0 {
-            rows.add(format!("spin of {body}"), format!("{} rad/s", vector(report.spin[k].to_array())));
+            rows.add(
+                format!("spin of {body}"),
+                format!("{} rad/s", vector(report.spin[k].to_array())),
+            );
         }
     }
     for (name, value) in energies(report) {
@@ -103,8 +109,10 @@ fn energies(report: &CollideReport) -> [(&'static str, f64); 12] {
 }
 
 fn to_json(report: &CollideReport) -> Value {
-    let mut energy: serde_json::Map<String, Value> =
-        energies(report).into_iter().map(|(name, value)| (name.to_string(), json!(value))).collect();
+    let mut energy: serde_json::Map<String, Value> = energies(report)
+        .into_iter()
+        .map(|(name, value)| (name.to_string(), json!(value)))
+        .collect();
     energy.insert("residual".to_string(), json!(report.after.residual));
     let of = |values: &[demeter_physics::DVec3; 2]| json!({ "a": values[0].to_array(), "b": values[1].to_array() });
     json!({

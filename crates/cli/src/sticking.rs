@@ -17,7 +17,11 @@ use serde_json::{Value, json};
 pub fn sticking(arguments: &StickingArguments) -> Result<Exit, Failure> {
     let file = ImpactFile::read(&arguments.file, &arguments.set)?;
     let (first, last) = radii(&arguments.radius)?;
-    let count = if first == last { 1 } else { usize::from(arguments.points) };
+    let count = if first == last {
+        1
+    } else {
+        usize::from(arguments.points)
+    };
     let found = search(&file, &log_spaced(first, last, count))?;
     let known: Vec<(f64, f64)> = found.iter().filter_map(speed).collect();
     if known.is_empty() {
@@ -47,9 +51,14 @@ pub fn sticking(arguments: &StickingArguments) -> Result<Exit, Failure> {
             .collect();
         answer_json(&Value::Array(rows))?;
     } else {
-        let rows = known.iter().map(|(r, v)| format!("  {:>12}  {:>12}\n", number(*r), number(*v)));
+        let rows = known
+            .iter()
+            .map(|(r, v)| format!("  {:>12}  {:>12}\n", number(*r), number(*v)));
         let rows: String = rows.collect();
-        answer(&format!("bodies stick below\n  {:>12}  {:>12}\n{rows}", "R_eff [m]", "v [m/s]"))?;
+        answer(&format!(
+            "bodies stick below\n  {:>12}  {:>12}\n{rows}",
+            "R_eff [m]", "v [m/s]"
+        ))?;
     }
     Ok(Exit::Finished)
 }

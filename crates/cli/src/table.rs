@@ -13,11 +13,7 @@ pub enum Cell<'a> {
 }
 
 /// Writes a table as CSV, titles with units first.
-pub fn write_csv<'a>(
-    path: &Path,
-    titles: &[&str],
-    rows: impl Iterator<Item = Vec<Cell<'a>>>,
-) -> Result<(), Failure> {
+pub fn write_csv<'a>(path: &Path, titles: &[&str], rows: impl Iterator<Item = Vec<Cell<'a>>>) -> Result<(), Failure> {
     let mut text = titles.join(",");
     text.push('\n');
     for row in rows {

@@ -166,7 +166,10 @@ fn difference(found: &Collision, coarse: &Collision) -> f64 {
         (found.restitution, coarse.restitution),
         (found.max_overlap, coarse.max_overlap),
         (found.max_force, coarse.max_force),
-        (found.contact_time().unwrap_or(1.0), coarse.contact_time().unwrap_or(1.0)),
+        (
+            found.contact_time().unwrap_or(1.0),
+            coarse.contact_time().unwrap_or(1.0),
+        ),
     ];
     let relative = |(a, b): (f64, f64)| if a == b { 0.0 } else { ((a - b) / a).abs() };
     pairs.map(relative).into_iter().fold(0.0, f64::max)
@@ -177,8 +180,7 @@ fn ledger(file: &ImpactFile, law: &PairLaw, speed: f64, found: &Collision) -> (E
     let energy = &found.energy;
     let rotational = |body: Option<f64>, spin: DVec3| body.map_or(0.0, |inertia| 0.5 * inertia * spin.length_squared());
     let free = file.b.free_mass().and(file.b.body()).map(|b| b.inertia());
-    let rotational =
-        rotational(Some(file.a.inertia()), file.impact.spin_a) + rotational(free, file.impact.spin_b);
+    let rotational = rotational(Some(file.a.inertia()), file.impact.spin_a) + rotational(free, file.impact.spin_b);
     // the motion of the centre of mass goes on
     let common = 0.5 * file.a.mass * speed * speed - energy.kinetic_before;
     let before = Energies {
@@ -195,7 +197,11 @@ fn ledger(file: &ImpactFile, law: &PairLaw, speed: f64, found: &Collision) -> (E
         elastic: energy.stored_after,
         viscous_dissipated: energy.viscous,
         plastic_dissipated: if remembers { energy.lost } else { 0.0 },
-        residual: if remembers { 0.0 } else { energy.lost / energy.kinetic_before },
+        residual: if remembers {
+            0.0
+        } else {
+            energy.lost / energy.kinetic_before
+        },
         ..Energies::default()
     };
     (before, after)

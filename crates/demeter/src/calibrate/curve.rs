@@ -73,11 +73,7 @@ pub fn contact_curve(file: &ImpactFile) -> Result<Vec<CurvePoint>, CalibrateErro
             impact.run(&Tolerance::default())?.max_overlap
         }
     };
-    Ok(law.normal.visit(Trace {
-        size,
-        depth,
-        file,
-    }))
+    Ok(law.normal.visit(Trace { size, depth, file }))
 }
 
 /// Force and history after a straight move.
@@ -167,7 +163,11 @@ impl<L: Normal> Pen<'_, L> {
         let rate = f64::MIN_POSITIVE.copysign(to - from);
         for k in 0..self.points {
             let share = k as f64 / (self.points - 1) as f64;
-            let overlap = if k + 1 == self.points { to } else { from + (to - from) * share };
+            let overlap = if k + 1 == self.points {
+                to
+            } else {
+                from + (to - from) * share
+            };
             let force = press(self.law, self.size, &mut self.history, overlap, rate);
             let stored = self.law.energy(self.size, overlap, &self.history);
             self.rows.push(CurvePoint {

@@ -81,9 +81,16 @@ fn energies(of: &mut Energies) -> [&mut f64; 9] {
 /// Every value with its scale: visited in the same order to read and to write.
 fn each(flight: &mut Flight, launch: &Launch<'_>, mut visit: impl FnMut(&mut f64, f64)) {
     let speed = launch.speed;
-    let radii = [launch.file.a.radius, launch.file.b.body().map_or(launch.file.a.radius, |b| b.radius)];
+    let radii = [
+        launch.file.a.radius,
+        launch.file.b.body().map_or(launch.file.a.radius, |b| b.radius),
+    ];
     // a held sphere stands in for one that cannot move
-    let bodies = if matches!(launch.file.b, Partner::Free(_)) { 2 } else { 1 };
+    let bodies = if matches!(launch.file.b, Partner::Free(_)) {
+        2
+    } else {
+        1
+    };
     for body in 0..bodies {
         let mut vector = |v: &mut DVec3, scale: f64| {
             let mut parts = v.to_array();
@@ -127,7 +134,13 @@ impl Values {
         }
         let pairs = self.0.chunks_exact(2).zip(other.0.chunks_exact(2));
         pairs
-            .map(|(a, b)| if a[0] == b[0] { 0.0 } else { ((a[0] - b[0]) / a[1]).abs() })
+            .map(|(a, b)| {
+                if a[0] == b[0] {
+                    0.0
+                } else {
+                    ((a[0] - b[0]) / a[1]).abs()
+                }
+            })
             .fold(0.0, f64::max)
     }
 

@@ -102,7 +102,13 @@ impl Launch<'_> {
         let file = self.file;
         let mut list: Vec<Material> = file.materials.clone();
         let held = list.len();
-        let original = |index: usize| if index == held { usize::from(file.b.material()) } else { index };
+        let original = |index: usize| {
+            if index == held {
+                usize::from(file.b.material())
+            } else {
+                index
+            }
+        };
         if let Partner::Fixed(body) = file.b {
             let mut material = list[usize::from(body.material)].clone();
             material.density *= HELD * (file.a.mass / body.mass).max(1.0);
@@ -114,7 +120,11 @@ impl Launch<'_> {
         let velocity = impact_velocity(file, speed);
         let mut grains = Grains::default();
         let touching = DVec3::Z * (file.a.radius + file.b.body().map_or(0.0, |b| b.radius));
-        let before = if velocity.z < 0.0 { velocity * (gap / velocity.z) } else { DVec3::Z * gap };
+        let before = if velocity.z < 0.0 {
+            velocity * (gap / velocity.z)
+        } else {
+            DVec3::Z * gap
+        };
         let mut add = |id: u32, material: u16, radius: f64, position: DVec3, velocity: DVec3, spin: DVec3| {
             let density = materials.list()[usize::from(material)].density;
             let grain = NewGrain {
@@ -190,7 +200,11 @@ impl Launch<'_> {
         let mut before = before;
         if let Partner::Fixed(_) = self.file.b {
             // the rest energy of a spin that is held is none of the collision's
-            let held = grains.id.iter().position(|i| *i == 2).map_or(0.0, |k| grains.inertia[k]);
+            let held = grains
+                .id
+                .iter()
+                .position(|i| *i == 2)
+                .map_or(0.0, |k| grains.inertia[k]);
             before.rotational -= 0.5 * held * self.file.impact.spin_b.length_squared();
             after.rotational -= 0.5 * held * spin[1].length_squared();
         }
@@ -245,7 +259,10 @@ impl Track {
                 let overlap = sim.grains.radius[a] + sim.grains.radius[b] - distance;
                 (overlap, -velocity.dot(separation) / distance)
             }
-            None => (sim.grains.radius[a] - sim.grains.position[a].z, -sim.grains.velocity[a].z),
+            None => (
+                sim.grains.radius[a] - sim.grains.position[a].z,
+                -sim.grains.velocity[a].z,
+            ),
         };
         let stride = sim.contacts.stride;
         let chunks = || sim.contacts.pairs.iter().chain(&sim.contacts.walls);
@@ -316,7 +333,11 @@ fn peak(values: &[f64]) -> f64 {
     }
     let (left, middle, right) = (values[k - 1], values[k], values[k + 1]);
     let (slope, bend) = (0.5 * (right - left), left - 2.0 * middle + right);
-    if bend < 0.0 { middle - 0.5 * slope * slope / bend } else { middle }
+    if bend < 0.0 {
+        middle - 0.5 * slope * slope / bend
+    } else {
+        middle
+    }
 }
 
 /// Time at which the overlap passes a level: the first time upwards, the last time downwards. Cubic between steps.

@@ -11,6 +11,9 @@ mod extrapolate;
 mod flight;
 mod sticking;
 
+#[cfg(test)]
+mod tests;
+
 pub use collide::{CollideReport, Engine, Moment, collide};
 pub use curve::{Branch, CurvePoint, contact_curve};
 pub use error::CalibrateError;

@@ -334,7 +334,11 @@ fn body_b(root: &TableReader<'_>, materials: &[Material]) -> Partner {
         Partner::Wall(material)
     } else if table.has("radius") {
         let body = sphere(&table, material, materials);
-        if fixed { Partner::Fixed(body) } else { Partner::Free(body) }
+        if fixed {
+            Partner::Fixed(body)
+        } else {
+            Partner::Free(body)
+        }
     } else {
         let help = "write radius = \"5 mm\" for a sphere, or wall = true for a flat wall";
         table.fault("[b] has neither a radius nor `wall = true`", Some(help.to_string()));
@@ -368,7 +372,10 @@ fn impact(root: &TableReader<'_>) -> ImpactSpec {
     }
     spec.spin_a = table.optional("spin_a").map_or(DVec3::ZERO, |item| spin(&item));
     spec.spin_b = table.optional("spin_b").map_or(DVec3::ZERO, |item| spin(&item));
-    if let Some(start) = table.optional("start").and_then(|item| item.choice(&["contact", "far"])) {
+    if let Some(start) = table
+        .optional("start")
+        .and_then(|item| item.choice(&["contact", "far"]))
+    {
         spec.start = [Start::Contact, Start::Far][start];
     }
     table.finish("[impact]");
@@ -465,10 +472,17 @@ velocity = "1 m/s"
 
     #[test]
     fn spins_are_numbers_or_vectors() {
-        let file = read(&["impact.spin_a=100 rad/s", "impact.spin_b=[\"1 rad/s\", \"60 rpm\", \"0 rad/s\"]"]).unwrap();
+        let file = read(&[
+            "impact.spin_a=100 rad/s",
+            "impact.spin_b=[\"1 rad/s\", \"60 rpm\", \"0 rad/s\"]",
+        ])
+        .unwrap();
         assert_eq!(file.impact.spin_a, DVec3::new(0.0, 100.0, 0.0));
         assert!((file.impact.spin_b - DVec3::new(1.0, 2.0 * PI, 0.0)).length() < 1e-14);
-        assert_eq!(read(&["impact.spin_a=1 2 3 rad/s"]).unwrap().impact.spin_a, DVec3::new(1.0, 2.0, 3.0));
+        assert_eq!(
+            read(&["impact.spin_a=1 2 3 rad/s"]).unwrap().impact.spin_a,
+            DVec3::new(1.0, 2.0, 3.0)
+        );
         let angle = read(&["impact.angle=30 deg"]).unwrap().impact.angle;
         assert!((angle - PI / 6.0).abs() < 1e-15);
     }
@@ -481,7 +495,10 @@ velocity = "1 m/s"
             ("a.wall=true", "`wall` belongs in [b]"),
             ("b.wall=true", "it is one or the other"),
             ("b={material = \"mcc\"}", "neither a radius nor `wall = true`"),
-            ("b={material = \"mcc\", wall = true, fixed = true}", "a wall is always held"),
+            (
+                "b={material = \"mcc\", wall = true, fixed = true}",
+                "a wall is always held",
+            ),
             ("b.material=steel", "unknown material `steel`"),
             ("impact.angle=90 deg", "below 90 deg"),
             ("impact.angle=-1 deg", "below 90 deg"),
@@ -503,7 +520,10 @@ velocity = "1 m/s"
         for table in ["[material.mcc]", "[contact]", "[a]", "[b]"] {
             let text = MCC.replace(table, "[other]");
             let faults = ImpactFile::parse(&text, "x", &[]).unwrap_err().to_string();
-            assert!(faults.contains("is missing") && faults.contains("unknown key `other`"), "{faults}");
+            assert!(
+                faults.contains("is missing") && faults.contains("unknown key `other`"),
+                "{faults}"
+            );
         }
         assert!(ImpactFile::parse("", "x", &[]).is_err());
     }

@@ -14,6 +14,8 @@ pub mod sticking;
 mod adhesive_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod zero_force_tests;
 
 pub use head_on::{Collision, CollisionEnergy, CollisionError, HeadOn, Outcome, Start, Tolerance, restitution_of};
 pub use record::Moment;
