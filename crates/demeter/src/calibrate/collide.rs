@@ -136,7 +136,7 @@ fn head_on(file: &ImpactFile, law: &PairLaw, speed: f64, moments: usize) -> Resu
     let [mass_a, mass_b] = [Some(file.a.mass), file.b.free_mass()];
     let push = |mass: Option<f64>, direction: f64| DVec3::Z * mass.map_or(0.0, |m| direction * impulse / m);
     let velocity = [impact_velocity(file, speed) + push(mass_a, 1.0), push(mass_b, -1.0)];
-    let (before, after) = ledger(file, law, speed, &found);
+    let (before, after) = ledger(file, speed, &found);
     Ok(CollideReport {
         method: "head-on, error-controlled".to_string(),
         outcome: found.outcome,
@@ -175,8 +175,11 @@ fn difference(found: &Collision, coarse: &Collision) -> f64 {
     pairs.map(relative).into_iter().fold(0.0, f64::max)
 }
 
+/// Losses below this share of the energy that passed through the contact are errors of the integration.
+const UNEXPLAINED: f64 = 1e-10;
+
 /// The energies of a head-on collision in the frame in which the second body was at rest.
-fn ledger(file: &ImpactFile, law: &PairLaw, speed: f64, found: &Collision) -> (Energies, Energies) {
+fn ledger(file: &ImpactFile, speed: f64, found: &Collision) -> (Energies, Energies) {
     let energy = &found.energy;
     let rotational = |body: Option<f64>, spin: DVec3| body.map_or(0.0, |inertia| 0.5 * inertia * spin.length_squared());
     let free = file.b.free_mass().and(file.b.body()).map(|b| b.inertia());
@@ -189,19 +192,20 @@ fn ledger(file: &ImpactFile, law: &PairLaw, speed: f64, found: &Collision) -> (E
         elastic: energy.stored_before,
         ..Energies::default()
     };
-    // a law that remembers nothing can lose nothing but in its dashpot: what is left is the error of the integration
-    let remembers = law.normal.info().history > 0;
+    // what the integration cannot tell from its own error is told as residual
+    let passed = energy.kinetic_before + energy.stored_before.abs() + energy.viscous;
+    let (plastic, residual) = if energy.lost.abs() > UNEXPLAINED * passed {
+        (energy.lost, 0.0)
+    } else {
+        (0.0, energy.lost / passed)
+    };
     let after = Energies {
         kinetic: energy.kinetic_after + common,
         rotational,
         elastic: energy.stored_after,
         viscous_dissipated: energy.viscous,
-        plastic_dissipated: if remembers { energy.lost } else { 0.0 },
-        residual: if remembers {
-            0.0
-        } else {
-            energy.lost / energy.kinetic_before
-        },
+        plastic_dissipated: plastic,
+        residual,
         ..Energies::default()
     };
     (before, after)

@@ -61,6 +61,8 @@ fn the_engine_meets_the_reference_in_every_pairing() {
     let laws = [
         "contact.normal={law = \"hertz-tsuji\", restitution = 0.2}",
         "contact.normal={law = \"linear\", stiffness = \"1e6 N/m\", restitution = 0.7}",
+        "contact.normal={law = \"linear\", stiffness = \"1e6 N/m\", restitution = 0.5, contact_end = \"zero-force\"}",
+        "contact.normal={law = \"hertz-tsuji\", restitution = 0.3, contact_end = \"zero-force\"}",
     ];
     for pairing in pairings {
         for law in laws {
