@@ -88,7 +88,11 @@ impl Normal for Limestone {
         let d = overlap - h_a;
         let share = A / (A - d.min(0.0));
         let far = |share: f64| f_h0 * A * share - 0.5 * k_p * h_a * A * share * share;
-        let far = if self.tail { far(share) - far(1.0 / (1.0 + 1e6)) } else { 0.0 };
+        let far = if self.tail {
+            far(share) - far(1.0 / (1.0 + 1e6))
+        } else {
+            0.0
+        };
         let near = d.max(0.0);
         far + (f_h0 - k_p * h_a) * near + 0.4 * k * near * near * near.sqrt()
     }
@@ -153,7 +157,11 @@ fn critical_sticking_speeds() {
         yields: true,
         tail: false,
     };
-    assert_relative_eq!(critical(law, 0.3e-6, Start::Contact), 5.58799563e-3, max_relative = 1e-6);
+    assert_relative_eq!(
+        critical(law, 0.3e-6, Start::Contact),
+        5.58799563e-3,
+        max_relative = 1e-6
+    );
 }
 
 #[test]
@@ -168,7 +176,11 @@ fn elastic_sticking_scales_as_the_power_minus_five_sixths() {
             let Stiffness(k, _, _, _, f_h0) = stiffness(radius);
             let h0 = libm::pow(-f_h0 / k, 2.0 / 3.0);
             let unit = (-f_h0 * h0 / size(radius).mass).sqrt();
-            assert_relative_eq!(critical(law, radius, Start::Contact), factor * unit, max_relative = 2e-7);
+            assert_relative_eq!(
+                critical(law, radius, Start::Contact),
+                factor * unit,
+                max_relative = 2e-7
+            );
         }
     }
 }
@@ -191,7 +203,10 @@ fn slow_limestone_sticks_and_fast_limestone_parts() {
             impact.run(&Tolerance::default()).unwrap()
         };
         let (slow, fast) = (run(2e-3 / 60.0), run(2.0 / 60.0));
-        assert_eq!((slow.outcome, slow.restitution, slow.contact_time()), (Outcome::Stick, 0.0, None));
+        assert_eq!(
+            (slow.outcome, slow.restitution, slow.contact_time()),
+            (Outcome::Stick, 0.0, None)
+        );
         assert_eq!(fast.outcome, Outcome::Rebound);
         assert!(fast.restitution > 0.0 && fast.energy.lost > 0.0 && fast.energy.viscous > 0.0);
         assert!(fast.steps < 2000, "{}", fast.steps);
@@ -216,6 +231,9 @@ fn without_losses_the_speed_comes_back_from_the_attraction() {
         assert_relative_eq!(found.restitution, 1.0, max_relative = 1e-7);
         // what the attraction gives on the way in: the books close to its rounding
         let well = law.energy(size(0.3e-6), 0.0, &[0.0]).abs();
-        assert!(found.energy.lost.abs() < 1e-11 * well.max(found.energy.kinetic_before), "{found:?}");
+        assert!(
+            found.energy.lost.abs() < 1e-11 * well.max(found.energy.kinetic_before),
+            "{found:?}"
+        );
     }
 }

@@ -330,9 +330,18 @@ struct Course<'p, 'a, L> {
 
 impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
     fn new(pair: &'p Pair<'a, L>, impact: &HeadOn<'_, L>) -> Result<Self, CollisionError> {
-        const { assert!(L::HISTORY.len() <= MAX_HISTORY, "a normal law remembers more than is kept here") };
+        const {
+            assert!(
+                L::HISTORY.len() <= MAX_HISTORY,
+                "a normal law remembers more than is kept here"
+            )
+        };
         let size = impact.size;
-        let inputs = [("speed", impact.speed), ("effective radius", size.radius), ("effective mass", size.mass)];
+        let inputs = [
+            ("speed", impact.speed),
+            ("effective radius", size.radius),
+            ("effective mass", size.mass),
+        ];
         for (quantity, value) in inputs {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(CollisionError::Input { quantity, value });
@@ -346,7 +355,10 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         if !overlap.is_finite() {
             return Err(CollisionError::Endless { reach: -held.end });
         }
-        let scales = [size.radius / impact.speed, pair.law.collision_time(size, 1e-3 * size.radius)];
+        let scales = [
+            size.radius / impact.speed,
+            pair.law.collision_time(size, 1e-3 * size.radius),
+        ];
         let shortest = scales.into_iter().filter(|t| t.is_finite() && *t > 0.0);
         let state = [overlap, impact.speed, 0.0];
         Ok(Self {
@@ -428,7 +440,11 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
                 self.next = 0.25 * h;
                 return Ok(None);
             }
-            length = ode::locate(|h| approach(&trial(h).end), (0.0, approach(&state)), (h, approach(&tried.end)));
+            length = ode::locate(
+                |h| approach(&trial(h).end),
+                (0.0, approach(&state)),
+                (h, approach(&tried.end)),
+            );
             tried = trial(length);
             tried.end[1] = 0.0;
             event = Some(Event::Reversal);
@@ -442,7 +458,13 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
                 };
                 let distance = y[0] - held.end;
                 // both are zero at their end; only the sign and the zero matter
-                if force <= 0.0 { force } else if distance <= 0.0 { distance } else { force.min(distance) }
+                if force <= 0.0 {
+                    force
+                } else if distance <= 0.0 {
+                    distance
+                } else {
+                    force.min(distance)
+                }
             };
             if room(&tried.end) <= 0.0 {
                 length = ode::locate(|h| room(&trial(h).end), (0.0, room(&state)), (length, room(&tried.end)));
@@ -453,7 +475,11 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         if tried.error > 1.0 && length > shortest {
             return self.shorten(length, tried.error);
         }
-        let growth = if event.is_some() { 1.0 } else { ode::step_factor(tried.error) };
+        let growth = if event.is_some() {
+            1.0
+        } else {
+            ode::step_factor(tried.error)
+        };
         self.next = growth * h.max(f64::MIN_POSITIVE);
         Ok(Some((length, tried.end, event)))
     }

@@ -27,7 +27,10 @@ pub fn step<const N: usize>(
     for (stage, weights) in INNER.iter().enumerate() {
         let mut at = *start;
         for (i, value) in at.iter_mut().enumerate() {
-            *value += h * weights.iter().map(|&(from, weight)| weight * slopes[from][i]).sum::<f64>();
+            *value += h * weights
+                .iter()
+                .map(|&(from, weight)| weight * slopes[from][i])
+                .sum::<f64>();
         }
         slopes[stage + 1] = rates(&at);
     }

@@ -101,7 +101,11 @@ fn linear_collisions_meet_the_closed_forms() {
             } else {
                 2.0 * g
             };
-            assert_relative_eq!(found.max_force, peak * speed * (size.mass * stiffness).sqrt(), max_relative = 1e-10);
+            assert_relative_eq!(
+                found.max_force,
+                peak * speed * (size.mass * stiffness).sqrt(),
+                max_relative = 1e-10
+            );
             assert!(found.energy.lost.abs() < 1e-11 * found.energy.kinetic_before);
         }
     }
@@ -119,7 +123,10 @@ fn the_law_by_name_gives_the_same_and_moments_follow_the_course() {
     };
     let (found, moments) = impact.run_recorded(&Tolerance::default(), 101).unwrap();
     let direct = run(&hertz(0.54), size, 1.0);
-    assert_eq!((found.restitution, found.duration), (direct.restitution, direct.duration));
+    assert_eq!(
+        (found.restitution, found.duration),
+        (direct.restitution, direct.duration)
+    );
     assert_eq!(moments.len(), 101);
     assert_eq!((moments[0].time, moments[0].rate), (0.0, 1.0));
     let last = moments[100];

@@ -1,5 +1,6 @@
 //! Normal laws: force along the line of centres.
 
+pub mod hysteresis;
 pub mod path;
 
 use super::{MaterialPair, PairSize, law_family};
@@ -124,6 +125,7 @@ law_family! {
     laws {
         linear::Linear,
         hertz_tsuji::HertzTsuji,
+        walton_braun::WaltonBraun,
     }
 }
 
