@@ -16,5 +16,6 @@ pub mod geometry;
 pub mod integrator;
 pub mod parameters;
 pub mod restitution;
+mod root;
 
 pub use glam::{DQuat, DVec3};

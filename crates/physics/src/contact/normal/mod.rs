@@ -1,5 +1,6 @@
 //! Normal laws: force along the line of centres.
 
+pub mod dashpot;
 pub mod hysteresis;
 pub mod path;
 
@@ -126,6 +127,8 @@ law_family! {
         linear::Linear,
         hertz_tsuji::HertzTsuji,
         walton_braun::WaltonBraun,
+        luding::Luding,
+        eepa::Eepa,
     }
 }
 
