@@ -93,6 +93,7 @@ impl Normal for Eepa {
     const DOC: &'static str = include_str!("eepa.md");
     const PARAMETERS: &'static [ParameterInfo] = EepaParameters::TABLE;
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
+    const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = EepaParameters::from_values(values)?;

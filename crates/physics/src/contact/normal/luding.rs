@@ -99,6 +99,7 @@ impl Normal for Luding {
     const DOC: &'static str = include_str!("luding.md");
     const PARAMETERS: &'static [ParameterInfo] = LudingParameters::TABLE;
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
+    const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = LudingParameters::from_values(values)?;
