@@ -100,7 +100,11 @@ impl Partner {
     fn approached(self, normal: &LawChoice, speed: f64) -> Case {
         let mut case = case(normal, None);
         // the full tail ends at 33.6 nm
-        let gap = if normal.parameters.contains_key("tail") { 2e-9 } else { 34e-9 };
+        let gap = if normal.parameters.contains_key("tail") {
+            2e-9
+        } else {
+            34e-9
+        };
         match self {
             Self::Grain(other) => {
                 case.grain(other, DVec3::ZERO, DVec3::ZERO);
@@ -190,7 +194,10 @@ fn grains_stick_below_the_critical_speed_and_part_above() {
                 let speed = critical(&normal, partner.size());
                 let (below, residual_below) = collide(&normal, partner, 0.999 * speed);
                 let (above, residual_above) = collide(&normal, partner, 1.001 * speed);
-                report(&format!("{tail}, {partner:?}: residual"), residual_below.max(residual_above));
+                report(
+                    &format!("{tail}, {partner:?}: residual"),
+                    residual_below.max(residual_above),
+                );
                 assert_eq!(below, None, "{tail}, {partner:?}, {speed}");
                 assert!(above.is_some(), "{tail}, {partner:?}, {speed}");
                 assert!(residual_below.max(residual_above) < 1e-4);
@@ -222,8 +229,15 @@ fn restitution_is_that_of_the_error_controlled_integration() {
                     let (found, residual) = collide(&normal, partner, speed);
                     let error = (found.unwrap() - expected.restitution).abs();
                     largest = largest.max(error);
-                    assert!(error < 1e-3, "{tail}, {partner:?}: {found:?}, expected {}", expected.restitution);
-                    report(&format!("{tail}, {alpha}, {partner:?}: error {error:.1e}, residual"), residual);
+                    assert!(
+                        error < 1e-3,
+                        "{tail}, {partner:?}: {found:?}, expected {}",
+                        expected.restitution
+                    );
+                    report(
+                        &format!("{tail}, {alpha}, {partner:?}: error {error:.1e}, residual"),
+                        residual,
+                    );
                 }
             }
         }
@@ -264,7 +278,10 @@ fn friction_is_limited_by_the_normal_force_with_the_adhesion() {
             let expected = if share < 1.0 { 5.0 / 7.0 * along } else { along - limit } / mass;
             let found = hanging(friction, along);
             report(&format!("{share} of what rolls: error"), found / expected - 1.0);
-            assert!((found / expected - 1.0).abs() < 1e-3, "{share}: {found} m/s^2 instead of {expected}");
+            assert!(
+                (found / expected - 1.0).abs() < 1e-3,
+                "{share}: {found} m/s^2 instead of {expected}"
+            );
         }
     });
 }
@@ -325,8 +342,20 @@ fn a_cloud_of_fine_powder_agglomerates() {
             }
         }
         let e = sim.energies();
-        let touching: usize = sim.contacts.pairs.iter().flat_map(|c| c.geometry()).filter(|c| c.overlap > 0.0).count();
-        let stuck = sim.contacts.walls.iter().flat_map(|c| c.geometry()).filter(|c| c.overlap > 0.0).count();
+        let touching: usize = sim
+            .contacts
+            .pairs
+            .iter()
+            .flat_map(|c| c.geometry())
+            .filter(|c| c.overlap > 0.0)
+            .count();
+        let stuck = sim
+            .contacts
+            .walls
+            .iter()
+            .flat_map(|c| c.geometry())
+            .filter(|c| c.overlap > 0.0)
+            .count();
         let per_grain = (2 * touching + stuck) as f64 / f64::from(count);
         report("largest residual", largest);
         report("kinetic energy left", e.kinetic / first.kinetic);
@@ -335,7 +364,36 @@ fn a_cloud_of_fine_powder_agglomerates() {
         report("plastic over viscous loss", e.plastic_dissipated / e.viscous_dissipated);
         assert!(largest < 1e-3);
         assert!(per_grain > 1.0, "{per_grain}");
-        assert!(e.elastic < 0.0 && e.plastic_dissipated > 0.0 && e.friction_dissipated > 0.0, "{e:?}");
+        assert!(
+            e.elastic < 0.0 && e.plastic_dissipated > 0.0 && e.friction_dissipated > 0.0,
+            "{e:?}"
+        );
         assert!(e.kinetic < 0.2 * first.kinetic, "{e:?}");
+    });
+}
+
+#[test]
+fn the_powder_of_the_invariants_meets_every_branch() {
+    on_threads(1, || {
+        let mut sim = Simulation::new(cases::beds::bed("powder", 60));
+        let (mut gap, mut dented, mut pulled_off) = (0, 0, 0);
+        for _ in 0..5000 {
+            sim.step().unwrap();
+            for chunk in sim.contacts.pairs.iter().chain(&sim.contacts.walls) {
+                for (k, contact) in chunk.geometry().iter().enumerate() {
+                    let [deepest, foot, ..] = *chunk.history(k, sim.contacts.stride) else {
+                        panic!("no history")
+                    };
+                    let in_gap = contact.overlap < foot;
+                    gap += u32::from(in_gap && deepest == 0.0);
+                    dented += u32::from(!in_gap && deepest > 0.0);
+                    pulled_off += u32::from(in_gap && deepest > 0.0);
+                }
+            }
+        }
+        assert!(
+            gap > 1000 && dented > 1000 && pulled_off > 1000,
+            "{gap} {dented} {pulled_off}"
+        );
     });
 }

@@ -65,7 +65,10 @@ fn work_is_stored_or_lost_on_random_paths() {
             let stored = law.energy(small(), turns[turns.len() - 1], &history) - law.energy(small(), start, &[0.0; 3]);
             let error = done.work - stored - done.lost;
             // far from every bend the force at the middle of a step stands for its mean
-            assert!(error.abs() <= 1e-5 * done.through, "{law:?}: {done:?}, stored {stored:e}");
+            assert!(
+                error.abs() <= 1e-5 * done.through,
+                "{law:?}: {done:?}, stored {stored:e}"
+            );
         }
     }
 }
