@@ -1,6 +1,7 @@
 //! Normal laws: force along the line of centres.
 
 pub mod dashpot;
+pub mod hysteresis;
 pub mod path;
 mod spring_dashpot;
 
@@ -136,6 +137,9 @@ law_family! {
     laws {
         linear::Linear,
         hertz_tsuji::HertzTsuji,
+        walton_braun::WaltonBraun,
+        luding::Luding,
+        eepa::Eepa,
         tomas::Tomas,
     }
 }
