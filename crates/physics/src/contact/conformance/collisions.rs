@@ -183,7 +183,7 @@ fn laws_that_depend_on_the_speed_give_the_requested_restitution_at_it() {
             }
         }
         assert!(
-            realised > 0,
+            realised > 0 || refused == 0,
             "{}: every one of {refused} requests was refused",
             info.name
         );

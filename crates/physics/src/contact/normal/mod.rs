@@ -7,7 +7,7 @@ mod spring_dashpot;
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 use crate::restitution::ContactEnd;
 
 /// What a normal law sees of a contact.
@@ -92,6 +92,8 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     const DOC: &'static str;
     /// Its parameters.
     const PARAMETERS: &'static [ParameterInfo];
+    /// Which of them tell the same thing.
+    const ALTERNATIVES: &'static [Alternatives] = &[];
     /// Dimensions of the values that it remembers per contact.
     const HISTORY: &'static [Dimension];
 
@@ -140,6 +142,7 @@ law_family! {
         walton_braun::WaltonBraun,
         luding::Luding,
         eepa::Eepa,
+        viscoelastic::Viscoelastic,
         tomas::Tomas,
     }
 }
