@@ -108,11 +108,16 @@ fn collide(choice: &LawChoice, target: Target, speed: f64, phase: f64) -> Seen {
             return seen;
         }
     }
-    panic!("the bodies never parted");
+    panic!(
+        "{choice:?} on {target:?} at {speed} m/s: the bodies never parted; {:?}",
+        sim.grains.velocity
+    );
 }
 
 fn at_zero_force(mut choice: LawChoice) -> LawChoice {
-    choice.parameters.insert("contact_end".to_string(), Value::from("zero-force"));
+    choice
+        .parameters
+        .insert("contact_end".to_string(), Value::from("zero-force"));
     choice
 }
 
@@ -131,7 +136,11 @@ fn contact_may_end_at_zero_force_without_a_pull() {
                         let seen = collide(&choice, target, 0.2, phase);
                         largest = largest.max((seen.restitution - e).abs());
                         let label = format!("{} {e} {target:?}", choice.law);
-                        assert!((seen.restitution - e).abs() < TOLERANCE, "{label}: {}", seen.restitution);
+                        assert!(
+                            (seen.restitution - e).abs() < TOLERANCE,
+                            "{label}: {}",
+                            seen.restitution
+                        );
                         assert!(seen.least_force >= 0.0, "{label}: it pulls with {} N", seen.least_force);
                     }
                 }
@@ -160,7 +169,11 @@ fn stiffness_follows_from_contact_time_and_from_overlap() {
                         (times, overlaps) = (times.max(errors[0].abs()), overlaps.max(errors[1].abs()));
                         let label = format!("{name} {e} {end} {target:?}");
                         for seen in [&timed, &deep] {
-                            assert!((seen.restitution - e).abs() < TOLERANCE, "{label}: {}", seen.restitution);
+                            assert!(
+                                (seen.restitution - e).abs() < TOLERANCE,
+                                "{label}: {}",
+                                seen.restitution
+                            );
                         }
                         // time and overlap are seen at whole steps only
                         assert!(errors[0].abs() < 1.5e-2, "{label}: contact time off by {:e}", errors[0]);
@@ -196,7 +209,10 @@ fn a_restitution_that_depends_on_the_speed_is_met_at_every_speed() {
                         for (choice, e) in asked {
                             let found = collide(choice, target, speed, 0.2).restitution;
                             largest = largest.max((found - e).abs());
-                            assert!((found - e).abs() < TOLERANCE, "{name} {end} {target:?} at {speed} m/s: {found}, not {e}");
+                            assert!(
+                                (found - e).abs() < TOLERANCE,
+                                "{name} {end} {target:?} at {speed} m/s: {found}, not {e}"
+                            );
                         }
                     }
                 }
@@ -213,7 +229,9 @@ fn viscoelastic_grains_part_with_the_restitution_asked_at_the_speed() {
         for e in [0.95, 0.6, 0.2] {
             let choice = law("viscoelastic", &[("restitution", e), ("impact_speed", 0.5)]);
             let mut pulling = choice.clone();
-            pulling.parameters.insert("contact_end".to_string(), Value::from("zero-overlap"));
+            pulling
+                .parameters
+                .insert("contact_end".to_string(), Value::from("zero-overlap"));
             for target in TARGETS {
                 for choice in [&choice, &pulling] {
                     let found = collide(choice, target, 0.5, 0.6).restitution;
