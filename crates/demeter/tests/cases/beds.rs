@@ -102,7 +102,7 @@ fn powder(count: u32) -> Setup {
     let adhesive = law(
         "tomas",
         &[
-            ("adhesion_force", 0.01),
+            ("adhesion_force", 1e-3),
             ("adhesion_radius", 0.5 * RADIUS),
             ("separation", 0.01 * RADIUS),
             ("range", 20.0),
