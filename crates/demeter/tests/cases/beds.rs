@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 pub const RADIUS: f64 = 2e-3;
 
 /// All beds by name.
-pub const BEDS: [&str; 8] = [
+pub const BEDS: [&str; 9] = [
     "settling",
     "drum",
     "servo",
@@ -23,6 +23,7 @@ pub const BEDS: [&str; 8] = [
     "removal",
     "squeezing",
     "cohesive",
+    "powder",
 ];
 
 /// The bed of a name with about `count` grains, and how it is integrated.
@@ -44,6 +45,7 @@ pub fn bed(name: &str, count: u32) -> Setup {
         "removal" => removal(count),
         "squeezing" => squeezing(count),
         "cohesive" => cohesive(count),
+        "powder" => powder(count),
         _ => panic!("there is no bed `{name}`"),
     }
 }
@@ -101,6 +103,24 @@ fn boxed(count: u32, laws: &Laws, open: [bool; 6]) -> (Case, f64) {
 
 fn settling(count: u32) -> Setup {
     let laws = Laws::hertz(0.5).friction(mindlin()).rolling("epsd", 0.1);
+    boxed(count, &laws, [false; 6]).0.setup()
+}
+
+/// Soft grains that yield, stick in contact and attract each other across gaps of a fifth of their radius.
+fn powder(count: u32) -> Setup {
+    let adhesive = law(
+        "tomas",
+        &[
+            ("adhesion_force", 1e-3),
+            ("adhesion_radius", 0.5 * RADIUS),
+            ("separation", 0.01 * RADIUS),
+            ("range", 20.0),
+            ("micro_yield_strength", 1e5),
+            ("kappa_p", 0.15),
+            ("alpha", 0.3),
+        ],
+    );
+    let laws = Laws::of(adhesive).friction(mindlin()).rolling("epsd", 0.1);
     boxed(count, &laws, [false; 6]).0.setup()
 }
 

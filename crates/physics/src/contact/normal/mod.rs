@@ -147,6 +147,7 @@ law_family! {
         luding::Luding,
         eepa::Eepa,
         viscoelastic::Viscoelastic,
+        tomas::Tomas,
     }
 }
 

@@ -84,6 +84,9 @@ pub fn follow<L: Branched>(law: &L, input: &NormalInput, state: L::State) -> (No
     (response, state_now)
 }
 
+/// Change of the stored energy, as share of it, that rounding leaves sharp.
+const RESOLVED: f64 = 1e-7;
+
 /// Integrals over the path.
 #[derive(Clone, Copy, Default)]
 struct Sums {
@@ -104,19 +107,27 @@ impl Sums {
         approaching: bool,
     ) -> L::State {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let mut work = 0.0;
+        let (mut work, mut damping, mut adhesion) = (0.0, 0.0, 0.0);
         for (node, weight) in GAUSS {
             let at = middle + node * half;
             let point = law.point(size, law.advance(size, state, at), at, approaching);
             work += weight * half * point.elastic;
-            self.damping += weight * half * point.damping;
-            self.adhesion += weight * half * point.adhesion;
+            damping += weight * half * point.damping;
+            adhesion += weight * half * point.adhesion;
         }
         let next = law.advance(size, state, to);
+        let (before, after) = (law.stored(size, state, from), law.stored(size, next, to));
+        let change = after - before;
         if next != state {
-            self.lost += work - (law.stored(size, next, to) - law.stored(size, state, from));
+            self.lost += work - change;
+        } else if change.abs() > RESOLVED * before.abs().max(after.abs()) {
+            // a reversible stretch does exactly the work that it stores, also across a well of attraction that is
+            // narrower than the window
+            work = change;
         }
         self.work += work;
+        self.damping += damping;
+        self.adhesion += adhesion;
         next
     }
 
