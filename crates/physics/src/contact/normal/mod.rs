@@ -1,6 +1,10 @@
 //! Normal laws: force along the line of centres.
 
 pub mod dashpot;
+mod hertz_window;
+pub mod jkr_curve;
+#[cfg(test)]
+mod walk;
 pub mod path;
 
 use super::{MaterialPair, PairSize, law_family};
@@ -125,6 +129,10 @@ law_family! {
     laws {
         linear::Linear,
         hertz_tsuji::HertzTsuji,
+        dmt::Dmt,
+        jkr::Jkr,
+        sjkr::Sjkr,
+        thornton_ning::ThorntonNing,
     }
 }
 
