@@ -76,7 +76,9 @@ fn allowed(parameter: &ParameterInfo) -> String {
         return format!("{}; the first when not given", words.join(" or "));
     }
     let unit = parameter.dimension.unit();
-    let kind = if unit.is_empty() {
+    let kind = if parameter.kind == ParameterKind::Restitution {
+        "a number, rows [speed, restitution], or a formula in v".to_string()
+    } else if unit.is_empty() {
         "pure number".to_string()
     } else {
         format!("in {unit}")
@@ -123,9 +125,10 @@ fn to_json(law: &LawInfo) -> Value {
             "range": p.range.to_string(),
             "default": p.default(),
             "required": p.presence == Presence::Required,
+            "may_depend_on_speed": p.kind == ParameterKind::Restitution,
             "choices": match p.kind {
                 ParameterKind::Choice(words) => json!(words),
-                ParameterKind::Number => Value::Null,
+                ParameterKind::Number | ParameterKind::Restitution => Value::Null,
             },
             "typical": p.typical,
             "meaning": p.doc,

@@ -1,7 +1,9 @@
 //! Declaration of a law's parameters: one table gives the struct, its reader and its documentation.
 
 use crate::dimension::Dimension;
+use crate::restitution::{ProfileError, RestitutionProfile};
 use std::fmt;
+use std::sync::{Mutex, PoisonError};
 
 /// Interval of allowed values.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,6 +79,63 @@ pub enum ParameterKind {
     Number,
     /// One of these words; the first is taken when none is given.
     Choice(&'static [&'static str]),
+    /// A coefficient of restitution, constant or depending on the impact speed: a number, a table of rows
+    /// `[speed, restitution]`, or a formula in `v`, the impact speed in m/s.
+    Restitution,
+}
+
+/// A requested restitution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Restitution {
+    /// The same at every speed.
+    Constant(f64),
+    /// Depending on the impact speed.
+    Profile(&'static RestitutionProfile),
+}
+
+/// Impact speeds between which a formula must give a coefficient of restitution [m/s].
+const PROFILE_SPEEDS: (f64, f64) = (1e-6, 1e3);
+
+impl Restitution {
+    /// From the value of a parameter.
+    fn read(value: &Value) -> Result<Self, ProfileError> {
+        let profile = match value {
+            Value::Number(e) => RestitutionProfile::constant(*e)?,
+            Value::Table(rows) => RestitutionProfile::table(rows)?,
+            Value::Text(formula) => RestitutionProfile::formula(formula)?,
+        };
+        profile.check(PROFILE_SPEEDS.0, PROFILE_SPEEDS.1)?;
+        Ok(match profile.as_constant() {
+            Some(e) => Self::Constant(e),
+            None => Self::Profile(kept(profile)),
+        })
+    }
+
+    /// The value of a parameter that [`resolve`] has accepted.
+    pub fn of(values: &Values, name: &str) -> Option<Self> {
+        Self::read(values.get(name)?).ok()
+    }
+
+    /// Restitution at an impact speed [m/s].
+    pub fn at(&self, speed: f64) -> f64 {
+        match self {
+            Self::Constant(e) => *e,
+            // beyond the speeds that were checked a formula may leave the range
+            Self::Profile(profile) => profile.at(speed.clamp(PROFILE_SPEEDS.0, PROFILE_SPEEDS.1)),
+        }
+    }
+}
+
+/// One lasting copy of each profile in use, so that laws stay plain values.
+fn kept(profile: RestitutionProfile) -> &'static RestitutionProfile {
+    static KEPT: Mutex<Vec<&'static RestitutionProfile>> = Mutex::new(Vec::new());
+    let mut all = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = all.iter().find(|known| ***known == profile) {
+        return known;
+    }
+    let lasting: &'static RestitutionProfile = Box::leak(Box::new(profile));
+    all.push(lasting);
+    lasting
 }
 
 /// Whether a parameter must be given.
@@ -171,6 +230,14 @@ pub enum ParameterError {
         /// What was given.
         found: String,
     },
+    /// A requested restitution that is none.
+    #[error("`{name}`: {cause}")]
+    Profile {
+        /// The parameter.
+        name: &'static str,
+        /// What is wrong.
+        cause: ProfileError,
+    },
     /// Parameters that do not go together, or one of several alternatives that is missing.
     #[error("{message}")]
     Together {
@@ -188,6 +255,7 @@ impl ParameterError {
             Self::Missing { name, .. }
             | Self::OutOfRange { name, .. }
             | Self::Kind { name, .. }
+            | Self::Profile { name, .. }
             | Self::Together { name, .. } => name,
             Self::Unknown { name, .. } => name,
         }
@@ -207,8 +275,10 @@ impl ParameterError {
 pub enum Value {
     /// A number in SI.
     Number(f64),
-    /// A word of a choice.
+    /// A word of a choice, or a formula.
     Text(String),
+    /// Rows of two numbers in SI.
+    Table(Vec<[f64; 2]>),
 }
 
 impl From<f64> for Value {
@@ -274,6 +344,7 @@ fn one(info: &ParameterInfo, given: Option<&Value>) -> Result<Option<f64>, Param
                     None => format!("`{word}`"),
                 },
                 Some(Value::Number(x)) => x.to_string(),
+                Some(Value::Table(_)) => "a table".to_string(),
             };
             let known: Vec<String> = words.iter().map(|w| format!("\"{w}\"")).collect();
             let expected = known.join(" or ");
@@ -291,11 +362,27 @@ fn one(info: &ParameterInfo, given: Option<&Value>) -> Result<Option<f64>, Param
                 })
             }
         }
-        (ParameterKind::Number, Some(Value::Text(text))) => Err(ParameterError::Kind {
+        (ParameterKind::Number, Some(other)) => Err(ParameterError::Kind {
             name,
             expected: "a number".to_string(),
-            found: format!("`{text}`"),
+            found: match other {
+                Value::Text(text) => format!("`{text}`"),
+                _ => "a table".to_string(),
+            },
         }),
+        (ParameterKind::Restitution, Some(Value::Number(e))) if !info.range.contains(*e) => {
+            Err(ParameterError::OutOfRange {
+                name,
+                value: *e,
+                unit: String::new(),
+                range: info.range,
+            })
+        }
+        (ParameterKind::Restitution, Some(value)) => match Restitution::read(value) {
+            Ok(_) => Ok(None),
+            Err(cause) => Err(ParameterError::Profile { name, cause }),
+        },
+        (ParameterKind::Restitution, None) => Ok(None),
         (ParameterKind::Number, None) => match info.presence {
             Presence::Default(value) => Ok(Some(value)),
             Presence::Usual | Presence::Optional => Ok(None),
@@ -313,7 +400,8 @@ fn one(info: &ParameterInfo, given: Option<&Value>) -> Result<Option<f64>, Param
 ///
 /// Every line is `name: DIMENSION, presence value, in range, "meaning";`. The presence is `required`, `usual` or
 /// `optional` with a typical value, or `default` with the default. A choice between words is
-/// `name: NONE, choice ["first", "second"], "meaning";` and gives the place of the word.
+/// `name: NONE, choice ["first", "second"], "meaning";` and gives the place of the word. With `profile` and a typical
+/// number it is a [`Restitution`], one of several alternatives.
 ///
 /// ```
 /// use demeter_physics::{dimension::Dimension, parameters::{Range, values}, params};
@@ -353,7 +441,10 @@ macro_rules! params {
             ) -> Result<Self, Vec<$crate::parameters::ParameterError>> {
                 #[allow(unused_mut, unused_variables)]
                 let mut resolved = $crate::parameters::resolve(Self::TABLE, values)?.into_iter().map(Some);
-                Ok(Self { $($field: $crate::params!(@read $presence, resolved.next().flatten().flatten()),)* })
+                Ok(Self {
+                    $($field: $crate::params!(@read $presence, resolved.next().flatten().flatten(), values,
+                        stringify!($field)),)*
+                })
             }
         }
     };
@@ -362,11 +453,16 @@ macro_rules! params {
     (@type usual) => { Option<f64> };
     (@type optional) => { Option<f64> };
     (@type choice) => { usize };
-    (@read required, $value:expr) => { $value.unwrap_or(f64::NAN) };
-    (@read default, $value:expr) => { $value.unwrap_or(f64::NAN) };
-    (@read usual, $value:expr) => { $value };
-    (@read optional, $value:expr) => { $value };
-    (@read choice, $value:expr) => { $value.unwrap_or(0.0) as usize };
+    (@type profile) => { Option<$crate::parameters::Restitution> };
+    (@read required, $value:expr, $values:expr, $name:expr) => { $value.unwrap_or(f64::NAN) };
+    (@read default, $value:expr, $values:expr, $name:expr) => { $value.unwrap_or(f64::NAN) };
+    (@read usual, $value:expr, $values:expr, $name:expr) => { $value };
+    (@read optional, $value:expr, $values:expr, $name:expr) => { $value };
+    (@read choice, $value:expr, $values:expr, $name:expr) => { $value.unwrap_or(0.0) as usize };
+    (@read profile, $value:expr, $values:expr, $name:expr) => {{
+        let _ = $value;
+        $crate::parameters::Restitution::of($values, $name)
+    }};
     (@info choice, $name:expr, $dimension:expr, $words:expr, [], $text:expr) => {
         $crate::parameters::ParameterInfo {
             name: $name,
@@ -381,7 +477,7 @@ macro_rules! params {
     (@info $presence:ident, $name:expr, $dimension:expr, $typical:expr, [$range:expr], $text:expr) => {
         $crate::parameters::ParameterInfo {
             name: $name,
-            kind: $crate::parameters::ParameterKind::Number,
+            kind: $crate::params!(@kind $presence),
             dimension: $dimension,
             presence: $crate::params!(@presence $presence, $typical),
             typical: $typical,
@@ -389,6 +485,9 @@ macro_rules! params {
             doc: $text,
         }
     };
+    (@kind profile) => { $crate::parameters::ParameterKind::Restitution };
+    (@kind $other:ident) => { $crate::parameters::ParameterKind::Number };
+    (@presence profile, $value:expr) => { $crate::parameters::Presence::Usual };
     (@presence required, $value:expr) => { $crate::parameters::Presence::Required };
     (@presence usual, $value:expr) => { $crate::parameters::Presence::Usual };
     (@presence optional, $value:expr) => { $crate::parameters::Presence::Optional };

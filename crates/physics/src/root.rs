@@ -1,12 +1,10 @@
 //! A bracketed root by Chandrupatla's method (1997): inverse quadratic steps where they are safe, halving elsewhere.
 
-#[cfg(test)]
 use std::convert::Infallible;
 
 /// Root of `f` between `a` and `b`, where `f` has opposite signs (or is zero at one of them), to the last bits of it.
 ///
 /// Where the signs do not differ, the end with the smaller `|f|` comes back.
-#[cfg(test)]
 pub(crate) fn bracketed(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
     match bracketed_within(|x| Ok::<f64, Infallible>(f(x)), a, b, 0.0) {
         Ok(root) => root,

@@ -80,6 +80,7 @@ fn laws(choice: &PairChoice) -> String {
         let values = law.parameters.iter().map(|(name, value)| match value {
             Value::Number(x) => format!("{name} {}", number(*x)),
             Value::Text(word) => format!("{name} {word}"),
+            Value::Table(rows) => format!("{name} of {} rows", rows.len()),
         });
         let values: Vec<String> = values.collect();
         match values.is_empty() {

@@ -289,7 +289,40 @@ fn parameter_value(item: &Item<'_>, parameter: &ParameterInfo) -> ParameterValue
             }
             ParameterValue::Text(word)
         }
+        ParameterKind::Restitution => restitution_value(item, parameter),
     }
+}
+
+/// A restitution: a number, rows of impact speed and restitution, or a formula.
+fn restitution_value(item: &Item<'_>, parameter: &ParameterInfo) -> ParameterValue {
+    let value = match &item.node.value {
+        Value::Array(_) => ParameterValue::Table(item.items().iter().map(restitution_row).collect()),
+        // a percentage is a number, too
+        Value::String(text) if super::units::parse(text).is_err() => ParameterValue::Text(text.clone()),
+        _ => return item.quantity(Kind::Number, parameter.range).into(),
+    };
+    let alone = [(parameter.name.to_string(), value.clone())].into();
+    let known = std::slice::from_ref(parameter);
+    for error in resolve(known, &alone).err().into_iter().flatten() {
+        item.fault(error.to_string(), None);
+    }
+    value
+}
+
+/// One row `["0.1 m/s", 0.9]` of a table of restitution.
+fn restitution_row(row: &Item<'_>) -> [f64; 2] {
+    let cells = row.items();
+    let [speed, restitution] = cells.as_slice() else {
+        if matches!(row.node.value, Value::Array(_)) {
+            let message = format!("a row of a restitution table holds two values, found {}", cells.len());
+            row.fault(message, Some("write it as [\"0.1 m/s\", 0.9]".to_string()));
+        }
+        return [f64::NAN; 2];
+    };
+    [
+        speed.quantity(Kind::Physical(Dimension::VELOCITY), Range::POSITIVE),
+        restitution.quantity(Kind::Number, Range::POSITIVE_SHARE),
+    ]
 }
 
 fn inherited(info: &LawInfo, default: Option<&LawChoice>) -> Values {

@@ -190,7 +190,7 @@ impl<L: Normal> HeadOn<'_, L> {
             size: self.size,
         };
         let mut course = Course::new(&pair, self)?;
-        let outcome = course.to_the_end(tolerance)?;
+        let outcome = course.finish(tolerance)?;
         let recorded = match count {
             0 => Vec::new(),
             _ => moments(&course.records, &pair, count),
@@ -361,6 +361,8 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         ];
         let shortest = scales.into_iter().filter(|t| t.is_finite() && *t > 0.0);
         let state = [overlap, impact.speed, 0.0];
+        // a law that notes the impact speed must see it
+        let held = pair.hold(&held, overlap, impact.speed);
         Ok(Self {
             pair,
             speed: impact.speed,
@@ -378,7 +380,7 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         })
     }
 
-    fn to_the_end(&mut self, tolerance: &Tolerance) -> Result<Outcome, CollisionError> {
+    fn finish(&mut self, tolerance: &Tolerance) -> Result<Outcome, CollisionError> {
         while self.steps < tolerance.max_steps {
             self.steps += 1;
             let Some((length, end, event)) = self.try_step(tolerance)? else {

@@ -158,7 +158,7 @@ mod tests {
 
     #[test]
     fn zeros_are_found_to_rounding() {
-        let root = locate(|x| libm::cos(x), (0.0, 1.0), (2.0, libm::cos(2.0)));
+        let root = locate(libm::cos, (0.0, 1.0), (2.0, libm::cos(2.0)));
         assert_relative_eq!(root, std::f64::consts::FRAC_PI_2, max_relative = 1e-15);
         // flat on one side, steep on the other
         let mut count = 0;

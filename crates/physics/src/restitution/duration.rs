@@ -24,10 +24,10 @@ use super::linear::LinearCollision;
 use super::quadrature::integrate;
 
 /// Contact time `T` of an undamped Hertzian collision, `(4/5) (5/4)^(2/5) sqrt(pi) Gamma(2/5)/Gamma(9/10)`.
-pub const UNDAMPED: f64 = 3.218_065_459_719_043_1;
+pub const UNDAMPED: f64 = 3.218_065_459_719_043;
 
 /// `(4/5) (5/4)^(2/5)`.
-const SCALE: f64 = 0.874_689_659_154_622_45;
+const SCALE: f64 = 0.874_689_659_154_622_5;
 
 /// `tau/T` of the contact that ends at zero overlap, exact for every restitution `e` in (0, 1].
 pub fn ratio_at_zero_overlap(restitution: f64) -> f64 {
@@ -42,12 +42,12 @@ pub(super) fn ratio_of_loss(l: f64) -> f64 {
 /// First order of `tau/T` in `ln e`, `1 - ln(e)/10` (eq 28). 6 % low at `e = 0.3`.
 ///
 /// The denominator printed in eq 28, `tau(0)`, is a misprint for `tau(e = 1)`, as eq 29 has it.
-pub fn ratio_first_order(restitution: f64) -> f64 {
+pub fn contact_time_first_order(restitution: f64) -> f64 {
     1.0 - 0.1 * libm::log(restitution)
 }
 
 /// Quadratic fit of `tau/T`, `1 - 0.1 ln(e) + 0.0473 ln(e)^2` (eq 29): within 0.5 % from `e = 0.3`, 5.7 % low at `e = 0.01`.
-pub fn ratio_quadratic(restitution: f64) -> f64 {
+pub fn contact_time_quadratic(restitution: f64) -> f64 {
     let l = -libm::log(restitution);
     1.0 + 0.1 * l + 0.0473 * l * l
 }
@@ -146,11 +146,11 @@ mod tests {
     #[test]
     fn the_gamma_ratio_agrees_with_thirty_digits() {
         for (y, ratio) in [
-            (0.001, 1.000_001_922_540_995_97),
+            (0.001, 1.000_001_922_540_996),
             (0.1, 1.019_329_308_547_451_6),
-            (1.0, 4.259_002_722_467_928_27),
-            (5.0, 332_957.734_989_846_132),
-            (24.0, 7.949_619_636_419_499_19e30),
+            (1.0, 4.259_002_722_467_928),
+            (5.0, 332_957.734_989_846_1),
+            (24.0, 7.949_619_636_419_499e30),
         ] {
             assert_relative_eq!(gamma_ratio(0.9, y), ratio, max_relative = 5e-15);
         }
@@ -180,10 +180,10 @@ mod tests {
             assert_relative_eq!(until(&linear, 2.0), at_zero_force, max_relative = 2e-9);
         }
         for (e, ratio) in [
-            (1e-10, 117.754_117_034_343_727),
-            (0.01, 2.612_389_747_416_498_87),
-            (0.3, 1.194_865_739_521_979_74),
-            (0.999999, 1.000_000_100_000_097_48),
+            (1e-10, 117.754_117_034_343_72),
+            (0.01, 2.612_389_747_416_498_8),
+            (0.3, 1.194_865_739_521_979_7),
+            (0.999999, 1.000_000_100_000_097_5),
         ] {
             assert_relative_eq!(ratio_at_zero_overlap(e), ratio, max_relative = 3e-15);
         }
@@ -204,8 +204,8 @@ mod tests {
         for (ratio, time) in [
             (0.0, UNDAMPED),
             (0.01, 3.180_206_131_427_796),
-            (0.3, 2.777_409_824_810_329_1),
-            (0.999, 2.290_743_552_595_659_1),
+            (0.3, 2.777_409_824_810_329),
+            (0.999, 2.290_743_552_595_659),
             (1.0, 2.290_230_441_701_279_8),
             (1.001, 2.289_717_683_835_039_5),
             (2.0, 1.903_214_870_431_890_4),
@@ -242,10 +242,10 @@ mod tests {
     #[test]
     fn the_approximations_of_the_paper_are_as_good_as_documented() {
         let off = |approximate: fn(f64) -> f64, e| approximate(e) / ratio_at_zero_overlap(e) - 1.0;
-        assert!((off(ratio_quadratic, 0.01) + 0.057).abs() < 0.0005);
+        assert!((off(contact_time_quadratic, 0.01) + 0.057).abs() < 0.0005);
         for i in 30..=100 {
-            assert!(off(ratio_quadratic, f64::from(i) / 100.0).abs() < 0.005);
+            assert!(off(contact_time_quadratic, f64::from(i) / 100.0).abs() < 0.005);
         }
-        assert!((off(ratio_first_order, 0.3) + 0.062).abs() < 0.0005);
+        assert!((off(contact_time_first_order, 0.3) + 0.062).abs() < 0.0005);
     }
 }

@@ -7,6 +7,8 @@ use super::profile::ProfileError;
 
 /// Longest text [bytes].
 const LONGEST: usize = 1000;
+/// Bytes of a long text that an error shows.
+const SHOWN: usize = 80;
 /// Deepest nesting of parentheses, functions, signs and powers.
 const DEEPEST: usize = 50;
 
@@ -278,9 +280,25 @@ impl Parser<'_> {
         self.wrong(format!("expected {wanted}, found {found}"))
     }
 
+    /// The text, or what stands before the fault where it is long.
+    fn excerpt(&self) -> String {
+        let shown = |from: usize, to: usize| String::from_utf8_lossy(&self.text[from..to]).into_owned();
+        let length = self.text.len();
+        if length <= SHOWN {
+            return shown(0, length);
+        }
+        let to = (self.at + SHOWN / 4).clamp(SHOWN, length);
+        format!(
+            "{}{}{}",
+            if to > SHOWN { "..." } else { "" },
+            shown(to - SHOWN, to),
+            if to < length { "..." } else { "" }
+        )
+    }
+
     fn wrong(&self, what: String) -> ProfileError {
         ProfileError::Formula {
-            text: String::from_utf8_lossy(&self.text[..self.text.len().min(LONGEST)]).into_owned(),
+            text: self.excerpt(),
             column: self.at + 1,
             what,
         }
@@ -290,6 +308,7 @@ impl Parser<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     fn value(text: &str, v: f64) -> f64 {
         Formula::parse(text).unwrap().at(v)
@@ -349,12 +368,42 @@ mod tests {
         }
     }
 
+    proptest! {
+        #[test]
+        fn any_text_is_read_or_refused(text in "[-+*/^(),v0-9.e a-z\u{e9}]{0,80}", v in 1e-6f64..1e3) {
+            if let Ok(formula) = Formula::parse(&text) {
+                let value = formula.at(v);
+                prop_assert_eq!(value.to_bits(), formula.clone().at(v).to_bits());
+            }
+        }
+
+        #[test]
+        fn a_random_formula_has_the_value_of_its_parts(a in -9f64..9.0, b in 0.1f64..9.0, v in 0.1f64..9.0) {
+            let text = format!("({a} - v) * {b} ^ v / max({b}, v, -{b}) + sqrt(v)");
+            let expected = (a - v) * libm::pow(b, v) / b.max(v) + f64::sqrt(v);
+            prop_assert_eq!(value(&text, v), expected);
+        }
+    }
+
     #[test]
     fn bounded_in_length_and_depth() {
+        let late = format!("{}x + 1", "1 + ".repeat(100));
+        let told = Formula::parse(&late).unwrap_err().to_string();
+        assert!(
+            told.contains("...") && told.contains("+ x + 1`, column 401") && told.len() < 250,
+            "{told}"
+        );
         let long = format!("1{}", "+1".repeat(500));
         assert!(Formula::parse(&long).unwrap_err().to_string().contains("at most 1000"));
         assert_eq!(value(&long[..999], 0.0), 500.0);
-        for (open, close) in [("(", ")"), ("-", ""), ("2^", ""), ("exp(", ")"), ("max(1,1+2*", ")")] {
+        for (open, close) in [
+            ("(", ")"),
+            ("-", ""),
+            ("2^", ""),
+            ("exp(", ")"),
+            ("max(1,1+2*", ")"),
+            ("1+2/max(3-v,", ")"),
+        ] {
             let nest = |depth: usize| format!("{}v{}", open.repeat(depth), close.repeat(depth));
             let deep = Formula::parse(&nest(60)).unwrap_err().to_string();
             assert!(deep.contains("deeper"), "{deep}");

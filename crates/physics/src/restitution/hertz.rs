@@ -14,8 +14,9 @@
 //! `2 sqrt(2)/sqrt(pi) = 1.59577` with the reduced mass of eq 1; the printed `2/sqrt(pi)` goes with the mass of one grain. It
 //! is not needed: in the units above the frequency is 1.
 
+pub use super::duration::{contact_time_first_order, contact_time_quadratic};
 use super::linear::{LinearCollision, PhasePoint, phases};
-use super::{ContactEnd, RestitutionError, duration, not_negative, root};
+use super::{ContactEnd, RestitutionError, bracketed, duration, not_negative};
 
 /// `alpha` from which on the overlap never returns to zero: `sqrt(5)`.
 pub const CRITICAL_ALPHA: f64 = 2.236_067_977_499_79;
@@ -92,7 +93,7 @@ impl HertzCollision {
         };
         // below this phase the force still grows as time^(1/5); an undamped collision has its maximum at 1
         let phase = if linear.ratio() > 0.0 {
-            libm::exp(root::bracketed(rise, -40.0, std::f64::consts::LN_2))
+            libm::exp(bracketed(rise, -40.0, std::f64::consts::LN_2))
         } else {
             1.0
         };
@@ -147,6 +148,7 @@ mod tests {
     use crate::restitution::power::{PowerScale, UndampedCollision};
     use ContactEnd::{ZeroForce, ZeroOverlap};
     use approx::assert_relative_eq;
+    use proptest::prelude::*;
     use std::f64::consts::PI;
 
     #[test]
@@ -227,9 +229,9 @@ mod tests {
     #[test]
     fn the_largest_force_agrees_with_thirty_digits() {
         for (ratio, force) in [
-            (0.01, 1.122_235_088_690_193_9),
-            (0.3, 0.826_290_750_371_909_64),
-            (0.999, 1.217_207_600_313_858_1),
+            (0.01, 1.122_235_088_690_194),
+            (0.3, 0.826_290_750_371_909_7),
+            (0.999, 1.217_207_600_313_858),
             (1.0, 1.218_050_639_906_169_7),
             (2.0, 2.041_789_925_441_767_9),
             (50.0, 26.505_889_431_261_972),
@@ -278,6 +280,25 @@ mod tests {
             let last = collision.trajectory(end, 5).unwrap()[4];
             assert_relative_eq!(last.time, collision.contact_time(end).unwrap(), max_relative = 1e-12);
             assert_relative_eq!(-last.speed, collision.restitution(end).unwrap(), max_relative = 1e-12);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn requested_is_realised_at_both_ends(loss in 0f64..30.0) {
+            let e = libm::exp(-loss);
+            for end in [ZeroOverlap, ZeroForce] {
+                let collision = HertzCollision::from_restitution(e, end).unwrap();
+                assert_relative_eq!(collision.restitution(end).unwrap(), e, max_relative = 1e-14);
+                let raw = HertzCollision::new(collision.alpha()).unwrap();
+                // near critical damping the restitution at zero overlap hangs on the last digits of alpha
+                let bound = if end == ZeroForce { 1e-13 } else { 1e-15 * (10.0 + loss * loss * loss) };
+                assert_relative_eq!(raw.restitution(end).unwrap(), e, max_relative = bound);
+                prop_assert!(collision.contact_time(end).unwrap() > 0.0);
+            }
+            let pulled = HertzCollision::from_restitution(e, ZeroOverlap).unwrap();
+            prop_assert!(pulled.restitution(ZeroForce).unwrap() >= e);
+            prop_assert!(pulled.contact_time(ZeroForce).unwrap() <= pulled.contact_time(ZeroOverlap).unwrap());
         }
     }
 

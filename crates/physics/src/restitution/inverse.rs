@@ -14,7 +14,7 @@
 use super::hertz::HertzCollision;
 use super::linear::LinearCollision;
 use super::power::PowerScale;
-use super::{ContactEnd, RestitutionError, positive, root, share};
+use super::{ContactEnd, RestitutionError, bracketed, positive, share};
 
 /// Which spring-dashpot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -186,7 +186,7 @@ impl Observed {
                 },
             });
         }
-        let between = |low, high| share(libm::exp(-root::bracketed(|loss| ratio_of(loss) - ratio, low, high)));
+        let between = |low, high| share(libm::exp(-bracketed(|loss| ratio_of(loss) - ratio, low, high)));
         let low = between(turn, MOST_LOSS)?;
         if rises && ratio >= undamped * (1.0 - 1e-12) {
             let high = between(0.0, turn)?;

@@ -22,7 +22,6 @@ pub mod linear;
 pub mod power;
 pub mod profile;
 mod quadrature;
-mod root;
 mod taylor;
 pub mod viscoelastic;
 
@@ -30,6 +29,8 @@ pub mod viscoelastic;
 mod brute_force;
 
 use std::f64::consts::PI;
+
+use crate::root::bracketed;
 
 pub use profile::{ProfileError, RestitutionProfile};
 

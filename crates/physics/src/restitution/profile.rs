@@ -375,7 +375,7 @@ mod tests {
         negative.check(0.01, 2.9).unwrap();
         match negative.check(0.01, 10.0) {
             Err(ProfileError::OutOfRange { speed, value, .. }) => {
-                assert!(speed >= 3.0 && speed < 3.01 && value <= 0.0);
+                assert!((3.0..3.01).contains(&speed) && value <= 0.0);
             }
             other => panic!("{other:?}"),
         }

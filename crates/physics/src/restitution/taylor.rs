@@ -10,7 +10,7 @@
 //! first touch or at zero overlap. Steps are as long as the last coefficients allow; an event is a root of a polynomial.
 
 use super::ContactEnd;
-use super::root;
+use super::bracketed;
 
 /// Highest power of the series.
 const ORDER: usize = 24;
@@ -72,9 +72,9 @@ impl Series {
         let scales = [(&self.root, self.root[0].abs() + speed), (&self.speed, speed)];
         let mut step = f64::INFINITY;
         for (series, scale) in scales {
-            for k in ORDER - 4..=ORDER {
-                if series[k] != 0.0 {
-                    step = step.min(libm::pow(TOLERANCE * scale / series[k].abs(), 1.0 / k as f64));
+            for (k, coefficient) in series.iter().enumerate().skip(ORDER - 4) {
+                if *coefficient != 0.0 {
+                    step = step.min(libm::pow(TOLERANCE * scale / coefficient.abs(), 1.0 / k as f64));
                 }
             }
         }
@@ -108,7 +108,7 @@ pub(super) fn to_largest_overlap(beta: f64) -> Option<Outcome> {
         let h = series.longest_step(beta);
         let next = series.state(h);
         if next[2] <= 0.0 {
-            let s = root::bracketed(|s| value(&series.speed, s), 0.0, h);
+            let s = bracketed(|s| value(&series.speed, s), 0.0, h);
             return Some(outcome(series.state(s)));
         }
         state = next;
@@ -127,12 +127,12 @@ pub(super) fn to_end(beta: f64, end: ContactEnd) -> Option<Outcome> {
         let zero_overlap = next[1] <= 0.0;
         let last = if zero_overlap {
             let least = if state[1] > 0.0 { 0.0 } else { 0.5 * h };
-            root::bracketed(|s| value(&series.root, s), least, h)
+            bracketed(|s| value(&series.root, s), least, h)
         } else {
             h
         };
         if end == ContactEnd::ZeroForce && series.force(beta, last) < 0.0 {
-            let s = root::bracketed(|s| series.force(beta, s), 0.0, last);
+            let s = bracketed(|s| series.force(beta, s), 0.0, last);
             return Some(outcome(series.state(s)));
         }
         if zero_overlap {

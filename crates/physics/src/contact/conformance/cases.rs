@@ -75,7 +75,7 @@ pub fn scaled_values(info: &LawInfo, values: &Values, units: Units) -> Values {
     };
     let scaled = |(name, value): (&String, &Value)| match value {
         Value::Number(x) => (name.clone(), Value::Number(x * scale(name))),
-        Value::Text(_) => (name.clone(), value.clone()),
+        Value::Text(_) | Value::Table(_) => (name.clone(), value.clone()),
     };
     values.iter().map(scaled).collect()
 }

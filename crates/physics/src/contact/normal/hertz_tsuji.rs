@@ -1,59 +1,101 @@
 #![doc = include_str!("hertz_tsuji.md")]
 
+use super::spring_dashpot::{Damping, ENDS, Observed, check_end, contact_end, exactly_one_damping, unit_duration};
 use super::{Normal, NormalInput, NormalResponse, mean_slope, near_end};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
-use crate::{params, restitution};
+use crate::params;
+use crate::restitution::ContactEnd;
+use crate::restitution::duration::UNDAMPED;
+use crate::restitution::hertz::CRITICAL_ALPHA;
+use crate::restitution::inverse::SpringDashpot;
 
 params! {
     /// Parameters of the Hertzian spring-dashpot.
     pub struct HertzTsujiParameters {
-        restitution: NONE, required 0.9, in Range::POSITIVE_SHARE,
-            "Coefficient of restitution, the same at every impact speed";
+        restitution: NONE, profile 0.9, in Range::POSITIVE_SHARE,
+            "Coefficient of restitution; a table or a formula makes it depend on the impact speed";
+        alpha: NONE, optional 0.1, in Range::NOT_NEGATIVE, "Damping coefficient, in place of the restitution";
+        contact_time: TIME, optional 1e-4, in Range::POSITIVE,
+            "Duration of a collision at the impact speed, the same for every pair of sizes; in place of the moduli";
+        max_overlap: LENGTH, optional 1e-5, in Range::POSITIVE,
+            "Largest overlap of a collision at the impact speed, the same for every pair of sizes; in place of the moduli";
+        impact_speed: VELOCITY, optional 1.0, in Range::POSITIVE,
+            "Impact speed at which `contact_time` or `max_overlap` is seen";
+        contact_end: NONE, choice ENDS, "Where contact ends";
     }
 }
-
-/// Contact time of an undamped Hertzian collision in units of `(m/K)^(2/5) v0^(-1/5)`:
-/// `4/5 (5/4)^(2/5) sqrt(pi) Gamma(2/5) / Gamma(9/10)`.
-pub const HERTZ_CONTACT_TIME: f64 = 3.218_065_459_719_043_5;
 
 /// The Hertzian spring-dashpot bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzTsuji {
-    /// `4/3 E` [Pa].
+    /// `4/3 E` [Pa]; 0 where the stiffness follows from an observation.
     modulus: f64,
-    alpha: f64,
+    /// Stiffness per effective mass [1/(m^(1/2) s^2)].
+    per_mass: f64,
+    damping: Damping,
+    end: ContactEnd,
 }
 
 impl HertzTsuji {
     /// `K = 4/3 E sqrt(R)` [N/m^(3/2)].
     #[inline(always)]
     fn hertz_stiffness(&self, size: PairSize) -> f64 {
-        self.modulus * size.radius.sqrt()
+        self.modulus * size.radius.sqrt() + self.per_mass * size.mass
+    }
+
+    /// Speed of the undamped impact that reaches an overlap [m/s], from `1/2 m v^2 = 2/5 K d^(5/2)`.
+    fn impact_speed(&self, size: PairSize, overlap: f64) -> f64 {
+        (0.8 * self.hertz_stiffness(size) / size.mass * overlap * overlap * overlap.sqrt()).sqrt()
     }
 }
 
 impl Normal for HertzTsuji {
     const NAME: &'static str = "hertz-tsuji";
-    const SUMMARY: &'static str = "Hertzian spring-dashpot (HSD), damping from restitution";
+    const SUMMARY: &'static str = "Hertzian spring-dashpot (HSD)";
     const DOC: &'static str = include_str!("hertz_tsuji.md");
     const PARAMETERS: &'static [ParameterInfo] = HertzTsujiParameters::TABLE;
-    const HISTORY: &'static [Dimension] = &[];
+    const HISTORY: &'static [Dimension] = &[Dimension::NONE];
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = HertzTsujiParameters::from_values(values)?;
-        Ok(Self {
-            modulus: 4.0 / 3.0 * pair.effective_modulus(),
-            alpha: restitution::hertz_damping(p.restitution),
-        })
+        let end = contact_end(p.contact_end);
+        exactly_one_damping(&p.restitution, &p.alpha, "alpha")?;
+        let observed = Observed {
+            contact_time: p.contact_time,
+            max_overlap: p.max_overlap,
+            impact_speed: p.impact_speed,
+        };
+        let per_mass = observed.stiffness_per_mass(SpringDashpot::Hertz, p.restitution, end)?;
+        let damping = match (p.restitution, p.alpha) {
+            (Some(restitution), _) => Damping::of(restitution, end),
+            (None, alpha) => Damping::Ratio(alpha.unwrap_or(0.0) / CRITICAL_ALPHA),
+        };
+        let law = Self {
+            modulus: if per_mass.is_some() {
+                0.0
+            } else {
+                4.0 / 3.0 * pair.effective_modulus()
+            },
+            per_mass: per_mass.unwrap_or(0.0),
+            damping,
+            end,
+        };
+        if let Some(alpha) = p.alpha {
+            let what = format!("`alpha` {alpha}");
+            check_end(alpha / CRITICAL_ALPHA, end, &what, "sqrt(5) = 2.2360679775")
+                .map_err(|error| ParameterError::together("alpha", error))?;
+        }
+        Ok(law)
     }
 
     #[inline(always)]
-    fn respond(&self, input: &NormalInput, _history: &mut [f64]) -> NormalResponse {
+    fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
         let k = self.hertz_stiffness(input.size);
-        let dashpot = self.alpha * (input.size.mass * k).sqrt();
-        if near_end(input) {
+        let ratio = self.damping.ratio(0.0, input.rate, history);
+        let dashpot = CRITICAL_ALPHA * ratio * (input.size.mass * k).sqrt();
+        let response = if near_end(input) {
             NormalResponse::viscoelastic(
                 mean_slope(input, |d| 0.4 * k * d * d * d.sqrt()),
                 mean_slope(input, |d| 0.8 * dashpot * d * d.sqrt().sqrt()),
@@ -69,7 +111,8 @@ impl Normal for HertzTsuji {
             )
         } else {
             NormalResponse::NOTHING
-        }
+        };
+        response.ending_at(self.end)
     }
 
     #[inline(always)]
@@ -84,10 +127,21 @@ impl Normal for HertzTsuji {
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
-        // undamped, which is the shortest: T = c (m/K)^(2/5) v0^(-1/5) with v0 from 1/2 m v0^2 = 2/5 K d^(5/2)
-        let ratio = size.mass / self.hertz_stiffness(size);
-        let v0 = (0.8 / ratio * overlap * overlap * overlap.sqrt()).sqrt();
-        HERTZ_CONTACT_TIME * libm::pow(ratio, 0.4) * libm::pow(v0, -0.2)
+        let speed = self.impact_speed(size, overlap);
+        let unit = match self.end {
+            // without damping it is shortest
+            ContactEnd::ZeroOverlap => UNDAMPED,
+            ContactEnd::ZeroForce => {
+                let ratio = self.damping.ratio_at(0.0, speed);
+                unit_duration(SpringDashpot::Hertz, ratio, self.end).unwrap_or(UNDAMPED)
+            }
+        };
+        unit * libm::pow(size.mass / self.hertz_stiffness(size), 0.4) * libm::pow(speed, -0.2)
+    }
+
+    #[inline(always)]
+    fn history(&self) -> usize {
+        self.damping.history()
     }
 }
 
@@ -237,7 +291,7 @@ mod tests {
         let collision = collide(&law, size, speed);
         let overlap = (1.25 * size.mass * speed * speed / k).powf(0.4);
         assert_relative_eq!(collision.largest_overlap, overlap, max_relative = 1e-10);
-        let duration = HERTZ_CONTACT_TIME * (size.mass / k).powf(0.4) * speed.powf(-0.2);
+        let duration = UNDAMPED * (size.mass / k).powf(0.4) * speed.powf(-0.2);
         assert_relative_eq!(collision.duration, duration, max_relative = 1e-10);
     }
 

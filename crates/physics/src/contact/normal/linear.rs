@@ -1,72 +1,142 @@
 #![doc = include_str!("linear.md")]
 
+use super::spring_dashpot::{Damping, ENDS, Observed, check_end, contact_end, exactly_one_damping, unit_duration};
 use super::{Normal, NormalInput, NormalResponse, mean_slope, near_end};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
-use crate::{params, restitution};
+use crate::params;
+use crate::restitution::ContactEnd;
+use crate::restitution::inverse::SpringDashpot;
+use std::f64::consts::PI;
 
 params! {
     /// Parameters of the linear spring-dashpot.
     pub struct LinearParameters {
-        stiffness: STIFFNESS, required 1e4, in Range::POSITIVE, "Normal stiffness, force per overlap";
-        restitution: NONE, required 0.9, in Range::POSITIVE_SHARE,
-            "Coefficient of restitution, the same at every impact speed";
+        stiffness: STIFFNESS, usual 1e4, in Range::POSITIVE, "Normal stiffness, force per overlap";
+        contact_time: TIME, optional 1e-4, in Range::POSITIVE,
+            "Duration of a collision, the same for every pair of sizes; in place of the stiffness";
+        max_overlap: LENGTH, optional 1e-5, in Range::POSITIVE,
+            "Largest overlap of a collision at the impact speed, the same for every pair of sizes; in place of the stiffness";
+        impact_speed: VELOCITY, optional 1.0, in Range::POSITIVE,
+            "Impact speed at which `max_overlap` or `contact_time` is seen";
+        restitution: NONE, profile 0.9, in Range::POSITIVE_SHARE,
+            "Coefficient of restitution; a table or a formula makes it depend on the impact speed";
+        damping_rate: FREQUENCY, optional 100.0, in Range::NOT_NEGATIVE,
+            "Damping rate gamma, in place of the restitution";
+        contact_end: NONE, choice ENDS, "Where contact ends";
     }
 }
 
 /// The linear spring-dashpot bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Linear {
+    /// Part of the stiffness that does not depend on the bodies [N/m].
     stiffness: f64,
-    restitution: f64,
-    damping_ratio: f64,
+    /// Stiffness per effective mass [1/s^2].
+    per_mass: f64,
+    damping: Damping,
+    end: ContactEnd,
+}
+
+impl Linear {
+    #[inline(always)]
+    fn k(&self, size: PairSize) -> f64 {
+        self.stiffness + self.per_mass * size.mass
+    }
 }
 
 impl Normal for Linear {
     const NAME: &'static str = "linear";
-    const SUMMARY: &'static str = "linear spring-dashpot (LSD), damping from restitution";
+    const SUMMARY: &'static str = "linear spring-dashpot (LSD)";
     const DOC: &'static str = include_str!("linear.md");
     const PARAMETERS: &'static [ParameterInfo] = LinearParameters::TABLE;
-    const HISTORY: &'static [Dimension] = &[];
+    const HISTORY: &'static [Dimension] = &[Dimension::NONE];
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = LinearParameters::from_values(values)?;
+        let end = contact_end(p.contact_end);
+        exactly_one_damping(&p.restitution, &p.damping_rate, "damping_rate")?;
+        let observed = Observed {
+            contact_time: p.contact_time,
+            max_overlap: p.max_overlap,
+            impact_speed: p.impact_speed,
+        };
+        let per_mass = observed.stiffness_per_mass(SpringDashpot::Linear, p.restitution, end)?;
+        let (stiffness, per_mass) = match (p.stiffness, per_mass) {
+            (Some(stiffness), None) => (stiffness, 0.0),
+            (None, Some(per_mass)) => (0.0, per_mass),
+            (None, None) => {
+                let message = "the stiffness is missing: give `stiffness`, `contact_time`, or `max_overlap` at an \
+                               `impact_speed`";
+                return Err(ParameterError::together("stiffness", message));
+            }
+            (Some(_), Some(_)) => {
+                let message = "`stiffness` is given twice: as itself and through `contact_time` or `max_overlap`";
+                return Err(ParameterError::together("stiffness", message));
+            }
+        };
+        let damping = match (p.restitution, p.damping_rate) {
+            (Some(restitution), _) => Damping::of(restitution, end),
+            (None, rate) => Damping::Rate(rate.unwrap_or(0.0)),
+        };
         Ok(Self {
-            stiffness: p.stiffness,
-            restitution: p.restitution,
-            damping_ratio: restitution::damping_ratio(p.restitution),
+            stiffness,
+            per_mass,
+            damping,
+            end,
         })
     }
 
     #[inline(always)]
-    fn respond(&self, input: &NormalInput, _history: &mut [f64]) -> NormalResponse {
-        let damping = 2.0 * self.damping_ratio * (self.stiffness * input.size.mass).sqrt();
-        if near_end(input) {
+    fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
+        let (k, mass) = (self.k(input.size), input.size.mass);
+        let damping = 2.0 * self.damping.ratio((k / mass).sqrt(), input.rate, history) * (k * mass).sqrt();
+        let response = if near_end(input) {
             NormalResponse::viscoelastic(
-                mean_slope(input, |d| 0.5 * self.stiffness * d * d),
+                mean_slope(input, |d| 0.5 * k * d * d),
                 mean_slope(input, |d| damping * d),
             )
         } else if input.overlap > 0.0 {
-            NormalResponse::viscoelastic(self.stiffness * input.overlap, damping)
+            NormalResponse::viscoelastic(k * input.overlap, damping)
         } else {
             NormalResponse::NOTHING
-        }
+        };
+        response.ending_at(self.end)
     }
 
     #[inline(always)]
-    fn energy(&self, _size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
+    fn energy(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
         let d = overlap.max(0.0);
-        0.5 * self.stiffness * d * d
+        0.5 * self.k(size) * d * d
     }
 
     #[inline(always)]
-    fn stiffness(&self, _size: PairSize, _overlap: f64, _history: &[f64]) -> f64 {
-        self.stiffness
+    fn stiffness(&self, size: PairSize, _overlap: f64, _history: &[f64]) -> f64 {
+        self.k(size)
     }
 
-    fn collision_time(&self, size: PairSize, _overlap: f64) -> f64 {
-        restitution::linear_contact_time(self.stiffness, size.mass, self.restitution)
+    fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
+        let frequency = (self.k(size) / size.mass).sqrt();
+        let ratio = self.damping.ratio_at(frequency, overlap * frequency);
+        unit_duration(SpringDashpot::Linear, ratio, self.end).unwrap_or(PI) / frequency
+    }
+
+    #[inline(always)]
+    fn history(&self) -> usize {
+        self.damping.history()
+    }
+
+    fn check(&self, size: PairSize) -> Result<(), String> {
+        let frequency = (self.k(size) / size.mass).sqrt();
+        match self.damping {
+            Damping::Rate(rate) => {
+                let what = format!("`damping_rate` {rate} 1/s");
+                let limit = format!("sqrt(k/m), {frequency} 1/s for an effective mass of {} kg", size.mass);
+                check_end(rate / frequency, self.end, &what, &limit)
+            }
+            _ => Ok(()),
+        }
     }
 }
 

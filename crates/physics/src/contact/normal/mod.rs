@@ -6,10 +6,12 @@ pub mod jkr_curve;
 #[cfg(test)]
 mod walk;
 pub mod path;
+mod spring_dashpot;
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
 use crate::parameters::{ParameterError, ParameterInfo, Values};
+use crate::restitution::ContactEnd;
 
 /// What a normal law sees of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,6 +69,15 @@ impl NormalResponse {
             adhesion: 0.0,
             lost: 0.0,
         }
+    }
+
+    /// The same, without a pull where contact ends at zero force.
+    #[inline(always)]
+    pub fn ending_at(mut self, end: ContactEnd) -> Self {
+        if end == ContactEnd::ZeroForce {
+            self.least = 0.0;
+        }
+        self
     }
 }
 
