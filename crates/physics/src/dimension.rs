@@ -60,6 +60,8 @@ dimensions! {
     NONE = (0, 0, 0), "pure number", "";
     /// Length [m].
     LENGTH = (0, 1, 0), "length", "m";
+    /// Inverse length [1/m].
+    PER_LENGTH = (0, -1, 0), "inverse length", "1/m";
     /// Area [m^2].
     AREA = (0, 2, 0), "area", "m^2";
     /// Volume [m^3].

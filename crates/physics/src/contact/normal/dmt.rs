@@ -1,22 +1,21 @@
 #![doc = include_str!("dmt.md")]
 
 use super::dashpot::Dashpot;
-use super::hertz_tsuji::HERTZ_CONTACT_TIME;
 use super::hertz_window::{contact_share, mean_quarter, mean_three_halves};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::params;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::restitution::duration::UNDAMPED;
 
 params! {
     /// Parameters of the adhesive elastic contact of Derjaguin, Muller and Toporov.
     pub struct DmtParameters {
         work_of_adhesion: SURFACE_ENERGY, required 0.05, in Range::NOT_NEGATIVE,
             "Energy per area that it takes to part the surfaces, twice the surface energy of equal ones";
-        tail: NONE, choice ["none", "van-der-waals"], "Attraction across a gap";
-        separation: LENGTH, default 0.165e-9, in Range::POSITIVE,
-            "Distance of surfaces in contact, from which the van der Waals tail falls";
+        separation: LENGTH, optional 0.165e-9, in Range::POSITIVE,
+            "Distance of surfaces in contact; with it they attract by van der Waals across a gap, too";
         cutoff: LENGTH, optional 16.5e-9, in Range::POSITIVE,
             "Gap at which the tail is cut off; 100 separations unless told";
         alpha: NONE, optional 0.1, in Range::NOT_NEGATIVE, "Coefficient of the dashpot; none without it";
@@ -106,19 +105,18 @@ impl Normal for Dmt {
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = DmtParameters::from_values(values)?;
-        if p.tail == 0 && (p.cutoff.is_some() || values.contains_key("separation")) {
-            let name = if p.cutoff.is_some() { "cutoff" } else { "separation" };
-            let message = format!("`{name}` goes with `tail = \"van-der-waals\"`, which is missing");
-            return Err(ParameterError::together(name, message));
+        if p.cutoff.is_some() && p.separation.is_none() {
+            let message = "`cutoff` goes with `separation`, which is missing: without it there is no attraction across a gap";
+            return Err(ParameterError::together("cutoff", message));
         }
-        let tail = Tail {
-            separation: p.separation,
-            cutoff: p.cutoff.unwrap_or(CUTOFF * p.separation),
-        };
+        let tail = p.separation.map(|separation| Tail {
+            separation,
+            cutoff: p.cutoff.unwrap_or(CUTOFF * separation),
+        });
         Ok(Self {
             modulus: 4.0 / 3.0 * pair.effective_modulus(),
             work_of_adhesion: p.work_of_adhesion,
-            tail: (p.tail == 1).then_some(tail),
+            tail,
             dashpot: Dashpot::read("alpha", p.alpha, p.restitution, p.impact_speed)?,
         })
     }
@@ -163,7 +161,7 @@ impl Normal for Dmt {
         let share = libm::cbrt(pull_off / self.hertz_stiffness(size));
         let overlap = overlap.max(share * share);
         let v0 = (0.8 / ratio * overlap * overlap * overlap.sqrt()).sqrt();
-        let hertz = HERTZ_CONTACT_TIME * libm::pow(ratio, 0.4) * libm::pow(v0, -0.2);
+        let hertz = UNDAMPED * libm::pow(ratio, 0.4) * libm::pow(v0, -0.2);
         match self.tail {
             Some(tail) if pull_off > 0.0 => hertz.min((size.mass * tail.separation / pull_off).sqrt()),
             _ => hertz,

@@ -5,8 +5,8 @@
 //! the radius at tear-off, `z_c^6 = a_c^3 = pi w R^2/(8 E)`. Without adhesion `z_c = 0`, and this is Hertz.
 
 /// A Hertzian collision that reaches the contact radius `a` takes `c sqrt(m/(4/3 E a))`; `c` is
-/// [`super::hertz_tsuji::HERTZ_CONTACT_TIME`] times `(4/5)^(-1/10)`.
-const DURATION: f64 = super::hertz_tsuji::HERTZ_CONTACT_TIME * 1.022_565_182_563_573;
+/// [`crate::restitution::duration::UNDAMPED`] times `(4/5)^(-1/10)`.
+const DURATION: f64 = crate::restitution::duration::UNDAMPED * 1.022_565_182_563_573;
 
 /// Most steps of Newton's method; six are usual.
 const MOST_STEPS: usize = 60;
@@ -116,14 +116,14 @@ impl JkrCurve {
         16.0 / 3.0 * self.modulus / (self.radius * self.radius) * (cube * root * inside - at_tear_off)
     }
 
-    /// Tangent stiffness of such a contact [N/m]; negative before the tear-off, and without bound there.
+    /// Tangent stiffness of such a contact [N/m]; negative before the tear-off, and there without bound but
+    /// for rounding.
     pub fn stiffness(&self, root: f64) -> f64 {
         let least3 = self.least_root * self.least_root * self.least_root;
         let cube = root * root * root;
-        if cube > least3 {
-            2.0 * self.modulus * root * root * (cube - 3.0 * least3) / (cube - least3)
-        } else if cube > 0.0 {
-            f64::NEG_INFINITY
+        let above = (cube - least3).max(f64::EPSILON * least3);
+        if above > 0.0 {
+            2.0 * self.modulus * root * root * (cube - 3.0 * least3) / above
         } else {
             0.0
         }

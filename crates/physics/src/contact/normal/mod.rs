@@ -2,11 +2,12 @@
 
 pub mod dashpot;
 mod hertz_window;
+pub mod hysteresis;
 pub mod jkr_curve;
-#[cfg(test)]
-mod walk;
 pub mod path;
 mod spring_dashpot;
+#[cfg(test)]
+mod walk;
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
@@ -144,6 +145,7 @@ law_family! {
         jkr::Jkr,
         sjkr::Sjkr,
         thornton_ning::ThorntonNing,
+        walton_braun::WaltonBraun,
     }
 }
 

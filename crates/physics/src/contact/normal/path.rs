@@ -71,7 +71,8 @@ pub fn follow<L: Branched>(law: &L, input: &NormalInput, state: L::State) -> (No
     let mut state_now = law.advance(size, state, first);
     total.teleport(law, size, (state, state_now), first);
     let mut from = first;
-    for to in ordered(kinks, first, last).into_iter().chain([last]) {
+    // where the window begins beyond the place that the state had come to, it begins with other kinks
+    for to in ordered(law.kinks(size, state_now), first, last).into_iter().chain([last]) {
         if to.is_nan() || to == from {
             continue;
         }

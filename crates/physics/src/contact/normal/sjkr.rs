@@ -1,13 +1,13 @@
 #![doc = include_str!("sjkr.md")]
 
 use super::dashpot::Dashpot;
-use super::hertz_tsuji::HERTZ_CONTACT_TIME;
 use super::hertz_window::{mean_overlap, mean_quarter, mean_three_halves};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::params;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::restitution::duration::UNDAMPED;
 
 params! {
     /// Parameters of the simplified JKR contact.
@@ -109,7 +109,7 @@ impl Normal for Sjkr {
         let share = self.pull(size) / k;
         let overlap = overlap.max(share * share);
         let v0 = (0.8 / ratio * overlap * overlap * overlap.sqrt()).sqrt();
-        HERTZ_CONTACT_TIME * libm::pow(ratio, 0.4) * libm::pow(v0, -0.2)
+        UNDAMPED * libm::pow(ratio, 0.4) * libm::pow(v0, -0.2)
     }
 
     #[inline(always)]

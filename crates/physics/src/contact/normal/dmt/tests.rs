@@ -3,7 +3,7 @@ use super::*;
 use crate::collision::{Start, Sticking, Tolerance, restitution_of, sticking_speed};
 use crate::contact::Elastic;
 use crate::contact::normal::HertzTsuji;
-use crate::parameters::{Value, values};
+use crate::parameters::values;
 use crate::restitution::hertz_damping;
 use approx::assert_relative_eq;
 use std::f64::consts::PI;
@@ -23,7 +23,7 @@ const SIZE: PairSize = PairSize {
 fn with_tail(more: &[(&str, f64)]) -> Result<Dmt, Vec<ParameterError>> {
     let mut given = values(more);
     given.insert("work_of_adhesion".to_string(), WORK.into());
-    given.insert("tail".to_string(), Value::from("van-der-waals"));
+    given.entry("separation".to_string()).or_insert(SEPARATION.into());
     Dmt::new(&given, &PAIR)
 }
 
@@ -180,9 +180,7 @@ fn a_requested_restitution_is_met() {
 
 #[test]
 fn a_cutoff_without_a_tail_is_refused() {
-    for name in ["cutoff", "separation"] {
-        let given = values(&[("work_of_adhesion", WORK), (name, 1e-9)]);
-        let told = Dmt::new(&given, &PAIR).unwrap_err()[0].to_string();
-        assert!(told.contains(name) && told.contains("tail"), "{told}");
-    }
+    let given = values(&[("work_of_adhesion", WORK), ("cutoff", 1e-9)]);
+    let told = Dmt::new(&given, &PAIR).unwrap_err()[0].to_string();
+    assert!(told.contains("cutoff") && told.contains("`separation`"), "{told}");
 }

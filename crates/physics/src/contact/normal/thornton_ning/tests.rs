@@ -251,7 +251,7 @@ fn largest_jump(law: &ThorntonNing, size: PairSize, count: u32) -> f64 {
 
 #[test]
 fn force_has_no_jump_while_the_surfaces_hold() {
-    for (work, radius) in [(0.0, 1e-5), (0.2, 1e-6), (5.0, 1e-8)] {
+    for (work, radius) in [(0.0, 1e-5), (0.2, 1e-6), (0.5, 2e-7)] {
         let (law, size) = (law(work, &[]), size(radius));
         let (coarse, fine) = (largest_jump(&law, size, 2000), largest_jump(&law, size, 8000));
         assert!(fine < 0.27 * coarse, "{work}: {coarse:e} falls to {fine:e} only");
