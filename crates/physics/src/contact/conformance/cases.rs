@@ -295,18 +295,42 @@ pub fn variants(info: &LawInfo) -> Vec<Values> {
             }
         }
     }
+    if info.parameters.iter().any(|p| p.name == "impact_speed") {
+        asked.extend(calibrated(info, 0.3));
+    }
     asked.retain(|values| NormalLaw::build(info.name, values, &PAIRS[0]).is_ok());
     asked.dedup();
     asked
 }
 
-/// Every variant of every law that remembers something or acts across a gap, for two pairs of materials and every size,
-/// and the values that it is built from.
+/// Ways to ask for a restitution at the typical impact speed: beside the example of the law, and in place of each of the
+/// alternatives that it gives. Those that the law refuses are left out.
+pub fn calibrated(info: &LawInfo, restitution: f64) -> Vec<Values> {
+    let typical = |p: &crate::parameters::ParameterInfo| (p.name == "impact_speed").then_some(p.typical);
+    let speed = info.parameters.iter().find_map(typical).unwrap_or(f64::NAN);
+    let example = values(info, &[("restitution", restitution), ("impact_speed", speed)]);
+    let mut asked = vec![example.clone()];
+    for p in info.parameters.iter().filter(|p| p.presence == Presence::Usual) {
+        let mut without = example.clone();
+        if !["restitution", "impact_speed"].contains(&p.name) && without.remove(p.name).is_some() {
+            asked.push(without);
+        }
+    }
+    asked.retain(|values| NormalLaw::build(info.name, values, &PAIRS[0]).is_ok());
+    asked
+}
+
+/// Every variant of every law that remembers something or acts across a gap, for every size (the example for two pairs of
+/// materials), and the values that it is built from.
 pub fn memory_cases() -> Vec<(NormalCase, Values)> {
     let mut cases = Vec::new();
     for info in crate::contact::normal::LAWS {
+        let example = values(info, &[]);
         for values in variants(info) {
-            for pair in [PAIRS[1], PAIRS[3]] {
+            for pair in [PAIRS[1], PAIRS[3]]
+                .into_iter()
+                .take(if values == example { 2 } else { 1 })
+            {
                 let law = NormalLaw::build(info.name, &values, &pair).unwrap();
                 for size in SIZES {
                     let case = NormalCase { info, law, pair, size };

@@ -107,11 +107,9 @@ fn each_path(mut check: impl FnMut(&NormalCase, &Path, &str)) {
         let shares = SCALES.map(|share| share * case.size.radius);
         // a path much smaller than the reach would stay out of it
         for scale in shares.into_iter().chain([reach, 5.0 * reach]).filter(|s| *s > 0.5 * reach) {
-            for number in 0..2 {
-                let path = Path::new(&case, scale, &mut random);
-                let label = format!("{} with {values:?}, path {number} of size {scale:e}", case.name());
-                check(&case, &path, &label);
-            }
+            let path = Path::new(&case, scale, &mut random);
+            let label = format!("{} with {values:?}, path of size {scale:e}", case.name());
+            check(&case, &path, &label);
         }
     }
 }
@@ -151,7 +149,7 @@ fn work_is_stored_or_lost_and_never_made() {
         let fine = books(
             case,
             &Path {
-                steps: 8 * STEPS,
+                steps: 5 * STEPS,
                 ..path.clone()
             },
         );
@@ -184,11 +182,11 @@ fn work_is_stored_or_lost_and_never_made() {
 
 #[test]
 fn the_windowed_response_is_the_mean_along_the_path() {
-    const PARTS: u32 = 2000;
+    const PARTS: u32 = 1000;
     each_path(|case, path, label| {
         let mut random = Random(7);
         path.walk(case, |m| {
-            if random.share() > 0.02 || m.input.half_window == 0.0 {
+            if random.share() > 0.005 || m.input.half_window == 0.0 {
                 return;
             }
             // a wide window, so that changes of branch lie in it
@@ -217,13 +215,14 @@ fn the_windowed_response_is_the_mean_along_the_path() {
             }
             // the force may be there at the last place only
             point(1.0, &mut largest);
-            for (what, windowed, mean, largest) in [
-                ("force", response.elastic, elastic, largest.elastic),
-                ("damping", response.damping, damping, largest.damping),
-                ("adhesion", response.adhesion, adhesion, largest.adhesion),
+            // roots of the overlap at the ends of a window take their toll; of the adhesion only friction hears
+            for (what, windowed, mean, largest, tolerance) in [
+                ("force", response.elastic, elastic, largest.elastic, 5e-3),
+                ("damping", response.damping, damping, largest.damping, 1e-2),
+                ("adhesion", response.adhesion, adhesion, largest.adhesion, 5e-2),
             ] {
                 assert!(
-                    (windowed - mean).abs() <= 5e-3 * largest,
+                    (windowed - mean).abs() <= tolerance * largest,
                     "{label}: mean {what} is {windowed:e}, along the path {mean:e}, at {:?}",
                     input
                 );
@@ -303,12 +302,14 @@ fn a_second_look_at_a_place_changes_nothing() {
 }
 
 #[test]
-fn a_way_that_loses_nothing_is_retraced() {
-    // from a place in contact out a little and back in windows: what is not lost on the way must be there again
+fn a_way_that_changes_nothing_is_retraced() {
+    // from a place in contact out a little and back in windows: where the law lost nothing and remembers the same, the
+    // forces on the way back are those on the way out
+    let mut retraced = 0;
     each_path(|case, path, label| {
         let mut random = Random(3);
         path.walk(case, |m| {
-            if random.share() > 0.02 || m.response.elastic == 0.0 {
+            if random.share() > 0.005 || m.response.elastic == 0.0 {
                 return;
             }
             let way = random.between(0.0, 0.3) * path.amplitudes[0];
@@ -316,11 +317,8 @@ fn a_way_that_loses_nothing_is_retraced() {
             let parts = 200;
             let half_window = 0.5 * way / f64::from(parts);
             let (mut forces, mut history, mut lost, mut largest) = (vec![], m.after, 0.0, 0.0f64);
-            let mut torn = false;
             for part in 0..2 * parts {
                 let outward = part < parts;
-                // torn apart, a contact is a new one on its way back
-                torn |= part == parts && at - way < -case.reach_with(&history);
                 let place = if outward { part } else { 2 * parts - 1 - part };
                 let input = NormalInput {
                     half_window,
@@ -335,9 +333,11 @@ fn a_way_that_loses_nothing_is_retraced() {
                 lost += response.lost.abs();
                 largest = largest.max(response.elastic.abs());
             }
-            if lost > 1e-9 * largest * way || torn {
+            let same = |(x, y): (&f64, &f64)| (x - y).abs() <= 1e-9 * x.abs();
+            if lost > 1e-9 * largest * way || !m.after.iter().zip(&history).all(same) {
                 return;
             }
+            retraced += 1;
             for part in 0..parts as usize {
                 let (out, back) = (forces[part], forces[2 * parts as usize - 1 - part]);
                 assert!(

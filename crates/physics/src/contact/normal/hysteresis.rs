@@ -15,7 +15,8 @@
 //! the memory. It is continuous at every change of line, and grows along the loading line by less than the work done
 //! there (`k2 >= k1`), so that no cycle gives energy.
 
-use super::path::{KINKS, Point};
+use super::path::{Branched, KINKS, Point};
+use crate::contact::PairSize;
 
 /// Exponent of the overlap in the loading and unloading lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,6 +133,8 @@ pub struct Hysteresis {
     pub pull_off_power: f64,
     /// Constant attraction.
     pub attraction: Attraction,
+    /// Dashpot of surfaces that touch: this coefficient, times `d^(1/4)` for a Hertzian spring.
+    pub damping: f64,
 }
 
 /// What a contact remembers.
@@ -201,6 +204,19 @@ impl Hysteresis {
         } else {
             (at_half, 0.5 * dent)
         }
+    }
+
+    /// Largest overlap at which the dent can just carry its pull, at half its depth [m].
+    #[inline(always)]
+    fn free_pull(&self, share: f64) -> f64 {
+        let k2 = self.unloading(0.0);
+        // p^(n - 1/2)
+        let half = share / (k2 * (1.0 - self.power.of(0.5)));
+        let dent = match self.power {
+            Power::Linear => half * half,
+            Power::Hertz => half,
+        };
+        self.power.root(self.power.of(dent) / (1.0 - self.loading / k2))
     }
 
     /// Stiffness of the pull-off line.
@@ -274,60 +290,25 @@ impl Hysteresis {
         }
     }
 
-    /// Memory after a straight move of the overlap.
-    #[inline]
-    pub fn advance(&self, memory: Memory, to: f64) -> Memory {
-        if to > memory.peak {
-            let peak = to.min(self.deepest());
-            if peak > memory.peak {
-                return self.at_peak(peak, memory.largest);
-            }
-        } else if to < memory.tear && self.pull_off != PullOff::None {
-            let tear = to.max(0.0);
-            let ka = self.pull_off(memory.largest);
-            return Memory {
-                peak: self.peak_of_tear(tear, ka).min(memory.peak),
-                tear,
-                ..memory
-            };
-        }
-        memory
-    }
-
     /// Whether the constant attraction acts.
     #[inline(always)]
     fn attracts(&self, memory: Memory) -> bool {
         self.attraction.force > 0.0 && (self.attraction.before_touch || memory.largest > 0.0)
     }
 
-    /// Force and adhesion at an overlap that the memory has come to; `dashpot` is the damping coefficient in contact.
-    #[inline]
-    pub fn point(&self, memory: Memory, overlap: f64, dashpot: f64) -> Point {
-        let Attraction { force, range, .. } = self.attraction;
-        if overlap <= 0.0 {
-            let share = if self.attracts(memory) && overlap > -range {
-                1.0 + overlap / range
-            } else {
-                0.0
-            };
-            return Point {
-                elastic: -force * share,
-                ..Point::default()
-            };
+    /// Damping coefficient in contact [N s/m].
+    #[inline(always)]
+    fn damping_at(&self, overlap: f64) -> f64 {
+        match self.power {
+            Power::Linear => self.damping,
+            Power::Hertz => self.damping * overlap.sqrt().sqrt(),
         }
-        let ka = self.pull_off(memory.largest);
-        let pull = ka * self.pull_off_power(overlap);
-        let spring = if overlap >= memory.tear {
-            self.unloading(memory.peak) * (self.power.of(overlap) - self.dent_power(memory.peak))
-        } else {
-            -pull
-        };
-        let touching = overlap > self.end(memory);
-        Point {
-            elastic: spring - force,
-            damping: if touching { dashpot } else { 0.0 },
-            adhesion: if touching { pull + force } else { 0.0 },
-        }
+    }
+
+    /// Energy that the way out of reach gives back [J].
+    pub fn energy(&self, memory: Memory, overlap: f64) -> f64 {
+        // the size is in the stiffnesses
+        self.stored(PairSize::default(), memory, overlap)
     }
 
     /// Overlap below which the surfaces do not touch [m].
@@ -350,9 +331,88 @@ impl Hysteresis {
         }
     }
 
-    /// Energy that the way out of reach gives back [J].
+    /// Steepest slope of the force at an overlap [N/m].
+    #[inline(always)]
+    pub fn stiffness(&self, memory: Memory, overlap: f64) -> f64 {
+        let d = overlap.max(0.0);
+        let peak = memory.peak.max(d.min(self.deepest()));
+        self.power.exponent() * self.unloading(peak) * self.power.slope(d)
+    }
+
+    /// Steepest slope of the force on any path up to an overlap [N/m].
+    pub fn steepest(&self, overlap: f64) -> f64 {
+        let n = self.power.exponent();
+        let peak = overlap.min(self.deepest());
+        let k2 = self.unloading(peak);
+        let unloading = n * k2 * self.power.slope(overlap);
+        let pull_off = match self.pull_off {
+            PullOff::None => 0.0,
+            PullOff::Stiffness(ka) => ka,
+            // at the tear, at half the dent at the least, where the pull is below `k2 p^n (1 - 2^-n)`
+            PullOff::Dent { .. } => {
+                let half = 1.0 - self.power.of(0.5);
+                2.0 * self.pull_off_power * half * k2 * self.power.slope(self.dent(peak))
+            }
+        };
+        let Attraction { force, range, .. } = self.attraction;
+        let attraction = if range > 0.0 { force / range } else { 0.0 };
+        unloading.max(pull_off).max(attraction)
+    }
+}
+
+impl Branched for Hysteresis {
+    type State = Memory;
+
     #[inline]
-    pub fn stored(&self, memory: Memory, overlap: f64) -> f64 {
+    fn advance(&self, _size: PairSize, memory: Memory, to: f64) -> Memory {
+        if to > memory.peak {
+            let peak = to.min(self.deepest());
+            if peak > memory.peak {
+                return self.at_peak(peak, memory.largest);
+            }
+        } else if to < memory.tear && self.pull_off != PullOff::None {
+            let tear = to.max(0.0);
+            let ka = self.pull_off(memory.largest);
+            return Memory {
+                peak: self.peak_of_tear(tear, ka).min(memory.peak),
+                tear,
+                ..memory
+            };
+        }
+        memory
+    }
+
+    #[inline]
+    fn point(&self, _size: PairSize, memory: Memory, overlap: f64, _approaching: bool) -> Point {
+        let Attraction { force, range, .. } = self.attraction;
+        if overlap <= 0.0 {
+            let share = if self.attracts(memory) && overlap > -range {
+                1.0 + overlap / range
+            } else {
+                0.0
+            };
+            return Point {
+                elastic: -force * share,
+                ..Point::default()
+            };
+        }
+        let ka = self.pull_off(memory.largest);
+        let pull = ka * self.pull_off_power(overlap);
+        let spring = if overlap >= memory.tear {
+            self.unloading(memory.peak) * (self.power.of(overlap) - self.dent_power(memory.peak))
+        } else {
+            -pull
+        };
+        let touching = overlap > self.end(memory);
+        Point {
+            elastic: spring - force,
+            damping: if touching { self.damping_at(overlap) } else { 0.0 },
+            adhesion: if touching { pull + force } else { 0.0 },
+        }
+    }
+
+    #[inline]
+    fn stored(&self, _size: PairSize, memory: Memory, overlap: f64) -> f64 {
         let Attraction { force, range, .. } = self.attraction;
         let attracted = if self.attracts(memory) {
             let gap = (range + overlap.min(0.0)).max(0.0);
@@ -378,42 +438,13 @@ impl Hysteresis {
         attracted + pull_off + spring
     }
 
-    /// Where the force or its slope jumps on a straight path.
     #[inline(always)]
-    pub fn kinks(&self, memory: Memory) -> [f64; KINKS] {
-        let far = if self.attraction.range > 0.0 {
-            -self.attraction.range
-        } else {
-            self.deepest()
+    fn kinks(&self, _size: PairSize, memory: Memory) -> [f64; KINKS] {
+        let other = match self.pull_off {
+            PullOff::Dent { share } => self.free_pull(share),
+            _ if self.attraction.range > 0.0 => -self.attraction.range,
+            _ => self.deepest(),
         };
-        [far, 0.0, memory.tear, memory.peak]
-    }
-
-    /// Steepest slope of the force at an overlap [N/m].
-    #[inline(always)]
-    pub fn stiffness(&self, memory: Memory, overlap: f64) -> f64 {
-        let d = overlap.max(0.0);
-        let peak = memory.peak.max(d.min(self.deepest()));
-        self.power.exponent() * self.unloading(peak) * self.power.slope(d)
-    }
-
-    /// Steepest slope of the force on any path up to an overlap [N/m].
-    pub fn steepest(&self, overlap: f64) -> f64 {
-        let n = self.power.exponent();
-        let peak = overlap.min(self.deepest());
-        let k2 = self.unloading(peak);
-        let unloading = n * k2 * self.power.slope(overlap);
-        let pull_off = match self.pull_off {
-            PullOff::None => 0.0,
-            PullOff::Stiffness(ka) => ka,
-            // at the tear, at half the dent at the least, where the pull is below `k2 p^n (1 - 2^-n)`
-            PullOff::Dent { .. } => {
-                let half = 1.0 - libm::pow(0.5, n);
-                2.0 * self.pull_off_power * half * k2 * self.power.slope(self.dent(peak))
-            }
-        };
-        let Attraction { force, range, .. } = self.attraction;
-        let attraction = if range > 0.0 { force / range } else { 0.0 };
-        unloading.max(pull_off).max(attraction)
+        [other, 0.0, memory.tear, memory.peak]
     }
 }

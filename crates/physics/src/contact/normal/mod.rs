@@ -146,6 +146,8 @@ law_family! {
         sjkr::Sjkr,
         thornton_ning::ThorntonNing,
         walton_braun::WaltonBraun,
+        luding::Luding,
+        eepa::Eepa,
     }
 }
 

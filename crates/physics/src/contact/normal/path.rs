@@ -4,7 +4,7 @@
 //! state, and where on the way the force or its slope jumps. This module takes a contact along the window of a step,
 //! piece by piece between those places, and books what the path loses.
 
-use super::{Normal, NormalInput, NormalResponse};
+use super::{NormalInput, NormalResponse};
 use crate::contact::PairSize;
 
 /// Most places on one path at which a force or its slope jumps.
@@ -22,7 +22,7 @@ pub struct Point {
 }
 
 /// A law of branches.
-pub trait Branched: Normal {
+pub trait Branched {
     /// What is remembered, beside what never changes in the life of a contact.
     type State: Copy + PartialEq;
 
@@ -70,9 +70,9 @@ pub fn follow<L: Branched>(law: &L, input: &NormalInput, state: L::State) -> (No
     let (first, last) = (overlap - step, overlap + step);
     let mut state_now = law.advance(size, state, first);
     total.teleport(law, size, (state, state_now), first);
+    let kinks = law.kinks(size, state_now);
     let mut from = first;
-    // where the window begins beyond the place that the state had come to, it begins with other kinks
-    for to in ordered(law.kinks(size, state_now), first, last).into_iter().chain([last]) {
+    for to in ordered(kinks, first, last).into_iter().chain([last]) {
         if to.is_nan() || to == from {
             continue;
         }
