@@ -12,7 +12,7 @@ use crate::restitution::duration::UNDAMPED;
 params! {
     /// Parameters of the simplified JKR contact.
     pub struct SjkrParameters {
-        cohesion_energy_density: PRESSURE, required 1e5, in Range::NOT_NEGATIVE,
+        cohesion_energy_density: PRESSURE, required 1e3, in Range::NOT_NEGATIVE,
             "Pull per contact area [Pa], which is J/m^3";
         area: NONE, choice ["lens", "hertz", "double-lens"], "Which contact area the pull acts on";
         alpha: NONE, optional 0.1, in Range::NOT_NEGATIVE, "Coefficient of the dashpot; none without it";
