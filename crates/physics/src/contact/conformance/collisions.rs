@@ -96,11 +96,12 @@ impl Encounter {
     }
 }
 
-/// Whether the law takes a `restitution`, and whether it holds at every speed: then it is in the law's example.
+/// Whether the law takes a `restitution`, and whether it holds at every speed: then it is in the law's example without an
+/// `impact_speed`.
 fn restitution_at_every_speed(info: &LawInfo) -> Option<bool> {
-    let mut parameters = info.parameters.iter();
-    let found = parameters.find(|p| p.name == "restitution");
-    found.map(crate::parameters::ParameterInfo::in_example)
+    let in_example = |name: &str| info.parameters.iter().any(|p| p.name == name && p.in_example());
+    let takes = info.parameters.iter().any(|p| p.name == "restitution");
+    takes.then(|| in_example("restitution") && !in_example("impact_speed"))
 }
 
 /// Every law with a parameter `restitution` that holds at every speed, for equal, unequal and infinite partners, weak

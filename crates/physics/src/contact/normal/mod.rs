@@ -11,7 +11,7 @@ mod walk;
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 use crate::restitution::ContactEnd;
 
 /// What a normal law sees of a contact.
@@ -96,6 +96,8 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     const DOC: &'static str;
     /// Its parameters.
     const PARAMETERS: &'static [ParameterInfo];
+    /// Which of them tell the same thing.
+    const ALTERNATIVES: &'static [Alternatives] = &[];
     /// Dimensions of the values that it remembers per contact.
     const HISTORY: &'static [Dimension];
 
@@ -141,6 +143,7 @@ law_family! {
     laws {
         linear::Linear,
         hertz_tsuji::HertzTsuji,
+        viscoelastic::Viscoelastic,
         dmt::Dmt,
         jkr::Jkr,
         sjkr::Sjkr,
