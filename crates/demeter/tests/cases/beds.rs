@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 pub const RADIUS: f64 = 2e-3;
 
 /// All beds by name.
-pub const BEDS: [&str; 7] = [
+pub const BEDS: [&str; 8] = [
     "settling",
     "drum",
     "servo",
@@ -21,6 +21,7 @@ pub const BEDS: [&str; 7] = [
     "oscillating floor",
     "removal",
     "squeezing",
+    "cohesive",
 ];
 
 /// The bed of a name with about `count` grains.
@@ -33,6 +34,7 @@ pub fn bed(name: &str, count: u32) -> Setup {
         "oscillating floor" => oscillating_floor(count),
         "removal" => removal(count),
         "squeezing" => squeezing(count),
+        "cohesive" => cohesive(count),
         _ => panic!("there is no bed `{name}`"),
     }
 }
@@ -154,6 +156,31 @@ fn squeezing(count: u32) -> Setup {
     let (mut case, a) = boxed(count, &laws, OPEN_TOP);
     let motion = Motion::Oscillation {
         amplitude: DVec3::new(0.0, 0.0, -0.62 * a),
+        frequency: 5.0,
+        phase: 0.0,
+    };
+    plate(&mut case, a, motion);
+    case.setup()
+}
+
+/// Plastic grains that stick to each other and to the floor, squeezed again and again.
+fn cohesive(count: u32) -> Setup {
+    let luding = law(
+        "luding",
+        &[
+            ("loading_stiffness", 2e3),
+            ("unloading_stiffness", 6e3),
+            ("adhesion_stiffness", 1.5e3),
+            ("plastic_depth", 0.05),
+            ("damping", 0.02),
+            ("attraction_force", 2e-4),
+            ("attraction_range", 2e-5),
+        ],
+    );
+    let laws = Laws::of(luding).friction(law("linear-history", &[("friction", 0.4), ("stiffness", 6e2)]));
+    let (mut case, a) = boxed(count, &laws, OPEN_TOP);
+    let motion = Motion::Oscillation {
+        amplitude: DVec3::new(0.0, 0.0, -0.5 * a),
         frequency: 5.0,
         phase: 0.0,
     };

@@ -295,19 +295,20 @@ pub fn variants(info: &LawInfo) -> Vec<Values> {
             }
         }
     }
-    if info.parameters.iter().any(|p| p.name == "impact_speed") {
-        asked.extend(calibrated(info, 0.3));
-    }
+    asked.extend(calibrated(info, 0.3));
     asked.retain(|values| NormalLaw::build(info.name, values, &PAIRS[0]).is_ok());
     asked.dedup();
     asked
 }
 
 /// Ways to ask for a restitution at the typical impact speed: beside the example of the law, and in place of each of the
-/// alternatives that it gives. Those that the law refuses are left out.
+/// alternatives that it gives. Those that the law refuses are left out: there is none where the restitution holds at
+/// every speed.
 pub fn calibrated(info: &LawInfo, restitution: f64) -> Vec<Values> {
     let typical = |p: &crate::parameters::ParameterInfo| (p.name == "impact_speed").then_some(p.typical);
-    let speed = info.parameters.iter().find_map(typical).unwrap_or(f64::NAN);
+    let Some(speed) = info.parameters.iter().find_map(typical) else {
+        return Vec::new();
+    };
     let example = values(info, &[("restitution", restitution), ("impact_speed", speed)]);
     let mut asked = vec![example.clone()];
     for p in info.parameters.iter().filter(|p| p.presence == Presence::Usual) {

@@ -184,7 +184,7 @@ mod tests {
     fn restitution_falls_with_the_speed_where_the_stiffness_grows() {
         for (growth, mass, speed) in [(1e4, 1e-4, 0.1), (1e4, 1e-4, 5.0), (300.0, 2.0, 0.5), (0.0, 1.0, 1.0)] {
             let law = law(&[("loading_stiffness", 2e5), ("stiffness_growth", growth)]).unwrap();
-            // eq 4 of Walton and Braun: sqrt(w/(S v + w))
+            // sqrt(w/(S v + w)), Walton and Braun
             let frequency = f64::sqrt(2e5 / mass);
             let expected = (frequency / (growth * speed + frequency)).sqrt();
             assert_relative_eq!(collide(&law, mass, speed).restitution, expected, max_relative = 1e-10);
