@@ -146,11 +146,17 @@ fn above_it_the_tear_off_is_lost_and_booked() {
                 let found = outcome(&mut sim, ratio * critical).unwrap();
                 let expected = (1.0 - 1.0 / (ratio * ratio)).sqrt();
                 largest = largest.max((found - expected).abs());
-                assert!((found - expected).abs() < 1e-4, "{partner:?}, {ratio}: {found} not {expected}");
+                assert!(
+                    (found - expected).abs() < 1e-4,
+                    "{partner:?}, {ratio}: {found} not {expected}"
+                );
                 let energies = sim.energies();
                 let lost = energies.plastic_dissipated / separation(radius);
                 assert!((lost - 1.0).abs() < 1e-4, "{partner:?}, {ratio}: {lost}");
-                assert!(energies.elastic == 0.0 && energies.viscous_dissipated == 0.0, "{energies:?}");
+                assert!(
+                    energies.elastic == 0.0 && energies.viscous_dissipated == 0.0,
+                    "{energies:?}"
+                );
                 residual = residual.max(energies.residual.abs());
             }
         }
@@ -194,7 +200,11 @@ fn largest_pull(weak: &Laws, grains: usize, weak_dent: f64) -> f64 {
     let list = [material(MODULUS), material(MODULUS), material(MODULUS)];
     // material 0: grains; 1: what holds strongly; 2: a floor that holds weakly
     let materials = Materials::new(list.to_vec(), |a, b| {
-        if a.max(b) == 1 { strong.0.clone() } else { weak.0.clone() }
+        if a.max(b) == 1 {
+            strong.0.clone()
+        } else {
+            weak.0.clone()
+        }
     });
     let mut case = Case::new(materials.unwrap());
     let floor = if grains == 1 { 2 } else { 1 };
@@ -252,8 +262,14 @@ fn pull_off_forces_under_a_slowly_moving_wall() {
                 ),
             ] {
                 let found = largest_pull(&laws, grains, dent);
-                report(&format!("pull-off of {name}, {grains} grains, over its closed form"), found / expected);
-                assert!((found / expected - 1.0).abs() < 3e-3, "{name}, {grains}: {found} not {expected}");
+                report(
+                    &format!("pull-off of {name}, {grains} grains, over its closed form"),
+                    found / expected,
+                );
+                assert!(
+                    (found / expected - 1.0).abs() < 3e-3,
+                    "{name}, {grains}: {found} not {expected}"
+                );
             }
         }
     });
@@ -278,7 +294,10 @@ fn plastic_grains_return_the_closed_form() {
                     * (1.0 - x * x / 6.0).sqrt()
                     * libm::pow(x / (x + 2.0 * (1.2 - 0.2 * x * x).sqrt()), 0.25);
                 largest = largest.max((found - expected).abs());
-                assert!((found - expected).abs() < 1e-4, "{partner:?}, {ratio}: {found} not {expected}");
+                assert!(
+                    (found - expected).abs() < 1e-4,
+                    "{partner:?}, {ratio}: {found} not {expected}"
+                );
                 assert!(sim.energies().residual.abs() < 1e-4);
             }
         }

@@ -5,8 +5,8 @@ use super::hertz_window::{contact_share, mean_quarter, mean_three_halves};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::params;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::params;
 use crate::restitution::duration::UNDAMPED;
 
 params! {
@@ -52,10 +52,9 @@ impl Tail {
         let (gap, h) = (-input.overlap, input.half_window);
         let distance = self.separation + gap;
         let near_an_end = gap.abs() <= h || (gap - self.cutoff).abs() <= h;
-        if near_an_end || (h > WIDE * distance && gap > 0.0) {
-            if h > 0.0 {
-                return (self.depth(gap + h) - self.depth(gap - h)) / (2.0 * h);
-            }
+        let wide = near_an_end || (h > WIDE * distance && gap > 0.0);
+        if wide && h > 0.0 {
+            return (self.depth(gap + h) - self.depth(gap - h)) / (2.0 * h);
         }
         if gap > 0.0 && gap < self.cutoff {
             let (share, width) = (self.separation / distance, h / distance);
@@ -106,7 +105,8 @@ impl Normal for Dmt {
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = DmtParameters::from_values(values)?;
         if p.cutoff.is_some() && p.separation.is_none() {
-            let message = "`cutoff` goes with `separation`, which is missing: without it there is no attraction across a gap";
+            let message =
+                "`cutoff` goes with `separation`, which is missing: without it there is no attraction across a gap";
             return Err(ParameterError::together("cutoff", message));
         }
         let tail = p.separation.map(|separation| Tail {
@@ -138,7 +138,9 @@ impl Normal for Dmt {
     #[inline(always)]
     fn energy(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
         let d = overlap.max(0.0);
-        let across = self.tail.map_or(0.0, |tail| tail.depth(tail.cutoff) - tail.depth(-overlap));
+        let across = self
+            .tail
+            .map_or(0.0, |tail| tail.depth(tail.cutoff) - tail.depth(-overlap));
         0.4 * self.hertz_stiffness(size) * d * d * d.sqrt() - self.pull_off(size) * (d + across)
     }
 

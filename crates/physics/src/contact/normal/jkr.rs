@@ -6,8 +6,8 @@ use super::path::{Branched, KINKS, Point, follow};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::params;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::params;
 
 params! {
     /// Parameters of the adhesive elastic contact of Johnson, Kendall and Roberts.
@@ -104,7 +104,8 @@ impl Branched for Jkr {
 
 impl Normal for Jkr {
     const NAME: &'static str = "jkr";
-    const SUMMARY: &'static str = "adhesive elastic contact of Johnson, Kendall and Roberts (soft, sticky, large grains)";
+    const SUMMARY: &'static str =
+        "adhesive elastic contact of Johnson, Kendall and Roberts (soft, sticky, large grains)";
     const DOC: &'static str = include_str!("jkr.md");
     const PARAMETERS: &'static [ParameterInfo] = JkrParameters::TABLE;
     /// 1 while the surfaces hold each other; the dashpot's own.
@@ -123,7 +124,9 @@ impl Normal for Jkr {
 
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
         let state = self.state(input.size, history);
-        let alpha = self.dashpot.coefficient(input.size, &mut history[1..], |d| self.with(d));
+        let alpha = self
+            .dashpot
+            .coefficient(input.size, &mut history[1..], |d| self.with(d));
         let law = self.with(Dashpot::Coefficient(alpha));
         let (response, next) = follow(&law, input, state);
         history[0] = f64::from(u8::from(next.touched));

@@ -75,8 +75,7 @@ impl JkrCurve {
         let least = self.least_root;
         let square = least * least;
         let right = self.radius * (overlap - self.origin) + 3.0 * square * square;
-        // not `right <= 0`: nor when it is not a number
-        if !(right > 0.0) {
+        if right <= 0.0 {
             return least;
         }
         let upper = right.sqrt().sqrt().min((right / 6.0).sqrt() / least);
@@ -216,7 +215,11 @@ mod tests {
             // no force at a^3 = 9 pi w R^2/(2 E)
             let rest = libm::cbrt(6.0) * curve.least_root();
             let equilibrium = libm::pow(rest, 6.0);
-            assert_relative_eq!(equilibrium, 4.5 * PI * work * radius * radius / MODULUS, max_relative = 1e-13);
+            assert_relative_eq!(
+                equilibrium,
+                4.5 * PI * work * radius * radius / MODULUS,
+                max_relative = 1e-13
+            );
             assert!(curve.force(rest).abs() < 1e-14 * unit);
             assert_relative_eq!(curve.stiffness(rest), 1.2 * MODULUS * rest * rest, max_relative = 1e-14);
         }
@@ -248,11 +251,21 @@ mod tests {
             );
             assert_relative_eq!(hertz.stiffness(root), 1.5 * k * overlap.sqrt(), max_relative = 1e-13);
         }
-        assert_eq!((hertz.root(0.0), hertz.root(-1.0), hertz.tear_off_distance()), (0.0, 0.0, 0.0));
-        assert_eq!((hertz.force(0.0), hertz.energy(0.0), hertz.stiffness(0.0)), (0.0, 0.0, 0.0));
+        assert_eq!(
+            (hertz.root(0.0), hertz.root(-1.0), hertz.tear_off_distance()),
+            (0.0, 0.0, 0.0)
+        );
+        assert_eq!(
+            (hertz.force(0.0), hertz.energy(0.0), hertz.stiffness(0.0)),
+            (0.0, 0.0, 0.0)
+        );
         // and almost none is almost Hertz
         let faint = JkrCurve::new(MODULUS, radius, adhesion_length_root(1e-30, MODULUS), 0.0);
-        assert_relative_eq!(faint.force(faint.root(1e-7)), hertz.force(hertz.root(1e-7)), max_relative = 1e-12);
+        assert_relative_eq!(
+            faint.force(faint.root(1e-7)),
+            hertz.force(hertz.root(1e-7)),
+            max_relative = 1e-12
+        );
     }
 
     #[test]

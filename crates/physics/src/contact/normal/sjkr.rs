@@ -5,8 +5,8 @@ use super::hertz_window::{mean_overlap, mean_quarter, mean_three_halves};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::params;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::params;
 use crate::restitution::duration::UNDAMPED;
 
 params! {

@@ -6,8 +6,8 @@ use super::path::{Branched, KINKS, Point, follow};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::params;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::params;
 use std::f64::consts::PI;
 
 params! {
@@ -66,8 +66,7 @@ impl ThorntonNing {
         let mut z = square.sqrt() + libm::cbrt(cube);
         for _ in 0..MOST_STEPS {
             let next = z - (z * (z * z - square) - cube) / (3.0 * z * z - square);
-            // not `next >= z`: nor when it is not a number
-            if !(next < z) {
+            if next >= z {
                 break;
             }
             z = next;
@@ -216,7 +215,9 @@ impl Normal for ThorntonNing {
 
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
         let state = self.state(input.size, history);
-        let alpha = self.dashpot.coefficient(input.size, &mut history[2..], |d| self.with(d));
+        let alpha = self
+            .dashpot
+            .coefficient(input.size, &mut history[2..], |d| self.with(d));
         let law = self.with(Dashpot::Coefficient(alpha));
         let (response, next) = follow(&law, input, state);
         if next.deepest > state.deepest {

@@ -79,7 +79,15 @@ fn the_tail_is_that_of_van_der_waals() {
 fn means_over_windows_are_those_of_the_energy() {
     let law = with_tail(&[("separation", SEPARATION)]).unwrap();
     let cutoff = 100.0 * SEPARATION;
-    for overlap in [-1.0001 * cutoff, -0.7 * cutoff, -SEPARATION, -1e-3 * SEPARATION, 0.0, 1e-10, 1e-8] {
+    for overlap in [
+        -1.0001 * cutoff,
+        -0.7 * cutoff,
+        -SEPARATION,
+        -1e-3 * SEPARATION,
+        0.0,
+        1e-10,
+        1e-8,
+    ] {
         for h in [1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-7] {
             let input = NormalInput {
                 size: SIZE,
@@ -164,7 +172,11 @@ fn without_adhesion_it_is_hertz_and_tsuji() {
 fn a_requested_restitution_is_met() {
     for tail in [false, true] {
         let more = [("restitution", 0.6), ("impact_speed", 0.8)];
-        let law = if tail { with_tail(&more).unwrap() } else { without_tail(&more) };
+        let law = if tail {
+            with_tail(&more).unwrap()
+        } else {
+            without_tail(&more)
+        };
         law.check(SIZE).unwrap();
         assert_eq!(law.history(), 1);
         let impact = crate::collision::HeadOn {

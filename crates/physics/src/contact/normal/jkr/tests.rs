@@ -48,7 +48,10 @@ fn pulled_apart_it_holds_to_the_tear_off() {
         let (law, size, end) = (law(&[]), size(radius), tear_off(radius));
         let unit = PI * WORK * radius;
         let mut history = [0.0; 2];
-        let mut at = |overlap: f64| law.respond(&NormalInput::at(size, overlap, -1.0), &mut history[..1]).elastic;
+        let mut at = |overlap: f64| {
+            law.respond(&NormalInput::at(size, overlap, -1.0), &mut history[..1])
+                .elastic
+        };
         // nothing before the surfaces touch
         assert_eq!(at(-0.5 * end), 0.0);
         assert_relative_eq!(at(0.0), -4.0 / 3.0 * unit, max_relative = 1e-13);
@@ -101,7 +104,11 @@ fn a_touch_takes_the_whole_binding_energy_from_the_store() {
     let mut history = [0.0; 2];
     let response = law.respond(&NormalInput::at(size, 0.0, 1.0), &mut history[..1]);
     assert_relative_eq!(response.lost, separation(1e-6), max_relative = 1e-9);
-    assert_relative_eq!(law.energy(size, 0.0, &history[..1]), -separation(1e-6), max_relative = 1e-9);
+    assert_relative_eq!(
+        law.energy(size, 0.0, &history[..1]),
+        -separation(1e-6),
+        max_relative = 1e-9
+    );
     assert_eq!(law.energy(size, -2.0 * tear_off(1e-6), &[0.0]), 0.0);
     assert_relative_eq!(response.adhesion, 2.0 * 1.5 * PI * WORK * 1e-6, max_relative = 1e-14);
 }
@@ -115,7 +122,11 @@ fn sticking_speed_of_thornton_and_ning() {
         else {
             panic!("no sticking speed");
         };
-        assert_relative_eq!(found, (2.0 * separation(radius) / size.mass).sqrt(), max_relative = 1e-6);
+        assert_relative_eq!(
+            found,
+            (2.0 * separation(radius) / size.mass).sqrt(),
+            max_relative = 1e-6
+        );
         let modulus = PAIR.effective_modulus();
         let paper = libm::pow(
             libm::pow(WORK / radius, 5.0) / (DENSITY * DENSITY * DENSITY * modulus * modulus),
@@ -188,7 +199,10 @@ fn a_requested_restitution_is_met_for_every_size() {
     let limit2 = 2.0 * separation(2.9e-8) / size(2.9e-8).mass;
     let largest = (1.0 - limit2 / 4.0).max(0.0).sqrt();
     assert!(largest > 0.0 && largest < 0.5);
-    assert!(told.contains(&format!("the law gives {largest:.6}")), "{told}, {largest}");
+    assert!(
+        told.contains(&format!("the law gives {largest:.6}")),
+        "{told}, {largest}"
+    );
 }
 
 #[test]

@@ -62,13 +62,24 @@ fn areas_and_the_largest_pull() {
             assert_relative_eq!(force(d), k * d * d.sqrt() - pull * d, max_relative = 1e-12);
         }
         // F = K d^(3/2) - p d is least, -4 p^3/(27 K^2), at (2 p/(3 K))^2, and zero at (p/K)^2
-        let (least, rest) = ((2.0 * pull / (3.0 * k)) * (2.0 * pull / (3.0 * k)), pull * pull / (k * k));
-        assert_relative_eq!(force(least), -4.0 * pull * pull * pull / (27.0 * k * k), max_relative = 1e-12);
+        let (least, rest) = (
+            (2.0 * pull / (3.0 * k)) * (2.0 * pull / (3.0 * k)),
+            pull * pull / (k * k),
+        );
+        assert_relative_eq!(
+            force(least),
+            -4.0 * pull * pull * pull / (27.0 * k * k),
+            max_relative = 1e-12
+        );
         assert!(law.stiffness(SIZE, least, &[]).abs() < 1e-12 * pull);
         assert!(force(1.01 * least) > force(least) && force(0.99 * least) > force(least));
         assert!(force(rest).abs() < 1e-12 * pull * rest);
         // the well is p d^2/10 deep there
-        assert_relative_eq!(law.energy(SIZE, rest, &[]), -0.1 * pull * rest * rest, max_relative = 1e-12);
+        assert_relative_eq!(
+            law.energy(SIZE, rest, &[]),
+            -0.1 * pull * rest * rest,
+            max_relative = 1e-12
+        );
     }
 }
 

@@ -53,7 +53,9 @@ fn without_adhesion_loading_is_hertz_then_a_line() {
     let at_yield = yield_overlap(size.radius);
     let mut history = [0.0; 3];
     for share in [1e-3, 0.5, 0.999] {
-        let plain = hertz.respond(&NormalInput::at(size, share * at_yield, 1.0), &mut []).elastic;
+        let plain = hertz
+            .respond(&NormalInput::at(size, share * at_yield, 1.0), &mut [])
+            .elastic;
         let found = force(&law, size, share * at_yield, 1.0, &mut history);
         assert_relative_eq!(found, plain, max_relative = 1e-12);
         assert_eq!(history[0], 0.0);
@@ -97,7 +99,11 @@ fn without_adhesion_unloading_is_hertz_of_a_flatter_sphere() {
     assert_eq!(force(&law, size, 0.999 * dent, 1.0, &mut history), 0.0);
     assert_relative_eq!(force(&law, size, top, 1.0, &mut history), peak, max_relative = 1e-9);
     let further = force(&law, size, 1.1 * top, 1.0, &mut history);
-    assert_relative_eq!(further, peak + 0.1 * PI * YIELD * size.radius * top, max_relative = 1e-9);
+    assert_relative_eq!(
+        further,
+        peak + 0.1 * PI * YIELD * size.radius * top,
+        max_relative = 1e-9
+    );
 }
 
 #[test]
@@ -202,7 +208,10 @@ fn unloading_pulls_as_a_flatter_jkr_sphere() {
         least = least.min(force(&law, size, overlap, -1.0, &mut history));
     }
     assert_relative_eq!(least, -1.5 * PI * work * radius, max_relative = 1e-5);
-    let last = law.respond(&NormalInput::at(size, end + 1e-9 * (top - end), -1.0), &mut history[..2]);
+    let last = law.respond(
+        &NormalInput::at(size, end + 1e-9 * (top - end), -1.0),
+        &mut history[..2],
+    );
     assert_relative_eq!(last.adhesion, 3.0 * PI * work * radius, max_relative = 1e-9);
     assert_eq!(force(&law, size, end - 1e-9 * (top - end), -1.0, &mut history), 0.0);
 }
@@ -314,6 +323,11 @@ fn a_requested_restitution_is_met_or_refused() {
     assert_eq!(damped.history(), 3);
     assert_relative_eq!(restitution_of(&damped, size, 2.0).unwrap(), 0.5, max_relative = 1e-7);
     let largest = restitution_of(&law(0.2, &[]), size, 2.0).unwrap();
-    let told = law(0.2, &[("restitution", 0.99), ("impact_speed", 2.0)]).check(size).unwrap_err();
-    assert!(told.contains(&format!("the law gives {largest:.6}")), "{told} {largest}");
+    let told = law(0.2, &[("restitution", 0.99), ("impact_speed", 2.0)])
+        .check(size)
+        .unwrap_err();
+    assert!(
+        told.contains(&format!("the law gives {largest:.6}")),
+        "{told} {largest}"
+    );
 }
