@@ -25,6 +25,15 @@ pub enum Command {
     /// Go on with an interrupted or killed run from its latest checkpoint
     #[command(after_help = exit::HELP)]
     Resume(ResumeArguments),
+    /// Collide two bodies: restitution, contact time, outcome, energies
+    #[command(after_help = exit::HELP)]
+    Collide(CollideArguments),
+    /// Trace the quasi-static curve of a law: load, unload, reload, pull-off
+    #[command(after_help = exit::HELP)]
+    ContactCurve(CurveArguments),
+    /// Find the speed below which two bodies stick, against their size
+    #[command(after_help = exit::HELP)]
+    Sticking(StickingArguments),
     /// List the contact laws, or explain one
     Laws(LawsArguments),
     /// Write a scenario to start from, or list those there are
@@ -40,6 +49,9 @@ impl Command {
             Self::Run(a) => a.output.json,
             Self::Check(a) => a.json,
             Self::Resume(a) => a.output.json,
+            Self::Collide(a) => a.json,
+            Self::ContactCurve(a) => a.json,
+            Self::Sticking(a) => a.json,
             Self::Laws(a) => a.json,
             Self::New(_) => false,
             Self::Info(a) => a.json,
@@ -102,6 +114,72 @@ pub struct ResumeArguments {
     /// How to run it.
     #[command(flatten)]
     pub output: HowToRun,
+}
+
+/// Of `demeter collide`.
+#[derive(Debug, Args)]
+pub struct CollideArguments {
+    /// The file of two bodies
+    pub file: PathBuf,
+    /// Change a value of the file, as `impact.velocity="2 m/s"`; may be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Compute it as a run would, with the engine's own steps
+    #[arg(long)]
+    pub engine: bool,
+    /// Write one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
+    /// Write the course of the collision as CSV
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Draw force against overlap
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
+}
+
+/// Of `demeter contact-curve`.
+#[derive(Debug, Args)]
+pub struct CurveArguments {
+    /// The file of two bodies
+    pub file: PathBuf,
+    /// Change a value of the file, as `curve.max_overlap="1 um"`; may be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Write one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
+    /// Write the curve as CSV, with the name of the branch in every row
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Draw force against overlap
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
+}
+
+/// Of `demeter sticking`.
+#[derive(Debug, Args)]
+pub struct StickingArguments {
+    /// The file of two bodies; both are scaled to every effective radius
+    pub file: PathBuf,
+    /// Effective radii, first and last, as `0.1um..1um`; or one
+    #[arg(long, value_name = "FIRST..LAST", allow_hyphen_values = true)]
+    pub radius: String,
+    /// Number of radii, at equal ratios
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(2..=10_000))]
+    pub points: u16,
+    /// Change a value of the file, as `contact.normal.restitution=0.5`; may be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Write a JSON list of `{effective_radius, velocity}` to standard output
+    #[arg(long)]
+    pub json: bool,
+    /// Write the speeds as CSV
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Draw the speeds
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
 }
 
 /// Of `demeter laws`.

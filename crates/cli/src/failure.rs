@@ -2,6 +2,7 @@
 
 use crate::answer::{answer_json, colours, note};
 use crate::exit::Exit;
+use demeter::calibrate::CalibrateError;
 use demeter::checkpoint::CheckpointError;
 use demeter::output::OutputError;
 use demeter::scenario::{Diagnostics, RunError};
@@ -94,6 +95,18 @@ fn listed(faults: &Diagnostics) -> Vec<Value> {
 impl From<Diagnostics> for Failure {
     fn from(faults: Diagnostics) -> Self {
         Self::Scenario(Box::new(faults))
+    }
+}
+
+impl From<CalibrateError> for Failure {
+    fn from(error: CalibrateError) -> Self {
+        let exit = match error {
+            CalibrateError::File(faults) => return Self::Scenario(faults),
+            CalibrateError::Fault(_) | CalibrateError::Steps { .. } => Exit::Fault,
+            CalibrateError::Collision(_) | CalibrateError::TimeStep(_) | CalibrateError::Curve(_) => Exit::Wrong,
+        };
+        let message = error.to_string();
+        Self::Other { exit, message }
     }
 }
 

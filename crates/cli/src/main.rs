@@ -7,6 +7,8 @@ mod answer;
 mod arguments;
 mod bug_report;
 mod check;
+mod collide;
+mod contact_curve;
 mod exit;
 mod failure;
 mod info;
@@ -16,7 +18,9 @@ mod new;
 mod progress;
 mod readable;
 mod run;
+mod sticking;
 mod suggestion;
+mod table;
 
 use answer::note;
 use arguments::{Arguments, Command};
@@ -37,6 +41,9 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Resume(arguments) => run::resume(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Collide(arguments) => collide::collide(&arguments),
+        Command::ContactCurve(arguments) => contact_curve::contact_curve(&arguments),
+        Command::Sticking(arguments) => sticking::sticking(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
         Command::New(arguments) => new::new(&arguments),
         Command::Info(arguments) => info::info(&arguments),

@@ -4,11 +4,12 @@
 //!
 //! ```text
 //! particles, materials, comm <- neighbours, walls <- contacts <- insertion <- step, simulation, checkpoint
-//!     <- measure, output <- scenario
+//!     <- measure, output <- scenario <- calibrate
 //! ```
 //!
 //! Every quantity is SI `f64`; units exist in [`scenario`] only.
 
+pub mod calibrate;
 pub mod checkpoint;
 pub mod comm;
 pub mod contacts;

@@ -4,6 +4,7 @@ mod checks;
 mod diagnostics;
 mod document;
 mod grains;
+mod impact;
 mod materials;
 mod overrides;
 mod plots;
@@ -26,6 +27,9 @@ mod tests;
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use document::{Document, SourceText, Span};
 pub use grains::{MAX_BATCHES, MAX_GRAINS};
+pub use impact::{
+    Body, CurveDepth, CurveSpec, IMPACT_REFERENCE, ImpactFile, ImpactSpec, MAX_CURVE_POINTS, Partner, pair_size,
+};
 pub use materials::{ContactSpec, MAX_MATERIALS};
 pub use prepare::{Prepared, prepare};
 pub use report::{Report, RunEnd};

@@ -7,6 +7,7 @@ use demeter::particles::{Domain, Outside};
 use demeter::simulation::Setup;
 use demeter::walls::{Motion, Shape};
 use demeter_physics::DVec3;
+use demeter_physics::integrator::Integrator;
 use std::f64::consts::TAU;
 
 /// Mean radius of the grains [m].
@@ -23,6 +24,14 @@ pub const BEDS: [&str; 8] = [
     "squeezing",
     "cohesive",
 ];
+
+/// The bed of a name with about `count` grains, and how it is integrated.
+pub fn bed_with(integrator: Integrator, name: &str, count: u32) -> Setup {
+    Setup {
+        integrator,
+        ..bed(name, count)
+    }
+}
 
 /// The bed of a name with about `count` grains.
 pub fn bed(name: &str, count: u32) -> Setup {

@@ -7,6 +7,7 @@
 mod dormand_prince;
 pub mod head_on;
 pub mod ode;
+mod outcome;
 mod record;
 pub mod sticking;
 
@@ -14,7 +15,10 @@ pub mod sticking;
 mod adhesive_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod zero_force_tests;
 
-pub use head_on::{Collision, CollisionEnergy, CollisionError, HeadOn, Outcome, Start, Tolerance, restitution_of};
+pub use head_on::{HeadOn, restitution_of};
+pub use outcome::{Collision, CollisionEnergy, CollisionError, Outcome, Start, Tolerance};
 pub use record::Moment;
 pub use sticking::{Sticking, sticking_speed, sticking_speed_of};

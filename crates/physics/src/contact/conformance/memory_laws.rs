@@ -104,13 +104,9 @@ fn each_path(mut check: impl FnMut(&NormalCase, &Path, &str)) {
     for (index, (case, values)) in memory_cases().into_iter().enumerate() {
         let mut random = Random(index as u64);
         let reach = case.largest_reach();
-        let shares = SCALES.map(|share| share * case.size.radius);
-        // a path much smaller than the reach would stay out of it
-        for scale in shares
-            .into_iter()
-            .chain([reach, 5.0 * reach])
-            .filter(|s| *s > 0.5 * reach)
-        {
+        // a path that begins out of reach goes through the whole of it
+        let shares = SCALES.map(|share| share * case.size.radius).map(|s| s.max(2.0 * reach));
+        for scale in shares.into_iter().chain([5.0 * reach]).filter(|s| *s > 0.0) {
             let path = Path::new(&case, scale, &mut random);
             let label = format!("{} with {values:?}, path of size {scale:e}", case.name());
             check(&case, &path, &label);

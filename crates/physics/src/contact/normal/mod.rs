@@ -100,6 +100,10 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     const ALTERNATIVES: &'static [Alternatives] = &[];
     /// Dimensions of the values that it remembers per contact.
     const HISTORY: &'static [Dimension];
+    /// Whether the law finds its own kinks and takes its mean over the window near them only, as [`path::follow`] does.
+    /// The predictor-corrector hands such a law the whole window, and others a window near the ends of contact alone
+    /// ([`Integrator::half_window`](crate::integrator::Integrator::half_window)).
+    const FOLLOWS_KINKS: bool = false;
 
     /// Binds the law to a pair of materials.
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>>;

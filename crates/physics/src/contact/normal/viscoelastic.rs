@@ -20,6 +20,9 @@ params! {
     }
 }
 
+/// Damping number up to which collisions are resolved: the restitution is then below 0.05.
+const MOST_RESOLVED: f64 = 10.0;
+
 /// Damping as it was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Damping {
@@ -171,7 +174,8 @@ impl Normal for Viscoelastic {
             ContactEnd::ZeroOverlap => UNDAMPED,
             ContactEnd::ZeroForce => {
                 let beta = 1.5 * self.dissipation_time(size) * libm::pow(ratio, -0.4) * libm::pow(speed, 0.2);
-                let collision = ViscoelasticCollision::new(beta);
+                // stronger damping leaves too little of the speed to need shorter steps
+                let collision = ViscoelasticCollision::new(beta.min(MOST_RESOLVED));
                 collision.and_then(|c| c.contact_time(self.end)).unwrap_or(UNDAMPED)
             }
         };

@@ -1,0 +1,134 @@
+//! `demeter collide`.
+
+use crate::answer::{Rows, answer, answer_json};
+use crate::arguments::CollideArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::readable::{number, vector};
+use crate::table::{Cell, write_csv, write_plot};
+use demeter::calibrate::{CollideReport, Engine, collide as run};
+use demeter::output::Plot;
+use demeter::scenario::ImpactFile;
+use serde_json::{Value, json};
+
+/// Rows of the course of a collision.
+const MOMENTS: usize = 501;
+
+/// Collides two bodies and tells what became of them.
+pub fn collide(arguments: &CollideArguments) -> Result<Exit, Failure> {
+    let file = ImpactFile::read(&arguments.file, &arguments.set)?;
+    let engine = if arguments.engine {
+        Engine::Automatic
+    } else {
+        Engine::Reference
+    };
+    let wanted = arguments.csv.is_some() || arguments.plot.is_some();
+    let report = run(&file, engine, if wanted { MOMENTS } else { 0 })?;
+    if let Some(path) = &arguments.csv {
+        let rows = report.moments.iter();
+        let rows = rows.map(|m| [m.time, m.overlap, m.rate, m.force].map(Cell::Number).into());
+        write_csv(path, &["time [s]", "overlap [m]", "rate [m/s]", "force [N]"], rows)?;
+    }
+    if let Some(path) = &arguments.plot {
+        write_plot(path, &plot(&file, &report))?;
+    }
+    if arguments.json {
+        answer_json(&to_json(&report))?;
+    } else {
+        answer(&to_text(&report))?;
+    }
+    Ok(Exit::Finished)
+}
+
+fn plot(file: &ImpactFile, report: &CollideReport) -> Plot {
+    let points = report.moments.iter().map(|m| (m.overlap, m.force)).collect();
+    Plot {
+        title: format!("{}: {}", file.name, report.outcome.name()),
+        x_label: "overlap [m]".to_string(),
+        y_label: "normal force [N]".to_string(),
+        series: vec![("normal force".to_string(), points)],
+    }
+}
+
+fn to_text(report: &CollideReport) -> String {
+    let mut rows = Rows::default();
+    let absent = "none: they never part";
+    rows.add("outcome", report.outcome.name());
+    rows.add("restitution", number(report.restitution));
+    if let Some(tangential) = report.tangential_restitution {
+        rows.add("tangential restitution", number(tangential));
+        rows.add("angle out", format!("{} deg", number(report.angle_out.to_degrees())));
+    }
+    let time = report.contact_time.map(|t| format!("{} s", number(t)));
+    rows.add("contact time", time.unwrap_or_else(|| absent.to_string()));
+    rows.add("largest overlap", format!("{} m", number(report.max_overlap)));
+    rows.add("largest force", format!("{} N", number(report.max_force)));
+    for (body, k) in [("a", 0), ("b", 1)] {
+        rows.add(
+            format!("velocity of {body}"),
+            format!("{} m/s", vector(report.velocity[k].to_array())),
+        );
+        if report.spin[k].length_squared() > 0.0 {
+            rows.add(
+                format!("spin of {body}"),
+                format!("{} rad/s", vector(report.spin[k].to_array())),
+            );
+        }
+    }
+    for (name, value) in energies(report) {
+        if value != 0.0 {
+            rows.add(name.replace('_', " "), format!("{} J", number(value)));
+        }
+    }
+    if let Some(error) = report.estimated_error {
+        rows.add("estimated error", format!("{error:.1e}"));
+    }
+    if let Some(dt) = report.time_step {
+        rows.add("time step", format!("{} s", number(dt)));
+    }
+    format!("{}\n{}", report.method, rows.lines())
+}
+
+/// The entries of the ledger, those of the start first.
+fn energies(report: &CollideReport) -> [(&'static str, f64); 12] {
+    let (before, after) = (&report.before, &report.after);
+    [
+        ("kinetic_before", before.kinetic),
+        ("rotational_before", before.rotational),
+        ("elastic_before", before.elastic),
+        ("kinetic", after.kinetic),
+        ("rotational", after.rotational),
+        ("elastic", after.elastic),
+        ("tangential", after.tangential),
+        ("rolling", after.rolling),
+        ("viscous_dissipated", after.viscous_dissipated),
+        ("plastic_dissipated", after.plastic_dissipated),
+        ("friction_dissipated", after.friction_dissipated),
+        ("rolling_dissipated", after.rolling_dissipated),
+    ]
+}
+
+fn to_json(report: &CollideReport) -> Value {
+    let mut energy: serde_json::Map<String, Value> = energies(report)
+        .into_iter()
+        .map(|(name, value)| (name.to_string(), json!(value)))
+        .collect();
+    energy.insert("residual".to_string(), json!(report.after.residual));
+    let of = |values: &[demeter_physics::DVec3; 2]| json!({ "a": values[0].to_array(), "b": values[1].to_array() });
+    json!({
+        "restitution": report.restitution,
+        "contact_time": report.contact_time,
+        "max_overlap": report.max_overlap,
+        "max_force": report.max_force,
+        "outcome": report.outcome.name(),
+        "energy": energy,
+        "tangential_restitution": report.tangential_restitution,
+        "angle_out": report.angle_out,
+        "velocity": of(&report.velocity),
+        "spin": of(&report.spin),
+        "estimated_error": report.estimated_error,
+        "time_step": report.time_step,
+        "steps": report.steps,
+        "method": report.method,
+    })
+}

@@ -1,0 +1,98 @@
+//! `demeter contact-curve`.
+
+use crate::answer::{Rows, answer, answer_json};
+use crate::arguments::CurveArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::readable::number;
+use crate::table::{Cell, write_csv, write_plot};
+use demeter::calibrate::{CurvePoint, contact_curve as trace};
+use demeter::output::Plot;
+use demeter::scenario::ImpactFile;
+use serde_json::{Value, json};
+
+/// Traces the quasi-static curve of the law of a file.
+pub fn contact_curve(arguments: &CurveArguments) -> Result<Exit, Failure> {
+    let file = ImpactFile::read(&arguments.file, &arguments.set)?;
+    let curve = trace(&file)?;
+    if let Some(path) = &arguments.csv {
+        let rows = curve.iter().map(|p| {
+            let [overlap, force, stored] = [p.overlap, p.force, p.stored].map(Cell::Number);
+            vec![Cell::Word(p.branch.name()), overlap, force, stored]
+        });
+        write_csv(path, &["branch", "overlap [m]", "force [N]", "stored energy [J]"], rows)?;
+    }
+    if let Some(path) = &arguments.plot {
+        write_plot(path, &plot(&file, &curve))?;
+    }
+    if arguments.json {
+        let rows: Vec<Value> = curve
+            .iter()
+            .map(|p| json!({ "branch": p.branch.name(), "overlap": p.overlap, "force": p.force, "stored": p.stored }))
+            .collect();
+        answer_json(&json!({ "curve": rows, "extremes": extremes(&curve) }))?;
+    } else {
+        answer(&to_text(&file, &curve))?;
+    }
+    Ok(Exit::Finished)
+}
+
+/// Runs of rows of one branch.
+fn branches(curve: &[CurvePoint]) -> impl Iterator<Item = &[CurvePoint]> {
+    curve.chunk_by(|a, b| a.branch == b.branch)
+}
+
+fn plot(file: &ImpactFile, curve: &[CurvePoint]) -> Plot {
+    let line = |rows: &[CurvePoint]| {
+        let name = rows.first().map_or("", |p| p.branch.name());
+        (name.to_string(), rows.iter().map(|p| (p.overlap, p.force)).collect())
+    };
+    Plot {
+        title: format!("{}: quasi-static contact", file.name),
+        x_label: "overlap [m]".to_string(),
+        y_label: "normal force [N]".to_string(),
+        series: branches(curve).map(line).collect(),
+    }
+}
+
+/// The deepest point, the strongest pull and the end.
+fn extremes(curve: &[CurvePoint]) -> Value {
+    let by = |key: fn(&CurvePoint) -> f64| curve.iter().max_by(|a, b| key(a).total_cmp(&key(b)));
+    json!({
+        "max_overlap": by(|p| p.overlap).map(|p| p.overlap),
+        "max_force": by(|p| p.force).map(|p| p.force),
+        "largest_pull": by(|p| -p.force).map(|p| p.force.min(0.0)),
+        "overlap_at_largest_pull": by(|p| -p.force).filter(|p| p.force < 0.0).map(|p| p.overlap),
+        "end_of_contact": curve.last().map(|p| p.overlap),
+    })
+}
+
+fn to_text(file: &ImpactFile, curve: &[CurvePoint]) -> String {
+    let mut rows = Rows::default();
+    for branch in branches(curve) {
+        let (Some(first), Some(last)) = (branch.first(), branch.last()) else {
+            continue;
+        };
+        rows.add(
+            first.branch.name(),
+            format!(
+                "overlap {} m to {} m, force {} N to {} N",
+                number(first.overlap),
+                number(last.overlap),
+                number(first.force),
+                number(last.force)
+            ),
+        );
+    }
+    let extremes = extremes(curve);
+    let told = |key: &str| extremes[key].as_f64().map(number);
+    if let (Some(pull), Some(overlap)) = (told("largest_pull"), told("overlap_at_largest_pull")) {
+        rows.add("largest pull", format!("{pull} N at an overlap of {overlap} m"));
+    }
+    let law = file.choice().normal.law;
+    format!(
+        "`{law}`, quasi-static\n{}`--csv FILE` writes all {} rows, `--plot FILE.svg` draws them.\n",
+        rows.lines(),
+        curve.len()
+    )
+}

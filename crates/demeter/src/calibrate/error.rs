@@ -1,0 +1,51 @@
+//! What can go wrong with two bodies.
+
+use crate::contacts::Fault;
+use crate::scenario::Diagnostics;
+use crate::simulation::TimeStepError;
+use demeter_physics::collision::CollisionError;
+
+/// Why something about two bodies could not be computed.
+#[derive(Debug, thiserror::Error)]
+pub enum CalibrateError {
+    /// The file is wrong for what is asked.
+    #[error("{0}")]
+    File(Box<Diagnostics>),
+    /// A head-on collision has no result.
+    #[error("{0}")]
+    Collision(#[from] CollisionError),
+    /// The engine stopped.
+    #[error("the engine stopped: {0}")]
+    Fault(Box<Fault>),
+    /// There is no usable time step.
+    #[error("{0}")]
+    TimeStep(#[from] TimeStepError),
+    /// The engine needs too many steps.
+    #[error(
+        "the bodies did not part within {steps} steps of {dt:.3e} s ({time:.3e} s): they come from too far or too \
+         slowly for the engine's step; leave out `start = \"far\"`, or use a higher velocity"
+    )]
+    Steps {
+        /// Steps done.
+        steps: u64,
+        /// Time step [s].
+        dt: f64,
+        /// Simulated time [s].
+        time: f64,
+    },
+    /// A curve was asked for that the law does not reach.
+    #[error("{0}")]
+    Curve(String),
+}
+
+impl From<Diagnostics> for CalibrateError {
+    fn from(faults: Diagnostics) -> Self {
+        Self::File(Box::new(faults))
+    }
+}
+
+impl From<Fault> for CalibrateError {
+    fn from(fault: Fault) -> Self {
+        Self::Fault(Box::new(fault))
+    }
+}

@@ -1,0 +1,20 @@
+//! Two bodies: collisions, contact curves and sticking speeds of the laws in a file.
+//!
+//! * [`collide()`]: one collision, head-on with error control or oblique by extrapolation of the engine's own steps.
+//! * [`contact_curve`]: quasi-static loading, unloading, reloading and pull-off.
+//! * [`sticking`]: the speed below which bodies stick, against their size.
+
+mod collide;
+mod curve;
+mod error;
+mod extrapolate;
+mod flight;
+mod sticking;
+
+#[cfg(test)]
+mod tests;
+
+pub use collide::{CollideReport, Engine, Moment, collide};
+pub use curve::{Branch, CurvePoint, contact_curve};
+pub use error::CalibrateError;
+pub use sticking::{StickingPoint, log_spaced, sticking};
