@@ -1,9 +1,13 @@
 //! Normal laws: force along the line of centres.
 
 pub mod dashpot;
+mod hertz_window;
 pub mod hysteresis;
+pub mod jkr_curve;
 pub mod path;
 mod spring_dashpot;
+#[cfg(test)]
+mod walk;
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
@@ -143,10 +147,14 @@ law_family! {
     laws {
         linear::Linear,
         hertz_tsuji::HertzTsuji,
+        viscoelastic::Viscoelastic,
+        dmt::Dmt,
+        jkr::Jkr,
+        sjkr::Sjkr,
         walton_braun::WaltonBraun,
+        thornton_ning::ThorntonNing,
         luding::Luding,
         eepa::Eepa,
-        viscoelastic::Viscoelastic,
         tomas::Tomas,
     }
 }
