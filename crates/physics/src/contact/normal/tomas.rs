@@ -162,7 +162,7 @@ impl Normal for Tomas {
     const DOC: &'static str = include_str!("tomas.md");
     const PARAMETERS: &'static [ParameterInfo] = TomasParameters::TABLE;
     const ALTERNATIVES: &'static [Alternatives] = &[Alternatives {
-        of: &["restitution", "alpha"],
+        of: &["alpha", "restitution"],
         with: &["impact_speed"],
     }];
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
