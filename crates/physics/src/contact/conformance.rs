@@ -6,7 +6,7 @@
 //! * [`planar_laws`]: bound, direction, symmetries, dimensions, history of friction and rolling laws
 //! * [`planar_energy`]: what friction and rolling laws store, return and dissipate
 
-mod cases;
+pub(crate) mod cases;
 mod collisions;
 mod normal_laws;
 mod planar;

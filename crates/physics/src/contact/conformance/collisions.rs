@@ -96,7 +96,9 @@ impl Encounter {
 
 /// Every law with a parameter `restitution`, for equal, unequal and infinite partners, weak and strong impacts.
 fn each_collision(restitution: f64, check: impl Fn(&Encounter, &Outcome)) {
-    let has_restitution = |info: &&LawInfo| super::cases::has_parameter(info, "restitution");
+    // laws that take an `impact_speed` realise it at that speed only
+    let has = |info: &LawInfo, name| super::cases::has_parameter(info, name);
+    let has_restitution = |info: &&LawInfo| has(info, "restitution") && !has(info, "impact_speed");
     for info in crate::contact::normal::LAWS.iter().filter(has_restitution) {
         for pair in PAIRS {
             let law = NormalLaw::build(info.name, &values(info, &[("restitution", restitution)]), &pair).unwrap();

@@ -136,6 +136,7 @@ law_family! {
     laws {
         linear::Linear,
         hertz_tsuji::HertzTsuji,
+        tomas::Tomas,
     }
 }
 

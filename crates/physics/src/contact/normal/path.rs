@@ -70,6 +70,7 @@ pub fn follow<L: Branched>(law: &L, input: &NormalInput, state: L::State) -> (No
     let (first, last) = (overlap - step, overlap + step);
     let mut state_now = law.advance(size, state, first);
     total.teleport(law, size, (state, state_now), first);
+    let kinks = law.kinks(size, state_now);
     let mut from = first;
     for to in ordered(kinks, first, last).into_iter().chain([last]) {
         if to.is_nan() || to == from {
@@ -82,6 +83,9 @@ pub fn follow<L: Branched>(law: &L, input: &NormalInput, state: L::State) -> (No
     let response = total.mean(total.work * share, total.damping * share, total.adhesion * share);
     (response, state_now)
 }
+
+/// Change of the stored energy, as share of it, that rounding leaves sharp.
+const RESOLVED: f64 = 1e-7;
 
 /// Integrals over the path.
 #[derive(Clone, Copy, Default)]
@@ -103,19 +107,27 @@ impl Sums {
         approaching: bool,
     ) -> L::State {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let mut work = 0.0;
+        let (mut work, mut damping, mut adhesion) = (0.0, 0.0, 0.0);
         for (node, weight) in GAUSS {
             let at = middle + node * half;
             let point = law.point(size, law.advance(size, state, at), at, approaching);
             work += weight * half * point.elastic;
-            self.damping += weight * half * point.damping;
-            self.adhesion += weight * half * point.adhesion;
+            damping += weight * half * point.damping;
+            adhesion += weight * half * point.adhesion;
         }
         let next = law.advance(size, state, to);
+        let (before, after) = (law.stored(size, state, from), law.stored(size, next, to));
+        let change = after - before;
         if next != state {
-            self.lost += work - (law.stored(size, next, to) - law.stored(size, state, from));
+            self.lost += work - change;
+        } else if change.abs() > RESOLVED * before.abs().max(after.abs()) {
+            // a reversible stretch does exactly the work that it stores, also across a well of attraction that is
+            // narrower than the window
+            work = change;
         }
         self.work += work;
+        self.damping += damping;
+        self.adhesion += adhesion;
         next
     }
 

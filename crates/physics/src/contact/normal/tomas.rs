@@ -1,0 +1,287 @@
+#![doc = include_str!("tomas.md")]
+
+mod scale;
+
+#[cfg(test)]
+mod tests;
+
+use super::dashpot::Dashpot;
+use super::path::{Branched, KINKS, Point, follow};
+use super::{Normal, NormalInput, NormalResponse};
+use crate::contact::{MaterialPair, PairSize};
+use crate::dimension::Dimension;
+use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::params;
+use scale::{Dent, Scale};
+use std::f64::consts::PI;
+
+params! {
+    /// Parameters of the adhesive elastic-plastic contact.
+    pub struct TomasParameters {
+        adhesion_force: FORCE, required 2.64e-9, in Range::NOT_NEGATIVE,
+            "Pull of two surfaces that touch without load, |F_H0|";
+        adhesion_radius: LENGTH, optional 0.3e-6, in Range::POSITIVE,
+            "Effective radius that `adhesion_force` belongs to: the force is proportional to the radius. Without it the \
+             force is the same for every size";
+        separation: LENGTH, required 0.336e-9, in Range::POSITIVE,
+            "Distance of molecules that touch, which sets how fast the attraction fades with the gap";
+        micro_yield_strength: PRESSURE, usual 300e6, in Range::POSITIVE,
+            "Pressure at which the contact yields; needed unless `loading` is \"elastic\"";
+        kappa_a: NONE, default 5.0 / 6.0, in Range::POSITIVE_SHARE,
+            "Share of the contact area that yields, from 2/3 (elastic) to 1 (plastic)";
+        kappa_p: NONE, usual 0.153, in Range::SHARE,
+            "Van der Waals pressure of two plates over the yield strength: how much a dent adds to the adhesion; needed \
+             unless `loading` is \"elastic\"";
+        alpha: NONE, usual 0.2, in Range::NOT_NEGATIVE,
+            "Damping coefficient of Tsuji; instead of `restitution` with `impact_speed`";
+        restitution: NONE, optional 0.5, in Range::POSITIVE_SHARE,
+            "Coefficient of restitution of an impact at `impact_speed`, with adhesion and yielding; instead of `alpha`";
+        impact_speed: VELOCITY, optional 1.0, in Range::POSITIVE,
+            "Impact speed at which `restitution` is realised, told where the bodies first feel each other";
+        tail: NONE, choice ["full", "cut", "none"],
+            "How far the attraction reaches across a gap: `range` separations, one, or not at all";
+        range: NONE, default 100.0, in Range::POSITIVE,
+            "End of the full tail, in separations: what the attraction would still do beyond is left out";
+        loading: NONE, choice ["elastic-plastic", "elastic"], "Whether the contact yields";
+        yield_overlap: NONE, choice ["continuous", "as-printed"],
+            "Overlap at which it yields: where the force is continuous, or four times that, as eq 11 is printed";
+        damping_overlap: NONE, choice ["elastic", "total"],
+            "Overlap that the damping follows: its elastic part, or the whole, as eq 7 is printed";
+    }
+}
+
+/// What the yield overlap as printed is over the one at which the force is continuous.
+const AS_PRINTED: f64 = 4.0;
+
+/// The pull of surfaces that touch without load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Pull {
+    /// The same for every size [N].
+    Constant(f64),
+    /// In proportion to the effective radius [N/m].
+    PerRadius(f64),
+}
+
+/// The adhesive elastic-plastic contact bound to a pair of materials.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tomas {
+    /// `4/3 E` [Pa].
+    modulus: f64,
+    pull: Pull,
+    /// Where the force across a gap has halved, and more [m].
+    separation: f64,
+    /// Gap at which the attraction ends [m].
+    range: f64,
+    /// `pi p_f (kappa_a - kappa_p)`: slope of the yield line over the radius [Pa].
+    yield_slope: f64,
+    /// `pi p_f kappa_p`: slope of the adhesion limit over the radius [Pa].
+    limit_slope: f64,
+    /// Overlap at which a new contact yields, over that at which the force is continuous; infinite when it never does.
+    yield_factor: f64,
+    damps_total_overlap: bool,
+    dashpot: Dashpot,
+}
+
+impl Tomas {
+    /// Slopes of the yield line and of the adhesion limit over the radius [Pa].
+    fn slopes(p: &TomasParameters) -> Result<[f64; 2], Vec<ParameterError>> {
+        let (Some(strength), Some(kappa_p)) = (p.micro_yield_strength, p.kappa_p) else {
+            let (name, other) = if p.micro_yield_strength.is_none() {
+                ("micro_yield_strength", "`kappa_p`")
+            } else {
+                ("kappa_p", "`micro_yield_strength`")
+            };
+            return match p.loading {
+                ELASTIC => Ok([1.0, 0.0]),
+                _ => Err(ParameterError::together(
+                    name,
+                    format!(
+                        "`{name}` is missing; with {other} it tells how the contact yields. Or set `loading = \"elastic\"`"
+                    ),
+                )),
+            };
+        };
+        if p.kappa_a <= kappa_p {
+            let message = format!(
+                "`kappa_a` is {} and `kappa_p` {kappa_p}; `kappa_a` must be larger, or a contact that yields does not resist",
+                p.kappa_a
+            );
+            return Err(ParameterError::together("kappa_a", message));
+        }
+        Ok([PI * strength * (p.kappa_a - kappa_p), PI * strength * kappa_p])
+    }
+
+    fn dashpot(p: &TomasParameters) -> Result<Dashpot, Vec<ParameterError>> {
+        if p.alpha.is_none() && p.restitution.is_none() && p.impact_speed.is_none() {
+            let message = "the damping is missing: give `alpha` (0 for none), or `restitution` with `impact_speed`";
+            return Err(ParameterError::together("alpha", message));
+        }
+        Dashpot::read("alpha", p.alpha, p.restitution, p.impact_speed)
+    }
+
+    /// Everything that depends on the size.
+    #[inline(always)]
+    fn scale(&self, size: PairSize) -> Scale {
+        let hertz = self.modulus * size.radius.sqrt();
+        let line = self.yield_slope * size.radius;
+        let root = line / hertz;
+        Scale {
+            hertz,
+            line,
+            limit: self.limit_slope * size.radius,
+            pull: match self.pull {
+                Pull::Constant(force) => force,
+                Pull::PerRadius(slope) => slope * size.radius,
+            },
+            separation: self.separation,
+            range: self.range,
+            level: root * root,
+            yields_at: self.yield_factor * root * root,
+        }
+    }
+
+    /// Coefficient of the dashpot.
+    #[inline(always)]
+    fn alpha(&self, size: PairSize, history: &mut [f64]) -> f64 {
+        let memory = history.get_mut(REMEMBERED..).unwrap_or_default();
+        self.dashpot
+            .coefficient(size, memory, |dashpot| Self { dashpot, ..*self })
+    }
+}
+
+const CUT: usize = 1;
+const NO_TAIL: usize = 2;
+const ELASTIC: usize = 1;
+
+/// Values that are remembered beside the dashpot's coefficient.
+const REMEMBERED: usize = 2;
+
+impl Normal for Tomas {
+    const NAME: &'static str = "tomas";
+    const SUMMARY: &'static str = "adhesive elastic-plastic contact of fine powders, attraction across a gap";
+    const DOC: &'static str = include_str!("tomas.md");
+    const PARAMETERS: &'static [ParameterInfo] = TomasParameters::TABLE;
+    const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
+
+    fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
+        let p = TomasParameters::from_values(values)?;
+        let [yield_slope, limit_slope] = Self::slopes(&p)?;
+        Ok(Self {
+            modulus: 4.0 / 3.0 * pair.effective_modulus(),
+            pull: match p.adhesion_radius {
+                Some(radius) => Pull::PerRadius(p.adhesion_force / radius),
+                None => Pull::Constant(p.adhesion_force),
+            },
+            separation: p.separation,
+            range: match p.tail {
+                NO_TAIL => 0.0,
+                CUT => p.separation,
+                _ => p.range * p.separation,
+            },
+            yield_slope,
+            limit_slope,
+            yield_factor: match (p.loading, p.yield_overlap) {
+                (ELASTIC, _) => f64::INFINITY,
+                (_, 0) => 1.0,
+                _ => AS_PRINTED,
+            },
+            damps_total_overlap: p.damping_overlap == 1,
+            dashpot: Self::dashpot(&p)?,
+        })
+    }
+
+    #[inline(always)]
+    fn history(&self) -> usize {
+        REMEMBERED + self.dashpot.history()
+    }
+
+    #[inline]
+    fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
+        let alpha = self.alpha(input.size, history);
+        let (mut response, dent) = follow(self, input, Dent::of(history));
+        response.damping *= alpha * input.size.mass.sqrt();
+        dent.keep(history);
+        response
+    }
+
+    #[inline]
+    fn energy(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        let dent = self.advance(size, Dent::of(history), overlap);
+        self.stored(size, dent, overlap)
+    }
+
+    #[inline]
+    fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.scale(size).stiffness(Dent::of(history), overlap)
+    }
+
+    fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
+        self.scale(size).shortest_time(size.mass, overlap)
+    }
+
+    #[inline]
+    fn reach(&self, _size: PairSize, history: &[f64]) -> f64 {
+        self.range - Dent::of(history).foot
+    }
+
+    #[inline]
+    fn largest_reach(&self, _size: PairSize) -> f64 {
+        self.range
+    }
+
+    fn check(&self, size: PairSize) -> Result<(), String> {
+        self.dashpot.check(size, |dashpot| Self { dashpot, ..*self })
+    }
+}
+
+impl Branched for Tomas {
+    type State = Dent;
+
+    #[inline]
+    fn advance(&self, size: PairSize, dent: Dent, to: f64) -> Dent {
+        self.scale(size).dented(dent, to)
+    }
+
+    /// The damping is that of a coefficient 1 and a mass of 1 kg.
+    #[inline]
+    fn point(&self, size: PairSize, dent: Dent, overlap: f64, approaching: bool) -> Point {
+        let scale = self.scale(size);
+        let elastic_part = overlap - dent.foot;
+        if elastic_part <= 0.0 {
+            return Point {
+                elastic: scale.attraction(dent, -elastic_part),
+                ..Point::default()
+            };
+        }
+        let adhesion = scale.adhesion(dent);
+        let yielding = approaching && dent.deepest > 0.0 && overlap >= dent.deepest;
+        let elastic = if yielding {
+            scale.line * overlap - scale.pull
+        } else {
+            scale.hertz * elastic_part * elastic_part.sqrt() - adhesion
+        };
+        let spring = if yielding {
+            scale.line
+        } else if self.damps_total_overlap {
+            scale.hertz * overlap.sqrt()
+        } else {
+            scale.hertz * elastic_part.sqrt()
+        };
+        Point {
+            elastic,
+            damping: spring.sqrt(),
+            adhesion,
+        }
+    }
+
+    #[inline]
+    fn stored(&self, size: PairSize, dent: Dent, overlap: f64) -> f64 {
+        self.scale(size).stored(dent, overlap)
+    }
+
+    #[inline]
+    fn kinks(&self, size: PairSize, dent: Dent) -> [f64; KINKS] {
+        let limit = self.scale(size).limit_of(dent);
+        [dent.foot, limit, dent.foot - self.range, f64::NAN]
+    }
+}
