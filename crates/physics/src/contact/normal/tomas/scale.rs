@@ -1,6 +1,6 @@
 //! Forces and energies of the contact between bodies of one size.
 
-use crate::contact::normal::hertz_tsuji::HERTZ_CONTACT_TIME;
+use crate::restitution::duration::UNDAMPED;
 use std::f64::consts::PI;
 
 /// What a contact remembers; all 0 before it first yields.
@@ -165,7 +165,7 @@ impl Scale {
         let depth = (overlap - dent.foot).max(overlap.min(self.yields_at)).max(drawn);
         let ratio = mass / self.hertz;
         let speed = (0.8 / ratio * depth * depth * depth.sqrt()).sqrt();
-        let collision = HERTZ_CONTACT_TIME * libm::pow(ratio, 0.4) * libm::pow(speed, -0.2);
+        let collision = UNDAMPED * libm::pow(ratio, 0.4) * libm::pow(speed, -0.2);
         if self.range == 0.0 {
             return collision;
         }

@@ -257,7 +257,7 @@ proptest! {
         let mut contact = Contact::new(law, size);
         let deepest = scale.level * (1.0 + depth);
         prop_assume!(deepest < size.radius);
-        let unit = scale.pull + scale.line * deepest;
+        let unit = scale.pull + (scale.line + scale.limit) * deepest;
         let mut places = vec![0.0, scale.level, deepest];
         let close = |contact: &Contact, place: f64| {
             let step = 1e-12 * place.abs().max(scale.separation);
