@@ -34,6 +34,9 @@ pub enum Command {
     /// Find the speed below which two bodies stick, against their size
     #[command(after_help = exit::HELP)]
     Sticking(StickingArguments),
+    /// Draw the figures of the papers on damped springs and adhesive grains, and tell how exact they are
+    #[command(after_help = exit::HELP)]
+    Figure(FigureArguments),
     /// List the contact laws, or explain one
     Laws(LawsArguments),
     /// Write a scenario to start from, or list those there are
@@ -52,6 +55,7 @@ impl Command {
             Self::Collide(a) => a.json,
             Self::ContactCurve(a) => a.json,
             Self::Sticking(a) => a.json,
+            Self::Figure(a) => a.json,
             Self::Laws(a) => a.json,
             Self::New(_) => false,
             Self::Info(a) => a.json,
@@ -180,6 +184,22 @@ pub struct StickingArguments {
     /// Draw the speeds
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
+}
+
+/// Of `demeter figure`.
+#[derive(Debug, Args)]
+pub struct FigureArguments {
+    /// The figures, or `all`; all are listed when absent
+    pub names: Vec<String>,
+    /// Folder for NAME.svg and NAME.csv; made when it is not there. Files of these names are replaced
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    pub output: PathBuf,
+    /// List the figures
+    #[arg(long, conflicts_with = "names")]
+    pub list: bool,
+    /// Write one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Of `demeter laws`.

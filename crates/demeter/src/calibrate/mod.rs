@@ -3,11 +3,13 @@
 //! * [`collide()`]: one collision, head-on with error control or oblique by extrapolation of the engine's own steps.
 //! * [`contact_curve`]: quasi-static loading, unloading, reloading and pull-off.
 //! * [`sticking`]: the speed below which bodies stick, against their size.
+//! * [`figure`]: the figures of the papers whose mathematics Demeter uses.
 
 mod collide;
 mod curve;
 mod error;
 mod extrapolate;
+pub mod figure;
 mod flight;
 mod sticking;
 
