@@ -167,7 +167,7 @@ pub struct StickingArguments {
     /// The file of two bodies; both are scaled to every effective radius
     pub file: PathBuf,
     /// Effective radii, first and last, as `0.1um..1um`; or one
-    #[arg(long, value_name = "FIRST..LAST")]
+    #[arg(long, value_name = "FIRST..LAST", allow_hyphen_values = true)]
     pub radius: String,
     /// Number of radii, at equal ratios
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(2..=10_000))]

@@ -60,6 +60,8 @@ dimensions! {
     NONE = (0, 0, 0), "pure number", "";
     /// Length [m].
     LENGTH = (0, 1, 0), "length", "m";
+    /// Inverse length [1/m].
+    PER_LENGTH = (0, -1, 0), "inverse length", "1/m";
     /// Area [m^2].
     AREA = (0, 2, 0), "area", "m^2";
     /// Volume [m^3].
@@ -83,9 +85,14 @@ dimensions! {
     /// Mass density [kg/m^3].
     DENSITY = (1, -3, 0), "density", "kg/m^3";
     /// Stiffness [N/m].
-    STIFFNESS = (1, 0, -2), "stiffness", "N/m";
+    STIFFNESS = (1, 0, -2), "stiffness or surface energy", "N/m";
     /// Damping coefficient of a linear dashpot [N s/m].
     DAMPING = (1, 0, -1), "damping coefficient", "N s/m";
+}
+
+impl Dimension {
+    /// Surface energy or work of adhesion [J/m^2], which is [N/m].
+    pub const SURFACE_ENERGY: Self = Self::STIFFNESS;
 }
 
 impl fmt::Display for Dimension {

@@ -151,6 +151,15 @@ pub enum Presence {
     Default(f64),
 }
 
+/// Parameters of which one tells the same thing as another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Alternatives {
+    /// Those that exclude each other.
+    pub of: &'static [&'static str],
+    /// Those that only make sense beside some of them.
+    pub with: &'static [&'static str],
+}
+
 /// What is known of one parameter of a law.
 #[derive(Clone, Copy, Debug)]
 pub struct ParameterInfo {

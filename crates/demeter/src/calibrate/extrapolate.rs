@@ -91,14 +91,15 @@ fn each(flight: &mut Flight, launch: &Launch<'_>, mut visit: impl FnMut(&mut f64
     } else {
         1
     };
-    for body in 0..bodies {
+    let vectors = flight.velocity.iter_mut().zip(&mut flight.spin).zip(radii);
+    for ((velocity, spin), radius) in vectors.take(bodies) {
         let mut vector = |v: &mut DVec3, scale: f64| {
             let mut parts = v.to_array();
             parts.iter_mut().for_each(|part| visit(part, scale));
             *v = DVec3::from_array(parts);
         };
-        vector(&mut flight.velocity[body], speed);
-        vector(&mut flight.spin[body], speed / radii[body]);
+        vector(velocity, speed);
+        vector(spin, speed / radius);
     }
     let (time, overlap, force) = (flight.contact_time, flight.max_overlap, flight.max_force);
     if flight.outcome == Outcome::Rebound {

@@ -23,7 +23,7 @@ const RUN_UP: f64 = 2.5;
 const SKIN_SHARE: f64 = 0.2;
 
 /// Most steps of one flight.
-const MAX_STEPS: u64 = 20_000_000;
+const MAX_STEPS: u64 = 5_000_000;
 
 /// Two bodies on their way, and what became of them.
 #[derive(Clone, Debug)]
@@ -210,7 +210,7 @@ impl Launch<'_> {
         }
         Ok(Flight {
             outcome,
-            contact_time: track.contact_time(dt),
+            contact_time: track.contact_time(dt, self.file.impact.start),
             max_overlap,
             max_force,
             velocity,
@@ -268,7 +268,10 @@ impl Track {
         let chunks = || sim.contacts.pairs.iter().chain(&sim.contacts.walls);
         let active: Option<&ContactChunk> = chunks().find(|chunk| !chunk.is_empty());
         let force = active.map_or(0.0, |chunk| chunk.normal_force()[0]);
-        let end = active.map_or(0.0, |chunk| -reach(launch.law, launch.size(), chunk.history(0, stride)));
+        let end = match active {
+            Some(chunk) => -reach(launch.law, launch.size(), chunk.history(0, stride)),
+            None => -reach(launch.law, launch.size(), &vec![0.0; launch.law.normal.info().history]),
+        };
         let moment = Moment {
             time: sim.time(),
             overlap,
@@ -303,12 +306,15 @@ impl Track {
     }
 
     /// Time from the first to the last force, between steps by the path of the overlap.
-    fn contact_time(&self, dt: f64) -> f64 {
+    fn contact_time(&self, dt: f64, from: Start) -> f64 {
         let moments = &self.moments;
         let Some(last) = moments.iter().rposition(|m| m.force != 0.0) else {
             return 0.0;
         };
-        let begin = self.ends.first().copied().unwrap_or(0.0);
+        let begin = match from {
+            Start::Contact => 0.0,
+            Start::Far => self.ends.first().copied().unwrap_or(0.0),
+        };
         let start = crossing(moments, begin, 1.0).unwrap_or(moments[0].time);
         // the step of the last force may have let go already
         let end = self.ends[last.saturating_sub(1)];

@@ -163,7 +163,10 @@ impl NormalVisitor for StiffnessPass<'_, '_> {
         let (run, remembered) = (self.0, law.history());
         for (k, out) in stiffness.iter_mut().enumerate().take(run.kinematics.len()) {
             let history = &run.history[k * run.stride..][..remembered];
-            *out = law.stiffness(run.kinematics[k].size, run.geometry[k].overlap, history);
+            // an attraction that fades with the gap has a negative slope: no spring against rolling is made of that
+            *out = law
+                .stiffness(run.kinematics[k].size, run.geometry[k].overlap, history)
+                .max(0.0);
         }
         stiffness
     }

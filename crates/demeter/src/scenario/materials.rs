@@ -6,7 +6,7 @@ use super::document::Value;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
 use crate::materials::{Material, PairChoice};
-use demeter_physics::contact::{LawChoice, LawInfo, normal, rolling, tangential};
+use demeter_physics::contact::{LawChoice, LawInfo, laws as all_laws, normal, rolling, tangential};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::{
     ParameterError, ParameterInfo, ParameterKind, Range, Value as ParameterValue, Values, resolve,
@@ -132,8 +132,10 @@ pub(super) fn check_laws(scenario: &Scenario, faults: &mut Diagnostics) {
     for (a, first) in materials.iter().enumerate() {
         for (b, second) in materials.iter().enumerate().skip(a) {
             if let Err(error) = contact.choice(a, b).bind(first, second) {
+                let family = all_laws().find(|l| l.name == error.law()).map_or("", |l| l.family);
+                let path = format!("{}.{family}", contact.path(a, b));
                 faults.push(
-                    &contact.path(a, b),
+                    path.trim_end_matches('.'),
                     format!("between `{}` and `{}`: {error}", first.name, second.name),
                     None,
                 );
@@ -234,7 +236,8 @@ fn laws(table: &TableReader<'_>, defaults: &Laws) -> Laws {
 }
 
 /// A law: its name alone, `"none"`, or a table of its name and parameters. Parameters that an entry of a pair does
-/// not name are those of the default, as long as the law is the same.
+/// not name are those of the default, as long as the law is the same; one of several alternatives takes the place of
+/// the others.
 fn law(item: &Item<'_>, family: &str, known: &[LawInfo], default: Option<&LawChoice>) -> Option<LawChoice> {
     if let Value::String(name) = &item.node.value {
         if name == "none" && family != "normal" {
@@ -264,6 +267,15 @@ fn law(item: &Item<'_>, family: &str, known: &[LawInfo], default: Option<&LawCho
         return None;
     };
     let mut parameters = inherited(info, default);
+    for group in info
+        .alternatives
+        .iter()
+        .filter(|g| g.of.iter().any(|name| table.has(name)))
+    {
+        for name in group.of.iter().chain(group.with) {
+            parameters.remove(*name);
+        }
+    }
     for parameter in info.parameters {
         if let Some(item) = table.optional(parameter.name) {
             parameters.insert(parameter.name.to_string(), parameter_value(&item, parameter));
@@ -301,6 +313,9 @@ fn restitution_value(item: &Item<'_>, parameter: &ParameterInfo) -> ParameterVal
         Value::String(text) if super::units::parse(text).is_err() => ParameterValue::Text(text.clone()),
         _ => return item.quantity(Kind::Number, parameter.range).into(),
     };
+    if matches!(&value, ParameterValue::Table(rows) if rows.iter().flatten().any(|x| x.is_nan())) {
+        return value;
+    }
     let alone = [(parameter.name.to_string(), value.clone())].into();
     let known = std::slice::from_ref(parameter);
     for error in resolve(known, &alone).err().into_iter().flatten() {

@@ -87,12 +87,14 @@ impl Books {
         for work in [self.latest, step] {
             self.done.add(&Tally {
                 viscous: 0.5 * work.viscous,
-                plastic: 0.5 * work.plastic,
+                plastic: 0.0,
                 friction: 0.5 * work.friction,
                 rolling: 0.5 * work.rolling,
                 wall_work: 0.5 * work.wall_work,
             });
         }
+        // but what laws remember, and with it what they store, is that of the end of the step already
+        self.done.plastic += step.plastic;
         self.wall_throughput += step.wall_work.abs();
         self.latest = step;
     }

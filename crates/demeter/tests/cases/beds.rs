@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 pub const RADIUS: f64 = 2e-3;
 
 /// All beds by name.
-pub const BEDS: [&str; 7] = [
+pub const BEDS: [&str; 9] = [
     "settling",
     "drum",
     "servo",
@@ -21,6 +21,8 @@ pub const BEDS: [&str; 7] = [
     "oscillating floor",
     "removal",
     "squeezing",
+    "cohesive",
+    "powder",
 ];
 
 /// The bed of a name with about `count` grains.
@@ -33,6 +35,8 @@ pub fn bed(name: &str, count: u32) -> Setup {
         "oscillating floor" => oscillating_floor(count),
         "removal" => removal(count),
         "squeezing" => squeezing(count),
+        "cohesive" => cohesive(count),
+        "powder" => powder(count),
         _ => panic!("there is no bed `{name}`"),
     }
 }
@@ -90,6 +94,24 @@ fn boxed(count: u32, laws: &Laws, open: [bool; 6]) -> (Case, f64) {
 
 fn settling(count: u32) -> Setup {
     let laws = Laws::hertz(0.5).friction(mindlin()).rolling("epsd", 0.1);
+    boxed(count, &laws, [false; 6]).0.setup()
+}
+
+/// Soft grains that yield, stick in contact and attract each other across gaps of a fifth of their radius.
+fn powder(count: u32) -> Setup {
+    let adhesive = law(
+        "tomas",
+        &[
+            ("adhesion_force", 0.01),
+            ("adhesion_radius", 0.5 * RADIUS),
+            ("separation", 0.01 * RADIUS),
+            ("range", 20.0),
+            ("micro_yield_strength", 1e5),
+            ("kappa_p", 0.15),
+            ("alpha", 0.3),
+        ],
+    );
+    let laws = Laws::of(adhesive).friction(mindlin()).rolling("epsd", 0.1);
     boxed(count, &laws, [false; 6]).0.setup()
 }
 
@@ -154,6 +176,31 @@ fn squeezing(count: u32) -> Setup {
     let (mut case, a) = boxed(count, &laws, OPEN_TOP);
     let motion = Motion::Oscillation {
         amplitude: DVec3::new(0.0, 0.0, -0.62 * a),
+        frequency: 5.0,
+        phase: 0.0,
+    };
+    plate(&mut case, a, motion);
+    case.setup()
+}
+
+/// Plastic grains that stick to each other and to the floor, squeezed again and again.
+fn cohesive(count: u32) -> Setup {
+    let luding = law(
+        "luding",
+        &[
+            ("loading_stiffness", 2e3),
+            ("unloading_stiffness", 6e3),
+            ("adhesion_stiffness", 1.5e3),
+            ("plastic_depth", 0.05),
+            ("damping", 0.02),
+            ("attraction_force", 2e-4),
+            ("attraction_range", 2e-5),
+        ],
+    );
+    let laws = Laws::of(luding).friction(law("linear-history", &[("friction", 0.4), ("stiffness", 6e2)]));
+    let (mut case, a) = boxed(count, &laws, OPEN_TOP);
+    let motion = Motion::Oscillation {
+        amplitude: DVec3::new(0.0, 0.0, -0.5 * a),
         frequency: 5.0,
         phase: 0.0,
     };

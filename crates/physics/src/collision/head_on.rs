@@ -6,38 +6,10 @@
 //! overlap), and forces that jump where a law changes its branch, are met by steps as short as they need.
 
 use super::ode;
+use super::outcome::{Collision, CollisionEnergy, CollisionError, Outcome, Start, Tolerance};
 use super::record::{Held, MAX_HISTORY, Moment, Record, State, largest_force, moments};
 use crate::contact::PairSize;
 use crate::contact::normal::{Normal, NormalInput, NormalLaw, NormalResponse, NormalVisitor};
-
-/// Where the impact speed is given.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Start {
-    /// At first touch, where the overlap is zero.
-    #[default]
-    Contact,
-    /// Where the law first reaches across the gap: an attraction then pulls the bodies together before they touch.
-    Far,
-}
-
-/// How exactly a collision is integrated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tolerance {
-    /// Error allowed in a step, over the largest speed so far and the overlap, that now or the largest so far.
-    pub relative: f64,
-    /// Most steps that are tried.
-    pub max_steps: usize,
-}
-
-impl Default for Tolerance {
-    /// Restitution and contact time then meet the closed forms to 1e-11.
-    fn default() -> Self {
-        Self {
-            relative: 1e-13,
-            max_steps: 100_000,
-        }
-    }
-}
 
 /// A head-on collision to be computed.
 #[derive(Clone, Copy, Debug)]
@@ -50,115 +22,6 @@ pub struct HeadOn<'a, L> {
     pub speed: f64,
     /// Where the speed is given.
     pub start: Start,
-}
-
-/// How a collision ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// The bodies parted.
-    Rebound,
-    /// They turned round within reach of each other, or came to rest: what dissipates never lets them part later.
-    Stick,
-}
-
-impl Outcome {
-    /// The outcome in one word.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rebound => "rebound",
-            Self::Stick => "stick",
-        }
-    }
-}
-
-/// Energies of a collision [J].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct CollisionEnergy {
-    /// Kinetic energy of the relative motion at the start.
-    pub kinetic_before: f64,
-    /// Kinetic energy at the end.
-    pub kinetic_after: f64,
-    /// Lost in the dashpot.
-    pub viscous: f64,
-    /// Lost otherwise: plastic work, tear-off; what the other entries leave.
-    pub lost: f64,
-    /// Stored at the start; negative where an attraction acts.
-    pub stored_before: f64,
-    /// Stored at the end.
-    pub stored_after: f64,
-}
-
-/// What a collision gave. After sticking everything is told of the moment at which the bodies turned round the second
-/// time, or came to rest.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Collision {
-    /// Rebound or stick.
-    pub outcome: Outcome,
-    /// Speed at the end over that at the start; 0 after sticking.
-    pub restitution: f64,
-    /// Time from the start to the end, or to the decision that they stick [s].
-    pub duration: f64,
-    /// Largest overlap [m].
-    pub max_overlap: f64,
-    /// Largest total force [N].
-    pub max_force: f64,
-    /// Overlap at the end [m].
-    pub final_overlap: f64,
-    /// Energies.
-    pub energy: CollisionEnergy,
-    /// Steps that were tried.
-    pub steps: usize,
-}
-
-impl Collision {
-    /// How long the bodies felt each other [s]; without end after sticking.
-    pub fn contact_time(&self) -> Option<f64> {
-        (self.outcome == Outcome::Rebound).then_some(self.duration)
-    }
-}
-
-/// Why a collision could not be computed.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum CollisionError {
-    /// A value that must be positive and finite is not.
-    #[error("the {quantity} of the collision is {value}; it must be positive and finite")]
-    Input {
-        /// Which value.
-        quantity: &'static str,
-        /// The value.
-        value: f64,
-    },
-    /// The law attracts from any distance, so that there is no place to start from.
-    #[error("the law reaches {reach} m far; a collision that starts where the attraction is first felt needs an end")]
-    Endless {
-        /// The reach [m].
-        reach: f64,
-    },
-    /// The law gave a value that is not a number.
-    #[error(
-        "the force is not finite at an overlap of {overlap} m and a rate of {rate} m/s; check the moduli and sizes"
-    )]
-    NotFinite {
-        /// Overlap [m].
-        overlap: f64,
-        /// Rate of approach [m/s].
-        rate: f64,
-    },
-    /// The end was not reached.
-    #[error(
-        "no end after {steps} steps, {time} s after the start, at an overlap of {overlap} m and a rate of {rate} m/s: \
-         the contact is over-damped by far, or the tolerance too small"
-    )]
-    Steps {
-        /// Steps that were tried.
-        steps: usize,
-        /// Time [s].
-        time: f64,
-        /// Overlap [m].
-        overlap: f64,
-        /// Rate of approach [m/s].
-        rate: f64,
-    },
 }
 
 /// Restitution of a head-on collision that starts at first touch, to the default tolerance; 0 when the bodies stick.

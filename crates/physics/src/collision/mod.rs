@@ -9,6 +9,7 @@ mod dormand_prince;
 pub mod head_on;
 mod motion;
 pub mod ode;
+mod outcome;
 mod record;
 pub mod sticking;
 
@@ -19,6 +20,7 @@ mod tests;
 #[cfg(test)]
 mod zero_force_tests;
 
-pub use head_on::{Collision, CollisionEnergy, CollisionError, HeadOn, Outcome, Start, Tolerance, restitution_of};
+pub use head_on::{HeadOn, restitution_of};
+pub use outcome::{Collision, CollisionEnergy, CollisionError, Outcome, Start, Tolerance};
 pub use record::Moment;
 pub use sticking::{Sticking, sticking_speed, sticking_speed_of};

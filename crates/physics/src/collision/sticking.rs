@@ -1,6 +1,7 @@
 //! The critical sticking speed: below it two bodies stick, above it they part.
 
-use super::head_on::{CollisionError, HeadOn, Outcome, Start, Tolerance};
+use super::head_on::HeadOn;
+use super::outcome::{CollisionError, Outcome, Start, Tolerance};
 use crate::contact::PairSize;
 use crate::contact::normal::{Normal, NormalLaw, NormalVisitor};
 

@@ -2,12 +2,14 @@
 //!
 //! * [`registry`]: names, documentation, declared ranges
 //! * [`normal_laws`]: energy, stiffness, gaps, the mean over the window, cycles, dimensions
+//! * [`memory_laws`]: the same for laws with memory, and for those that act across a gap, along random paths
 //! * [`collisions`]: restitution and energy of head-on collisions in the engine's own scheme
 //! * [`planar_laws`]: bound, direction, symmetries, dimensions, history of friction and rolling laws
 //! * [`planar_energy`]: what friction and rolling laws store, return and dissipate
 
 pub(crate) mod cases;
 mod collisions;
+mod memory_laws;
 mod normal_laws;
 mod planar;
 mod planar_energy;

@@ -18,7 +18,7 @@ pub mod tangential;
 mod conformance;
 
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 
 /// Elastic constants of one material.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,6 +82,8 @@ pub struct LawInfo {
     pub doc: &'static str,
     /// Its parameters.
     pub parameters: &'static [ParameterInfo],
+    /// Which of them tell the same thing.
+    pub alternatives: &'static [Alternatives],
     /// Number of values that the law remembers per contact.
     pub history: usize,
     /// Dimensions of these values.
@@ -109,6 +111,16 @@ pub enum LawError {
         /// Everything that is wrong.
         errors: Vec<ParameterError>,
     },
+}
+
+impl LawError {
+    /// Name of the law at fault.
+    pub fn law(&self) -> &str {
+        match self {
+            Self::Unknown { name, .. } => name,
+            Self::Parameters { law, .. } => law,
+        }
+    }
 }
 
 /// Declares a family: the enum of its laws, the list of what is known of them, and the reader by name.
@@ -140,6 +152,7 @@ macro_rules! law_family {
                 summary: $law::SUMMARY,
                 doc: $law::DOC,
                 parameters: $law::PARAMETERS,
+                alternatives: $law::ALTERNATIVES,
                 history: $law::HISTORY.len(),
                 history_dimensions: $law::HISTORY,
             },)*

@@ -3,7 +3,7 @@
 use crate::contact::normal::{Normal, NormalInput, NormalLaw, NormalResponse, NormalVisitor};
 use crate::contact::{Elastic, LawInfo, MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{Value, Values};
+use crate::parameters::{ParameterKind, Presence, Value, Values};
 
 const fn material(young_modulus: f64, poisson_ratio: f64) -> Elastic {
     Elastic {
@@ -199,14 +199,40 @@ impl NormalCase {
     }
 
     pub fn stiffness(&self, overlap: f64) -> f64 {
-        struct Stiffness(PairSize, f64);
-        impl NormalVisitor for Stiffness {
+        self.stiffness_with(overlap, &[0.0; MOST_HISTORY])
+    }
+
+    pub fn stiffness_with(&self, overlap: f64, history: &[f64]) -> f64 {
+        struct Stiffness<'h>(PairSize, f64, &'h [f64]);
+        impl NormalVisitor for Stiffness<'_> {
             type Output = f64;
             fn visit<L: Normal>(self, law: &L) -> f64 {
-                law.stiffness(self.0, self.1, &[0.0; MOST_HISTORY][..law.history()])
+                law.stiffness(self.0, self.1, &self.2[..law.history()])
             }
         }
-        self.law.visit(Stiffness(self.size, overlap))
+        self.law.visit(Stiffness(self.size, overlap, history))
+    }
+
+    pub fn reach_with(&self, history: &[f64]) -> f64 {
+        struct Reach<'h>(PairSize, &'h [f64]);
+        impl NormalVisitor for Reach<'_> {
+            type Output = f64;
+            fn visit<L: Normal>(self, law: &L) -> f64 {
+                law.reach(self.0, &self.1[..law.history()])
+            }
+        }
+        self.law.visit(Reach(self.size, history))
+    }
+
+    pub fn largest_reach(&self) -> f64 {
+        struct Reach(PairSize);
+        impl NormalVisitor for Reach {
+            type Output = f64;
+            fn visit<L: Normal>(self, law: &L) -> f64 {
+                law.largest_reach(self.0)
+            }
+        }
+        self.law.visit(Reach(self.size))
     }
 
     pub fn collision_time(&self, overlap: f64) -> f64 {
@@ -242,5 +268,79 @@ pub fn normal_cases(replaced: &[(&str, f64)]) -> Vec<NormalCase> {
 pub fn plain_cases(replaced: &[(&str, f64)]) -> Vec<NormalCase> {
     let mut cases = normal_cases(replaced);
     cases.retain(NormalCase::is_plain);
+    cases
+}
+
+/// Ways to ask for a law: its example; with each other word of each choice; with each optional parameter beside the
+/// example; with each optional parameter in place of the alternatives that the example gives. Those that the law
+/// refuses, for a pair of the first materials, are left out.
+pub fn variants(info: &LawInfo) -> Vec<Values> {
+    let example = values(info, &[]);
+    let mut required = example.clone();
+    for p in info.parameters.iter().filter(|p| p.presence == Presence::Usual) {
+        required.remove(p.name);
+    }
+    let mut asked = vec![example.clone()];
+    for p in info.parameters {
+        let given: Vec<Value> = match (p.kind, p.presence) {
+            (ParameterKind::Choice(words), _) => words[1..].iter().map(|word| (*word).into()).collect(),
+            (_, Presence::Optional | Presence::Default(_)) => vec![p.typical.into(), (2.0 * p.typical).into()],
+            _ => vec![],
+        };
+        for value in given {
+            for base in [&example, &required] {
+                let mut with = base.clone();
+                with.insert(p.name.to_string(), value.clone());
+                asked.push(with);
+            }
+        }
+    }
+    asked.extend(calibrated(info, 0.3));
+    asked.retain(|values| NormalLaw::build(info.name, values, &PAIRS[0]).is_ok());
+    asked.dedup();
+    asked
+}
+
+/// Ways to ask for a restitution at the typical impact speed: beside the example of the law, and in place of each of the
+/// alternatives that it gives. Those that the law refuses are left out: there is none where the restitution holds at
+/// every speed.
+pub fn calibrated(info: &LawInfo, restitution: f64) -> Vec<Values> {
+    let typical = |p: &crate::parameters::ParameterInfo| (p.name == "impact_speed").then_some(p.typical);
+    let Some(speed) = info.parameters.iter().find_map(typical) else {
+        return Vec::new();
+    };
+    let example = values(info, &[("restitution", restitution), ("impact_speed", speed)]);
+    let mut asked = vec![example.clone()];
+    for p in info.parameters.iter().filter(|p| p.presence == Presence::Usual) {
+        let mut without = example.clone();
+        if !["restitution", "impact_speed"].contains(&p.name) && without.remove(p.name).is_some() {
+            asked.push(without);
+        }
+    }
+    asked.retain(|values| NormalLaw::build(info.name, values, &PAIRS[0]).is_ok());
+    asked
+}
+
+/// Every variant of every law that remembers something or acts across a gap, for every size (the example for two pairs of
+/// materials), and the values that it is built from.
+pub fn memory_cases() -> Vec<(NormalCase, Values)> {
+    let mut cases = Vec::new();
+    for info in crate::contact::normal::LAWS {
+        let example = values(info, &[]);
+        for values in variants(info) {
+            for pair in [PAIRS[1], PAIRS[3]]
+                .into_iter()
+                .take(if values == example { 2 } else { 1 })
+            {
+                let law = NormalLaw::build(info.name, &values, &pair).unwrap();
+                for size in SIZES {
+                    let case = NormalCase { info, law, pair, size };
+                    if !case.is_plain() {
+                        cases.push((case, values.clone()));
+                    }
+                }
+            }
+        }
+    }
     cases
 }

@@ -1,8 +1,10 @@
 //! Head-on collisions in the engine's own scheme: velocity Verlet with the predicted velocity and `centred_force`.
 
-use super::cases::{MOST_HISTORY, NormalCase, PAIRS, values};
-use crate::contact::normal::{NormalInput, NormalLaw, centred_force};
+use super::cases::{MOST_HISTORY, NormalCase, PAIRS, SIZES, calibrated, has_parameter, values};
+use crate::collision::{HeadOn, Start, Tolerance};
+use crate::contact::normal::{Normal, NormalInput, NormalLaw, NormalVisitor, centred_force};
 use crate::contact::{LawInfo, PairSize};
+use crate::parameters::Value;
 
 /// Steps per shortest collision time.
 const STEPS_PER_COLLISION: f64 = 100.0;
@@ -94,12 +96,10 @@ impl Encounter {
     }
 }
 
-/// Every law with a parameter `restitution`, for equal, unequal and infinite partners, weak and strong impacts.
+/// Every law with a parameter `restitution` that holds at every speed, for equal, unequal and infinite partners, weak and strong impacts.
 fn each_collision(restitution: f64, check: impl Fn(&Encounter, &Outcome)) {
-    // laws that take an `impact_speed` realise it at that speed only
-    let has = |info: &LawInfo, name| super::cases::has_parameter(info, name);
-    let has_restitution = |info: &&LawInfo| has(info, "restitution") && !has(info, "impact_speed");
-    for info in crate::contact::normal::LAWS.iter().filter(has_restitution) {
+    let at_every_speed = |info: &&LawInfo| has_parameter(info, "restitution") && calibrated(info, 0.5).is_empty();
+    for info in crate::contact::normal::LAWS.iter().filter(at_every_speed) {
         for pair in PAIRS {
             let law = NormalLaw::build(info.name, &values(info, &[("restitution", restitution)]), &pair).unwrap();
             for (radius, mass_i, mass_j) in [(5e-4, 1e-6, 1e-6), (1.8e-3, 3e-5, 4e-2), (2e-2, 0.1, f64::INFINITY)] {
@@ -141,4 +141,51 @@ fn elastic_collisions_keep_their_energy() {
             encounter.case.name()
         );
     });
+}
+
+/// What a law says of a size.
+struct Check(PairSize);
+
+impl NormalVisitor for Check {
+    type Output = Result<(), String>;
+    fn visit<L: Normal>(self, law: &L) -> Self::Output {
+        law.check(self.0)
+    }
+}
+
+#[test]
+fn laws_that_depend_on_the_speed_give_the_requested_restitution_at_it() {
+    for info in crate::contact::normal::LAWS {
+        let (mut realised, mut refused) = (0, 0);
+        for requested in [0.1, 0.3, 0.6, 0.9] {
+            for values in calibrated(info, requested) {
+                let Some(Value::Number(speed)) = values.get("impact_speed") else {
+                    panic!("{}: no impact speed", info.name);
+                };
+                for (pair, size) in PAIRS.iter().flat_map(|pair| SIZES.map(|size| (pair, size))) {
+                    let law = NormalLaw::build(info.name, &values, pair).unwrap();
+                    let label = format!("{} with {values:?} at {} m", info.name, size.radius);
+                    if let Err(why) = law.visit(Check(size)) {
+                        assert!(why.contains("restitution"), "{label}: {why}");
+                        refused += 1;
+                        continue;
+                    }
+                    let impact = HeadOn {
+                        law: &law,
+                        size,
+                        speed: *speed,
+                        start: Start::Far,
+                    };
+                    let found = impact.run(&Tolerance::default()).unwrap().restitution;
+                    assert!((found - requested).abs() < 1e-6, "{label}: {found}");
+                    realised += 1;
+                }
+            }
+        }
+        assert!(
+            realised > 0 || refused == 0,
+            "{}: every one of {refused} requests was refused",
+            info.name
+        );
+    }
 }

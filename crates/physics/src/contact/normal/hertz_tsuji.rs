@@ -4,7 +4,7 @@ use super::spring_dashpot::{Damping, ENDS, Observed, check_end, contact_end, exa
 use super::{Normal, NormalInput, NormalResponse, mean_slope, near_end};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use crate::restitution::ContactEnd;
 use crate::restitution::duration::UNDAMPED;
@@ -56,6 +56,16 @@ impl Normal for HertzTsuji {
     const SUMMARY: &'static str = "Hertzian spring-dashpot (HSD)";
     const DOC: &'static str = include_str!("hertz_tsuji.md");
     const PARAMETERS: &'static [ParameterInfo] = HertzTsujiParameters::TABLE;
+    const ALTERNATIVES: &'static [Alternatives] = &[
+        Alternatives {
+            of: &["contact_time", "max_overlap"],
+            with: &["impact_speed"],
+        },
+        Alternatives {
+            of: &["restitution", "alpha"],
+            with: &[],
+        },
+    ];
     const HISTORY: &'static [Dimension] = &[Dimension::NONE];
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {

@@ -4,7 +4,7 @@ use super::spring_dashpot::{Damping, ENDS, Observed, check_end, contact_end, exa
 use super::{Normal, NormalInput, NormalResponse, mean_slope, near_end};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use crate::restitution::ContactEnd;
 use crate::restitution::inverse::SpringDashpot;
@@ -51,6 +51,16 @@ impl Normal for Linear {
     const SUMMARY: &'static str = "linear spring-dashpot (LSD)";
     const DOC: &'static str = include_str!("linear.md");
     const PARAMETERS: &'static [ParameterInfo] = LinearParameters::TABLE;
+    const ALTERNATIVES: &'static [Alternatives] = &[
+        Alternatives {
+            of: &["stiffness", "contact_time", "max_overlap"],
+            with: &["impact_speed"],
+        },
+        Alternatives {
+            of: &["restitution", "damping_rate"],
+            with: &[],
+        },
+    ];
     const HISTORY: &'static [Dimension] = &[Dimension::NONE];
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {

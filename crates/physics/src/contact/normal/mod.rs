@@ -1,12 +1,13 @@
 //! Normal laws: force along the line of centres.
 
 pub mod dashpot;
+pub mod hysteresis;
 pub mod path;
 mod spring_dashpot;
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 use crate::restitution::ContactEnd;
 
 /// What a normal law sees of a contact.
@@ -91,6 +92,8 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     const DOC: &'static str;
     /// Its parameters.
     const PARAMETERS: &'static [ParameterInfo];
+    /// Which of them tell the same thing.
+    const ALTERNATIVES: &'static [Alternatives] = &[];
     /// Dimensions of the values that it remembers per contact.
     const HISTORY: &'static [Dimension];
 
@@ -136,6 +139,10 @@ law_family! {
     laws {
         linear::Linear,
         hertz_tsuji::HertzTsuji,
+        walton_braun::WaltonBraun,
+        luding::Luding,
+        eepa::Eepa,
+        viscoelastic::Viscoelastic,
         tomas::Tomas,
     }
 }

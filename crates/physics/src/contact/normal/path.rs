@@ -4,7 +4,7 @@
 //! state, and where on the way the force or its slope jumps. This module takes a contact along the window of a step,
 //! piece by piece between those places, and books what the path loses.
 
-use super::{Normal, NormalInput, NormalResponse};
+use super::{NormalInput, NormalResponse};
 use crate::contact::PairSize;
 
 /// Most places on one path at which a force or its slope jumps.
@@ -22,7 +22,7 @@ pub struct Point {
 }
 
 /// A law of branches.
-pub trait Branched: Normal {
+pub trait Branched {
     /// What is remembered, beside what never changes in the life of a contact.
     type State: Copy + PartialEq;
 

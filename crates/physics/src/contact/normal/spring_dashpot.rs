@@ -160,8 +160,12 @@ impl Observed {
     }
 }
 
-/// Shortest duration of a collision with this damping ratio, in the units of its law.
+/// Collisions of a lower restitution than this need no shorter steps: what is left of the speed is too little.
+const LEAST_RESOLVED: f64 = 0.01;
+
+/// Duration of a collision with this damping ratio that must be resolved, in the units of its law.
 pub(super) fn unit_duration(law: SpringDashpot, ratio: f64, end: ContactEnd) -> Result<f64, RestitutionError> {
+    let ratio = ratio.min(ratio_of(LEAST_RESOLVED, end));
     match law {
         SpringDashpot::Linear => LinearCollision::new(ratio)?.contact_time(end),
         SpringDashpot::Hertz => HertzCollision::new(5f64.sqrt() * ratio)?.contact_time(end),

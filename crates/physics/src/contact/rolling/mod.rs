@@ -2,7 +2,7 @@
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 use glam::DVec3;
 
 /// What a rolling law sees of a contact.
@@ -46,6 +46,8 @@ pub trait Rolling: Copy + Send + Sync {
     const DOC: &'static str;
     /// Its parameters.
     const PARAMETERS: &'static [ParameterInfo];
+    /// Which of them tell the same thing.
+    const ALTERNATIVES: &'static [Alternatives] = &[];
     /// Dimensions of the values that it remembers per contact.
     const HISTORY: &'static [Dimension];
 

@@ -2,7 +2,7 @@
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 use glam::DVec3;
 
 /// What a tangential law sees of a contact.
@@ -45,6 +45,8 @@ pub trait Tangential: Copy + Send + Sync {
     const DOC: &'static str;
     /// Its parameters.
     const PARAMETERS: &'static [ParameterInfo];
+    /// Which of them tell the same thing.
+    const ALTERNATIVES: &'static [Alternatives] = &[];
     /// Dimensions of the values that it remembers per contact.
     const HISTORY: &'static [Dimension];
 
@@ -66,6 +68,7 @@ law_family! {
         coulomb::Coulomb,
         linear_history::LinearHistory,
         mindlin_history::MindlinHistory,
+        mindlin_deresiewicz::MindlinDeresiewicz,
     }
 }
 

@@ -4,9 +4,19 @@ use super::*;
 use crate::contact::conformance::cases::Random;
 use approx::assert_relative_eq;
 
-/// Work done on a contact that is moved through these overlaps with so many steps each, and what it lost.
-fn walk(law: &Tomas, size: PairSize, history: &mut [f64], turns: &[f64], steps: u32) -> (f64, f64) {
-    let (mut work, mut lost) = (0.0, 0.0);
+/// What went on along a walk [J].
+#[derive(Debug, Default)]
+struct Walk {
+    /// Work done on the contact.
+    work: f64,
+    /// Work in and out, added up.
+    through: f64,
+    lost: f64,
+}
+
+/// Moves a contact through these overlaps with so many steps each.
+fn walk(law: &Tomas, size: PairSize, history: &mut [f64], turns: &[f64], steps: u32) -> Walk {
+    let mut done = Walk::default();
     for leg in turns.windows(2) {
         let length = leg[1] - leg[0];
         let step = length / f64::from(steps);
@@ -18,11 +28,12 @@ fn walk(law: &Tomas, size: PairSize, history: &mut [f64], turns: &[f64], steps: 
                 half_window: 0.5 * step.abs(),
             };
             let response = law.respond(&input, history);
-            work += response.elastic * step;
-            lost += response.lost;
+            done.work += response.elastic * step;
+            done.through += (response.elastic * step).abs();
+            done.lost += response.lost;
         }
     }
-    (work, lost)
+    done
 }
 
 /// Every choice that changes the force.
@@ -50,18 +61,13 @@ fn work_is_stored_or_lost_on_random_paths() {
             let (mut history, start) = ([0.0; 3], -1.5e-9);
             let mut turns = vec![start];
             turns.extend((0..8).map(|_| random.between(-1.5e-9, 0.6e-9)));
-            let (work, lost) = walk(law, small(), &mut history, &turns, 3000);
-            let end = turns[turns.len() - 1];
-            let stored = law.energy(small(), end, &history) - law.energy(small(), start, &[0.0; 3]);
-            // the largest that it stored on the way, and what went through
-            let scale = turns
-                .iter()
-                .map(|&h| law.stored(small(), Dent::of(&history), h).abs())
-                .sum::<f64>()
-                + lost;
+            let done = walk(law, small(), &mut history, &turns, 3000);
+            let stored = law.energy(small(), turns[turns.len() - 1], &history) - law.energy(small(), start, &[0.0; 3]);
+            let error = done.work - stored - done.lost;
+            // far from every bend the force at the middle of a step stands for its mean
             assert!(
-                (work - stored - lost).abs() < 3e-6 * scale,
-                "{law:?}: work {work:e}, stored {stored:e}, lost {lost:e}"
+                error.abs() <= 1e-5 * done.through,
+                "{law:?}: {done:?}, stored {stored:e}"
             );
         }
     }
@@ -73,7 +79,7 @@ fn a_coarse_walk_keeps_the_books_too() {
     let law = limestone(&[]);
     for steps in [1, 3, 10, 50] {
         let mut history = [0.0; 3];
-        let (work, lost) = walk(&law, small(), &mut history, &[-40e-9, 0.4e-9, -40e-9], steps);
+        let Walk { work, lost, .. } = walk(&law, small(), &mut history, &[-40e-9, 0.4e-9, -40e-9], steps);
         assert_relative_eq!(work, lost, max_relative = 1e-6);
         assert_relative_eq!(history[0], 0.4e-9, max_relative = 1e-12);
     }
@@ -86,7 +92,7 @@ fn what_a_dent_costs() {
     let scale = law.scale(small());
     let mut history = [0.0; 3];
     let deepest = 0.3e-9;
-    let (work, lost) = walk(&law, small(), &mut history, &[-40e-9, deepest, -40e-9], 2000);
+    let Walk { work, lost, .. } = walk(&law, small(), &mut history, &[-40e-9, deepest, -40e-9], 2000);
     let foot = history[1];
     let share = 1.0 / 101.0;
     let tail = |foot: f64| A * (scale.pull * (1.0 - share) + 0.5 * scale.limit * foot * (1.0 - share * share));
@@ -109,7 +115,7 @@ fn yielding_never_gives_energy_with_a_tail() {
             let (mut history, mut from) = ([0.0; 3], 0.0);
             for k in 1..200 {
                 let to = level * (0.9 + 0.01 * f64::from(k * k));
-                let (_, lost) = walk(&law, size(radius), &mut history, &[from, to], 1);
+                let lost = walk(&law, size(radius), &mut history, &[from, to], 1).lost;
                 assert!(lost >= 0.0, "{tail}, {radius:e} m, {to:e}: {lost:e}");
                 from = to;
             }
