@@ -47,6 +47,9 @@ pub enum CalibrateError {
         /// Effective radius [m].
         radius: f64,
     },
+    /// A law cannot do for these bodies what its parameters ask.
+    #[error("{0}")]
+    Refused(String),
     /// A curve was asked for that the law does not reach.
     #[error("{0}")]
     Curve(String),

@@ -3,6 +3,7 @@
 //! * [`collide()`]: one collision, head-on with error control or oblique by extrapolation of the engine's own steps.
 //! * [`contact_curve`]: quasi-static loading, unloading, reloading and pull-off.
 //! * [`sticking`]: the speed below which bodies stick, against their size.
+//! * [`fit`]: from observations to the parameters of a law, with what they cannot tell.
 //! * [`figure`]: the figures of the papers whose mathematics Demeter uses.
 
 mod collide;
@@ -10,6 +11,7 @@ mod curve;
 mod error;
 mod extrapolate;
 pub mod figure;
+pub mod fit;
 mod flight;
 mod sticking;
 

@@ -3,6 +3,7 @@
 mod checks;
 mod diagnostics;
 mod document;
+mod fit_file;
 mod grains;
 mod impact;
 mod materials;
@@ -26,6 +27,9 @@ mod tests;
 
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use document::{Document, SourceText, Span};
+pub use fit_file::{
+    DEFAULT_ERROR, FIT_REFERENCE, FitFile, MAX_OBSERVATIONS, MAX_UNKNOWNS, Measured, Observable, Observation, Target, Unknown,
+};
 pub use grains::{MAX_BATCHES, MAX_GRAINS};
 pub use impact::{
     Body, CurveDepth, CurveSpec, IMPACT_REFERENCE, ImpactFile, ImpactSpec, MAX_CURVE_POINTS, Partner, pair_size,

@@ -1,6 +1,7 @@
 //! The motion of two bodies beyond the moment at which they are known to stick.
 
-use super::head_on::{CollisionError, Course, HeadOn, Pair, Tolerance};
+use super::head_on::{Course, HeadOn, Pair};
+use super::outcome::{CollisionError, Tolerance};
 use super::record::{Moment, moments};
 use crate::contact::normal::{Normal, NormalLaw, NormalVisitor};
 
