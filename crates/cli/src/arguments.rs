@@ -37,6 +37,9 @@ pub enum Command {
     /// Draw the figures of the papers on damped springs and adhesive grains, and tell how exact they are
     #[command(after_help = exit::HELP)]
     Figure(FigureArguments),
+    /// Find the parameters of a law from observed collisions, and tell what these do not fix
+    #[command(after_help = exit::HELP)]
+    Fit(FitArguments),
     /// List the contact laws, or explain one
     Laws(LawsArguments),
     /// Write a scenario to start from, or list those there are
@@ -56,6 +59,7 @@ impl Command {
             Self::ContactCurve(a) => a.json,
             Self::Sticking(a) => a.json,
             Self::Figure(a) => a.json,
+            Self::Fit(a) => a.json,
             Self::Laws(a) => a.json,
             Self::New(_) => false,
             Self::Info(a) => a.json,
@@ -197,6 +201,19 @@ pub struct FigureArguments {
     /// List the figures
     #[arg(long, conflicts_with = "names")]
     pub list: bool,
+    /// Write one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Of `demeter fit`.
+#[derive(Debug, Args)]
+pub struct FitArguments {
+    /// The file of observations
+    pub file: PathBuf,
+    /// Change a value of the file, as `fit.law="linear"`; may be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
     /// Write one JSON object to standard output
     #[arg(long)]
     pub json: bool,

@@ -73,7 +73,10 @@ fn write(figure: &Figure, folder: &Path) -> Result<[PathBuf; 2], Failure> {
     let file = |ending: &str| folder.join(format!("{}.{ending}", figure.info.name));
     let files = [file("svg"), file("csv")];
     let [svg, csv] = &files;
-    figure.sheet.write_svg(svg).map_err(|error| Failure::io(error.to_string()))?;
+    figure
+        .sheet
+        .write_svg(svg)
+        .map_err(|error| Failure::io(error.to_string()))?;
     let mut titles = vec!["curve"];
     titles.extend(&figure.table.titles);
     let rows = figure.table.rows.iter().map(|(curve, numbers)| {

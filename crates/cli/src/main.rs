@@ -12,6 +12,7 @@ mod contact_curve;
 mod exit;
 mod failure;
 mod figure;
+mod fit;
 mod info;
 mod interrupt;
 mod laws;
@@ -45,6 +46,7 @@ fn main() -> ExitCode {
         Command::Collide(arguments) => collide::collide(&arguments),
         Command::ContactCurve(arguments) => contact_curve::contact_curve(&arguments),
         Command::Sticking(arguments) => sticking::sticking(&arguments),
+        Command::Fit(arguments) => fit::fit(&arguments),
         Command::Figure(arguments) => figure::figure(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
         Command::New(arguments) => new::new(&arguments),

@@ -334,7 +334,10 @@ fn target(
         return None;
     }
     if known.contains_key(parameter.name) {
-        item.fault(format!("`{}` is known and unknown; it is one or the other", item.name), None);
+        item.fault(
+            format!("`{}` is known and unknown; it is one or the other", item.name),
+            None,
+        );
     }
     let target = Target::Parameter(parameter.name);
     Some((target, parameter.dimension, parameter.range, parameter.typical))
@@ -390,11 +393,19 @@ fn bounds(item: &Item<'_>, dimension: Dimension, range: Range) -> Option<(f64, f
         return None;
     };
     // the search goes by ratios
-    let above_zero = Range::new(range.lower.max(0.0), range.lower > 0.0 && range.lower_allowed, range.upper, range.upper_allowed);
+    let above_zero = Range::new(
+        range.lower.max(0.0),
+        range.lower > 0.0 && range.lower_allowed,
+        range.upper,
+        range.upper_allowed,
+    );
     let kind = Kind::of(dimension);
     let (lower, upper) = (lower.quantity(kind, above_zero), upper.quantity(kind, above_zero));
     if lower >= upper {
-        item.fault(format!("the first bound of `{}` must be below the second", item.name), None);
+        item.fault(
+            format!("the first bound of `{}` must be below the second", item.name),
+            None,
+        );
     }
     (lower < upper).then_some((lower, upper))
 }

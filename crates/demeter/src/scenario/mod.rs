@@ -28,7 +28,8 @@ mod tests;
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use document::{Document, SourceText, Span};
 pub use fit_file::{
-    DEFAULT_ERROR, FIT_REFERENCE, FitFile, MAX_OBSERVATIONS, MAX_UNKNOWNS, Measured, Observable, Observation, Target, Unknown,
+    DEFAULT_ERROR, FIT_REFERENCE, FitFile, MAX_OBSERVATIONS, MAX_UNKNOWNS, Measured, Observable, Observation, Target,
+    Unknown,
 };
 pub use grains::{MAX_BATCHES, MAX_GRAINS};
 pub use impact::{

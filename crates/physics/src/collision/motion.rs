@@ -8,12 +8,7 @@ use crate::contact::normal::{Normal, NormalLaw, NormalVisitor};
 impl<L: Normal> HeadOn<'_, L> {
     /// So many moments at equal distances in time, from the start through every reversal up to a duration [s], or up to
     /// rest or the end of contact when that comes first.
-    pub fn follow(
-        &self,
-        tolerance: &Tolerance,
-        duration: f64,
-        count: usize,
-    ) -> Result<Vec<Moment>, CollisionError> {
+    pub fn follow(&self, tolerance: &Tolerance, duration: f64, count: usize) -> Result<Vec<Moment>, CollisionError> {
         if !(duration > 0.0 && duration.is_finite()) {
             return Err(CollisionError::Input {
                 quantity: "duration",
@@ -50,12 +45,7 @@ impl NormalVisitor for Follow<'_> {
 
 impl HeadOn<'_, NormalLaw> {
     /// See the method of the same name for a law that is known.
-    pub fn follow(
-        &self,
-        tolerance: &Tolerance,
-        duration: f64,
-        count: usize,
-    ) -> Result<Vec<Moment>, CollisionError> {
+    pub fn follow(&self, tolerance: &Tolerance, duration: f64, count: usize) -> Result<Vec<Moment>, CollisionError> {
         self.law.visit(Follow(self, tolerance, duration, count))
     }
 }
@@ -104,9 +94,14 @@ mod tests {
         assert!((deepest - stuck.max_overlap).abs() < 1e-4 * stuck.max_overlap);
         let reversals = moments.windows(2).filter(|w| w[0].rate * w[1].rate < 0.0).count();
         assert!(reversals > 20, "{reversals}");
-        assert!(last.rate.abs() < 1e-6 * impact.speed && last.force.abs() < 1e-5 * 2.64e-9, "{last:?}");
+        assert!(
+            last.rate.abs() < 1e-6 * impact.speed && last.force.abs() < 1e-5 * 2.64e-9,
+            "{last:?}"
+        );
         // every swing is smaller than the one before
-        let mut turns = moments.windows(3).filter(|w| w[1].overlap > w[0].overlap && w[1].overlap >= w[2].overlap);
+        let mut turns = moments
+            .windows(3)
+            .filter(|w| w[1].overlap > w[0].overlap && w[1].overlap >= w[2].overlap);
         let mut before = turns.next().unwrap()[1].overlap;
         for turn in turns {
             assert!(turn[1].overlap < before * (1.0 + 1e-9), "{turn:?}");

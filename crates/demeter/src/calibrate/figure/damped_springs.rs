@@ -12,9 +12,7 @@ use demeter_physics::contact::normal::NormalLaw;
 use demeter_physics::contact::{Elastic, MaterialPair, PairSize};
 use demeter_physics::parameters::values;
 use demeter_physics::restitution::ContactEnd::ZeroOverlap;
-use demeter_physics::restitution::duration::{
-    contact_time_first_order, contact_time_quadratic, ratio_at_zero_overlap,
-};
+use demeter_physics::restitution::duration::{contact_time_first_order, contact_time_quadratic, ratio_at_zero_overlap};
 use demeter_physics::restitution::hertz::HertzCollision;
 use demeter_physics::restitution::inverse::{Collision, SpringDashpot};
 use demeter_physics::restitution::linear::{LinearCollision, PhasePoint};
@@ -263,8 +261,7 @@ pub(super) fn contact_times() -> Result<Drawing, CalibrateError> {
             };
             let label = format!("{name}, restitution {restitution}");
             plot.series.push(Series::line(label, line).with(look, colour));
-            plot.series
-                .push(Series::line("", circles).with(Look::Circles, colour));
+            plot.series.push(Series::line("", circles).with(Look::Circles, colour));
         }
         checks.push(Check {
             what: format!("{name}, contact time, integrated against the closed form"),

@@ -19,8 +19,8 @@ use crate::output::Sheet;
 use damped_springs::{contact_times, longer_contacts, phase_trajectories};
 use demeter_physics::collision::Start;
 use load_displacement::{loops, swings};
-use sticking_speed::sticking_speeds;
 use std::fmt;
+use sticking_speed::sticking_speeds;
 
 /// A figure that can be drawn.
 #[derive(Clone, Copy, Debug)]

@@ -100,7 +100,10 @@ fn limestone_grains_stick_at_2_mm_per_minute_and_part_at_2_m_per_minute() {
             rows[rows.len() - 1].to_vec()
         };
         let (stuck, parted) = (last("sticking"), last("detachment"));
-        assert!(stuck[4].abs() < 1e-9 && stuck[3] > 0.0 && stuck[5].abs() < 1e-14, "{stuck:?}");
+        assert!(
+            stuck[4].abs() < 1e-9 && stuck[3] > 0.0 && stuck[5].abs() < 1e-14,
+            "{stuck:?}"
+        );
         assert!(parted[4] < -1e-3, "{parted:?}");
     }
 }

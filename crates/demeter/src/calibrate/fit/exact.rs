@@ -73,9 +73,15 @@ fn damping(collision: &Collision, name: &str, stiffness: Option<f64>) -> Option<
     let restitution = collision.restitution;
     match name {
         "restitution" => Some(restitution),
-        "alpha" => Some(HertzCollision::from_restitution(restitution, collision.end).ok()?.alpha()),
+        "alpha" => Some(
+            HertzCollision::from_restitution(restitution, collision.end)
+                .ok()?
+                .alpha(),
+        ),
         "damping_rate" => {
-            let ratio = LinearCollision::from_restitution(restitution, collision.end).ok()?.ratio();
+            let ratio = LinearCollision::from_restitution(restitution, collision.end)
+                .ok()?
+                .ratio();
             Some(ratio * (stiffness? / collision.mass).sqrt())
         }
         _ => None,

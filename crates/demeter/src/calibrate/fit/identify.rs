@@ -206,5 +206,7 @@ fn slopes_of(
         // a law without adhesion has no pull
         (seen > 0.0 && seen.is_finite()).then(|| vec![libm::log(seen)])
     };
-    slopes(value, point, bounds)?.pop().filter(|slope| slope.iter().all(|x| x.is_finite()))
+    slopes(value, point, bounds)?
+        .pop()
+        .filter(|slope| slope.iter().all(|x| x.is_finite()))
 }

@@ -102,7 +102,13 @@ pub fn fit(file: &FitFile) -> Result<FitReport, CalibrateError> {
         .collect();
     let deviations = |point: &[f64]| -> Option<Vec<f64>> {
         let found = problem_of(point)?;
-        Some(found.iter().zip(&measured).map(|(x, (value, error))| (x - value) / error).collect())
+        Some(
+            found
+                .iter()
+                .zip(&measured)
+                .map(|(x, (value, error))| (x - value) / error)
+                .collect(),
+        )
     };
     let logarithms = |pick: fn(&crate::scenario::Unknown) -> (f64, f64)| -> Vec<(f64, f64)> {
         let bounds = file.unknown.iter().map(pick);
@@ -117,7 +123,8 @@ pub fn fit(file: &FitFile) -> Result<FitReport, CalibrateError> {
     let best = &minima[0];
     let bounds = &problem.last;
     let seen = identify(&model, &best.point, bounds, &measured).ok_or_else(|| {
-        let message = "the law has no answer beside the parameters that were found: they lie at the edge of what it can do";
+        let message =
+            "the law has no answer beside the parameters that were found: they lie at the edge of what it can do";
         CalibrateError::File(Box::new(file.refused("fit.unknown", message)))
     })?;
     let ambiguous = (minima.iter().skip(1))

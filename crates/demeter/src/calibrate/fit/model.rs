@@ -14,6 +14,12 @@ const TOLERANCE: Tolerance = Tolerance {
     max_steps: 20_000,
 };
 
+/// A critical velocity is bracketed to 1e-7 only, by many collisions.
+const STICKING_TOLERANCE: Tolerance = Tolerance {
+    relative: 1e-10,
+    ..TOLERANCE
+};
+
 /// What bodies that stick show of a rebound, so that a search can tell nearer from farther.
 const NO_REBOUND: f64 = 1e-6;
 
@@ -119,9 +125,11 @@ impl<'a> Scene<'a> {
             }
             Observable::MaxOverlap => self.collision()?.max_overlap,
             Observable::MaxForce => self.collision()?.max_force,
-            Observable::StickingVelocity => match sticking_speed_of(self.law, self.size, self.start, &TOLERANCE)? {
-                Sticking::Below(speed) | Sticking::Never(speed) | Sticking::Always(speed) => speed,
-            },
+            Observable::StickingVelocity => {
+                match sticking_speed_of(self.law, self.size, self.start, &STICKING_TOLERANCE)? {
+                    Sticking::Below(speed) | Sticking::Never(speed) | Sticking::Always(speed) => speed,
+                }
+            }
             Observable::PullOffForce => self.law.visit(PullOff(self.size, self.observation.preload)),
         })
     }

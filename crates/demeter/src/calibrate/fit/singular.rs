@@ -22,7 +22,11 @@ pub(super) fn singular(rows: &[Vec<f64>], columns: usize) -> Singular {
         let mut turned = false;
         for p in 0..columns {
             for q in p + 1..columns {
-                let (a, b, c) = (dot(&felt[p], &felt[p]), dot(&felt[q], &felt[q]), dot(&felt[p], &felt[q]));
+                let (a, b, c) = (
+                    dot(&felt[p], &felt[p]),
+                    dot(&felt[q], &felt[q]),
+                    dot(&felt[p], &felt[q]),
+                );
                 if c.abs() <= 1e-15 * (a * b).sqrt() {
                     continue;
                 }
@@ -95,7 +99,12 @@ mod tests {
 
     #[test]
     fn a_matrix_is_put_together_again() {
-        let rows = vec![vec![1.0, 2.0, 3.0], vec![-4.0, 0.5, 1.0], vec![2.0, 2.0, -1.0], vec![0.0, 1.0, 1.0]];
+        let rows = vec![
+            vec![1.0, 2.0, 3.0],
+            vec![-4.0, 0.5, 1.0],
+            vec![2.0, 2.0, -1.0],
+            vec![0.0, 1.0, 1.0],
+        ];
         let found = singular(&rows, 3);
         assert!(found.values.windows(2).all(|w| w[0] >= w[1]));
         // the sum of squares is that of the elements, and every direction is felt as strongly as told

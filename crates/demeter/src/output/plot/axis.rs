@@ -182,10 +182,17 @@ fn logarithmic_label(factor: i32, exponent: i32) -> String {
         0..=3 => format!("{}", i64::from(factor) * 10_i64.pow(exponent.unsigned_abs())),
         -3..0 => {
             let decimals = exponent.unsigned_abs() as usize;
-            format!("{:.decimals$}", f64::from(factor) * libm::pow(10.0, f64::from(exponent)))
+            format!(
+                "{:.decimals$}",
+                f64::from(factor) * libm::pow(10.0, f64::from(exponent))
+            )
         }
         _ => {
-            let times = if factor == 1 { String::new() } else { format!("{factor}·") };
+            let times = if factor == 1 {
+                String::new()
+            } else {
+                format!("{factor}·")
+            };
             format!("{times}10<tspan dy=\"-6\" font-size=\"11\">{exponent}</tspan>")
         }
     }
@@ -202,7 +209,10 @@ mod tests {
             range: Some((1e-5, 1e2)),
         };
         let axis = Axis::new([].into_iter(), spec, (0.0, 700.0), 6.0);
-        for (k, value) in [1e-5, 1e-4, 1e-1, 1.0, 1e2].into_iter().zip([0.0, 100.0, 400.0, 500.0, 700.0]) {
+        for (k, value) in [1e-5, 1e-4, 1e-1, 1.0, 1e2]
+            .into_iter()
+            .zip([0.0, 100.0, 400.0, 500.0, 700.0])
+        {
             assert!((axis.pixel(k) - value).abs() < 1e-9, "{k}");
         }
         let labels: Vec<&str> = axis.ticks().map(|(_, label)| label.as_str()).collect();

@@ -8,7 +8,12 @@ const ENTRY: f64 = 22.0;
 
 /// Draws the legend, in the corner where it hides least; none when fewer than two series have names.
 pub(super) fn legend(plot: &Plot, svg: &mut String, x: &Axis, y: &Axis) {
-    let named: Vec<(usize, &Series)> = plot.series.iter().enumerate().filter(|s| !s.1.name.is_empty()).collect();
+    let named: Vec<(usize, &Series)> = plot
+        .series
+        .iter()
+        .enumerate()
+        .filter(|s| !s.1.name.is_empty())
+        .collect();
     if named.len() < 2 {
         return;
     }
@@ -30,7 +35,10 @@ pub(super) fn legend(plot: &Plot, svg: &mut String, x: &Axis, y: &Axis) {
         let (start, end, text, base) = (left + 10.0, left + 38.0, left + 46.0, line + 5.0);
         let (colour, look) = (colour(series, place), series.look.attributes());
         let sample = match series.look {
-            Look::Circles => format!("<circle fill=\"none\" cx=\"{:.1}\" cy=\"{line:.1}\" r=\"4\"", left + 24.0),
+            Look::Circles => format!(
+                "<circle fill=\"none\" cx=\"{:.1}\" cy=\"{line:.1}\" r=\"4\"",
+                left + 24.0
+            ),
             _ => format!("<path fill=\"none\" stroke-linecap=\"round\" d=\"M{start:.1} {line:.1}H{end:.1}\""),
         };
         let thick = if series.look == Look::Circles {
@@ -57,7 +65,10 @@ fn place(plot: &Plot, x: &Axis, y: &Axis, (width, height): (f64, f64)) -> Option
     ];
     let hidden = |&(left, top): &(f64, f64)| {
         let inside = |px: f64, py: f64| px > left && px < left + width && py > top && py < top + height;
-        plot.series.iter().map(|s| hidden_points(s, x, y, inside)).sum::<usize>()
+        plot.series
+            .iter()
+            .map(|s| hidden_points(s, x, y, inside))
+            .sum::<usize>()
     };
     corners.into_iter().min_by_key(hidden)
 }

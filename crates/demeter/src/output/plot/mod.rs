@@ -310,8 +310,7 @@ mod tests {
     #[test]
     fn a_plot_names_everything_and_draws_every_point() {
         let mut plot = plot(vec![(0.0, 0.0), (0.1, 2.0), (0.2, 6.7)]);
-        plot.series
-            .push(Series::line("release", vec![(0.2, 6.7), (0.0, 0.0)]));
+        plot.series.push(Series::line("release", vec![(0.2, 6.7), (0.0, 0.0)]));
         let svg = plot.to_svg();
         for text in [
             "Force &amp; strain",
