@@ -51,6 +51,30 @@ fn an_interrupted_run_resumes_to_the_same_bits() {
     }
 }
 
+/// The derivatives that the predictor-corrector remembers are in the checkpoint.
+#[test]
+fn an_interrupted_run_with_gear_resumes_to_the_same_bits() {
+    let place = Place::new();
+    let gear = "[simulation]\nintegrator = \"gear\"";
+    place.write("fall.toml", &FALL.replace("[simulation]", gear));
+    place.write("verlet.toml", FALL);
+    place.expect(0, &["run", "verlet.toml", "--out", "verlet"]);
+    let said = place
+        .expect(0, &["run", "fall.toml", "--out", "whole", "--json"])
+        .json();
+    assert!(said["energies"]["max_residual"].as_f64().unwrap() < 1e-3, "{said}");
+    interrupt(
+        &place,
+        &["run", "fall.toml", "--out", "cut", "--overwrite"],
+        "cut",
+        "INT",
+    );
+    place.expect(0, &["resume", "cut"]);
+    assert_same(&place.results("whole"), &place.results("cut"));
+    let series = |folder: &str| fs::read(place.path(folder).join("series.csv")).unwrap();
+    assert!(series("verlet") != series("whole"), "the integrator changes nothing");
+}
+
 #[test]
 fn a_killed_run_resumes_to_the_same_bits() {
     let place = Place::new();

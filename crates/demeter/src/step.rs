@@ -1,10 +1,12 @@
 //! One time step, in the order in which things happen.
 
-use crate::contacts::sum::contact_load;
+mod gear;
+mod velocity_verlet;
+
 use crate::contacts::{CHUNK, Fault, Scene};
 use crate::particles::Outside;
 use crate::simulation::Simulation;
-use demeter_physics::integrator::rotate;
+use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -12,18 +14,18 @@ use rayon::prelude::*;
 const GRAINS_PER_TASK: usize = 512;
 
 impl Simulation {
-    /// Advances the run by one time step (velocity Verlet, see [`demeter_physics::integrator`]).
+    /// Advances the run by one time step (see [`demeter_physics::integrator`]).
     pub fn step(&mut self) -> Result<(), Fault> {
         self.start()?;
         self.step += 1;
-        let motion = self.drift();
+        let motion = self.move_grains();
         self.move_walls();
         self.check_places(&motion)?;
         if self.candidates_are_stale(&motion) {
             self.find_candidates();
         }
         self.find_contacts(motion.max_speed);
-        self.sum_and_kick(Kick::Second)?;
+        self.sum_and_correct(Moment::Step)?;
         self.load_walls();
         self.book_step();
         Ok(())
@@ -38,55 +40,17 @@ impl Simulation {
         })?;
         self.find_candidates();
         self.find_contacts(max_speed);
-        self.sum_and_kick(Kick::None)?;
+        self.sum_and_correct(Moment::Start)?;
         self.load_walls();
         Ok(())
     }
 
-    /// Half kick, drift, and the predicted velocity; orientations turn.
-    fn drift(&mut self) -> Motion {
-        let dt = self.dt;
-        let half = 0.5 * dt;
-        let domain = *self.comm.domain();
-        let grains = &mut self.grains;
-        let n = GRAINS_PER_TASK;
-        let moved: Vec<Motion> = (
-            grains.position.par_chunks_mut(n),
-            grains.velocity.par_chunks_mut(n),
-            grains.angular_velocity.par_chunks_mut(n),
-            grains.orientation.par_chunks_mut(n),
-            (grains.force.par_chunks(n), grains.torque.par_chunks(n)),
-            (grains.mass.par_chunks(n), grains.inertia.par_chunks(n)),
-            self.neighbours.reference.par_chunks(n),
-        )
-            .into_par_iter()
-            .enumerate()
-            .map(
-                |(task, (position, velocity, spin, orientation, (force, torque), (mass, inertia), reference))| {
-                    let mut motion = Motion::default();
-                    let (mut speed2, mut displacement2) = (0.0f64, 0.0f64);
-                    for k in 0..position.len() {
-                        let kick = force[k] * (half / mass[k]);
-                        let middle = velocity[k] + kick;
-                        position[k] += middle * dt;
-                        velocity[k] = middle + kick;
-                        let twist = torque[k] * (half / inertia[k]);
-                        let middle_spin = spin[k] + twist;
-                        orientation[k] = rotate(orientation[k], middle_spin, dt);
-                        spin[k] = middle_spin + twist;
-                        speed2 = speed2.max(velocity[k].length_squared());
-                        displacement2 = displacement2.max((position[k] - reference[k]).length_squared());
-                        if motion.misplaced.is_none() && !domain.contains(position[k]) {
-                            motion.misplaced = Some(task * n + k);
-                        }
-                    }
-                    motion.max_speed = speed2.sqrt();
-                    motion.max_displacement = displacement2.sqrt();
-                    motion
-                },
-            )
-            .collect();
-        moved.into_iter().fold(Motion::default(), Motion::merge)
+    /// Moves the grains to the end of the step and predicts their velocities there.
+    fn move_grains(&mut self) -> Motion {
+        match self.integrator {
+            Integrator::VelocityVerlet => self.drift(),
+            Integrator::Gear => self.predict(),
+        }
     }
 
     fn move_walls(&mut self) {
@@ -150,6 +114,7 @@ impl Simulation {
             materials: &self.materials,
             comm: &self.comm,
             dt: self.dt,
+            integrator: self.integrator,
             step: self.step,
             max_speed,
             max_reach: self.max_reach,
@@ -180,47 +145,17 @@ impl Simulation {
         between_grains.chain(with_walls).for_each(|()| ());
     }
 
-    /// Sum per grain, body force, and the kick that corrects the predicted velocity.
-    fn sum_and_kick(&mut self, kick: Kick) -> Result<(), Fault> {
+    /// Sum per grain, body force, and what the new forces change of the motion.
+    fn sum_and_correct(&mut self, moment: Moment) -> Result<(), Fault> {
         if let Some(fault) = self.contacts.fault() {
             return Err(fault.clone());
         }
-        let correction = match kick {
-            Kick::None => 0.0,
-            Kick::Second => 0.5 * self.dt,
+        let bad = match (self.integrator, moment) {
+            (Integrator::Gear, Moment::Step) => self.correct(),
+            (Integrator::VelocityVerlet, Moment::Step) => self.kick(0.5 * self.dt),
+            // at the start of a run the velocities are those given
+            (_, Moment::Start) => self.kick(0.0),
         };
-        let (neighbours, contacts, gravity) = (&self.neighbours, &self.contacts, self.gravity);
-        let grains = &mut self.grains;
-        let n = GRAINS_PER_TASK;
-        let bad: Vec<Option<usize>> = (
-            grains.velocity.par_chunks_mut(n),
-            grains.angular_velocity.par_chunks_mut(n),
-            grains.force.par_chunks_mut(n),
-            grains.torque.par_chunks_mut(n),
-            (grains.mass.par_chunks(n), grains.inertia.par_chunks(n)),
-        )
-            .into_par_iter()
-            .enumerate()
-            .map(|(task, (velocity, spin, force, torque, (mass, inertia)))| {
-                let mut bad = None;
-                for k in 0..velocity.len() {
-                    let (contact_force, new_torque) = contact_load(task * n + k, neighbours, contacts);
-                    let new_force = contact_force + gravity * mass[k];
-                    velocity[k] += (new_force - force[k]) * (correction / mass[k]);
-                    spin[k] += (new_torque - torque[k]) * (correction / inertia[k]);
-                    force[k] = new_force;
-                    torque[k] = new_torque;
-                    if !(velocity[k].is_finite()
-                        && spin[k].is_finite()
-                        && new_force.is_finite()
-                        && new_torque.is_finite())
-                    {
-                        bad = bad.or(Some(task * n + k));
-                    }
-                }
-                bad
-            })
-            .collect();
         match bad.into_iter().flatten().min_by_key(|&g| self.grains.id[g]) {
             None => Ok(()),
             Some(g) => Err(Fault::NotFinite {
@@ -252,16 +187,16 @@ impl Simulation {
     }
 }
 
-/// Which kick goes with a sum of forces.
+/// When forces are found.
 #[derive(Clone, Copy)]
-enum Kick {
-    /// At the start of a run the velocities are those given.
-    None,
-    /// The second kick of a step.
-    Second,
+enum Moment {
+    /// Before any step.
+    Start,
+    /// At the end of a step.
+    Step,
 }
 
-/// What the drift found.
+/// What the motion of the grains came to.
 #[derive(Clone, Debug, Default)]
 struct Motion {
     max_speed: f64,

@@ -3,19 +3,29 @@
 
 mod cases;
 
-use cases::beds::{BEDS, bed};
+use cases::beds::{BEDS, bed_with};
 use cases::{full, on_threads, report};
 use demeter::simulation::Simulation;
+use demeter_physics::integrator::Integrator;
 
 /// What the issue asks of every example.
 const TOLERANCE: f64 = 1e-3;
 
 #[test]
 fn the_books_close() {
+    close(Integrator::VelocityVerlet);
+}
+
+#[test]
+fn the_books_close_with_gear() {
+    close(Integrator::Gear);
+}
+
+fn close(integrator: Integrator) {
     let (count, steps) = if full() { (400, 100_000) } else { (60, 20_000) };
     for name in BEDS {
         let largest = on_threads(1, || {
-            let mut sim = Simulation::new(bed(name, count));
+            let mut sim = Simulation::new(bed_with(integrator, name, count));
             let mut largest = 0.0f64;
             for step in 0..steps {
                 sim.step().unwrap();

@@ -3,12 +3,13 @@
 
 mod cases;
 
-use cases::beds::{BEDS, bed};
+use cases::beds::{BEDS, bed_with};
 use cases::{full, on_threads};
 use demeter::contacts::CarriedContact;
 use demeter::measure::{Moment, contact_records, measure};
-use demeter::simulation::{Simulation, SimulationState};
+use demeter::simulation::{Simulation, SimulationState, StateError};
 use demeter::walls::Wall;
+use demeter_physics::integrator::Integrator;
 
 /// All that can be seen of a run, in bytes.
 fn fingerprint(sim: &mut Simulation) -> Vec<u8> {
@@ -41,11 +42,31 @@ fn saved_steps(last: u64) -> Vec<u64> {
 
 #[test]
 fn a_continued_run_gives_the_same_bits() {
+    interrupt(Integrator::VelocityVerlet);
+}
+
+#[test]
+fn a_continued_run_gives_the_same_bits_with_gear() {
+    interrupt(Integrator::Gear);
+}
+
+#[test]
+fn a_state_of_the_other_integrator_is_refused() {
+    let both = [Integrator::VelocityVerlet, Integrator::Gear];
+    for (wrote, reads) in [(both[0], both[1]), (both[1], both[0])] {
+        let mut sim = Simulation::new(bed_with(wrote, "settling", 20));
+        sim.step().unwrap();
+        let refused = Simulation::resume(bed_with(reads, "settling", 20), sim.state());
+        assert_eq!(refused.err(), Some(StateError::Integrator));
+    }
+}
+
+fn interrupt(integrator: Integrator) {
     let (count, last, more) = if full() { (300, 20_000, 3_000) } else { (60, 5_000, 400) };
     on_threads(1, || {
         for name in BEDS {
             let saved = saved_steps(last);
-            let mut sim = Simulation::new(bed(name, count));
+            let mut sim = Simulation::new(bed_with(integrator, name, count));
             let mut states = vec![];
             for step in 1..=last {
                 sim.step().unwrap();
@@ -60,7 +81,7 @@ fn a_continued_run_gives_the_same_bits() {
             for (bytes, at_once) in states {
                 let state: SimulationState = postcard::from_bytes(&bytes).unwrap();
                 let start = state.step;
-                let mut continued = Simulation::resume(bed(name, count), state).unwrap();
+                let mut continued = Simulation::resume(bed_with(integrator, name, count), state).unwrap();
                 assert!(
                     fingerprint(&mut continued) == at_once,
                     "{name}: restored at step {start}, before any step"

@@ -3,16 +3,17 @@
 
 mod cases;
 
-use cases::beds::{BEDS, bed};
+use cases::beds::{BEDS, bed_with};
 use cases::{full, on_threads};
 use demeter::contacts::Fault;
 use demeter::measure::{Moment, contact_records, measure};
 use demeter::simulation::Simulation;
 use demeter::walls::Wall;
+use demeter_physics::integrator::Integrator;
 
 /// Bytes of the final state and of every tenth row of the series.
-fn run(name: &str, count: u32, steps: u64) -> Result<(Vec<u8>, String, usize), Fault> {
-    let mut sim = Simulation::new(bed(name, count));
+fn run(integrator: Integrator, name: &str, count: u32, steps: u64) -> Result<(Vec<u8>, String, usize), Fault> {
+    let mut sim = Simulation::new(bed_with(integrator, name, count));
     let mut series = String::new();
     for step in 0..steps {
         sim.step()?;
@@ -32,13 +33,22 @@ fn run(name: &str, count: u32, steps: u64) -> Result<(Vec<u8>, String, usize), F
 
 #[test]
 fn threads_do_not_change_a_bit() {
+    compare(Integrator::VelocityVerlet);
+}
+
+#[test]
+fn threads_do_not_change_a_bit_with_gear() {
+    compare(Integrator::Gear);
+}
+
+fn compare(integrator: Integrator) {
     // enough grains for several chunks of candidates, or the threads would share nothing
     let (count, steps) = if full() { (5000, 3_000) } else { (2000, 60) };
     for name in BEDS {
-        let (state, series, chunks) = on_threads(1, || run(name, count, steps)).unwrap();
+        let (state, series, chunks) = on_threads(1, || run(integrator, name, count, steps)).unwrap();
         assert!(chunks > 1, "{name}: {chunks} chunks of candidates");
         for threads in [2, 5] {
-            let (other_state, other_series, _) = on_threads(threads, || run(name, count, steps)).unwrap();
+            let (other_state, other_series, _) = on_threads(threads, || run(integrator, name, count, steps)).unwrap();
             assert!(
                 series == other_series,
                 "{name}: the series differs on {threads} threads"

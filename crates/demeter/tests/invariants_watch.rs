@@ -3,13 +3,14 @@
 
 mod cases;
 
-use cases::beds::{bed, fill};
+use cases::beds::{bed_with, fill};
 use cases::{Case, Laws, on_threads, one_material};
 use demeter::contacts::Fault;
 use demeter::particles::Outside;
 use demeter::simulation::Simulation;
 use demeter::walls::{Motion, Shape};
 use demeter_physics::DVec3;
+use demeter_physics::integrator::Integrator;
 
 /// Steps until the first fault; panics when none comes.
 fn first_fault(sim: &mut Simulation, most: u64, case: &str) -> Fault {
@@ -81,10 +82,16 @@ fn what_leaves_an_open_domain_is_removed_and_booked() {
 /// Far above the safe time step, contacts or places break; the run must say so, soon.
 #[test]
 fn an_absurd_time_step_is_a_fault() {
+    for integrator in [Integrator::VelocityVerlet, Integrator::Gear] {
+        an_absurd_time_step_faults(integrator);
+    }
+}
+
+fn an_absurd_time_step_faults(integrator: Integrator) {
     for name in ["settling", "drum", "servo", "shear", "oscillating floor", "squeezing"] {
         for factor in [1e3, 1e4, 1e5, 1e10, 1e100, 1e300] {
             let fault = on_threads(1, || {
-                let mut setup = bed(name, 60);
+                let mut setup = bed_with(integrator, name, 60);
                 setup.dt *= factor;
                 first_fault(&mut Simulation::new(setup), 20_000, &format!("{name} {factor}"))
             });

@@ -9,6 +9,7 @@ use demeter::particles::Domain;
 use demeter::simulation::{Setup, Simulation};
 use demeter::walls::{Motion, Shape};
 use demeter_physics::DVec3;
+use demeter_physics::integrator::Integrator;
 use std::f64::consts::PI;
 
 /// What the issue asks of 1000 grains over 1e5 steps.
@@ -99,7 +100,7 @@ fn run(setup: Setup, steps: u64) -> Changes {
     changes
 }
 
-fn keeps_energy(name: &str, laws: &Laws) {
+fn keeps_energy(integrator: Integrator, name: &str, laws: &Laws) {
     let steps = if full() { 100_000 } else { 40_000 };
     let mut met = 0;
     for fraction in [0.1, 0.4] {
@@ -107,7 +108,11 @@ fn keeps_energy(name: &str, laws: &Laws) {
             if !full() && periodic != (fraction > 0.2) {
                 continue;
             }
-            let found = on_threads(2, || run(gas(laws, fraction, periodic), steps));
+            let setup = Setup {
+                integrator,
+                ..gas(laws, fraction, periodic)
+            };
+            let found = on_threads(2, || run(setup, steps));
             let label = format!("{name}, fraction {fraction}, periodic {periodic}");
             report(&format!("{label}: energy"), found.energy);
             report(&format!("{label}: drift"), found.drift);
@@ -128,10 +133,20 @@ fn keeps_energy(name: &str, laws: &Laws) {
 
 #[test]
 fn hertzian_gas() {
-    keeps_energy("hertz-tsuji", &Laws::hertz(1.0));
+    keeps_energy(Integrator::VelocityVerlet, "hertz-tsuji", &Laws::hertz(1.0));
 }
 
 #[test]
 fn linear_gas() {
-    keeps_energy("linear", &Laws::linear(1e7, 1.0));
+    keeps_energy(Integrator::VelocityVerlet, "linear", &Laws::linear(1e7, 1.0));
+}
+
+#[test]
+fn hertzian_gas_with_gear() {
+    keeps_energy(Integrator::Gear, "hertz-tsuji, gear", &Laws::hertz(1.0));
+}
+
+#[test]
+fn linear_gas_with_gear() {
+    keeps_energy(Integrator::Gear, "linear, gear", &Laws::linear(1e7, 1.0));
 }

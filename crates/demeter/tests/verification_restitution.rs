@@ -9,6 +9,7 @@ use demeter::particles::NewGrain;
 use demeter::simulation::Simulation;
 use demeter::walls::{Motion, Shape, Side};
 use demeter_physics::DVec3;
+use demeter_physics::integrator::Integrator;
 
 const TOLERANCE: f64 = 1e-4;
 
@@ -45,7 +46,14 @@ fn add(case: &mut Case, material: u16, radius: f64, position: DVec3, velocity: D
 type Pair = ((f64, u16), (f64, u16));
 
 /// Restitution of a collision in which the line of centres makes `offset` with the direction of motion.
-fn collide(law: &str, restitution: f64, ((r1, m1), (r2, m2)): Pair, phase: f64, offset: f64) -> f64 {
+fn collide(
+    integrator: Integrator,
+    law: &str,
+    restitution: f64,
+    ((r1, m1), (r2, m2)): Pair,
+    phase: f64,
+    offset: f64,
+) -> f64 {
     let mut case = Case::new(materials(law, restitution));
     let n = DVec3::new((1.0 - offset * offset).sqrt(), offset, 0.0);
     // slow and hard, so that the line of centres turns by less than 1e-4 during an off-centre contact
@@ -61,6 +69,7 @@ fn collide(law: &str, restitution: f64, ((r1, m1), (r2, m2)): Pair, phase: f64, 
         dt
     };
     // first touch comes between two steps, at a phase of the step
+    case.integrator = integrator;
     case.grains.position[0] = -n * (r1 + r2) - v * (10.0 + phase) * dt;
     let mut sim = case.simulation();
     run_until_parted(&mut sim);
@@ -74,6 +83,15 @@ fn collide(law: &str, restitution: f64, ((r1, m1), (r2, m2)): Pair, phase: f64, 
 
 #[test]
 fn two_grains_part_with_the_requested_restitution() {
+    two_grains_part(Integrator::VelocityVerlet);
+}
+
+#[test]
+fn two_grains_part_with_the_requested_restitution_with_gear() {
+    two_grains_part(Integrator::Gear);
+}
+
+fn two_grains_part(integrator: Integrator) {
     let pairs: [Pair; 3] = [((1e-3, 0), (1e-3, 0)), ((1e-3, 0), (3e-3, 1)), ((0.5e-3, 1), (5e-3, 0))];
     on_threads(1, || {
         let mut largest = 0.0f64;
@@ -81,7 +99,7 @@ fn two_grains_part_with_the_requested_restitution() {
             for restitution in [1.0, 0.95, 0.8, 0.5, 0.2, 0.05] {
                 for pair in pairs {
                     for (phase, offset) in [(0.0, 0.0), (0.3, 0.0), (0.7, 0.6)] {
-                        let found = collide(law, restitution, pair, phase, offset);
+                        let found = collide(integrator, law, restitution, pair, phase, offset);
                         largest = largest.max((found - restitution).abs());
                         assert!(
                             (found - restitution).abs() < TOLERANCE,
@@ -149,8 +167,16 @@ fn floors() -> Vec<(&'static str, Shape)> {
 }
 
 /// A grain of radius 2 mm that falls on a wall with the relative speed 0.3 m/s; the wall moves at `wall_speed`.
-fn fall_on(law: &str, restitution: f64, wall_material: u16, shape: Shape, wall_speed: f64) -> (f64, Simulation) {
+fn fall_on(
+    integrator: Integrator,
+    law: &str,
+    restitution: f64,
+    wall_material: u16,
+    shape: Shape,
+    wall_speed: f64,
+) -> (f64, Simulation) {
     let mut case = Case::new(materials(law, restitution));
+    case.integrator = integrator;
     let approach = 0.3;
     let v = DVec3::new(0.0, 0.0, wall_speed - approach);
     add(&mut case, 0, 2e-3, DVec3::new(0.0, 0.0, 2.0013e-3), v);
@@ -166,15 +192,31 @@ fn fall_on(law: &str, restitution: f64, wall_material: u16, shape: Shape, wall_s
 
 #[test]
 fn a_wall_of_any_shape_returns_the_requested_restitution() {
+    walls_return(Integrator::VelocityVerlet);
+}
+
+#[test]
+fn a_wall_of_any_shape_returns_the_requested_restitution_with_gear() {
+    walls_return(Integrator::Gear);
+}
+
+fn walls_return(integrator: Integrator) {
     on_threads(1, || {
         let mut largest = 0.0f64;
         for law in ["hertz-tsuji", "linear"] {
             for restitution in [1.0, 0.9, 0.5, 0.1] {
                 for wall_material in [0, 1] {
                     for wall_speed in [0.0, 0.7, -2.0] {
-                        let (plane, _) = fall_on(law, restitution, wall_material, floors()[0].1.clone(), wall_speed);
+                        let (plane, _) = fall_on(
+                            integrator,
+                            law,
+                            restitution,
+                            wall_material,
+                            floors()[0].1.clone(),
+                            wall_speed,
+                        );
                         for (name, shape) in floors() {
-                            let (found, sim) = fall_on(law, restitution, wall_material, shape, wall_speed);
+                            let (found, sim) = fall_on(integrator, law, restitution, wall_material, shape, wall_speed);
                             let label = format!("{law}, e {restitution}, {name} at {wall_speed} m/s");
                             largest = largest.max((found - restitution).abs());
                             assert!((found - restitution).abs() < TOLERANCE, "{label}: {found}");

@@ -144,7 +144,7 @@ fn collide(normal: &LawChoice, partner: Partner, speed: f64) -> (Option<f64>, f6
         sim.step().unwrap();
         let contacts = sim.contacts.pair_count() + sim.contacts.wall_count();
         touched |= contacts > 0;
-        if sim.step % 16 == 0 {
+        if sim.step.is_multiple_of(16) {
             residual = residual.max(sim.energies().residual.abs());
         }
         let now = rate(&sim);
@@ -191,6 +191,10 @@ fn grains_stick_below_the_critical_speed_and_part_above() {
             ("cut", with_word(limestone(0.2), "tail", "cut")),
         ] {
             for partner in PARTNERS {
+                // the way through the full tail takes most of the time
+                if tail == "full" && !full() && !matches!(partner, Partner::Plane) {
+                    continue;
+                }
                 let speed = critical(&normal, partner.size());
                 let (below, residual_below) = collide(&normal, partner, 0.999 * speed);
                 let (above, residual_above) = collide(&normal, partner, 1.001 * speed);

@@ -11,6 +11,7 @@ use crate::walls::{Motion, Shape, Wall};
 use demeter_physics::collision::{Moment, Outcome, Start};
 use demeter_physics::contact::normal::{Normal, NormalVisitor};
 use demeter_physics::contact::{PairLaw, PairSize};
+use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 
 /// A held sphere is so much heavier than the one that moves.
@@ -174,6 +175,7 @@ impl Launch<'_> {
             dt,
             skin: SKIN_SHARE * self.smaller_radius(),
             max_overlap: self.max_overlap,
+            integrator: Integrator::default(),
         });
         sim.start()?;
         let before = sim.energies();

@@ -10,6 +10,7 @@ use demeter_physics::contact::rolling::{Rolling, RollingInput, RollingVisitor};
 use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialVisitor};
 use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -43,6 +44,7 @@ struct Partner {
 /// The laws' view of a stretch of contacts of one material pair.
 struct Run<'a> {
     dt: f64,
+    integrator: Integrator,
     stride: usize,
     law: &'a PairLaw,
     geometry: &'a [Contact],
@@ -78,10 +80,23 @@ impl NormalVisitor for NormalPass<'_, '_> {
                 size: kin.size,
                 overlap: contact.overlap,
                 rate: kin.rate,
-                half_window: 0.5 * run.dt * kin.rate.abs(),
+                half_window: if L::FOLLOWS_KINKS {
+                    0.5 * run.dt * kin.rate.abs()
+                } else {
+                    run.integrator.half_window(contact.overlap, kin.rate, run.dt)
+                },
             };
             let response = law.respond(&input, &mut run.history[k * run.stride..][..remembered]);
-            let (force, rate) = centred_force(response, kin.rate, run.normal_force[k], kin.size.mass, run.dt);
+            let (force, rate) = match run.integrator {
+                Integrator::VelocityVerlet => {
+                    centred_force(response, kin.rate, run.normal_force[k], kin.size.mass, run.dt)
+                }
+                // the predicted rate is of high order already
+                Integrator::Gear => (
+                    (response.elastic + response.damping * kin.rate).max(response.least),
+                    kin.rate,
+                ),
+            };
             run.normal_force[k] = force;
             run.friction_load[k] = (force + response.adhesion).max(0.0);
             // where the force is cut at its least, the spring relaxes into the dashpot without pulling
@@ -112,6 +127,7 @@ impl TangentialVisitor for TangentialPass<'_, '_> {
                 spin: kin.spin,
                 normal_force: run.friction_load[k],
                 dt: run.dt,
+                removable_share: run.integrator.removable_share(),
             };
             let response = law.respond(&input, history);
             run.tangential_force[k] = response.force;
@@ -144,6 +160,7 @@ impl RollingVisitor for RollingPass<'_, '_> {
                 normal_force: run.friction_load[k],
                 normal_stiffness: stiffness[k],
                 dt: run.dt,
+                removable_share: run.integrator.removable_share(),
             };
             let response = law.respond(&input, &mut run.history[first..first + L::HISTORY.len()]);
             run.rolling_torque[k] = response.torque;
@@ -242,6 +259,7 @@ impl ContactChunk {
                 let contacts = first + run.start..first + run.end;
                 let laws = Run {
                     dt: scene.dt,
+                    integrator: scene.integrator,
                     stride: scene.stride,
                     law: scene.materials.law(self.now.pair[contacts.start]),
                     geometry: &self.now.geometry[contacts.clone()],

@@ -13,6 +13,7 @@ use crate::particles::Grains;
 use crate::walls::{SurfaceContact, Wall};
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
+use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 
 /// Everything that contacts are made of.
@@ -28,6 +29,8 @@ pub struct Scene<'a> {
     pub comm: &'a Single,
     /// Time step [s].
     pub dt: f64,
+    /// How the equations of motion are integrated.
+    pub integrator: Integrator,
     /// Number of this step.
     pub step: u64,
     /// Largest speed of any grain or wall surface [m/s].

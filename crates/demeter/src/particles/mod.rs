@@ -4,6 +4,7 @@ mod domain;
 
 pub use domain::{Domain, Outside};
 
+use demeter_physics::integrator::gear::Derivatives;
 use glam::{DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
@@ -51,6 +52,17 @@ pub struct Grains {
     pub force: Vec<DVec3>,
     /// Total torque of the latest step [N m].
     pub torque: Vec<DVec3>,
+    /// What the predictor-corrector remembers beyond forces and torques; empty with velocity Verlet.
+    pub higher: Vec<HigherDerivatives>,
+}
+
+/// Derivatives of the motion of one grain above the accelerations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct HigherDerivatives {
+    /// Third to fifth derivative of place [m/s^3, m/s^4, m/s^5].
+    pub translation: Derivatives,
+    /// Second to fourth derivative of the angular velocity [1/s^3, 1/s^4, 1/s^5].
+    pub rotation: Derivatives,
 }
 
 impl Grains {
@@ -80,6 +92,9 @@ impl Grains {
         self.orientation.push(DQuat::IDENTITY);
         self.force.push(DVec3::ZERO);
         self.torque.push(DVec3::ZERO);
+        if !self.higher.is_empty() {
+            self.higher.push(HigherDerivatives::default());
+        }
     }
 
     /// Puts the grains into a new order: the grain at `order[k]` goes to index `k`. Grains not named are dropped.
@@ -99,5 +114,8 @@ impl Grains {
         pick(&mut self.orientation, order);
         pick(&mut self.force, order);
         pick(&mut self.torque, order);
+        if !self.higher.is_empty() {
+            pick(&mut self.higher, order);
+        }
     }
 }

@@ -5,7 +5,7 @@ use super::{Diagnostics, Scenario, TimeStep, WallShape, WallSpec};
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains};
-use crate::simulation::{SAFE_SHARE, Setup, TimeScale, UNSAFE_SHARE, refusals, shortest_time_scale};
+use crate::simulation::{SAFE_SHARE, Setup, TimeScale, refusals, shortest_time_scale, unsafe_share};
 use crate::walls::{Mesh, Shape, Wall, read_stl};
 use demeter_physics::contact::LawError;
 use glam::DVec3;
@@ -101,6 +101,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
             materials,
             domain,
             gravity: scenario.simulation.gravity,
+            integrator: scenario.simulation.integrator,
             dt,
             skin,
             max_overlap,
@@ -122,6 +123,7 @@ pub(super) fn prepare_to_resume(scenario: &Scenario, domain: Domain, skin: f64) 
         materials,
         domain,
         gravity: scenario.simulation.gravity,
+        integrator: scenario.simulation.integrator,
         dt: f64::NAN,
         skin,
         max_overlap: scenario.simulation.max_overlap,
@@ -314,7 +316,10 @@ fn time_step(
             (dt, format!("automatic: {}", words(dt)))
         }
         TimeStep::Fixed(dt) => {
-            let (safe, largest) = (SAFE_SHARE * scale.time, UNSAFE_SHARE * scale.time);
+            let (safe, largest) = (
+                SAFE_SHARE * scale.time,
+                unsafe_share(scenario.simulation.integrator) * scale.time,
+            );
             if dt > largest && !scenario.simulation.allow_unsafe_time_step {
                 faults.push(
                     "simulation.time_step",

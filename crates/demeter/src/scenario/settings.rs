@@ -8,6 +8,7 @@ use crate::measure::StrainGauge;
 use crate::particles::Outside;
 use crate::simulation::Cadence;
 use demeter_physics::dimension::Dimension;
+use demeter_physics::integrator::Integrator;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
 
@@ -25,6 +26,8 @@ pub enum TimeStep {
 pub struct SimulationSpec {
     /// How the time step is chosen.
     pub time_step: TimeStep,
+    /// How the equations of motion are integrated.
+    pub integrator: Integrator,
     /// Whether a step above the safe one is accepted.
     pub allow_unsafe_time_step: bool,
     /// Acceleration of gravity [m/s^2].
@@ -42,6 +45,7 @@ impl Default for SimulationSpec {
     fn default() -> Self {
         Self {
             time_step: TimeStep::Auto,
+            integrator: Integrator::default(),
             allow_unsafe_time_step: false,
             gravity: DVec3::ZERO,
             max_overlap: DEFAULT_MAX_OVERLAP,
@@ -57,6 +61,11 @@ pub(super) fn simulation(root: &TableReader<'_>) -> SimulationSpec {
     };
     if let Some(item) = table.optional("time_step") {
         spec.time_step = time_step(&item);
+    }
+    if let Some(item) = table.optional("integrator")
+        && let Some(index) = item.choice(&["velocity-verlet", "gear"])
+    {
+        spec.integrator = [Integrator::VelocityVerlet, Integrator::Gear][index];
     }
     spec.allow_unsafe_time_step = table.optional("allow_unsafe_time_step").is_some_and(|i| i.boolean());
     spec.gravity = table.vector_or_zero("gravity", Kind::Physical(Dimension::ACCELERATION));

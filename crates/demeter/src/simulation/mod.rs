@@ -8,7 +8,7 @@ mod time_step;
 pub use ledger::{Books, Energies};
 pub use protocol::{Cadence, Stage, StopCondition};
 pub use state::{SimulationState, StateError};
-pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, UNSAFE_SHARE, refusals, shortest_time_scale};
+pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_time_scale, unsafe_share};
 
 use time_step::largest_reach;
 
@@ -16,8 +16,9 @@ use crate::comm::Single;
 use crate::contacts::{CarriedContact, Contacts, Fault, block};
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, space_filling_order};
-use crate::particles::{Domain, Grains};
+use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::walls::{Pose, Wall};
+use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use std::collections::BTreeSet;
 
@@ -37,6 +38,8 @@ pub struct Setup {
     pub domain: Domain,
     /// Acceleration of gravity [m/s^2].
     pub gravity: DVec3,
+    /// How the equations of motion are integrated.
+    pub integrator: Integrator,
     /// Time step [s].
     pub dt: f64,
     /// Distance beyond touching at which bodies become candidates [m].
@@ -64,6 +67,7 @@ pub struct Simulation {
     pub contacts: Contacts,
     /// Energy books.
     pub books: Books,
+    pub(crate) integrator: Integrator,
     pub(crate) comm: Single,
     pub(crate) neighbours: Neighbours,
     pub(crate) skin: f64,
@@ -80,11 +84,17 @@ pub struct Simulation {
 
 impl Simulation {
     /// A simulation before its start; the first step, or [`Simulation::start`], finds the first forces.
-    pub fn new(setup: Setup) -> Self {
+    pub fn new(mut setup: Setup) -> Self {
         let stride = block::stride(&setup.materials);
+        let remembered = match setup.integrator {
+            Integrator::VelocityVerlet => 0,
+            Integrator::Gear => setup.grains.len(),
+        };
+        setup.grains.higher.resize(remembered, HigherDerivatives::default());
         let wall_materials: Vec<u16> = setup.walls.iter().map(|w| w.material).collect();
         let max_reach = largest_reach(&setup.grains, &wall_materials, &setup.materials);
         Self {
+            integrator: setup.integrator,
             comm: Single::new(setup.domain),
             walls_before: setup.walls.iter().map(Wall::pose).collect(),
             grains: setup.grains,

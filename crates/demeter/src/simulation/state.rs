@@ -5,6 +5,7 @@ use crate::contacts::CarriedContact;
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
 use crate::walls::{Wall, WallState};
+use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -38,6 +39,12 @@ pub enum StateError {
         /// Walls in the scenario.
         expected: usize,
     },
+    /// The state was written by a run with the other integrator.
+    #[error(
+        "the checkpoint was written with another `simulation.integrator` than the scenario names: a run goes on with the \
+         integrator that it began with"
+    )]
+    Integrator,
     /// Arrays of the checkpoint contradict each other.
     #[error("the checkpoint contradicts itself ({0}): it was not written by this engine")]
     Inconsistent(&'static str),
@@ -49,9 +56,13 @@ impl SimulationState {
         self.contacts.len()
     }
 
-    fn check(&self, walls: usize, materials: usize) -> Result<(), StateError> {
+    fn check(&self, walls: usize, materials: usize, integrator: Integrator) -> Result<(), StateError> {
         let g = &self.grains;
         let n = g.len();
+        let remembered = match integrator {
+            Integrator::VelocityVerlet => 0,
+            Integrator::Gear => n,
+        };
         let lengths = [
             g.material.len(),
             g.radius.len(),
@@ -73,6 +84,8 @@ impl SimulationState {
             })
         } else if lengths.iter().any(|&l| l != n) {
             Err(StateError::Inconsistent("lengths of the grain arrays"))
+        } else if g.higher.len() != remembered {
+            Err(StateError::Integrator)
         } else if g.material.iter().any(|&m| m as usize >= materials) {
             Err(StateError::Inconsistent("a grain's material"))
         } else if !self.contacts.iter().all(|c| pair_fits(&c.pair)) || !self.contacts.is_sorted_by_key(|c| c.key) {
@@ -105,7 +118,7 @@ impl Simulation {
     /// Continues from a state; the bits are those of an uninterrupted run. The grains and the time step of `setup` are
     /// replaced by the state's.
     pub fn resume(setup: Setup, state: SimulationState) -> Result<Self, StateError> {
-        state.check(setup.walls.len(), setup.materials.list().len())?;
+        state.check(setup.walls.len(), setup.materials.list().len(), setup.integrator)?;
         let mut sim = Self::new(setup);
         for (wall, state) in sim.walls.iter_mut().zip(&state.walls) {
             wall.restore(state);

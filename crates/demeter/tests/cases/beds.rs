@@ -7,6 +7,7 @@ use demeter::particles::{Domain, Outside};
 use demeter::simulation::Setup;
 use demeter::walls::{Motion, Shape};
 use demeter_physics::DVec3;
+use demeter_physics::integrator::Integrator;
 use std::f64::consts::TAU;
 
 /// Mean radius of the grains [m].
@@ -24,6 +25,14 @@ pub const BEDS: [&str; 9] = [
     "cohesive",
     "powder",
 ];
+
+/// The bed of a name with about `count` grains, and how it is integrated.
+pub fn bed_with(integrator: Integrator, name: &str, count: u32) -> Setup {
+    Setup {
+        integrator,
+        ..bed(name, count)
+    }
+}
 
 /// The bed of a name with about `count` grains.
 pub fn bed(name: &str, count: u32) -> Setup {
@@ -102,7 +111,7 @@ fn powder(count: u32) -> Setup {
     let adhesive = law(
         "tomas",
         &[
-            ("adhesion_force", 0.01),
+            ("adhesion_force", 1e-3),
             ("adhesion_radius", 0.5 * RADIUS),
             ("separation", 0.01 * RADIUS),
             ("range", 20.0),

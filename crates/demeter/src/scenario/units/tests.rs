@@ -101,6 +101,9 @@ fn quantities_of_the_design_read_exactly() {
         ("1 g/cm^3", 1000.0, Dimension::DENSITY),
         ("7 kg/m/s", 7.0, Dimension::new(1, -1, -1)),
         ("+.5 m", 0.5, Dimension::LENGTH),
+        ("0.05 J/m^2", 0.05, Dimension::SURFACE_ENERGY),
+        ("50 mJ/m^2", 0.05, Dimension::SURFACE_ENERGY),
+        ("50 mN/m", 0.05, Dimension::SURFACE_ENERGY),
     ];
     for (text, value, dimension) in cases {
         let read = parse(text).unwrap();

@@ -272,8 +272,8 @@ pub fn plain_cases(replaced: &[(&str, f64)]) -> Vec<NormalCase> {
 }
 
 /// Ways to ask for a law: its example; with each other word of each choice; with each optional parameter beside the
-/// example; with each optional parameter in place of the alternatives that the example gives. Those that the law
-/// refuses, for a pair of the first materials, are left out.
+/// example; with each optional parameter in place of the alternatives that the example gives; with two optional
+/// parameters. Those that the law refuses, for a pair of the first materials, are left out.
 pub fn variants(info: &LawInfo) -> Vec<Values> {
     let example = values(info, &[]);
     let mut required = example.clone();
@@ -295,9 +295,37 @@ pub fn variants(info: &LawInfo) -> Vec<Values> {
             }
         }
     }
+    asked.extend(pairs_of_optional(info));
     asked.extend(calibrated(info, 0.3));
     asked.retain(|values| NormalLaw::build(info.name, values, &PAIRS[0]).is_ok());
     asked.dedup();
+    asked
+}
+
+/// The example with each two of the optional parameters, and with these and each other word of each choice.
+fn pairs_of_optional(info: &LawInfo) -> Vec<Values> {
+    let optional: Vec<_> = (info.parameters.iter())
+        .filter(|p| p.presence == Presence::Optional && p.kind == ParameterKind::Number)
+        .collect();
+    let mut asked = Vec::new();
+    for (k, one) in optional.iter().enumerate() {
+        for other in &optional[k + 1..] {
+            let both = values(info, &[(one.name, one.typical), (other.name, other.typical)]);
+            if NormalLaw::build(info.name, &both, &PAIRS[0]).is_err() {
+                continue;
+            }
+            for p in info.parameters {
+                if let ParameterKind::Choice(words) = p.kind {
+                    asked.extend(words[1..].iter().map(|word| {
+                        let mut with = both.clone();
+                        with.insert(p.name.to_string(), (*word).into());
+                        with
+                    }));
+                }
+            }
+            asked.push(both);
+        }
+    }
     asked
 }
 

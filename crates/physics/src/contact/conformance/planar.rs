@@ -7,6 +7,7 @@ use crate::contact::rolling::{Rolling, RollingInput, RollingLaw, RollingVisitor}
 use crate::contact::tangential::{Tangential, TangentialInput, TangentialLaw, TangentialVisitor};
 use crate::contact::{LawInfo, MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::integrator::Integrator;
 use glam::{DQuat, DVec3};
 
 /// What drives a law over one step; a velocity and a force for friction, an angular velocity and a torque for rolling.
@@ -59,6 +60,7 @@ impl TangentialVisitor for Respond<'_> {
             spin: self.0.spin,
             normal_force: self.0.normal_force,
             dt: self.0.dt,
+            removable_share: Integrator::VelocityVerlet.removable_share(),
         };
         let response = law.respond(&input, self.1);
         PlanarResponse {
@@ -80,6 +82,7 @@ impl RollingVisitor for Respond<'_> {
             normal_force: self.0.normal_force,
             normal_stiffness: self.0.normal_stiffness,
             dt: self.0.dt,
+            removable_share: Integrator::VelocityVerlet.removable_share(),
         };
         let response = law.respond(&input, self.1);
         PlanarResponse {

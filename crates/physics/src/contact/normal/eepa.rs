@@ -17,8 +17,8 @@ params! {
             "Contact plasticity ratio, lambda_p = 1 - k1/k2: 0 is elastic";
         surface_energy: SURFACE_ENERGY, required 0.5, in Range::NOT_NEGATIVE,
             "Energy per area that gives the largest pull of a dent, Delta gamma";
-        pull_off_force: FORCE, default 0.0, in Range::NOT_NEGATIVE,
-            "Constant attraction of surfaces that touch, f0 (the papers count it negative)";
+        pull_off_force: FORCE, optional 1e-4, in Range::NOT_NEGATIVE,
+            "Constant attraction of surfaces that touch, f0 (the papers count it negative); none without it";
         exponent: NONE, choice ["hertz", "linear"],
             "Exponent of loading and unloading: 3/2 with k1 = 4/3 E sqrt(R), or 1 with k1 = 2 E R";
         adhesion_exponent: NONE, default 1.5, in Range::new(1.0, true, 100.0, true),
@@ -93,6 +93,7 @@ impl Normal for Eepa {
     const DOC: &'static str = include_str!("eepa.md");
     const PARAMETERS: &'static [ParameterInfo] = EepaParameters::TABLE;
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
+    const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = EepaParameters::from_values(values)?;
@@ -100,7 +101,7 @@ impl Normal for Eepa {
             modulus: pair.effective_modulus(),
             plasticity_ratio: p.plasticity_ratio,
             surface_energy: p.surface_energy,
-            pull_off_force: p.pull_off_force,
+            pull_off_force: p.pull_off_force.unwrap_or(0.0),
             power: if p.exponent == 0 { Power::Hertz } else { Power::Linear },
             adhesion_exponent: p.adhesion_exponent,
             dashpot: Dashpot::read("alpha", p.alpha, p.restitution, p.impact_speed)?,

@@ -27,9 +27,9 @@ params! {
         restitution: NONE, optional 0.2, in Range::POSITIVE_SHARE,
             "Coefficient of restitution of an impact at `impact_speed`, with yielding and adhesion";
         impact_speed: VELOCITY, optional 1.0, in Range::POSITIVE, "Speed at which `restitution` is realised";
-        attraction_force: FORCE, default 0.0, in Range::NOT_NEGATIVE,
-            "Constant attraction of surfaces that touch, f_a";
-        attraction_range: LENGTH, default 0.0, in Range::NOT_NEGATIVE,
+        attraction_force: FORCE, optional 1e-4, in Range::NOT_NEGATIVE,
+            "Constant attraction of surfaces that touch, f_a; none without it";
+        attraction_range: LENGTH, optional 1e-6, in Range::NOT_NEGATIVE,
             "Gap over which the attraction falls to zero; with 0 it ends at touching";
         attraction: NONE, choice ["reversible", "irreversible"],
             "Whether the attraction reaches across the gap always, or only once the surfaces have touched";
@@ -99,6 +99,7 @@ impl Normal for Luding {
     const DOC: &'static str = include_str!("luding.md");
     const PARAMETERS: &'static [ParameterInfo] = LudingParameters::TABLE;
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
+    const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = LudingParameters::from_values(values)?;
@@ -110,7 +111,9 @@ impl Normal for Luding {
             );
             return Err(ParameterError::together("unloading_stiffness", message));
         }
-        if p.attraction_range > 0.0 && p.attraction_force == 0.0 {
+        let force = p.attraction_force.unwrap_or(0.0);
+        let range = p.attraction_range.unwrap_or(0.0);
+        if range > 0.0 && force == 0.0 {
             let message = "`attraction_range` tells how far `attraction_force` reaches, which is missing or 0";
             return Err(ParameterError::together("attraction_range", message));
         }
@@ -125,8 +128,8 @@ impl Normal for Luding {
             plastic_depth: p.plastic_depth,
             constant: p.unloading == 1,
             attraction: Attraction {
-                force: p.attraction_force,
-                range: p.attraction_range,
+                force,
+                range,
                 before_touch: p.attraction == 0,
             },
             damping,

@@ -1,9 +1,13 @@
 //! Normal laws: force along the line of centres.
 
 pub mod dashpot;
+mod hertz_window;
 pub mod hysteresis;
+pub mod jkr_curve;
 pub mod path;
 mod spring_dashpot;
+#[cfg(test)]
+mod walk;
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
@@ -96,6 +100,10 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     const ALTERNATIVES: &'static [Alternatives] = &[];
     /// Dimensions of the values that it remembers per contact.
     const HISTORY: &'static [Dimension];
+    /// Whether the law finds its own kinks and takes its mean over the window near them only, as [`path::follow`] does.
+    /// The predictor-corrector hands such a law the whole window, and others a window near the ends of contact alone
+    /// ([`Integrator::half_window`](crate::integrator::Integrator::half_window)).
+    const FOLLOWS_KINKS: bool = false;
 
     /// Binds the law to a pair of materials.
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>>;
@@ -139,10 +147,14 @@ law_family! {
     laws {
         linear::Linear,
         hertz_tsuji::HertzTsuji,
+        viscoelastic::Viscoelastic,
+        dmt::Dmt,
+        jkr::Jkr,
+        sjkr::Sjkr,
         walton_braun::WaltonBraun,
+        thornton_ning::ThorntonNing,
         luding::Luding,
         eepa::Eepa,
-        viscoelastic::Viscoelastic,
         tomas::Tomas,
     }
 }

@@ -162,6 +162,7 @@ impl Normal for Tomas {
     const DOC: &'static str = include_str!("tomas.md");
     const PARAMETERS: &'static [ParameterInfo] = TomasParameters::TABLE;
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
+    const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = TomasParameters::from_values(values)?;

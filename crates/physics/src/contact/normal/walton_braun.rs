@@ -40,6 +40,7 @@ impl Normal for WaltonBraun {
     const DOC: &'static str = include_str!("walton_braun.md");
     const PARAMETERS: &'static [ParameterInfo] = WaltonBraunParameters::TABLE;
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH];
+    const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = WaltonBraunParameters::from_values(values)?;

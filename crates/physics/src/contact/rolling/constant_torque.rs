@@ -13,9 +13,6 @@ params! {
     }
 }
 
-/// Share of the rolling speed that the torque may remove in one step.
-const REMOVED_SHARE: f64 = 0.2;
-
 /// Constant directional torque bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantTorque {
@@ -40,7 +37,7 @@ impl Rolling for ConstantTorque {
     fn respond(&self, input: &RollingInput, _history: &mut [f64]) -> RollingResponse {
         let speed = input.angular_velocity.length();
         let full = self.rolling_friction * input.size.radius * input.normal_force;
-        let stopping = REMOVED_SHARE * input.rolling_inertia / input.dt;
+        let stopping = input.removable_share * input.rolling_inertia / input.dt;
         let coefficient = if full < stopping * speed {
             full / speed
         } else {

@@ -13,9 +13,6 @@ params! {
     }
 }
 
-/// Share of the sliding speed that friction may remove in one step.
-const REMOVED_SHARE: f64 = 0.2;
-
 /// Saturated Coulomb friction bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coulomb {
@@ -39,7 +36,7 @@ impl Tangential for Coulomb {
         let speed = input.velocity.length();
         let sliding = self.friction * input.normal_force;
         // force per speed, the smaller of the two branches: no division by a vanishing speed
-        let sticking = REMOVED_SHARE * input.tangential_mass / input.dt;
+        let sticking = input.removable_share * input.tangential_mass / input.dt;
         let coefficient = if sliding < sticking * speed {
             sliding / speed
         } else {

@@ -348,6 +348,7 @@ mod tests {
                 velocity: DVec3::X * path,
                 spin: 0.0,
                 normal_force: NORMAL_FORCE,
+                removable_share: 0.0,
                 dt: 1.0 / f64::from(STEPS),
             };
             for _ in 0..STEPS {

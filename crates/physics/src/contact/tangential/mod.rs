@@ -24,6 +24,9 @@ pub struct TangentialInput {
     pub normal_force: f64,
     /// Time step [s].
     pub dt: f64,
+    /// Largest share of the relative speed that a law without memory may remove in this step
+    /// ([`Integrator::removable_share`](crate::integrator::Integrator::removable_share)).
+    pub removable_share: f64,
 }
 
 /// What a tangential law answers.

@@ -1,0 +1,111 @@
+//! The predictor-corrector of Gear.
+//!
+//! Forces are found at the predicted places, which the test of the candidates sees; the corrector then moves the grains by
+//! a little, which the next prediction starts from. Between the two, force and torque are those predicted.
+
+use super::{GRAINS_PER_TASK, Motion};
+use crate::contacts::sum::contact_load;
+use crate::simulation::Simulation;
+use demeter_physics::integrator::gear::{self, Gear};
+use rayon::prelude::*;
+
+impl Simulation {
+    /// Predicts places, velocities, orientations, accelerations and their derivatives.
+    pub(super) fn predict(&mut self) -> Motion {
+        let method = Gear::new(self.dt);
+        let domain = *self.comm.domain();
+        let grains = &mut self.grains;
+        let n = GRAINS_PER_TASK;
+        let moved: Vec<Motion> = (
+            (grains.position.par_chunks_mut(n), grains.velocity.par_chunks_mut(n)),
+            (
+                grains.orientation.par_chunks_mut(n),
+                grains.angular_velocity.par_chunks_mut(n),
+            ),
+            (grains.force.par_chunks_mut(n), grains.torque.par_chunks_mut(n)),
+            grains.higher.par_chunks_mut(n),
+            (grains.mass.par_chunks(n), grains.inertia.par_chunks(n)),
+            self.neighbours.reference.par_chunks(n),
+        )
+            .into_par_iter()
+            .enumerate()
+            .map(
+                |(
+                    task,
+                    ((position, velocity), (orientation, spin), (force, torque), higher, (mass, inertia), reference),
+                )| {
+                    let mut motion = Motion::default();
+                    let (mut speed2, mut displacement2) = (0.0f64, 0.0f64);
+                    for k in 0..position.len() {
+                        let mut moving = gear::Motion {
+                            place: position[k],
+                            rate: velocity[k],
+                            acceleration: force[k] / mass[k],
+                        };
+                        method.predict(&mut moving, &mut higher[k].translation);
+                        (position[k], velocity[k]) = (moving.place, moving.rate);
+                        force[k] = moving.acceleration * mass[k];
+                        let mut twist = torque[k] / inertia[k];
+                        let derivatives = &mut higher[k].rotation;
+                        method.predict_rotation(&mut orientation[k], &mut spin[k], &mut twist, derivatives);
+                        torque[k] = twist * inertia[k];
+                        speed2 = speed2.max(velocity[k].length_squared());
+                        displacement2 = displacement2.max((position[k] - reference[k]).length_squared());
+                        if motion.misplaced.is_none() && !domain.contains(position[k]) {
+                            motion.misplaced = Some(task * n + k);
+                        }
+                    }
+                    motion.max_speed = speed2.sqrt();
+                    motion.max_displacement = displacement2.sqrt();
+                    motion
+                },
+            )
+            .collect();
+        moved.into_iter().fold(Motion::default(), Motion::merge)
+    }
+
+    /// Sum per grain, body force, and the correction of all that was predicted. Tells by task the first grain with a value
+    /// that is not a number.
+    pub(super) fn correct(&mut self) -> Vec<Option<usize>> {
+        let method = Gear::new(self.dt);
+        let (neighbours, contacts, gravity) = (&self.neighbours, &self.contacts, self.gravity);
+        let grains = &mut self.grains;
+        let n = GRAINS_PER_TASK;
+        (
+            (grains.position.par_chunks_mut(n), grains.velocity.par_chunks_mut(n)),
+            (
+                grains.orientation.par_chunks_mut(n),
+                grains.angular_velocity.par_chunks_mut(n),
+            ),
+            (grains.force.par_chunks_mut(n), grains.torque.par_chunks_mut(n)),
+            grains.higher.par_chunks_mut(n),
+            (grains.mass.par_chunks(n), grains.inertia.par_chunks(n)),
+        )
+            .into_par_iter()
+            .enumerate()
+            .map(
+                |(task, ((position, velocity), (orientation, spin), (force, torque), higher, (mass, inertia)))| {
+                    let mut bad = None;
+                    for k in 0..velocity.len() {
+                        let (contact_force, new_torque) = contact_load(task * n + k, neighbours, contacts);
+                        let new_force = contact_force + gravity * mass[k];
+                        let error = (new_force - force[k]) / mass[k];
+                        method.correct(&mut position[k], &mut velocity[k], &mut higher[k].translation, error);
+                        let error = (new_torque - torque[k]) / inertia[k];
+                        method.correct_rotation(&mut orientation[k], &mut spin[k], &mut higher[k].rotation, error);
+                        force[k] = new_force;
+                        torque[k] = new_torque;
+                        if !(velocity[k].is_finite()
+                            && spin[k].is_finite()
+                            && new_force.is_finite()
+                            && new_torque.is_finite())
+                        {
+                            bad = bad.or(Some(task * n + k));
+                        }
+                    }
+                    bad
+                },
+            )
+            .collect()
+    }
+}

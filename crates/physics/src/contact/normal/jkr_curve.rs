@@ -1,0 +1,282 @@
+//! Equilibrium of Johnson, Kendall and Roberts (1971): contact radius, force and energy over the overlap.
+//!
+//! With `z = sqrt(a)` the overlap is a polynomial in the contact radius `a`,
+//! `d = (z^4 - 4 z_c^3 z)/R`, `F = 4 E/(3 R) z^3 (z^3 - 6 z_c^3)`, and all depends on adhesion through the root `z_c` of
+//! the radius at tear-off, `z_c^6 = a_c^3 = pi w R^2/(8 E)`. Without adhesion `z_c = 0`, and this is Hertz.
+
+/// A Hertzian collision that reaches the contact radius `a` takes `c sqrt(m/(4/3 E a))`; `c` is
+/// [`crate::restitution::duration::UNDAMPED`] times `(4/5)^(-1/10)`.
+const DURATION: f64 = crate::restitution::duration::UNDAMPED * 1.022_565_182_563_573;
+
+/// Most steps of Newton's method; six are usual.
+const MOST_STEPS: usize = 60;
+
+/// The curve of one contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JkrCurve {
+    /// Effective modulus [Pa].
+    modulus: f64,
+    /// Radius of curvature [m].
+    radius: f64,
+    /// Overlap at which the undeformed surfaces touch [m].
+    origin: f64,
+    /// Square root of the contact radius at tear-off [m^(1/2)].
+    least_root: f64,
+}
+
+/// `sqrt(2 pi w/E)` [m^(1/2)]: what adhesion takes from the overlap is this times the root of the contact radius.
+pub fn adhesion_length_root(work_of_adhesion: f64, modulus: f64) -> f64 {
+    (2.0 * std::f64::consts::PI * work_of_adhesion / modulus).sqrt()
+}
+
+impl JkrCurve {
+    /// The curve of spheres with an effective modulus [Pa] and radius [m]; `adhesion` is [`adhesion_length_root`].
+    pub fn new(modulus: f64, radius: f64, adhesion: f64, origin: f64) -> Self {
+        Self {
+            modulus,
+            radius,
+            origin,
+            least_root: libm::cbrt(0.25 * radius * adhesion),
+        }
+    }
+
+    /// Radius of curvature [m].
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Overlap at which the undeformed surfaces touch [m].
+    pub fn origin(&self) -> f64 {
+        self.origin
+    }
+
+    /// Square root of the contact radius at tear-off [m^(1/2)].
+    pub fn least_root(&self) -> f64 {
+        self.least_root
+    }
+
+    /// Gap at which the contact tears off, before the origin: `3 a_c^2/R` [m].
+    pub fn tear_off_distance(&self) -> f64 {
+        let square = self.least_root * self.least_root;
+        3.0 * square * square / self.radius
+    }
+
+    /// Overlap at which the contact tears off [m].
+    pub fn tear_off(&self) -> f64 {
+        self.origin - self.tear_off_distance()
+    }
+
+    /// Square root of the contact radius at an overlap [m^(1/2)]; that at tear-off below its overlap.
+    ///
+    /// With `z = z_c + t` the polynomial is `t^2 (6 z_c^2 + 4 z_c t + t^2) = R d + 3 z_c^4`, well conditioned down to the
+    /// tear-off, where two roots of `z` meet. Its left side is convex, so that Newton's steps fall on the root from
+    /// above; they end when they no longer fall.
+    pub fn root(&self, overlap: f64) -> f64 {
+        let least = self.least_root;
+        let square = least * least;
+        let right = self.radius * (overlap - self.origin) + 3.0 * square * square;
+        if right <= 0.0 {
+            return least;
+        }
+        let upper = right.sqrt().sqrt().min((right / 6.0).sqrt() / least);
+        let mut t = (right / (6.0 * square + upper * (4.0 * least + upper))).sqrt();
+        for step in 0..MOST_STEPS {
+            let value = t * t * (6.0 * square + t * (4.0 * least + t)) - right;
+            let slope = 4.0 * t * (3.0 * square + t * (3.0 * least + t));
+            let next = t - value / slope;
+            // the first step, from below, overshoots
+            if step > 0 && next >= t {
+                break;
+            }
+            t = next;
+        }
+        least + t
+    }
+
+    /// Overlap of a contact with this root of the contact radius [m].
+    pub fn overlap(&self, root: f64) -> f64 {
+        let cube = self.least_root * self.least_root * self.least_root;
+        self.origin + root * (root * root * root - 4.0 * cube) / self.radius
+    }
+
+    /// Force of a contact with this root of the contact radius [N].
+    pub fn force(&self, root: f64) -> f64 {
+        let (cube, least) = (root * root * root, self.least_root);
+        4.0 / 3.0 * self.modulus / self.radius * cube * (cube - 6.0 * least * least * least)
+    }
+
+    /// Energy that such a contact gives back on its way to the tear-off [J]: the integral of the force from there.
+    pub fn energy(&self, root: f64) -> f64 {
+        let least3 = self.least_root * self.least_root * self.least_root;
+        let least6 = least3 * least3;
+        let cube = root * root * root;
+        let inside = cube * (0.1 * cube - least3) + 1.5 * least6;
+        let at_tear_off = 0.6 * least6 * least3 * self.least_root;
+        16.0 / 3.0 * self.modulus / (self.radius * self.radius) * (cube * root * inside - at_tear_off)
+    }
+
+    /// Tangent stiffness of such a contact [N/m]; negative before the tear-off, and there without bound but
+    /// for rounding.
+    pub fn stiffness(&self, root: f64) -> f64 {
+        let least3 = self.least_root * self.least_root * self.least_root;
+        let cube = root * root * root;
+        let above = (cube - least3).max(f64::EPSILON * least3);
+        if above > 0.0 {
+            2.0 * self.modulus * root * root * (cube - 3.0 * least3) / above
+        } else {
+            0.0
+        }
+    }
+
+    /// Duration of a Hertzian collision that reaches the contact radius of this overlap [s], at least that of the
+    /// equilibrium without load; the small oscillation about it takes as long to 1 %.
+    pub fn collision_time(&self, overlap: f64, mass: f64) -> f64 {
+        let at_rest = libm::cbrt(6.0) * self.least_root;
+        let root = self.root(self.origin + overlap).max(at_rest);
+        DURATION * (mass / (4.0 / 3.0 * self.modulus)).sqrt() / root
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use std::f64::consts::PI;
+
+    const MODULUS: f64 = 3.4e9;
+
+    fn curves() -> Vec<(f64, f64, JkrCurve)> {
+        let mut all = Vec::new();
+        for radius in [1e-7, 2.5e-6, 1e-3, 0.7] {
+            for work in [1e-6, 0.05, 3.0] {
+                let curve = JkrCurve::new(MODULUS, radius, adhesion_length_root(work, MODULUS), 0.0);
+                all.push((radius, work, curve));
+            }
+        }
+        all
+    }
+
+    /// Equations of the paper.
+    fn overlap_of(radius: f64, work: f64, a: f64) -> f64 {
+        a * a / radius - (2.0 * PI * a * work / MODULUS).sqrt()
+    }
+
+    fn force_of(radius: f64, work: f64, a: f64) -> f64 {
+        4.0 * MODULUS * a * a * a / (3.0 * radius) - (8.0 * PI * work * MODULUS * a * a * a).sqrt()
+    }
+
+    #[test]
+    fn radius_and_force_are_those_of_the_paper() {
+        for (radius, work, curve) in curves() {
+            let least = curve.least_root() * curve.least_root();
+            assert_relative_eq!(
+                least,
+                libm::cbrt(PI * work * radius * radius / (8.0 * MODULUS)),
+                max_relative = 1e-15
+            );
+            for k in 1..400 {
+                let a = least * (1.0 + 1e-3 * f64::from(k) * f64::from(k));
+                let overlap = overlap_of(radius, work, a);
+                let root = curve.root(overlap);
+                assert_relative_eq!(root * root, a, max_relative = 1e-13);
+                let scale = PI * work * radius;
+                assert_relative_eq!(
+                    curve.force(root),
+                    force_of(radius, work, a),
+                    max_relative = 1e-12,
+                    epsilon = 1e-13 * scale
+                );
+                // the root meets the equation that it solves to rounding
+                let size = (root * root * root * root).max(3.0 * least * least) / radius;
+                assert!((curve.overlap(root) - overlap).abs() <= 16.0 * f64::EPSILON * size);
+            }
+        }
+    }
+
+    #[test]
+    fn closed_forms_of_first_touch_pull_off_and_tear_off() {
+        for (radius, work, curve) in curves() {
+            let unit = PI * work * radius;
+            let touch = curve.root(0.0);
+            assert_relative_eq!(curve.force(touch), -4.0 / 3.0 * unit, max_relative = 1e-14);
+            assert_relative_eq!(
+                touch * touch,
+                libm::cbrt(2.0 * PI * work * radius * radius / MODULUS),
+                max_relative = 1e-14
+            );
+            let pull_off = libm::cbrt(3.0) * curve.least_root();
+            assert_relative_eq!(curve.force(pull_off), -1.5 * unit, max_relative = 1e-14);
+            assert!(curve.stiffness(pull_off).abs() < 1e-14 * MODULUS * touch * touch);
+            assert_relative_eq!(curve.force(curve.least_root()), -5.0 / 6.0 * unit, max_relative = 1e-14);
+            // (3/4) (pi^2 w^2 R/E^2)^(1/3), e.g. Johnson (1985), section 5.5
+            let distance = 0.75 * libm::cbrt(PI * PI * work * work * radius / (MODULUS * MODULUS));
+            assert_relative_eq!(curve.tear_off_distance(), distance, max_relative = 1e-14);
+            assert_relative_eq!(curve.root(-distance), curve.least_root(), max_relative = 1e-7);
+            // no force at a^3 = 9 pi w R^2/(2 E)
+            let rest = libm::cbrt(6.0) * curve.least_root();
+            let equilibrium = libm::pow(rest, 6.0);
+            assert_relative_eq!(
+                equilibrium,
+                4.5 * PI * work * radius * radius / MODULUS,
+                max_relative = 1e-13
+            );
+            assert!(curve.force(rest).abs() < 1e-14 * unit);
+            assert_relative_eq!(curve.stiffness(rest), 1.2 * MODULUS * rest * rest, max_relative = 1e-14);
+        }
+    }
+
+    #[test]
+    fn work_to_separate_from_first_touch() {
+        for (radius, work, curve) in curves() {
+            let unit = libm::cbrt(libm::pow(work, 5.0) * libm::pow(radius, 4.0) / (MODULUS * MODULUS));
+            let separation = -curve.energy(curve.root(0.0));
+            assert_relative_eq!(separation, 7.092195972 * unit, max_relative = 1e-9);
+            assert!(curve.energy(curve.least_root()).abs() < 1e-15 * separation);
+        }
+    }
+
+    #[test]
+    fn without_adhesion_it_is_hertz() {
+        let radius: f64 = 2e-3;
+        let hertz = JkrCurve::new(MODULUS, radius, 0.0, 0.0);
+        for overlap in [1e-12, 1e-7, 1e-4] {
+            let root = hertz.root(overlap);
+            let k = 4.0 / 3.0 * MODULUS * radius.sqrt();
+            assert_relative_eq!(root * root, (radius * overlap).sqrt(), max_relative = 1e-14);
+            assert_relative_eq!(hertz.force(root), k * overlap * overlap.sqrt(), max_relative = 1e-13);
+            assert_relative_eq!(
+                hertz.energy(root),
+                0.4 * k * overlap * overlap * overlap.sqrt(),
+                max_relative = 1e-13
+            );
+            assert_relative_eq!(hertz.stiffness(root), 1.5 * k * overlap.sqrt(), max_relative = 1e-13);
+        }
+        assert_eq!(
+            (hertz.root(0.0), hertz.root(-1.0), hertz.tear_off_distance()),
+            (0.0, 0.0, 0.0)
+        );
+        assert_eq!(
+            (hertz.force(0.0), hertz.energy(0.0), hertz.stiffness(0.0)),
+            (0.0, 0.0, 0.0)
+        );
+        // and almost none is almost Hertz
+        let faint = JkrCurve::new(MODULUS, radius, adhesion_length_root(1e-30, MODULUS), 0.0);
+        assert_relative_eq!(
+            faint.force(faint.root(1e-7)),
+            hertz.force(hertz.root(1e-7)),
+            max_relative = 1e-12
+        );
+    }
+
+    #[test]
+    fn an_origin_shifts_the_curve() {
+        let adhesion = adhesion_length_root(0.1, MODULUS);
+        let (curve, shifted) = (
+            JkrCurve::new(MODULUS, 1e-3, adhesion, 0.0),
+            JkrCurve::new(MODULUS, 1e-3, adhesion, 3e-6),
+        );
+        assert_relative_eq!(shifted.root(4e-6), curve.root(1e-6), max_relative = 1e-13);
+        assert_relative_eq!(shifted.overlap(curve.root(1e-6)), 4e-6, max_relative = 1e-13);
+        assert_relative_eq!(shifted.tear_off(), 3e-6 - curve.tear_off_distance());
+    }
+}
