@@ -38,7 +38,7 @@ fn figures_are_listed_drawn_and_checked() {
         lines.next(),
         Some("curve,time [s],overlap [m],velocity [m/s],force [N]")
     );
-    let last = lines.filter(|line| line.starts_with("HSD integrated")).last().unwrap();
+    let last = lines.rfind(|line| line.starts_with("HSD integrated")).unwrap();
     let cells: Vec<f64> = last.split(',').skip(1).map(|cell| cell.parse().unwrap()).collect();
     assert!((cells[0] - 69.51247874e-6).abs() < 1e-13 && (cells[2] + 0.54).abs() < 1e-9);
     let answer = place.expect(0, &["figure", "jasevicius-4", "--json"]).json();

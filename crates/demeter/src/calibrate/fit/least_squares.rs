@@ -14,6 +14,10 @@ const MOST_DAMPING: f64 = 1e7;
 /// Share of the cost that a step must gain for the search to go on, and the cost that is none.
 const GAIN: f64 = 1e-8;
 const NO_COST: f64 = 1e-20;
+/// Once all deviations are far below the errors so many more steps are done: a smooth model is then exact, and a model with
+/// rounding in it, as a bracketed velocity, would only be searched for its rounding.
+const POLISH: usize = 2;
+const GOOD_COST: f64 = 1e-8;
 
 /// Deviations of a point, in errors; none where there is no answer.
 pub(super) type Deviations<'a> = &'a (dyn Fn(&[f64]) -> Option<Vec<f64>> + Sync);
@@ -72,7 +76,7 @@ impl Problem<'_> {
     /// Goes down from a point until nothing is gained.
     pub fn descend(&self, start: Minimum) -> Minimum {
         let mut best = start;
-        let mut damping = 1e-3;
+        let (mut damping, mut polished) = (1e-3, 0);
         for _ in 0..MOST_ITERATIONS {
             let Some(deviations) = (self.deviations)(&best.point) else {
                 return best;
@@ -95,7 +99,12 @@ impl Problem<'_> {
                     _ => damping *= 10.0,
                 }
             }
-            if damping >= MOST_DAMPING || before - best.cost <= GAIN * before || best.cost < NO_COST {
+            polished += usize::from(best.cost < GOOD_COST);
+            if polished > POLISH
+                || damping >= MOST_DAMPING
+                || before - best.cost <= GAIN * before
+                || best.cost < NO_COST
+            {
                 return best;
             }
         }

@@ -360,3 +360,13 @@ fn what_is_wrong_is_told_with_its_place() {
     let error = fit(&lone).unwrap_err().to_string();
     assert!(error.contains("the stiffness is missing"), "{error}");
 }
+
+#[test]
+fn a_pull_off_force_tells_the_work_of_adhesion() {
+    // 3/2 pi w R with R = 0.3 um
+    let force = 1.5 * std::f64::consts::PI * 0.05 * 0.3e-6;
+    let pull = [format!("[[observation]]\npull_off_force = \"{force:e} N\"\n")];
+    let known = "alpha = 0.1";
+    let report = fit(&file(POWDER, "jkr", known, "work_of_adhesion = \"free\"", &pull)).unwrap();
+    assert_found(&report, &[0.05], 1e-6);
+}

@@ -20,6 +20,8 @@ pub(super) struct Axis {
 
 /// From so many decades on only powers of ten get a number.
 const MANY_DECADES: f64 = 2.5;
+/// No axis has more numbers than about this.
+const MOST_NUMBERS: f64 = 10.0;
 
 impl Axis {
     /// The axis of these values, between two pixels, with about `count` ticks.
@@ -52,7 +54,10 @@ impl Axis {
             labels: Vec::new(),
         };
         let mut minor = Vec::new();
-        let few = libm::log10(high / low) < MANY_DECADES;
+        let decades = libm::log10(high / low);
+        let few = decades < MANY_DECADES;
+        // Whole decades between numbers, 1 to 28.
+        let stride = libm::ceil(decades / MOST_NUMBERS).max(1.0) as i32;
         // The logarithm of an f64 fits an i32.
         let (first, last) = (
             libm::floor(libm::log10(low)) as i32,
@@ -62,6 +67,9 @@ impl Axis {
             for factor in 1..10 {
                 let value = f64::from(factor) * libm::pow(10.0, f64::from(exponent));
                 if !(low * (1.0 - 1e-9)..=high * (1.0 + 1e-9)).contains(&value) {
+                    continue;
+                }
+                if stride > 1 && (factor > 1 || exponent % stride != 0) {
                     continue;
                 }
                 if factor == 1 || (few && (factor == 2 || factor == 5)) {
@@ -171,7 +179,8 @@ fn logarithmic_range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     if low > high {
         return (0.1, 1.0);
     }
-    let (low, high) = (low.max(1e-300), high.min(1e300));
+    // The ratio of the two must not overflow.
+    let (low, high) = (low.clamp(1e-140, 1e140), high.clamp(1e-140, 1e140));
     let margin = libm::pow(high / low, 0.04).max(1.2);
     (low / margin, high * margin)
 }
@@ -234,6 +243,7 @@ mod tests {
         for values in [vec![], vec![-1.0], vec![3.0], vec![5e-324, f64::MAX]] {
             let axis = Axis::new(values.into_iter(), spec, (0.0, 1.0), 6.0);
             assert!(axis.low > 0.0 && axis.high > axis.low && axis.high.is_finite());
+            assert!(axis.ticks().count() <= 12 && axis.minor().count() < 100);
         }
     }
 }
