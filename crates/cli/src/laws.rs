@@ -95,10 +95,14 @@ fn allowed(parameter: &ParameterInfo) -> String {
 
 /// A value as the scenario writes it.
 fn value(parameter: &ParameterInfo, value: f64) -> String {
+    let number = match value.abs() {
+        x if x == 0.0 || (1e-3..1e6).contains(&x) => value.to_string(),
+        _ => format!("{value:e}"),
+    };
     let unit = parameter.dimension.unit();
     match unit.is_empty() {
-        true => value.to_string(),
-        false => format!("\"{value} {unit}\""),
+        true => number,
+        false => format!("\"{number} {unit}\""),
     }
 }
 

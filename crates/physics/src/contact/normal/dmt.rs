@@ -5,7 +5,7 @@ use super::hertz_window::{contact_share, mean_quarter, mean_three_halves};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use crate::restitution::duration::UNDAMPED;
 
@@ -99,6 +99,10 @@ impl Normal for Dmt {
     const SUMMARY: &'static str = "adhesive elastic contact of Derjaguin, Muller and Toporov (hard, small grains)";
     const DOC: &'static str = include_str!("dmt.md");
     const PARAMETERS: &'static [ParameterInfo] = DmtParameters::TABLE;
+    const ALTERNATIVES: &'static [Alternatives] = &[Alternatives {
+        of: &["restitution", "alpha"],
+        with: &["impact_speed"],
+    }];
     /// The dashpot's own.
     const HISTORY: &'static [Dimension] = &[Dimension::NONE];
 

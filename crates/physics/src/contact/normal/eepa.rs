@@ -6,7 +6,7 @@ use super::path::follow;
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use std::f64::consts::PI;
 
@@ -92,6 +92,10 @@ impl Normal for Eepa {
     const SUMMARY: &'static str = "Edinburgh elasto-plastic adhesive contact: a dent that holds the surfaces together";
     const DOC: &'static str = include_str!("eepa.md");
     const PARAMETERS: &'static [ParameterInfo] = EepaParameters::TABLE;
+    const ALTERNATIVES: &'static [Alternatives] = &[Alternatives {
+        of: &["restitution", "alpha"],
+        with: &["impact_speed"],
+    }];
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
     const FOLLOWS_KINKS: bool = true;
 

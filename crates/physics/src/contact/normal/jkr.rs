@@ -6,7 +6,7 @@ use super::path::{Branched, KINKS, Point, follow};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 
 params! {
@@ -108,6 +108,10 @@ impl Normal for Jkr {
         "adhesive elastic contact of Johnson, Kendall and Roberts (soft, sticky, large grains)";
     const DOC: &'static str = include_str!("jkr.md");
     const PARAMETERS: &'static [ParameterInfo] = JkrParameters::TABLE;
+    const ALTERNATIVES: &'static [Alternatives] = &[Alternatives {
+        of: &["restitution", "alpha"],
+        with: &["impact_speed"],
+    }];
     /// 1 while the surfaces hold each other; the dashpot's own.
     const HISTORY: &'static [Dimension] = &[Dimension::NONE, Dimension::NONE];
     const FOLLOWS_KINKS: bool = true;

@@ -6,7 +6,7 @@ use super::path::follow;
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use std::f64::consts::PI;
 
@@ -98,6 +98,10 @@ impl Normal for Luding {
     const SUMMARY: &'static str = "plastic and adhesive linear spring (Luding 2008), stiffer the deeper it was loaded";
     const DOC: &'static str = include_str!("luding.md");
     const PARAMETERS: &'static [ParameterInfo] = LudingParameters::TABLE;
+    const ALTERNATIVES: &'static [Alternatives] = &[Alternatives {
+        of: &["restitution", "damping"],
+        with: &["impact_speed"],
+    }];
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
     const FOLLOWS_KINKS: bool = true;
 

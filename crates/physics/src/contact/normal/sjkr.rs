@@ -5,7 +5,7 @@ use super::hertz_window::{mean_overlap, mean_quarter, mean_three_halves};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use crate::restitution::duration::UNDAMPED;
 
@@ -62,6 +62,10 @@ impl Normal for Sjkr {
     const SUMMARY: &'static str = "simplified JKR: Hertz with a pull proportional to the contact area";
     const DOC: &'static str = include_str!("sjkr.md");
     const PARAMETERS: &'static [ParameterInfo] = SjkrParameters::TABLE;
+    const ALTERNATIVES: &'static [Alternatives] = &[Alternatives {
+        of: &["restitution", "alpha"],
+        with: &["impact_speed"],
+    }];
     /// The dashpot's own.
     const HISTORY: &'static [Dimension] = &[Dimension::NONE];
 

@@ -6,7 +6,7 @@ use super::path::{Branched, KINKS, Point, follow};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use std::f64::consts::PI;
 
@@ -198,6 +198,10 @@ impl Normal for ThorntonNing {
     const SUMMARY: &'static str = "adhesive elastic-plastic contact of Thornton and Ning: yield at a limiting pressure";
     const DOC: &'static str = include_str!("thornton_ning.md");
     const PARAMETERS: &'static [ParameterInfo] = ThorntonNingParameters::TABLE;
+    const ALTERNATIVES: &'static [Alternatives] = &[Alternatives {
+        of: &["restitution", "alpha"],
+        with: &["impact_speed"],
+    }];
     /// Largest contact radius after yield; 1 while the surfaces hold each other; the dashpot's own.
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::NONE, Dimension::NONE];
     const FOLLOWS_KINKS: bool = true;

@@ -10,7 +10,7 @@ use super::path::{Branched, KINKS, Point, follow};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use scale::{Dent, Scale};
 use std::f64::consts::PI;
@@ -161,6 +161,10 @@ impl Normal for Tomas {
     const SUMMARY: &'static str = "adhesive elastic-plastic contact of fine powders, attraction across a gap";
     const DOC: &'static str = include_str!("tomas.md");
     const PARAMETERS: &'static [ParameterInfo] = TomasParameters::TABLE;
+    const ALTERNATIVES: &'static [Alternatives] = &[Alternatives {
+        of: &["alpha", "restitution"],
+        with: &["impact_speed"],
+    }];
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
     const FOLLOWS_KINKS: bool = true;
 

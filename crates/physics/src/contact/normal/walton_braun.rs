@@ -5,7 +5,7 @@ use super::path::follow;
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
-use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use std::f64::consts::PI;
 
@@ -39,6 +39,10 @@ impl Normal for WaltonBraun {
     const SUMMARY: &'static str = "stiffer on unloading than on loading (plastic dent), without adhesion";
     const DOC: &'static str = include_str!("walton_braun.md");
     const PARAMETERS: &'static [ParameterInfo] = WaltonBraunParameters::TABLE;
+    const ALTERNATIVES: &'static [Alternatives] = &[Alternatives {
+        of: &["restitution", "unloading_stiffness", "stiffness_growth"],
+        with: &[],
+    }];
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH];
     const FOLLOWS_KINKS: bool = true;
 
