@@ -34,6 +34,12 @@ pub enum Command {
     /// Find the speed below which two bodies stick, against their size
     #[command(after_help = exit::HELP)]
     Sticking(StickingArguments),
+    /// Draw the figures of the papers on damped springs and adhesive grains, and tell how exact they are
+    #[command(after_help = exit::HELP)]
+    Figure(FigureArguments),
+    /// Find the parameters of a law from observed collisions, and tell what these do not fix
+    #[command(after_help = exit::HELP)]
+    Fit(FitArguments),
     /// List the contact laws, or explain one
     Laws(LawsArguments),
     /// Write a scenario to start from, or list those there are
@@ -52,6 +58,8 @@ impl Command {
             Self::Collide(a) => a.json,
             Self::ContactCurve(a) => a.json,
             Self::Sticking(a) => a.json,
+            Self::Figure(a) => a.json,
+            Self::Fit(a) => a.json,
             Self::Laws(a) => a.json,
             Self::New(_) => false,
             Self::Info(a) => a.json,
@@ -180,6 +188,35 @@ pub struct StickingArguments {
     /// Draw the speeds
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
+}
+
+/// Of `demeter figure`.
+#[derive(Debug, Args)]
+pub struct FigureArguments {
+    /// The figures, or `all`; all are listed when absent
+    pub names: Vec<String>,
+    /// Folder for NAME.svg and NAME.csv; made when it is not there. Files of these names are replaced
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    pub output: PathBuf,
+    /// List the figures
+    #[arg(long, conflicts_with = "names")]
+    pub list: bool,
+    /// Write one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Of `demeter fit`.
+#[derive(Debug, Args)]
+pub struct FitArguments {
+    /// The file of observations
+    pub file: PathBuf,
+    /// Change a value of the file, as `fit.law="linear"`; may be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Write one JSON object to standard output
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Of `demeter laws`.

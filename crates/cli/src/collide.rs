@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::readable::{number, vector};
 use crate::table::{Cell, write_csv, write_plot};
 use demeter::calibrate::{CollideReport, Engine, collide as run};
-use demeter::output::Plot;
+use demeter::output::{Plot, Series};
 use demeter::scenario::ImpactFile;
 use serde_json::{Value, json};
 
@@ -46,7 +46,8 @@ fn plot(file: &ImpactFile, report: &CollideReport) -> Plot {
         title: format!("{}: {}", file.name, report.outcome.name()),
         x_label: "overlap [m]".to_string(),
         y_label: "normal force [N]".to_string(),
-        series: vec![("normal force".to_string(), points)],
+        series: vec![Series::line("normal force", points)],
+        ..Plot::default()
     }
 }
 

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::readable::number;
 use crate::table::{Cell, write_csv, write_plot};
 use demeter::calibrate::{CurvePoint, contact_curve as trace};
-use demeter::output::Plot;
+use demeter::output::{Plot, Series};
 use demeter::scenario::ImpactFile;
 use serde_json::{Value, json};
 
@@ -45,13 +45,14 @@ fn branches(curve: &[CurvePoint]) -> impl Iterator<Item = &[CurvePoint]> {
 fn plot(file: &ImpactFile, curve: &[CurvePoint]) -> Plot {
     let line = |rows: &[CurvePoint]| {
         let name = rows.first().map_or("", |p| p.branch.name());
-        (name.to_string(), rows.iter().map(|p| (p.overlap, p.force)).collect())
+        Series::line(name, rows.iter().map(|p| (p.overlap, p.force)).collect())
     };
     Plot {
         title: format!("{}: quasi-static contact", file.name),
         x_label: "overlap [m]".to_string(),
         y_label: "normal force [N]".to_string(),
         series: branches(curve).map(line).collect(),
+        ..Plot::default()
     }
 }
 

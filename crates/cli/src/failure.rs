@@ -103,7 +103,7 @@ impl From<CalibrateError> for Failure {
         let exit = match error {
             CalibrateError::File(faults) => return Self::Scenario(faults),
             CalibrateError::Fault(_) | CalibrateError::Steps { .. } => Exit::Fault,
-            CalibrateError::Collision(_) | CalibrateError::TimeStep(_) | CalibrateError::Curve(_) => Exit::Wrong,
+            _ => Exit::Wrong,
         };
         let message = error.to_string();
         Self::Other { exit, message }

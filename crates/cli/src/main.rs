@@ -11,6 +11,8 @@ mod collide;
 mod contact_curve;
 mod exit;
 mod failure;
+mod figure;
+mod fit;
 mod info;
 mod interrupt;
 mod laws;
@@ -44,6 +46,8 @@ fn main() -> ExitCode {
         Command::Collide(arguments) => collide::collide(&arguments),
         Command::ContactCurve(arguments) => contact_curve::contact_curve(&arguments),
         Command::Sticking(arguments) => sticking::sticking(&arguments),
+        Command::Fit(arguments) => fit::fit(&arguments),
+        Command::Figure(arguments) => figure::figure(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
         Command::New(arguments) => new::new(&arguments),
         Command::Info(arguments) => info::info(&arguments),

@@ -7,11 +7,17 @@ use crate::failure::Failure;
 use crate::readable::number;
 use crate::table::{Cell, write_csv, write_plot};
 use demeter::calibrate::{StickingPoint, log_spaced, sticking as search};
-use demeter::output::Plot;
+use demeter::output::{AxisSpec, Plot, Series};
 use demeter::scenario::{ImpactFile, units};
 use demeter_physics::collision::Sticking;
 use demeter_physics::dimension::Dimension;
 use serde_json::{Value, json};
+
+/// Both are powers of each other over much of their range.
+const LOGARITHMIC: AxisSpec = AxisSpec {
+    logarithmic: true,
+    range: None,
+};
 
 /// Finds the critical sticking speed against the effective radius.
 pub fn sticking(arguments: &StickingArguments) -> Result<Exit, Failure> {
@@ -40,7 +46,9 @@ pub fn sticking(arguments: &StickingArguments) -> Result<Exit, Failure> {
             title: format!("{}: bodies stick below", file.name),
             x_label: titles[0].to_string(),
             y_label: titles[1].to_string(),
-            series: vec![(file.choice().normal.law, known.clone())],
+            x: LOGARITHMIC,
+            y: LOGARITHMIC,
+            series: vec![Series::line(file.choice().normal.law, known.clone())],
         };
         write_plot(path, &plot)?;
     }

@@ -4,6 +4,7 @@
 //! * [`collision`]: head-on collisions with error control: restitution, contact time, sticking speed.
 //! * [`contact`]: contact laws, one file each, in families (normal, tangential, rolling).
 //! * [`restitution`]: exact maps between the restitution coefficient and damping.
+//! * [`root`]: bracketed roots.
 //! * [`geometry`]: where a sphere touches a surface.
 //! * [`integrator`]: velocity Verlet and the rotation of a rigid sphere.
 //!
@@ -16,6 +17,6 @@ pub mod geometry;
 pub mod integrator;
 pub mod parameters;
 pub mod restitution;
-mod root;
+pub mod root;
 
 pub use glam::{DQuat, DVec3};

@@ -5,7 +5,7 @@ use std::convert::Infallible;
 /// Root of `f` between `a` and `b`, where `f` has opposite signs (or is zero at one of them), to the last bits of it.
 ///
 /// Where the signs do not differ, the end with the smaller `|f|` comes back.
-pub(crate) fn bracketed(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+pub fn bracketed(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
     match bracketed_within(|x| Ok::<f64, Infallible>(f(x)), a, b, 0.0) {
         Ok(root) => root,
     }

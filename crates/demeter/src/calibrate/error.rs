@@ -4,6 +4,8 @@ use crate::contacts::Fault;
 use crate::scenario::Diagnostics;
 use crate::simulation::TimeStepError;
 use demeter_physics::collision::CollisionError;
+use demeter_physics::contact::LawError;
+use demeter_physics::restitution::RestitutionError;
 
 /// Why something about two bodies could not be computed.
 #[derive(Debug, thiserror::Error)]
@@ -33,6 +35,21 @@ pub enum CalibrateError {
         /// Simulated time [s].
         time: f64,
     },
+    /// A law refused its parameters.
+    #[error("{0}")]
+    Law(#[from] LawError),
+    /// A closed form of the damped springs does not hold.
+    #[error("{0}")]
+    Restitution(#[from] RestitutionError),
+    /// Bodies that were expected to stick at low speeds and to part at high ones do not.
+    #[error("there is no critical sticking velocity at an effective radius of {radius} m")]
+    NoStickingSpeed {
+        /// Effective radius [m].
+        radius: f64,
+    },
+    /// A law cannot do for these bodies what its parameters ask.
+    #[error("{0}")]
+    Refused(String),
     /// A curve was asked for that the law does not reach.
     #[error("{0}")]
     Curve(String),

@@ -3,11 +3,15 @@
 //! * [`collide()`]: one collision, head-on with error control or oblique by extrapolation of the engine's own steps.
 //! * [`contact_curve`]: quasi-static loading, unloading, reloading and pull-off.
 //! * [`sticking`]: the speed below which bodies stick, against their size.
+//! * [`fit`]: from observations to the parameters of a law, with what they cannot tell.
+//! * [`figure`]: the figures of the papers whose mathematics Demeter uses.
 
 mod collide;
 mod curve;
 mod error;
 mod extrapolate;
+pub mod figure;
+pub mod fit;
 mod flight;
 mod sticking;
 

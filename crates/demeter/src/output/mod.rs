@@ -19,7 +19,7 @@ mod vtp;
 pub use error::OutputError;
 pub use folder::RunFolder;
 pub use frame::{ContactRecord, Frame, WallSurface};
-pub use plot::Plot;
+pub use plot::{AxisSpec, Look, Plot, Series, Sheet};
 pub use series::{COLUMNS, Column, SeriesLabels, SeriesWriter, WALL_COLUMNS};
 pub use summary::{EnergySummary, StageSummary, Summary, WallSummary, wall_summaries};
 pub use vtk::FrameWriter;

@@ -287,17 +287,23 @@ fn body_table<'a>(root: &TableReader<'a>, key: &str, materials: &[Material]) -> 
     Some((table, material))
 }
 
+/// Mass of a sphere of a material [kg].
+pub(super) fn sphere_mass(radius: f64, material: u16, materials: &[Material]) -> f64 {
+    let density = materials.get(usize::from(material)).map_or(f64::NAN, |m| m.density);
+    density * (4.0 / 3.0 * PI) * radius * radius * radius
+}
+
 fn sphere(table: &TableReader<'_>, material: u16, materials: &[Material]) -> Body {
     let radius = table.length("radius", "the radius of the sphere, as \"5 mm\"");
     let density = materials.get(usize::from(material)).map_or(f64::NAN, |m| m.density);
-    let mass = density * (4.0 / 3.0 * PI) * radius * radius * radius;
+    let mass = sphere_mass(radius, material, materials);
     if radius.is_finite() && density.is_finite() && !(mass > 0.0 && mass.is_finite()) {
         table.fault_at("radius", format!("a sphere of this radius has a mass of {mass} kg"));
     }
     Body { material, radius, mass }
 }
 
-fn body_a(root: &TableReader<'_>, materials: &[Material]) -> Body {
+pub(super) fn body_a(root: &TableReader<'_>, materials: &[Material]) -> Body {
     let Some((table, material)) = body_table(root, "a", materials) else {
         return Body {
             material: 0,
@@ -315,7 +321,7 @@ fn body_a(root: &TableReader<'_>, materials: &[Material]) -> Body {
     body
 }
 
-fn body_b(root: &TableReader<'_>, materials: &[Material]) -> Partner {
+pub(super) fn body_b(root: &TableReader<'_>, materials: &[Material]) -> Partner {
     let Some((table, material)) = body_table(root, "b", materials) else {
         return Partner::Wall(0);
     };

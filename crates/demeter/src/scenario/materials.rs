@@ -290,7 +290,7 @@ fn law(item: &Item<'_>, family: &str, known: &[LawInfo], default: Option<&LawCho
 }
 
 /// Value of a parameter as its kind asks.
-fn parameter_value(item: &Item<'_>, parameter: &ParameterInfo) -> ParameterValue {
+pub(super) fn parameter_value(item: &Item<'_>, parameter: &ParameterInfo) -> ParameterValue {
     match parameter.kind {
         ParameterKind::Number => item.quantity(Kind::of(parameter.dimension), parameter.range).into(),
         ParameterKind::Choice(words) => {
@@ -345,6 +345,16 @@ fn inherited(info: &LawInfo, default: Option<&LawChoice>) -> Values {
     same.map(|d| d.parameters.clone()).unwrap_or_default()
 }
 
+/// Tells parameters that are neither known nor sought.
+pub(super) fn check_known(table: &TableReader<'_>, info: &LawInfo, parameters: &Values) {
+    for error in resolve(info.parameters, parameters).err().into_iter().flatten() {
+        if let ParameterError::Missing { .. } = error {
+            let message = format!("law `{}`: {error}; make it known or unknown", info.name);
+            table.fault(message, None);
+        }
+    }
+}
+
 /// Tells parameters that are missing; those that are there were checked when they were read.
 fn check_parameters(item: &Item<'_>, info: &LawInfo, parameters: &Values) {
     let Err(errors) = resolve(info.parameters, parameters) else {
@@ -358,7 +368,7 @@ fn check_parameters(item: &Item<'_>, info: &LawInfo, parameters: &Values) {
     }
 }
 
-fn find_law<'l>(item: &Item<'_>, name: &str, family: &str, known: &'l [LawInfo]) -> Option<&'l LawInfo> {
+pub(super) fn find_law<'l>(item: &Item<'_>, name: &str, family: &str, known: &'l [LawInfo]) -> Option<&'l LawInfo> {
     let found = known.iter().find(|l| l.name == name);
     if found.is_none() && matches!(item.node.value, Value::String(_)) {
         let other = FAMILIES.iter().find(|(_, laws)| laws.iter().any(|l| l.name == name));

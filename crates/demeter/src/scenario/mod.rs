@@ -3,9 +3,11 @@
 mod checks;
 mod diagnostics;
 mod document;
+mod fit_file;
 mod grains;
 mod impact;
 mod materials;
+mod observed;
 mod overrides;
 mod plots;
 mod prepare;
@@ -26,11 +28,13 @@ mod tests;
 
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use document::{Document, SourceText, Span};
+pub use fit_file::{DEFAULT_ERROR, FIT_REFERENCE, FitFile, MAX_OBSERVATIONS, MAX_UNKNOWNS};
 pub use grains::{MAX_BATCHES, MAX_GRAINS};
 pub use impact::{
     Body, CurveDepth, CurveSpec, IMPACT_REFERENCE, ImpactFile, ImpactSpec, MAX_CURVE_POINTS, Partner, pair_size,
 };
 pub use materials::{ContactSpec, MAX_MATERIALS};
+pub use observed::{Measured, Observable, Observation, Target, Unknown};
 pub use prepare::{Prepared, prepare};
 pub use report::{Report, RunEnd};
 pub use run::{Observer, Progress, RunError, RunOptions, RunState, resume, run};

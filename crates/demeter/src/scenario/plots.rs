@@ -3,7 +3,7 @@
 use super::reader::did_you_mean;
 use super::run::labels;
 use super::{Diagnostics, PlotSpec, Scenario};
-use crate::output::{OutputError, Plot, RunFolder, SeriesLabels};
+use crate::output::{OutputError, Plot, RunFolder, Series, SeriesLabels};
 use std::path::Path;
 
 /// Most stages that get a line of their own in a plot of one column.
@@ -110,12 +110,12 @@ impl Table {
             let stages = self.stage_ranges();
             if columns.len() == 1 && stages.len() <= MAX_LINES && spec.x != "time" {
                 for range in stages {
-                    plot.series
-                        .push((self.stages[range.start].clone(), points(&self.rows[range])));
+                    let name = self.stages[range.start].clone();
+                    plot.series.push(Series::line(name, points(&self.rows[range])));
                 }
             } else {
                 plot.series
-                    .push((name_of(&self.header[y]).to_string(), points(&self.rows)));
+                    .push(Series::line(name_of(&self.header[y]), points(&self.rows)));
             }
         }
         plot

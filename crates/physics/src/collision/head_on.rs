@@ -98,8 +98,8 @@ impl HeadOn<'_, NormalLaw> {
 
 /// Two bodies and their law.
 pub(super) struct Pair<'a, L> {
-    law: &'a L,
-    size: PairSize,
+    pub law: &'a L,
+    pub size: PairSize,
 }
 
 /// Overlap that stands for none, as share of the radius: the limit of a force that jumps at first touch.
@@ -173,7 +173,7 @@ enum Event {
 const REST: f64 = 1e-10;
 
 /// A collision on its way.
-struct Course<'p, 'a, L> {
+pub(super) struct Course<'p, 'a, L> {
     pair: &'p Pair<'a, L>,
     speed: f64,
     stored_before: f64,
@@ -188,11 +188,11 @@ struct Course<'p, 'a, L> {
     largest_force: f64,
     max_overlap: f64,
     steps: usize,
-    records: Vec<Record>,
+    pub(super) records: Vec<Record>,
 }
 
 impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
-    fn new(pair: &'p Pair<'a, L>, impact: &HeadOn<'_, L>) -> Result<Self, CollisionError> {
+    pub(super) fn new(pair: &'p Pair<'a, L>, impact: &HeadOn<'_, L>) -> Result<Self, CollisionError> {
         const {
             assert!(
                 L::HISTORY.len() <= MAX_HISTORY,
@@ -244,6 +244,29 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         })
     }
 
+    /// Goes through every reversal, up to a time, rest or the end of contact.
+    pub(super) fn follow(&mut self, tolerance: &Tolerance, until: f64) -> Result<(), CollisionError> {
+        while self.steps < tolerance.max_steps {
+            self.steps += 1;
+            self.next = self.next.min(until - self.time);
+            let Some((length, end, event)) = self.try_step(tolerance)? else {
+                continue;
+            };
+            self.accept(length, end, event);
+            // what is left of the time is below its rounding
+            if event == Some(Event::End) || self.is_at_rest() || until - self.time <= 1e-12 * until {
+                return Ok(());
+            }
+            if event == Some(Event::Reversal) {
+                if self.force() == 0.0 {
+                    return Ok(());
+                }
+                self.direction = -self.direction;
+            }
+        }
+        Err(self.endless())
+    }
+
     fn finish(&mut self, tolerance: &Tolerance) -> Result<Outcome, CollisionError> {
         while self.steps < tolerance.max_steps {
             self.steps += 1;
@@ -264,12 +287,16 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
                 None => {}
             }
         }
-        Err(CollisionError::Steps {
+        Err(self.endless())
+    }
+
+    fn endless(&self) -> CollisionError {
+        CollisionError::Steps {
             steps: self.steps,
             time: self.time,
             overlap: self.state[0],
             rate: self.state[1],
-        })
+        }
     }
 
     fn force(&self) -> f64 {

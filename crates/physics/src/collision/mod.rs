@@ -1,11 +1,13 @@
 //! Collisions of two bodies, integrated with error control instead of a fixed time step.
 //!
 //! * [`ode`]: an adaptive Runge-Kutta method of order 8 whose steps end on events.
-//! * [`head_on`]: a head-on collision under any normal law: restitution, contact time, outcome, energies.
+//! * [`head_on`]: a head-on collision under any normal law: restitution, contact time, outcome, energies; and the
+//!   motion of bodies that stick, beyond the moment at which that is decided.
 //! * [`sticking`]: the speed below which two bodies stick.
 
 mod dormand_prince;
 pub mod head_on;
+mod motion;
 pub mod ode;
 mod outcome;
 mod record;

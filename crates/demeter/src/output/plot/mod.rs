@@ -1,8 +1,15 @@
-//! Line plots as SVG: axes with round ticks, labels, a legend.
+//! Line plots as SVG: axes with round ticks, linear or logarithmic, labels, a legend; several in one picture.
+
+mod axis;
+mod legend;
+mod sheet;
+
+pub use sheet::Sheet;
 
 use super::error::OutputError;
-use super::ticks::Ticks;
 use crate::checkpoint::{Durability, write_atomically};
+use axis::{Axis, axes};
+use legend::legend;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -19,6 +26,8 @@ const BOTTOM: f64 = 72.0;
 const RIGHT: f64 = 28.0;
 /// Points of a line nearer than this to the last one drawn are left out [pixels].
 const CLOSE: f64 = 0.5;
+/// Radius of a circle [pixels].
+const CIRCLE: f64 = 4.0;
 
 /// A line plot.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -29,108 +38,110 @@ pub struct Plot {
     pub x_label: String,
     /// Quantity and unit of the vertical axis.
     pub y_label: String,
-    /// Lines: name and points. A point that is not finite breaks its line.
-    pub series: Vec<(String, Vec<(f64, f64)>)>,
+    /// How values lie on the horizontal axis.
+    pub x: AxisSpec,
+    /// How values lie on the vertical axis.
+    pub y: AxisSpec,
+    /// What is drawn.
+    pub series: Vec<Series>,
 }
 
-/// One axis: values to pixels.
-struct Axis {
-    low: f64,
-    high: f64,
-    /// Pixels at the two ends.
-    from: f64,
-    to: f64,
-    ticks: Ticks,
-    /// Power of ten by which the numbers at the ticks are multiplied.
-    exponent: i32,
+/// How values lie on an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AxisSpec {
+    /// Equal ratios have equal lengths; values that are not positive are left out.
+    pub logarithmic: bool,
+    /// First and last value; chosen to show all points when absent. Values beyond are drawn at the ends.
+    pub range: Option<(f64, f64)>,
 }
 
-impl Axis {
-    fn new(values: impl Iterator<Item = f64>, from: f64, to: f64, count: f64) -> Self {
-        let (mut low, mut high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
-        if low > high {
-            (low, high) = (0.0, 1.0);
+/// How points are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Look {
+    /// A line through them.
+    #[default]
+    Line,
+    /// A dashed line.
+    Dashed,
+    /// A dotted line.
+    Dotted,
+    /// A circle at each.
+    Circles,
+}
+
+impl Look {
+    /// Attributes of the path.
+    fn attributes(self) -> &'static str {
+        match self {
+            Self::Line => "",
+            Self::Dashed => " stroke-dasharray=\"9 6\"",
+            Self::Dotted => " stroke-dasharray=\"1 5\"",
+            Self::Circles => " stroke-width=\"1.4\"",
         }
-        // Zero is shown when it is near; a line must not lie on the frame.
-        if low > 0.0 && low < 0.4 * high {
-            low = 0.0;
-        } else if high < 0.0 && high > 0.4 * low {
-            high = 0.0;
-        }
-        let span = high - low;
-        let largest = low.abs().max(high.abs());
-        let margin = if span > 1e-9 * largest {
-            0.04 * span
-        } else {
-            0.5 * largest.max(f64::MIN_POSITIVE * 1e10)
-        };
-        low -= if low == 0.0 && span > 0.0 { 0.0 } else { margin };
-        high += if high == 0.0 && span > 0.0 { 0.0 } else { margin };
-        // Values near the largest f64 would overflow in what follows.
-        (low, high) = (low.max(-1e300), high.min(1e300));
-        let largest = low.abs().max(high.abs());
-        // The exponent of an f64 fits an i32.
-        let third = libm::floor(libm::log10(largest) / 3.0) as i32;
-        let exponent = if (1e-2..1e4).contains(&largest) { 0 } else { 3 * third };
-        let power = libm::pow(10.0, f64::from(exponent));
+    }
+}
+
+/// Points with a name.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Series {
+    /// Name in the legend; not listed there when empty.
+    pub name: String,
+    /// The points. One that is not finite breaks its line.
+    pub points: Vec<(f64, f64)>,
+    /// How they are drawn.
+    pub look: Look,
+    /// Which colour; that of its place among the series when absent.
+    pub colour: Option<usize>,
+}
+
+impl Series {
+    /// A line in the colour of its place.
+    pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self {
-            low,
-            high,
-            from,
-            to,
-            ticks: Ticks::inside(low / power, high / power, count),
-            exponent,
+            name: name.into(),
+            points,
+            ..Self::default()
         }
     }
 
-    fn pixel(&self, value: f64) -> f64 {
-        self.from + (value.clamp(self.low, self.high) - self.low) / (self.high - self.low) * (self.to - self.from)
-    }
-
-    fn ticks(&self) -> impl Iterator<Item = (f64, &String)> {
-        let power = libm::pow(10.0, f64::from(self.exponent));
-        let values = self.ticks.values.iter().map(move |v| self.pixel(v * power));
-        values.zip(&self.ticks.labels)
-    }
-
-    /// The label of the axis with the power of ten that its numbers leave out.
-    fn label(&self, label: &str) -> String {
-        let label = escape(label);
-        match self.exponent {
-            0 => label,
-            n => format!("{label} × 10<tspan dy=\"-6\" font-size=\"11\">{n}</tspan>"),
-        }
+    /// The same in another look and colour.
+    pub fn with(mut self, look: Look, colour: usize) -> Self {
+        (self.look, self.colour) = (look, Some(colour));
+        self
     }
 }
 
 impl Plot {
     /// The plot as an SVG document.
     pub fn to_svg(&self) -> String {
-        let points = || {
-            let all = self.series.iter().flat_map(|(_, points)| points);
-            all.filter(|p| p.0.is_finite() && p.1.is_finite())
-        };
-        let x = Axis::new(points().map(|p| p.0), LEFT, WIDTH - RIGHT, 7.0);
-        let y = Axis::new(points().map(|p| p.1), HEIGHT - BOTTOM, TOP, 6.0);
-        let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\" \
-             viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"14\" \
-             fill=\"#262c34\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n\
-             <text x=\"{LEFT}\" y=\"32\" font-size=\"18\" font-weight=\"bold\">{}</text>\n",
-            escape(&self.title)
-        );
-        self.write_axes(&mut svg, &x, &y);
-        svg.push_str("<g fill=\"none\" stroke-width=\"1.8\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
-        for (k, (_, points)) in self.series.iter().enumerate() {
-            let path = path(points, &x, &y);
-            put(&mut svg, format_args!("<path stroke=\"{}\" d=\"{path}\"/>", colour(k)));
-        }
-        svg.push_str("</g>\n");
-        if self.series.len() > 1 {
-            self.write_legend(&mut svg, &x, &y);
-        }
+        let mut svg = document(WIDTH, HEIGHT);
+        self.draw(&mut svg);
         svg.push_str("</svg>\n");
         svg
+    }
+
+    /// The plot without the document around it.
+    fn draw(&self, svg: &mut String) {
+        let (x, y) = axes(self, [LEFT, WIDTH - RIGHT, TOP, HEIGHT - BOTTOM]);
+        put(
+            svg,
+            format_args!(
+                "<text x=\"{LEFT}\" y=\"32\" font-size=\"18\" font-weight=\"bold\">{}</text>",
+                escape(&self.title)
+            ),
+        );
+        self.write_axes(svg, &x, &y);
+        svg.push_str("<g fill=\"none\" stroke-width=\"1.8\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
+        for (k, series) in self.series.iter().enumerate() {
+            let path = match series.look {
+                Look::Circles => circles(&series.points, &x, &y),
+                _ => path(&series.points, &x, &y),
+            };
+            let (colour, look) = (colour(series, k), series.look.attributes());
+            put(svg, format_args!("<path stroke=\"{colour}\"{look} d=\"{path}\"/>"));
+        }
+        svg.push_str("</g>\n");
+        legend(self, svg, &x, &y);
     }
 
     /// Writes the plot as an SVG file, whole or not at all.
@@ -140,6 +151,18 @@ impl Plot {
 
     fn write_axes(&self, svg: &mut String, x: &Axis, y: &Axis) {
         let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
+        for at in x.minor() {
+            put(
+                svg,
+                format_args!("<path stroke=\"#f1f3f5\" d=\"M{at:.1} {TOP}V{bottom}\"/>"),
+            );
+        }
+        for at in y.minor() {
+            put(
+                svg,
+                format_args!("<path stroke=\"#f1f3f5\" d=\"M{LEFT} {at:.1}H{right}\"/>"),
+            );
+        }
         for (at, label) in x.ticks() {
             put(
                 svg,
@@ -162,7 +185,7 @@ impl Plot {
                 format_args!("<text x=\"{beside}\" y=\"{base:.1}\" text-anchor=\"end\">{label}</text>"),
             );
         }
-        if y.low < 0.0 && y.high > 0.0 {
+        if y.crosses_zero() {
             let zero = y.pixel(0.0);
             put(
                 svg,
@@ -187,55 +210,15 @@ impl Plot {
             format_args!("<text transform=\"{turn}\" text-anchor=\"middle\">{label}</text>"),
         );
     }
+}
 
-    /// The legend, in the corner where fewest points are.
-    fn write_legend(&self, svg: &mut String, x: &Axis, y: &Axis) {
-        let longest = self
-            .series
-            .iter()
-            .map(|(name, _)| name.chars().count())
-            .max()
-            .unwrap_or(0);
-        let width = 52.0 + 7.6 * longest as f64;
-        let height = 12.0 + 22.0 * self.series.len() as f64;
-        let (right, bottom) = (WIDTH - RIGHT - width - 10.0, HEIGHT - BOTTOM - height - 10.0);
-        let corners = [
-            (LEFT + 12.0, TOP + 6.0),
-            (right, TOP + 6.0),
-            (right, bottom),
-            (LEFT + 12.0, bottom),
-        ];
-        let hidden = |&(left, top): &(f64, f64)| {
-            let all = self.series.iter().flat_map(|(_, points)| points);
-            let pixels = all.map(|p| (x.pixel(p.0) - left, y.pixel(p.1) - top));
-            pixels
-                .filter(|p| p.0 > 0.0 && p.0 < width && p.1 > 0.0 && p.1 < height)
-                .count()
-        };
-        let Some((left, top)) = corners.into_iter().min_by_key(hidden) else {
-            return;
-        };
-        put(
-            svg,
-            format_args!(
-                "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" rx=\"3\" \
-                 fill=\"#ffffff\" fill-opacity=\"0.85\" stroke=\"#d5d9dd\"/>"
-            ),
-        );
-        for (k, (name, _)) in self.series.iter().enumerate() {
-            let line = top + 17.0 + 22.0 * k as f64;
-            let (start, end, text, base) = (left + 10.0, left + 34.0, left + 42.0, line + 5.0);
-            let colour = colour(k);
-            put(
-                svg,
-                format_args!("<path stroke=\"{colour}\" stroke-width=\"2\" d=\"M{start:.1} {line:.1}H{end:.1}\"/>"),
-            );
-            put(
-                svg,
-                format_args!("<text x=\"{text:.1}\" y=\"{base:.1}\">{}</text>", escape(name)),
-            );
-        }
-    }
+/// The start of a document of this size.
+fn document(width: f64, height: f64) -> String {
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"14\" \
+         fill=\"#262c34\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
+    )
 }
 
 /// Adds a line of text. Writing to a String cannot fail.
@@ -243,8 +226,23 @@ fn put(svg: &mut String, line: std::fmt::Arguments) {
     let _ = writeln!(svg, "{line}");
 }
 
-fn colour(k: usize) -> &'static str {
-    COLOURS[k % COLOURS.len()]
+/// Colour of a series at its place.
+fn colour(series: &Series, place: usize) -> &'static str {
+    COLOURS[series.colour.unwrap_or(place) % COLOURS.len()]
+}
+
+/// The path of circles around points.
+fn circles(points: &[(f64, f64)], x: &Axis, y: &Axis) -> String {
+    let mut path = String::new();
+    for &(px, py) in points.iter().filter(|p| x.shows(p.0) && y.shows(p.1)) {
+        let (left, middle) = (x.pixel(px) - CIRCLE, y.pixel(py));
+        // Writing to a String cannot fail.
+        let _ = write!(path, "M{left:.2} {middle:.2}");
+        for turn in [2.0 * CIRCLE, -2.0 * CIRCLE] {
+            let _ = write!(path, "a{CIRCLE} {CIRCLE} 0 1 0 {turn} 0");
+        }
+    }
+    path
 }
 
 /// The path of a line, without points that nobody could see.
@@ -258,7 +256,7 @@ fn path(points: &[(f64, f64)], x: &Axis, y: &Axis) -> String {
         let _ = write!(path, "{command}{:.2} {:.2}", at.0, at.1);
     };
     for &(px, py) in points.iter().chain([&(f64::NAN, f64::NAN)]) {
-        if !(px.is_finite() && py.is_finite()) {
+        if !(x.shows(px) && y.shows(py)) {
             // The end of a line is always drawn.
             if let Some(at) = skipped.take() {
                 draw('L', at);
@@ -304,14 +302,15 @@ mod tests {
             title: "Force & strain".to_owned(),
             x_label: "strain".to_owned(),
             y_label: "force [N]".to_owned(),
-            series: vec![("squeeze <1>".to_owned(), points)],
+            series: vec![Series::line("squeeze <1>", points)],
+            ..Plot::default()
         }
     }
 
     #[test]
     fn a_plot_names_everything_and_draws_every_point() {
         let mut plot = plot(vec![(0.0, 0.0), (0.1, 2.0), (0.2, 6.7)]);
-        plot.series.push(("release".to_owned(), vec![(0.2, 6.7), (0.0, 0.0)]));
+        plot.series.push(Series::line("release", vec![(0.2, 6.7), (0.0, 0.0)]));
         let svg = plot.to_svg();
         for text in [
             "Force &amp; strain",
@@ -374,5 +373,24 @@ mod tests {
             .map(|t| (t, libm::sin(20.0 * t)));
         let svg = plot(wave.collect()).to_svg();
         assert!(svg.len() < 150_000, "{}", svg.len());
+    }
+
+    #[test]
+    fn looks_colours_and_logarithmic_axes_are_drawn() {
+        let mut plot = plot(vec![(1e-6, 1.0), (1e-3, 10.0), (0.0, 5.0), (1.0, 1e3)]);
+        plot.x.logarithmic = true;
+        plot.y.logarithmic = true;
+        plot.series[0] = plot.series[0].clone().with(Look::Dashed, 2);
+        plot.series
+            .push(Series::line("", vec![(1e-3, 3.0), (-1.0, 2.0), (0.1, 30.0)]).with(Look::Circles, 0));
+        let svg = plot.to_svg();
+        assert!(svg.contains("stroke=\"#009e73\" stroke-dasharray"), "{svg}");
+        // a value that is not positive breaks the line and has no circle
+        let line = svg.lines().find(|l| l.contains("#009e73\" stroke-dasharray")).unwrap();
+        assert_eq!((line.matches('M').count(), line.matches('L').count()), (2, 1));
+        assert_eq!(svg.matches("a4 4 0 1 0 8 0").count(), 2);
+        assert!(!svg.contains("NaN") && !svg.contains("inf"));
+        // one name: no legend
+        assert!(!svg.contains("fill-opacity"));
     }
 }

@@ -1,0 +1,155 @@
+//! `demeter fit`.
+
+use crate::answer::{Rows, answer, answer_json};
+use crate::arguments::FitArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::readable::number;
+use demeter::calibrate::fit::{Combination, FitReport, FittedParameter, Residual, fit as find, written};
+use demeter::scenario::FitFile;
+use demeter_physics::dimension::Dimension;
+use serde_json::{Value, json};
+
+/// Deviations beyond so many errors say that the law does not fit.
+const TOO_FAR: f64 = 3.0;
+
+/// Finds the parameters of a law from observations.
+pub fn fit(arguments: &FitArguments) -> Result<Exit, Failure> {
+    let file = FitFile::read(&arguments.file, &arguments.set)?;
+    let report = find(&file)?;
+    if arguments.json {
+        answer_json(&to_json(&report))?;
+    } else {
+        answer(&to_text(&report))?;
+    }
+    Ok(Exit::Finished)
+}
+
+/// A value with its SI unit.
+fn with_unit(value: f64, dimension: Dimension) -> String {
+    format!("{} {}", number(value), dimension.unit()).trim_end().to_string()
+}
+
+fn standing(parameter: &FittedParameter) -> String {
+    let bound = if parameter.at_bound { "; at its bound" } else { "" };
+    match parameter.error {
+        Some(error) => format!("error {:.2} %{bound}", 100.0 * error),
+        None => format!("NOT identifiable, one of many{bound}"),
+    }
+}
+
+/// `stiffness restitution^0.61`.
+fn product(combination: &Combination) -> String {
+    let factor = |(name, power): &(String, f64)| match *power {
+        1.0 => name.clone(),
+        power => format!("{name}^{}", number(power)),
+    };
+    let factors: Vec<String> = combination.powers.iter().map(factor).collect();
+    factors.join(" ")
+}
+
+fn residual(residual: &Residual) -> String {
+    let dimension = residual.observable.dimension();
+    format!(
+        "measured {}, law {}, {:+.2} errors",
+        with_unit(residual.measured, dimension),
+        with_unit(residual.found, dimension),
+        residual.deviation
+    )
+}
+
+fn to_text(report: &FitReport) -> String {
+    let mut text = format!("{}\n", report.method);
+    let mut rows = Rows::default();
+    for p in &report.parameters {
+        rows.add(
+            &p.name,
+            format!("{}   {}", with_unit(p.value, p.dimension), standing(p)),
+        );
+    }
+    text += &rows.lines();
+    text += "observations\n";
+    let mut rows = Rows::default();
+    for r in &report.residuals {
+        rows.add(format!("[{}] {}", r.observation, r.observable.name()), residual(r));
+    }
+    text += &rows.lines();
+    if report.worst() > TOO_FAR {
+        text += "the law does not show these observations within their errors: another law, or larger errors\n";
+    }
+    if let Some(other) = &report.ambiguous {
+        let values: Vec<String> = (report.parameters.iter().zip(other))
+            .map(|(p, value)| format!("{} = {}", p.name, with_unit(*value, p.dimension)))
+            .collect();
+        text += &format!("other parameters fit as well: {}\n", values.join(", "));
+    }
+    text += &identifiability(report);
+    let values: Vec<String> = report.singular_values.iter().map(|s| format!("{s:.2e}")).collect();
+    text += &format!(
+        "singular values of d ln(observation)/d ln(parameter): {}\n",
+        values.join(", ")
+    );
+    text += "for a scenario\n";
+    for line in &report.material {
+        text += &format!("  {line}\n");
+    }
+    text + &format!("  [contact]\n  {}\n", report.contact)
+}
+
+fn identifiability(report: &FitReport) -> String {
+    let open: Vec<&str> = report.not_identified().collect();
+    if open.is_empty() {
+        return String::new();
+    }
+    let mut text = format!("these observations do not fix {}\n", open.join(", "));
+    let products = report.fixed.iter().filter(|c| c.powers.len() > 1);
+    for combination in products {
+        text += &format!("  they fix the product {} (near these values)\n", product(combination));
+    }
+    if report.advice.is_empty() {
+        text += "  no head-on impact of these bodies tells more: move one of them from `unknown` to `known`\n";
+    }
+    for advice in &report.advice {
+        let at = advice
+            .velocity
+            .map_or(String::new(), |v| format!(" at {} m/s", number(v)));
+        text += &format!("  measure {}{at}\n", advice.observable.name());
+    }
+    text
+}
+
+fn to_json(report: &FitReport) -> Value {
+    let parameters = report.parameters.iter().map(|p| {
+        json!({
+            "name": p.name, "value": p.value, "unit": p.dimension.unit(), "written": written(p.value, p.dimension),
+            "identified": p.identified, "relative_error": p.error, "at_bound": p.at_bound,
+        })
+    });
+    let residuals = report.residuals.iter().map(|r| {
+        json!({
+            "observation": r.observation, "quantity": r.observable.name(), "measured": r.measured,
+            "found": r.found, "deviation": r.deviation,
+        })
+    });
+    let fixed = report.fixed.iter().map(|c| {
+        let powers: serde_json::Map<String, Value> = c.powers.iter().map(|(n, p)| (n.clone(), json!(p))).collect();
+        json!({ "powers": powers, "value": c.value })
+    });
+    let advice = report
+        .advice
+        .iter()
+        .map(|a| json!({ "measure": a.observable.name(), "velocity": a.velocity, "sensitivity": a.sensitivity }));
+    json!({
+        "method": report.method,
+        "parameters": parameters.collect::<Vec<Value>>(),
+        "residuals": residuals.collect::<Vec<Value>>(),
+        "not_identified": report.not_identified().collect::<Vec<_>>(),
+        "fixed": fixed.collect::<Vec<Value>>(),
+        "advice": advice.collect::<Vec<Value>>(),
+        "ambiguous": report.ambiguous,
+        "fits": report.worst() <= TOO_FAR,
+        "singular_values": report.singular_values,
+        "contact": report.contact,
+        "material": report.material,
+    })
+}

@@ -1,0 +1,261 @@
+//! From observations of collisions to the parameters of a law, and what the observations cannot tell.
+//!
+//! Where one impact of a damped spring shows the restitution and one thing more, the closed forms give the parameters.
+//! Everywhere else damped least squares does, on the logarithms of parameters and observations, with the
+//! error-controlled collision as the model. Then the singular values of `d ln(observation)/d ln(parameter)` tell which
+//! products of powers of the parameters the observations fix; directions along which no observation changes are not
+//! identifiable from them.
+
+mod exact;
+mod identify;
+mod least_squares;
+mod model;
+mod singular;
+#[cfg(test)]
+mod tests;
+
+pub use identify::{Advice, Combination};
+
+use super::error::CalibrateError;
+use crate::materials::Material;
+use crate::scenario::{FitFile, Observable, Target};
+use demeter_physics::dimension::Dimension;
+use demeter_physics::parameters::{Value, Values};
+use identify::{Identified, identify};
+use least_squares::{Deviations, Minimum, Problem};
+use model::Model;
+
+/// A parameter that was sought.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedParameter {
+    /// Its name in the file.
+    pub name: String,
+    /// Its value in SI; one of many when it is not identified.
+    pub value: f64,
+    /// Its dimension.
+    pub dimension: Dimension,
+    /// Whether the observations fix it.
+    pub identified: bool,
+    /// Its relative error, from the errors of the observations, when they fix it.
+    pub error: Option<f64>,
+    /// Whether the search ended at one of its bounds.
+    pub at_bound: bool,
+}
+
+/// An observation and what the law shows there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residual {
+    /// Number of the observation in the file, from 0.
+    pub observation: usize,
+    /// What was measured.
+    pub observable: Observable,
+    /// The measured value in SI.
+    pub measured: f64,
+    /// What the law shows.
+    pub found: f64,
+    /// Difference of their logarithms, over the relative error of the observation.
+    pub deviation: f64,
+}
+
+/// What became of a fit.
+#[derive(Clone, Debug)]
+pub struct FitReport {
+    /// How the parameters were found, in words.
+    pub method: &'static str,
+    /// The parameters.
+    pub parameters: Vec<FittedParameter>,
+    /// The observations.
+    pub residuals: Vec<Residual>,
+    /// Singular values of the slopes of logarithms, descending.
+    pub singular_values: Vec<f64>,
+    /// What the observations fix: products of powers of parameters, those of one parameter among them.
+    pub fixed: Vec<Combination>,
+    /// Measurements that would fix what is not.
+    pub advice: Vec<Advice>,
+    /// Whether parameters that are clearly others fit as well.
+    pub ambiguous: Option<Vec<f64>>,
+    /// The law with all its parameters, as a scenario writes it.
+    pub contact: String,
+    /// Constants of materials that were sought, as a scenario writes them.
+    pub material: Vec<String>,
+}
+
+impl FitReport {
+    /// The largest deviation, in errors.
+    pub fn worst(&self) -> f64 {
+        self.residuals.iter().map(|r| r.deviation.abs()).fold(0.0, f64::max)
+    }
+
+    /// Names of the parameters that are not identified.
+    pub fn not_identified(&self) -> impl Iterator<Item = &str> {
+        let open = self.parameters.iter().filter(|p| !p.identified);
+        open.map(|p| p.name.as_str())
+    }
+}
+
+/// Finds the parameters of a file.
+pub fn fit(file: &FitFile) -> Result<FitReport, CalibrateError> {
+    let model = Model { file };
+    let problem_of = |values: &[f64]| model.logarithms(&from_logarithms(values)).ok();
+    let measured: Vec<(f64, f64)> = (file.observations.iter().flat_map(|o| &o.measured))
+        .map(|m| (libm::log(m.value), m.error))
+        .collect();
+    let deviations = |point: &[f64]| -> Option<Vec<f64>> {
+        let found = problem_of(point)?;
+        Some(
+            found
+                .iter()
+                .zip(&measured)
+                .map(|(x, (value, error))| (x - value) / error)
+                .collect(),
+        )
+    };
+    let logarithms = |pick: fn(&crate::scenario::Unknown) -> (f64, f64)| -> Vec<(f64, f64)> {
+        let bounds = file.unknown.iter().map(pick);
+        bounds.map(|(low, high)| (libm::log(low), libm::log(high))).collect()
+    };
+    let problem = Problem {
+        deviations: &deviations,
+        first: logarithms(|u| u.first),
+        last: logarithms(|u| u.last),
+    };
+    let (method, minima) = search(file, &model, &problem, &deviations)?;
+    let best = &minima[0];
+    let bounds = &problem.last;
+    let seen = identify(&model, &best.point, bounds, &measured).ok_or_else(|| {
+        let message =
+            "the law has no answer beside the parameters that were found: they lie at the edge of what it can do";
+        CalibrateError::File(Box::new(file.refused("fit.unknown", message)))
+    })?;
+    let ambiguous = (minima.iter().skip(1))
+        .filter(|other| other.cost < best.cost + 1.0)
+        .find(|other| seen.differ(&best.point, &other.point))
+        .map(|other| from_logarithms(&other.point));
+    told(&model, best, method, seen, ambiguous, bounds)
+}
+
+fn from_logarithms(point: &[f64]) -> Vec<f64> {
+    point.iter().map(|x| libm::exp(*x)).collect()
+}
+
+/// The closed form, or the ends of the search.
+fn search(
+    file: &FitFile,
+    model: &Model<'_>,
+    problem: &Problem<'_>,
+    deviations: Deviations<'_>,
+) -> Result<(&'static str, Vec<Minimum>), CalibrateError> {
+    if let Some(values) = exact::exact(file) {
+        let point: Vec<f64> = values.iter().map(|x| libm::log(*x)).collect();
+        if let Some(found) = deviations(&point) {
+            let cost = singular::dot(&found, &found);
+            return Ok(("closed form", vec![Minimum { point, cost }]));
+        }
+    }
+    let minima = problem.minima();
+    if minima.is_empty() {
+        // the law itself tells best what it misses
+        let middle: Vec<f64> = problem.first.iter().map(|(low, high)| 0.5 * (low + high)).collect();
+        let why = match model.logarithms(&from_logarithms(&middle)) {
+            Err(error) => error.to_string(),
+            Ok(_) => "no values within the bounds give an answer".to_string(),
+        };
+        return Err(file.refused("fit", why).into());
+    }
+    Ok(("damped least squares from several starts", minima))
+}
+
+fn told(
+    model: &Model<'_>,
+    best: &Minimum,
+    method: &'static str,
+    seen: Identified,
+    ambiguous: Option<Vec<f64>>,
+    bounds: &[(f64, f64)],
+) -> Result<FitReport, CalibrateError> {
+    let file = model.file;
+    let values = from_logarithms(&best.point);
+    let found = model.logarithms(&values)?;
+    let measured = file.observations.iter().enumerate();
+    let measured = measured.flat_map(|(k, o)| o.measured.iter().map(move |m| (k, m)));
+    let residuals = measured.zip(&found).map(|((observation, m), logarithm)| Residual {
+        observation,
+        observable: m.observable,
+        measured: m.value,
+        found: libm::exp(*logarithm),
+        deviation: (logarithm - libm::log(m.value)) / m.error,
+    });
+    let residuals = residuals.collect();
+    let near = |x: f64, bound: f64| (x - bound).abs() < 1e-6;
+    let parameters = (file.unknown.iter().enumerate())
+        .map(|(k, unknown)| FittedParameter {
+            name: unknown.name.clone(),
+            value: values[k],
+            dimension: unknown.dimension,
+            identified: seen.is_identified(k),
+            error: seen.errors[k],
+            at_bound: near(best.point[k], bounds[k].0) || near(best.point[k], bounds[k].1),
+        })
+        .collect();
+    Ok(FitReport {
+        method,
+        parameters,
+        residuals,
+        fixed: seen.combinations(&file.unknown, &values),
+        advice: identify::advice(model, &best.point, bounds, &seen),
+        singular_values: seen.singular_values,
+        ambiguous,
+        contact: contact_line(file, &values),
+        material: material_lines(file, &model.materials(&values)),
+    })
+}
+
+/// A quantity as a scenario writes it.
+pub fn written(value: f64, dimension: Dimension) -> String {
+    let number = if value != 0.0 && !(1e-3..1e6).contains(&value.abs()) {
+        format!("{value:e}")
+    } else {
+        format!("{value}")
+    };
+    match dimension.unit().as_str() {
+        "" => number,
+        unit => format!("\"{number} {unit}\""),
+    }
+}
+
+fn contact_line(file: &FitFile, values: &[f64]) -> String {
+    let mut all: Values = file.known.clone();
+    for (unknown, &value) in file.unknown.iter().zip(values) {
+        if let Target::Parameter(name) = unknown.target {
+            all.insert(name.to_string(), value.into());
+        }
+    }
+    let mut parts = vec![format!("law = \"{}\"", file.law.name)];
+    for parameter in file.law.parameters {
+        let text = match all.get(parameter.name) {
+            None => continue,
+            Some(Value::Number(value)) => written(*value, parameter.dimension),
+            Some(Value::Text(text)) => toml::Value::String(text.clone()).to_string(),
+            Some(Value::Table(rows)) => {
+                let rows: Vec<String> = rows.iter().map(|[v, e]| format!("[\"{v} m/s\", {e}]")).collect();
+                format!("[{}]", rows.join(", "))
+            }
+        };
+        parts.push(format!("{} = {text}", parameter.name));
+    }
+    format!("normal = {{ {} }}", parts.join(", "))
+}
+
+fn material_lines(file: &FitFile, materials: &[Material]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for unknown in &file.unknown {
+        let (index, key, value) = match unknown.target {
+            Target::YoungModulus(index) => (index, "young_modulus", materials[index].young_modulus),
+            Target::PoissonRatio(index) => (index, "poisson_ratio", materials[index].poisson_ratio),
+            Target::Parameter(_) => continue,
+        };
+        let value = written(value, unknown.dimension);
+        lines.push(format!("material.{}.{key} = {value}", materials[index].name));
+    }
+    lines
+}

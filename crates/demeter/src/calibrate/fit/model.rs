@@ -1,0 +1,209 @@
+//! What a law with given parameters would show where something was measured.
+
+use crate::calibrate::CalibrateError;
+use crate::materials::Material;
+use crate::scenario::{Body, FitFile, Observable, Observation, Partner, Target, pair_size};
+use demeter_physics::collision::ode::locate;
+use demeter_physics::collision::{Collision, HeadOn, Outcome, Sticking, Tolerance, sticking_speed_of};
+use demeter_physics::contact::normal::{Normal, NormalInput, NormalLaw, NormalVisitor};
+use demeter_physics::contact::{MaterialPair, PairSize};
+
+/// Integration of a trial; a contact that creeps apart for longer is given up.
+const TOLERANCE: Tolerance = Tolerance {
+    relative: 1e-13,
+    max_steps: 20_000,
+};
+
+/// A critical velocity is bracketed to 1e-7 only, by many collisions.
+const STICKING_TOLERANCE: Tolerance = Tolerance {
+    relative: 1e-10,
+    ..TOLERANCE
+};
+
+/// What bodies that stick show of a rebound, so that a search can tell nearer from farther.
+const NO_REBOUND: f64 = 1e-6;
+
+/// Parameters to observations.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Model<'a> {
+    pub file: &'a FitFile,
+}
+
+impl Model<'_> {
+    /// The materials with these values of the unknowns.
+    pub fn materials(&self, values: &[f64]) -> Vec<Material> {
+        let mut materials = self.file.materials.clone();
+        for (unknown, &value) in self.file.unknown.iter().zip(values) {
+            match unknown.target {
+                Target::YoungModulus(index) => materials[index].young_modulus = value,
+                Target::PoissonRatio(index) => materials[index].poisson_ratio = value,
+                Target::Parameter(_) => {}
+            }
+        }
+        materials
+    }
+
+    /// The law with these values of the unknowns.
+    pub fn law(&self, values: &[f64]) -> Result<NormalLaw, CalibrateError> {
+        let materials = self.materials(values);
+        let mut parameters = self.file.known.clone();
+        for (unknown, &value) in self.file.unknown.iter().zip(values) {
+            if let Target::Parameter(name) = unknown.target {
+                parameters.insert(name.to_string(), value.into());
+            }
+        }
+        let elastic = |body: u16| materials[usize::from(body)].elastic();
+        let pair = MaterialPair {
+            a: elastic(self.file.a.material),
+            b: elastic(self.file.b.material()),
+        };
+        Ok(NormalLaw::build(self.file.law.name, &parameters, &pair)?)
+    }
+
+    /// Logarithms of everything that was measured, in the order of the file.
+    pub fn logarithms(&self, values: &[f64]) -> Result<Vec<f64>, CalibrateError> {
+        let law = self.law(values)?;
+        let mut logarithms = Vec::new();
+        for observation in &self.file.observations {
+            let mut scene = Scene::new(self, &law, observation)?;
+            for measured in &observation.measured {
+                let value = scene.observe(measured.observable)?;
+                logarithms.push(libm::log(value.max(f64::MIN_POSITIVE)));
+            }
+        }
+        Ok(logarithms)
+    }
+}
+
+/// Two bodies and what was done to them.
+pub(super) struct Scene<'a> {
+    law: &'a NormalLaw,
+    size: PairSize,
+    observation: &'a Observation,
+    start: demeter_physics::collision::Start,
+    collision: Option<Collision>,
+}
+
+impl<'a> Scene<'a> {
+    pub fn new(model: &Model<'_>, law: &'a NormalLaw, observation: &'a Observation) -> Result<Self, CalibrateError> {
+        let size = size_of(&observation.a, &observation.b);
+        law.visit(Check(size)).map_err(CalibrateError::Refused)?;
+        Ok(Self {
+            law,
+            size,
+            observation,
+            start: model.file.start,
+            collision: None,
+        })
+    }
+
+    fn collision(&mut self) -> Result<Collision, CalibrateError> {
+        if let Some(known) = self.collision {
+            return Ok(known);
+        }
+        let impact = HeadOn {
+            law: self.law,
+            size: self.size,
+            speed: self.observation.velocity.unwrap_or(f64::NAN),
+            start: self.start,
+        };
+        let found = impact.run(&TOLERANCE)?;
+        self.collision = Some(found);
+        Ok(found)
+    }
+
+    /// What is seen; something very small where there is nothing of the kind.
+    pub fn observe(&mut self, observable: Observable) -> Result<f64, CalibrateError> {
+        Ok(match observable {
+            Observable::Restitution => self.collision()?.restitution.max(NO_REBOUND),
+            Observable::ContactTime => {
+                let found = self.collision()?;
+                match found.outcome {
+                    Outcome::Rebound => found.duration,
+                    Outcome::Stick => found.duration / NO_REBOUND,
+                }
+            }
+            Observable::MaxOverlap => self.collision()?.max_overlap,
+            Observable::MaxForce => self.collision()?.max_force,
+            Observable::StickingVelocity => {
+                match sticking_speed_of(self.law, self.size, self.start, &STICKING_TOLERANCE)? {
+                    Sticking::Below(speed) | Sticking::Never(speed) | Sticking::Always(speed) => speed,
+                }
+            }
+            Observable::PullOffForce => self.law.visit(PullOff(self.size, self.observation.preload)),
+        })
+    }
+}
+
+/// Effective radius and mass of the bodies of an observation.
+pub(super) fn size_of(a: &Body, b: &Partner) -> PairSize {
+    pair_size(a, b)
+}
+
+struct Check(PairSize);
+
+impl NormalVisitor for Check {
+    type Output = Result<(), String>;
+    fn visit<L: Normal>(self, law: &L) -> Self::Output {
+        law.check(self.0)
+    }
+}
+
+/// Largest pull of two bodies that are slowly pulled apart after a load.
+struct PullOff(PairSize, Option<f64>);
+
+/// Overlap of a mere touch, over the effective radius.
+const TOUCH: f64 = 1e-12;
+/// Places at which the pull is looked at before the largest is searched for.
+const PLACES: usize = 400;
+/// Halvings, nearly, of the search for the largest pull.
+const GOLDEN_STEPS: usize = 60;
+
+impl NormalVisitor for PullOff {
+    type Output = f64;
+
+    fn visit<L: Normal>(self, law: &L) -> f64 {
+        let Self(size, preload) = self;
+        let press = |history: &mut [f64], overlap: f64, rate: f64| {
+            law.respond(&NormalInput::at(size, overlap, rate), history).elastic
+        };
+        let touched = || {
+            let mut history = vec![0.0; L::HISTORY.len()];
+            press(&mut history, TOUCH * size.radius, f64::MIN_POSITIVE);
+            history
+        };
+        let depth = match preload {
+            None => TOUCH * size.radius,
+            Some(force) => {
+                let excess = |overlap: f64| press(&mut touched(), overlap, f64::MIN_POSITIVE) - force;
+                if excess(size.radius) > 0.0 {
+                    locate(&excess, (0.0, -force), (size.radius, excess(size.radius)))
+                } else {
+                    size.radius
+                }
+            }
+        };
+        let mut loaded = touched();
+        press(&mut loaded, depth, f64::MIN_POSITIVE);
+        // a law without adhesion ends at zero; one with a dent ends before; one with a tail far beyond
+        let end = -law.reach(size, &loaded);
+        let pull = |share: f64| {
+            let overlap = depth - (depth - end) * share * share;
+            -press(&mut loaded.clone(), overlap, -f64::MIN_POSITIVE)
+        };
+        let share = |k: usize| k as f64 / PLACES as f64;
+        let best = (1..PLACES).max_by(|&a, &b| pull(share(a)).total_cmp(&pull(share(b))));
+        let best = best.unwrap_or(1);
+        let ratio = 0.5 * (5f64.sqrt() - 1.0);
+        let (mut lower, mut upper) = (share(best - 1), share(best + 1));
+        for _ in 0..GOLDEN_STEPS {
+            let (left, right) = (upper - ratio * (upper - lower), lower + ratio * (upper - lower));
+            if pull(left) > pull(right) {
+                upper = right;
+            } else {
+                lower = left;
+            }
+        }
+        pull(share(best)).max(pull(0.5 * (lower + upper)))
+    }
+}
