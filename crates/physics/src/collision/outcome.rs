@@ -4,9 +4,9 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Start {
     /// At first touch, where the overlap is zero.
-    #[default]
     Contact,
     /// Where the law first reaches across the gap: an attraction then pulls the bodies together before they touch.
+    #[default]
     Far,
 }
 
