@@ -360,7 +360,7 @@ fn impact(root: &TableReader<'_>) -> ImpactSpec {
         angle: 0.0,
         spin_a: DVec3::ZERO,
         spin_b: DVec3::ZERO,
-        start: Start::Contact,
+        start: Start::Far,
     };
     let Some(table) = root.optional("impact").and_then(|item| item.table()) else {
         return spec;
