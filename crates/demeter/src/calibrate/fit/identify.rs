@@ -76,8 +76,12 @@ impl Identified {
         self.unfelt.iter().all(|direction| direction[parameter].abs() < NOTHING)
     }
 
-    /// Whether two points differ in what the observations feel, by more than a percent.
+    /// Whether two points differ by more than a percent where the observations should fix everything. Where they do
+    /// not, the points of a curved valley differ in every direction, which tells nothing new.
     pub fn differ(&self, a: &[f64], b: &[f64]) -> bool {
+        if !self.unfelt.is_empty() {
+            return false;
+        }
         let step: Vec<f64> = a.iter().zip(b).map(|(x, y)| x - y).collect();
         self.felt.iter().any(|direction| dot(direction, &step).abs() > 0.01)
     }
