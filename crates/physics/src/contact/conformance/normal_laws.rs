@@ -173,7 +173,7 @@ fn no_closed_cycle_of_overlap_gives_energy() {
         let mut random = Random(index as u64);
         for _ in 0..10 {
             let cycle = Cycle::new(case, &mut random);
-            let (elastic, viscous, turnover) = cycle.work(case, 4000);
+            let (elastic, viscous, turnover) = cycle.work(case, 8000);
             // what the elastic part fails to return is an error of integration, second order in the step
             assert!(
                 elastic.abs() <= 1e-6 * turnover,
