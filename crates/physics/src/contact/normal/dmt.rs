@@ -1,7 +1,7 @@
 #![doc = include_str!("dmt.md")]
 
 use super::dashpot::Dashpot;
-use super::hertz_window::{contact_share, mean_quarter, mean_three_halves};
+use super::window::{contact_share, mean_quarter, mean_three_halves};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;

@@ -1,7 +1,8 @@
 #![doc = include_str!("hertz_tsuji.md")]
 
 use super::spring_dashpot::{Damping, ENDS, Observed, check_end, contact_end, exactly_one_damping, unit_duration};
-use super::{Normal, NormalInput, NormalResponse, mean_slope, near_end};
+use super::window::{mean_quarter, mean_three_halves};
+use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
@@ -105,23 +106,7 @@ impl Normal for HertzTsuji {
         let k = self.hertz_stiffness(input.size);
         let ratio = self.damping.ratio(0.0, input.rate, history);
         let dashpot = CRITICAL_ALPHA * ratio * (input.size.mass * k).sqrt();
-        let response = if near_end(input) {
-            NormalResponse::viscoelastic(
-                mean_slope(input, |d| 0.4 * k * d * d * d.sqrt()),
-                mean_slope(input, |d| 0.8 * dashpot * d * d.sqrt().sqrt()),
-            )
-        } else if input.overlap > 0.0 {
-            // means over the window to second order: f + f'' h^2/6 with f = d^(3/2) and d^(1/4)
-            let root = input.overlap.sqrt();
-            let share = input.half_window / input.overlap;
-            let share2 = share * share;
-            NormalResponse::viscoelastic(
-                k * input.overlap * root * (1.0 + share2 / 8.0),
-                dashpot * root.sqrt() * (1.0 - share2 / 32.0),
-            )
-        } else {
-            NormalResponse::NOTHING
-        };
+        let response = NormalResponse::viscoelastic(k * mean_three_halves(input), dashpot * mean_quarter(input));
         response.ending_at(self.end)
     }
 

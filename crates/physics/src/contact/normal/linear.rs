@@ -1,7 +1,8 @@
 #![doc = include_str!("linear.md")]
 
 use super::spring_dashpot::{Damping, ENDS, Observed, check_end, contact_end, exactly_one_damping, unit_duration};
-use super::{Normal, NormalInput, NormalResponse, mean_slope, near_end};
+use super::window::{contact_share, mean_overlap};
+use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
@@ -102,16 +103,7 @@ impl Normal for Linear {
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
         let (k, mass) = (self.k(input.size), input.size.mass);
         let damping = 2.0 * self.damping.ratio((k / mass).sqrt(), input.rate, history) * (k * mass).sqrt();
-        let response = if near_end(input) {
-            NormalResponse::viscoelastic(
-                mean_slope(input, |d| 0.5 * k * d * d),
-                mean_slope(input, |d| damping * d),
-            )
-        } else if input.overlap > 0.0 {
-            NormalResponse::viscoelastic(k * input.overlap, damping)
-        } else {
-            NormalResponse::NOTHING
-        };
+        let response = NormalResponse::viscoelastic(k * mean_overlap(input), damping * contact_share(input));
         response.ending_at(self.end)
     }
 

@@ -1,13 +1,13 @@
 //! Normal laws: force along the line of centres.
 
 pub mod dashpot;
-mod hertz_window;
 pub mod hysteresis;
 pub mod jkr_curve;
 pub mod path;
 mod spring_dashpot;
 #[cfg(test)]
 mod walk;
+mod window;
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;

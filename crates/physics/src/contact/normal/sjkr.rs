@@ -1,7 +1,7 @@
 #![doc = include_str!("sjkr.md")]
 
 use super::dashpot::Dashpot;
-use super::hertz_window::{mean_overlap, mean_quarter, mean_three_halves};
+use super::window::{mean_overlap, mean_quarter, mean_three_halves};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;

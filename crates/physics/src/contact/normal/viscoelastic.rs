@@ -1,6 +1,7 @@
 #![doc = include_str!("viscoelastic.md")]
 
-use super::{Normal, NormalInput, NormalResponse, mean_slope, near_end};
+use super::window::{mean_root, mean_three_halves};
+use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
@@ -135,23 +136,7 @@ impl Normal for Viscoelastic {
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
         let k = self.hertz_stiffness(input.size);
         let dashpot = 1.5 * self.remembered_time(input.size, history) * k;
-        let response = if near_end(input) {
-            NormalResponse::viscoelastic(
-                mean_slope(input, |d| 0.4 * k * d * d * d.sqrt()),
-                mean_slope(input, |d| 2.0 / 3.0 * dashpot * d * d.sqrt()),
-            )
-        } else if input.overlap > 0.0 {
-            // means over the window to second order: f + f'' h^2/6 with f = d^(3/2) and d^(1/2)
-            let root = input.overlap.sqrt();
-            let share = input.half_window / input.overlap;
-            let share2 = share * share;
-            NormalResponse::viscoelastic(
-                k * input.overlap * root * (1.0 + share2 / 8.0),
-                dashpot * root * (1.0 - share2 / 24.0),
-            )
-        } else {
-            NormalResponse::NOTHING
-        };
+        let response = NormalResponse::viscoelastic(k * mean_three_halves(input), dashpot * mean_root(input));
         response.ending_at(self.end)
     }
 

@@ -1,4 +1,4 @@
-//! Means over the window of the powers of the overlap that Hertzian laws are made of.
+//! Means over the window of the powers of the overlap that linear and Hertzian laws are made of.
 
 use super::{NormalInput, mean_slope, near_end};
 
@@ -10,6 +10,19 @@ pub(crate) fn mean_three_halves(input: &NormalInput) -> f64 {
     } else if input.overlap > 0.0 {
         let share = input.half_window / input.overlap;
         input.overlap * input.overlap.sqrt() * (1.0 + share * share / 8.0)
+    } else {
+        0.0
+    }
+}
+
+/// Mean of `d^(1/2)` [m^(1/2)].
+#[inline(always)]
+pub(crate) fn mean_root(input: &NormalInput) -> f64 {
+    if near_end(input) {
+        mean_slope(input, |d| 2.0 / 3.0 * d * d.sqrt())
+    } else if input.overlap > 0.0 {
+        let share = input.half_window / input.overlap;
+        input.overlap.sqrt() * (1.0 - share * share / 24.0)
     } else {
         0.0
     }
