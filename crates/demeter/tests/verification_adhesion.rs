@@ -326,3 +326,40 @@ fn a_requested_restitution_is_met_beside_adhesion() {
         report("largest error of the requested restitution", largest);
     });
 }
+
+#[test]
+fn a_contact_held_across_a_gap_has_friction_with_a_spring() {
+    // a grain hangs from a ceiling at 0.95 of its pull-off force, where the surfaces of the undeformed bodies are apart
+    // already; a push along the ceiling makes it roll, at 5/7 of what it would slide with
+    let normal = law("jkr", &[("work_of_adhesion", WORK), ("alpha", 0.5)]);
+    let laws = Laws::of(normal).friction(law("mindlin-history", &[("friction", 0.5)]));
+    let mut case = Case::new(one_material(MODULUS, &laws));
+    case.plane(0, DVec3::ZERO, -DVec3::Z);
+    case.grain(RADIUS, -DVec3::Z * (RADIUS - 1e-8), DVec3::ZERO);
+    let mass = case.grains.mass[0];
+    let pull = 0.95 * 1.5 * PI * WORK * RADIUS / mass;
+    let along = 0.02 * pull;
+    let mut sim = case.simulation();
+    let dt = sim.dt;
+    on_threads(1, || {
+        const RAMP: u32 = 40_000;
+        for step in 0..RAMP {
+            let share = f64::from(step) / f64::from(RAMP);
+            sim.gravity = DVec3::new(0.0, 0.0, -pull * share);
+            sim.step().unwrap();
+        }
+        cases::advance(&mut sim, 2000.0 * dt);
+        let gap = -sim.contacts.walls[0].geometry()[0].overlap;
+        assert!(gap > 0.0, "the contact is not stretched: gap {gap:e} m");
+        sim.gravity.x = along;
+        cases::advance(&mut sim, 2000.0 * dt);
+        let (start, before) = (sim.time(), sim.grains.velocity[0].x);
+        cases::advance(&mut sim, 20_000.0 * dt);
+        let found = (sim.grains.velocity[0].x - before) / (sim.time() - start);
+        report("acceleration over 5/7 of the push", found / (5.0 / 7.0 * along) - 1.0);
+        assert!(
+            (found / (5.0 / 7.0 * along) - 1.0).abs() < 0.01,
+            "{found} m/s^2 of {along}"
+        );
+    });
+}

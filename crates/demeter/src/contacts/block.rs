@@ -52,6 +52,8 @@ struct Run<'a> {
     normal_force: &'a mut [f64],
     /// Normal force that friction and rolling resistance are limited by: with the pull of adhesion, not negative [N].
     friction_load: &'a mut [f64],
+    /// Overlap of Hertzian contacts of the same area [m].
+    bearing_overlap: &'a mut [f64],
     history: &'a mut [f64],
     tangential_force: &'a mut [DVec3],
     rolling_torque: &'a mut [DVec3],
@@ -99,6 +101,8 @@ impl NormalVisitor for NormalPass<'_, '_> {
             };
             run.normal_force[k] = force;
             run.friction_load[k] = (force + response.adhesion).max(0.0);
+            run.bearing_overlap[k] =
+                law.bearing_overlap(kin.size, contact.overlap, &run.history[k * run.stride..][..remembered]);
             // where the force is cut at its least, the spring relaxes into the dashpot without pulling
             loss.viscous += (force - response.elastic) * rate * run.dt;
             loss.plastic += response.lost;
@@ -121,7 +125,7 @@ impl TangentialVisitor for TangentialPass<'_, '_> {
             let input = TangentialInput {
                 size: kin.size,
                 tangential_mass: kin.tangential_mass,
-                overlap: contact.overlap.max(0.0),
+                overlap: run.bearing_overlap[k],
                 normal: contact.normal,
                 velocity: kin.tangential_velocity,
                 spin: kin.spin,
@@ -251,6 +255,7 @@ impl ContactChunk {
                 );
             }
             let mut friction_load = [0.0; BLOCK];
+            let mut bearing_overlap = [0.0; BLOCK];
             let mut tangential = [DVec3::ZERO; BLOCK];
             let mut rolling = [DVec3::ZERO; BLOCK];
             let mut run = 0..0;
@@ -266,6 +271,7 @@ impl ContactChunk {
                     kinematics: &kinematics[run.clone()],
                     normal_force: &mut self.now.normal_force[contacts.clone()],
                     friction_load: &mut friction_load[run.clone()],
+                    bearing_overlap: &mut bearing_overlap[run.clone()],
                     history: &mut self.now.history[contacts.start * scene.stride..contacts.end * scene.stride],
                     tangential_force: &mut tangential[run.clone()],
                     rolling_torque: &mut rolling[run.clone()],

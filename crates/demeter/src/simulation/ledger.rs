@@ -122,6 +122,8 @@ impl Books {
             + self.wall_throughput
             + (self.initial_gravitational - self.lowest_gravitational)
             + now.inserted;
+        // attraction turns into heat, too
+        let passed = passed.max(now.dissipated());
         now.residual = if passed > 0.0 {
             (now.present() - explained) / passed
         } else {

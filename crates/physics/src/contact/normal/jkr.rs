@@ -168,6 +168,16 @@ impl Normal for Jkr {
         }
     }
 
+    fn bearing_overlap(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        let state = self.state(size, history);
+        if !state.touched {
+            return 0.0;
+        }
+        let root = state.curve.root(overlap);
+        let contact_radius = root * root;
+        contact_radius * contact_radius / size.radius
+    }
+
     fn largest_reach(&self, size: PairSize) -> f64 {
         self.curve(size).tear_off_distance()
     }

@@ -128,6 +128,13 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
         0.0
     }
 
+    /// Overlap of a Hertzian contact with the same radius `a` of contact, `a^2/R` [m], not negative: what tangential laws
+    /// take their stiffness from.
+    #[inline(always)]
+    fn bearing_overlap(&self, _size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
+        overlap.max(0.0)
+    }
+
     /// Largest reach with any history [m], not negative.
     #[inline(always)]
     fn largest_reach(&self, _size: PairSize) -> f64 {

@@ -264,6 +264,16 @@ impl Normal for ThorntonNing {
         }
     }
 
+    fn bearing_overlap(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        let state = self.state(size, history);
+        if !state.touched {
+            return 0.0;
+        }
+        let root = state.curve.root(overlap);
+        let contact_radius = root * root;
+        contact_radius * contact_radius / size.radius
+    }
+
     fn largest_reach(&self, size: PairSize) -> f64 {
         // a dent moves the tear-off towards overlap by more than the flatter surface moves it away
         self.virgin(size).tear_off_distance()

@@ -12,7 +12,8 @@ pub struct TangentialInput {
     pub size: PairSize,
     /// Effective mass of tangential motion at the contact point, `1/(1/m + l_i^2/I_i + l_j^2/I_j)` [kg].
     pub tangential_mass: f64,
-    /// Overlap [m], not negative.
+    /// Overlap of a Hertzian contact with this radius `a` of contact, `a^2/R` [m], not negative; without adhesion the
+    /// overlap itself.
     pub overlap: f64,
     /// Unit normal, from the second body to the first.
     pub normal: DVec3,
