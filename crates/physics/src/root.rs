@@ -13,9 +13,18 @@ pub fn bracketed(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
 
 /// As [`bracketed`], of a function that may fail, and done as soon as `|f|` is at most `accuracy`.
 pub(crate) fn bracketed_within<E>(f: impl Fn(f64) -> Result<f64, E>, a: f64, b: f64, accuracy: f64) -> Result<f64, E> {
+    let ends = ((a, f(a)?), (b, f(b)?));
+    between(f, ends, accuracy)
+}
+
+/// As [`bracketed_within`], with two ends `(x, f(x))` that are known already.
+pub(crate) fn between<E>(
+    f: impl Fn(f64) -> Result<f64, E>,
+    ends: ((f64, f64), (f64, f64)),
+    accuracy: f64,
+) -> Result<f64, E> {
     const MOST_STEPS: usize = 200;
-    let (mut a, mut b) = (b, a);
-    let (mut fa, mut fb) = (f(a)?, f(b)?);
+    let ((mut b, mut fb), (mut a, mut fa)) = ends;
     if fa * fb > 0.0 {
         return Ok(if fa.abs() < fb.abs() { a } else { b });
     }

