@@ -22,6 +22,9 @@ pub const BRACKET: f64 = 1e-7;
 /// Factor between the speeds that are tried in search of a bracket.
 const STRIDE: f64 = 4.0;
 
+/// Bodies that part at this share of the first speed tried part at every speed: below it, rounding decides.
+const NOTHING: f64 = 1e-7;
+
 /// The range of speeds that is searched, as power of [`STRIDE`] below and above the first one tried.
 const MOST_STRIDES: i32 = 40;
 
@@ -62,11 +65,15 @@ pub fn sticking_speed<L: Normal>(
     };
     // the speed that makes a dent of a millionth of the radius in the time scale of such a collision
     let overlap = 1e-6 * size.radius;
-    let mut speed = overlap / law.collision_time(size, overlap);
+    let first = overlap / law.collision_time(size, overlap);
+    let mut speed = first;
     let (stuck_first, _) = sticks(speed)?;
     let (mut stuck, mut parted) = (speed, speed);
     for stride in 0.. {
         let next = if stuck_first { speed * STRIDE } else { speed / STRIDE };
+        if next < NOTHING * first {
+            return Ok(Sticking::Never(speed));
+        }
         let (stuck_now, max_overlap) = sticks(next)?;
         if stuck_now != stuck_first {
             (stuck, parted) = if stuck_first { (speed, next) } else { (next, speed) };
@@ -75,9 +82,6 @@ pub fn sticking_speed<L: Normal>(
         speed = next;
         if stuck_first && (max_overlap > size.radius || stride == MOST_STRIDES) {
             return Ok(Sticking::Always(speed));
-        }
-        if !stuck_first && stride == MOST_STRIDES {
-            return Ok(Sticking::Never(speed));
         }
     }
     while parted > stuck * (1.0 + BRACKET) {

@@ -198,3 +198,11 @@ fn damping_by_the_total_overlap_makes_escape_impossible() {
         [Outcome::Stick, Outcome::Rebound, Outcome::Stick]
     );
 }
+
+#[test]
+fn grains_that_adhesion_alone_does_not_dent_part_at_every_speed_without_damping() {
+    let law = touching("elastic-plastic", 0.0);
+    assert!(matches!(sticking(&law, 0.3e-6, Start::Contact), Sticking::Below(_)));
+    let large = sticking(&law, 1e-6, Start::Contact);
+    assert!(matches!(large, Sticking::Never(_)), "{large:?}");
+}
