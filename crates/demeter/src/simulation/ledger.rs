@@ -67,6 +67,8 @@ pub struct Books {
     initial_throughput: f64,
     initial_gravitational: f64,
     lowest_gravitational: f64,
+    /// Depth of the well into which attraction drew bodies [J], not positive.
+    lowest_elastic: f64,
     removed: f64,
     /// Number of grains removed since the start.
     pub removed_grains: u64,
@@ -117,13 +119,12 @@ impl Books {
         now.wall_work = self.done.wall_work;
         now.removed = self.removed;
         self.lowest_gravitational = self.lowest_gravitational.min(now.gravitational);
+        self.lowest_elastic = self.lowest_elastic.min(now.elastic);
         let explained = self.initial + now.wall_work + now.inserted - now.removed - now.dissipated();
-        let passed = self.initial_throughput
-            + self.wall_throughput
-            + (self.initial_gravitational - self.lowest_gravitational)
-            + now.inserted;
-        // attraction turns into heat, too
-        let passed = passed.max(now.dissipated());
+        let passed =
+            self.initial_throughput + self.wall_throughput + (self.initial_gravitational - self.lowest_gravitational)
+                - self.lowest_elastic
+                + now.inserted;
         now.residual = if passed > 0.0 {
             (now.present() - explained) / passed
         } else {
