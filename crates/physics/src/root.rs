@@ -6,18 +6,14 @@ use std::convert::Infallible;
 ///
 /// Where the signs do not differ, the end with the smaller `|f|` comes back.
 pub fn bracketed(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
-    match bracketed_within(|x| Ok::<f64, Infallible>(f(x)), a, b, 0.0) {
+    let ends = ((a, f(a)), (b, f(b)));
+    match between(|x| Ok::<f64, Infallible>(f(x)), ends, 0.0) {
         Ok(root) => root,
     }
 }
 
-/// As [`bracketed`], of a function that may fail, and done as soon as `|f|` is at most `accuracy`.
-pub(crate) fn bracketed_within<E>(f: impl Fn(f64) -> Result<f64, E>, a: f64, b: f64, accuracy: f64) -> Result<f64, E> {
-    let ends = ((a, f(a)?), (b, f(b)?));
-    between(f, ends, accuracy)
-}
-
-/// As [`bracketed_within`], with two ends `(x, f(x))` that are known already.
+/// As [`bracketed`], of a function that may fail, with two ends `(x, f(x))` that are known already, and done as soon as
+/// `|f|` is at most `accuracy`.
 pub(crate) fn between<E>(
     f: impl Fn(f64) -> Result<f64, E>,
     ends: ((f64, f64), (f64, f64)),
