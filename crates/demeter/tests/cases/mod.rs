@@ -71,6 +71,7 @@ impl Laws {
             normal,
             tangential: None,
             rolling: None,
+            multi_contact: None,
         })
     }
 
