@@ -93,6 +93,7 @@ law_family! {
         independent::Independent,
         half_space::HalfSpace,
         sphere_to_sphere::SphereToSphere,
+        point_on_sphere::PointOnSphere,
     }
 }
 
