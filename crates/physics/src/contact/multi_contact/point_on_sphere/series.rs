@@ -162,7 +162,7 @@ mod tests {
         (-0.95, 180.0, 14.023_182_123_630_5),
     ];
 
-    /// From the integral of the generating function with the complex roots of the denominator, 30 digits.
+    /// From the integral of the generating function with the roots of the denominator, to 30 digits.
     #[test]
     fn reference_values() {
         for &(nu, degrees, expected) in REFERENCE {

@@ -29,7 +29,7 @@ pub(super) struct Displacements {
     cells: Vec<[f64; COEFFICIENTS]>,
     /// At least the largest of all `g`, never below zero.
     largest: f64,
-    /// At least the largest of `-g` in this cell and those above, never below zero.
+    /// At least the largest of `-g` in the cell before and above, never below zero: one more than cells.
     deepest: Vec<f64>,
 }
 
@@ -45,11 +45,14 @@ impl PartialEq for Displacements {
     }
 }
 
-/// The number within the table, and its cell.
+/// Cell of a number within the table, and its scaled distance from the middle.
 #[inline(always)]
-fn cell(square: f64) -> (u64, usize) {
+fn place(square: f64) -> (usize, f64) {
     let bits = square.max(SMALLEST).min(LARGEST).to_bits();
-    (bits, (bits >> SHIFT) as usize - FIRST_CELL)
+    let scaled = f64::from_bits((bits & MANTISSA) | ONE);
+    let half = 1 << (SHIFT - 1);
+    let middle = f64::from_bits((bits & MANTISSA & !(2 * half - 1)) | half | ONE);
+    ((bits >> SHIFT) as usize - FIRST_CELL, scaled - middle)
 }
 
 impl Displacements {
@@ -77,7 +80,8 @@ impl Displacements {
             })
             .collect();
         let largest = cells.iter().map(|c| c[0] + spread(c)).fold(0.0, f64::max);
-        let mut deepest: Vec<f64> = cells.iter().map(|c| spread(c) - c[0]).collect();
+        let depths = cells.iter().map(|c| spread(c) - c[0]);
+        let mut deepest: Vec<f64> = depths.clone().take(1).chain(depths).collect();
         let mut above = 0.0;
         for depth in deepest.iter_mut().rev() {
             above = f64::max(above, *depth);
@@ -94,10 +98,7 @@ impl Displacements {
     /// `g` at a squared sine of half the angle; it stays the same below `1e-12`.
     #[inline(always)]
     pub(super) fn at(&self, square: f64) -> f64 {
-        let (bits, cell) = cell(square);
-        let scaled = f64::from_bits((bits & MANTISSA) | ONE);
-        let middle = f64::from_bits((((bits >> SHIFT) << SHIFT | 1 << (SHIFT - 1)) & MANTISSA) | ONE);
-        let offset = scaled - middle;
+        let (cell, offset) = place(square);
         let [a, b, c, d, e, f] = self.cells[cell];
         a + offset * (b + offset * (c + offset * (d + offset * (e + offset * f))))
     }
@@ -107,9 +108,11 @@ impl Displacements {
         self.largest
     }
 
-    /// At least the largest `-g` at this squared sine and above, not below zero.
+    /// At least the largest `-g` at this squared sine and above, not below zero, without a jump.
     pub(super) fn deepest_from(&self, square: f64) -> f64 {
-        self.deepest[cell(square).1]
+        let (cell, offset) = place(square);
+        let (before, here) = (self.deepest[cell], self.deepest[cell + 1]);
+        before + (0.5 + offset / (2.0 * HALF_WIDTH)) * (here - before)
     }
 }
 
@@ -169,7 +172,8 @@ mod tests {
         let table = Displacements::of(0.5);
         let most = (1..=1000).map(|k| table.at(f64::from(k) / 1000.0)).fold(0.0, f64::max);
         assert!(table.largest() < 1.001 * most, "{} {most}", table.largest());
-        assert!(table.deepest_from(0.01) < -1.02 * table.at(0.01));
+        let (deepest, there) = (table.deepest_from(0.01), -table.at(0.01));
+        assert!(deepest > there && deepest < 1.05 * there, "{deepest} {there}");
     }
 
     #[test]
