@@ -42,7 +42,7 @@ impl MultiContact for HalfSpace {
         let (compliance, nu) = self.bodies.of(body);
         let (cosine, from, to) = (at.cosine, at.source_lever, at.target_lever);
         let distance = (from * from + to * to - 2.0 * from * to * cosine)
-            .max(at.least_distance * at.least_distance)
+            .max(at.least_distance_squared)
             .sqrt();
         let inverse = 1.0 / distance;
         let source_slope = (from - to * cosine) * inverse;
@@ -95,7 +95,7 @@ mod tests {
             cosine: from.normalize().dot(to.normalize()),
             source_lever: from.length(),
             target_lever: to.length(),
-            least_distance: 0.1,
+            least_distance_squared: 0.01,
             radius: 1.0,
         }
     }
@@ -125,7 +125,7 @@ mod tests {
                         cosine,
                         source_lever: levers.0,
                         target_lever: levers.1,
-                        least_distance: 0.2,
+                        least_distance_squared: 0.04,
                         radius: 1.0,
                     };
                     let influence = law.influence(Body::Second, &at);

@@ -29,26 +29,24 @@ pub struct ContactPair {
     pub source_lever: f64,
     /// Distance of the contact point that is displaced from the grain's centre [m].
     pub target_lever: f64,
-    /// Distance of the contact points below which the influence no longer grows [m]: see [`closeness`].
-    pub least_distance: f64,
+    /// Square of the distance of the contact points below which the influence no longer grows: the product of the
+    /// [`clearance`] of both contacts [m^2].
+    pub least_distance_squared: f64,
     /// Radius of the grain [m].
     pub radius: f64,
 }
 
-/// Root of a contact's share in [`ContactPair::least_distance`], which is the product of those of both contacts
-/// [m^(1/2)]; `partner_radius` is infinite for a wall.
+/// What a contact keeps clear around it [m]: see [`ContactPair::least_distance_squared`]. `effective_radius` is that of the
+/// contact of two grains; a wall tells `None`.
 ///
-/// A point force displaces its own place without bound, so two contacts may not come too close. Two partners of radii `a`
-/// and `b` that touch the grain and each other have contact points `2 sqrt(a' b')` apart, where `a' = a R/(a + R)`;
-/// the least distance is half of that, `sqrt(a' b')`. Nothing real comes as close, unless the partners pass through each
-/// other. A wall counts as `a' = R/4`, which two walls reach when they meet at less than 14 degrees of a flat angle.
-#[inline]
-pub fn closeness(radius: f64, partner_radius: f64) -> f64 {
-    if partner_radius < f64::INFINITY {
-        (radius * partner_radius / (radius + partner_radius)).sqrt()
-    } else {
-        0.5 * radius.sqrt()
-    }
+/// A point force displaces its own place without bound, so two contacts may not come too close. Two partners that touch
+/// the grain and each other have contact points `2 sqrt(a b)` apart, where `a` and `b` are the effective radii of their
+/// contacts with the grain; the least distance is half of that. Nothing real comes as close, unless the partners pass
+/// through each other. A wall counts as a quarter of the grain's radius, which two walls reach when they meet at less than
+/// 14 degrees from flat.
+#[inline(always)]
+pub fn clearance(radius: f64, effective_radius: Option<f64>) -> f64 {
+    effective_radius.unwrap_or(0.25 * radius)
 }
 
 /// A multi-contact law.

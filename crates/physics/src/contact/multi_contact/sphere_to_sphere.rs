@@ -33,8 +33,8 @@ impl MultiContact for SphereToSphere {
     #[inline(always)]
     fn influence(&self, body: Body, at: &ContactPair) -> f64 {
         let (compliance, nu) = self.bodies.of(body);
-        let least = at.least_distance / (2.0 * at.radius);
-        let sine = (0.5 * (1.0 - at.cosine)).max(least * least).sqrt();
+        let least = at.least_distance_squared / (4.0 * at.radius * at.radius);
+        let sine = (0.5 * (1.0 - at.cosine)).max(least).sqrt();
         let bracket = (-2.0 * (1.0 - nu)) / sine - 2.0 * (1.0 - 2.0 * nu) + (7.0 - 8.0 * nu) * sine;
         compliance / (2.0 * at.radius) * bracket
     }
@@ -72,7 +72,7 @@ mod tests {
             cosine: libm::cos(degrees * PI / 180.0),
             source_lever: radius,
             target_lever: radius,
-            least_distance: 0.1 * radius,
+            least_distance_squared: 0.01 * radius * radius,
             radius,
         }
     }
