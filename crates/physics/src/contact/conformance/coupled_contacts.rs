@@ -114,7 +114,7 @@ fn influence(law: &MultiContactCase, from: &Contact, to: &Contact) -> f64 {
         cosine: from.direction.dot(to.direction),
         source_lever: from.lever,
         target_lever: to.lever,
-        least_distance: 0.5,
+        least_distance_squared: 0.25,
         radius: 1.0,
     };
     law.influence(Body::First, &at)

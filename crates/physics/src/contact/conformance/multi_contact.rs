@@ -2,7 +2,7 @@
 
 use super::cases::{OTHER_UNITS, PAIRS, Random, has_parameter, scaled_values, values};
 use crate::contact::multi_contact::{
-    Body, ContactPair, LAWS, MultiContact, MultiContactLaw, MultiContactVisitor, closeness,
+    Body, ContactPair, LAWS, MultiContact, MultiContactLaw, MultiContactVisitor, clearance,
 };
 use crate::contact::{Elastic, LawInfo, MaterialPair};
 use crate::dimension::Dimension;
@@ -49,7 +49,7 @@ impl MultiContactCase {
                 let least_lever = at.source_lever.min(at.target_lever);
                 (
                     law.largest_bulge(body, at.radius, least_lever),
-                    law.largest_pull(body, at.radius, at.least_distance),
+                    law.largest_pull(body, at.radius, at.least_distance_squared.sqrt()),
                 )
             }
         }
@@ -109,18 +109,19 @@ fn cases() -> Vec<MultiContactCase> {
 /// Two contacts of a grain with levers down to 0.7 of its radius, of partners of very unequal sizes or walls.
 fn contacts(random: &mut Random) -> ContactPair {
     let radius = libm::exp(random.between(-14.0, 1.0));
-    let partner = |random: &mut Random| match random.share() {
-        share if share < 0.3 => f64::INFINITY,
-        _ => radius * libm::exp(random.between(-4.0, 4.0)),
+    let clear = |random: &mut Random| {
+        let partner = radius * libm::exp(random.between(-4.0, 4.0));
+        let wall = random.share() < 0.3;
+        clearance(radius, (!wall).then_some(radius * partner / (radius + partner)))
     };
-    let least_distance = closeness(radius, partner(random)) * closeness(radius, partner(random));
+    let least_distance_squared = clear(random) * clear(random);
     // as many at small angles as at large ones
     let half_sine = random.share();
     ContactPair {
         cosine: 1.0 - 2.0 * half_sine * half_sine,
         source_lever: radius * random.between(0.7, 1.1),
         target_lever: radius * random.between(0.7, 1.1),
-        least_distance,
+        least_distance_squared,
         radius,
     }
 }
@@ -205,7 +206,7 @@ fn displacements_do_not_jump_with_the_angle() {
         };
         let change = case.influence(body, &near) - case.influence(body, &at);
         // the slope of 1/d by the cosine is at most that of the least distance, cubed
-        let closest = at.least_distance / at.radius;
+        let closest = at.least_distance_squared.sqrt() / at.radius;
         let steepest = 20.0 / (closest * closest * closest) * scale(case, body, at.radius);
         assert_close(
             case,
@@ -246,7 +247,7 @@ fn displacement_scales_as_the_dimensions() {
             cosine: at.cosine,
             source_lever: at.source_lever * units.length,
             target_lever: at.target_lever * units.length,
-            least_distance: at.least_distance * units.length,
+            least_distance_squared: at.least_distance_squared * units.length * units.length,
             radius: at.radius * units.length,
         };
         let expected = factor * case.influence(body, &at);
@@ -301,7 +302,7 @@ fn two_contacts_displace_each_other_alike() {
                 &at,
                 there,
                 back,
-                (3.0 * levers / at.least_distance * at.radius + 1e-12) * size,
+                (3.0 * levers / at.least_distance_squared.sqrt() * at.radius + 1e-12) * size,
             );
         }
     });

@@ -21,13 +21,6 @@ pub struct PointOnSphere {
     displacements: [&'static Displacements; 2],
 }
 
-/// Square of the sine of half the angle between contact points at this distance on a sphere.
-#[inline(always)]
-fn square_at(distance: f64, radius: f64) -> f64 {
-    let sine = 0.5 * distance / radius;
-    sine * sine
-}
-
 impl MultiContact for PointOnSphere {
     const NAME: &'static str = "point-on-sphere";
     const SUMMARY: &'static str = "exact displacements of a sphere under point forces (Bondareva)";
@@ -46,8 +39,9 @@ impl MultiContact for PointOnSphere {
     #[inline(always)]
     fn influence(&self, body: Body, at: &ContactPair) -> f64 {
         let (compliance, _) = self.bodies.of(body);
-        let square = (0.5 * (1.0 - at.cosine)).max(square_at(at.least_distance, at.radius));
-        0.5 * compliance / at.radius * self.displacements[body as usize].at(square)
+        let half = 0.5 / at.radius;
+        let square = (0.5 * (1.0 - at.cosine)).max(at.least_distance_squared * (half * half));
+        compliance * half * self.displacements[body as usize].at(square)
     }
 
     fn largest_bulge(&self, body: Body, radius: f64, _least_lever: f64) -> f64 {
@@ -57,8 +51,8 @@ impl MultiContact for PointOnSphere {
 
     fn largest_pull(&self, body: Body, radius: f64, least_distance: f64) -> f64 {
         let (compliance, _) = self.bodies.of(body);
-        let square = square_at(least_distance, radius);
-        0.5 * compliance / radius * self.displacements[body as usize].deepest_from(square)
+        let sine = 0.5 * least_distance / radius;
+        0.5 * compliance / radius * self.displacements[body as usize].deepest_from(sine * sine)
     }
 }
 
@@ -83,7 +77,7 @@ mod tests {
             cosine: libm::cos(degrees * PI / 180.0),
             source_lever: 1.0,
             target_lever: 1.0,
-            least_distance: 1e-5,
+            least_distance_squared: 1e-10,
             radius: 1.0,
         }
     }
