@@ -4,10 +4,24 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod cases;
+#[path = "verification_multi_contact/adhesion.rs"]
+mod adhesion;
+#[path = "verification_multi_contact/all_pairs.rs"]
+mod all_pairs;
+#[path = "verification_multi_contact/births.rs"]
+mod births;
+#[path = "verification_multi_contact/fold.rs"]
+mod fold;
+#[path = "verification_multi_contact/fold_in_a_run.rs"]
+mod fold_in_a_run;
 #[path = "verification_multi_contact/influence.rs"]
 mod influence;
 #[path = "verification_multi_contact/lattices.rs"]
 mod lattices;
+#[path = "verification_multi_contact/levers.rs"]
+mod levers;
+#[path = "verification_multi_contact/packings.rs"]
+mod packings;
 #[path = "verification_multi_contact/reference.rs"]
 mod reference;
 #[path = "verification_multi_contact/scenes.rs"]

@@ -159,7 +159,7 @@ impl Packing {
             let found = self.displacements(force, &shift);
             let change = largest(found.iter().flatten().zip(shift.iter().flatten()).map(|(a, b)| a - b));
             shift = found;
-            if change < 1e-15 || !self.model.feels_levers() {
+            if change < 1e-12 || !self.model.feels_levers() {
                 return shift;
             }
         }

@@ -215,7 +215,7 @@ pub fn matched(packing: &Packing, found: &[Found]) -> Vec<Option<Found>> {
         .touches
         .iter()
         .map(|t| {
-            let same = |k: &&usize| found[**k].second == t.second && found[**k].normal.dot(t.normal) > 1.0 - 1e-9;
+            let same = |k: &&usize| found[**k].second == t.second && found[**k].normal.dot(t.normal) > 0.99;
             by_first[t.first].iter().find(same).map(|&k| {
                 assert!(!used[k], "one contact for two touches: {t:?}");
                 used[k] = true;
