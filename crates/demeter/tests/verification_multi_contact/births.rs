@@ -3,7 +3,7 @@
 use super::cases::{full, on_threads, report};
 use super::influence::Model;
 use super::packings::{disordered, make_unstoppable};
-use super::reference::{Adhesion, largest};
+use super::reference::largest;
 use super::scenes::*;
 use demeter::contacts::Coupling;
 use demeter::simulation::Simulation;
@@ -78,8 +78,8 @@ struct Sweep {
 /// Places at which forces are kept.
 const KEPT: usize = 50;
 
-/// Goes there in so many steps, and back; the first `settle` steps are not looked at.
-fn sweep(sim: &mut Simulation, steps: usize, settle: usize) -> Sweep {
+/// Goes there in so many steps, and back if told; the first `settle` steps are not looked at.
+fn sweep(sim: &mut Simulation, steps: usize, settle: usize, and_back: bool) -> Sweep {
     make_unstoppable(sim);
     sim.start().unwrap();
     let mut sweep = Sweep::default();
@@ -103,12 +103,14 @@ fn sweep(sim: &mut Simulation, steps: usize, settle: usize) -> Sweep {
         }
     };
     walk(sim, true);
-    sim.grains.velocity.iter_mut().for_each(|v| *v = -*v);
-    for wall in &mut sim.walls {
-        let back = wall.velocity_at(DVec3::ZERO) * -1.0;
-        wall.set_motion(Motion::Velocity(back)).unwrap();
+    if and_back {
+        sim.grains.velocity.iter_mut().for_each(|v| *v = -*v);
+        for wall in &mut sim.walls {
+            let back = wall.velocity_at(DVec3::ZERO) * -1.0;
+            wall.set_motion(Motion::Velocity(back)).unwrap();
+        }
+        walk(sim, false);
     }
-    walk(sim, false);
     sweep.largest = sweep.there.iter().map(|f| largest(f.iter().copied())).fold(0.0, f64::max);
     sweep
 }
@@ -118,9 +120,14 @@ fn sweep(sim: &mut Simulation, steps: usize, settle: usize) -> Sweep {
 fn assert_continuous(what: &str, coupling: Coupling, births: usize, build: fn(Coupling, usize) -> Simulation) {
     let fine_steps = if full() { 40_000 } else { 10_000 };
     let settle = if coupling == Coupling::Lagged { 100 } else { 2 };
-    let run = |steps: usize| on_threads(1, || sweep(&mut build(coupling, steps), steps, settle));
-    let (coarse, fine) = (run(fine_steps / 4), run(fine_steps));
-    let noise = 1e-9 * fine.largest;
+    let run = |steps: usize, back: bool| on_threads(1, || sweep(&mut build(coupling, steps), steps, settle, back));
+    let (coarse, fine) = (run(fine_steps / 4, false), run(fine_steps, true));
+    let tolerance = match coupling {
+        Coupling::Converged { tolerance } => tolerance,
+        Coupling::Lagged => 0.0,
+    };
+    let noise = 20.0 * tolerance * fine.largest;
+    report(&format!("{what}: births"), fine.births as f64);
     report(&format!("{what}: no jump above, over the largest force"), fine.roughness / fine.largest);
     assert!(fine.births >= births && fine.births == fine.deaths, "{what}: {} {}", fine.births, fine.deaths);
     assert!(
@@ -135,7 +142,7 @@ fn assert_continuous(what: &str, coupling: Coupling, births: usize, build: fn(Co
     let hysteresis = hysteresis.fold(0.0, f64::max) / fine.largest;
     report(&format!("{what}: there and back"), hysteresis);
     // what the lagged scheme is behind is of the order of a step
-    let allowed = if coupling == Coupling::Lagged { 20.0 / fine_steps as f64 } else { 1e-9 };
+    let allowed = if coupling == Coupling::Lagged { 20.0 / fine_steps as f64 } else { 20.0 * tolerance };
     assert!(hysteresis < allowed, "{what}: {hysteresis:e}");
 }
 
@@ -161,8 +168,8 @@ fn block(coupling: Coupling, steps: usize) -> Simulation {
 
 /// A disordered packing in a box whose lid comes down.
 fn boxed(coupling: Coupling, steps: usize) -> Simulation {
-    let (grains, edge) = disordered(50, 2.0, 0.62, 11);
-    let speed = 0.08 / steps as f64;
+    let (grains, edge) = disordered(50, 2.0, 0.58, 11);
+    let speed = 0.1 / steps as f64;
     let mut case = case(HALF_SPACE, 0.5);
     case.coupling = coupling;
     for (radius, at) in grains {
@@ -176,7 +183,7 @@ fn boxed(coupling: Coupling, steps: usize) -> Simulation {
     case.simulation()
 }
 
-const TIGHT: Coupling = Coupling::Converged { tolerance: 1e-11 };
+const TIGHT: Coupling = Coupling::Converged { tolerance: 1e-10 };
 
 #[test]
 fn side_contacts_of_a_lattice_come_and_go_continuously() {
@@ -186,7 +193,8 @@ fn side_contacts_of_a_lattice_come_and_go_continuously() {
 
 #[test]
 fn contacts_of_a_disordered_packing_come_and_go_continuously() {
-    assert_continuous("disordered, converged", TIGHT, 10, boxed);
+    assert_continuous("disordered, converged", Coupling::Converged { tolerance: 1e-9 }, 10, boxed);
+    assert_continuous("disordered, lagged", Coupling::Lagged, 10, boxed);
 }
 
 #[test]
@@ -199,8 +207,5 @@ fn the_swept_packing_is_solved_right() {
         .into_iter()
         .flat_map(|n| [(DVec3::ZERO, n), (edge, -n)])
         .collect();
-    let packing = packing(&sim, HALF_SPACE, &planes, 0.2, Adhesion::default());
-    let solution = packing.solve().unwrap();
-    let (forces, lengths) = deviation(&sim, &packing, &solution);
-    assert!(forces < 1e-9 && lengths < 1e-10, "{forces:e} {lengths:e}");
+    assert_solved(&sim, HALF_SPACE, &planes);
 }

@@ -92,8 +92,11 @@ fn a_run_past_the_fold_stops_with_a_snapshot() {
             panic!("{coupling}: {fault}")
         };
         report(&format!("{coupling}: strain at the end"), *strain);
-        // the corner grain of a box: three contacts of walls and three of grains, somewhat stiffer than a lattice's
-        assert!((0.06..0.13).contains(strain), "{coupling}: {fault}");
+        // what a stiff wall does to a grain its mirror image would: this is a simple cubic lattice. The lagged forces
+        // need some steps to grow out of bounds
+        let beyond = strain / 0.111_42 - 1.0;
+        let allowed = if coupling == "lagged" { 0.03 } else { 1e-3 };
+        assert!((-1e-3..allowed).contains(&beyond), "{coupling}: {beyond:e}, {fault}");
         assert!(!report_of.summary.finished);
         assert_eq!(report_of.summary.stopped_by, fault.to_string());
         let snapshot = format!("frames/grains_{step:010}.vtp");

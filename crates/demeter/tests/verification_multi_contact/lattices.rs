@@ -1,9 +1,10 @@
 //! Small and regular packings, against the reference.
 
 use super::cases::{Case, Laws, report};
-use super::influence::MODELS;
+use super::influence::{MODELS, Model};
 use super::reference::Adhesion;
 use super::scenes::*;
+use demeter::materials::Materials;
 use demeter::walls::{Motion, Shape};
 use demeter_physics::DVec3;
 
@@ -182,4 +183,32 @@ fn a_grain_between_six_walls() {
         let both = normals.into_iter().flat_map(|n| [n, -n]);
         walled(c, both.map(|n| (n * -0.95, n.normalize())).collect())
     });
+}
+
+#[test]
+fn every_pair_of_materials_has_its_own_model() {
+    let models = [Model::HalfSpace(1.2), Model::SphereToSphere, Model::Independent, Model::PointOnSphere];
+    for turn in 0..4 {
+        let of = |a: u16, b: u16| models[(turn + usize::from(a + b)) % 4];
+        let same = Laws::hertz(1.0);
+        let list = materials(Model::Independent, (1.0, 0.3), (2.0, 0.45), &same).list().to_vec();
+        let materials = Materials::new(list, |a, b| {
+            let mut laws = same.clone();
+            laws.0.multi_contact = Some(multi_contact(of(a as u16, b as u16)));
+            laws.0
+        });
+        let mut case = case_of(materials.unwrap());
+        for (material, radius, z) in [(0, 1.0, 0.0), (2, 0.7, 1.64), (0, 0.9, 3.2), (0, 0.8, 4.85)] {
+            add(&mut case, material, radius, DVec3::new(0.02 * z, 0.0, z));
+        }
+        let planes = vec![(DVec3::Z * -0.96, DVec3::Z), (DVec3::Z * 5.6, -DVec3::Z), (DVec3::X * -0.82, DVec3::X)];
+        let (case, planes) = walled(case, planes);
+        let sim = started(case);
+        let mut packing = packing(&sim, Model::Independent, &planes, 0.2, Adhesion::default());
+        let material = |g: usize| sim.grains.material[g];
+        for touch in &mut packing.touches {
+            touch.model = of(material(touch.first), touch.second.map_or(WALLS, material));
+        }
+        assert_solves(&sim, &packing);
+    }
 }

@@ -76,6 +76,8 @@ pub struct Touch {
     /// Distance of the centres, or of the centre from the wall [m].
     pub distance: f64,
     pub force: Force,
+    /// What displaces it.
+    pub model: Model,
 }
 
 /// Displacement of both surfaces [m].
@@ -84,7 +86,6 @@ pub type Shift = [f64; 2];
 pub struct Packing {
     pub balls: Vec<Ball>,
     pub touches: Vec<Touch>,
-    pub model: Model,
 }
 
 pub struct Solution {
@@ -107,6 +108,10 @@ impl Packing {
             _ => (second, -t.normal, t.distance - first_lever),
         };
         (ball, Place { normal, lever })
+    }
+
+    fn feels_levers(&self) -> bool {
+        self.touches.iter().any(|t| t.model.feels_levers())
     }
 
     fn sides(&self, touch: usize) -> std::ops::Range<usize> {
@@ -134,7 +139,7 @@ impl Packing {
             others
                 .map(|&(k, of)| {
                     let from = self.place(k, of, shift[k]).1;
-                    (k, self.model.influence(&self.balls[ball], from, to))
+                    (k, self.touches[c].model.influence(&self.balls[ball], from, to))
                 })
                 .collect::<Vec<_>>()
         };
@@ -159,7 +164,7 @@ impl Packing {
             let found = self.displacements(force, &shift);
             let change = largest(found.iter().flatten().zip(shift.iter().flatten()).map(|(a, b)| a - b));
             shift = found;
-            if change < 1e-12 || !self.model.feels_levers() {
+            if change < 1e-12 || !self.feels_levers() {
                 return shift;
             }
         }
@@ -173,7 +178,7 @@ impl Packing {
         let mut shift = vec![[0.0; 2]; count];
         let mut rows = Vec::new();
         for _ in 0..200 {
-            if rows.is_empty() || self.model.feels_levers() {
+            if rows.is_empty() || self.feels_levers() {
                 rows = self.influences(&shift, |_| true);
             }
             let sum = |row: &Vec<(usize, f64)>| row.iter().map(|(k, a)| a * force[*k]).sum::<f64>();

@@ -136,6 +136,7 @@ pub fn packing(sim: &Simulation, model: Model, planes: &[Plane], reach: f64, adh
                     overlap: sum - way.length(),
                     distance: way.length(),
                     force: Force::new(1.0 / (of(first) + of(second)), effective, adhesion),
+                    model,
                 });
             }
         }
@@ -149,11 +150,12 @@ pub fn packing(sim: &Simulation, model: Model, planes: &[Plane], reach: f64, adh
                     overlap: balls[a].radius - distance,
                     distance,
                     force: Force::new(1.0 / (of(&balls[a]) + stiff), balls[a].radius, adhesion),
+                    model,
                 });
             }
         }
     }
-    Packing { balls, touches, model }
+    Packing { balls, touches }
 }
 
 fn images(sim: &Simulation) -> Vec<DVec3> {
@@ -253,11 +255,15 @@ pub fn deviation(sim: &Simulation, packing: &Packing, solution: &Solution) -> (f
 
 /// The engine's solution at its start is the reference's; tells how far off it is, and the largest displacement.
 pub fn assert_solved(sim: &Simulation, model: Model, planes: &[Plane]) -> f64 {
-    let packing = packing(sim, model, planes, 0.2, Adhesion::default());
+    assert_solves(sim, &packing(sim, model, planes, 0.2, Adhesion::default()))
+}
+
+pub fn assert_solves(sim: &Simulation, packing: &Packing) -> f64 {
+    let model = packing.touches[0].model;
     let Some(solution) = packing.solve() else {
         panic!("the reference finds no solution, {model:?}")
     };
-    let (forces, lengths) = deviation(sim, &packing, &solution);
+    let (forces, lengths) = deviation(sim, packing, &solution);
     assert!(forces < 1e-9 && lengths < 1e-10, "{model:?}: forces {forces:e}, lengths {lengths:e}");
     assert!(solution.force.iter().any(|f| *f != 0.0));
     forces
