@@ -4,6 +4,8 @@
 mod cases;
 
 use cases::{Case, Laws, law, one_material};
+use demeter::contacts::Coupling;
+use demeter::materials::{Material, Materials};
 use demeter::measure::{ContactNetwork, ForceDistribution, Moment, contact_records, measure};
 use demeter::particles::{Domain, Outside};
 use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, resume, run};
@@ -128,15 +130,14 @@ fn walls_count_and_the_core_begins_a_margin_away_from_them() {
         of_margin(0.5).packing_fraction,
         (4.0 * 36.0 + 36.0) * ball / (36.0 * a * a * 5.0 * a),
     );
-    // one diameter: 2 r - (a/2 - ... ) above the middle of the second layer
-    let cap = {
-        let h = 1.5 * a - (0.5 * a - RADIUS + 2.0 * RADIUS);
-        // the second layer is cut at h below its centres, the first one a - h above them
+    // one diameter: the second layer is cut at h below its centres, the first one a - h above them
+    let solid = {
+        let h = 1.5 * a - (0.5 * a + RADIUS);
         let beyond = |c: f64| PI / 3.0 * (RADIUS - c) * (RADIUS - c) * (2.0 * RADIUS + c);
         2.0 * 36.0 * (beyond(-h) + beyond(a - h)) + 2.0 * 36.0 * ball
     };
     let core = 36.0 * a * a * (height - 4.0 * RADIUS);
-    near(found.packing_fraction, cap / core);
+    near(found.packing_fraction, solid / core);
     // nothing is left beyond half the height
     let none = of_margin(3.0);
     assert!(none.packing_fraction.is_nan() && none.scaling().is_nan());
@@ -234,6 +235,49 @@ fn an_attraction_acts_across_a_gap() {
     );
     let [grains, _] = ForceDistribution::new(-1.0, 0.0, 1.0).unwrap().measure(&sim);
     assert_eq!(grains.counts, [1]);
+}
+
+#[test]
+fn a_contact_that_bulges_are_about_to_make_does_not_count_before_it_pushes() {
+    // two grains side by side at a gap of 0.01 R between plates: their bulges meet at a compression of 0.0568857413
+    // (half-space, Poisson's ratio 0.5); before, they are in the table without force
+    for (q, acting) in [(0.0568, 0), (0.0570, 1)] {
+        let mut laws = Laws::hertz(1.0);
+        laws.0.multi_contact = Some(law("half-space", &[]));
+        let of = |young_modulus: f64| Material {
+            name: format!("{young_modulus} Pa"),
+            young_modulus,
+            poisson_ratio: 0.5,
+            density: 1.0,
+        };
+        let mut case = Case::new(Materials::new(vec![of(1.0), of(1e15)], |_, _| laws.0.clone()).unwrap());
+        case.coupling = Coupling::Converged { tolerance: 1e-12 };
+        case.max_overlap = 0.5;
+        case.skin = 0.2;
+        case.domain.lower = DVec3::splat(-10.0);
+        case.domain.upper = DVec3::splat(10.0);
+        for side in [-1.0, 1.0] {
+            case.grain(1.0, DVec3::X * (1.005 * side), DVec3::ZERO);
+            case.plane(1, DVec3::Z * ((1.0 - q) * side), DVec3::Z * -side);
+        }
+        let mut sim = case.simulation();
+        sim.start().unwrap();
+        assert_eq!(sim.contacts.pair_count(), 1, "the gap is within reach of the bulges");
+        let row = measure(&mut sim, Moment::default(), None);
+        assert_eq!(
+            (row.contacts, row.walls[0].contacts, row.walls[1].contacts),
+            (acting, 2, 2)
+        );
+        assert_eq!(contact_records(&sim).len(), 4 + acting);
+        let found = ContactNetwork::default().measure(&sim);
+        assert_eq!(
+            (found.contacts, found.coordination),
+            (acting, (4 + 2 * acting) as f64 / 2.0)
+        );
+        if acting > 0 {
+            near(found.centre_distance, 2.01);
+        }
+    }
 }
 
 const SQUEEZE: &str = r#"
