@@ -3,13 +3,13 @@
 //! (`verification/README.md`).
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
-mod cases;
 #[path = "verification_multi_contact/adhesion.rs"]
 mod adhesion;
 #[path = "verification_multi_contact/all_pairs.rs"]
 mod all_pairs;
 #[path = "verification_multi_contact/births.rs"]
 mod births;
+mod cases;
 #[path = "verification_multi_contact/fold.rs"]
 mod fold;
 #[path = "verification_multi_contact/fold_in_a_run.rs"]

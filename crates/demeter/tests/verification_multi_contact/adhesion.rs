@@ -85,7 +85,11 @@ fn a_pull_displaces_the_other_way() {
                         assert!((expected < 0.0) == pulls);
                         // a pull draws the far side inwards and lifts the surface beside it
                         let outwards = (cosine > 0.0) == pulls;
-                        assert_eq!(found.displacement[0] > 0.0, outwards, "{model:?} {name} {nu} {cosine} {overlap}");
+                        assert_eq!(
+                            found.displacement[0] > 0.0,
+                            outwards,
+                            "{model:?} {name} {nu} {cosine} {overlap}"
+                        );
                     }
                 }
             }

@@ -42,7 +42,10 @@ impl Bed {
         case.wall(WALLS, floor(edge), Motion::Rest);
         let far = DVec3::splat(edge);
         let near = [DVec3::Z, DVec3::X, DVec3::Y].map(|n| (DVec3::ZERO, n));
-        let planes: Vec<Plane> = near.into_iter().chain([DVec3::X, DVec3::Y, DVec3::Z].map(|n| (far, -n))).collect();
+        let planes: Vec<Plane> = near
+            .into_iter()
+            .chain([DVec3::X, DVec3::Y, DVec3::Z].map(|n| (far, -n)))
+            .collect();
         for (point, normal) in &planes[1..] {
             case.plane(WALLS, *point, *normal);
         }
@@ -66,7 +69,8 @@ impl Bed {
         let edge = self.planes[5].0.z;
         for (k, wall) in self.sim.walls.iter_mut().enumerate() {
             let down = if k == 5 { strain * edge } else { 0.0 };
-            wall.set_motion(Motion::Velocity((drift - DVec3::Z * down) / steps)).unwrap();
+            wall.set_motion(Motion::Velocity((drift - DVec3::Z * down) / steps))
+                .unwrap();
         }
     }
 
@@ -99,7 +103,10 @@ fn floor(edge: f64) -> Shape {
     for k in 0..100 {
         let corner = DVec3::new(f64::from(k % 10) - 2.0, f64::from(k / 10) - 2.0, 0.0) * cell;
         let (u, v) = (DVec3::X * cell, DVec3::Y * cell);
-        triangles.extend([[corner, corner + u, corner + u + v], [corner, corner + u + v, corner + v]]);
+        triangles.extend([
+            [corner, corner + u, corner + u + v],
+            [corner, corner + u + v, corner + v],
+        ]);
     }
     Shape::Mesh { triangles }
 }
@@ -108,9 +115,15 @@ fn floor(edge: f64) -> Shape {
 fn range(packing: &Packing, touch: usize, y: f64, h: f64) -> (f64, f64) {
     let force = packing.touches[touch].force;
     let mut places = vec![y - h, y, y + h];
-    places.extend([-0.0, 1e-300, -force.cutoff * (1.0 - 1e-12), -force.cutoff].into_iter().filter(|p| (p - y).abs() <= h + 1e-12));
+    places.extend(
+        [-0.0, 1e-300, -force.cutoff * (1.0 - 1e-12), -force.cutoff]
+            .into_iter()
+            .filter(|p| (p - y).abs() <= h + 1e-12),
+    );
     let forces = places.into_iter().map(|p| force.at(p).0);
-    forces.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), f| (low.min(f), high.max(f)))
+    forces.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), f| {
+        (low.min(f), high.max(f))
+    })
 }
 
 /// Counts of what was looked at.
@@ -133,11 +146,21 @@ fn check(bed: &Bed, packing: &Packing, contacts: &[Option<Found>], shift: &[Shif
         let tolerance = 1e-8 * scale;
         if adhesive {
             let (low, high) = range(packing, k, y, h);
-            assert!(low - tolerance <= elastic && elastic <= high + tolerance, "{k}: {low:e} {elastic:e} {high:e}, y {y:e}");
+            assert!(
+                low - tolerance <= elastic && elastic <= high + tolerance,
+                "{k}: {low:e} {elastic:e} {high:e}, y {y:e}"
+            );
         } else {
             let expected = packing.touches[k].force.hertz_mean(y, h);
-            assert!((elastic - expected).abs() < tolerance, "{k}: {elastic:e} {expected:e}, y {y:e}, h {h:e}");
-            assert!(y <= h + 1e-9 || elastic > 0.0, "missed {:?}, y {y:e}", packing.touches[k]);
+            assert!(
+                (elastic - expected).abs() < tolerance,
+                "{k}: {elastic:e} {expected:e}, y {y:e}, h {h:e}"
+            );
+            assert!(
+                y <= h + 1e-9 || elastic > 0.0,
+                "missed {:?}, y {y:e}",
+                packing.touches[k]
+            );
         }
         looked.acting += usize::from(elastic != 0.0);
         looked.bulged += usize::from(elastic > 0.0 && packing.touches[k].overlap < 0.0);
@@ -244,6 +267,10 @@ fn moving_grains_miss_no_contact_lagged() {
             let shift = packing.displacements(&forces, &places);
             check(&bed, &packing, &contacts, &shift, &mut looked);
         }
-        assert!(bed.sim.rebuilds() > 16 && looked.bulged > 100, "{} {looked:?}", bed.sim.rebuilds());
+        assert!(
+            bed.sim.rebuilds() > 16 && looked.bulged > 100,
+            "{} {looked:?}",
+            bed.sim.rebuilds()
+        );
     }
 }

@@ -36,7 +36,12 @@ fn bulges_touch_where_they_must() {
     // a contact at the gap is known before it acts
     let (sim, _) = side_by_side(HALF_SPACE, touch - 1e-3);
     assert_eq!(found(&sim.contacts).len(), 5);
-    for model in [HALF_SPACE, Model::HalfSpace(1.125), Model::SphereToSphere, Model::PointOnSphere] {
+    for model in [
+        HALF_SPACE,
+        Model::HalfSpace(1.125),
+        Model::SphereToSphere,
+        Model::PointOnSphere,
+    ] {
         for q in [0.05, 0.0569, 0.06, 0.08] {
             let (sim, planes) = side_by_side(model, q);
             assert_solved(&sim, model, &planes);
@@ -52,7 +57,11 @@ fn forces(sim: &Simulation) -> Vec<f64> {
         for chunk in chunks {
             for (k, force) in chunk.normal_force().iter().enumerate() {
                 let id = |grain: u32| sim.grains.id[grain as usize] as usize - 1;
-                let partner = if wall { count + chunk.j[k] as usize } else { id(chunk.j[k]) };
+                let partner = if wall {
+                    count + chunk.j[k] as usize
+                } else {
+                    id(chunk.j[k])
+                };
                 all[id(chunk.i[k]) * (count + walls) + partner] = *force;
             }
         }
@@ -90,7 +99,11 @@ fn sweep(sim: &mut Simulation, steps: usize, settle: usize, and_back: bool) -> S
             sim.step().unwrap();
             let next = forces(sim);
             for k in 0..next.len() {
-                let second = if step > settle { next[k] - 2.0 * now[k] + before[k] } else { 0.0 };
+                let second = if step > settle {
+                    next[k] - 2.0 * now[k] + before[k]
+                } else {
+                    0.0
+                };
                 sweep.roughness = sweep.roughness.max(second.abs());
                 sweep.births += usize::from(now[k] == 0.0 && next[k] != 0.0);
                 sweep.deaths += usize::from(now[k] != 0.0 && next[k] == 0.0);
@@ -111,7 +124,11 @@ fn sweep(sim: &mut Simulation, steps: usize, settle: usize, and_back: bool) -> S
         }
         walk(sim, false);
     }
-    sweep.largest = sweep.there.iter().map(|f| largest(f.iter().copied())).fold(0.0, f64::max);
+    sweep.largest = sweep
+        .there
+        .iter()
+        .map(|f| largest(f.iter().copied()))
+        .fold(0.0, f64::max);
     sweep
 }
 
@@ -128,8 +145,16 @@ fn assert_continuous(what: &str, coupling: Coupling, births: usize, build: fn(Co
     };
     let noise = 20.0 * tolerance * fine.largest;
     report(&format!("{what}: births"), fine.births as f64);
-    report(&format!("{what}: no jump above, over the largest force"), fine.roughness / fine.largest);
-    assert!(fine.births >= births && fine.births == fine.deaths, "{what}: {} {}", fine.births, fine.deaths);
+    report(
+        &format!("{what}: no jump above, over the largest force"),
+        fine.roughness / fine.largest,
+    );
+    assert!(
+        fine.births >= births && fine.births == fine.deaths,
+        "{what}: {} {}",
+        fine.births,
+        fine.deaths
+    );
     assert!(
         fine.roughness < 0.16 * coarse.roughness + noise,
         "{what}: {:e} {:e}",
@@ -142,7 +167,11 @@ fn assert_continuous(what: &str, coupling: Coupling, births: usize, build: fn(Co
     let hysteresis = hysteresis.fold(0.0, f64::max) / fine.largest;
     report(&format!("{what}: there and back"), hysteresis);
     // what the lagged scheme is behind is of the order of a step
-    let allowed = if coupling == Coupling::Lagged { 20.0 / fine_steps as f64 } else { 20.0 * tolerance };
+    let allowed = if coupling == Coupling::Lagged {
+        20.0 / fine_steps as f64
+    } else {
+        20.0 * tolerance
+    };
     assert!(hysteresis < allowed, "{what}: {hysteresis:e}");
 }
 
@@ -176,7 +205,15 @@ fn boxed(coupling: Coupling, steps: usize) -> Simulation {
         case.grain(radius, at, DVec3::Z * (-speed * at.z));
     }
     for normal in [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z] {
-        case.plane(WALLS, if normal.min_element() < 0.0 { DVec3::splat(edge) } else { DVec3::ZERO }, normal);
+        case.plane(
+            WALLS,
+            if normal.min_element() < 0.0 {
+                DVec3::splat(edge)
+            } else {
+                DVec3::ZERO
+            },
+            normal,
+        );
     }
     let lid = case.walls.last_mut().unwrap();
     lid.set_motion(Motion::Velocity(DVec3::Z * (-speed * edge))).unwrap();
@@ -193,7 +230,12 @@ fn side_contacts_of_a_lattice_come_and_go_continuously() {
 
 #[test]
 fn contacts_of_a_disordered_packing_come_and_go_continuously() {
-    assert_continuous("disordered, converged", Coupling::Converged { tolerance: 1e-9 }, 10, boxed);
+    assert_continuous(
+        "disordered, converged",
+        Coupling::Converged { tolerance: 1e-9 },
+        10,
+        boxed,
+    );
     assert_continuous("disordered, lagged", Coupling::Lagged, 10, boxed);
 }
 

@@ -70,7 +70,9 @@ impl Regular {
         let normals = (self.normals)();
         let place = |normal: DVec3| Place { normal, lever: 1.0 - q };
         let to = place(normals[0]);
-        let others = normals[1..].iter().map(|n| Model::HalfSpace(gamma).influence(&ball, place(*n), to));
+        let others = normals[1..]
+            .iter()
+            .map(|n| Model::HalfSpace(gamma).influence(&ball, place(*n), to));
         let sum: f64 = others.sum();
         let compliance = 0.75;
         match self.grains {
@@ -89,7 +91,11 @@ impl Regular {
         let (mut low, mut high) = (0.0, 0.6);
         for _ in 0..100 {
             let q = 0.5 * (low + high);
-            *(if self.beyond(gamma, q) < 0.0 { &mut low } else { &mut high }) = q;
+            *(if self.beyond(gamma, q) < 0.0 {
+                &mut low
+            } else {
+                &mut high
+            }) = q;
         }
         low
     }
@@ -101,7 +107,11 @@ impl Regular {
         let (mut low, mut high) = (0.0, 4.0 / (9.0 * steepness * steepness));
         for _ in 0..200 {
             let y: f64 = 0.5 * (low + high);
-            *(if y - steepness * y * y.sqrt() < overlap * q { &mut low } else { &mut high }) = y;
+            *(if y - steepness * y * y.sqrt() < overlap * q {
+                &mut low
+            } else {
+                &mut high
+            }) = y;
         }
         stiffness * low * low.sqrt()
     }
@@ -114,7 +124,11 @@ fn the_fold_is_where_it_must_be() {
             let fold = regular.fold(gamma);
             report(&format!("fold of {}, gamma {gamma}", regular.name), fold);
             let digit = if published < 9.0 { 0.01 } else { 0.1 };
-            assert!((100.0 * fold - published).abs() <= 0.5 * digit + 1e-3, "{} {gamma} {fold}", regular.name);
+            assert!(
+                (100.0 * fold - published).abs() <= 0.5 * digit + 1e-3,
+                "{} {gamma} {fold}",
+                regular.name
+            );
             for (coupling, accuracy) in [(EXACT, 1e-8), (Coupling::default(), 1e-3)] {
                 let at = |q: f64| {
                     let mut case = (regular.build)(case(Model::HalfSpace(gamma), 0.5), q);
@@ -137,13 +151,25 @@ fn the_fold_is_where_it_must_be() {
 
 /// The fault names grain, partner, strain and remedy.
 fn assert_told(fault: &Fault, regular: &Regular, q: f64) {
-    let Fault::BeyondFold { id, partner, strain, displacement_share, .. } = fault else {
+    let Fault::BeyondFold {
+        id,
+        partner,
+        strain,
+        displacement_share,
+        ..
+    } = fault
+    else {
         panic!("{}: {fault}", regular.name)
     };
     approx::assert_relative_eq!(*strain, q, max_relative = 1e-12);
     assert!(*displacement_share > 0.1 * q, "{fault}");
     let told = fault.to_string();
-    for part in [format!("grain {id} "), partner.clone(), format!("{q:.4}"), "Remedy: compress less, lower `prefactor`".into()] {
+    for part in [
+        format!("grain {id} "),
+        partner.clone(),
+        format!("{q:.4}"),
+        "Remedy: compress less, lower `prefactor`".into(),
+    ] {
         assert!(told.contains(&part), "{part}: {told}");
     }
     let kind = if regular.grains { "grain " } else { "wall " };

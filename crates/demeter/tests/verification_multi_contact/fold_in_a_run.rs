@@ -58,7 +58,9 @@ duration = "60 ms"
     let others = [("right", "-1 0 0"), ("back", "0 -1 0"), ("top", "0 0 -1")];
     for (name, normal) in sides.into_iter().chain(others) {
         let of = |factor: f64| {
-            let all = normal.split(' ').map(|n| (factor * n.parse::<f64>().unwrap()).to_string());
+            let all = normal
+                .split(' ')
+                .map(|n| (factor * n.parse::<f64>().unwrap()).to_string());
             all.collect::<Vec<_>>().join(" ")
         };
         text += &format!(

@@ -165,6 +165,10 @@ fn influences_are_those_of_the_notes() {
         (0.3, p0, p1, 0.111_753_066_5),
         (0.3, p1, p0, 0.110_747_598_7),
     ] {
-        assert_relative_eq!(half_space(1.0, nu, place(from), place(to)), expected, max_relative = 1e-9);
+        assert_relative_eq!(
+            half_space(1.0, nu, place(from), place(to)),
+            expected,
+            max_relative = 1e-9
+        );
     }
 }

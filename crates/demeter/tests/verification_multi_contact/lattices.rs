@@ -32,14 +32,35 @@ fn walled(mut case: Case, planes: Vec<Plane>) -> (Case, Vec<Plane>) {
 
 #[test]
 fn the_reference_gives_the_numbers_of_the_notes() {
-    let cubic = [0.005_028_314_888_438, 0.005_532_852_770_098, 0.006_507_014_915_687, 0.006_548_552_324_851, 0.006_823_671_337_114];
-    let face = [0.005_028_314_888_438, 0.006_350_214_654_899, 0.007_724_501_634_619, 0.007_819_890_887_979, 0.008_492_574_020_389];
-    let plates = [0.019_876_159_8, 0.018_011_230_711_8, 0.023_280_679_544_55, 0.023_499_437_544_38, 0.024_068_589_398_26];
+    let cubic = [
+        0.005_028_314_888_438,
+        0.005_532_852_770_098,
+        0.006_507_014_915_687,
+        0.006_548_552_324_851,
+        0.006_823_671_337_114,
+    ];
+    let face = [
+        0.005_028_314_888_438,
+        0.006_350_214_654_899,
+        0.007_724_501_634_619,
+        0.007_819_890_887_979,
+        0.008_492_574_020_389,
+    ];
+    let plates = [
+        0.019_876_159_8,
+        0.018_011_230_711_8,
+        0.023_280_679_544_55,
+        0.023_499_437_544_38,
+        0.024_068_589_398_26,
+    ];
     for (k, model) in MODELS.into_iter().enumerate() {
         // the places are all that is taken from these simulations
         let of = |case: Case, planes: &[Plane]| {
             let sim = case.simulation();
-            packing(&sim, model, planes, 0.1, Adhesion::default()).solve().unwrap().force
+            packing(&sim, model, planes, 0.1, Adhesion::default())
+                .solve()
+                .unwrap()
+                .force
         };
         let sc = of(lattice(case(model, 0.5), 3, DVec3::splat(1.96), &SIMPLE_CUBIC), &[]);
         let edge = DVec3::splat(1.96 * 2f64.sqrt());
@@ -58,7 +79,9 @@ fn the_reference_gives_the_numbers_of_the_notes() {
 #[test]
 fn cubic_lattices_isotropic_and_uniaxial() {
     let uniaxial = |strain: f64| DVec3::new(1.0, 1.0, 1.0 - strain);
-    for_all("simple cubic 2 %", |c| (lattice(c, 3, DVec3::splat(1.96), &SIMPLE_CUBIC), vec![]));
+    for_all("simple cubic 2 %", |c| {
+        (lattice(c, 3, DVec3::splat(1.96), &SIMPLE_CUBIC), vec![])
+    });
     for_all("simple cubic, 5 % along z", |c| {
         (lattice(c, 3, 2.000_001 * uniaxial(0.05), &SIMPLE_CUBIC), vec![])
     });
@@ -112,7 +135,11 @@ fn chains_between_plates() {
         walled(c, ends(-0.96, 3.66))
     });
     for_all("a bent chain between a floor and tilted walls", |mut c| {
-        let places = [(1.0, DVec3::ZERO), (0.6, DVec3::new(0.9, 0.2, 1.25)), (0.8, DVec3::new(0.4, 0.9, 2.4))];
+        let places = [
+            (1.0, DVec3::ZERO),
+            (0.6, DVec3::new(0.9, 0.2, 1.25)),
+            (0.8, DVec3::new(0.4, 0.9, 2.4)),
+        ];
         for (radius, at) in places {
             c.grain(radius, at, DVec3::ZERO);
         }
@@ -135,7 +162,11 @@ fn two_materials_in_one_chain() {
             for (material, radius, z) in [(0, 1.0, 0.0), (2, 0.7, 1.65), (0, 0.9, 3.2)] {
                 add(&mut case, material, radius, DVec3::new(0.05 * z, 0.0, z));
             }
-            let planes = vec![(DVec3::Z * -0.96, DVec3::Z), (DVec3::Z * 4.04, -DVec3::Z), (DVec3::X * -0.97, DVec3::X)];
+            let planes = vec![
+                (DVec3::Z * -0.96, DVec3::Z),
+                (DVec3::Z * 4.04, -DVec3::Z),
+                (DVec3::X * -0.97, DVec3::X),
+            ];
             let (case, planes) = walled(case, planes);
             assert_solved(&started(case), model, &planes);
         }
@@ -144,7 +175,10 @@ fn two_materials_in_one_chain() {
 
 /// Two triangles that make a rectangle.
 fn rectangle(corner: DVec3, u: DVec3, v: DVec3) -> [[DVec3; 3]; 2] {
-    [[corner, corner + u, corner + u + v], [corner, corner + u + v, corner + v]]
+    [
+        [corner, corner + u, corner + u + v],
+        [corner, corner + u + v, corner + v],
+    ]
 }
 
 #[test]
@@ -152,7 +186,11 @@ fn on_meshes() {
     let top = (DVec3::new(0.1, 0.2, 1.9), DVec3::new(0.1, 0.0, -1.0).normalize());
     for_all("a triangle and a tilted plane", |mut c| {
         c.grain(1.0, DVec3::new(0.1, 0.2, 0.94), DVec3::ZERO);
-        let triangles = vec![[DVec3::new(-9.0, -8.0, 0.0), DVec3::new(9.0, -7.0, 0.0), DVec3::new(1.0, 9.0, 0.0)]];
+        let triangles = vec![[
+            DVec3::new(-9.0, -8.0, 0.0),
+            DVec3::new(9.0, -7.0, 0.0),
+            DVec3::new(1.0, 9.0, 0.0),
+        ]];
         c.wall(WALLS, Shape::Mesh { triangles }, Motion::Rest);
         c.plane(WALLS, top.0, top.1);
         (c, vec![(DVec3::ZERO, DVec3::Z), top])
@@ -162,10 +200,21 @@ fn on_meshes() {
         c.grain(1.0, DVec3::new(0.97, 0.96, 0.95), DVec3::ZERO);
         let (x, y, z) = (DVec3::X * 5.0, DVec3::Y * 5.0, DVec3::Z * 5.0);
         let faces = [(x, y), (y, z), (z, x)];
-        let triangles = faces.into_iter().flat_map(|(u, v)| rectangle(DVec3::ZERO, u, v)).collect();
+        let triangles = faces
+            .into_iter()
+            .flat_map(|(u, v)| rectangle(DVec3::ZERO, u, v))
+            .collect();
         c.wall(WALLS, Shape::Mesh { triangles }, Motion::Rest);
         c.plane(WALLS, lid.0, lid.1);
-        (c, vec![(DVec3::ZERO, DVec3::X), (DVec3::ZERO, DVec3::Y), (DVec3::ZERO, DVec3::Z), lid])
+        (
+            c,
+            vec![
+                (DVec3::ZERO, DVec3::X),
+                (DVec3::ZERO, DVec3::Y),
+                (DVec3::ZERO, DVec3::Z),
+                lid,
+            ],
+        )
     });
 }
 
@@ -187,11 +236,18 @@ fn a_grain_between_six_walls() {
 
 #[test]
 fn every_pair_of_materials_has_its_own_model() {
-    let models = [Model::HalfSpace(1.2), Model::SphereToSphere, Model::Independent, Model::PointOnSphere];
+    let models = [
+        Model::HalfSpace(1.2),
+        Model::SphereToSphere,
+        Model::Independent,
+        Model::PointOnSphere,
+    ];
     for turn in 0..4 {
         let of = |a: u16, b: u16| models[(turn + usize::from(a + b)) % 4];
         let same = Laws::hertz(1.0);
-        let list = materials(Model::Independent, (1.0, 0.3), (2.0, 0.45), &same).list().to_vec();
+        let list = materials(Model::Independent, (1.0, 0.3), (2.0, 0.45), &same)
+            .list()
+            .to_vec();
         let materials = Materials::new(list, |a, b| {
             let mut laws = same.clone();
             laws.0.multi_contact = Some(multi_contact(of(a as u16, b as u16)));
@@ -201,7 +257,11 @@ fn every_pair_of_materials_has_its_own_model() {
         for (material, radius, z) in [(0, 1.0, 0.0), (2, 0.7, 1.64), (0, 0.9, 3.2), (0, 0.8, 4.85)] {
             add(&mut case, material, radius, DVec3::new(0.02 * z, 0.0, z));
         }
-        let planes = vec![(DVec3::Z * -0.96, DVec3::Z), (DVec3::Z * 5.6, -DVec3::Z), (DVec3::X * -0.82, DVec3::X)];
+        let planes = vec![
+            (DVec3::Z * -0.96, DVec3::Z),
+            (DVec3::Z * 5.6, -DVec3::Z),
+            (DVec3::X * -0.82, DVec3::X),
+        ];
         let (case, planes) = walled(case, planes);
         let sim = started(case);
         let mut packing = packing(&sim, Model::Independent, &planes, 0.2, Adhesion::default());

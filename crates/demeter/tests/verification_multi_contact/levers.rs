@@ -107,7 +107,13 @@ fn spins_that_fit_the_displaced_levers_do_not_slide() {
         let undisplaced = 0.5 * (1.43 + RADII[0] - RADII[1]);
         let sliding = [1e-3, -1e-3 * undisplaced / (1.43 - undisplaced)];
         let (none, some) = (across(rolling), across(sliding));
-        assert!(none < 1e-9 * force(&spinning(model, rolling)).length(), "{model:?} {none:e}");
-        assert!(model == Model::Independent || some > 1e6 * none, "{model:?} {some:e} {none:e}");
+        assert!(
+            none < 1e-9 * force(&spinning(model, rolling)).length(),
+            "{model:?} {none:e}"
+        );
+        assert!(
+            model == Model::Independent || some > 1e6 * none,
+            "{model:?} {some:e} {none:e}"
+        );
     }
 }

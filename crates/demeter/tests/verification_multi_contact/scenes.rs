@@ -242,7 +242,10 @@ pub fn deviation(sim: &Simulation, packing: &Packing, solution: &Solution) -> (f
             assert!(expected == 0.0, "missed: {:?}", packing.touches[k]);
             continue;
         };
-        forces = f64::max(forces, (found.force - expected).abs() / expected.abs().max(1e-2 * scale));
+        forces = f64::max(
+            forces,
+            (found.force - expected).abs() / expected.abs().max(1e-2 * scale),
+        );
         let sides = if found.second.is_some() { 2 } else { 1 };
         for side in 0..sides {
             let lever = packing.place(k, side, solution.shift[k]).1.lever;
@@ -264,7 +267,10 @@ pub fn assert_solves(sim: &Simulation, packing: &Packing) -> f64 {
         panic!("the reference finds no solution, {model:?}")
     };
     let (forces, lengths) = deviation(sim, packing, &solution);
-    assert!(forces < 1e-9 && lengths < 1e-10, "{model:?}: forces {forces:e}, lengths {lengths:e}");
+    assert!(
+        forces < 1e-9 && lengths < 1e-10,
+        "{model:?}: forces {forces:e}, lengths {lengths:e}"
+    );
     assert!(solution.force.iter().any(|f| *f != 0.0));
     forces
 }
