@@ -27,6 +27,9 @@ fn jkr(nu: f64, y: f64) -> f64 {
     4.0 * e * a * a * a / 3.0 - (8.0 * PI * WORK * e * a * a * a).sqrt()
 }
 
+/// Force by Poisson's ratio and overlap.
+type ForceAt = fn(f64, f64) -> f64;
+
 /// Where a rising function is zero.
 fn bisect(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     assert!(f(low) < 0.0 && f(high) > 0.0);
@@ -68,7 +71,7 @@ fn on_two_walls(model: Model, name: &str, nu: f64, cosine: f64, overlap: f64) ->
 
 #[test]
 fn a_pull_displaces_the_other_way() {
-    let laws: [(&str, fn(f64, f64) -> f64); 2] = [("dmt", dmt), ("jkr", jkr)];
+    let laws: [(&str, ForceAt); 2] = [("dmt", dmt), ("jkr", jkr)];
     for model in [Model::HalfSpace(1.0), Model::HalfSpace(1.125), Model::SphereToSphere] {
         for (name, force) in laws {
             for nu in [0.0, 0.3, 0.5] {
