@@ -1,7 +1,11 @@
 //! One time step, in the order in which things happen.
 
+mod coupled;
 mod gear;
 mod velocity_verlet;
+
+pub(crate) use coupled::CouplingState;
+pub use coupled::{CouplingMemory, Effort};
 
 use crate::contacts::{CHUNK, Fault, Scene};
 use crate::particles::Outside;
@@ -21,10 +25,12 @@ impl Simulation {
         let motion = self.move_grains();
         self.move_walls();
         self.check_places(&motion)?;
+        self.foresee_bulges();
         if self.candidates_are_stale(&motion) {
             self.find_candidates();
+            self.foresee_bulges();
         }
-        self.find_contacts(motion.max_speed);
+        self.find_contacts(motion.max_speed)?;
         self.sum_and_correct(Moment::Step)?;
         self.load_walls();
         self.book_step();
@@ -39,7 +45,8 @@ impl Simulation {
             ..Motion::default()
         })?;
         self.find_candidates();
-        self.find_contacts(max_speed);
+        self.foresee_bulges();
+        self.find_contacts(max_speed)?;
         self.sum_and_correct(Moment::Start)?;
         self.load_walls();
         Ok(())
@@ -102,12 +109,17 @@ impl Simulation {
         let windows = if self.max_reach > 0.0 { 2.0 } else { 1.0 };
         let grain = motion.max_displacement + windows * motion.max_speed * self.dt;
         let wall = self.wall_displacement();
-        self.neighbours.reference.len() != self.grains.len() || 2.0 * grain > self.skin || grain + wall > self.skin
+        let (bulges, margin) = (self.coupling.as_ref()).map_or((0.0, 0.0), |c| (c.bulges_of_two(), c.memory.margin));
+        let skin = self.skin + margin - bulges;
+        self.neighbours.reference.len() != self.grains.len() || 2.0 * grain > skin || grain + wall > skin
     }
 
     /// Narrow phase and contact laws, chunk by chunk.
-    fn find_contacts(&mut self, max_grain_speed: f64) {
+    fn find_contacts(&mut self, max_grain_speed: f64) -> Result<(), Fault> {
         let max_speed = max_grain_speed.max(self.wall_speed());
+        if self.coupling.is_some() {
+            return self.find_coupled_contacts(max_speed);
+        }
         let scene = Scene {
             grains: &self.grains,
             walls: &self.walls,
@@ -120,6 +132,7 @@ impl Simulation {
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
+            bulge: &[],
         };
         let (pairs, wall_pairs) = (&self.neighbours.pairs, &self.neighbours.wall_pairs);
         let between_grains = self
@@ -143,6 +156,7 @@ impl Simulation {
                 chunk.book_lost(&scene);
             });
         between_grains.chain(with_walls).for_each(|()| ());
+        Ok(())
     }
 
     /// Sum per grain, body force, and what the new forces change of the motion.

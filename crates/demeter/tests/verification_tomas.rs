@@ -56,6 +56,7 @@ fn materials(normal: &LawChoice, friction: Option<f64>) -> Materials {
         normal: normal.clone(),
         tangential: friction.map(|mu| law("mindlin-history", &[("friction", mu)])),
         rolling: None,
+        multi_contact: None,
     };
     Materials::new(vec![material], |_, _| laws.clone()).unwrap()
 }

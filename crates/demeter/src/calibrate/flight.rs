@@ -1,8 +1,8 @@
 //! Two bodies in the engine: they come, touch, and part or stick.
 
 use super::error::CalibrateError;
-use crate::contacts::ContactChunk;
 use crate::contacts::block::normal_energy;
+use crate::contacts::{ContactChunk, Coupling};
 use crate::materials::{Material, Materials};
 use crate::particles::{Domain, Grains, NewGrain, Outside};
 use crate::scenario::{ImpactFile, Partner};
@@ -176,6 +176,7 @@ impl Launch<'_> {
             skin: SKIN_SHARE * self.smaller_radius(),
             max_overlap: self.max_overlap,
             integrator: Integrator::default(),
+            coupling: Coupling::default(),
         });
         sim.start()?;
         let before = sim.energies();

@@ -50,6 +50,8 @@ struct Run<'a> {
     geometry: &'a [Contact],
     kinematics: &'a [Kinematics],
     normal_force: &'a mut [f64],
+    /// Its part that does not depend on the rate [N].
+    elastic: &'a mut [f64],
     /// Normal force that friction and rolling resistance are limited by: with the pull of adhesion, not negative [N].
     friction_load: &'a mut [f64],
     /// Overlap of Hertzian contacts of the same area [m].
@@ -57,6 +59,16 @@ struct Run<'a> {
     history: &'a mut [f64],
     tangential_force: &'a mut [DVec3],
     rolling_torque: &'a mut [DVec3],
+}
+
+/// Half of the path of the overlap over which a normal law takes its mean [m].
+#[inline(always)]
+pub(crate) fn normal_window<L: Normal>(integrator: Integrator, overlap: f64, rate: f64, dt: f64) -> f64 {
+    if L::FOLLOWS_KINKS {
+        0.5 * dt * rate.abs()
+    } else {
+        integrator.half_window(overlap, rate, dt)
+    }
 }
 
 struct NormalPass<'r, 'a>(&'r mut Run<'a>);
@@ -82,11 +94,7 @@ impl NormalVisitor for NormalPass<'_, '_> {
                 size: kin.size,
                 overlap: contact.overlap,
                 rate: kin.rate,
-                half_window: if L::FOLLOWS_KINKS {
-                    0.5 * run.dt * kin.rate.abs()
-                } else {
-                    run.integrator.half_window(contact.overlap, kin.rate, run.dt)
-                },
+                half_window: normal_window::<L>(run.integrator, contact.overlap, kin.rate, run.dt),
             };
             let response = law.respond(&input, &mut run.history[k * run.stride..][..remembered]);
             let (force, rate) = match run.integrator {
@@ -100,6 +108,7 @@ impl NormalVisitor for NormalPass<'_, '_> {
                 ),
             };
             run.normal_force[k] = force;
+            run.elastic[k] = response.elastic;
             run.friction_load[k] = (force + response.adhesion).max(0.0);
             run.bearing_overlap[k] =
                 law.bearing_overlap(kin.size, contact.overlap, &run.history[k * run.stride..][..remembered]);
@@ -254,6 +263,7 @@ impl ContactChunk {
                     &partner,
                 );
             }
+            let mut elastic = [0.0; BLOCK];
             let mut friction_load = [0.0; BLOCK];
             let mut bearing_overlap = [0.0; BLOCK];
             let mut tangential = [DVec3::ZERO; BLOCK];
@@ -270,6 +280,7 @@ impl ContactChunk {
                     geometry: &self.now.geometry[contacts.clone()],
                     kinematics: &kinematics[run.clone()],
                     normal_force: &mut self.now.normal_force[contacts.clone()],
+                    elastic: &mut elastic[run.clone()],
                     friction_load: &mut friction_load[run.clone()],
                     bearing_overlap: &mut bearing_overlap[run.clone()],
                     history: &mut self.now.history[contacts.start * scene.stride..contacts.end * scene.stride],
@@ -285,7 +296,27 @@ impl ContactChunk {
                 self.torque_i[k] = rolling[b] - arm * contact.lever_i;
                 self.torque_j[k] = -rolling[b] - arm * contact.lever_j;
             }
+            if scene.is_coupled() {
+                self.remember_coupling(first, &elastic[..last - first]);
+            }
             first = last;
+        }
+    }
+}
+
+impl ContactChunk {
+    /// Remembers the elastic forces for the displacements to come, and books what the displacements put into the stored
+    /// energy.
+    ///
+    /// Stored are `U = sum Phi(overlap + D) - F D / 2`. From one step to the next it grows by the work `F d(overlap)` and by
+    /// `(F_0 D_1 - F_1 D_0)/2`: nothing, where influences are mutual and do not change.
+    fn remember_coupling(&mut self, first: usize, elastic: &[f64]) {
+        for (k, &force) in (first..).zip(elastic) {
+            let earlier = self.coupling.earlier[k];
+            let coupled = &mut self.now.coupling[k];
+            self.tally.multi_contact += 0.5 * (earlier.elastic * coupled.sum() - force * earlier.sum());
+            coupled.elastic = force;
+            coupled.trend = force - earlier.elastic;
         }
     }
 }
@@ -341,7 +372,7 @@ fn gather(
 }
 
 /// The stretch of equal values that begins at `start`.
-fn next_run(pairs: &[u32], start: usize) -> Range<usize> {
+pub(crate) fn next_run(pairs: &[u32], start: usize) -> Range<usize> {
     let length = pairs[start..].iter().take_while(|&&p| p == pairs[start]).count();
     start..start + length
 }

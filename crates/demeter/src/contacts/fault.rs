@@ -48,6 +48,29 @@ pub enum Fault {
         /// Upper corner of the domain [m].
         upper: DVec3,
     },
+    /// The contacts of a grain displace each other more than they can bear.
+    #[error(
+        "step {step}: the contact of grain {id} at {} with {partner} has no coupled force: at a strain of {:.4} (overlap over \
+         the distance at touch) the other contacts of these bodies displace it by {:.4} of the smaller radius, and what it \
+         pushes back displaces them in turn without end. Cause: the multi-contact model is one of small strain; its \
+         equation has no solution beyond a fold, for a regular packing at a few per cent. Remedy: compress less, lower \
+         `prefactor`, take another `multi_contact` law, or stiffen the grains",
+        place(.position), strain, displacement_share
+    )]
+    BeyondFold {
+        /// Step.
+        step: u64,
+        /// Id of the grain.
+        id: u32,
+        /// Its centre [m].
+        position: DVec3,
+        /// The partner: `"grain 17"`, `"wall floor"`.
+        partner: String,
+        /// Overlap of the undisplaced bodies over the distance of their centres at touch.
+        strain: f64,
+        /// What the other contacts displace it by, as share of the smaller radius.
+        displacement_share: f64,
+    },
     /// A value is not a finite number.
     #[error(
         "step {step}: the {quantity} of grain {id} (last seen near {}) is not a finite number. Cause: a time step far \
@@ -75,7 +98,10 @@ impl Fault {
     /// Id of the grain at fault.
     pub fn grain(&self) -> u32 {
         match self {
-            Self::Overlap { id, .. } | Self::Outside { id, .. } | Self::NotFinite { id, .. } => *id,
+            Self::Overlap { id, .. }
+            | Self::Outside { id, .. }
+            | Self::BeyondFold { id, .. }
+            | Self::NotFinite { id, .. } => *id,
         }
     }
 }

@@ -4,20 +4,24 @@
 //! and keeps its own sums, so nothing depends on the number of threads. Within a step a chunk goes through
 //!
 //! 1. [`narrow`]: candidates -> contacts that touch during this step, with the history of the step before
-//! 2. [`block`]: contact laws, family by family, in blocks that stay in the cache
+//! 2. [`coupling`], where contacts feel each other: displacements of the surfaces
+//! 3. [`block`]: contact laws, family by family, in blocks that stay in the cache
 //!
 //! and [`sum`] then adds up per grain, in the order of the partner's id.
 
 pub mod block;
+pub mod coupling;
 mod fault;
 pub mod narrow;
 pub mod sum;
 mod transfer;
 
+pub use coupling::Coupling;
 pub use fault::Fault;
 pub use narrow::Scene;
 pub use transfer::{CarriedContact, ContactKey};
 
+use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
 
@@ -37,6 +41,9 @@ pub struct Tally {
     pub rolling: f64,
     /// Done on the grains by moving walls.
     pub wall_work: f64,
+    /// Put into the stored energy by multi-contact displacements without work of the contacts; negative where they took
+    /// it out.
+    pub multi_contact: f64,
 }
 
 impl Tally {
@@ -47,6 +54,7 @@ impl Tally {
         self.friction += other.friction;
         self.rolling += other.rolling;
         self.wall_work += other.wall_work;
+        self.multi_contact += other.multi_contact;
     }
 }
 
@@ -65,6 +73,8 @@ pub(crate) struct Kept {
     pub(crate) normal_force: Vec<f64>,
     /// History of the laws, `stride` values per contact.
     pub(crate) history: Vec<f64>,
+    /// What contacts that feel each other remember; empty where all are independent.
+    pub(crate) coupling: Vec<Coupled>,
 }
 
 impl Kept {
@@ -76,6 +86,7 @@ impl Kept {
         self.geometry.clear();
         self.normal_force.clear();
         self.history.clear();
+        self.coupling.clear();
     }
 
     fn len(&self) -> usize {
@@ -96,6 +107,9 @@ impl Kept {
 pub struct ContactChunk {
     pub(crate) now: Kept,
     pub(crate) before: Kept,
+    /// Whether a contact of the step before goes on.
+    pub(crate) goes_on: Vec<bool>,
+    pub(crate) coupling: Scratch,
     /// Index of the first grain.
     pub i: Vec<u32>,
     /// Index of the second grain, or of the wall.
@@ -143,6 +157,11 @@ impl ContactChunk {
     /// Wall element of every contact.
     pub fn element(&self) -> &[u32] {
         &self.now.element
+    }
+
+    /// What the contacts remember of the displacements by each other; empty where all are independent.
+    pub fn coupling(&self) -> &[Coupled] {
+        &self.now.coupling
     }
 
     /// History of one contact.

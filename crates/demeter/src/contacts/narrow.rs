@@ -5,6 +5,7 @@
 //! as far as it reaches, and one window farther, so that it sees itself let go and books what that loses.
 
 use super::block::largest_reach;
+use super::coupling::Coupled;
 use super::{ContactChunk, Fault, Kept};
 use crate::comm::Single;
 use crate::materials::Materials;
@@ -41,6 +42,8 @@ pub struct Scene<'a> {
     pub max_overlap: f64,
     /// History values per contact.
     pub stride: usize,
+    /// How far the surface of every grain may bulge towards others [m]; empty where contacts are independent.
+    pub bulge: &'a [f64],
 }
 
 impl Scene<'_> {
@@ -54,7 +57,25 @@ impl Scene<'_> {
         }
     }
 
-    /// Whether two bodies act on each other at any moment of this step.
+    /// Whether contacts feel each other.
+    #[inline(always)]
+    pub(crate) fn is_coupled(&self) -> bool {
+        !self.bulge.is_empty()
+    }
+
+    /// How far the surface of a grain may bulge [m].
+    #[inline(always)]
+    fn bulge(&self, grain: usize) -> f64 {
+        self.bulge.get(grain).copied().unwrap_or(0.0)
+    }
+
+    /// The smaller radius of two grains, or that of a grain at a wall [m].
+    pub(crate) fn smaller_radius(&self, i: u32, j: Option<u32>) -> f64 {
+        let radius = self.grains.radius[i as usize];
+        j.map_or(radius, |j| radius.min(self.grains.radius[j as usize]))
+    }
+
+    /// Whether two bodies act on each other at any moment of this step; `overlap` with all that they may bulge.
     #[inline(always)]
     fn acts(&self, pair: u32, size: impl Fn() -> PairSize, overlap: f64, rate: f64) -> bool {
         let half_window = 0.5 * self.dt * rate.abs();
@@ -79,7 +100,8 @@ impl ContactChunk {
             let (i, j) = (p.i as usize, p.j as usize);
             let separation = grains.position[i] - grains.position[j] + scene.comm.shift(p.shift);
             let (ri, rj) = (grains.radius[i], grains.radius[j]);
-            let reach = ri + rj + window;
+            let bulge = scene.bulge(i) + scene.bulge(j);
+            let reach = ri + rj + window + bulge;
             if separation.length_squared() < reach * reach {
                 let contact = contact_sphere_sphere(separation, ri, rj);
                 let rate = (grains.velocity[j] - grains.velocity[i]).dot(contact.normal);
@@ -88,9 +110,12 @@ impl ContactChunk {
                     radius: 1.0 / (1.0 / ri + 1.0 / rj),
                     mass: 1.0 / (1.0 / grains.mass[i] + 1.0 / grains.mass[j]),
                 };
-                if scene.acts(pair, size, contact.overlap, rate) {
+                if scene.acts(pair, size, contact.overlap + bulge, rate) {
                     let old = self.before.range(c).next();
                     self.push(scene.stride, (p.i, p.j, 0), pair, contact, old);
+                    if scene.is_coupled() {
+                        self.couple(rate, size(), old);
+                    }
                     self.watch_overlap(scene, i, contact.overlap / ri.min(rj), || {
                         format!("grain {}", grains.id[j])
                     });
@@ -110,15 +135,17 @@ impl ContactChunk {
         for (c, p) in pairs.iter().enumerate() {
             let (g, wall) = (p.grain as usize, &scene.walls[p.wall as usize]);
             let (centre, radius) = (grains.position[g], grains.radius[g]);
+            let bulge = scene.bulge(g);
             touched.clear();
-            wall.contacts(centre, radius + window, &mut touched);
+            wall.contacts(centre, radius + window + bulge, &mut touched);
             let pair = scene.materials.pair(grains.material[g], wall.material);
             let mass = grains.mass[g];
-            touched.retain(|s| {
+            let rate = |s: &SurfaceContact| {
                 let foot = centre - s.normal * s.distance;
-                let rate = (wall.velocity_at(foot) - grains.velocity[g]).dot(s.normal);
-                scene.acts(pair, || PairSize { radius, mass }, radius - s.distance, rate)
-            });
+                (wall.velocity_at(foot) - grains.velocity[g]).dot(s.normal)
+            };
+            let size = PairSize { radius, mass };
+            touched.retain(|s| scene.acts(pair, || size, radius - s.distance + bulge, rate(s)));
             taken.clear();
             for k in 0..touched.len() {
                 let s = touched[k];
@@ -131,6 +158,9 @@ impl ContactChunk {
                 let old = self.before.heir(c, &touched, k, &taken);
                 taken.extend(old);
                 self.push(scene.stride, (p.grain, p.wall, s.element), pair, contact, old);
+                if scene.is_coupled() {
+                    self.couple(rate(&s), size, old);
+                }
                 self.watch_overlap(scene, g, contact.overlap / radius, || format!("wall {}", wall.name));
             }
             self.now.start.push(self.now.len() as u32);
@@ -140,6 +170,9 @@ impl ContactChunk {
     fn begin(&mut self, walls: usize) {
         std::mem::swap(&mut self.now, &mut self.before);
         self.now.clear();
+        self.goes_on.clear();
+        self.goes_on.resize(self.before.len(), false);
+        self.coupling.clear();
         self.i.clear();
         self.j.clear();
         self.fault = None;
@@ -167,12 +200,33 @@ impl ContactChunk {
                 self.now
                     .history
                     .extend_from_slice(&self.before.history[k * stride..(k + 1) * stride]);
-                // what was handed on is not lost: see `book_lost`
-                self.before.pair[k] = HANDED_ON;
+                self.goes_on[k] = true;
             }
             None => {
                 self.now.normal_force.push(0.0);
                 self.now.history.resize(self.now.history.len() + stride, 0.0);
+            }
+        }
+    }
+
+    /// Hands on what a contact remembers of the displacements.
+    fn couple(&mut self, rate: f64, size: PairSize, old: Option<usize>) {
+        let remembered = old.map_or_else(Coupled::default, |k| self.before.coupling[k]);
+        self.now.coupling.push(remembered);
+        self.coupling.push(rate, size, remembered);
+    }
+
+    /// Goes back to the contacts of the step before, as if those of this step had not been looked for. `bodies` tells the
+    /// bodies of a candidate.
+    pub(crate) fn take_back(&mut self, candidates: usize, bodies: impl Fn(usize) -> (u32, u32)) {
+        std::mem::swap(&mut self.now, &mut self.before);
+        self.i.clear();
+        self.j.clear();
+        for c in 0..candidates {
+            let (i, j) = bodies(c);
+            for _ in self.now.range(c) {
+                self.i.push(i);
+                self.j.push(j);
             }
         }
     }
@@ -195,13 +249,10 @@ impl ContactChunk {
         if scene.stride == 0 {
             return;
         }
-        for (k, &pair) in self
-            .before
-            .pair
-            .iter()
-            .enumerate()
-            .filter(|(_, pair)| **pair != HANDED_ON)
-        {
+        for (k, &pair) in self.before.pair.iter().enumerate() {
+            if self.goes_on[k] {
+                continue;
+            }
             let history = &self.before.history[k * scene.stride..(k + 1) * scene.stride];
             let (tangential, rolling) = super::block::spring_energies(scene.materials.law(pair), history);
             self.tally.friction += tangential;
@@ -209,9 +260,6 @@ impl ContactChunk {
         }
     }
 }
-
-/// Marks a contact of the step before whose history went on.
-const HANDED_ON: u32 = u32::MAX;
 
 /// Cosine of the largest turn of the normal at which a history passes from one wall element to another.
 const SAME_SURFACE: f64 = 0.5;

@@ -1,5 +1,6 @@
 //! Handing contacts over when the candidates are found anew, and to and from a checkpoint.
 
+use super::coupling::Coupled;
 use super::{CHUNK, ContactChunk, Contacts};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
@@ -37,6 +38,8 @@ pub struct CarriedContact {
     pub torques: (DVec3, DVec3),
     /// History of its laws.
     pub history: Vec<f64>,
+    /// What it remembers of the displacements by the other contacts, where contacts feel each other.
+    pub coupling: Option<Coupled>,
 }
 
 impl Contacts {
@@ -65,6 +68,7 @@ impl Contacts {
                         force: chunk.force[k],
                         torques: (chunk.torque_i[k], chunk.torque_j[k]),
                         history: chunk.history(k, self.stride).to_vec(),
+                        coupling: chunk.now.coupling.get(k).copied(),
                     });
                 }
             }
@@ -138,5 +142,6 @@ fn remember(
         kept.normal_force.push(c.normal_force);
         kept.history
             .extend(c.history.iter().copied().chain(std::iter::repeat(0.0)).take(stride));
+        kept.coupling.extend(c.coupling);
     }
 }

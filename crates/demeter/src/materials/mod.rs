@@ -1,5 +1,6 @@
 //! Materials and the contact laws of every pair of them.
 
+use demeter_physics::contact::multi_contact::{Independent, MultiContactLaw};
 use demeter_physics::contact::normal::NormalLaw;
 use demeter_physics::contact::rolling::RollingLaw;
 use demeter_physics::contact::tangential::TangentialLaw;
@@ -38,6 +39,8 @@ pub struct PairChoice {
     pub tangential: Option<LawChoice>,
     /// Rolling law; free rolling when absent.
     pub rolling: Option<LawChoice>,
+    /// Multi-contact law; independent contacts when absent.
+    pub multi_contact: Option<LawChoice>,
 }
 
 impl PairChoice {
@@ -57,6 +60,10 @@ impl PairChoice {
                 .as_ref()
                 .map(|c| RollingLaw::build(&c.law, &c.parameters, &pair))
                 .transpose()?,
+            multi_contact: (self.multi_contact.as_ref())
+                .map(|c| MultiContactLaw::build(&c.law, &c.parameters, &pair))
+                .transpose()?
+                .unwrap_or(MultiContactLaw::Independent(Independent)),
         })
     }
 }

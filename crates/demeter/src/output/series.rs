@@ -137,6 +137,18 @@ pub const COLUMNS: &[Column<Measures>] = {
             |m| Number(m.energies.wall_work),
         ),
         column(
+            "multi-contact energy",
+            "J",
+            "what the displacements of contacts by each other add to the elastic energy (part of it)",
+            |m| Number(m.energies.multi_contact),
+        ),
+        column(
+            "multi-contact input",
+            "J",
+            "put into the elastic energy by these displacements since the start without work of the contacts",
+            |m| Number(m.energies.multi_contact_input),
+        ),
+        column(
             "inserted energy",
             "J",
             "energy of grains inserted since the start",

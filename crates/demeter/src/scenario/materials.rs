@@ -6,7 +6,7 @@ use super::document::Value;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
 use crate::materials::{Material, PairChoice};
-use demeter_physics::contact::{LawChoice, LawInfo, laws as all_laws, normal, rolling, tangential};
+use demeter_physics::contact::{LawChoice, LawInfo, laws as all_laws, multi_contact, normal, rolling, tangential};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::{
     ParameterError, ParameterInfo, ParameterKind, Range, Value as ParameterValue, Values, resolve,
@@ -133,7 +133,7 @@ pub(super) fn check_laws(scenario: &Scenario, faults: &mut Diagnostics) {
         for (b, second) in materials.iter().enumerate().skip(a) {
             if let Err(error) = contact.choice(a, b).bind(first, second) {
                 let family = all_laws().find(|l| l.name == error.law()).map_or("", |l| l.family);
-                let path = format!("{}.{family}", contact.path(a, b));
+                let path = format!("{}.{}", contact.path(a, b), family.replace('-', "_"));
                 faults.push(
                     path.trim_end_matches('.'),
                     format!("between `{}` and `{}`: {error}", first.name, second.name),
@@ -145,14 +145,15 @@ pub(super) fn check_laws(scenario: &Scenario, faults: &mut Diagnostics) {
 }
 
 /// The families in the order of their keys.
-const FAMILIES: [(&str, &[LawInfo]); 3] = [
+const FAMILIES: [(&str, &[LawInfo]); 4] = [
     ("normal", normal::LAWS),
     ("tangential", tangential::LAWS),
     ("rolling", rolling::LAWS),
+    ("multi_contact", multi_contact::LAWS),
 ];
 
-/// Laws of the three families.
-type Laws = [Option<LawChoice>; 3];
+/// Laws of all families.
+type Laws = [Option<LawChoice>; 4];
 
 fn nothing() -> PairChoice {
     PairChoice {
@@ -162,15 +163,17 @@ fn nothing() -> PairChoice {
         },
         tangential: None,
         rolling: None,
+        multi_contact: None,
     }
 }
 
-fn pair_choice([normal, tangential, rolling]: Laws) -> PairChoice {
+fn pair_choice([normal, tangential, rolling, multi_contact]: Laws) -> PairChoice {
     let normal = normal.unwrap_or_else(|| nothing().normal);
     PairChoice {
         normal,
         tangential,
         rolling,
+        multi_contact,
     }
 }
 
@@ -183,7 +186,7 @@ pub(super) fn contact(root: &TableReader<'_>, materials: &[Material]) -> Contact
     let Some(table) = root.required("contact", meaning).and_then(|i| i.table()) else {
         return spec;
     };
-    let defaults = laws(&table, &[None, None, None]);
+    let defaults = laws(&table, &[const { None }; 4]);
     if !table.has("normal") {
         let help = "write normal = { law = \"hertz-tsuji\", restitution = 0.9 }";
         table.fault("`normal` is missing: the law of normal contact", Some(help.to_string()));
@@ -224,7 +227,7 @@ fn between(entry: &TableReader<'_>, materials: &[Material]) -> Option<(u16, u16)
 }
 
 fn laws(table: &TableReader<'_>, defaults: &Laws) -> Laws {
-    let mut chosen: Laws = [None, None, None];
+    let mut chosen: Laws = [const { None }; 4];
     for (index, (family, known)) in FAMILIES.into_iter().enumerate() {
         let default = defaults[index].as_ref();
         chosen[index] = match table.optional(family) {

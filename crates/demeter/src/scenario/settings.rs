@@ -4,6 +4,7 @@ use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::stages::wall_of;
 use super::walls::WallSpec;
+use crate::contacts::Coupling;
 use crate::measure::StrainGauge;
 use crate::particles::Outside;
 use crate::simulation::Cadence;
@@ -28,6 +29,8 @@ pub struct SimulationSpec {
     pub time_step: TimeStep,
     /// How the equations of motion are integrated.
     pub integrator: Integrator,
+    /// How contacts that feel each other are treated.
+    pub coupling: Coupling,
     /// Whether a step above the safe one is accepted.
     pub allow_unsafe_time_step: bool,
     /// Acceleration of gravity [m/s^2].
@@ -46,6 +49,7 @@ impl Default for SimulationSpec {
         Self {
             time_step: TimeStep::Auto,
             integrator: Integrator::default(),
+            coupling: Coupling::default(),
             allow_unsafe_time_step: false,
             gravity: DVec3::ZERO,
             max_overlap: DEFAULT_MAX_OVERLAP,
@@ -72,9 +76,33 @@ pub(super) fn simulation(root: &TableReader<'_>) -> SimulationSpec {
     if let Some(share) = table.optional_quantity("max_overlap", Kind::Number, Range::POSITIVE_SHARE) {
         spec.max_overlap = share;
     }
+    spec.coupling = coupling(&table);
     spec.skin = table.optional_quantity("skin", Kind::Physical(Dimension::LENGTH), Range::POSITIVE);
     table.finish("[simulation]");
     spec
+}
+
+/// Tolerance of the coupled equation: below it rounding decides.
+const TOLERANCE: Range = Range::new(1e-13, true, 1e-2, true);
+
+/// How contacts that feel each other are treated.
+fn coupling(table: &TableReader<'_>) -> Coupling {
+    let scheme = table
+        .optional("coupling")
+        .and_then(|i| i.choice(&["converged", "lagged"]));
+    let tolerance = table.optional_quantity("coupling_tolerance", Kind::Number, TOLERANCE);
+    if scheme == Some(1) && tolerance.is_some() {
+        let help = "leave it out, or set `coupling = \"converged\"`";
+        table.fault(
+            "`coupling_tolerance` belongs to converged coupling",
+            Some(help.to_string()),
+        );
+    }
+    match (scheme, tolerance) {
+        (Some(1), _) => Coupling::Lagged,
+        (_, Some(tolerance)) => Coupling::Converged { tolerance },
+        _ => Coupling::default(),
+    }
 }
 
 fn time_step(item: &Item<'_>) -> TimeStep {

@@ -32,6 +32,11 @@ pub struct Energies {
     pub rolling_dissipated: f64,
     /// Work done on the grains by moving walls since the start.
     pub wall_work: f64,
+    /// What multi-contact displacements add to the stored energy at this moment: part of `elastic`.
+    pub multi_contact: f64,
+    /// Put into the stored energy by multi-contact displacements since the start, without work of the contacts: because
+    /// influences change with the geometry, are not mutual, or lag behind. Negative where they took it out.
+    pub multi_contact_input: f64,
     /// Energy of grains inserted since the start.
     pub inserted: f64,
     /// Energy of grains removed since the start.
@@ -93,10 +98,12 @@ impl Books {
                 friction: 0.5 * work.friction,
                 rolling: 0.5 * work.rolling,
                 wall_work: 0.5 * work.wall_work,
+                multi_contact: 0.0,
             });
         }
         // but what laws remember, and with it what they store, is that of the end of the step already
         self.done.plastic += step.plastic;
+        self.done.multi_contact += step.multi_contact;
         self.wall_throughput += step.wall_work.abs();
         self.latest = step;
     }
@@ -117,10 +124,12 @@ impl Books {
         now.friction_dissipated = self.done.friction;
         now.rolling_dissipated = self.done.rolling;
         now.wall_work = self.done.wall_work;
+        now.multi_contact_input = self.done.multi_contact;
         now.removed = self.removed;
         self.lowest_gravitational = self.lowest_gravitational.min(now.gravitational);
         self.lowest_elastic = self.lowest_elastic.min(now.elastic);
-        let explained = self.initial + now.wall_work + now.inserted - now.removed - now.dissipated();
+        let explained =
+            self.initial + now.wall_work + now.multi_contact_input + now.inserted - now.removed - now.dissipated();
         let passed =
             self.initial_throughput + self.wall_throughput + (self.initial_gravitational - self.lowest_gravitational)
                 - self.lowest_elastic
@@ -132,6 +141,16 @@ impl Books {
         };
         now
     }
+}
+
+/// Energies stored in contacts [J].
+#[derive(Clone, Copy, Default)]
+struct Stored {
+    normal: f64,
+    tangential: f64,
+    rolling: f64,
+    /// What displacements by other contacts make of the normal energy.
+    multi_contact: f64,
 }
 
 impl Simulation {
@@ -171,18 +190,19 @@ impl Simulation {
             .walls
             .par_iter()
             .map(|chunk| self.stored(chunk, true, &counts));
-        let stored: Vec<(f64, f64, f64)> = pairs.chain(walls).collect();
-        for (normal, tangential, rolling) in stored {
-            e.elastic += normal;
-            e.tangential += tangential;
-            e.rolling += rolling;
+        let stored: Vec<Stored> = pairs.chain(walls).collect();
+        for part in stored {
+            e.elastic += part.normal;
+            e.tangential += part.tangential;
+            e.rolling += part.rolling;
+            e.multi_contact += part.multi_contact;
         }
         e
     }
 
-    /// Normal, tangential and rolling energy stored in the contacts of a chunk [J].
-    fn stored(&self, chunk: &ContactChunk, wall: bool, counts: &impl Fn(usize) -> bool) -> (f64, f64, f64) {
-        let mut sum = (0.0, 0.0, 0.0);
+    /// Energies stored in the contacts of a chunk.
+    fn stored(&self, chunk: &ContactChunk, wall: bool, counts: &impl Fn(usize) -> bool) -> Stored {
+        let mut sum = Stored::default();
         for k in 0..chunk.len() {
             if !counts(chunk.i[k] as usize) && (wall || !counts(chunk.j[k] as usize)) {
                 continue;
@@ -190,10 +210,17 @@ impl Simulation {
             let law = self.materials.law(chunk.pair()[k]);
             let size = self.pair_size(chunk.i[k] as usize, (!wall).then(|| chunk.j[k] as usize));
             let history = chunk.history(k, self.contacts.stride);
-            sum.0 += normal_energy(law, size, chunk.geometry()[k].overlap, history);
+            let overlap = chunk.geometry()[k].overlap;
+            let mut normal = normal_energy(law, size, overlap, history);
+            if let Some(coupled) = chunk.coupling().get(k) {
+                let undisplaced = normal_energy(law, size, overlap - coupled.sum(), history);
+                normal -= 0.5 * coupled.elastic * coupled.sum();
+                sum.multi_contact += normal - undisplaced;
+            }
+            sum.normal += normal;
             let (tangential, rolling) = spring_energies(law, history);
-            sum.1 += tangential;
-            sum.2 += rolling;
+            sum.tangential += tangential;
+            sum.rolling += rolling;
         }
         sum
     }

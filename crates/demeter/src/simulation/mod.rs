@@ -5,6 +5,7 @@ mod protocol;
 mod state;
 mod time_step;
 
+pub use crate::step::Effort;
 pub use ledger::{Books, Energies};
 pub use protocol::{Cadence, Stage, StopCondition};
 pub use state::{SimulationState, StateError};
@@ -13,10 +14,11 @@ pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_tim
 use time_step::largest_reach;
 
 use crate::comm::Single;
-use crate::contacts::{CarriedContact, Contacts, Fault, block};
+use crate::contacts::{CarriedContact, Contacts, Coupling, Fault, block};
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, space_filling_order};
 use crate::particles::{Domain, Grains, HigherDerivatives};
+use crate::step::CouplingState;
 use crate::walls::{Pose, Wall};
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
@@ -46,6 +48,8 @@ pub struct Setup {
     pub skin: f64,
     /// Largest overlap allowed, as share of the smaller radius.
     pub max_overlap: f64,
+    /// How contacts that feel each other are treated; nothing where all are independent.
+    pub coupling: Coupling,
 }
 
 /// A run: grains, walls, contacts and books at one moment.
@@ -74,6 +78,8 @@ pub struct Simulation {
     /// Largest gap across which any law acts [m]; candidates are found that much farther away.
     pub(crate) max_reach: f64,
     pub(crate) max_overlap: f64,
+    /// `None` where all contacts are independent.
+    pub(crate) coupling: Option<CouplingState>,
     rebuilds: u64,
     /// Bounds of the grains when the candidates were found.
     bounds: (DVec3, DVec3),
@@ -93,6 +99,7 @@ impl Simulation {
         setup.grains.higher.resize(remembered, HigherDerivatives::default());
         let wall_materials: Vec<u16> = setup.walls.iter().map(|w| w.material).collect();
         let max_reach = largest_reach(&setup.grains, &wall_materials, &setup.materials);
+        let coupling = CouplingState::new(setup.coupling, &setup.grains, &setup.materials);
         Self {
             integrator: setup.integrator,
             comm: Single::new(setup.domain),
@@ -112,6 +119,7 @@ impl Simulation {
             skin: setup.skin,
             max_reach,
             max_overlap: setup.max_overlap,
+            coupling,
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
             started: false,
@@ -168,9 +176,23 @@ impl Simulation {
 
     /// Finds the candidates of the grains as they are, and hands them the contacts.
     fn continue_with(&mut self, carried: &[CarriedContact]) {
-        self.neighbours = Neighbours::find(&self.grains, &self.walls, &self.comm, self.skin + self.max_reach);
+        if let Some(coupling) = &mut self.coupling {
+            coupling.take_margin();
+        }
+        let beyond_touch = self.skin + self.beyond_touch();
+        self.neighbours = Neighbours::find(&self.grains, &self.walls, &self.comm, beyond_touch);
         self.contacts.adopt(&self.grains, &self.neighbours, carried);
         self.note_bounds();
+    }
+
+    /// Gap across which bodies may act on each other: the reach of the laws, and the bulges of both [m].
+    fn beyond_touch(&self) -> f64 {
+        self.max_reach + self.coupling.as_ref().map_or(0.0, |c| c.memory.margin)
+    }
+
+    /// What solving the coupled equation of the contacts took so far.
+    pub fn coupling_effort(&self) -> Effort {
+        self.coupling.as_ref().map_or_else(Effort::default, |c| c.memory.effort)
     }
 
     fn note_bounds(&mut self) {
@@ -179,7 +201,7 @@ impl Simulation {
             lower = lower.min(p - r);
             upper = upper.max(p + r);
         }
-        let margin = self.skin + self.max_reach;
+        let margin = self.skin + self.beyond_touch();
         self.bounds = (lower - margin, upper + margin);
     }
 

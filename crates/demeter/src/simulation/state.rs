@@ -4,6 +4,7 @@ use super::{Books, Setup, Simulation};
 use crate::contacts::CarriedContact;
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
+use crate::step::CouplingMemory;
 use crate::walls::{Wall, WallState};
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
@@ -26,6 +27,8 @@ pub struct SimulationState {
     rebuilds: u64,
     bounds: (DVec3, DVec3),
     max_reach: f64,
+    /// Nothing where contacts are independent.
+    coupling: Option<CouplingMemory>,
 }
 
 /// Why a state does not fit the scenario that it is to continue.
@@ -45,6 +48,12 @@ pub enum StateError {
          integrator that it began with"
     )]
     Integrator,
+    /// The state was written by a run with independent contacts, and the scenario couples them, or the other way.
+    #[error(
+        "the checkpoint was written with another choice of `multi_contact` laws than the scenario names: a run goes on with \
+         the laws that it began with"
+    )]
+    Coupling,
     /// Arrays of the checkpoint contradict each other.
     #[error("the checkpoint contradicts itself ({0}): it was not written by this engine")]
     Inconsistent(&'static str),
@@ -112,6 +121,7 @@ impl Simulation {
             rebuilds: self.rebuilds,
             bounds: self.bounds,
             max_reach: self.max_reach,
+            coupling: self.coupling.as_ref().map(|c| c.memory.clone()),
         }
     }
 
@@ -119,18 +129,25 @@ impl Simulation {
     /// replaced by the state's.
     pub fn resume(setup: Setup, state: SimulationState) -> Result<Self, StateError> {
         state.check(setup.walls.len(), setup.materials.list().len(), setup.integrator)?;
-        let mut sim = Self::new(setup);
+        let mut sim = Self::new(Setup {
+            grains: state.grains,
+            ..setup
+        });
         for (wall, state) in sim.walls.iter_mut().zip(&state.walls) {
             wall.restore(state);
         }
         sim.started = true;
         sim.step = state.step;
         sim.dt = state.dt;
-        sim.grains = state.grains;
         sim.books = state.books;
         sim.rebuilds = state.rebuilds;
         sim.bounds = state.bounds;
         sim.max_reach = state.max_reach;
+        match (&mut sim.coupling, state.coupling) {
+            (Some(coupling), Some(memory)) => coupling.memory = memory,
+            (None, None) => {}
+            _ => return Err(StateError::Coupling),
+        }
         sim.neighbours = state.neighbours;
         sim.contacts.adopt(&sim.grains, &sim.neighbours, &state.contacts);
         sim.walls_before = sim.walls.iter().map(Wall::pose).collect();

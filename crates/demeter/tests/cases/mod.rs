@@ -4,6 +4,7 @@
 
 pub mod beds;
 
+use demeter::contacts::Coupling;
 use demeter::materials::{Material, Materials, PairChoice};
 use demeter::particles::{Domain, Grains, NewGrain, Outside};
 use demeter::simulation::{SAFE_SHARE, Setup, Simulation, shortest_time_scale};
@@ -71,6 +72,7 @@ impl Laws {
             normal,
             tangential: None,
             rolling: None,
+            multi_contact: None,
         })
     }
 
@@ -113,6 +115,7 @@ pub struct Case {
     pub domain: Domain,
     pub gravity: DVec3,
     pub integrator: Integrator,
+    pub coupling: Coupling,
     pub skin: f64,
     pub max_overlap: f64,
     /// The time step as share of the shortest time scale.
@@ -133,6 +136,7 @@ impl Case {
             },
             gravity: DVec3::ZERO,
             integrator: Integrator::VelocityVerlet,
+            coupling: Coupling::default(),
             skin: 1e-4,
             max_overlap: MAX_OVERLAP,
             share: SAFE_SHARE,
@@ -178,6 +182,7 @@ impl Case {
             domain: self.domain,
             gravity: self.gravity,
             integrator: self.integrator,
+            coupling: self.coupling,
             dt: self.share * scale.time,
             skin: self.skin,
             max_overlap: self.max_overlap,

@@ -1,4 +1,4 @@
-//! Contact laws in families: normal, tangential, rolling.
+//! Contact laws in families: normal, tangential, rolling, multi-contact.
 //!
 //! A law is one file and one line in its family's list. It sees a contact through its input struct and never knows
 //! whether the partner is a grain, a plane or a triangle. Combinations are values ([`PairLaw`]), never types.
@@ -9,6 +9,7 @@
 //! kept at half steps. At the ends of a contact, where the force has a kink, this takes the error of a collision from
 //! first order in `dt`, random with the phase at which steps hit the contact, to second order and smooth.
 
+pub mod multi_contact;
 pub mod normal;
 pub mod rolling;
 pub mod spring;
@@ -72,7 +73,7 @@ pub struct PairSize {
 /// What the registry tells of a law.
 #[derive(Clone, Copy, Debug)]
 pub struct LawInfo {
-    /// Family: `"normal"`, `"tangential"`, `"rolling"`.
+    /// Family: `"normal"`, `"tangential"`, `"rolling"`, `"multi-contact"`.
     pub family: &'static str,
     /// Name in the scenario.
     pub name: &'static str,
@@ -199,7 +200,10 @@ pub(crate) use law_family;
 
 /// The laws of every family.
 pub fn laws() -> impl Iterator<Item = &'static LawInfo> {
-    normal::LAWS.iter().chain(tangential::LAWS).chain(rolling::LAWS)
+    (normal::LAWS.iter())
+        .chain(tangential::LAWS)
+        .chain(rolling::LAWS)
+        .chain(multi_contact::LAWS)
 }
 
 /// A law by name with its parameters in SI, not yet bound to materials.
@@ -220,4 +224,6 @@ pub struct PairLaw {
     pub tangential: Option<tangential::TangentialLaw>,
     /// Rolling law; free rolling when absent.
     pub rolling: Option<rolling::RollingLaw>,
+    /// How this contact feels the others of its bodies.
+    pub multi_contact: multi_contact::MultiContactLaw,
 }

@@ -1,6 +1,7 @@
 //! What the registry says of every law.
 
 use super::cases::{PAIRS, values};
+use crate::contact::multi_contact::MultiContactLaw;
 use crate::contact::normal::NormalLaw;
 use crate::contact::rolling::RollingLaw;
 use crate::contact::tangential::TangentialLaw;
@@ -15,6 +16,7 @@ fn build(info: &LawInfo, name: &str, values: &Values) -> Result<&'static LawInfo
         "normal" => NormalLaw::build(name, values, pair).map(|law| law.info()),
         "tangential" => TangentialLaw::build(name, values, pair).map(|law| law.info()),
         "rolling" => RollingLaw::build(name, values, pair).map(|law| law.info()),
+        "multi-contact" => MultiContactLaw::build(name, values, pair).map(|law| law.info()),
         other => panic!("family `{other}` is not tested"),
     }
 }

@@ -1,0 +1,193 @@
+//! Contacts that feel each other.
+//!
+//! The force at one contact of a grain moves the grain's surface at the others (laws of the multi-contact family). With
+//! `D_c` the sum of these displacements at contact `c` on both of its bodies, the elastic forces solve
+//!
+//! ```text
+//! F_c = f(overlap_c + D_c),      D_c = sum over k of influence(k -> c) F_k
+//! ```
+//!
+//! [`Coupling::Converged`] solves it in every step, [`Coupling::Lagged`] takes the `F_k` of the step before. In both the
+//! laws then see `overlap + D` as the overlap, and levers that reach to the middle of the overlap of the displaced
+//! surfaces. A contact across a gap that displacements may close is in the table with no force, so that contacts come and
+//! go continuously.
+//!
+//! Work is shared out so that every sum has one owner and one order: [`sites`] gathers by grain, in the order of the
+//! partner's id, what its contacts push with; [`rows`] finds by contact what displaces it.
+
+pub(crate) mod bulge;
+pub(crate) mod mixing;
+pub(crate) mod rows;
+pub(crate) mod sites;
+
+use crate::materials::Materials;
+use demeter_physics::contact::PairSize;
+use demeter_physics::contact::multi_contact::{MultiContact, MultiContactLaw, MultiContactVisitor};
+use serde::{Deserialize, Serialize};
+
+/// How the coupled equation is treated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Coupling {
+    /// Solved in every step: no force is farther from `f(overlap + D)` than this share of the largest force on its grains.
+    Converged {
+        /// The share.
+        tolerance: f64,
+    },
+    /// Displacements follow from the forces of the step before (Brodu et al.).
+    Lagged,
+}
+
+impl Default for Coupling {
+    fn default() -> Self {
+        Self::Converged {
+            tolerance: DEFAULT_TOLERANCE,
+        }
+    }
+}
+
+/// Tolerance of [`Coupling::Converged`] where none is told.
+pub const DEFAULT_TOLERANCE: f64 = 1e-6;
+
+/// What a contact remembers of the coupling.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Coupled {
+    /// Elastic (rate-independent) normal force [N]: what displaces.
+    pub elastic: f64,
+    /// Its change in the latest step [N].
+    pub trend: f64,
+    /// Outward displacement of the surfaces of both bodies by their other contacts [m].
+    pub displacement: [f64; 2],
+}
+
+impl Coupled {
+    /// How much the displacements add to the overlap [m].
+    #[inline(always)]
+    pub fn sum(&self) -> f64 {
+        self.displacement[0] + self.displacement[1]
+    }
+
+    /// How much the contact point moves away from the first body's centre [m]: to the middle of the displaced surfaces.
+    #[inline(always)]
+    fn lever_shift(&self) -> f64 {
+        0.5 * (self.displacement[0] - self.displacement[1])
+    }
+
+    /// Elastic force to start the solution from [N]: it goes on as in the latest step, but no push turns into a pull.
+    #[inline(always)]
+    fn foreseen(&self) -> f64 {
+        let forecast = self.elastic + self.trend;
+        if self.elastic >= 0.0 {
+            forecast.max(0.0)
+        } else {
+            forecast
+        }
+    }
+}
+
+/// What a chunk needs of its contacts while their forces are found.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Scratch {
+    /// Rate of approach [m/s].
+    pub(crate) rate: Vec<f64>,
+    pub(crate) size: Vec<PairSize>,
+    /// What the contacts remembered when the step began.
+    pub(crate) earlier: Vec<Coupled>,
+    /// Forces that the displacements follow from [N].
+    pub(crate) trial: Vec<f64>,
+    /// Forces that the laws answer with [N].
+    answer: Vec<f64>,
+    /// Overlaps of the displaced surfaces [m].
+    overlap: Vec<f64>,
+    /// Shifts of the levers that the influences were found with [m].
+    lever_shift: Vec<f64>,
+    rows: rows::Rows,
+    mixing: mixing::Memory,
+    memory: Vec<f64>,
+    /// The contact farthest from its solution.
+    pub(crate) worst: Worst,
+    /// Largest change of a lever since the influences were found, as a share of the smaller radius.
+    pub(crate) lever_change: f64,
+}
+
+impl Scratch {
+    pub(crate) fn clear(&mut self) {
+        self.rate.clear();
+        self.size.clear();
+        self.earlier.clear();
+    }
+
+    pub(crate) fn push(&mut self, rate: f64, size: PairSize, remembered: Coupled) {
+        self.rate.push(rate);
+        self.size.push(size);
+        self.earlier.push(remembered);
+    }
+
+    /// Takes the forces to begin with.
+    pub(crate) fn begin(&mut self, coupling: Coupling) {
+        self.trial.clear();
+        self.trial.extend(self.earlier.iter().map(|c| match coupling {
+            Coupling::Converged { .. } => c.foreseen(),
+            Coupling::Lagged => c.elastic,
+        }));
+        self.mixing.forget();
+    }
+}
+
+impl Scratch {
+    /// Takes the forces that the laws answered with.
+    pub(crate) fn accept(&mut self) {
+        self.trial.copy_from_slice(&self.answer);
+        self.mixing.forget();
+    }
+
+    pub(crate) fn note(&mut self) -> mixing::Products {
+        self.mixing.note(&self.trial, &self.answer)
+    }
+
+    pub(crate) fn forget(&mut self) {
+        self.mixing.forget();
+    }
+
+    pub(crate) fn advance(&mut self, weights: &mixing::Weights) {
+        self.mixing.advance(weights, &mut self.trial);
+    }
+}
+
+/// How far a contact is from its solution.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Worst {
+    /// Deviation of its force as a share of the largest force on its grains.
+    pub(crate) share: f64,
+    /// Index in its chunk.
+    pub(crate) contact: usize,
+}
+
+/// Whether no contact feels another.
+pub(crate) fn independent(materials: &Materials) -> bool {
+    struct Asks;
+    impl MultiContactVisitor for Asks {
+        type Output = bool;
+        fn visit<L: MultiContact>(self, _law: &L) -> bool {
+            L::INDEPENDENT
+        }
+    }
+    laws(materials).all(|law| law.visit(Asks))
+}
+
+/// Whether influences depend on the levers.
+pub(crate) fn feels_levers(materials: &Materials) -> bool {
+    struct Asks;
+    impl MultiContactVisitor for Asks {
+        type Output = bool;
+        fn visit<L: MultiContact>(self, _law: &L) -> bool {
+            L::FEELS_LEVERS
+        }
+    }
+    laws(materials).any(|law| law.visit(Asks))
+}
+
+fn laws(materials: &Materials) -> impl Iterator<Item = &MultiContactLaw> {
+    let count = materials.list().len() as u16;
+    let pairs = (0..count).flat_map(move |a| (0..count).map(move |b| (a, b)));
+    pairs.map(|(a, b)| &materials.law(materials.pair(a, b)).multi_contact)
+}
