@@ -62,7 +62,7 @@ impl Command {
             Self::ContactCurve(a) => a.json,
             Self::Sticking(a) => a.json,
             Self::Figure(a) => a.json,
-            Self::Fit(a) => a.json,
+            Self::Fit(a) => a.output.json,
             Self::Compare(a) => a.json,
             Self::Laws(a) => a.json,
             Self::New(_) => false,
@@ -213,14 +213,19 @@ pub struct FigureArguments {
 /// Of `demeter fit`.
 #[derive(Debug, Args)]
 pub struct FitArguments {
-    /// The file of observations
+    /// The file: observed collisions, or a measured force curve of a packing (a table `[packing]`)
     pub file: PathBuf,
     /// Change a value of the file, as `fit.law="linear"`; may be given many times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// Write one JSON object to standard output
-    #[arg(long)]
-    pub json: bool,
+    /// Folder for the runs of a packing, one per trial value; finished ones in it are used again
+    ///
+    /// Without it they go to `runs/fit-NAME`, where NAME is the name of the file.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to run it.
+    #[command(flatten)]
+    pub output: HowToRun,
 }
 
 /// Of `demeter compare`.

@@ -309,8 +309,8 @@ fn cycles_rows(strokes: &Strokes, thresholds: [Option<f64>; 2]) -> Vec<Vec<Strin
     ]
     .map(String::from)
     .to_vec();
-    titles.push("coordination".to_string());
-    titles.extend(above.iter().map(|tau| format!("coordination above {tau} N")));
+    titles.push("contacts per grain".to_string());
+    titles.extend(above.iter().map(|tau| format!("contacts per grain above {tau} N")));
     for title in &strokes.also {
         let deviation = match title.split_once(" [") {
             Some((name, unit)) => format!("{name} deviation [{unit}"),

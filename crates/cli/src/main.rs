@@ -14,6 +14,7 @@ mod exit;
 mod failure;
 mod figure;
 mod fit;
+mod fit_packing;
 mod info;
 mod interrupt;
 mod laws;

@@ -179,6 +179,8 @@ fn measured_curves_that_do_not_fit_are_refused() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn nothing_that_is_read_panics(cuts in prop::collection::vec((0..4000usize, prop::num::u8::ANY), 0..20), end in 0..6000usize) {
         let made = Made { contacts: Some(|_| ([4, 3, 2, 1, 0], [1; 5])), ..Made::default() };
