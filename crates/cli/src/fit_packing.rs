@@ -44,13 +44,17 @@ pub fn fit_packing(file: &PackingFile, arguments: &FitArguments) -> Result<Exit,
 
 /// `runs/fit-NAME`.
 fn default_folder(file: &Path) -> PathBuf {
-    let stem = file.file_stem().map_or_else(|| "packing".into(), |stem| stem.to_string_lossy());
+    let stem = file
+        .file_stem()
+        .map_or_else(|| "packing".into(), |stem| stem.to_string_lossy());
     Path::new("runs").join(format!("fit-{stem}"))
 }
 
 /// A value with four digits and its unit.
 fn short(unknown: &UnknownNumber, value: f64) -> String {
-    format!("{} {}", number(value), unknown.dimension.unit()).trim_end().to_string()
+    format!("{} {}", number(value), unknown.dimension.unit())
+        .trim_end()
+        .to_string()
 }
 
 /// The metrics of a trial.
@@ -63,7 +67,11 @@ fn metrics(comparison: &Comparison) -> String {
         Err(LeftOut(reason)) => format!("no Rtop ({reason})"),
     };
     let errf = match &comparison.errf {
-        Ok(misfit) => format!("errf {} N over {}", number(misfit.value), things(misfit.levels as u64, "level")),
+        Ok(misfit) => format!(
+            "errf {} N over {}",
+            number(misfit.value),
+            things(misfit.levels as u64, "level")
+        ),
         Err(LeftOut(reason)) => format!("no errf ({reason})"),
     };
     format!("{rtop}, {errf}")
@@ -101,10 +109,13 @@ fn to_text(file: &PackingFile, report: &PackingReport) -> String {
             let mut text = format!("{} = {}: {sought}\n", unknown.key, unknown.plain(trial.value));
             let mut rows = Rows::default();
             rows.add("last interval", format!("+- {}, {from}", short(unknown, width)));
-            rows.add("scatter over cycles", match scatter {
-                Some(error) => format!("+- {}", short(unknown, error)),
-                None => "not known: fewer than two cycles, or no slope".to_string(),
-            });
+            rows.add(
+                "scatter over cycles",
+                match scatter {
+                    Some(error) => format!("+- {}", short(unknown, error)),
+                    None => "not known: fewer than two cycles, or no slope".to_string(),
+                },
+            );
             text += &rows.lines();
             text
         }

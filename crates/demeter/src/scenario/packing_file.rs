@@ -44,7 +44,9 @@ impl FitTask {
         };
         if tells_packing {
             let base = path.parent().unwrap_or(Path::new(""));
-            return Ok(Self::Packing(Box::new(PackingFile::parse(&text, &name, base, overrides)?)));
+            return Ok(Self::Packing(Box::new(PackingFile::parse(
+                &text, &name, base, overrides,
+            )?)));
         }
         Ok(Self::Collisions(Box::new(FitFile::parse(&text, &name, overrides)?)))
     }
@@ -165,7 +167,10 @@ impl PackingFile {
         }
         let stages: Vec<&str> = scenario.stages.iter().map(|s| s.name.as_str()).collect();
         let cycles = |name: &str| stages.iter().filter(|stage| is_repeat(stage, name)).count();
-        let told = [("packing.load", Some(&self.reading.load)), ("packing.unload", self.reading.unload.as_ref())];
+        let told = [
+            ("packing.load", Some(&self.reading.load)),
+            ("packing.unload", self.reading.unload.as_ref()),
+        ];
         for (path, name) in told {
             let Some(name) = name else {
                 continue;
@@ -194,29 +199,46 @@ fn walk(table: &TableReader<'_>, base: &Path) -> Option<PackingFile> {
     if let Some(title) = table.optional("title") {
         title.label();
     }
-    let packing = table.required("packing", "a table of what is sought").and_then(|i| i.table())?;
+    let packing = table
+        .required("packing", "a table of what is sought")
+        .and_then(|i| i.table())?;
     let scenario = packing
         .required("scenario", "the scenario of the experiment, a file")
         .map(|item| base.join(item.text()));
-    let set = packing.optional("set").map_or(Vec::new(), |item| item.items().iter().map(Item::text).collect());
+    let set = packing
+        .optional("set")
+        .map_or(Vec::new(), |item| item.items().iter().map(Item::text).collect());
     let unknown = packing
-        .required("unknown", "what is sought, as { key = \"contact.multi_contact.prefactor\", from = 0.8, to = 1.3 }")
+        .required(
+            "unknown",
+            "what is sought, as { key = \"contact.multi_contact.prefactor\", from = 0.8, to = 1.3 }",
+        )
         .and_then(|item| item.table())
         .and_then(unknown);
     let matched = packing
-        .required("match", "\"top\", the force at the largest compression, or \"curve\", all forces")
+        .required(
+            "match",
+            "\"top\", the force at the largest compression, or \"curve\", all forces",
+        )
         .and_then(|item| item.choice(&["top", "curve"]));
     let tolerance = unknown.as_ref().map(|u| tolerance(&packing, u));
     let reading = reading(&packing);
     let measured = packing
-        .required("measured", "a table with the measured curve: file, or loading and unloading")
+        .required(
+            "measured",
+            "a table with the measured curve: file, or loading and unloading",
+        )
         .and_then(|item| measured(&item, base));
     if unknown.is_none() {
         // what the tolerance is cannot be told; it is no unknown key
         packing.optional("tolerance");
     }
     packing.finish("[packing]");
-    for entry in table.named().iter().filter(|e| e.name != "packing" && e.name != "title") {
+    for entry in table
+        .named()
+        .iter()
+        .filter(|e| e.name != "packing" && e.name != "title")
+    {
         entry.fault(
             format!("unknown key `{}` in a file of a packing", entry.name),
             Some("a file tells a packing or collisions; keep them apart".to_string()),
@@ -234,7 +256,10 @@ fn walk(table: &TableReader<'_>, base: &Path) -> Option<PackingFile> {
 }
 
 fn unknown(table: TableReader<'_>) -> Option<UnknownNumber> {
-    let key = table.required("key", "the key of a number of the scenario, as \"contact.multi_contact.prefactor\"");
+    let key = table.required(
+        "key",
+        "the key of a number of the scenario, as \"contact.multi_contact.prefactor\"",
+    );
     let [from, to] = ["from", "to"].map(|end| table.required(end, "an end of the interval in which it is sought"));
     let key = key.map(|item| item.text());
     let (from, to) = (number(&from?)?, number(&to?)?);
@@ -291,7 +316,9 @@ fn reading(packing: &TableReader<'_>) -> Reading {
         Some(item) => Some(item.label()),
         None => usual.unload,
     };
-    let discard = packing.optional("discard").map_or(0, |item| item.integer(0, MAX_DISCARDED));
+    let discard = packing
+        .optional("discard")
+        .map_or(0, |item| item.integer(0, MAX_DISCARDED));
     Reading {
         load: text("load", usual.load),
         unload,
@@ -317,7 +344,12 @@ fn measured(item: &Item<'_>, base: &Path) -> Option<Strokes> {
     table.finish("the measured curve");
     let refuse = |error: CompareError| item.fault(error.to_string(), None);
     let strokes = read.map_err(refuse).ok()?;
-    if strokes.loading.iter().chain(&strokes.unloading).all(|level| level.force.is_none()) {
+    if strokes
+        .loading
+        .iter()
+        .chain(&strokes.unloading)
+        .all(|level| level.force.is_none())
+    {
         item.fault("the measured curve tells no force", None);
         return None;
     }
@@ -367,5 +399,8 @@ fn points(item: &Item<'_>, position: &mut Option<Position>) -> Option<Points> {
         let force = force.quantity(Kind::Physical(Dimension::FORCE), Range::FINITE);
         points.push((at.quantity(kind, Range::FINITE), force));
     }
-    points.iter().all(|(at, force)| at.is_finite() && force.is_finite()).then_some(points)
+    points
+        .iter()
+        .all(|(at, force)| at.is_finite() && force.is_finite())
+        .then_some(points)
 }

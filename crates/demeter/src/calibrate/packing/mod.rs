@@ -91,8 +91,13 @@ pub fn fit_packing(
     let trials = laboratory.trials;
     let best = best(&trials, file.matched);
     let answer = match found {
-        Found::Inside { bracket: (low, high), .. } => Answer::Inside {
-            bracket: (rounded(low, interval, file.tolerance), rounded(high, interval, file.tolerance)),
+        Found::Inside {
+            bracket: (low, high), ..
+        } => Answer::Inside {
+            bracket: (
+                rounded(low, interval, file.tolerance),
+                rounded(high, interval, file.tolerance),
+            ),
             scatter: best.and_then(|best| scatter(&trials, best, file)),
         },
         Found::Lower => Answer::LowerEnd,
@@ -121,13 +126,20 @@ fn misfit(comparison: &Comparison, matched: Match) -> Result<f64, LeftOut> {
     match matched {
         Match::Top => comparison.rtop.as_ref().map(|r| r.value - 1.0).map_err(Clone::clone),
         // the square is nearly a parabola
-        Match::Curve => comparison.errf.as_ref().map(|m| m.value * m.value).map_err(Clone::clone),
+        Match::Curve => comparison
+            .errf
+            .as_ref()
+            .map(|m| m.value * m.value)
+            .map_err(Clone::clone),
     }
 }
 
 fn best(trials: &[Trial], matched: Match) -> Option<usize> {
     let misfit = |trial: &Trial| Some(misfit(trial.comparison()?, matched).ok()?.abs());
-    let all = trials.iter().enumerate().filter_map(|(k, trial)| Some((k, misfit(trial)?)));
+    let all = trials
+        .iter()
+        .enumerate()
+        .filter_map(|(k, trial)| Some((k, misfit(trial)?)));
     all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, _)| k)
 }
 
@@ -139,7 +151,8 @@ fn scatter(trials: &[Trial], best: usize, file: &PackingFile) -> Option<f64> {
     let distance = |trial: &Trial| (trial.value - trials[best].value).abs();
     let others = || trials.iter().filter(|t| t.comparison().is_some() && distance(t) > 0.0);
     let by_distance = |a: &&Trial, b: &&Trial| distance(a).total_cmp(&distance(b));
-    let other = (others().filter(|t| distance(t) >= width).min_by(by_distance)).or_else(|| others().max_by(by_distance))?;
+    let other =
+        (others().filter(|t| distance(t) >= width).min_by(by_distance)).or_else(|| others().max_by(by_distance))?;
     let there = other.comparison()?;
     let step = trials[best].value - other.value;
     if file.matched == Match::Top {

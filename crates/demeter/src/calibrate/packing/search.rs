@@ -60,7 +60,11 @@ pub(super) fn root<E>(
             _ => (middle, middle),
         };
         (a, fa) = (b, fb);
-        b += if last.abs() > tolerance { last } else { tolerance.copysign(middle) };
+        b += if last.abs() > tolerance {
+            last
+        } else {
+            tolerance.copysign(middle)
+        };
         fb = f(b)?;
     }
     let bracket = if fb == 0.0 { (b, b) } else { (b.min(c), b.max(c)) };
@@ -108,9 +112,7 @@ pub(super) fn least<E>(
         });
         (before_last, last) = match way {
             // not too close to an end
-            Some(way) if x + way - low < 2.0 * step || high - x - way < 2.0 * step => {
-                (last, step.copysign(middle - x))
-            }
+            Some(way) if x + way - low < 2.0 * step || high - x - way < 2.0 * step => (last, step.copysign(middle - x)),
             Some(way) => (last, way),
             None => {
                 let rest = if x < middle { high - x } else { low - x };
@@ -119,7 +121,13 @@ pub(super) fn least<E>(
         };
         let u = x + if last.abs() >= step { last } else { step.copysign(last) };
         let fu = f(u)?;
-        if fu <= fx {
+        // of what is too large, the lower is less so
+        let better = if fx.is_finite() || fu.is_finite() {
+            fu <= fx
+        } else {
+            u < x
+        };
+        if better {
             *(if u < x { &mut high } else { &mut low }) = x;
             (v, fv, w, fw, x, fx) = (w, fw, x, fx, u, fu);
         } else {
@@ -158,7 +166,10 @@ mod tests {
     type Place = Result<f64, ()>;
 
     /// A search, and how many evaluations it took.
-    fn counted(search: impl FnOnce(&dyn Fn(f64) -> Place) -> Result<Found, ()>, f: impl Fn(f64) -> f64) -> (Found, usize) {
+    fn counted(
+        search: impl FnOnce(&dyn Fn(f64) -> Place) -> Result<Found, ()>,
+        f: impl Fn(f64) -> f64,
+    ) -> (Found, usize) {
         let seen = RefCell::new(0);
         let found = search(&|x| {
             *seen.borrow_mut() += 1;
@@ -181,7 +192,7 @@ mod tests {
         // the force of the hydrogel packing against the prefactor, roughly
         let force = |x: f64| 0.43 + 0.37 * x + 0.13 * x * x * x * x - 1.0;
         let (found, evaluations) = counted(|f| root((0.8, 1.3), 0.005, f), force);
-        assert_inside(found, 1.092_976, 0.005);
+        assert_inside(found, 1.073_659, 0.005);
         assert!(evaluations <= 5, "{evaluations}");
         let falling = |x: f64| 1.0 / x - 0.5;
         let (found, evaluations) = counted(|f| root((1.0, 10.0), 1e-9, f), falling);

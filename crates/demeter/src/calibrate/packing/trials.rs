@@ -88,16 +88,19 @@ impl Laboratory<'_> {
         let number = self.trials.len() + 1;
         let (folder, reused, end) = match place {
             Place::Finished(folder) => {
-                self.observer.message(&format!("trial {number}: {what}, from {}", folder.display()));
+                self.observer
+                    .message(&format!("trial {number}: {what}, from {}", folder.display()));
                 (folder, true, RunEnd::Finished)
             }
             Place::Begun(folder) => {
-                self.observer.message(&format!("trial {number}: {what}, going on in {}", folder.display()));
+                self.observer
+                    .message(&format!("trial {number}: {what}, going on in {}", folder.display()));
                 let report = resume(&folder, self.options(), self.observer)?;
                 (folder, true, report.end)
             }
             Place::Free(folder) => {
-                self.observer.message(&format!("trial {number}: {what}, in {}", folder.display()));
+                self.observer
+                    .message(&format!("trial {number}: {what}, in {}", folder.display()));
                 let report = run(&scenario, &folder, self.options(), self.observer)?;
                 (folder, false, report.end)
             }
