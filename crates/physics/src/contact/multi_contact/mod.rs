@@ -91,6 +91,7 @@ law_family! {
         independent::Independent,
         half_space::HalfSpace,
         sphere_to_sphere::SphereToSphere,
+        point_on_sphere::PointOnSphere,
     }
 }
 
