@@ -347,8 +347,8 @@ fn bhat(run: &Strokes, reference: &Strokes, remarks: &mut Vec<String>) -> Metric
         return left_out("the distributions of forces have no force in common: bhat is infinite");
     }
     Ok(Misfit {
-        // a mean above 1 is rounding
-        value: -libm::log((sum / f64::from(levels)).min(1.0)),
+        // a mean above 1 is rounding; 0 without a sign
+        value: 0.0 - libm::log((sum / f64::from(levels)).min(1.0)),
         levels: levels as usize,
     })
 }
