@@ -5,7 +5,7 @@
 
 use super::cases::values;
 use super::multi_contact::MultiContactCase;
-use crate::contact::multi_contact::{Body, ContactPair, LAWS};
+use crate::contact::multi_contact::{ContactPair, LAWS};
 use crate::contact::{Elastic, MaterialPair};
 use crate::root::bracketed;
 use glam::DVec3;
@@ -117,7 +117,7 @@ fn influence(law: &MultiContactCase, from: &Contact, to: &Contact) -> f64 {
         least_distance_squared: 0.25,
         radius: 1.0,
     };
-    law.influence(Body::First, &at)
+    law.influence(&at)
 }
 
 /// Forces in balance with the displacements, or none where they grow without end.

@@ -3,7 +3,7 @@
 mod series;
 mod table;
 
-use super::{Bodies, Body, ContactPair, MultiContact};
+use super::{ContactPair, Material, MultiContact};
 use crate::contact::MaterialPair;
 use crate::parameters::{ParameterError, ParameterInfo, Values};
 use crate::params;
@@ -17,8 +17,8 @@ params! {
 /// Point force on a sphere, bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointOnSphere {
-    bodies: Bodies,
-    displacements: [&'static Displacements; 2],
+    grain: Material,
+    displacements: &'static Displacements,
 }
 
 impl MultiContact for PointOnSphere {
@@ -31,28 +31,28 @@ impl MultiContact for PointOnSphere {
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         PointOnSphereParameters::from_values(values)?;
         Ok(Self {
-            bodies: Bodies::new(pair),
-            displacements: [pair.a, pair.b].map(|m| Displacements::of(m.poisson_ratio)),
+            grain: Material::new(pair),
+            displacements: Displacements::of(pair.a.poisson_ratio),
         })
     }
 
     #[inline(always)]
-    fn influence(&self, body: Body, at: &ContactPair) -> f64 {
-        let (compliance, _) = self.bodies.of(body);
+    fn influence(&self, at: &ContactPair) -> f64 {
+        let (compliance, _) = self.grain.terms();
         let half = 0.5 / at.radius;
         let square = (0.5 * (1.0 - at.cosine)).max(at.least_distance_squared * (half * half));
-        compliance * half * self.displacements[body as usize].at(square)
+        compliance * half * self.displacements.at(square)
     }
 
-    fn largest_bulge(&self, body: Body, radius: f64, _least_lever: f64) -> f64 {
-        let (compliance, _) = self.bodies.of(body);
-        0.5 * compliance / radius * self.displacements[body as usize].largest()
+    fn largest_bulge(&self, radius: f64, _least_lever: f64) -> f64 {
+        let (compliance, _) = self.grain.terms();
+        0.5 * compliance / radius * self.displacements.largest()
     }
 
-    fn largest_pull(&self, body: Body, radius: f64, least_distance: f64) -> f64 {
-        let (compliance, _) = self.bodies.of(body);
+    fn largest_pull(&self, radius: f64, least_distance: f64) -> f64 {
+        let (compliance, _) = self.grain.terms();
         let sine = 0.5 * least_distance / radius;
-        0.5 * compliance / radius * self.displacements[body as usize].deepest_from(sine * sine)
+        0.5 * compliance / radius * self.displacements.deepest_from(sine * sine)
     }
 }
 
@@ -92,7 +92,7 @@ mod tests {
             (0.3, 90.0, 0.781_424_743_318_310_7),
         ] {
             let law = PointOnSphere::new(&Values::new(), &pair(nu)).unwrap();
-            let found = law.influence(Body::First, &on_the_sphere(degrees));
+            let found = law.influence(&on_the_sphere(degrees));
             assert_relative_eq!(found * 4.0 * PI / (1.0 + nu), expected, max_relative = 1e-12);
         }
     }
@@ -104,7 +104,7 @@ mod tests {
             let near = SphereToSphere::new(&Values::new(), &pair(nu)).unwrap();
             for degrees in [0.003, 0.03, 0.3] {
                 let at = on_the_sphere(degrees);
-                let (one, other) = (exact.influence(Body::First, &at), near.influence(Body::First, &at));
+                let (one, other) = (exact.influence(&at), near.influence(&at));
                 // what is left grows as the logarithm of the angle
                 let share = 2.0 * libm::log(degrees).abs() * degrees * PI / 180.0 + 5e-2 * degrees;
                 assert!(
@@ -129,7 +129,7 @@ mod tests {
                         cosine: 1.0 - 2.0 * sine * sine,
                         ..on_the_sphere(0.0)
                     };
-                    2.0 * sine * law.influence(Body::First, &at) / f64::from(steps)
+                    2.0 * sine * law.influence(&at) / f64::from(steps)
                 })
                 .sum();
             let expected = -(1.0 - 2.0 * nu) / (4.0 * PI);

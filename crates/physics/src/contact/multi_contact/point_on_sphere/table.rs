@@ -48,7 +48,13 @@ impl PartialEq for Displacements {
 /// Cell of a number within the table, and its scaled distance from the middle.
 #[inline(always)]
 fn place(square: f64) -> (usize, f64) {
-    let bits = square.max(SMALLEST).min(LARGEST).to_bits();
+    // not `clamp`, which lets pass what is not a number
+    let within = if square > SMALLEST {
+        square.min(LARGEST)
+    } else {
+        SMALLEST
+    };
+    let bits = within.to_bits();
     let scaled = f64::from_bits((bits & MANTISSA) | ONE);
     let half = 1 << (SHIFT - 1);
     let middle = f64::from_bits((bits & MANTISSA & !(2 * half - 1)) | half | ONE);
