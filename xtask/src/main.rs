@@ -40,7 +40,7 @@ enum Command {
     Layers,
     /// Write the files of a new contact law and register it
     NewLaw {
-        /// `normal`, `tangential` or `rolling`
+        /// `normal`, `tangential`, `rolling` or `multi-contact`
         family: new_law::Family,
         /// Name in the scenario, such as `thornton-ning`
         name: String,

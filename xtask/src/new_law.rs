@@ -9,6 +9,7 @@ pub enum Family {
     Normal,
     Tangential,
     Rolling,
+    MultiContact,
 }
 
 impl Family {
@@ -17,6 +18,7 @@ impl Family {
             Self::Normal => "normal",
             Self::Tangential => "tangential",
             Self::Rolling => "rolling",
+            Self::MultiContact => "multi_contact",
         }
     }
 
@@ -34,6 +36,10 @@ impl Family {
             Self::Rolling => (
                 include_str!("new_law_templates/rolling.rs.txt"),
                 include_str!("new_law_templates/rolling.md"),
+            ),
+            Self::MultiContact => (
+                include_str!("new_law_templates/multi_contact.rs.txt"),
+                include_str!("new_law_templates/multi_contact.md"),
             ),
         }
     }
@@ -132,6 +138,7 @@ fn register(registry: &str, names: &Names) -> Result<String, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::ValueEnum;
     use std::process::Command;
 
     fn copy(from: &Path, to: &Path) {
@@ -165,7 +172,7 @@ mod tests {
     fn a_new_law_of_each_family_compiles_and_passes_the_conformance_tests() {
         let copy = tempfile::tempdir().unwrap();
         physics_alone(copy.path());
-        for family in [Family::Normal, Family::Tangential, Family::Rolling] {
+        for &family in Family::value_variants() {
             let folder = copy.path().join("crates/physics/src/contact").join(family.folder());
             generate(&folder, family, "brand-new2").unwrap();
             let again = generate(&folder, family, "brand-new2").unwrap_err();
@@ -196,7 +203,7 @@ mod tests {
     #[test]
     fn what_is_written_is_formatted() {
         let names = Names::new("brand-new2").unwrap();
-        for family in [Family::Normal, Family::Tangential, Family::Rolling] {
+        for &family in Family::value_variants() {
             let folder = tempfile::tempdir().unwrap();
             let file = folder.path().join("law.rs");
             write(&file, &names.fill(family.templates().0)).unwrap();

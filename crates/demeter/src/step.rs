@@ -25,7 +25,6 @@ impl Simulation {
         let motion = self.move_grains();
         self.move_walls();
         self.check_places(&motion)?;
-        self.foresee_bulges();
         if self.candidates_are_stale(&motion) {
             self.find_candidates();
             self.foresee_bulges();

@@ -71,6 +71,7 @@ fn a_resolved_scenario_means_the_same() {
                 s.grains.clone(),
                 s.walls.clone(),
                 s.stages.clone(),
+                s.measures.clone(),
                 s.output.clone(),
             );
             format!("{head:?}{body:?}")

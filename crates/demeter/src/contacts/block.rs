@@ -297,26 +297,9 @@ impl ContactChunk {
                 self.torque_j[k] = -rolling[b] - arm * contact.lever_j;
             }
             if scene.is_coupled() {
-                self.remember_coupling(first, &elastic[..last - first]);
+                self.remember_coupling(first, &elastic[..last - first], scene);
             }
             first = last;
-        }
-    }
-}
-
-impl ContactChunk {
-    /// Remembers the elastic forces for the displacements to come, and books what the displacements put into the stored
-    /// energy.
-    ///
-    /// Stored are `U = sum Phi(overlap + D) - F D / 2`. From one step to the next it grows by the work `F d(overlap)` and by
-    /// `(F_0 D_1 - F_1 D_0)/2`: nothing, where influences are mutual and do not change.
-    fn remember_coupling(&mut self, first: usize, elastic: &[f64]) {
-        for (k, &force) in (first..).zip(elastic) {
-            let earlier = self.coupling.earlier[k];
-            let coupled = &mut self.now.coupling[k];
-            self.tally.multi_contact += 0.5 * (earlier.elastic * coupled.sum() - force * earlier.sum());
-            coupled.elastic = force;
-            coupled.trend = force - earlier.elastic;
         }
     }
 }

@@ -149,6 +149,22 @@ impl ContactChunk {
         &self.now.normal_force
     }
 
+    /// Whether a contact acts: its normal force is not zero.
+    ///
+    /// The table also holds bodies that are merely near: across a gap within the reach of an attraction or of a bulge,
+    /// or about to touch within half a step; and bodies that touch without force, in the dent of a plastic contact or
+    /// while they part faster than they relax. None of these carries load, and how many of them are in the table
+    /// depends on the time step and on the law. What is counted, written or averaged is therefore what acts.
+    #[inline(always)]
+    pub fn acts(&self, contact: usize) -> bool {
+        self.now.normal_force[contact] != 0.0
+    }
+
+    /// Number of contacts that act.
+    pub fn acting(&self) -> usize {
+        (0..self.len()).filter(|&k| self.acts(k)).count()
+    }
+
     /// Material pair of every contact.
     pub fn pair(&self) -> &[u32] {
         &self.now.pair
@@ -188,12 +204,22 @@ pub struct Contacts {
 }
 
 impl Contacts {
-    /// Number of contacts between grains.
+    /// Number of contacts between grains that act; see [`ContactChunk::acts`].
+    pub fn acting_pairs(&self) -> usize {
+        self.pairs.iter().map(ContactChunk::acting).sum()
+    }
+
+    /// Number of contacts with walls that act; see [`ContactChunk::acts`].
+    pub fn acting_walls(&self) -> usize {
+        self.walls.iter().map(ContactChunk::acting).sum()
+    }
+
+    /// Number of contacts between grains in the table, those without force counted.
     pub fn pair_count(&self) -> usize {
         self.pairs.iter().map(ContactChunk::len).sum()
     }
 
-    /// Number of contacts with walls.
+    /// Number of contacts with walls in the table, those without force counted.
     pub fn wall_count(&self) -> usize {
         self.walls.iter().map(ContactChunk::len).sum()
     }

@@ -77,7 +77,7 @@ impl Scene<'_> {
 
     /// Whether two bodies act on each other at any moment of this step; `overlap` with all that they may bulge.
     #[inline(always)]
-    fn acts(&self, pair: u32, size: impl Fn() -> PairSize, overlap: f64, rate: f64) -> bool {
+    pub(crate) fn acts(&self, pair: u32, size: impl Fn() -> PairSize, overlap: f64, rate: f64) -> bool {
         let half_window = 0.5 * self.dt * rate.abs();
         if overlap + half_window > 0.0 {
             return true;

@@ -60,11 +60,18 @@ impl PairChoice {
                 .as_ref()
                 .map(|c| RollingLaw::build(&c.law, &c.parameters, &pair))
                 .transpose()?,
-            multi_contact: (self.multi_contact.as_ref())
-                .map(|c| MultiContactLaw::build(&c.law, &c.parameters, &pair))
-                .transpose()?
-                .unwrap_or(MultiContactLaw::Independent(Independent)),
+            multi_contact: [self.displaced(a)?, self.displaced(b)?],
         })
+    }
+
+    /// The law by which the surface of a grain is displaced: bound to its material alone, so that equal laws are equal.
+    fn displaced(&self, grain: &Material) -> Result<MultiContactLaw, LawError> {
+        let (a, b) = (grain.elastic(), grain.elastic());
+        self.multi_contact
+            .as_ref()
+            .map_or(Ok(MultiContactLaw::Independent(Independent)), |c| {
+                MultiContactLaw::build(&c.law, &c.parameters, &MaterialPair { a, b })
+            })
     }
 }
 

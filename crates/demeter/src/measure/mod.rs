@@ -1,11 +1,21 @@
-//! What is measured of a state: energies, contact statistics, stress, wall loads.
+//! What is measured of a state: energies, contact statistics, stress, wall loads, and what a scenario asks for beside:
+//! networks of contacts and distributions of forces.
+//!
+//! A contact counts when it acts, that is, when its normal force is not zero: [`ContactChunk::acts`].
 
+mod forces;
+mod network;
 mod records;
+mod sphere_in_box;
 
 pub use crate::simulation::Energies;
+pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
+pub use network::{ContactNetwork, NetworkMeasures};
 pub use records::{contact_records, wall_surfaces};
+pub use sphere_in_box::sphere_in_box;
 
 use crate::contacts::ContactChunk;
+use crate::particles::Grains;
 use crate::simulation::Simulation;
 use glam::DVec3;
 
@@ -18,7 +28,7 @@ pub struct WallLoad {
     pub torque: DVec3,
     /// Displacement of the wall since the start of the run [m].
     pub displacement: DVec3,
-    /// Number of contacts with grains.
+    /// Number of contacts with grains that act.
     pub contacts: u32,
 }
 
@@ -35,9 +45,9 @@ pub struct Measures {
     pub stage_time: f64,
     /// Number of grains.
     pub grains: usize,
-    /// Number of contacts between grains.
+    /// Number of contacts between grains that act.
     pub contacts: usize,
-    /// Mean number of contacts per grain, those with walls counted.
+    /// Mean number of contacts that act per grain, those with walls counted.
     pub coordination: f64,
     /// Largest overlap as a share of the smaller radius.
     pub max_overlap: f64,
@@ -59,6 +69,8 @@ pub struct Measures {
     pub momentum: DVec3,
     /// One entry per wall.
     pub walls: Vec<WallLoad>,
+    /// One entry per [`ContactNetwork`] that was asked for; [`measure`] leaves it empty.
+    pub networks: Vec<NetworkMeasures>,
 }
 
 /// A wall whose displacement tells the strain of the packing: `strain = (displacement . direction - from) / length`.
@@ -93,7 +105,7 @@ pub struct Moment {
 pub fn measure(sim: &mut Simulation, moment: Moment, gauge: Option<&StrainGauge>) -> Measures {
     let energies = sim.energies();
     let grains = &sim.grains;
-    let (contacts, wall_contacts) = (sim.contacts.pair_count(), sim.contacts.wall_count());
+    let (contacts, wall_contacts) = (sim.contacts.acting_pairs(), sim.contacts.acting_walls());
     let (volume, solid) = volumes(sim);
     let mut momentum = DVec3::ZERO;
     let mut speed2 = 0.0f64;
@@ -117,6 +129,7 @@ pub fn measure(sim: &mut Simulation, moment: Moment, gauge: Option<&StrainGauge>
         strain: gauge.map(|g| g.strain(sim)),
         momentum,
         walls: wall_loads(sim),
+        networks: Vec::new(),
         energies,
     }
 }
@@ -127,15 +140,20 @@ pub fn kinetic_over_elastic(energies: &Energies) -> f64 {
     if kinetic > 0.0 { kinetic / energies.elastic } else { 0.0 }
 }
 
-/// Volume of the bounding box of the grains' surfaces, whole in periodic directions, and solid volume [m^3].
-fn volumes(sim: &Simulation) -> (f64, f64) {
+/// Corners of the box around the grains' surfaces [m]; infinite, the lower above the upper, without grains.
+fn bounds(grains: &Grains) -> (DVec3, DVec3) {
     let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let mut solid = 0.0;
-    for (&p, &r) in sim.grains.position.iter().zip(&sim.grains.radius) {
+    for (&p, &r) in grains.position.iter().zip(&grains.radius) {
         lower = lower.min(p - r);
         upper = upper.max(p + r);
-        solid += 4.0 / 3.0 * std::f64::consts::PI * r * r * r;
     }
+    (lower, upper)
+}
+
+/// Volume of the bounding box of the grains' surfaces, whole in periodic directions, and solid volume [m^3].
+fn volumes(sim: &Simulation) -> (f64, f64) {
+    let (lower, upper) = bounds(&sim.grains);
+    let solid = (sim.grains.radius.iter()).fold(0.0, |sum, r| sum + 4.0 / 3.0 * std::f64::consts::PI * r * r * r);
     let mut size = if sim.grains.is_empty() {
         DVec3::ZERO
     } else {
@@ -207,8 +225,8 @@ fn wall_loads(sim: &Simulation) -> Vec<WallLoad> {
         })
         .collect();
     for chunk in &sim.contacts.walls {
-        for &wall in &chunk.j {
-            loads[wall as usize].contacts += 1;
+        for k in (0..chunk.len()).filter(|&k| chunk.acts(k)) {
+            loads[chunk.j[k] as usize].contacts += 1;
         }
     }
     loads

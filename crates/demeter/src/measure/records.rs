@@ -5,12 +5,16 @@ use crate::output::{ContactRecord, WallSurface};
 use crate::simulation::Simulation;
 use glam::DVec3;
 
-/// All contacts, between grains first, in the order of the tables.
+/// All contacts that act ([`ContactChunk::acts`]), between grains first, in the order of the tables.
+///
+/// Bodies that are near, or touch without force, are left out: they would appear as contacts in pictures and counts, and
+/// as many of them as the time step and the reach of the law happen to gather.
 pub fn contact_records(sim: &Simulation) -> Vec<ContactRecord> {
-    let mut records = Vec::with_capacity(sim.contacts.pair_count() + sim.contacts.wall_count());
+    let mut records = Vec::with_capacity(sim.contacts.acting_pairs() + sim.contacts.acting_walls());
     for (wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
         for chunk in chunks {
-            records.extend((0..chunk.len()).map(|k| record(sim, chunk, k, wall)));
+            let acting = (0..chunk.len()).filter(|&k| chunk.acts(k));
+            records.extend(acting.map(|k| record(sim, chunk, k, wall)));
         }
     }
     records
@@ -37,11 +41,7 @@ fn record(sim: &Simulation, chunk: &ContactChunk, k: usize, wall: bool) -> Conta
 
 /// All walls with what they feel; infinite ones are cut by the bounds of the grains.
 pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
-    let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for (&p, &r) in sim.grains.position.iter().zip(&sim.grains.radius) {
-        lower = lower.min(p - r);
-        upper = upper.max(p + r);
-    }
+    let (mut lower, mut upper) = super::bounds(&sim.grains);
     if sim.grains.is_empty() {
         (lower, upper) = (DVec3::ZERO, DVec3::ZERO);
     }

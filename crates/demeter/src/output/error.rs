@@ -53,7 +53,7 @@ pub enum OutputError {
         /// The file that is missing.
         marker: &'static str,
     },
-    /// The series does not belong to the run.
+    /// A file of rows does not belong to the run.
     #[error(
         "`{}` does not continue this run: {problem}. Move the file away; a new one is then started.",
         path.display()
@@ -65,13 +65,15 @@ pub enum OutputError {
         problem: String,
     },
     /// A row does not fit the header.
-    #[error("a row of `{}` has {found} walls, its header has {expected}. This is a defect of Demeter.", path.display())]
+    #[error("a row of `{}` has {found} {what}, its header has {expected}. This is a defect of Demeter.", path.display())]
     RowDoesNotFit {
         /// The file.
         path: PathBuf,
-        /// Walls of the header.
+        /// What differs in number.
+        what: &'static str,
+        /// How many the header has.
         expected: usize,
-        /// Walls of the row.
+        /// How many the row has.
         found: usize,
     },
     /// Something cannot be encoded.

@@ -96,11 +96,14 @@ impl RunFolder {
             (self.frames(), is_frame as fn(&str) -> bool),
             (self.plots(), is_plot),
             (self.pictures(), is_picture),
+            (self.distributions(), is_distribution),
         ] {
             for name in names_in(&sub)?.into_iter().filter(|name| ours(name)) {
                 remove_if_there(&sub.join(name))?;
             }
         }
+        // made by those runs only that measure distributions; it stays when it holds other files
+        let _ = fs::remove_dir(self.distributions());
         Ok(())
     }
 
@@ -169,6 +172,22 @@ impl RunFolder {
         self.pictures().join(format!("{number:02}-{}.png", file_stem(stage)))
     }
 
+    /// Folder of the distributions; [`RunFolder::make_distributions`] makes it.
+    pub fn distributions(&self) -> PathBuf {
+        self.root.join("distributions")
+    }
+
+    /// Makes the folder of the distributions.
+    pub fn make_distributions(&self) -> Result<(), OutputError> {
+        let sub = self.distributions();
+        fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
+    }
+
+    /// The distribution that a measure writes, by the name of the measure.
+    pub fn distribution(&self, measure: &str) -> PathBuf {
+        self.distributions().join(format!("{measure}.csv"))
+    }
+
     /// A plot, by name without extension.
     pub fn plot(&self, name: &str) -> PathBuf {
         self.plots().join(format!("{}.svg", file_stem(name)))
@@ -200,6 +219,10 @@ fn is_picture(name: &str) -> bool {
 
 fn is_plot(name: &str) -> bool {
     name.strip_suffix(".part").unwrap_or(name).ends_with(".svg")
+}
+
+fn is_distribution(name: &str) -> bool {
+    name.ends_with(".csv")
 }
 
 fn remove_if_there(path: &Path) -> Result<(), OutputError> {
@@ -245,6 +268,8 @@ mod tests {
         folder
             .write(&folder.frames().join("grains_0000000001.vtp"), b"x")
             .unwrap();
+        folder.make_distributions().unwrap();
+        fs::write(folder.distribution("forces"), b"step\n").unwrap();
         fs::write(place.path().join("notes.txt"), "mine").unwrap();
         let error = RunFolder::create(place.path(), false).unwrap_err();
         assert!(matches!(error, OutputError::HoldsARun { .. }));
@@ -253,6 +278,7 @@ mod tests {
         RunFolder::create(place.path(), true).unwrap();
         assert!(!folder.series().exists());
         assert!(!folder.frames().join("grains_0000000001.vtp").exists());
+        assert!(!folder.distributions().exists());
         assert_eq!(fs::read(place.path().join("notes.txt")).unwrap(), b"mine");
     }
 

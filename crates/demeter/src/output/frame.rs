@@ -55,7 +55,7 @@ pub struct Frame<'a> {
     pub grains: &'a Grains,
     /// Materials, by index.
     pub materials: &'a [Material],
-    /// All contacts.
+    /// All contacts that act.
     pub contacts: &'a [ContactRecord],
     /// All walls.
     pub walls: &'a [WallSurface<'a>],

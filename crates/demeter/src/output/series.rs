@@ -1,11 +1,10 @@
 //! The time series: one row of measures per line of a CSV file.
 
 use super::error::OutputError;
-use crate::measure::{Measures, WallLoad};
+use super::rows::RowFile;
+use crate::measure::{Measures, NetworkMeasures, WallLoad};
 use std::fmt::Write as _;
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// A value of a row.
 enum Cell {
@@ -46,13 +45,16 @@ pub const COLUMNS: &[Column<Measures>] = {
             Number(m.stage_time)
         }),
         column("grains", "", "number of grains", |m| Count(m.grains as u64)),
-        column("contacts", "", "number of contacts between grains", |m| {
-            Count(m.contacts as u64)
-        }),
+        column(
+            "contacts",
+            "",
+            "number of contacts between grains that act: their normal force is not zero",
+            |m| Count(m.contacts as u64),
+        ),
         column(
             "coordination",
             "",
-            "mean number of contacts per grain, those with walls counted",
+            "mean number of contacts that act per grain, those with walls counted",
             |m| Number(m.coordination),
         ),
         column(
@@ -198,9 +200,52 @@ pub const WALL_COLUMNS: &[Column<WallLoad>] = {
         column("displacement z", "m", "displacement since the start of the run", |w| {
             Number(w.displacement.z)
         }),
-        column("contacts", "", "number of contacts with grains", |w| {
+        column("contacts", "", "number of contacts with grains that act", |w| {
             Count(u64::from(w.contacts))
         }),
+    ]
+};
+
+/// Columns of every contact network, in order.
+pub const NETWORK_COLUMNS: &[Column<NetworkMeasures>] = {
+    use Cell::{Count, Number};
+    &[
+        column(
+            "contacts",
+            "",
+            "number of contacts between grains that carry at least the threshold",
+            |n| Count(n.contacts as u64),
+        ),
+        column(
+            "coordination",
+            "",
+            "mean number of contacts per grain that carry at least the threshold, those with walls counted",
+            |n| Number(n.coordination),
+        ),
+        column(
+            "mean force",
+            "N",
+            "mean normal force of these contacts between grains; NaN without any",
+            |n| Number(n.mean_force),
+        ),
+        column(
+            "centre distance",
+            "m",
+            "mean distance of the centres of the grains of these contacts; NaN without any",
+            |n| Number(n.centre_distance),
+        ),
+        column(
+            "packing fraction",
+            "",
+            "solid volume over the volume of the core of the packing, overlaps not subtracted; NaN when the core is empty",
+            |n| Number(n.packing_fraction),
+        ),
+        column(
+            "scaling",
+            "N m",
+            "coordination x packing fraction x centre distance x mean force; NaN when one of them is",
+            |n| Number(n.scaling()),
+        ),
     ]
 };
 
@@ -220,6 +265,11 @@ fn wall_title(wall: &str, column: &Column<WallLoad>) -> String {
     format!("wall {wall} {}", column.title())
 }
 
+/// Header name of a column of a contact network: `packing mean force [N]`.
+fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
+    format!("{network} {}", column.title())
+}
+
 /// The table of all columns in Markdown, for the book.
 pub fn columns_table() -> String {
     let mut text = String::from("| column | unit | meaning |\n|---|---|---|\n");
@@ -228,7 +278,8 @@ pub fn columns_table() -> String {
         .chain([&STRAIN_COLUMN])
         .map(|c| (c.title(), c.unit, c.meaning));
     let walls = WALL_COLUMNS.iter().map(|c| (wall_title("NAME", c), c.unit, c.meaning));
-    for (title, unit, meaning) in plain.chain(walls) {
+    let networks = (NETWORK_COLUMNS.iter()).map(|c| (network_title("MEASURE", c), c.unit, c.meaning));
+    for (title, unit, meaning) in plain.chain(walls).chain(networks) {
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
@@ -248,6 +299,8 @@ pub struct SeriesLabels {
     pub walls: Vec<String>,
     /// Whether there is a column for the strain.
     pub strain: bool,
+    /// Names of the contact networks, by index.
+    pub networks: Vec<String>,
 }
 
 impl SeriesLabels {
@@ -262,6 +315,9 @@ impl SeriesLabels {
         for wall in &self.walls {
             names.extend(WALL_COLUMNS.iter().map(|c| wall_title(wall, c)));
         }
+        for network in &self.networks {
+            names.extend(NETWORK_COLUMNS.iter().map(|c| network_title(network, c)));
+        }
         names
     }
 }
@@ -269,129 +325,67 @@ impl SeriesLabels {
 /// Writes the series of a run.
 #[derive(Debug)]
 pub struct SeriesWriter {
-    path: PathBuf,
-    file: File,
+    file: RowFile,
     labels: SeriesLabels,
-    length: u64,
 }
 
 impl SeriesWriter {
     /// Starts a series with its header.
     pub fn create(path: &Path, labels: SeriesLabels) -> Result<Self, OutputError> {
-        let file = File::create(path).map_err(OutputError::io("create", path))?;
-        let mut writer = Self {
-            path: path.to_owned(),
-            file,
-            labels,
-            length: 0,
-        };
-        let header = writer.labels.header();
-        writer.line(&header)?;
-        Ok(writer)
+        let file = RowFile::create(path, &labels.header())?;
+        Ok(Self { file, labels })
     }
 
     /// Goes on after a step: rows of later steps and a row that was cut short are removed. A series that is not there,
     /// or was cut in its header, is started again.
     pub fn resume(path: &Path, labels: SeriesLabels, step: u64) -> Result<Self, OutputError> {
-        let bytes = match fs::read(path) {
-            Err(e) if e.kind() == io::ErrorKind::NotFound => return Self::create(path, labels),
-            bytes => bytes.map_err(OutputError::io("read", path))?,
-        };
-        let expected = encode_line(&labels.header(), path)?;
-        if expected.starts_with(&bytes) && bytes != expected {
-            return Self::create(path, labels);
-        }
-        let length = kept_length(&bytes, &expected, step).map_err(|problem| OutputError::OtherSeries {
-            path: path.to_owned(),
-            problem,
-        })?;
-        let io = |e| OutputError::io("continue", path)(e);
-        let mut file = OpenOptions::new().write(true).open(path).map_err(io)?;
-        file.set_len(length).map_err(io)?;
-        file.seek(SeekFrom::Start(length)).map_err(io)?;
-        Ok(Self {
-            path: path.to_owned(),
-            file,
-            labels,
-            length,
-        })
+        let file = RowFile::resume(path, &labels.header(), step)?;
+        Ok(Self { file, labels })
     }
 
     /// Writes a row; it is in the file when this returns.
     pub fn write(&mut self, row: &Measures) -> Result<(), OutputError> {
-        if row.walls.len() != self.labels.walls.len() {
-            return Err(OutputError::RowDoesNotFit {
-                path: self.path.clone(),
-                expected: self.labels.walls.len(),
-                found: row.walls.len(),
-            });
+        let sizes = [
+            ("walls", self.labels.walls.len(), row.walls.len()),
+            ("contact networks", self.labels.networks.len(), row.networks.len()),
+        ];
+        for (what, expected, found) in sizes {
+            if found != expected {
+                return Err(OutputError::RowDoesNotFit {
+                    path: self.file.path().to_owned(),
+                    what,
+                    expected,
+                    found,
+                });
+            }
         }
         let mut cells: Vec<String> = self.labels.columns().map(|c| self.text(&(c.value)(row))).collect();
         for wall in &row.walls {
             cells.extend(WALL_COLUMNS.iter().map(|c| self.text(&(c.value)(wall))));
         }
-        self.line(&cells)
+        for network in &row.networks {
+            cells.extend(NETWORK_COLUMNS.iter().map(|c| self.text(&(c.value)(network))));
+        }
+        self.file.add(&[cells])
     }
 
-    /// Shortest text that reads back to the same bits.
     fn text(&self, cell: &Cell) -> String {
         match *cell {
             Cell::Count(n) => n.to_string(),
-            Cell::Number(x) => format!("{x:?}"),
-            Cell::Stage(k) => self.labels.stages.get(k).cloned().unwrap_or_else(|| k.to_string()),
+            Cell::Number(x) => number(x),
+            Cell::Stage(k) => stage_name(&self.labels.stages, k),
         }
-    }
-
-    /// Writes a line in one piece. When that fails, what got through of it is taken back.
-    fn line(&mut self, cells: &[String]) -> Result<(), OutputError> {
-        let bytes = encode_line(cells, &self.path)?;
-        let written = self.file.write_all(&bytes);
-        if written.is_err() {
-            let back = self.file.set_len(self.length);
-            // If even that fails, `resume` removes the line that was cut short.
-            let _ = back.and_then(|()| self.file.seek(SeekFrom::Start(self.length)));
-        }
-        written.map_err(OutputError::io("add a row to", &self.path))?;
-        self.length += bytes.len() as u64;
-        Ok(())
     }
 }
 
-fn encode_line(cells: &[String], path: &Path) -> Result<Vec<u8>, OutputError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(cells).map_err(|e| OutputError::encode(path, &e))?;
-    writer.into_inner().map_err(|e| OutputError::encode(path, &e))
+/// Shortest text that reads back to the same bits.
+pub(super) fn number(x: f64) -> String {
+    format!("{x:?}")
 }
 
-/// Length of the part of a series that is kept: the header and the whole rows up to a step.
-fn kept_length(bytes: &[u8], header: &[u8], step: u64) -> Result<u64, String> {
-    if !bytes.starts_with(header) {
-        return Err("its header names other columns or walls".to_owned());
-    }
-    let whole = bytes.iter().rposition(|&b| b == b'\n').map_or(0, |k| k + 1);
-    let mut kept = header.len();
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .from_reader(&bytes[kept..whole.max(kept)]);
-    let mut record = csv::ByteRecord::new();
-    let start = kept;
-    loop {
-        match reader.read_byte_record(&mut record) {
-            Ok(false) => break,
-            Ok(true) => {}
-            Err(e) => return Err(e.to_string()),
-        }
-        let line = 2 + reader.position().record().saturating_sub(1);
-        let first = record.get(0).and_then(|cell| std::str::from_utf8(cell).ok());
-        let found: u64 = (first.and_then(|cell| cell.parse().ok()))
-            .ok_or_else(|| format!("row {line} does not begin with a step"))?;
-        if found > step {
-            break;
-        }
-        kept = start + usize::try_from(reader.position().byte()).unwrap_or(0);
-    }
-    Ok(kept as u64)
+/// Name of a stage by its index.
+pub(super) fn stage_name(stages: &[String], index: usize) -> String {
+    stages.get(index).cloned().unwrap_or_else(|| index.to_string())
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ mod fit_file;
 mod grains;
 mod impact;
 mod materials;
+mod measures;
 mod observed;
 mod overrides;
 mod plots;
@@ -15,6 +16,7 @@ mod quantity;
 mod reader;
 mod report;
 mod resolved;
+mod rows;
 mod run;
 mod settings;
 mod sizes;
@@ -34,6 +36,7 @@ pub use impact::{
     Body, CurveDepth, CurveSpec, IMPACT_REFERENCE, ImpactFile, ImpactSpec, MAX_CURVE_POINTS, Partner, pair_size,
 };
 pub use materials::{ContactSpec, MAX_MATERIALS};
+pub use measures::{MAX_MEASURES, MeasureKind, MeasureSpec};
 pub use observed::{Measured, Observable, Observation, Target, Unknown};
 pub use prepare::{Prepared, prepare};
 pub use report::{Report, RunEnd};
@@ -86,6 +89,8 @@ pub struct Scenario {
     pub stages: Vec<Stage>,
     /// Path of the table that told each stage, as `stage[1].stage[0]`.
     pub stage_paths: Vec<String>,
+    /// What is measured beside what every run measures.
+    pub measures: Vec<MeasureSpec>,
     /// Output of the run.
     pub output: OutputSpec,
     /// The text as read, without overrides.
@@ -144,6 +149,7 @@ impl Scenario {
         let walls = walls::walls(&table, &around);
         let grains = grains::grains(&table, &around);
         let told = settings::output(&table, &walls);
+        let measures = measures::measures(&table);
         let protocol = stages::protocol(&table, &walls, told.intervals);
         table.finish("the scenario");
         Self {
@@ -157,6 +163,7 @@ impl Scenario {
             walls,
             stages: protocol.stages,
             stage_paths: protocol.paths,
+            measures,
             output: OutputSpec {
                 cadence: protocol.cadence,
                 picture: !told.no_picture,

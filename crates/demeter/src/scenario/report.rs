@@ -85,7 +85,7 @@ impl Runner<'_> {
                 RunEnd::Fault(fault) => fault.to_string(),
             },
             grains: self.sim.grains.len() as u64,
-            contacts: (self.sim.contacts.pair_count() + self.sim.contacts.wall_count()) as u64,
+            contacts: (self.sim.contacts.acting_pairs() + self.sim.contacts.acting_walls()) as u64,
             steps: self.sim.step,
             simulated_time: self.sim.time(),
             time_step: self.sim.dt,

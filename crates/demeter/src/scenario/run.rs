@@ -2,13 +2,12 @@
 
 use super::prepare::{Prepared, prepare, prepare_to_resume};
 use super::report::{Report, RunEnd};
-use super::{Diagnostics, Scenario};
+use super::rows::Rows;
+use super::{Diagnostics, Scenario, measures::networks};
 use crate::checkpoint::{self, CheckpointError, Header};
 use crate::contacts::Fault;
-use crate::measure::{Measures, Moment, contact_records, kinetic_over_elastic, measure, wall_surfaces};
-use crate::output::{
-    Frame, FrameWriter, OutputError, RunFolder, SeriesLabels, SeriesWriter, StageSummary, wall_summaries,
-};
+use crate::measure::{Measures, Moment, contact_records, kinetic_over_elastic, wall_surfaces};
+use crate::output::{Frame, FrameWriter, OutputError, RunFolder, SeriesLabels, StageSummary, wall_summaries};
 use crate::particles::Domain;
 use crate::simulation::{Setup, Simulation, SimulationState, Stage, StateError, StopCondition};
 use crate::walls::WallError;
@@ -217,7 +216,7 @@ pub(super) struct Runner<'a> {
     /// What the latest row told.
     pub(super) latest: Option<Measures>,
     steps: u64,
-    series: SeriesWriter,
+    rows: Rows<'a>,
     frames: FrameWriter,
     observer: &'a mut dyn Observer,
     told: f64,
@@ -251,10 +250,10 @@ impl<'a> Runner<'a> {
             time_step_reason: prepared.time_step_reason,
             warnings: prepared.warnings,
         };
-        let series = SeriesWriter::create(&folder.series(), labels(scenario))?;
+        let rows = Rows::create(scenario, &folder)?;
         let frames = FrameWriter::create(&folder)?;
         let sim = Simulation::new(prepared.setup);
-        let mut runner = Self::new(scenario, sim, folder, place, (series, frames), observer);
+        let mut runner = Self::new(scenario, sim, folder, place, (rows, frames), observer);
         runner.begin_stage()?;
         Ok(runner)
     }
@@ -269,19 +268,12 @@ impl<'a> Runner<'a> {
         setup.dt = state.simulation.dt;
         let step = state.simulation.step;
         let sim = Simulation::resume(setup, state.simulation)?;
-        let series = SeriesWriter::resume(&folder.series(), labels(scenario), step)?;
+        let rows = Rows::resume(scenario, &folder, step)?;
         let frames = FrameWriter::resume(&folder, step)?;
         let text = format!("going on from step {step}, time {:.4e} s", sim.time());
         observer.message(&text);
         folder.log_line(&text)?;
-        Ok(Self::new(
-            scenario,
-            sim,
-            folder,
-            state.place,
-            (series, frames),
-            observer,
-        ))
+        Ok(Self::new(scenario, sim, folder, state.place, (rows, frames), observer))
     }
 
     fn new(
@@ -289,7 +281,7 @@ impl<'a> Runner<'a> {
         sim: Simulation,
         folder: RunFolder,
         place: Place,
-        (series, frames): (SeriesWriter, FrameWriter),
+        (rows, frames): (Rows<'a>, FrameWriter),
         observer: &'a mut dyn Observer,
     ) -> Self {
         let steps = scenario
@@ -307,7 +299,7 @@ impl<'a> Runner<'a> {
             place,
             latest: None,
             steps,
-            series,
+            rows,
             frames,
             observer,
             told: 0.0,
@@ -481,9 +473,8 @@ impl<'a> Runner<'a> {
             stage: self.place.stage,
             stage_time,
         };
-        let row = measure(&mut self.sim, moment, self.scenario.output.strain.as_ref());
+        let row = self.rows.write(&mut self.sim, moment)?;
         self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
-        self.series.write(&row)?;
         self.place.last_row = Some(self.sim.step);
         self.latest = Some(row);
         Ok(())
@@ -560,5 +551,6 @@ pub(super) fn labels(scenario: &Scenario) -> SeriesLabels {
         stages: scenario.stages.iter().map(|s| s.name.clone()).collect(),
         walls: scenario.walls.iter().map(|w| w.name.clone()).collect(),
         strain: scenario.output.strain.is_some(),
+        networks: networks(&scenario.measures).map(|(name, _)| name.to_owned()).collect(),
     }
 }

@@ -3,6 +3,7 @@ mod faults;
 use super::reader::Context;
 use super::*;
 use crate::insertion::{Amount, Basis, LatticeKind, Region, SizeDistribution, Source};
+use crate::measure::{ContactNetwork, ForceDistribution};
 use crate::particles::Outside;
 use crate::simulation::StopCondition;
 use crate::walls::{Motion, Shape, Side};
@@ -239,6 +240,25 @@ fn settings_are_read_as_told() {
         (cadence.series, cadence.frames),
         (Some(0.05 / AUTOMATIC_ROWS), Some(0.05 / AUTOMATIC_FRAMES))
     );
+}
+
+#[test]
+fn measures_are_read_as_told() {
+    let scenario = read_good("every_measure.toml");
+    let names: Vec<&str> = scenario.measures.iter().map(|m| m.name.as_str()).collect();
+    assert_eq!(names, ["all", "strong_4-mN", "forces", "pull"]);
+    let kind = |k: usize| scenario.measures[k].kind.clone();
+    assert_eq!(kind(0), MeasureKind::ContactNetwork(ContactNetwork::default()));
+    let strong = ContactNetwork {
+        threshold: 0.004,
+        margin: 1.5,
+        region: Some((dvec3(0.005, 0.005, 0.0), dvec3(0.015, 0.015, 0.06))),
+    };
+    assert_eq!(kind(1), MeasureKind::ContactNetwork(strong));
+    let bins = |lower, upper, bin| MeasureKind::ForceDistribution(ForceDistribution::new(lower, upper, bin).unwrap());
+    assert_eq!(kind(2), bins(0.0, 0.3, 0.0005));
+    assert_eq!(kind(3), bins(-0.001, 0.0, 0.0001));
+    assert!(read_good("free_fall.toml").measures.is_empty());
 }
 
 #[test]

@@ -1,17 +1,20 @@
 //! Forces of contacts that feel each other ([`crate::contacts::coupling`]).
 
-use super::GRAINS_PER_TASK;
 use crate::contacts::coupling::bulge::{ALLOWANCE, Bounds};
-use crate::contacts::coupling::mixing::{Products, Progress};
-use crate::contacts::coupling::rows::ChunkPlace;
-use crate::contacts::coupling::sites::{self, ContactPlace, Sites};
-use crate::contacts::coupling::{self, Coupling, Worst};
+use crate::contacts::coupling::displaced::ChunkPlace;
+use crate::contacts::coupling::kernels::Kernels;
+use crate::contacts::coupling::mixing::{Largest, Products, Progress};
+use crate::contacts::coupling::sites::{GRAINS_PER_TASK, Sites, Source};
+use crate::contacts::coupling::{Coupling, DEFAULT_TOLERANCE, Worst};
 use crate::contacts::{CHUNK, ContactChunk, Contacts, Fault, Scene};
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, Pair, WallPair};
 use crate::particles::Grains;
 use crate::simulation::Simulation;
 use rayon::prelude::*;
+
+/// Plain iterations before forces are mixed: near rest one is enough.
+const PLAIN_ITERATIONS: usize = 6;
 
 /// Iterations after which the coupled equation is given up.
 const MOST_ITERATIONS: usize = 1000;
@@ -24,11 +27,10 @@ const ROOM_TO_GROW: f64 = 1.5;
 pub(crate) struct CouplingState {
     pub(crate) scheme: Coupling,
     pub(crate) memory: CouplingMemory,
-    feels_levers: bool,
+    kernels: Kernels,
     sites: Vec<Sites>,
-    /// How far the surface of every grain may bulge in this step [m].
-    bulge: Vec<f64>,
-    max_bulge: f64,
+    /// How far the surface of every grain bulges at most by the forces known [m].
+    needed: Vec<f64>,
 }
 
 /// What a restart needs of it.
@@ -36,6 +38,9 @@ pub(crate) struct CouplingState {
 pub struct CouplingMemory {
     /// Bounds of the bulges of the grains that the run began with.
     bounds: Bounds,
+    /// How far the surface of every grain may bulge in this step [m].
+    bulge: Vec<f64>,
+    max_bulge: f64,
     /// Bulges of two bodies for which the candidates were found [m].
     pub(crate) margin: f64,
     pub(crate) effort: Effort,
@@ -55,16 +60,16 @@ pub struct Effort {
 impl CouplingState {
     /// Nothing where no contact feels another.
     pub(crate) fn new(scheme: Coupling, grains: &Grains, materials: &Materials) -> Option<Self> {
-        (!coupling::independent(materials)).then(|| Self {
+        let kernels = Kernels::new(materials);
+        (!kernels.are_independent()).then(|| Self {
             scheme,
-            feels_levers: coupling::feels_levers(materials),
             memory: CouplingMemory {
                 bounds: Bounds::new(grains, materials),
                 ..CouplingMemory::default()
             },
+            kernels,
             sites: Vec::new(),
-            bulge: Vec::new(),
-            max_bulge: 0.0,
+            needed: Vec::new(),
         })
     }
 
@@ -75,7 +80,7 @@ impl CouplingState {
 
     /// Distance beyond touching at which displaced surfaces may meet in this step [m].
     pub(crate) fn bulges_of_two(&self) -> f64 {
-        2.0 * self.max_bulge
+        2.0 * self.memory.max_bulge
     }
 }
 
@@ -85,10 +90,7 @@ fn each_chunk<'a>(
     neighbours: &'a Neighbours,
     work: impl Fn(ChunkPlace, &mut ContactChunk, Candidates<'a>) + Sync + Send,
 ) {
-    let place = |wall: bool, chunk: usize| ChunkPlace {
-        wall,
-        chunk: chunk as u32,
-    };
+    let place = |wall: bool, chunk: usize| ChunkPlace { wall, chunk };
     let pairs = (contacts.pairs.par_iter_mut())
         .zip(neighbours.pairs.par_chunks(CHUNK))
         .enumerate()
@@ -107,80 +109,87 @@ enum Candidates<'a> {
     Walls(&'a [WallPair]),
 }
 
-/// What the scene needs to know beside the state of the coupling.
-#[derive(Clone, Copy)]
-struct Search {
-    max_speed: f64,
+impl CouplingState {
+    /// Works on the sites of all grains, in parallel: task, its grains, and how far their surfaces bulge.
+    fn each_task(
+        &mut self,
+        grains: usize,
+        work: impl Fn(&mut Sites, std::ops::Range<usize>, &Kernels, &Bounds, &mut [f64]) + Sync + Send,
+    ) {
+        self.sites.resize_with(grains.div_ceil(GRAINS_PER_TASK), Sites::default);
+        self.needed.resize(grains, 0.0);
+        let (kernels, bounds) = (&self.kernels, &self.memory.bounds);
+        let tasks = (self.sites.par_iter_mut()).zip(self.needed.par_chunks_mut(GRAINS_PER_TASK));
+        tasks.enumerate().for_each(|(task, (sites, needed))| {
+            let first = task * GRAINS_PER_TASK;
+            work(sites, first..first + needed.len(), kernels, bounds, needed);
+        });
+    }
+
+    /// Whether no surface bulges farther than contacts were looked for; if not, they will be looked for farther away.
+    fn bulges_as_foreseen(&mut self) -> bool {
+        let CouplingMemory { bulge, max_bulge, .. } = &mut self.memory;
+        let mut as_foreseen = true;
+        for (bulge, needed) in bulge.iter_mut().zip(&self.needed) {
+            if needed > bulge {
+                *bulge = ALLOWANCE * needed;
+                *max_bulge = max_bulge.max(*bulge);
+                as_foreseen = false;
+            }
+        }
+        as_foreseen
+    }
+
+    /// Takes what the latest forces need, with an allowance, for the next step.
+    fn foresee(&mut self) {
+        self.memory.bulge.clear();
+        self.memory
+            .bulge
+            .extend(self.needed.iter().map(|needed| ALLOWANCE * needed));
+        self.memory.max_bulge = self.memory.bulge.iter().copied().fold(0.0, f64::max);
+    }
 }
 
 impl Simulation {
-    /// Foresees how far surfaces may bulge in this step, from the forces of the step before.
+    /// Finds how far surfaces may bulge from the forces of the step before: after grains were put in another order.
     pub(super) fn foresee_bulges(&mut self) {
-        let force = |contacts: &Contacts, place: ContactPlace| {
-            place.chunk(contacts).now.coupling[place.contact as usize].elastic
-        };
-        self.bound_bulges(force, |bulge, bound| *bulge = ALLOWANCE * bound);
-    }
-
-    /// Finds for every grain how far its surface may bulge, and takes it.
-    fn bound_bulges(
-        &mut self,
-        force: impl Fn(&Contacts, ContactPlace) -> f64 + Sync,
-        take: impl Fn(&mut f64, f64) + Sync,
-    ) {
         let Some(state) = &mut self.coupling else { return };
-        let (grains, neighbours, contacts, bounds) =
-            (&self.grains, &self.neighbours, &self.contacts, &state.memory.bounds);
-        state.bulge.resize(grains.len(), 0.0);
-        // before the first search there are no candidates
-        if neighbours.reference.len() == grains.len() {
-            state
-                .bulge
-                .par_iter_mut()
-                .with_min_len(GRAINS_PER_TASK)
-                .enumerate()
-                .for_each(|(g, bulge)| {
-                    take(bulge, bounds.of_grain(g, grains, neighbours, contacts, &force));
-                });
-        }
-        state.max_bulge = state.bulge.iter().copied().fold(0.0, f64::max);
+        let (grains, neighbours, contacts) = (&self.grains, &self.neighbours, &self.contacts);
+        state.each_task(grains.len(), |_, of, _, bounds, needed| {
+            for (needed, grain) in needed.iter_mut().zip(of) {
+                *needed = bounds.of_grain(grain, grains, neighbours, contacts);
+            }
+        });
+        state.foresee();
     }
 
     /// Narrow phase, displacements and contact laws.
     pub(super) fn find_coupled_contacts(&mut self, max_speed: f64) -> Result<(), Fault> {
-        let search = Search { max_speed };
         loop {
-            self.look_for_contacts(search);
-            let lagged = self.coupling.as_ref().is_none_or(|c| c.scheme == Coupling::Lagged);
+            self.look_for_contacts(max_speed);
+            self.gather_sites();
             // a run begins with forces that are in agreement
-            if lagged && self.step > 0 {
-                self.gather_sites(true);
+            if self.step == 0 || !self.lags() {
+                if let Err(fault) = self.solve_coupling(max_speed) {
+                    self.take_back_contacts();
+                    return Err(fault);
+                }
+            } else {
+                self.find_displacements(true);
+                self.with_chunks(max_speed, |at, chunk, _, _, sites| chunk.take_displacements(at, sites));
+            }
+            let Some(state) = &mut self.coupling else { return Ok(()) };
+            if state.bulges_as_foreseen() {
                 break;
             }
-            if let Err(fault) = self.solve_coupling(search) {
-                self.take_back_contacts();
-                return Err(fault);
-            }
-            if self.bulges_as_foreseen() {
-                break;
-            }
+            state.memory.effort.repeats += 1;
+            let farther = state.bulges_of_two() > state.memory.margin;
             self.take_back_contacts();
-            self.coupling.iter_mut().for_each(|c| c.memory.effort.repeats += 1);
-            if self
-                .coupling
-                .as_ref()
-                .is_some_and(|c| c.bulges_of_two() > c.memory.margin)
-            {
-                let bulges: Vec<(u32, f64)> = self.bulges_by_id();
-                self.find_candidates();
-                self.set_bulges(&bulges);
+            if farther {
+                self.find_candidates_for_bulges();
             }
         }
-        let keep = self.step == 0 || self.coupling.as_ref().is_some_and(|c| c.scheme != Coupling::Lagged);
-        self.with_chunks(search, |at, chunk, _, scene, sites| {
-            if !keep {
-                chunk.displace(at, scene, sites);
-            }
+        self.with_chunks(max_speed, |at, chunk, _, scene, _| {
             chunk.deform(at, scene);
             if at.wall {
                 chunk.evaluate_walls(scene);
@@ -189,13 +198,18 @@ impl Simulation {
             }
             chunk.book_lost(scene);
         });
+        self.coupling.iter_mut().for_each(CouplingState::foresee);
         Ok(())
+    }
+
+    fn lags(&self) -> bool {
+        self.coupling.as_ref().is_none_or(|c| c.scheme == Coupling::Lagged)
     }
 
     /// Works on all chunks, in parallel.
     fn with_chunks<'a>(
         &'a mut self,
-        search: Search,
+        max_speed: f64,
         work: impl Fn(ChunkPlace, &mut ContactChunk, Candidates<'a>, &Scene<'_>, &[Sites]) + Sync + Send,
     ) {
         let Some(state) = &self.coupling else { return };
@@ -207,20 +221,20 @@ impl Simulation {
             dt: self.dt,
             integrator: self.integrator,
             step: self.step,
-            max_speed: search.max_speed,
+            max_speed,
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
-            bulge: &state.bulge,
+            bulge: &state.memory.bulge,
         };
         each_chunk(&mut self.contacts, &self.neighbours, |at, chunk, candidates| {
             work(at, chunk, candidates, &scene, &state.sites);
         });
     }
 
-    fn look_for_contacts(&mut self, search: Search) {
+    fn look_for_contacts(&mut self, max_speed: f64) {
         let scheme = self.coupling.as_ref().map_or(Coupling::Lagged, |c| c.scheme);
-        self.with_chunks(search, |_, chunk, candidates, scene, _| {
+        self.with_chunks(max_speed, |_, chunk, candidates, scene, _| {
             match candidates {
                 Candidates::Pairs(pairs) => chunk.find_pairs(pairs, scene),
                 Candidates::Walls(pairs) => chunk.find_walls(pairs, scene),
@@ -240,120 +254,161 @@ impl Simulation {
         );
     }
 
-    fn gather_sites(&mut self, only_acting: bool) {
+    /// Gathers the sites of all grains, and finds their influences on each other.
+    fn gather_sites(&mut self) {
         let Some(state) = &mut self.coupling else { return };
         let (grains, neighbours, contacts) = (&self.grains, &self.neighbours, &self.contacts);
-        let count = grains.len();
-        state
-            .sites
-            .resize_with(count.div_ceil(sites::GRAINS_PER_TASK), Sites::default);
-        state.sites.par_iter_mut().enumerate().for_each(|(task, sites)| {
-            let first = task * sites::GRAINS_PER_TASK;
-            let of = first..(first + sites::GRAINS_PER_TASK).min(count);
-            sites.gather(of, grains, neighbours, contacts, only_acting);
+        state.each_task(grains.len(), |sites, of, kernels, _, _| {
+            let from = Source {
+                grains,
+                neighbours,
+                contacts,
+                kernels,
+            };
+            sites.gather(of.clone(), from);
+            sites.find_influences(of, from);
+        });
+        let sites = &state.sites;
+        each_chunk(&mut self.contacts, neighbours, |at, chunk, _| {
+            chunk.find_slots(at, sites)
         });
     }
 
-    fn update_sites(&mut self, levers: bool) {
+    /// Finds the displacements by the forces tried now; those that were `gathered` are known to the sites.
+    fn find_displacements(&mut self, gathered: bool) {
         let Some(state) = &mut self.coupling else { return };
-        let contacts = &self.contacts;
-        state.sites.par_iter_mut().for_each(|sites| {
-            sites.take_forces(contacts);
-            if levers {
-                sites.take_levers(contacts);
+        let (grains, contacts) = (&self.grains, &self.contacts);
+        state.each_task(grains.len(), |sites, of, _, bounds, needed| {
+            if !gathered {
+                sites.take_forces(contacts);
             }
+            sites.displace(of, grains, bounds, needed);
+        });
+    }
+
+    /// Finds the influences anew, with the levers of the displacements found latest.
+    fn move_levers(&mut self) {
+        self.chunks_mut().for_each(ContactChunk::accept);
+        let Some(state) = &mut self.coupling else { return };
+        let (grains, neighbours, contacts) = (&self.grains, &self.neighbours, &self.contacts);
+        state.each_task(grains.len(), |sites, of, kernels, _, _| {
+            let from = Source {
+                grains,
+                neighbours,
+                contacts,
+                kernels,
+            };
+            sites.take_levers(contacts);
+            sites.find_influences(of, from);
         });
     }
 
     /// Solves the coupled equation at the places of this step.
-    fn solve_coupling(&mut self, search: Search) -> Result<(), Fault> {
+    fn solve_coupling(&mut self, max_speed: f64) -> Result<(), Fault> {
         let Some(state) = &self.coupling else { return Ok(()) };
-        let feels_levers = state.feels_levers;
+        let feels_levers = state.kernels.feel_levers();
         let tolerance = match state.scheme {
             Coupling::Converged { tolerance } => tolerance,
-            Coupling::Lagged => coupling::DEFAULT_TOLERANCE,
+            Coupling::Lagged => DEFAULT_TOLERANCE,
         };
-        self.gather_sites(false);
-        self.with_chunks(search, |at, chunk, _, scene, sites| {
-            chunk.find_influences(at, scene, sites)
-        });
+        let largest = self.largest_force();
         let mut progress = Progress::begin();
+        let mut gathered = true;
         for iteration in 1..=MOST_ITERATIONS {
-            self.with_chunks(search, |at, chunk, _, scene, sites| chunk.answer(at, scene, sites));
+            self.find_displacements(gathered);
+            gathered = false;
+            self.with_chunks(max_speed, |at, chunk, _, scene, sites| {
+                chunk.answer(at, scene, sites, largest)
+            });
             let worst = self.worst();
-            if worst.share <= tolerance {
-                if !(feels_levers && self.lever_change() > tolerance) {
-                    if let Some(state) = &mut self.coupling {
-                        state.memory.effort.solutions += 1;
-                        state.memory.effort.iterations += iteration as u64;
-                    }
-                    return Ok(());
-                }
-                self.chunks_mut().for_each(|chunk| chunk.coupling.accept());
-                self.update_sites(true);
-                self.with_chunks(search, |at, chunk, _, scene, sites| {
-                    chunk.find_influences(at, scene, sites)
-                });
-                progress = Progress::begin();
-                continue;
-            }
             if worst.share.is_nan() {
                 break;
             }
-            self.mix(&mut progress);
-            self.update_sites(false);
+            if worst.share > tolerance {
+                if iteration < PLAIN_ITERATIONS {
+                    self.chunks_mut().for_each(|chunk| chunk.coupling.iterate());
+                } else {
+                    self.mix(&mut progress);
+                }
+            } else if feels_levers && self.lever_change(max_speed) > tolerance {
+                self.move_levers();
+                progress = Progress::begin();
+            } else {
+                if let Some(state) = &mut self.coupling {
+                    state.memory.effort.solutions += 1;
+                    state.memory.effort.iterations += iteration as u64;
+                }
+                return Ok(());
+            }
         }
-        Err(self.beyond_fold(search))
+        Err(self.beyond_fold(max_speed))
     }
 
-    /// The next forces to try.
+    /// Goes on with mixed forces.
     fn mix(&mut self, progress: &mut Progress) {
-        let note = |chunk: &mut ContactChunk| chunk.coupling.note();
-        let mut products = self
-            .chunks_mut()
-            .map(note)
-            .fold(Products::default(), |sum, p| sum.add(&p));
-        if progress.is_lost(&products) {
-            self.chunks_mut().for_each(|chunk| chunk.coupling.forget());
-            products = self
-                .chunks_mut()
-                .map(note)
-                .fold(Products::default(), |sum, p| sum.add(&p));
+        let all = |largest: Largest, chunk: &mut ContactChunk| largest.join(&chunk.coupling.note());
+        let mut largest = self.chunks_mut().fold(Largest::default(), all);
+        let mut products = self.products(&largest);
+        if progress.is_lost(&products, &largest) {
+            self.chunks_mut().for_each(|chunk| chunk.coupling.mixing.forget());
+            largest = self.chunks_mut().fold(Largest::default(), all);
+            products = self.products(&largest);
         }
-        let weights = products.weights();
+        let weights = products.weights(&largest);
         self.chunks_mut().for_each(|chunk| chunk.coupling.advance(&weights));
+    }
+
+    fn products(&mut self, largest: &Largest) -> Products {
+        let of_chunk = |chunk: &mut ContactChunk| chunk.coupling.mixing.products(largest);
+        self.chunks_mut()
+            .map(of_chunk)
+            .fold(Products::default(), |sum, p| sum.add(&p))
+    }
+
+    fn chunks(&self) -> impl Iterator<Item = &ContactChunk> {
+        self.contacts.pairs.iter().chain(&self.contacts.walls)
     }
 
     fn chunks_mut(&mut self) -> impl Iterator<Item = &mut ContactChunk> {
         self.contacts.pairs.iter_mut().chain(&mut self.contacts.walls)
     }
 
-    fn worst(&self) -> Worst {
-        let chunks = self.contacts.pairs.iter().chain(&self.contacts.walls);
-        chunks
-            .map(|chunk| chunk.coupling.worst)
-            .fold(Worst::default(), |worst, w| {
-                if w.share.is_nan() || w.share > worst.share {
-                    w
-                } else {
-                    worst
-                }
-            })
+    /// Largest force that the solution begins with [N].
+    fn largest_force(&self) -> f64 {
+        let forces = self.chunks().flat_map(|chunk| &chunk.coupling.trial);
+        forces.fold(0.0, |largest, force| f64::max(largest, force.abs()))
     }
 
-    fn lever_change(&self) -> f64 {
-        let chunks = self.contacts.pairs.iter().chain(&self.contacts.walls);
-        chunks.map(|chunk| chunk.coupling.lever_change).fold(0.0, f64::max)
+    fn worst(&self) -> Worst {
+        let worse = |worst: Worst, w: Worst| {
+            if w.share.is_nan() || w.share > worst.share {
+                w
+            } else {
+                worst
+            }
+        };
+        self.chunks()
+            .map(|chunk| chunk.coupling.worst)
+            .fold(Worst::default(), worse)
+    }
+
+    fn lever_change(&mut self, max_speed: f64) -> f64 {
+        let largest = std::sync::atomic::AtomicU64::new(0);
+        // positive numbers are in the order of their bits
+        self.with_chunks(max_speed, |at, chunk, _, scene, _| {
+            let change = chunk.lever_change(at, scene).to_bits();
+            largest.fetch_max(change, std::sync::atomic::Ordering::Relaxed);
+        });
+        f64::from_bits(largest.into_inner())
     }
 
     /// The fault at the contact that is farthest from a solution.
-    fn beyond_fold(&mut self, search: Search) -> Fault {
+    fn beyond_fold(&mut self, max_speed: f64) -> Fault {
         let worst = self.worst().share;
         let told = std::sync::Mutex::new(None::<(ChunkPlace, Fault)>);
-        self.with_chunks(search, |at, chunk, _, scene, _| {
+        self.with_chunks(max_speed, |at, chunk, _, scene, _| {
             let here = chunk.coupling.worst;
-            let is_worst = here.share == worst || here.share.is_nan();
-            if chunk.is_empty() || !is_worst {
+            if chunk.is_empty() || !(here.share == worst || here.share.is_nan()) {
                 return;
             }
             let overlap = chunk.now.geometry[here.contact].overlap;
@@ -378,31 +433,15 @@ impl Simulation {
         )
     }
 
-    /// Whether no surface bulges farther than contacts were looked for; if not, looks farther.
-    fn bulges_as_foreseen(&mut self) -> bool {
-        let force =
-            |contacts: &Contacts, place: ContactPlace| place.chunk(contacts).coupling.trial[place.contact as usize];
-        let foreseen = self.coupling.as_ref().map_or_else(Vec::new, |c| c.bulge.clone());
-        self.bound_bulges(force, |bulge, bound| {
-            if bound > *bulge {
-                *bulge = ALLOWANCE * bound;
-            }
-        });
-        self.coupling.as_ref().is_none_or(|c| c.bulge == foreseen)
-    }
-
-    fn bulges_by_id(&self) -> Vec<(u32, f64)> {
-        let Some(state) = &self.coupling else { return Vec::new() };
-        let mut bulges: Vec<(u32, f64)> = (self.grains.id.iter().copied())
-            .zip(state.bulge.iter().copied())
-            .collect();
-        bulges.sort_unstable_by_key(|b| b.0);
-        bulges
-    }
-
-    fn set_bulges(&mut self, by_id: &[(u32, f64)]) {
+    /// Finds the candidates anew in the middle of a step, for bulges that are known already.
+    fn find_candidates_for_bulges(&mut self) {
+        let Some(state) = &self.coupling else { return };
+        let ids = self.grains.id.iter().copied();
+        let mut by_id: Vec<(u32, f64)> = ids.zip(state.memory.bulge.iter().copied()).collect();
+        by_id.sort_unstable_by_key(|b| b.0);
+        self.find_candidates();
         let Some(state) = &mut self.coupling else { return };
-        for (bulge, id) in state.bulge.iter_mut().zip(&self.grains.id) {
+        for (bulge, id) in state.memory.bulge.iter_mut().zip(&self.grains.id) {
             if let Ok(place) = by_id.binary_search_by_key(id, |b| b.0) {
                 *bulge = by_id[place].1;
             }

@@ -6,10 +6,14 @@
 //! * [`collisions`]: restitution and energy of head-on collisions in the engine's own scheme
 //! * [`planar_laws`]: bound, direction, symmetries, dimensions, history of friction and rolling laws
 //! * [`planar_energy`]: what friction and rolling laws store, return and dissipate
+//! * [`multi_contact`]: bounds, symmetry, dimensions of multi-contact laws, what they depend on
+//! * [`coupled_contacts`]: their exact forces in symmetric packings
 
 pub(crate) mod cases;
 mod collisions;
+mod coupled_contacts;
 mod memory_laws;
+mod multi_contact;
 mod normal_laws;
 mod planar;
 mod planar_energy;

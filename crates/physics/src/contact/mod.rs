@@ -224,6 +224,6 @@ pub struct PairLaw {
     pub tangential: Option<tangential::TangentialLaw>,
     /// Rolling law; free rolling when absent.
     pub rolling: Option<rolling::RollingLaw>,
-    /// How this contact feels the others of its bodies.
-    pub multi_contact: multi_contact::MultiContactLaw,
+    /// How the surfaces of the first and of the second body are displaced at this contact.
+    pub multi_contact: [multi_contact::MultiContactLaw; 2],
 }

@@ -1,11 +1,11 @@
 //! How far a grain's surface may bulge: what the search for contacts must look beyond touching.
 
-use super::sites::ContactPlace;
-use crate::contacts::{CHUNK, Contacts};
+use super::sites::Load;
+use crate::contacts::{CHUNK, ContactChunk, Contacts};
 use crate::materials::Materials;
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
-use demeter_physics::contact::multi_contact::{Body, MultiContact, MultiContactVisitor, clearance};
+use demeter_physics::contact::multi_contact::{MultiContact, MultiContactVisitor, clearance};
 use serde::{Deserialize, Serialize};
 
 /// Forces may grow by this factor over a step before the search has to be repeated.
@@ -29,10 +29,7 @@ impl MultiContactVisitor for Unit {
 
     /// Bounds of a grain of radius 1: both are inverse to lengths.
     fn visit<L: MultiContact>(self, law: &L) -> (f64, f64) {
-        (
-            law.largest_bulge(Body::First, 1.0, 1.0),
-            law.largest_pull(Body::First, 1.0, self.least_distance),
-        )
+        (law.largest_bulge(1.0, 1.0), law.largest_pull(1.0, self.least_distance))
     }
 }
 
@@ -48,7 +45,7 @@ impl Bounds {
             .map(|a| {
                 let of_pairs = (0..count).map(|b| {
                     let law = materials.law(materials.pair(a, b)).multi_contact;
-                    law.visit(Unit { least_distance })
+                    law[0].visit(Unit { least_distance })
                 });
                 of_pairs.fold((0.0, 0.0), |(b, p), (bulge, pull)| {
                     (f64::max(b, bulge), f64::max(p, pull))
@@ -58,43 +55,29 @@ impl Bounds {
         Self { bulge, pull }
     }
 
-    /// Largest outward displacement of a grain's surface [m] by the forces `force` of its contacts.
-    pub(crate) fn of_grain(
-        &self,
-        grain: usize,
-        grains: &Grains,
-        neighbours: &Neighbours,
-        contacts: &Contacts,
-        force: impl Fn(&Contacts, ContactPlace) -> f64,
-    ) -> f64 {
-        let (mut push, mut pull) = (0.0, 0.0);
-        let mut least_lever = grains.radius[grain];
-        let mut add = |place: ContactPlace, first: bool| {
-            let force = force(contacts, place);
-            if force > 0.0 {
-                push += force;
-            } else {
-                pull -= force;
-            }
-            let contact = &place.chunk(contacts).now.geometry[place.contact as usize];
-            least_lever = least_lever.min(if first { contact.lever_i } else { contact.lever_j });
-        };
-        let mut each = |wall: bool, pair: usize, first: bool| {
-            let chunk = if wall { &contacts.walls } else { &contacts.pairs };
-            for k in chunk[pair / CHUNK].contacts_of(pair % CHUNK) {
-                let place = ContactPlace {
-                    wall,
-                    chunk: (pair / CHUNK) as u32,
-                    contact: k as u32,
-                };
-                add(place, first);
+    /// Largest outward displacement of a grain's surface under a load [m].
+    #[inline(always)]
+    pub(crate) fn bulge(&self, material: u16, radius: f64, load: &Load) -> f64 {
+        let material = usize::from(material);
+        load.push * self.bulge[material] / load.least_lever + load.pull * self.pull[material] / radius
+    }
+
+    /// The same by the forces of the step before.
+    pub(crate) fn of_grain(&self, grain: usize, grains: &Grains, neighbours: &Neighbours, contacts: &Contacts) -> f64 {
+        let mut load = Load::on(grains.radius[grain]);
+        let mut add = |chunk: &ContactChunk, pair: usize, first: bool| {
+            for k in chunk.contacts_of(pair % CHUNK) {
+                let contact = &chunk.now.geometry[k];
+                let lever = if first { contact.lever_i } else { contact.lever_j };
+                load.add(chunk.now.coupling[k].elastic, lever);
             }
         };
-        neighbours
-            .pairs_of(grain)
-            .for_each(|(pair, first)| each(false, pair, first));
-        neighbours.wall_pairs_of(grain).for_each(|pair| each(true, pair, true));
-        let material = grains.material[grain] as usize;
-        push * self.bulge[material] / least_lever + pull * self.pull[material] / grains.radius[grain]
+        for (pair, first) in neighbours.pairs_of(grain) {
+            add(&contacts.pairs[pair / CHUNK], pair, first);
+        }
+        for pair in neighbours.wall_pairs_of(grain) {
+            add(&contacts.walls[pair / CHUNK], pair, true);
+        }
+        self.bulge(grains.material[grain], grains.radius[grain], &load)
     }
 }

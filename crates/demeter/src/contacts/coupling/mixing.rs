@@ -3,7 +3,8 @@
 //! With the deviation `r = f(overlap + D(x)) - x` of the forces `x` tried, the plain iteration goes on with `x + r`. It
 //! contracts by the largest eigenvalue of the coupling, which nears 1 at the fold. Anderson mixing takes off
 //! `sum w_a (dx_a + dr_a)`, where `dx_a` and `dr_a` are the latest changes of `x` and `r` and `w` makes `r - sum w_a dr_a`
-//! least (Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715).
+//! least (Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715). Its sums do not depend on the order of the contacts, so
+//! that a packing gives the same bits in any order.
 
 /// Changes kept.
 const DEPTH: usize = 5;
@@ -30,36 +31,75 @@ pub(crate) struct Memory {
     deviation_changes: [Vec<f64>; DEPTH],
 }
 
-/// Scalar products that the weights follow from; those of all chunks are added in a fixed order.
+/// Largest values of a chunk, or of all: of every change of the deviation, and of the deviation itself [N].
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Largest {
+    kept: usize,
+    changes: [f64; DEPTH],
+    deviation: f64,
+}
+
+impl Largest {
+    pub(crate) fn join(mut self, other: &Self) -> Self {
+        self.kept = self.kept.max(other.kept);
+        self.deviation = self.deviation.max(other.deviation);
+        for (mine, theirs) in self.changes.iter_mut().zip(other.changes) {
+            *mine = mine.max(theirs);
+        }
+        self
+    }
+}
+
+/// A sum of values of at most 1 that does not depend on their order: of multiples of 2^-40.
+#[derive(Clone, Copy, Debug, Default)]
+struct OrderlessSum(i128);
+
+impl OrderlessSum {
+    const UNIT: f64 = (1u64 << 40) as f64;
+
+    fn of_products(a: &[f64], b: &[f64], scale: f64) -> Self {
+        let factor = if scale > 0.0 { Self::UNIT / scale } else { 0.0 };
+        Self(a.iter().zip(b).map(|(x, y)| (x * y * factor) as i128).sum())
+    }
+
+    fn value(self) -> f64 {
+        self.0 as f64 / Self::UNIT
+    }
+}
+
+/// Scalar products that the weights follow from, with every change and the deviation as shares of their largest values.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Products {
-    kept: usize,
-    changes: [[f64; DEPTH]; DEPTH],
-    with_deviation: [f64; DEPTH],
-    /// Square of the deviation [N^2].
-    pub(crate) deviation: f64,
+    changes: [[OrderlessSum; DEPTH]; DEPTH],
+    with_deviation: [OrderlessSum; DEPTH],
+    deviation: OrderlessSum,
 }
 
 impl Products {
     pub(crate) fn add(mut self, other: &Self) -> Self {
-        self.kept = self.kept.max(other.kept);
-        self.deviation += other.deviation;
+        self.deviation.0 += other.deviation.0;
         for a in 0..DEPTH {
-            self.with_deviation[a] += other.with_deviation[a];
+            self.with_deviation[a].0 += other.with_deviation[a].0;
             for b in 0..DEPTH {
-                self.changes[a][b] += other.changes[a][b];
+                self.changes[a][b].0 += other.changes[a][b].0;
             }
         }
         self
     }
 
+    /// Root of the sum of the squares of the deviations [N].
+    fn norm(&self, largest: &Largest) -> f64 {
+        self.deviation.value().sqrt() * largest.deviation
+    }
+
     /// Weights that make the deviation least, by Gauss-Jordan elimination with the largest pivots first.
-    pub(crate) fn weights(&self) -> Weights {
-        let (mut matrix, mut right) = (self.changes, self.with_deviation);
-        let scale: [f64; DEPTH] = std::array::from_fn(|a| self.changes[a][a]);
+    pub(crate) fn weights(&self, largest: &Largest) -> Weights {
+        let mut matrix = self.changes.map(|row| row.map(OrderlessSum::value));
+        let mut right = self.with_deviation.map(OrderlessSum::value);
+        let scale: [f64; DEPTH] = std::array::from_fn(|a| matrix[a][a]);
         let mut solved = [false; DEPTH];
-        for _ in 0..self.kept {
-            let pivot = (0..self.kept)
+        for _ in 0..largest.kept {
+            let pivot = (0..largest.kept)
                 .filter(|&a| !solved[a] && matrix[a][a] > DEPENDENT * scale[a])
                 .max_by(|&a, &b| (matrix[a][a] / scale[a]).total_cmp(&(matrix[b][b] / scale[b])));
             let Some(pivot) = pivot else { break };
@@ -68,7 +108,7 @@ impl Products {
             matrix[pivot].iter_mut().for_each(|x| *x *= inverse);
             right[pivot] *= inverse;
             let (row, value) = (matrix[pivot], right[pivot]);
-            for a in (0..self.kept).filter(|&a| a != pivot) {
+            for a in (0..largest.kept).filter(|&a| a != pivot) {
                 let factor = matrix[a][pivot];
                 for (x, y) in matrix[a].iter_mut().zip(row) {
                     *x -= factor * y;
@@ -76,7 +116,13 @@ impl Products {
                 right[a] -= factor * value;
             }
         }
-        std::array::from_fn(|a| if solved[a] { right[a] } else { 0.0 })
+        std::array::from_fn(|a| {
+            if solved[a] {
+                right[a] * largest.deviation / largest.changes[a]
+            } else {
+                0.0
+            }
+        })
     }
 }
 
@@ -89,7 +135,7 @@ impl Memory {
     }
 
     /// Notes the deviation of the forces tried, and its change.
-    pub(crate) fn note(&mut self, trial: &[f64], answer: &[f64]) -> Products {
+    pub(crate) fn note(&mut self, trial: &[f64], answer: &[f64]) -> Largest {
         if self.begun {
             let slot = self.next;
             self.next = (slot + 1) % DEPTH;
@@ -106,20 +152,25 @@ impl Memory {
         self.trial.extend_from_slice(trial);
         self.deviation.clear();
         self.deviation.extend(trial.iter().zip(answer).map(|(x, f)| f - x));
-        self.products()
+        Largest {
+            kept: self.kept,
+            changes: std::array::from_fn(|a| largest(&self.deviation_changes[a])),
+            deviation: largest(&self.deviation),
+        }
     }
 
-    fn products(&self) -> Products {
+    /// Scalar products of what was noted.
+    pub(crate) fn products(&self, all: &Largest) -> Products {
         let mut products = Products {
-            kept: self.kept,
-            deviation: dot(&self.deviation, &self.deviation),
+            deviation: OrderlessSum::of_products(&self.deviation, &self.deviation, all.deviation * all.deviation),
             ..Products::default()
         };
         for a in 0..self.kept {
-            let change = &self.deviation_changes[a];
-            products.with_deviation[a] = dot(change, &self.deviation);
+            let (change, size) = (&self.deviation_changes[a], all.changes[a]);
+            products.with_deviation[a] = OrderlessSum::of_products(change, &self.deviation, size * all.deviation);
             for b in 0..=a {
-                let product = dot(change, &self.deviation_changes[b]);
+                let other = &self.deviation_changes[b];
+                let product = OrderlessSum::of_products(change, other, size * all.changes[b]);
                 products.changes[a][b] = product;
                 products.changes[b][a] = product;
             }
@@ -153,16 +204,16 @@ impl Progress {
     }
 
     /// Whether mixing does harm, so that the plain iteration must begin anew.
-    pub(crate) fn is_lost(&mut self, products: &Products) -> bool {
-        let norm = products.deviation.sqrt();
+    pub(crate) fn is_lost(&mut self, products: &Products, largest: &Largest) -> bool {
+        let norm = products.norm(largest);
         let lost = norm > PATIENCE * self.least;
         self.least = if lost { norm } else { self.least.min(norm) };
         lost
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
 }
 
 #[cfg(test)]
@@ -175,13 +226,17 @@ mod tests {
         let mut x = vec![0.0; eigenvalues.len()];
         for count in 1..10_000 {
             let answer: Vec<f64> = x.iter().zip(eigenvalues).map(|(x, e)| 1.0 + e * x).collect();
-            let products = memory.note(&x, &answer);
-            if products.deviation.sqrt() < 1e-12 {
+            let largest = memory.note(&x, &answer);
+            if largest.deviation < 1e-12 {
                 let exact = x.iter().zip(eigenvalues).map(|(x, e)| (x - 1.0 / (1.0 - e)).abs());
                 assert!(exact.fold(0.0, f64::max) < 1e-10);
                 return count;
             }
-            let weights = if mix { products.weights() } else { Default::default() };
+            let weights = if mix {
+                memory.products(&largest).weights(&largest)
+            } else {
+                Default::default()
+            };
             memory.advance(&weights, &mut x);
         }
         usize::MAX

@@ -13,16 +13,16 @@
 //! go continuously.
 //!
 //! Work is shared out so that every sum has one owner and one order: [`sites`] gathers by grain, in the order of the
-//! partner's id, what its contacts push with; [`rows`] finds by contact what displaces it.
+//! partner's id, what its contacts push with, and finds how that displaces them; [`displaced`] goes by contact from the
+//! displacements of both bodies to the force.
 
 pub(crate) mod bulge;
+pub(crate) mod displaced;
+pub(crate) mod kernels;
 pub(crate) mod mixing;
-pub(crate) mod rows;
 pub(crate) mod sites;
 
-use crate::materials::Materials;
 use demeter_physics::contact::PairSize;
-use demeter_physics::contact::multi_contact::{MultiContact, MultiContactLaw, MultiContactVisitor};
 use serde::{Deserialize, Serialize};
 
 /// How the coupled equation is treated.
@@ -55,6 +55,10 @@ pub struct Coupled {
     pub elastic: f64,
     /// Its change in the latest step [N].
     pub trend: f64,
+    /// The change of its change [N].
+    pub curve: f64,
+    /// Change of the lever by displacement in the latest step [m].
+    pub lever_trend: f64,
     /// Outward displacement of the surfaces of both bodies by their other contacts [m].
     pub displacement: [f64; 2],
 }
@@ -72,15 +76,24 @@ impl Coupled {
         0.5 * (self.displacement[0] - self.displacement[1])
     }
 
-    /// Elastic force to start the solution from [N]: it goes on as in the latest step, but no push turns into a pull.
+    /// Elastic force to start the solution from [N]: it goes on as in the latest steps, but no push turns into a pull.
     #[inline(always)]
     fn foreseen(&self) -> f64 {
-        let forecast = self.elastic + self.trend;
+        let forecast = self.elastic + self.trend + self.curve;
         if self.elastic >= 0.0 {
             forecast.max(0.0)
         } else {
             forecast
         }
+    }
+
+    /// Notes the force of this step, whose displacements are here already.
+    #[inline(always)]
+    fn go_on(&mut self, earlier: &Self, force: f64) {
+        self.elastic = force;
+        self.trend = force - earlier.elastic;
+        self.curve = self.trend - earlier.trend;
+        self.lever_trend = self.lever_shift() - earlier.lever_shift();
     }
 }
 
@@ -100,13 +113,14 @@ pub(crate) struct Scratch {
     overlap: Vec<f64>,
     /// Shifts of the levers that the influences were found with [m].
     lever_shift: Vec<f64>,
-    rows: rows::Rows,
-    mixing: mixing::Memory,
+    /// Indices among the sites of both bodies.
+    slots: Vec<[u32; 2]>,
+    /// Whether the displaced surfaces do not meet.
+    asleep: Vec<bool>,
+    pub(crate) mixing: mixing::Memory,
     memory: Vec<f64>,
     /// The contact farthest from its solution.
     pub(crate) worst: Worst,
-    /// Largest change of a lever since the influences were found, as a share of the smaller radius.
-    pub(crate) lever_change: f64,
 }
 
 impl Scratch {
@@ -122,32 +136,35 @@ impl Scratch {
         self.earlier.push(remembered);
     }
 
-    /// Takes the forces to begin with.
+    /// Takes the forces and levers to begin with.
     pub(crate) fn begin(&mut self, coupling: Coupling) {
         self.trial.clear();
-        self.trial.extend(self.earlier.iter().map(|c| match coupling {
-            Coupling::Converged { .. } => c.foreseen(),
-            Coupling::Lagged => c.elastic,
-        }));
+        self.lever_shift.clear();
+        match coupling {
+            Coupling::Converged { .. } => {
+                self.trial.extend(self.earlier.iter().map(Coupled::foreseen));
+                let shifts = self.earlier.iter().map(|c| c.lever_shift() + c.lever_trend);
+                self.lever_shift.extend(shifts);
+            }
+            Coupling::Lagged => {
+                self.trial.extend(self.earlier.iter().map(|c| c.elastic));
+                self.lever_shift.extend(self.earlier.iter().map(Coupled::lever_shift));
+            }
+        }
         self.mixing.forget();
     }
-}
 
-impl Scratch {
-    /// Takes the forces that the laws answered with.
-    pub(crate) fn accept(&mut self) {
+    /// Goes on with the forces that the laws answered with.
+    pub(crate) fn iterate(&mut self) {
         self.trial.copy_from_slice(&self.answer);
-        self.mixing.forget();
     }
 
-    pub(crate) fn note(&mut self) -> mixing::Products {
+    /// Notes how far the forces tried are from the answers.
+    pub(crate) fn note(&mut self) -> mixing::Largest {
         self.mixing.note(&self.trial, &self.answer)
     }
 
-    pub(crate) fn forget(&mut self) {
-        self.mixing.forget();
-    }
-
+    /// Goes on with mixed forces.
     pub(crate) fn advance(&mut self, weights: &mixing::Weights) {
         self.mixing.advance(weights, &mut self.trial);
     }
@@ -160,34 +177,4 @@ pub(crate) struct Worst {
     pub(crate) share: f64,
     /// Index in its chunk.
     pub(crate) contact: usize,
-}
-
-/// Whether no contact feels another.
-pub(crate) fn independent(materials: &Materials) -> bool {
-    struct Asks;
-    impl MultiContactVisitor for Asks {
-        type Output = bool;
-        fn visit<L: MultiContact>(self, _law: &L) -> bool {
-            L::INDEPENDENT
-        }
-    }
-    laws(materials).all(|law| law.visit(Asks))
-}
-
-/// Whether influences depend on the levers.
-pub(crate) fn feels_levers(materials: &Materials) -> bool {
-    struct Asks;
-    impl MultiContactVisitor for Asks {
-        type Output = bool;
-        fn visit<L: MultiContact>(self, _law: &L) -> bool {
-            L::FEELS_LEVERS
-        }
-    }
-    laws(materials).any(|law| law.visit(Asks))
-}
-
-fn laws(materials: &Materials) -> impl Iterator<Item = &MultiContactLaw> {
-    let count = materials.list().len() as u16;
-    let pairs = (0..count).flat_map(move |a| (0..count).map(move |b| (a, b)));
-    pairs.map(|(a, b)| &materials.law(materials.pair(a, b)).multi_contact)
 }

@@ -1,12 +1,14 @@
 use super::*;
 use crate::measure::Energies;
 use glam::DVec3;
+use std::fs;
 
 fn labels() -> SeriesLabels {
     SeriesLabels {
         stages: vec!["settle".to_owned(), "squeeze, slowly".to_owned()],
         walls: vec!["top".to_owned(), "the \"lid\"".to_owned()],
         strain: true,
+        networks: vec!["packing".to_owned()],
     }
 }
 
@@ -31,6 +33,13 @@ fn row(step: u64) -> Measures {
                 ..WallLoad::default()
             },
         ],
+        networks: vec![NetworkMeasures {
+            contacts: 7,
+            coordination: 2.0 * x,
+            mean_force: 0.5,
+            centre_distance: 0.25,
+            packing_fraction: 0.5,
+        }],
         ..Measures::default()
     }
 }
@@ -63,6 +72,8 @@ fn numbers_read_back_to_the_same_bits() {
         number("wall the \"lid\" force z [N]").to_bits(),
         (4.0_f64 / 3.0).to_bits()
     );
+    assert_eq!(number("packing coordination"), 2.0 * (4.0 / 3.0));
+    assert_eq!(number("packing scaling [N m]"), 2.0 * (4.0 / 3.0) * 0.5 * 0.25 * 0.5);
     assert_eq!(cell(&path, 0, "stage"), "settle");
     assert_eq!(cell(&path, 1, "stage"), "squeeze, slowly");
 }
@@ -105,11 +116,16 @@ fn a_series_of_other_walls_is_refused() {
     assert!(matches!(
         error,
         OutputError::RowDoesNotFit {
+            what: "walls",
             expected: 2,
             found: 0,
             ..
         }
     ));
+    let mut without = row(1);
+    without.networks.clear();
+    let text = series.write(&without).unwrap_err().to_string();
+    assert!(text.contains("has 0 contact networks, its header has 1"), "{text}");
 }
 
 #[test]
@@ -130,6 +146,7 @@ fn the_table_names_every_column_once() {
         stages: Vec::new(),
         walls: vec!["NAME".to_owned()],
         strain: true,
+        networks: vec!["MEASURE".to_owned()],
     }
     .header();
     let table = columns_table();
@@ -137,5 +154,8 @@ fn the_table_names_every_column_once() {
     assert_eq!(table.lines().count(), 2 + names.len());
     names.sort();
     names.dedup();
-    assert_eq!(names.len(), COLUMNS.len() + 1 + WALL_COLUMNS.len());
+    assert_eq!(
+        names.len(),
+        COLUMNS.len() + 1 + WALL_COLUMNS.len() + NETWORK_COLUMNS.len()
+    );
 }

@@ -1,6 +1,6 @@
 #![doc = include_str!("half_space.md")]
 
-use super::{Bodies, Body, ContactPair, MultiContact};
+use super::{ContactPair, Material, MultiContact};
 use crate::contact::MaterialPair;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
 use crate::params;
@@ -15,7 +15,7 @@ params! {
 /// Elastic half-space bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfSpace {
-    bodies: Bodies,
+    grain: Material,
     prefactor: f64,
 }
 
@@ -32,14 +32,19 @@ impl MultiContact for HalfSpace {
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = HalfSpaceParameters::from_values(values)?;
         Ok(Self {
-            bodies: Bodies::new(pair),
+            grain: Material::new(pair),
             prefactor: p.prefactor,
         })
     }
 
     #[inline(always)]
-    fn influence(&self, body: Body, at: &ContactPair) -> f64 {
-        let (compliance, nu) = self.bodies.of(body);
+    fn is_mutual(&self) -> bool {
+        self.grain.poisson_ratio == 0.5
+    }
+
+    #[inline(always)]
+    fn influence(&self, at: &ContactPair) -> f64 {
+        let (compliance, nu) = self.grain.terms();
         let (cosine, from, to) = (at.cosine, at.source_lever, at.target_lever);
         let distance = (from * from + to * to - 2.0 * from * to * cosine)
             .max(at.least_distance_squared)
@@ -52,15 +57,15 @@ impl MultiContact for HalfSpace {
         -self.prefactor * compliance * inverse * braces
     }
 
-    fn largest_bulge(&self, body: Body, _radius: f64, least_lever: f64) -> f64 {
+    fn largest_bulge(&self, _radius: f64, least_lever: f64) -> f64 {
         // opposite the force
-        let (compliance, nu) = self.bodies.of(body);
+        let (compliance, nu) = self.grain.terms();
         self.prefactor * compliance * (3.0 - 2.0 * nu) / (2.0 * least_lever)
     }
 
-    fn largest_pull(&self, body: Body, _radius: f64, least_distance: f64) -> f64 {
+    fn largest_pull(&self, _radius: f64, least_distance: f64) -> f64 {
         // |n_k + u| <= sqrt(2 (1 + n_k.u)), so the last term is at most 2 (1 - 2 nu)
-        let (compliance, nu) = self.bodies.of(body);
+        let (compliance, nu) = self.grain.terms();
         self.prefactor * compliance * (6.0 - 8.0 * nu) / least_distance
     }
 }
@@ -108,7 +113,7 @@ mod tests {
             (0.3, p0, p1, 0.111_753_066_5),
             (0.3, p1, p0, 0.110_747_598_7),
         ] {
-            let found = law(nu).influence(Body::First, &contacts(from, to));
+            let found = law(nu).influence(&contacts(from, to));
             assert_relative_eq!(found, expected, max_relative = 1e-9);
             assert_relative_eq!(found, vectors(nu, from, to), max_relative = 1e-13);
         }
@@ -128,13 +133,13 @@ mod tests {
                         least_distance_squared: 0.04,
                         radius: 1.0,
                     };
-                    let influence = law.influence(Body::Second, &at);
-                    let bulge = law.largest_bulge(Body::Second, 1.0, f64::min(levers.0, levers.1));
+                    let influence = law.influence(&at);
+                    let bulge = law.largest_bulge(1.0, f64::min(levers.0, levers.1));
                     assert!(
                         influence <= bulge * (1.0 + 1e-12),
                         "{nu} {levers:?} {cosine} {influence} {bulge}"
                     );
-                    let pull = law.largest_pull(Body::Second, 1.0, 0.2);
+                    let pull = law.largest_pull(1.0, 0.2);
                     assert!(-influence <= pull * (1.0 + 1e-12), "{nu} {levers:?} {cosine}");
                 }
             }

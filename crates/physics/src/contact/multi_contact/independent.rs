@@ -1,6 +1,6 @@
 #![doc = include_str!("independent.md")]
 
-use super::{Body, ContactPair, MultiContact};
+use super::{ContactPair, MultiContact};
 use crate::contact::MaterialPair;
 use crate::parameters::{ParameterError, ParameterInfo, Values};
 use crate::params;
@@ -28,15 +28,15 @@ impl MultiContact for Independent {
     }
 
     #[inline(always)]
-    fn influence(&self, _body: Body, _contacts: &ContactPair) -> f64 {
+    fn influence(&self, _contacts: &ContactPair) -> f64 {
         0.0
     }
 
-    fn largest_bulge(&self, _body: Body, _radius: f64, _least_lever: f64) -> f64 {
+    fn largest_bulge(&self, _radius: f64, _least_lever: f64) -> f64 {
         0.0
     }
 
-    fn largest_pull(&self, _body: Body, _radius: f64, _least_distance: f64) -> f64 {
+    fn largest_pull(&self, _radius: f64, _least_distance: f64) -> f64 {
         0.0
     }
 }

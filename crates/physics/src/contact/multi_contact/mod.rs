@@ -7,18 +7,9 @@
 //!
 //! The model is told by the law of the contact that is displaced. Walls are not displaced.
 
-use super::{MaterialPair, law_family};
+use super::{Elastic, MaterialPair, law_family};
 use crate::dimension::Dimension;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
-
-/// Which body of a contact: [`MaterialPair::a`] or [`MaterialPair::b`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Body {
-    /// The first body.
-    First,
-    /// The second body.
-    Second,
-}
 
 /// Two contacts of one grain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,19 +59,25 @@ pub trait MultiContact: Copy + PartialEq + Send + Sync + 'static {
     /// Whether the levers matter. If not, the influences of a grain's contacts do not depend on the displacements.
     const FEELS_LEVERS: bool;
 
-    /// Binds the law to a pair of materials.
+    /// Binds the law to a pair of materials: `pair.a` is that of the displaced grain.
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>>;
 
-    /// Outward displacement of one body's surface at a contact per force at another of its contacts [m/N].
-    fn influence(&self, body: Body, contacts: &ContactPair) -> f64;
+    /// Whether any two contacts displace each other alike, to the bit.
+    #[inline(always)]
+    fn is_mutual(&self) -> bool {
+        !Self::FEELS_LEVERS
+    }
+
+    /// Outward displacement of the grain's surface at a contact per force at another of its contacts [m/N].
+    fn influence(&self, contacts: &ContactPair) -> f64;
 
     /// Largest outward displacement anywhere on a grain per compressive force on it [m/N]: no contact point lies closer to
     /// the centre than `least_lever`.
-    fn largest_bulge(&self, body: Body, radius: f64, least_lever: f64) -> f64;
+    fn largest_bulge(&self, radius: f64, least_lever: f64) -> f64;
 
     /// Largest outward displacement anywhere on a grain per pull on it [m/N], with contact points no closer than
     /// `least_distance`.
-    fn largest_pull(&self, body: Body, radius: f64, least_distance: f64) -> f64;
+    fn largest_pull(&self, radius: f64, least_distance: f64) -> f64;
 }
 
 law_family! {
@@ -91,30 +88,33 @@ law_family! {
         independent::Independent,
         half_space::HalfSpace,
         sphere_to_sphere::SphereToSphere,
+        point_on_sphere::PointOnSphere,
     }
 }
 
-/// Young's modulus and Poisson's ratio of both bodies, as the laws use them.
+/// The material of the displaced grain, as the laws use it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Bodies {
+struct Material {
     /// `(1 + nu)/(2 pi E)` [1/Pa].
-    compliance: [f64; 2],
-    poisson_ratio: [f64; 2],
+    compliance: f64,
+    poisson_ratio: f64,
 }
 
-impl Bodies {
+impl Material {
     fn new(pair: &MaterialPair) -> Self {
-        let both = [pair.a, pair.b];
+        let Elastic {
+            young_modulus,
+            poisson_ratio,
+        } = pair.a;
         Self {
-            compliance: both.map(|m| (1.0 + m.poisson_ratio) / (2.0 * std::f64::consts::PI * m.young_modulus)),
-            poisson_ratio: both.map(|m| m.poisson_ratio),
+            compliance: (1.0 + poisson_ratio) / (2.0 * std::f64::consts::PI * young_modulus),
+            poisson_ratio,
         }
     }
 
-    /// `(1 + nu)/(2 pi E)` [1/Pa] and `nu` of one body.
+    /// `(1 + nu)/(2 pi E)` [1/Pa] and `nu`.
     #[inline(always)]
-    fn of(&self, body: Body) -> (f64, f64) {
-        let index = body as usize;
-        (self.compliance[index], self.poisson_ratio[index])
+    fn terms(&self) -> (f64, f64) {
+        (self.compliance, self.poisson_ratio)
     }
 }

@@ -1,6 +1,6 @@
 #![doc = include_str!("sphere_to_sphere.md")]
 
-use super::{Bodies, Body, ContactPair, MultiContact};
+use super::{ContactPair, Material, MultiContact};
 use crate::contact::MaterialPair;
 use crate::parameters::{ParameterError, ParameterInfo, Values};
 use crate::params;
@@ -13,7 +13,7 @@ params! {
 /// Spheres pressed on each other, bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereToSphere {
-    bodies: Bodies,
+    grain: Material,
 }
 
 impl MultiContact for SphereToSphere {
@@ -26,27 +26,27 @@ impl MultiContact for SphereToSphere {
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         SphereToSphereParameters::from_values(values)?;
         Ok(Self {
-            bodies: Bodies::new(pair),
+            grain: Material::new(pair),
         })
     }
 
     #[inline(always)]
-    fn influence(&self, body: Body, at: &ContactPair) -> f64 {
-        let (compliance, nu) = self.bodies.of(body);
+    fn influence(&self, at: &ContactPair) -> f64 {
+        let (compliance, nu) = self.grain.terms();
         let least = at.least_distance_squared / (4.0 * at.radius * at.radius);
         let sine = (0.5 * (1.0 - at.cosine)).max(least).sqrt();
         let bracket = (-2.0 * (1.0 - nu)) / sine - 2.0 * (1.0 - 2.0 * nu) + (7.0 - 8.0 * nu) * sine;
         compliance / (2.0 * at.radius) * bracket
     }
 
-    fn largest_bulge(&self, body: Body, radius: f64, _least_lever: f64) -> f64 {
+    fn largest_bulge(&self, radius: f64, _least_lever: f64) -> f64 {
         // the bracket grows with the angle
-        let (compliance, nu) = self.bodies.of(body);
+        let (compliance, nu) = self.grain.terms();
         compliance / (2.0 * radius) * (3.0 - 2.0 * nu)
     }
 
-    fn largest_pull(&self, body: Body, radius: f64, least_distance: f64) -> f64 {
-        let (compliance, nu) = self.bodies.of(body);
+    fn largest_pull(&self, radius: f64, least_distance: f64) -> f64 {
+        let (compliance, nu) = self.grain.terms();
         compliance * (2.0 * (1.0 - nu) / least_distance + (1.0 - 2.0 * nu) / radius)
     }
 }
@@ -81,13 +81,13 @@ mod tests {
     fn reference_values() {
         for (nu, degrees, expected) in [
             (0.5, 30.0, -3.087_246_170),
-            (0.5, 90.0, 0.707_106_781_2),
+            (0.5, 90.0, std::f64::consts::FRAC_1_SQRT_2),
             (0.5, 150.0, 1.862_501_298),
             (0.5, 180.0, 2.0),
             (0.3, 90.0, 0.472_792_206_1),
         ] {
             let law = SphereToSphere::new(&Values::new(), &pair(nu)).unwrap();
-            let found = law.influence(Body::First, &on_the_sphere(degrees, 1.0));
+            let found = law.influence(&on_the_sphere(degrees, 1.0));
             assert_relative_eq!(found * 4.0 * PI / (1.0 + nu), expected, max_relative = 1e-9);
         }
     }
@@ -99,13 +99,10 @@ mod tests {
             let half_space = HalfSpace::new(&Values::new(), &pair(nu)).unwrap();
             for degrees in [20.0, 60.0, 77.0, 120.0, 180.0] {
                 let at = on_the_sphere(degrees, 0.3);
-                let (one, other) = (
-                    spheres.influence(Body::First, &at),
-                    half_space.influence(Body::First, &at),
-                );
+                let (one, other) = (spheres.influence(&at), half_space.influence(&at));
                 assert_relative_eq!(one, other, max_relative = 1e-12, epsilon = 1e-13);
-                let bulge = spheres.largest_bulge(Body::First, 0.3, 0.3);
-                assert!(one <= bulge * (1.0 + 1e-12) && -one <= spheres.largest_pull(Body::First, 0.3, 0.03));
+                let bulge = spheres.largest_bulge(0.3, 0.3);
+                assert!(one <= bulge * (1.0 + 1e-12) && -one <= spheres.largest_pull(0.3, 0.03));
             }
         }
     }

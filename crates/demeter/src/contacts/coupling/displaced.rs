@@ -1,0 +1,236 @@
+//! Contacts between displaced surfaces: their overlaps, the forces that follow, and what the laws see.
+
+use super::sites::{self, ContactPlace, Sites};
+use super::{Scratch, Worst};
+use crate::contacts::block::{next_run, normal_window};
+use crate::contacts::{ContactChunk, Fault, Kept, Scene};
+use demeter_physics::contact::PairSize;
+use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor};
+use demeter_physics::integrator::Integrator;
+
+/// A displaced overlap beyond this multiple of the largest overlap allowed tells that the coupled equation has no
+/// solution: at the fold of a regular packing the displacements add twice the overlap.
+const LARGEST_DISPLACED: f64 = 3.0;
+
+/// Forces below this share of the largest anywhere are not told from none.
+const LEAST_SHARE: f64 = 1e-2;
+
+/// Where a chunk stands among the others.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ChunkPlace {
+    pub(crate) wall: bool,
+    pub(crate) chunk: usize,
+}
+
+/// Elastic forces of a run of contacts of one material pair, at the displaced overlaps.
+struct Elastic<'a> {
+    dt: f64,
+    integrator: Integrator,
+    stride: usize,
+    overlap: &'a [f64],
+    rate: &'a [f64],
+    size: &'a [PairSize],
+    history: &'a [f64],
+    memory: &'a mut Vec<f64>,
+    answer: &'a mut [f64],
+}
+
+impl NormalVisitor for Elastic<'_> {
+    type Output = ();
+
+    fn visit<L: Normal>(self, law: &L) {
+        let remembered = law.history();
+        self.memory.resize(remembered, 0.0);
+        for (k, answer) in self.answer.iter_mut().enumerate() {
+            let (overlap, rate) = (self.overlap[k], self.rate[k]);
+            let input = NormalInput {
+                size: self.size[k],
+                overlap,
+                rate,
+                half_window: normal_window::<L>(self.integrator, overlap, rate, self.dt),
+            };
+            self.memory
+                .copy_from_slice(&self.history[k * self.stride..][..remembered]);
+            *answer = law.respond(&input, self.memory).elastic;
+        }
+    }
+}
+
+impl ContactChunk {
+    /// Finds all contacts among the sites of their bodies.
+    pub(crate) fn find_slots(&mut self, at: ChunkPlace, sites: &[Sites]) {
+        self.coupling.slots.clear();
+        for k in 0..self.len() {
+            let place = ContactPlace::new(at.wall, at.chunk, k);
+            let first = sites::slot(sites, self.i[k], place);
+            let second = if at.wall {
+                0
+            } else {
+                sites::slot(sites, self.j[k], place)
+            };
+            self.coupling.slots.push([first, second]);
+        }
+    }
+
+    /// Takes the displacements of the sites.
+    pub(crate) fn take_displacements(&mut self, at: ChunkPlace, sites: &[Sites]) {
+        for (k, [first, second]) in self.coupling.slots.iter().enumerate() {
+            let displacement = &mut self.now.coupling[k].displacement;
+            displacement[0] = sites::displacement(sites, self.i[k], *first);
+            if !at.wall {
+                displacement[1] = sites::displacement(sites, self.j[k], *second);
+            }
+        }
+    }
+
+    /// Takes the displacements of the sites, finds the elastic forces that the laws answer with, and how far they are
+    /// from those tried. `largest` is the largest force anywhere [N].
+    pub(crate) fn answer(&mut self, at: ChunkPlace, scene: &Scene, sites: &[Sites], largest: f64) {
+        self.take_displacements(at, sites);
+        let Self {
+            now, coupling, i, j, ..
+        } = self;
+        coupling.overlap.clear();
+        let overlaps = now.geometry.iter().zip(&now.coupling);
+        coupling
+            .overlap
+            .extend(overlaps.map(|(contact, c)| contact.overlap + c.sum()));
+        coupling.find_forces(now, scene);
+        coupling.worst = Worst::default();
+        for k in 0..now.len() {
+            let deviation = (coupling.answer[k] - coupling.trial[k]).abs();
+            if deviation == 0.0 {
+                continue;
+            }
+            let mut scale = sites::largest_force(sites, i[k]).max(LEAST_SHARE * largest);
+            if !at.wall {
+                scale = scale.max(sites::largest_force(sites, j[k]));
+            }
+            // where all forces were 0 so far, nothing is known yet
+            let share = deviation / scale.max(coupling.answer[k].abs());
+            if share.is_nan() || share > coupling.worst.share {
+                coupling.worst = Worst { share, contact: k };
+            }
+        }
+    }
+
+    /// Largest change of a lever since the influences were found, as a share of the smaller radius.
+    pub(crate) fn lever_change(&self, at: ChunkPlace, scene: &Scene) -> f64 {
+        let change = |k: usize| {
+            let change = (self.now.coupling[k].lever_shift() - self.coupling.lever_shift[k]).abs();
+            change / scene.smaller_radius(self.i[k], Some(self.j[k]))
+        };
+        if at.wall {
+            0.0
+        } else {
+            (0..self.len()).map(change).fold(0.0, f64::max)
+        }
+    }
+
+    /// Goes on with the levers of the displacements found now, and with the forces that they gave.
+    pub(crate) fn accept(&mut self) {
+        self.coupling.trial.copy_from_slice(&self.coupling.answer);
+        self.coupling.mixing.forget();
+        self.coupling.lever_shift.clear();
+        let shifts = self.now.coupling.iter().map(super::Coupled::lever_shift);
+        self.coupling.lever_shift.extend(shifts);
+    }
+
+    /// Puts the displacements into the geometry that the laws see, and watches that they stay within reason.
+    pub(crate) fn deform(&mut self, at: ChunkPlace, scene: &Scene) {
+        self.coupling.asleep.clear();
+        for k in 0..self.len() {
+            let coupled = self.now.coupling[k];
+            let contact = &mut self.now.geometry[k];
+            let undisplaced = contact.overlap;
+            contact.overlap += coupled.sum();
+            if !at.wall {
+                let shift = coupled.lever_shift();
+                contact.lever_i += shift;
+                contact.lever_j -= shift;
+            }
+            let overlap = contact.overlap;
+            let (size, rate) = (self.coupling.size[k], self.coupling.rate[k]);
+            let acts = scene.acts(self.now.pair[k], || size, overlap, rate);
+            self.coupling.asleep.push(!acts);
+            let share = overlap / scene.smaller_radius(self.i[k], (!at.wall).then_some(self.j[k]));
+            if (share.is_nan() || share > LARGEST_DISPLACED * scene.max_overlap) && self.fault.is_none() {
+                self.fault = Some(self.beyond_fold(k, at, scene, undisplaced));
+            }
+        }
+    }
+
+    /// The fault of a contact whose coupled equation has no solution; `overlap` is that of the undisplaced spheres [m].
+    pub(crate) fn beyond_fold(&self, k: usize, at: ChunkPlace, scene: &Scene, overlap: f64) -> Fault {
+        let (grain, other) = (self.i[k] as usize, self.j[k] as usize);
+        let coupled = &self.now.coupling[k];
+        let radius = scene.smaller_radius(self.i[k], (!at.wall).then_some(self.j[k]));
+        let (across, partner) = if at.wall {
+            let name = &scene.walls[other].name;
+            (scene.grains.radius[grain], format!("wall {name}"))
+        } else {
+            let across = scene.grains.radius[grain] + scene.grains.radius[other];
+            (across, format!("grain {}", scene.grains.id[other]))
+        };
+        Fault::BeyondFold {
+            step: scene.step,
+            id: scene.grains.id[grain],
+            position: scene.grains.position[grain],
+            partner,
+            strain: overlap / across,
+            displacement_share: coupled.sum() / radius,
+        }
+    }
+
+    /// Remembers the elastic forces for the displacements to come, and books what the displacements put into the stored
+    /// energy.
+    ///
+    /// Stored are `U = sum Phi(overlap + D) - F D / 2`. From one step to the next it grows by the work `F d(overlap)` and by
+    /// `(F_0 D_1 - F_1 D_0)/2`: nothing, where influences are mutual and do not change.
+    pub(crate) fn remember_coupling(&mut self, first: usize, elastic: &[f64], scene: &Scene) {
+        for (k, &force) in (first..).zip(elastic) {
+            let earlier = self.coupling.earlier[k];
+            let coupled = &mut self.now.coupling[k];
+            self.tally.multi_contact += 0.5 * (earlier.elastic * coupled.sum() - force * earlier.sum());
+            coupled.go_on(&earlier, force);
+            if self.coupling.asleep[k] {
+                self.forget_contact(k, scene);
+            }
+        }
+    }
+
+    /// Surfaces that do not meet yet, or no longer, remember nothing of a contact.
+    fn forget_contact(&mut self, k: usize, scene: &Scene) {
+        let history = &mut self.now.history[k * scene.stride..(k + 1) * scene.stride];
+        if scene.stride > 0 {
+            let law = scene.materials.law(self.now.pair[k]);
+            let (tangential, rolling) = crate::contacts::block::spring_energies(law, history);
+            self.tally.friction += tangential;
+            self.tally.rolling += rolling;
+            history.fill(0.0);
+        }
+    }
+}
+
+impl Scratch {
+    /// Elastic forces at the displaced overlaps, with what the contacts remember from the step before.
+    fn find_forces(&mut self, now: &Kept, scene: &Scene) {
+        self.answer.resize(now.len(), 0.0);
+        let mut run = 0..0;
+        while run.end < now.len() {
+            run = next_run(&now.pair, run.end);
+            let law = scene.materials.law(now.pair[run.start]);
+            law.normal.visit(Elastic {
+                dt: scene.dt,
+                integrator: scene.integrator,
+                stride: scene.stride,
+                overlap: &self.overlap[run.clone()],
+                rate: &self.rate[run.clone()],
+                size: &self.size[run.clone()],
+                history: &now.history[run.start * scene.stride..run.end * scene.stride],
+                memory: &mut self.memory,
+                answer: &mut self.answer[run.clone()],
+            });
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! A CSV file that grows by rows, each of which begins with the step that it belongs to.
+
+use super::error::OutputError;
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// Bytes of a row that are looked at to find its step: more than the digits of the largest one.
+const STEP_LENGTH: usize = 32;
+
+/// A file of rows, open at its end.
+#[derive(Debug)]
+pub(super) struct RowFile {
+    path: PathBuf,
+    file: File,
+    length: u64,
+}
+
+impl RowFile {
+    /// Starts a file with its header.
+    pub fn create(path: &Path, header: &[String]) -> Result<Self, OutputError> {
+        let file = File::create(path).map_err(OutputError::io("create", path))?;
+        let mut rows = Self {
+            path: path.to_owned(),
+            file,
+            length: 0,
+        };
+        rows.add(std::slice::from_ref(&header))?;
+        Ok(rows)
+    }
+
+    /// Goes on after a step: rows of later steps and a row that was cut short are removed. A file that is not there, or
+    /// was cut in its header, is started again. However long the file is, only a little of it is in memory.
+    pub fn resume(path: &Path, header: &[String], step: u64) -> Result<Self, OutputError> {
+        let io = |e| OutputError::io("continue", path)(e);
+        let file = match OpenOptions::new().read(true).write(true).open(path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Self::create(path, header),
+            file => file.map_err(io)?,
+        };
+        let expected = encode(std::slice::from_ref(&header), path)?;
+        let mut reader = BufReader::new(file);
+        let mut found = Vec::new();
+        (&mut reader)
+            .take(expected.len() as u64)
+            .read_to_end(&mut found)
+            .map_err(io)?;
+        if expected.starts_with(&found) && found != expected {
+            return Self::create(path, header);
+        }
+        let other = |problem: String| OutputError::OtherSeries {
+            path: path.to_owned(),
+            problem,
+        };
+        if found != expected {
+            return Err(other("its header has other columns".to_owned()));
+        }
+        let kept = rows_up_to(&mut reader, step).map_err(io)?.map_err(other)?;
+        let length = expected.len() as u64 + kept;
+        let mut file = reader.into_inner();
+        file.set_len(length).map_err(io)?;
+        file.seek(SeekFrom::Start(length)).map_err(io)?;
+        Ok(Self {
+            path: path.to_owned(),
+            file,
+            length,
+        })
+    }
+
+    /// Its path.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Adds rows in one piece; they are in the file when this returns. When that fails, what got through of them is
+    /// taken back.
+    pub fn add<R: AsRef<[String]>>(&mut self, rows: &[R]) -> Result<(), OutputError> {
+        let bytes = encode(rows, &self.path)?;
+        let written = self.file.write_all(&bytes);
+        if written.is_err() {
+            let back = self.file.set_len(self.length);
+            // If even that fails, `resume` removes the row that was cut short.
+            let _ = back.and_then(|()| self.file.seek(SeekFrom::Start(self.length)));
+        }
+        written.map_err(OutputError::io("add a row to", &self.path))?;
+        self.length += bytes.len() as u64;
+        Ok(())
+    }
+}
+
+fn encode<R: AsRef<[String]>>(rows: &[R], path: &Path) -> Result<Vec<u8>, OutputError> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer
+            .write_record(row.as_ref())
+            .map_err(|e| OutputError::encode(path, &e))?;
+    }
+    writer.into_inner().map_err(|e| OutputError::encode(path, &e))
+}
+
+/// Bytes of the whole rows up to a step, from behind the header on; the inner error tells a row that is none.
+fn rows_up_to(reader: &mut impl BufRead, step: u64) -> io::Result<Result<u64, String>> {
+    let mut kept = 0;
+    let mut start = Vec::with_capacity(STEP_LENGTH);
+    // names hold no control characters, so every line feed ends a row
+    for line in 2_u64.. {
+        let Some(length) = next_row(reader, &mut start)? else {
+            break;
+        };
+        let cell = start.split(|&b| b == b',').next().unwrap_or_default();
+        let number = std::str::from_utf8(cell).ok().and_then(|text| text.parse::<u64>().ok());
+        let Some(found) = number else {
+            return Ok(Err(format!("row {line} does not begin with a step")));
+        };
+        if found > step {
+            break;
+        }
+        kept += length;
+    }
+    Ok(Ok(kept))
+}
+
+/// Reads over a row, keeps its start, and tells its length with the line feed; `None` when the file ends before that.
+fn next_row(reader: &mut impl BufRead, start: &mut Vec<u8>) -> io::Result<Option<u64>> {
+    start.clear();
+    let mut length = 0;
+    loop {
+        let bytes = reader.fill_buf()?;
+        if bytes.is_empty() {
+            return Ok(None);
+        }
+        let end = bytes.iter().position(|&b| b == b'\n');
+        let part = end.unwrap_or(bytes.len());
+        start.extend(bytes.iter().take(part.min(STEP_LENGTH - start.len())));
+        let read = end.map_or(bytes.len(), |at| at + 1);
+        reader.consume(read);
+        length += read as u64;
+        if end.is_some() {
+            return Ok(Some(length));
+        }
+    }
+}
