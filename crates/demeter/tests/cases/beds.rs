@@ -377,7 +377,12 @@ fn squeezed_cohesive(count: u32) -> Setup {
 /// The plate presses grains out at an open side, where they are removed.
 fn squeezed_out(count: u32) -> Setup {
     let laws = Laws::hertz(0.7).friction(mindlin());
-    let (mut case, a) = squeezed_between(&laws.multi_contact("half-space", &[("prefactor", 1.125)]), count, false, 0.3);
+    let (mut case, a) = squeezed_between(
+        &laws.multi_contact("half-space", &[("prefactor", 1.125)]),
+        count,
+        false,
+        0.3,
+    );
     walled(&mut case, a, [false, true, false, false, false, true]);
     case.domain = Domain {
         lower: DVec3::splat(-0.5 * a),
