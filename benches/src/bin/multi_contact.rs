@@ -25,12 +25,14 @@ const CONVERGED: Coupling = Coupling::Converged {
 };
 
 /// Law and coupling of every column.
-const MODELS: [(&str, Coupling); 5] = [
+const MODELS: [(&str, Coupling); 7] = [
     ("independent", CONVERGED),
     ("half-space", Coupling::Lagged),
     ("half-space", CONVERGED),
     ("sphere-to-sphere", Coupling::Lagged),
     ("sphere-to-sphere", CONVERGED),
+    ("point-on-sphere", Coupling::Lagged),
+    ("point-on-sphere", CONVERGED),
 
 
 ];

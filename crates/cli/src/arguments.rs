@@ -37,9 +37,12 @@ pub enum Command {
     /// Draw the figures of the papers on damped springs and adhesive grains, and tell how exact they are
     #[command(after_help = exit::HELP)]
     Figure(FigureArguments),
-    /// Find the parameters of a law from observed collisions, and tell what these do not fix
+    /// Find the parameters of a law from observed collisions, or a number of a scenario from a measured force curve
     #[command(after_help = exit::HELP)]
     Fit(FitArguments),
+    /// Average the cycles of runs and compare them with a run or an experiment: forces, contacts, force distributions
+    #[command(after_help = exit::HELP)]
+    Compare(CompareArguments),
     /// List the contact laws, or explain one
     Laws(LawsArguments),
     /// Write a scenario to start from, or list those there are
@@ -59,7 +62,8 @@ impl Command {
             Self::ContactCurve(a) => a.json,
             Self::Sticking(a) => a.json,
             Self::Figure(a) => a.json,
-            Self::Fit(a) => a.json,
+            Self::Fit(a) => a.output.json,
+            Self::Compare(a) => a.json,
             Self::Laws(a) => a.json,
             Self::New(_) => false,
             Self::Info(a) => a.json,
@@ -209,11 +213,73 @@ pub struct FigureArguments {
 /// Of `demeter fit`.
 #[derive(Debug, Args)]
 pub struct FitArguments {
-    /// The file of observations
+    /// The file: observed collisions, or a measured force curve of a packing (a table `[packing]`)
     pub file: PathBuf,
     /// Change a value of the file, as `fit.law="linear"`; may be given many times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// Folder for the runs of a packing, one per trial value; finished ones in it are used again
+    ///
+    /// Without it they go to `runs/fit-NAME`, where NAME is the name of the file.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// How to run it.
+    #[command(flatten)]
+    pub output: HowToRun,
+}
+
+/// Of `demeter compare`.
+///
+/// The metrics are those of Brodu, Dijksman and Behringer (2015): Rtop, the ratio of the forces at the largest compression;
+/// errf, the root mean square of the difference of the forces over all levels; errZ, that of the contacts per grain, when
+/// contacts of the run weaker than tau are left out; bhat, -log of the overlap of the distributions of contact forces.
+#[derive(Debug, Args)]
+pub struct CompareArguments {
+    /// Folders of runs
+    #[arg(required = true, value_name = "RUN")]
+    pub runs: Vec<PathBuf>,
+    /// Folder of a run, or a CSV file that was measured
+    ///
+    /// A measured file has the columns `strain` or `compression [m]`; `loading force [N]`, `unloading force [N]` or both;
+    /// and, if they are known, `loading coordination` and `unloading coordination`. Cells may be empty. Metrics that
+    /// the reference cannot give are left out.
+    #[arg(long, value_name = "RUN or FILE.csv")]
+    pub reference: PathBuf,
+    /// Stage that loads; its repeats `squeeze 1`, `squeeze 2`, ... begin one cycle each
+    #[arg(long, value_name = "STAGE", default_value = "squeeze")]
+    pub load: String,
+    /// Stage that unloads
+    #[arg(long, value_name = "STAGE", default_value = "release")]
+    pub unload: String,
+    /// Look at loading alone
+    #[arg(long, conflicts_with = "unload")]
+    pub loading_only: bool,
+    /// Number of cycles to leave out at the beginning
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub discard: usize,
+    /// Column of the series that is compared; a `-` before it turns its sign round
+    #[arg(
+        long,
+        value_name = "COLUMN",
+        default_value = "wall top force z",
+        allow_hyphen_values = true
+    )]
+    pub force: String,
+    /// Tell errZ also with this threshold, as "4 mN"
+    #[arg(long, value_name = "FORCE")]
+    pub threshold: Option<String>,
+    /// Leave contacts of the reference out that are weaker, when it is a run
+    #[arg(long, value_name = "FORCE")]
+    pub reference_threshold: Option<String>,
+    /// Name of the [[measure]] that wrote the force distributions; the only one when absent
+    #[arg(long, value_name = "NAME")]
+    pub distribution: Option<String>,
+    /// Average this column of the series as well; may be given many times
+    #[arg(long, value_name = "COLUMN")]
+    pub also: Vec<String>,
+    /// Folder for `metrics.csv`, and for `RUN/cycles.csv` of every run; made when it is not there
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
     /// Write one JSON object to standard output
     #[arg(long)]
     pub json: bool,

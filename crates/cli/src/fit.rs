@@ -4,20 +4,32 @@ use crate::answer::{Rows, answer, answer_json};
 use crate::arguments::FitArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
+use crate::fit_packing::fit_packing;
 use crate::readable::number;
 use demeter::calibrate::fit::{Combination, FitReport, FittedParameter, Residual, fit as find, written};
-use demeter::scenario::FitFile;
+use demeter::scenario::{FitFile, FitTask};
 use demeter_physics::dimension::Dimension;
 use serde_json::{Value, json};
 
 /// Deviations beyond so many errors say that the law does not fit.
 const TOO_FAR: f64 = 3.0;
 
-/// Finds the parameters of a law from observations.
+/// Finds the parameters of a law from observations, or a number of a scenario from a measured curve.
 pub fn fit(arguments: &FitArguments) -> Result<Exit, Failure> {
-    let file = FitFile::read(&arguments.file, &arguments.set)?;
-    let report = find(&file)?;
-    if arguments.json {
+    match FitTask::read(&arguments.file, &arguments.set)? {
+        FitTask::Packing(file) => fit_packing(&file, arguments),
+        FitTask::Collisions(file) => fit_law(&file, arguments),
+    }
+}
+
+fn fit_law(file: &FitFile, arguments: &FitArguments) -> Result<Exit, Failure> {
+    if arguments.out.is_some() || arguments.output.threads.is_some() {
+        let message = "--out and --threads belong to a file with a table [packing], whose trials are runs; this one tells \
+                       collisions, and needs none";
+        return Err(Failure::wrong(message));
+    }
+    let report = find(file)?;
+    if arguments.output.json {
         answer_json(&to_json(&report))?;
     } else {
         answer(&to_text(&report))?;

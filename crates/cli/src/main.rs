@@ -8,11 +8,13 @@ mod arguments;
 mod bug_report;
 mod check;
 mod collide;
+mod compare;
 mod contact_curve;
 mod exit;
 mod failure;
 mod figure;
 mod fit;
+mod fit_packing;
 mod info;
 mod interrupt;
 mod laws;
@@ -47,6 +49,7 @@ fn main() -> ExitCode {
         Command::ContactCurve(arguments) => contact_curve::contact_curve(&arguments),
         Command::Sticking(arguments) => sticking::sticking(&arguments),
         Command::Fit(arguments) => fit::fit(&arguments),
+        Command::Compare(arguments) => compare::compare(&arguments),
         Command::Figure(arguments) => figure::figure(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
         Command::New(arguments) => new::new(&arguments),

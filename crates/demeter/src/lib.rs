@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! particles, materials, comm <- neighbours, walls <- contacts <- insertion <- step, simulation, checkpoint
-//!     <- measure, output <- scenario <- calibrate
+//!     <- measure, output <- compare <- scenario <- calibrate
 //! ```
 //!
 //! Every quantity is SI `f64`; units exist in [`scenario`] only.
@@ -12,6 +12,7 @@
 pub mod calibrate;
 pub mod checkpoint;
 pub mod comm;
+pub mod compare;
 pub mod contacts;
 pub mod insertion;
 pub mod materials;

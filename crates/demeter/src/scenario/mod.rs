@@ -10,6 +10,7 @@ mod materials;
 mod measures;
 mod observed;
 mod overrides;
+mod packing_file;
 mod plots;
 mod prepare;
 mod quantity;
@@ -38,6 +39,7 @@ pub use impact::{
 pub use materials::{ContactSpec, MAX_MATERIALS};
 pub use measures::{MAX_MEASURES, MeasureKind, MeasureSpec};
 pub use observed::{Measured, Observable, Observation, Target, Unknown};
+pub use packing_file::{FitTask, Match, PACKING_FIT_REFERENCE, PackingFile, UnknownNumber};
 pub use prepare::{Prepared, prepare};
 pub use report::{Report, RunEnd};
 pub use run::{Observer, Progress, RunError, RunOptions, RunState, resume, run};

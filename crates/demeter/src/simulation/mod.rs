@@ -177,7 +177,7 @@ impl Simulation {
     /// Finds the candidates of the grains as they are, and hands them the contacts.
     fn continue_with(&mut self, carried: &[CarriedContact]) {
         if let Some(coupling) = &mut self.coupling {
-            coupling.take_margin();
+            coupling.take_margin(self.skin);
         }
         let beyond_touch = self.skin + self.beyond_touch();
         self.neighbours = Neighbours::find(&self.grains, &self.walls, &self.comm, beyond_touch);

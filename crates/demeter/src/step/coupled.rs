@@ -20,7 +20,10 @@ const PLAIN_ITERATIONS: usize = 6;
 const MOST_ITERATIONS: usize = 1000;
 
 /// Candidates are found for bulges this much larger than those foreseen.
-const ROOM_TO_GROW: f64 = 1.5;
+const ROOM_TO_GROW: f64 = 1.2;
+
+/// Share of the skin that bulges may take from the motion before candidates are looked for farther away.
+const SHARE_OF_SKIN: f64 = 0.5;
 
 /// Everything that coupled contacts need beyond what a contact remembers.
 #[derive(Clone, Debug)]
@@ -41,7 +44,7 @@ pub struct CouplingMemory {
     /// How far the surface of every grain may bulge in this step [m].
     bulge: Vec<f64>,
     max_bulge: f64,
-    /// Bulges of two bodies for which the candidates were found [m].
+    /// What candidates were looked for beyond the skin because surfaces bulge [m].
     pub(crate) margin: f64,
     pub(crate) effort: Effort,
 }
@@ -74,8 +77,8 @@ impl CouplingState {
     }
 
     /// Notes that candidates are found now: with room for bulges to grow.
-    pub(crate) fn take_margin(&mut self) {
-        self.memory.margin = ROOM_TO_GROW * self.bulges_of_two();
+    pub(crate) fn take_margin(&mut self, skin: f64) {
+        self.memory.margin = (ROOM_TO_GROW * self.bulges_of_two() - SHARE_OF_SKIN * skin).max(0.0);
     }
 
     /// Distance beyond touching at which displaced surfaces may meet in this step [m].
@@ -169,27 +172,25 @@ impl Simulation {
             self.look_for_contacts(max_speed);
             self.gather_sites();
             // a run begins with forces that are in agreement
-            if self.step == 0 || !self.lags() {
-                if let Err(fault) = self.solve_coupling(max_speed) {
-                    self.take_back_contacts();
-                    return Err(fault);
-                }
-            } else {
-                self.find_displacements(true);
-                self.with_chunks(max_speed, |at, chunk, _, _, sites| chunk.take_displacements(at, sites));
+            if (self.step == 0 || !self.lags())
+                && let Err(fault) = self.solve_coupling(max_speed)
+            {
+                self.take_back_contacts();
+                return Err(fault);
             }
             let Some(state) = &mut self.coupling else { return Ok(()) };
             if state.bulges_as_foreseen() {
                 break;
             }
             state.memory.effort.repeats += 1;
-            let farther = state.bulges_of_two() > state.memory.margin;
+            let farther = state.bulges_of_two() > state.memory.margin + SHARE_OF_SKIN * self.skin;
             self.take_back_contacts();
             if farther {
                 self.find_candidates_for_bulges();
             }
         }
         self.with_chunks(max_speed, |at, chunk, _, scene, _| {
+            chunk.take_displacements(at);
             chunk.deform(at, scene);
             if at.wall {
                 chunk.evaluate_walls(scene);
@@ -254,11 +255,11 @@ impl Simulation {
         );
     }
 
-    /// Gathers the sites of all grains, and finds their influences on each other.
+    /// Gathers the sites of all grains, and finds their influences on each other and the displacements.
     fn gather_sites(&mut self) {
         let Some(state) = &mut self.coupling else { return };
         let (grains, neighbours, contacts) = (&self.grains, &self.neighbours, &self.contacts);
-        state.each_task(grains.len(), |sites, of, kernels, _, _| {
+        state.each_task(grains.len(), |sites, of, kernels, bounds, needed| {
             let from = Source {
                 grains,
                 neighbours,
@@ -266,23 +267,18 @@ impl Simulation {
                 kernels,
             };
             sites.gather(of.clone(), from);
-            sites.find_influences(of, from);
-        });
-        let sites = &state.sites;
-        each_chunk(&mut self.contacts, neighbours, |at, chunk, _| {
-            chunk.find_slots(at, sites)
+            sites.find_influences(of.clone(), from);
+            sites.displace(of, grains, contacts, bounds, needed);
         });
     }
 
-    /// Finds the displacements by the forces tried now; those that were `gathered` are known to the sites.
-    fn find_displacements(&mut self, gathered: bool) {
+    /// Finds the displacements by the forces tried now.
+    fn find_displacements(&mut self) {
         let Some(state) = &mut self.coupling else { return };
         let (grains, contacts) = (&self.grains, &self.contacts);
         state.each_task(grains.len(), |sites, of, _, bounds, needed| {
-            if !gathered {
-                sites.take_forces(contacts);
-            }
-            sites.displace(of, grains, bounds, needed);
+            sites.take_forces(contacts);
+            sites.displace(of, grains, contacts, bounds, needed);
         });
     }
 
@@ -313,10 +309,11 @@ impl Simulation {
         };
         let largest = self.largest_force();
         let mut progress = Progress::begin();
-        let mut gathered = true;
         for iteration in 1..=MOST_ITERATIONS {
-            self.find_displacements(gathered);
-            gathered = false;
+            // those of the first forces are there already
+            if iteration > 1 {
+                self.find_displacements();
+            }
             self.with_chunks(max_speed, |at, chunk, _, scene, sites| {
                 chunk.answer(at, scene, sites, largest)
             });

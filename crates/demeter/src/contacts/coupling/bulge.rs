@@ -9,7 +9,7 @@ use demeter_physics::contact::multi_contact::{MultiContact, MultiContactVisitor,
 use serde::{Deserialize, Serialize};
 
 /// Forces may grow by this factor over a step before the search has to be repeated.
-pub(crate) const ALLOWANCE: f64 = 1.25;
+pub(crate) const ALLOWANCE: f64 = 1.1;
 
 /// Bounds of the displacement on grains of every material.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]

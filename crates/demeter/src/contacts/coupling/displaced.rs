@@ -1,6 +1,6 @@
 //! Contacts between displaced surfaces: their overlaps, the forces that follow, and what the laws see.
 
-use super::sites::{self, ContactPlace, Sites};
+use super::sites::{self, Sites};
 use super::{Scratch, Worst};
 use crate::contacts::block::{next_run, normal_window};
 use crate::contacts::{ContactChunk, Fault, Kept, Scene};
@@ -57,28 +57,12 @@ impl NormalVisitor for Elastic<'_> {
 }
 
 impl ContactChunk {
-    /// Finds all contacts among the sites of their bodies.
-    pub(crate) fn find_slots(&mut self, at: ChunkPlace, sites: &[Sites]) {
-        self.coupling.slots.clear();
-        for k in 0..self.len() {
-            let place = ContactPlace::new(at.wall, at.chunk, k);
-            let first = sites::slot(sites, self.i[k], place);
-            let second = if at.wall {
-                0
-            } else {
-                sites::slot(sites, self.j[k], place)
-            };
-            self.coupling.slots.push([first, second]);
-        }
-    }
-
-    /// Takes the displacements of the sites.
-    pub(crate) fn take_displacements(&mut self, at: ChunkPlace, sites: &[Sites]) {
-        for (k, [first, second]) in self.coupling.slots.iter().enumerate() {
-            let displacement = &mut self.now.coupling[k].displacement;
-            displacement[0] = sites::displacement(sites, self.i[k], *first);
+    /// Takes the displacements that the sites delivered.
+    pub(crate) fn take_displacements(&mut self, at: ChunkPlace) {
+        for (coupled, delivered) in self.now.coupling.iter_mut().zip(&self.coupling.delivered) {
+            coupled.displacement[0] = delivered.get(0);
             if !at.wall {
-                displacement[1] = sites::displacement(sites, self.j[k], *second);
+                coupled.displacement[1] = delivered.get(1);
             }
         }
     }
@@ -86,7 +70,7 @@ impl ContactChunk {
     /// Takes the displacements of the sites, finds the elastic forces that the laws answer with, and how far they are
     /// from those tried. `largest` is the largest force anywhere [N].
     pub(crate) fn answer(&mut self, at: ChunkPlace, scene: &Scene, sites: &[Sites], largest: f64) {
-        self.take_displacements(at, sites);
+        self.take_displacements(at);
         let Self {
             now, coupling, i, j, ..
         } = self;

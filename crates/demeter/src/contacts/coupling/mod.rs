@@ -24,6 +24,7 @@ pub(crate) mod sites;
 
 use demeter_physics::contact::PairSize;
 use serde::{Deserialize, Serialize};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// How the coupled equation is treated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,8 +114,8 @@ pub(crate) struct Scratch {
     overlap: Vec<f64>,
     /// Shifts of the levers that the influences were found with [m].
     lever_shift: Vec<f64>,
-    /// Indices among the sites of both bodies.
-    slots: Vec<[u32; 2]>,
+    /// Displacements of both bodies' surfaces, as their sites find them.
+    delivered: Vec<Delivered>,
     /// Whether the displaced surfaces do not meet.
     asleep: Vec<bool>,
     pub(crate) mixing: mixing::Memory,
@@ -134,6 +135,9 @@ impl Scratch {
         self.rate.push(rate);
         self.size.push(size);
         self.earlier.push(remembered);
+        if self.delivered.len() < self.rate.len() {
+            self.delivered.push(Delivered::default());
+        }
     }
 
     /// Takes the forces and levers to begin with.
@@ -167,6 +171,29 @@ impl Scratch {
     /// Goes on with mixed forces.
     pub(crate) fn advance(&mut self, weights: &mixing::Weights) {
         self.mixing.advance(weights, &mut self.trial);
+    }
+}
+
+/// Displacements of the surfaces of a contact's bodies [m]. Each is put by the one task that its grain belongs to, in a pass
+/// of its own, and read in the next: no order of access can change it.
+#[derive(Debug, Default)]
+struct Delivered([AtomicU64; 2]);
+
+impl Delivered {
+    #[inline(always)]
+    fn put(&self, first: bool, displacement: f64) {
+        self.0[usize::from(!first)].store(displacement.to_bits(), Ordering::Relaxed);
+    }
+
+    #[inline(always)]
+    fn get(&self, body: usize) -> f64 {
+        f64::from_bits(self.0[body].load(Ordering::Relaxed))
+    }
+}
+
+impl Clone for Delivered {
+    fn clone(&self) -> Self {
+        Self([0, 1].map(|body| AtomicU64::new(self.0[body].load(Ordering::Relaxed))))
     }
 }
 

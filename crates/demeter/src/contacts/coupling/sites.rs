@@ -62,8 +62,6 @@ struct Site {
 pub(crate) struct Sites {
     start: Vec<u32>,
     sites: Vec<Site>,
-    /// Outward displacement of every site by the others of its grain [m].
-    displacement: Vec<f64>,
     /// Influences of the sites of a grain on each other, a row per displaced site.
     influence: Vec<f64>,
     influence_start: Vec<u32>,
@@ -78,9 +76,29 @@ struct Local {
     normal: [Vec<f64>; 3],
     lever: Vec<f64>,
     clearance: Vec<f64>,
+    pairs: Vec<ContactPair>,
+    mutual: Vec<f64>,
 }
 
 impl Local {
+    /// Adds the pairs of a site with those before it.
+    fn pair_up(&mut self, target: usize, radius: f64) {
+        let normal = [0, 1, 2].map(|axis| self.normal[axis][target]);
+        let (target_lever, target_clearance) = (self.lever[target], self.clearance[target]);
+        for source in 0..target {
+            let cosine = normal[0] * self.normal[0][source]
+                + normal[1] * self.normal[1][source]
+                + normal[2] * self.normal[2][source];
+            self.pairs.push(ContactPair {
+                cosine,
+                source_lever: self.lever[source],
+                target_lever,
+                least_distance_squared: target_clearance * self.clearance[source],
+                radius,
+            });
+        }
+    }
+
     fn take(&mut self, sites: &[Site]) {
         for (axis, column) in self.normal.iter_mut().enumerate() {
             column.clear();
@@ -91,21 +109,6 @@ impl Local {
         self.clearance.clear();
         self.clearance.extend(sites.iter().map(|s| s.clearance));
     }
-}
-
-/// Index of a contact among the sites of one of its bodies' task.
-pub(crate) fn slot(sites: &[Sites], grain: u32, place: ContactPlace) -> u32 {
-    let task = &sites[grain as usize / GRAINS_PER_TASK];
-    let range = task.range(grain as usize % GRAINS_PER_TASK);
-    let found = task.sites[range.clone()].iter().position(|site| site.place == place);
-    // every contact is among the sites of its bodies
-    (range.start + found.unwrap_or(0)) as u32
-}
-
-/// Outward displacement of a grain's surface at one of its contacts [m].
-#[inline(always)]
-pub(crate) fn displacement(sites: &[Sites], grain: u32, slot: u32) -> f64 {
-    sites[grain as usize / GRAINS_PER_TASK].displacement[slot as usize]
 }
 
 /// Largest force on a grain [N].
@@ -208,7 +211,7 @@ impl Sites {
             let rows = &mut self.influence[first..];
             let same = sites.iter().all(|s| s.kernel == sites[0].kernel);
             if let (Some(site), true) = (sites.first(), same) {
-                let (local, radius) = (&self.local, *radius);
+                let (local, radius) = (&mut self.local, *radius);
                 from.kernels.law(site.kernel).visit(AllRows { local, radius, rows });
             } else {
                 for (target, site) in sites.iter().enumerate() {
@@ -219,17 +222,25 @@ impl Sites {
         }
     }
 
-    /// Finds the displacements by the forces of the sites, and for every grain how far its surface may bulge.
-    pub(crate) fn displace(&mut self, of: Range<usize>, grains: &Grains, bounds: &Bounds, bulge: &mut [f64]) {
-        self.displacement.clear();
+    /// Finds the displacements by the forces of the sites and delivers them to the contacts, and finds for every grain how far
+    /// its surface may bulge.
+    pub(crate) fn displace(
+        &mut self,
+        of: Range<usize>,
+        grains: &Grains,
+        contacts: &Contacts,
+        bounds: &Bounds,
+        bulge: &mut [f64],
+    ) {
         self.largest_force.clear();
         for (grain, index) in of.enumerate() {
             let sites = &self.sites[self.range(grain)];
             let rows = &self.influence[self.influence_start[grain] as usize..];
-            for target in 0..sites.len() {
+            for (target, displaced) in sites.iter().enumerate() {
                 let row = &rows[target * sites.len()..][..sites.len()];
                 let parts = row.iter().zip(sites).map(|(influence, site)| influence * site.force);
-                self.displacement.push(parts.sum());
+                let (chunk, k) = displaced.place.find(contacts);
+                chunk.coupling.delivered[k].put(displaced.first, parts.sum());
             }
             let mut load = Load::on(grains.radius[index]);
             sites.iter().for_each(|site| load.add(site.force, site.lever));
@@ -269,7 +280,7 @@ impl Load {
 
 /// Influences of all sites of a grain on each other, where one law holds for all.
 struct AllRows<'a> {
-    local: &'a Local,
+    local: &'a mut Local,
     radius: f64,
     rows: &'a mut [f64],
 }
@@ -279,20 +290,28 @@ impl MultiContactVisitor for AllRows<'_> {
 
     fn visit<L: MultiContact>(self, law: &L) {
         let Self { local, radius, rows } = self;
+        let count = local.lever.len();
         if L::INDEPENDENT {
             return;
         }
-        let count = local.lever.len();
-        let mutual = law.is_mutual();
-        for target in 0..count {
-            // the sites before it, and where influences are not mutual those behind it, too
-            let sources = if mutual { target } else { count };
-            row_of(law, local, radius, target, &mut rows[target * count..][..sources]);
-            rows[target * count + target] = 0.0;
-            if mutual {
-                for source in 0..target {
-                    rows[source * count + target] = rows[target * count + source];
-                }
+        if !law.is_mutual() {
+            for target in 0..count {
+                row_of(law, local, radius, target, &mut rows[target * count..][..count]);
+                rows[target * count + target] = 0.0;
+            }
+            return;
+        }
+        local.pairs.clear();
+        for target in 1..count {
+            local.pair_up(target, radius);
+        }
+        local.mutual.clear();
+        local.mutual.extend(local.pairs.iter().map(|pair| law.influence(pair)));
+        let mut found = local.mutual.iter();
+        for target in 1..count {
+            for (source, influence) in (0..target).zip(&mut found) {
+                rows[target * count + source] = *influence;
+                rows[source * count + target] = *influence;
             }
         }
     }
