@@ -95,6 +95,15 @@ impl Materials {
         Ok(Self { list, laws })
     }
 
+    /// Whether the contacts of some grain feel each other.
+    pub fn are_coupled(&self) -> bool {
+        let independent = MultiContactLaw::Independent(Independent);
+        self.laws
+            .iter()
+            .flat_map(|law| law.multi_contact)
+            .any(|law| law != independent)
+    }
+
     /// The materials in the order of their indices.
     pub fn list(&self) -> &[Material] {
         &self.list

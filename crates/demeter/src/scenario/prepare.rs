@@ -62,7 +62,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         .simulation
         .skin
         .unwrap_or_else(|| SKIN_SHARE * mean(&grains.radius));
-    check_periodic_size(&grains, &domain, skin, &mut faults);
+    check_periodic_size(&grains, &domain, skin, materials.are_coupled(), &mut faults);
     let wall_materials: Vec<u16> = walls.iter().map(|w| w.material).collect();
     for (a, b, why) in refusals(&grains, &wall_materials, &materials) {
         let path = scenario.contact.path(a.into(), b.into());

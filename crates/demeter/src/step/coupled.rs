@@ -70,14 +70,13 @@ pub struct Effort {
 impl CouplingState {
     /// Nothing where no contact feels another.
     pub(crate) fn new(scheme: Coupling, grains: &Grains, materials: &Materials) -> Option<Self> {
-        let kernels = Kernels::new(materials);
-        (!kernels.are_independent()).then(|| Self {
+        materials.are_coupled().then(|| Self {
             scheme,
             memory: CouplingMemory {
                 bounds: Bounds::new(grains, materials),
                 ..CouplingMemory::default()
             },
-            kernels,
+            kernels: Kernels::new(materials),
             sites: Vec::new(),
             needed: Vec::new(),
             changes: Changes::default(),

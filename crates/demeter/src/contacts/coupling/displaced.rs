@@ -239,11 +239,15 @@ impl ContactChunk {
             }
             let overlap = contact.overlap;
             let (size, rate) = (self.coupling.size[k], self.coupling.rate[k]);
-            let acts = scene.acts(self.now.pair[k], || size, overlap, rate);
+            let acts = overlap > 0.0 || scene.acts(self.now.pair[k], || size, overlap, rate);
             self.coupling.asleep.push(!acts);
-            let share = overlap / scene.smaller_radius(self.i[k], (!at.wall).then_some(self.j[k]));
-            if (share.is_nan() || share > LARGEST_DISPLACED * scene.max_overlap) && self.fault.is_none() {
-                self.fault = Some(self.beyond_fold(k, at, scene, undisplaced));
+            let allowed = LARGEST_DISPLACED * scene.max_overlap;
+            // no radius is smaller than the effective one
+            if overlap.is_nan() || overlap > allowed * size.radius {
+                let radius = scene.smaller_radius(self.i[k], (!at.wall).then_some(self.j[k]));
+                if (overlap.is_nan() || overlap > allowed * radius) && self.fault.is_none() {
+                    self.fault = Some(self.beyond_fold(k, at, scene, undisplaced));
+                }
             }
         }
     }

@@ -45,18 +45,6 @@ impl Kernels {
         &self.laws[kernel as usize]
     }
 
-    /// Whether no contact feels another.
-    pub(crate) fn are_independent(&self) -> bool {
-        struct Asks;
-        impl MultiContactVisitor for Asks {
-            type Output = bool;
-            fn visit<L: MultiContact>(self, _law: &L) -> bool {
-                L::INDEPENDENT
-            }
-        }
-        self.laws.iter().all(|law| law.visit(Asks))
-    }
-
     /// Whether influences depend on the levers.
     pub(crate) fn feel_levers(&self) -> bool {
         struct Asks;

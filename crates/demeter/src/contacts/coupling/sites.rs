@@ -83,7 +83,7 @@ struct Influences {
 }
 
 /// Pairs evaluated at a time: a loop over columns of fixed length has no branches and is vectorised.
-const LANES: usize = 16;
+const LANES: usize = 8;
 
 /// Pairs of sites of one grain, as columns.
 struct Pairs {
