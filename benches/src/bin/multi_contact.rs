@@ -116,19 +116,20 @@ fn bench(arguments: &Arguments) -> Result<(), Box<dyn Error + Send + Sync>> {
     }
     let contacts = |sim: &Simulation| sim.contacts.pair_count() + sim.contacts.wall_count();
     println!("{} grains, {} threads", start.grains.len(), arguments.threads);
-    println!("| law | coupling | ns per grain and step | over independent | iterations per step | contacts |");
-    println!("|---|---|---|---|---|---|");
+    println!("| law | coupling | ns per grain and step | over independent | iterations per step | repeats per step | contacts |");
+    println!("|---|---|---|---|---|---|---|");
     for (k, ((law, coupling), sim)) in models.iter().zip(&runs).enumerate() {
         let ratios: Vec<f64> = times[k].iter().zip(&times[0]).map(|(t, one)| t / one).collect();
         let steps = (arguments.steps * sim.grains.len()) as f64;
         let (effort, first) = (sim.coupling_effort(), before[k]);
         let solved = (effort.solutions - first.solutions).max(1) as f64;
         println!(
-            "| {law} | {} | {:.0} | {:.2} | {:.2} | {} |",
+            "| {law} | {} | {:.0} | {:.2} | {:.2} | {:.3} | {} |",
             name(*coupling),
             median(&times[k]) / steps * 1e9,
             median(&ratios),
             (effort.iterations - first.iterations) as f64 / solved,
+            (effort.repeats - first.repeats) as f64 / (arguments.rounds * arguments.steps) as f64,
             contacts(sim),
         );
     }

@@ -5,7 +5,6 @@
 //! as far as it reaches, and one window farther, so that it sees itself let go and books what that loses.
 
 use super::block::largest_reach;
-use super::coupling::Coupled;
 use super::{ContactChunk, Fault, Kept};
 use crate::comm::Single;
 use crate::materials::Materials;
@@ -114,7 +113,7 @@ impl ContactChunk {
                     let old = self.before.range(c).next();
                     self.push(scene.stride, (p.i, p.j, 0), pair, contact, old);
                     if scene.is_coupled() {
-                        self.couple(rate, size(), old);
+                        self.coupling.push(rate, size(), old);
                     }
                     self.watch_overlap(scene, i, contact.overlap / ri.min(rj), || {
                         format!("grain {}", grains.id[j])
@@ -159,7 +158,7 @@ impl ContactChunk {
                 taken.extend(old);
                 self.push(scene.stride, (p.grain, p.wall, s.element), pair, contact, old);
                 if scene.is_coupled() {
-                    self.couple(rate(&s), size, old);
+                    self.coupling.push(rate(&s), size, old);
                 }
                 self.watch_overlap(scene, g, contact.overlap / radius, || format!("wall {}", wall.name));
             }
@@ -207,13 +206,6 @@ impl ContactChunk {
                 self.now.history.resize(self.now.history.len() + stride, 0.0);
             }
         }
-    }
-
-    /// Hands on what a contact remembers of the displacements.
-    fn couple(&mut self, rate: f64, size: PairSize, old: Option<usize>) {
-        let remembered = old.map_or_else(Coupled::default, |k| self.before.coupling[k]);
-        self.now.coupling.push(remembered);
-        self.coupling.push(rate, size, remembered);
     }
 
     /// Goes back to the contacts of the step before, as if those of this step had not been looked for. `bodies` tells the

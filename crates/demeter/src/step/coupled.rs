@@ -1,10 +1,10 @@
 //! Forces of contacts that feel each other ([`crate::contacts::coupling`]).
 
-use crate::contacts::coupling::bulge::{ALLOWANCE, Bounds};
+use crate::contacts::coupling::bulge::{ALLOWANCE, Bounds, FIRST_BULGE};
 use crate::contacts::coupling::displaced::ChunkPlace;
 use crate::contacts::coupling::kernels::Kernels;
 use crate::contacts::coupling::mixing::{Largest, Products, Progress};
-use crate::contacts::coupling::sites::{GRAINS_PER_TASK, Sites, Source};
+use crate::contacts::coupling::sites::{GRAINS_PER_TASK, Scenery, Sites};
 use crate::contacts::coupling::{Coupling, DEFAULT_TOLERANCE, Worst};
 use crate::contacts::{CHUNK, ContactChunk, Contacts, Fault, Scene};
 use crate::materials::Materials;
@@ -15,6 +15,9 @@ use rayon::prelude::*;
 
 /// Plain iterations before forces are mixed: near rest one is enough.
 const PLAIN_ITERATIONS: usize = 6;
+
+/// Iterations after which a force that jumps may be the reason for having no solution.
+const PATIENCE_WITH_JUMPS: usize = 30;
 
 /// Iterations after which the coupled equation is given up.
 const MOST_ITERATIONS: usize = 1000;
@@ -58,6 +61,8 @@ pub struct Effort {
     pub iterations: u64,
     /// Steps whose search for contacts was repeated because surfaces bulged more than was foreseen.
     pub repeats: u64,
+    /// Contacts whose force began or ended with a jump, so that they lagged in that step.
+    pub jumps: u64,
 }
 
 impl CouplingState {
@@ -112,30 +117,43 @@ enum Candidates<'a> {
     Walls(&'a [WallPair]),
 }
 
+/// How far a surface may bulge that needs so much now [m].
+fn foreseen(needed: f64, radius: f64) -> f64 {
+    ALLOWANCE * needed + FIRST_BULGE * radius
+}
+
 impl CouplingState {
-    /// Works on the sites of all grains, in parallel: task, its grains, and how far their surfaces bulge.
-    fn each_task(
+    /// Works on the sites of all grains, in parallel: the sites of a task, its grains, what they are found from, and how far
+    /// their surfaces bulge.
+    fn each_task<'a>(
         &mut self,
-        grains: usize,
-        work: impl Fn(&mut Sites, std::ops::Range<usize>, &Kernels, &Bounds, &mut [f64]) + Sync + Send,
+        (grains, neighbours, contacts): (&'a Grains, &'a Neighbours, &'a Contacts),
+        work: impl Fn(&mut Sites, std::ops::Range<usize>, Scenery<'_>, &mut [f64]) + Sync + Send,
     ) {
-        self.sites.resize_with(grains.div_ceil(GRAINS_PER_TASK), Sites::default);
-        self.needed.resize(grains, 0.0);
-        let (kernels, bounds) = (&self.kernels, &self.memory.bounds);
+        self.sites
+            .resize_with(grains.len().div_ceil(GRAINS_PER_TASK), Sites::default);
+        self.needed.resize(grains.len(), 0.0);
+        let from = Scenery {
+            grains,
+            neighbours,
+            contacts,
+            kernels: &self.kernels,
+            bounds: &self.memory.bounds,
+        };
         let tasks = (self.sites.par_iter_mut()).zip(self.needed.par_chunks_mut(GRAINS_PER_TASK));
         tasks.enumerate().for_each(|(task, (sites, needed))| {
             let first = task * GRAINS_PER_TASK;
-            work(sites, first..first + needed.len(), kernels, bounds, needed);
+            work(sites, first..first + needed.len(), from, needed);
         });
     }
 
     /// Whether no surface bulges farther than contacts were looked for; if not, they will be looked for farther away.
-    fn bulges_as_foreseen(&mut self) -> bool {
+    fn bulges_as_foreseen(&mut self, radius: &[f64]) -> bool {
         let CouplingMemory { bulge, max_bulge, .. } = &mut self.memory;
         let mut as_foreseen = true;
-        for (bulge, needed) in bulge.iter_mut().zip(&self.needed) {
+        for ((bulge, needed), radius) in bulge.iter_mut().zip(&self.needed).zip(radius) {
             if needed > bulge {
-                *bulge = ALLOWANCE * needed;
+                *bulge = foreseen(*needed, *radius);
                 *max_bulge = max_bulge.max(*bulge);
                 as_foreseen = false;
             }
@@ -157,13 +175,12 @@ impl Simulation {
     /// Finds how far surfaces may bulge from the forces of the step before: after grains were put in another order.
     pub(super) fn foresee_bulges(&mut self) {
         let Some(state) = &mut self.coupling else { return };
-        let (grains, neighbours, contacts) = (&self.grains, &self.neighbours, &self.contacts);
-        state.each_task(grains.len(), |_, of, _, bounds, needed| {
+        state.each_task((&self.grains, &self.neighbours, &self.contacts), |_, of, from, needed| {
             for (needed, grain) in needed.iter_mut().zip(of) {
-                *needed = bounds.of_grain(grain, grains, neighbours, contacts);
+                *needed = from.bounds.of_grain(grain, from.grains, from.neighbours, from.contacts);
             }
         });
-        state.foresee();
+        state.foresee(&self.grains.radius);
     }
 
     /// Narrow phase, displacements and contact laws.
@@ -179,7 +196,7 @@ impl Simulation {
                 return Err(fault);
             }
             let Some(state) = &mut self.coupling else { return Ok(()) };
-            if state.bulges_as_foreseen() {
+            if state.bulges_as_foreseen(&self.grains.radius) {
                 break;
             }
             state.memory.effort.repeats += 1;
@@ -190,7 +207,6 @@ impl Simulation {
             }
         }
         self.with_chunks(max_speed, |at, chunk, _, scene, _| {
-            chunk.take_displacements(at);
             chunk.deform(at, scene);
             if at.wall {
                 chunk.evaluate_walls(scene);
@@ -199,7 +215,9 @@ impl Simulation {
             }
             chunk.book_lost(scene);
         });
-        self.coupling.iter_mut().for_each(CouplingState::foresee);
+        if let Some(state) = &mut self.coupling {
+            state.foresee(&self.grains.radius);
+        }
         Ok(())
     }
 
@@ -234,13 +252,19 @@ impl Simulation {
     }
 
     fn look_for_contacts(&mut self, max_speed: f64) {
-        let scheme = self.coupling.as_ref().map_or(Coupling::Lagged, |c| c.scheme);
-        self.with_chunks(max_speed, |_, chunk, candidates, scene, _| {
+        let Some(state) = &self.coupling else { return };
+        let scheme = if self.step == 0 && state.scheme == Coupling::Lagged {
+            Coupling::default()
+        } else {
+            state.scheme
+        };
+        let kernels = state.kernels.clone();
+        self.with_chunks(max_speed, |at, chunk, candidates, scene, _| {
             match candidates {
                 Candidates::Pairs(pairs) => chunk.find_pairs(pairs, scene),
                 Candidates::Walls(pairs) => chunk.find_walls(pairs, scene),
             }
-            chunk.coupling.begin(scheme);
+            chunk.begin_coupling(at, scene, scheme, &kernels);
         });
     }
 
@@ -258,44 +282,30 @@ impl Simulation {
     /// Gathers the sites of all grains, and finds their influences on each other and the displacements.
     fn gather_sites(&mut self) {
         let Some(state) = &mut self.coupling else { return };
-        let (grains, neighbours, contacts) = (&self.grains, &self.neighbours, &self.contacts);
-        state.each_task(grains.len(), |sites, of, kernels, bounds, needed| {
-            let from = Source {
-                grains,
-                neighbours,
-                contacts,
-                kernels,
-            };
+        state.each_task((&self.grains, &self.neighbours, &self.contacts), |sites, of, from, needed| {
             sites.gather(of.clone(), from);
             sites.find_influences(of.clone(), from);
-            sites.displace(of, grains, contacts, bounds, needed);
+            sites.displace(of, from, needed);
         });
     }
 
     /// Finds the displacements by the forces tried now.
     fn find_displacements(&mut self) {
         let Some(state) = &mut self.coupling else { return };
-        let (grains, contacts) = (&self.grains, &self.contacts);
-        state.each_task(grains.len(), |sites, of, _, bounds, needed| {
-            sites.take_forces(contacts);
-            sites.displace(of, grains, contacts, bounds, needed);
+        state.each_task((&self.grains, &self.neighbours, &self.contacts), |sites, of, from, needed| {
+            sites.take_forces(from.contacts);
+            sites.displace(of, from, needed);
         });
     }
 
-    /// Finds the influences anew, with the levers of the displacements found latest.
-    fn move_levers(&mut self) {
-        self.chunks_mut().for_each(ContactChunk::accept);
+    /// Finds the influences anew, with the levers of the displacements found latest, and the displacements.
+    fn move_levers(&mut self, max_speed: f64) {
+        self.with_chunks(max_speed, |at, chunk, _, _, _| chunk.accept(at));
         let Some(state) = &mut self.coupling else { return };
-        let (grains, neighbours, contacts) = (&self.grains, &self.neighbours, &self.contacts);
-        state.each_task(grains.len(), |sites, of, kernels, _, _| {
-            let from = Source {
-                grains,
-                neighbours,
-                contacts,
-                kernels,
-            };
-            sites.take_levers(contacts);
-            sites.find_influences(of, from);
+        state.each_task((&self.grains, &self.neighbours, &self.contacts), |sites, of, from, needed| {
+            sites.take_sources(from.contacts);
+            sites.find_influences(of.clone(), from);
+            sites.displace(of, from, needed);
         });
     }
 
@@ -310,10 +320,6 @@ impl Simulation {
         let largest = self.largest_force();
         let mut progress = Progress::begin();
         for iteration in 1..=MOST_ITERATIONS {
-            // those of the first forces are there already
-            if iteration > 1 {
-                self.find_displacements();
-            }
             self.with_chunks(max_speed, |at, chunk, _, scene, sites| {
                 chunk.answer(at, scene, sites, largest)
             });
@@ -322,13 +328,17 @@ impl Simulation {
                 break;
             }
             if worst.share > tolerance {
-                if iteration < PLAIN_ITERATIONS {
+                if iteration.is_multiple_of(PATIENCE_WITH_JUMPS) && self.let_jumps_lag(worst.share) {
+                    progress = Progress::begin();
+                    self.chunks_mut().for_each(|chunk| chunk.coupling.mixing.forget());
+                } else if iteration < PLAIN_ITERATIONS {
                     self.chunks_mut().for_each(|chunk| chunk.coupling.iterate());
                 } else {
                     self.mix(&mut progress);
                 }
+                self.find_displacements();
             } else if feels_levers && self.lever_change(max_speed) > tolerance {
-                self.move_levers();
+                self.move_levers(max_speed);
                 progress = Progress::begin();
             } else {
                 if let Some(state) = &mut self.coupling {
@@ -339,6 +349,18 @@ impl Simulation {
             }
         }
         Err(self.beyond_fold(max_speed))
+    }
+
+    /// Lets the contacts lag that are farthest from a solution because their force jumps; tells whether there are such.
+    fn let_jumps_lag(&mut self, worst: f64) -> bool {
+        let mut found = 0;
+        for chunk in self.chunks_mut().filter(|chunk| chunk.coupling.worst.share == worst) {
+            found += u64::from(chunk.let_jump_lag());
+        }
+        if let Some(state) = &mut self.coupling {
+            state.memory.effort.jumps += found;
+        }
+        found > 0
     }
 
     /// Goes on with mixed forces.

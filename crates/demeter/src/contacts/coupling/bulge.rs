@@ -11,6 +11,9 @@ use serde::{Deserialize, Serialize};
 /// Forces may grow by this factor over a step before the search has to be repeated.
 pub(crate) const ALLOWANCE: f64 = 1.1;
 
+/// A surface may bulge from nothing by this share of its radius before the search has to be repeated.
+pub(crate) const FIRST_BULGE: f64 = 1e-3;
+
 /// Bounds of the displacement on grains of every material.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Bounds {

@@ -1,10 +1,13 @@
 //! Contacts between displaced surfaces: their overlaps, the forces that follow, and what the laws see.
 
 use super::sites::{self, Sites};
-use super::{Scratch, Worst};
+use super::kernels::Kernels;
+use super::sites::Source;
+use super::{Coupled, Coupling, Delivered, Scratch, Worst, lever_shift};
 use crate::contacts::block::{next_run, normal_window};
 use crate::contacts::{ContactChunk, Fault, Kept, Scene};
 use demeter_physics::contact::PairSize;
+use demeter_physics::contact::multi_contact::clearance;
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor};
 use demeter_physics::integrator::Integrator;
 
@@ -57,31 +60,73 @@ impl NormalVisitor for Elastic<'_> {
 }
 
 impl ContactChunk {
-    /// Takes the displacements that the sites delivered.
-    pub(crate) fn take_displacements(&mut self, at: ChunkPlace) {
-        for (coupled, delivered) in self.now.coupling.iter_mut().zip(&self.coupling.delivered) {
-            coupled.displacement[0] = delivered.get(0);
-            if !at.wall {
-                coupled.displacement[1] = delivered.get(1);
-            }
+    /// What a contact remembered when the step began.
+    #[inline(always)]
+    fn earlier(&self, k: usize) -> Coupled {
+        self.coupling.old[k].map_or_else(Coupled::default, |old| self.before.coupling[old as usize])
+    }
+
+    /// Takes the forces and levers to begin with.
+    pub(crate) fn begin_coupling(&mut self, at: ChunkPlace, scene: &Scene, scheme: Coupling, kernels: &Kernels) {
+        let converge = scheme != Coupling::Lagged;
+        let mut sources = std::mem::take(&mut self.coupling.sources);
+        sources.clear();
+        self.coupling.lever_shift.clear();
+        for k in 0..self.len() {
+            let (contact, earlier) = (&self.now.geometry[k], self.earlier(k));
+            let (force, shift) = if converge {
+                (earlier.foreseen(), earlier.lever_shift() + earlier.lever_trend)
+            } else {
+                (earlier.elastic, earlier.lever_shift())
+            };
+            // at a wall the contact point is the foot of the perpendicular
+            let shift = if at.wall { 0.0 } else { shift };
+            let radius = scene.grains.radius[self.i[k] as usize];
+            let effective = (!at.wall).then(|| self.coupling.size[k].radius);
+            sources.push(Source {
+                normal: contact.normal.to_array(),
+                lever: [contact.lever_i + shift, contact.lever_j - shift],
+                clearance: clearance(radius, effective),
+                force,
+                kernel: kernels.of(self.now.pair[k]),
+            });
+            self.coupling.lever_shift.push(shift);
         }
+        self.coupling.sources = sources;
+        let count = self.len().max(self.coupling.delivered.len());
+        self.coupling.delivered.resize_with(count, Delivered::default);
+        if converge {
+            let Scratch { trial, sources, .. } = &mut self.coupling;
+            trial.clear();
+            trial.extend(sources.iter().map(|s| s.force));
+            self.coupling.lagging.clear();
+            self.coupling.lagging.resize(self.now.len(), false);
+            self.coupling.mixing.forget();
+        }
+    }
+
+    /// Displacements that the sites delivered [m].
+    #[inline(always)]
+    fn delivered(&self, k: usize, at: ChunkPlace) -> [f64; 2] {
+        let delivered = &self.coupling.delivered[k];
+        [delivered.get(0), if at.wall { 0.0 } else { delivered.get(1) }]
     }
 
     /// Takes the displacements of the sites, finds the elastic forces that the laws answer with, and how far they are
     /// from those tried. `largest` is the largest force anywhere [N].
     pub(crate) fn answer(&mut self, at: ChunkPlace, scene: &Scene, sites: &[Sites], largest: f64) {
-        self.take_displacements(at);
-        let Self {
-            now, coupling, i, j, ..
-        } = self;
-        coupling.overlap.clear();
-        let overlaps = now.geometry.iter().zip(&now.coupling);
-        coupling
-            .overlap
-            .extend(overlaps.map(|(contact, c)| contact.overlap + c.sum()));
+        self.coupling.overlap.clear();
+        for k in 0..self.len() {
+            let [first, second] = self.delivered(k, at);
+            self.coupling.overlap.push(self.now.geometry[k].overlap + (first + second));
+        }
+        let Self { now, coupling, i, j, .. } = self;
         coupling.find_forces(now, scene);
         coupling.worst = Worst::default();
         for k in 0..now.len() {
+            if coupling.lagging[k] {
+                coupling.answer[k] = coupling.trial[k];
+            }
             let deviation = (coupling.answer[k] - coupling.trial[k]).abs();
             if deviation == 0.0 {
                 continue;
@@ -98,10 +143,22 @@ impl ContactChunk {
         }
     }
 
+    /// Lets the worst contact displace with its force of the step before if it flips between a pull and none: where a force
+    /// begins with a jump, the coupled equation may have no solution. Tells whether there was one.
+    pub(crate) fn let_jump_lag(&mut self) -> bool {
+        let k = self.coupling.worst.contact;
+        let pulls = self.coupling.answer[k].min(self.coupling.trial[k]) < 0.0;
+        if pulls && !self.coupling.lagging[k] {
+            self.coupling.lagging[k] = true;
+            self.coupling.trial[k] = self.earlier(k).elastic;
+        }
+        pulls
+    }
+
     /// Largest change of a lever since the influences were found, as a share of the smaller radius.
     pub(crate) fn lever_change(&self, at: ChunkPlace, scene: &Scene) -> f64 {
         let change = |k: usize| {
-            let change = (self.now.coupling[k].lever_shift() - self.coupling.lever_shift[k]).abs();
+            let change = (lever_shift(self.delivered(k, at)) - self.coupling.lever_shift[k]).abs();
             change / scene.smaller_radius(self.i[k], Some(self.j[k]))
         };
         if at.wall {
@@ -112,19 +169,30 @@ impl ContactChunk {
     }
 
     /// Goes on with the levers of the displacements found now, and with the forces that they gave.
-    pub(crate) fn accept(&mut self) {
-        self.coupling.trial.copy_from_slice(&self.coupling.answer);
+    pub(crate) fn accept(&mut self, at: ChunkPlace) {
+        for k in 0..self.len() {
+            let shift = if at.wall { 0.0 } else { lever_shift(self.delivered(k, at)) };
+            let change = shift - self.coupling.lever_shift[k];
+            self.coupling.lever_shift[k] = shift;
+            let source = &mut self.coupling.sources[k];
+            source.lever[0] += change;
+            source.lever[1] -= change;
+            source.force = self.coupling.answer[k];
+        }
+        self.coupling.iterate();
         self.coupling.mixing.forget();
-        self.coupling.lever_shift.clear();
-        let shifts = self.now.coupling.iter().map(super::Coupled::lever_shift);
-        self.coupling.lever_shift.extend(shifts);
     }
 
     /// Puts the displacements into the geometry that the laws see, and watches that they stay within reason.
     pub(crate) fn deform(&mut self, at: ChunkPlace, scene: &Scene) {
         self.coupling.asleep.clear();
+        self.now.coupling.resize(self.now.len(), Coupled::default());
         for k in 0..self.len() {
-            let coupled = self.now.coupling[k];
+            let coupled = Coupled {
+                displacement: self.delivered(k, at),
+                ..Coupled::default()
+            };
+            self.now.coupling[k] = coupled;
             let contact = &mut self.now.geometry[k];
             let undisplaced = contact.overlap;
             contact.overlap += coupled.sum();
@@ -147,7 +215,7 @@ impl ContactChunk {
     /// The fault of a contact whose coupled equation has no solution; `overlap` is that of the undisplaced spheres [m].
     pub(crate) fn beyond_fold(&self, k: usize, at: ChunkPlace, scene: &Scene, overlap: f64) -> Fault {
         let (grain, other) = (self.i[k] as usize, self.j[k] as usize);
-        let coupled = &self.now.coupling[k];
+        let [first, second] = self.delivered(k, at);
         let radius = scene.smaller_radius(self.i[k], (!at.wall).then_some(self.j[k]));
         let (across, partner) = if at.wall {
             let name = &scene.walls[other].name;
@@ -162,7 +230,7 @@ impl ContactChunk {
             position: scene.grains.position[grain],
             partner,
             strain: overlap / across,
-            displacement_share: coupled.sum() / radius,
+            displacement_share: (first + second) / radius,
         }
     }
 
@@ -173,7 +241,7 @@ impl ContactChunk {
     /// `(F_0 D_1 - F_1 D_0)/2`: nothing, where influences are mutual and do not change.
     pub(crate) fn remember_coupling(&mut self, first: usize, elastic: &[f64], scene: &Scene) {
         for (k, &force) in (first..).zip(elastic) {
-            let earlier = self.coupling.earlier[k];
+            let earlier = self.earlier(k);
             let coupled = &mut self.now.coupling[k];
             self.tally.multi_contact += 0.5 * (earlier.elastic * coupled.sum() - force * earlier.sum());
             coupled.go_on(&earlier, force);

@@ -1,7 +1,7 @@
 //! The multi-contact laws in use, each once.
 
 use crate::materials::Materials;
-use demeter_physics::contact::multi_contact::{MultiContact, MultiContactLaw, MultiContactVisitor};
+use demeter_physics::contact::multi_contact::{ContactPair, MultiContact, MultiContactLaw, MultiContactVisitor};
 
 /// The laws, and which of them displaces either body of every material pair.
 #[derive(Clone, Debug, Default)]
@@ -22,10 +22,22 @@ impl Kernels {
         kernels
     }
 
-    /// The law that displaces a body's surface at a contact of a material pair.
+    /// Displacement at a contact per force at another [m/N].
+    pub(crate) fn influence(&self, kernel: u32, contacts: &ContactPair) -> f64 {
+        struct Influence<'a>(&'a ContactPair);
+        impl MultiContactVisitor for Influence<'_> {
+            type Output = f64;
+            fn visit<L: MultiContact>(self, law: &L) -> f64 {
+                law.influence(self.0)
+            }
+        }
+        self.law(kernel).visit(Influence(contacts))
+    }
+
+    /// The laws that displace the surfaces of both bodies at a contact of a material pair.
     #[inline(always)]
-    pub(crate) fn of(&self, pair: u32, first: bool) -> u32 {
-        self.of_pair[pair as usize][usize::from(!first)]
+    pub(crate) fn of(&self, pair: u32) -> [u32; 2] {
+        self.of_pair[pair as usize]
     }
 
     #[inline(always)]

@@ -7,7 +7,8 @@
 //! F_c = f(overlap_c + D_c),      D_c = sum over k of influence(k -> c) F_k
 //! ```
 //!
-//! [`Coupling::Converged`] solves it in every step, [`Coupling::Lagged`] takes the `F_k` of the step before. In both the
+//! [`Coupling::Converged`] solves it in every step, [`Coupling::Lagged`] takes the `F_k` of the step before; so does the
+//! former for a pull that begins with a jump, in the step in which no solution is found because of it. In both the
 //! laws then see `overlap + D` as the overlap, and levers that reach to the middle of the overlap of the displaced
 //! surfaces. A contact across a gap that displacements may close is in the table with no force, so that contacts come and
 //! go continuously.
@@ -24,6 +25,7 @@ pub(crate) mod sites;
 
 use demeter_physics::contact::PairSize;
 use serde::{Deserialize, Serialize};
+use sites::Source;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// How the coupled equation is treated.
@@ -71,10 +73,9 @@ impl Coupled {
         self.displacement[0] + self.displacement[1]
     }
 
-    /// How much the contact point moves away from the first body's centre [m]: to the middle of the displaced surfaces.
     #[inline(always)]
     fn lever_shift(&self) -> f64 {
-        0.5 * (self.displacement[0] - self.displacement[1])
+        lever_shift(self.displacement)
     }
 
     /// Elastic force to start the solution from [N]: it goes on as in the latest steps, but no push turns into a pull.
@@ -98,24 +99,35 @@ impl Coupled {
     }
 }
 
+/// How much a contact point between grains moves away from the first one's centre [m]: to the middle of the displaced
+/// surfaces.
+#[inline(always)]
+fn lever_shift(displacement: [f64; 2]) -> f64 {
+    0.5 * (displacement[0] - displacement[1])
+}
+
 /// What a chunk needs of its contacts while their forces are found.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scratch {
     /// Rate of approach [m/s].
     pub(crate) rate: Vec<f64>,
     pub(crate) size: Vec<PairSize>,
-    /// What the contacts remembered when the step began.
-    pub(crate) earlier: Vec<Coupled>,
+    /// The contacts of the step before that these continue.
+    pub(crate) old: Vec<Option<u32>>,
+    /// What the sites of both bodies are gathered from.
+    pub(crate) sources: Vec<Source>,
+    /// Shifts of the levers in the sources by displacement [m].
+    lever_shift: Vec<f64>,
+    /// Displacements of both bodies' surfaces, as their sites find them.
+    pub(crate) delivered: Vec<Delivered>,
     /// Forces that the displacements follow from [N].
     pub(crate) trial: Vec<f64>,
     /// Forces that the laws answer with [N].
     answer: Vec<f64>,
     /// Overlaps of the displaced surfaces [m].
     overlap: Vec<f64>,
-    /// Shifts of the levers that the influences were found with [m].
-    lever_shift: Vec<f64>,
-    /// Displacements of both bodies' surfaces, as their sites find them.
-    delivered: Vec<Delivered>,
+    /// Whether the displacements by a contact follow from its force of the step before after all.
+    lagging: Vec<bool>,
     /// Whether the displaced surfaces do not meet.
     asleep: Vec<bool>,
     pub(crate) mixing: mixing::Memory,
@@ -128,34 +140,13 @@ impl Scratch {
     pub(crate) fn clear(&mut self) {
         self.rate.clear();
         self.size.clear();
-        self.earlier.clear();
+        self.old.clear();
     }
 
-    pub(crate) fn push(&mut self, rate: f64, size: PairSize, remembered: Coupled) {
+    pub(crate) fn push(&mut self, rate: f64, size: PairSize, old: Option<usize>) {
         self.rate.push(rate);
         self.size.push(size);
-        self.earlier.push(remembered);
-        if self.delivered.len() < self.rate.len() {
-            self.delivered.push(Delivered::default());
-        }
-    }
-
-    /// Takes the forces and levers to begin with.
-    pub(crate) fn begin(&mut self, coupling: Coupling) {
-        self.trial.clear();
-        self.lever_shift.clear();
-        match coupling {
-            Coupling::Converged { .. } => {
-                self.trial.extend(self.earlier.iter().map(Coupled::foreseen));
-                let shifts = self.earlier.iter().map(|c| c.lever_shift() + c.lever_trend);
-                self.lever_shift.extend(shifts);
-            }
-            Coupling::Lagged => {
-                self.trial.extend(self.earlier.iter().map(|c| c.elastic));
-                self.lever_shift.extend(self.earlier.iter().map(Coupled::lever_shift));
-            }
-        }
-        self.mixing.forget();
+        self.old.push(old.map(|k| k as u32));
     }
 
     /// Goes on with the forces that the laws answered with.
@@ -177,7 +168,7 @@ impl Scratch {
 /// Displacements of the surfaces of a contact's bodies [m]. Each is put by the one task that its grain belongs to, in a pass
 /// of its own, and read in the next: no order of access can change it.
 #[derive(Debug, Default)]
-struct Delivered([AtomicU64; 2]);
+pub(crate) struct Delivered([AtomicU64; 2]);
 
 impl Delivered {
     #[inline(always)]

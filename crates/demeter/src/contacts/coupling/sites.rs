@@ -5,56 +5,56 @@ use super::kernels::Kernels;
 use crate::contacts::{CHUNK, ContactChunk, Contacts};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
-use demeter_physics::contact::multi_contact::{
-    ContactPair, MultiContact, MultiContactLaw, MultiContactVisitor, clearance,
-};
+use demeter_physics::contact::multi_contact::{ContactPair, MultiContact, MultiContactVisitor};
 use std::ops::Range;
 
 /// Grains handled by one task.
 pub(crate) const GRAINS_PER_TASK: usize = 64;
 
 /// Which contact: whether the partner is a wall, the chunk, and the place in it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct ContactPlace(u64);
+#[derive(Clone, Copy, Debug)]
+struct ContactPlace(u64);
 
 impl ContactPlace {
     #[inline(always)]
-    pub(crate) fn new(wall: bool, chunk: usize, contact: usize) -> Self {
+    fn new(wall: bool, chunk: usize, contact: usize) -> Self {
         Self(u64::from(wall) << 63 | (chunk as u64) << 32 | contact as u64)
     }
 
     /// Its chunk, and its place in it.
     #[inline(always)]
     fn find(self, contacts: &Contacts) -> (&ContactChunk, usize) {
-        let chunks = if self.is_wall() {
-            &contacts.walls
-        } else {
-            &contacts.pairs
-        };
-        (
-            &chunks[(self.0 >> 32 & 0x7fff_ffff) as usize],
-            (self.0 & 0xffff_ffff) as usize,
-        )
+        let wall = self.0 >> 63 == 1;
+        let chunks = if wall { &contacts.walls } else { &contacts.pairs };
+        (&chunks[(self.0 >> 32 & 0x7fff_ffff) as usize], (self.0 & 0xffff_ffff) as usize)
     }
+}
 
-    #[inline(always)]
-    fn is_wall(self) -> bool {
-        self.0 >> 63 == 1
-    }
+/// What a contact is to the displacements, seen from its first body.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Source {
+    pub(crate) normal: [f64; 3],
+    /// Distances of the contact point from both centres [m].
+    pub(crate) lever: [f64; 2],
+    /// What it keeps clear around it [m].
+    pub(crate) clearance: f64,
+    /// Force tried now [N].
+    pub(crate) force: f64,
+    /// Laws that displace the surfaces of both bodies here.
+    pub(crate) kernel: [u32; 2],
 }
 
 /// One contact, seen from one of its bodies.
 #[derive(Clone, Copy, Debug)]
 struct Site {
-    place: ContactPlace,
-    /// Law that displaces the body's surface here.
-    kernel: u32,
-    first: bool,
     /// Normal into the grain.
     normal: [f64; 3],
     lever: f64,
     clearance: f64,
     force: f64,
+    place: ContactPlace,
+    kernel: u32,
+    first: bool,
 }
 
 /// Contacts of the grains of one task, by grain, in the order of the partner's id.
@@ -62,53 +62,32 @@ struct Site {
 pub(crate) struct Sites {
     start: Vec<u32>,
     sites: Vec<Site>,
-    /// Influences of the sites of a grain on each other, a row per displaced site.
-    influence: Vec<f64>,
-    influence_start: Vec<u32>,
+    /// Influences of every site of a grain on those behind it, and of those behind it on it.
+    influences: Columns,
+    influence_start: Vec<InfluenceStart>,
+    displacement: Vec<f64>,
     /// Largest force on every grain [N].
     largest_force: Vec<f64>,
-    local: Local,
 }
 
-/// The sites of one grain as columns.
+/// Pairs of sites of one grain, `(1, 0), (2, 0), (2, 1), ...`, as columns: loops over them have no branches.
 #[derive(Clone, Debug, Default)]
-struct Local {
-    normal: [Vec<f64>; 3],
-    lever: Vec<f64>,
-    clearance: Vec<f64>,
-    pairs: Vec<ContactPair>,
-    mutual: Vec<f64>,
+struct Columns {
+    cosine: Vec<f64>,
+    earlier_lever: Vec<f64>,
+    later_lever: Vec<f64>,
+    least_distance_squared: Vec<f64>,
+    on_later: Vec<f64>,
+    /// Of no use where all influences are mutual.
+    on_earlier: Vec<f64>,
 }
 
-impl Local {
-    /// Adds the pairs of a site with those before it.
-    fn pair_up(&mut self, target: usize, radius: f64) {
-        let normal = [0, 1, 2].map(|axis| self.normal[axis][target]);
-        let (target_lever, target_clearance) = (self.lever[target], self.clearance[target]);
-        for source in 0..target {
-            let cosine = normal[0] * self.normal[0][source]
-                + normal[1] * self.normal[1][source]
-                + normal[2] * self.normal[2][source];
-            self.pairs.push(ContactPair {
-                cosine,
-                source_lever: self.lever[source],
-                target_lever,
-                least_distance_squared: target_clearance * self.clearance[source],
-                radius,
-            });
-        }
-    }
-
-    fn take(&mut self, sites: &[Site]) {
-        for (axis, column) in self.normal.iter_mut().enumerate() {
-            column.clear();
-            column.extend(sites.iter().map(|s| s.normal[axis]));
-        }
-        self.lever.clear();
-        self.lever.extend(sites.iter().map(|s| s.lever));
-        self.clearance.clear();
-        self.clearance.extend(sites.iter().map(|s| s.clearance));
-    }
+/// Where the influences of a grain's sites begin.
+#[derive(Clone, Copy, Debug)]
+struct InfluenceStart {
+    on_later: u32,
+    /// `None` where influences are mutual.
+    on_earlier: Option<u32>,
 }
 
 /// Largest force on a grain [N].
@@ -117,13 +96,14 @@ pub(crate) fn largest_force(sites: &[Sites], grain: u32) -> f64 {
     sites[grain as usize / GRAINS_PER_TASK].largest_force[grain as usize % GRAINS_PER_TASK]
 }
 
-/// What sites are gathered from.
+/// What sites are found from.
 #[derive(Clone, Copy)]
-pub(crate) struct Source<'a> {
+pub(crate) struct Scenery<'a> {
     pub(crate) grains: &'a Grains,
     pub(crate) neighbours: &'a Neighbours,
     pub(crate) contacts: &'a Contacts,
     pub(crate) kernels: &'a Kernels,
+    pub(crate) bounds: &'a Bounds,
 }
 
 impl Sites {
@@ -133,31 +113,16 @@ impl Sites {
     }
 
     /// Gathers the contacts of grains with the forces tried now.
-    pub(crate) fn gather(&mut self, of: Range<usize>, from: Source<'_>) {
+    pub(crate) fn gather(&mut self, of: Range<usize>, from: Scenery<'_>) {
         self.start.clear();
         self.start.push(0);
         self.sites.clear();
         for grain in of {
-            let radius = from.grains.radius[grain];
             for (pair, first) in from.neighbours.pairs_of(grain) {
-                self.take(
-                    false,
-                    pair,
-                    first,
-                    radius,
-                    &from.contacts.pairs[pair / CHUNK],
-                    from.kernels,
-                );
+                self.take(false, pair, first, &from.contacts.pairs[pair / CHUNK]);
             }
             for pair in from.neighbours.wall_pairs_of(grain) {
-                self.take(
-                    true,
-                    pair,
-                    true,
-                    radius,
-                    &from.contacts.walls[pair / CHUNK],
-                    from.kernels,
-                );
+                self.take(true, pair, true, &from.contacts.walls[pair / CHUNK]);
             }
             self.start.push(self.sites.len() as u32);
         }
@@ -165,18 +130,18 @@ impl Sites {
 
     /// Takes the contacts of one candidate.
     #[inline(always)]
-    fn take(&mut self, wall: bool, pair: usize, first: bool, radius: f64, chunk: &ContactChunk, kernels: &Kernels) {
+    fn take(&mut self, wall: bool, pair: usize, first: bool, chunk: &ContactChunk) {
         for k in chunk.contacts_of(pair % CHUNK) {
-            let normal = chunk.now.geometry[k].normal;
-            let effective = (!wall).then(|| chunk.coupling.size[k].radius);
+            let source = &chunk.coupling.sources[k];
+            let (sign, body) = if first { (1.0, 0) } else { (-1.0, 1) };
             self.sites.push(Site {
+                normal: source.normal.map(|n| sign * n),
+                lever: source.lever[body],
+                clearance: source.clearance,
+                force: source.force,
                 place: ContactPlace::new(wall, pair / CHUNK, k),
-                kernel: kernels.of(chunk.now.pair[k], first),
+                kernel: source.kernel[body],
                 first,
-                normal: if first { normal } else { -normal }.to_array(),
-                lever: lever(chunk, k, wall, first),
-                clearance: clearance(radius, effective),
-                force: chunk.coupling.trial[k],
             });
         }
     }
@@ -189,63 +154,64 @@ impl Sites {
         }
     }
 
-    /// Takes the levers that follow from the displacements found now.
-    pub(crate) fn take_levers(&mut self, contacts: &Contacts) {
+    /// Takes the forces and levers of the sources.
+    pub(crate) fn take_sources(&mut self, contacts: &Contacts) {
         for site in &mut self.sites {
             let (chunk, k) = site.place.find(contacts);
-            site.lever = lever(chunk, k, site.place.is_wall(), site.first);
+            let source = &chunk.coupling.sources[k];
+            site.lever = source.lever[usize::from(!site.first)];
+            site.force = source.force;
         }
     }
 
     /// Finds the influences of the contacts of every grain on each other.
-    pub(crate) fn find_influences(&mut self, of: Range<usize>, from: Source<'_>) {
-        self.influence.clear();
+    pub(crate) fn find_influences(&mut self, of: Range<usize>, from: Scenery<'_>) {
+        self.influences.on_later.clear();
+        self.influences.on_earlier.clear();
         self.influence_start.clear();
-        for (grain, radius) in from.grains.radius[of].iter().enumerate() {
-            self.influence_start.push(self.influence.len() as u32);
+        for (grain, &radius) in from.grains.radius[of].iter().enumerate() {
             let range = self.range(grain);
-            let sites = &self.sites[range];
-            self.local.take(sites);
-            let first = self.influence.len();
-            self.influence.resize(first + sites.len() * sites.len(), 0.0);
-            let rows = &mut self.influence[first..];
-            let same = sites.iter().all(|s| s.kernel == sites[0].kernel);
-            if let (Some(site), true) = (sites.first(), same) {
-                let (local, radius) = (&mut self.local, *radius);
-                from.kernels.law(site.kernel).visit(AllRows { local, radius, rows });
-            } else {
-                for (target, site) in sites.iter().enumerate() {
-                    let row = &mut rows[target * sites.len()..][..sites.len()];
-                    one_row(from.kernels.law(site.kernel), &self.local, *radius, target, row);
-                }
-            }
+            let start = self.influences.add(&self.sites[range], radius, from.kernels);
+            self.influence_start.push(start);
         }
     }
 
-    /// Finds the displacements by the forces of the sites and delivers them to the contacts, and finds for every grain how far
-    /// its surface may bulge.
-    pub(crate) fn displace(
-        &mut self,
-        of: Range<usize>,
-        grains: &Grains,
-        contacts: &Contacts,
-        bounds: &Bounds,
-        bulge: &mut [f64],
-    ) {
+    /// Finds the displacements by the forces of the sites and delivers them to the contacts, and finds for every grain how
+    /// far its surface may bulge.
+    pub(crate) fn displace(&mut self, of: Range<usize>, from: Scenery<'_>, bulge: &mut [f64]) {
         self.largest_force.clear();
         for (grain, index) in of.enumerate() {
             let sites = &self.sites[self.range(grain)];
-            let rows = &self.influence[self.influence_start[grain] as usize..];
-            for (target, displaced) in sites.iter().enumerate() {
-                let row = &rows[target * sites.len()..][..sites.len()];
-                let parts = row.iter().zip(sites).map(|(influence, site)| influence * site.force);
-                let (chunk, k) = displaced.place.find(contacts);
-                chunk.coupling.delivered[k].put(displaced.first, parts.sum());
+            let start = self.influence_start[grain];
+            let on_later = &self.influences.on_later[start.on_later as usize..];
+            let on_earlier = match start.on_earlier {
+                Some(first) => &self.influences.on_earlier[first as usize..],
+                None => on_later,
+            };
+            self.displacement.clear();
+            self.displacement.resize(sites.len(), 0.0);
+            let mut pair = 0;
+            for later in 1..sites.len() {
+                let (before, own) = self.displacement.split_at_mut(later);
+                let force = sites[later].force;
+                let count = before.len();
+                let (onto, back) = (&on_later[pair..pair + count], &on_earlier[pair..pair + count]);
+                let mut sum = 0.0;
+                for (earlier, displacement) in before.iter_mut().enumerate() {
+                    sum += onto[earlier] * sites[earlier].force;
+                    *displacement += back[earlier] * force;
+                }
+                own[0] = sum;
+                pair += count;
             }
-            let mut load = Load::on(grains.radius[index]);
-            sites.iter().for_each(|site| load.add(site.force, site.lever));
+            let mut load = Load::on(from.grains.radius[index]);
+            for (site, displacement) in sites.iter().zip(&self.displacement) {
+                load.add(site.force, site.lever);
+                let (chunk, k) = site.place.find(from.contacts);
+                chunk.coupling.delivered[k].put(site.first, *displacement);
+            }
             self.largest_force.push(load.largest);
-            bulge[grain] = bounds.bulge(grains.material[index], grains.radius[index], &load);
+            bulge[grain] = (from.bounds).bulge(from.grains.material[index], from.grains.radius[index], &load);
         }
     }
 }
@@ -278,90 +244,109 @@ impl Load {
     }
 }
 
-/// Influences of all sites of a grain on each other, where one law holds for all.
-struct AllRows<'a> {
-    local: &'a mut Local,
-    radius: f64,
-    rows: &'a mut [f64],
-}
-
-impl MultiContactVisitor for AllRows<'_> {
-    type Output = ();
-
-    fn visit<L: MultiContact>(self, law: &L) {
-        let Self { local, radius, rows } = self;
-        let count = local.lever.len();
-        if L::INDEPENDENT {
-            return;
+impl Columns {
+    /// Adds the influences of the sites of one grain on each other.
+    fn add(&mut self, sites: &[Site], radius: f64, kernels: &Kernels) -> InfluenceStart {
+        let mut start = InfluenceStart {
+            on_later: self.on_later.len() as u32,
+            on_earlier: Some(self.on_earlier.len() as u32),
+        };
+        let Some(site) = sites.first() else { return start };
+        self.pair_up(sites);
+        if sites.iter().all(|s| s.kernel == site.kernel) {
+            let mutual = kernels.law(site.kernel).visit(Influences { columns: self, radius });
+            start.on_earlier = start.on_earlier.filter(|_| !mutual);
+            return start;
         }
-        if !law.is_mutual() {
-            for target in 0..count {
-                row_of(law, local, radius, target, &mut rows[target * count..][..count]);
-                rows[target * count + target] = 0.0;
+        let mut pair = 0;
+        for later in 1..sites.len() {
+            for earlier in 0..later {
+                let at = self.contacts(pair, radius);
+                self.on_later.push(kernels.influence(sites[later].kernel, &at));
+                self.on_earlier.push(kernels.influence(sites[earlier].kernel, &reversed(&at)));
+                pair += 1;
             }
-            return;
         }
-        local.pairs.clear();
-        for target in 1..count {
-            local.pair_up(target, radius);
-        }
-        local.mutual.clear();
-        local.mutual.extend(local.pairs.iter().map(|pair| law.influence(pair)));
-        let mut found = local.mutual.iter();
-        for target in 1..count {
-            for (source, influence) in (0..target).zip(&mut found) {
-                rows[target * count + source] = *influence;
-                rows[source * count + target] = *influence;
-            }
+        start
+    }
+
+    fn pair_up(&mut self, sites: &[Site]) {
+        self.cosine.clear();
+        self.earlier_lever.clear();
+        self.later_lever.clear();
+        self.least_distance_squared.clear();
+        for (count, later) in sites.iter().enumerate() {
+            let (n, before) = (later.normal, &sites[..count]);
+            let cosine = |s: &Site| n[0] * s.normal[0] + n[1] * s.normal[1] + n[2] * s.normal[2];
+            self.cosine.extend(before.iter().map(cosine));
+            self.earlier_lever.extend(before.iter().map(|s| s.lever));
+            self.later_lever.extend(before.iter().map(|_| later.lever));
+            let least = before.iter().map(|s| s.clearance * later.clearance);
+            self.least_distance_squared.extend(least);
         }
     }
-}
 
-/// Influences of the first sites of a grain on one of them.
-#[inline(always)]
-fn row_of<L: MultiContact>(law: &L, local: &Local, radius: f64, target: usize, row: &mut [f64]) {
-    // slices of one length: the loop has no bounds to check
-    let count = row.len();
-    let [x, y, z] = [0, 1, 2].map(|axis| &local.normal[axis][..count]);
-    let (lever, clearance) = (&local.lever[..count], &local.clearance[..count]);
-    let [tx, ty, tz] = [0, 1, 2].map(|axis| local.normal[axis][target]);
-    let (target_lever, target_clearance) = (local.lever[target], local.clearance[target]);
-    for s in 0..count {
-        row[s] = law.influence(&ContactPair {
-            cosine: tx * x[s] + ty * y[s] + tz * z[s],
-            source_lever: lever[s],
-            target_lever,
-            least_distance_squared: target_clearance * clearance[s],
+    /// The earlier site of a pair as what displaces, the later as what is displaced.
+    #[inline(always)]
+    fn contacts(&self, pair: usize, radius: f64) -> ContactPair {
+        ContactPair {
+            cosine: self.cosine[pair],
+            source_lever: self.earlier_lever[pair],
+            target_lever: self.later_lever[pair],
+            least_distance_squared: self.least_distance_squared[pair],
             radius,
-        });
-    }
-}
-
-/// Influences of all sites of a grain on one of them.
-fn one_row(law: &MultiContactLaw, local: &Local, radius: f64, target: usize, row: &mut [f64]) {
-    struct Row<'a>(&'a Local, f64, usize, &'a mut [f64]);
-    impl MultiContactVisitor for Row<'_> {
-        type Output = ();
-        fn visit<L: MultiContact>(self, law: &L) {
-            let Self(local, radius, target, row) = self;
-            if !L::INDEPENDENT {
-                row_of(law, local, radius, target, row);
-                row[target] = 0.0;
-            }
         }
     }
-    law.visit(Row(local, radius, target, row));
 }
 
-/// Distance of a contact point from the centre of one of its bodies, with the displacements found latest [m].
 #[inline(always)]
-fn lever(chunk: &ContactChunk, k: usize, wall: bool, first: bool) -> f64 {
-    let contact = &chunk.now.geometry[k];
-    // at a wall it is the foot of the perpendicular
-    let shift = if wall { 0.0 } else { chunk.coupling.lever_shift[k] };
-    if first {
-        contact.lever_i + shift
-    } else {
-        contact.lever_j - shift
+fn reversed(at: &ContactPair) -> ContactPair {
+    ContactPair {
+        source_lever: at.target_lever,
+        target_lever: at.source_lever,
+        ..*at
+    }
+}
+
+/// Influences of the sites of a grain on each other, where one law holds for all; tells whether they are mutual.
+struct Influences<'a> {
+    columns: &'a mut Columns,
+    radius: f64,
+}
+
+impl MultiContactVisitor for Influences<'_> {
+    type Output = bool;
+
+    fn visit<L: MultiContact>(self, law: &L) -> bool {
+        let Self { columns, radius } = self;
+        let count = columns.cosine.len();
+        let first = columns.on_later.len();
+        columns.on_later.resize(first + count, 0.0);
+        let mutual = law.is_mutual();
+        if !mutual {
+            columns.on_earlier.resize(first + count, 0.0);
+        }
+        if L::INDEPENDENT {
+            return mutual;
+        }
+        // slices of one length: the loops have no bounds to check
+        let (cosine, least) = (&columns.cosine[..count], &columns.least_distance_squared[..count]);
+        let (earlier, later) = (&columns.earlier_lever[..count], &columns.later_lever[..count]);
+        let pair = |p: usize| ContactPair {
+            cosine: cosine[p],
+            source_lever: earlier[p],
+            target_lever: later[p],
+            least_distance_squared: least[p],
+            radius,
+        };
+        for (p, influence) in columns.on_later[first..][..count].iter_mut().enumerate() {
+            *influence = law.influence(&pair(p));
+        }
+        if !mutual {
+            for (p, influence) in columns.on_earlier[first..][..count].iter_mut().enumerate() {
+                *influence = law.influence(&reversed(&pair(p)));
+            }
+        }
+        mutual
     }
 }
