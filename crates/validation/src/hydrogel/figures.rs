@@ -1,6 +1,6 @@
 //! Figures 3 to 6 of the paper, drawn anew, each with a check.
 
-use super::results::{ModelResult, Network};
+use super::results::{Also, ModelResult};
 use super::{RESOLUTION, Results, ValidationError};
 use demeter::compare::{Level, Phase, Strokes};
 use demeter::output::{Look, Plot, Series, Sheet};
@@ -123,16 +123,16 @@ fn plate_force(results: &Results) -> (Check, Sheet) {
         let name = format!("measured, {} N", results.standards.top_force);
         shown.series.push(Series::line(name, point).with(Look::Circles, GREY));
     }
-    let turns = results.models.iter().filter_map(|m| {
-        let ends = Phase::ALL.map(|phase| m.strokes.levels(phase).last().and_then(|level| level.force));
-        Some(difference(ends[0]?.value, ends[1]?.value))
+    let work = results.models.iter().flat_map(|m| {
+        let both = |phase| Some(difference(m.work_of(phase), m.booked_work_of(phase)?));
+        Phase::ALL.into_iter().filter_map(both)
     });
     let lost: Vec<String> = (results.models.iter())
-        .map(|m| format!("{} {:.1} %", m.model.name, 100.0 * m.work().1))
+        .map(|m| format!("{} {:.1} %", m.model.name, 100.0 * m.lost()))
         .collect();
     let text = format!(
-        "loading ends where unloading begins, largest difference {:.1e}; work of the plate that is lost per cycle: {}",
-        largest(turns),
+        "area under the curves against the work in the energy books, largest difference {:.1e}; work that is lost per cycle: {}",
+        largest(work),
         lost.join(", ")
     );
     let sheet = Sheet {
@@ -232,7 +232,7 @@ fn miscounted(result: &ModelResult) -> f64 {
     let first = bins.edges().partition_point(|edge| *edge < RESOLUTION * (1.0 - 1e-9));
     largest(levels(&result.strokes).filter_map(|level| {
         let above: f64 = level.contacts.as_ref()?.pairs.iter().skip(first).sum();
-        Some(difference(above, Network::Contacts.at(level)))
+        Some(difference(above, Also::Contacts.at(level)))
     }))
 }
 
@@ -245,7 +245,7 @@ fn contacts_per_grain(results: &Results) -> (Check, Sheet) {
     add_measured(results, &mut shown, |level| level.coordination);
     let differences = results.models.iter().flat_map(|result| {
         levels(&result.strokes)
-            .filter_map(move |level| Some(difference(above(result, level)?, Network::Coordination.at(level))))
+            .filter_map(move |level| Some(difference(above(result, level)?, Also::Coordination.at(level))))
     });
     let text = format!(
         "Z of the distribution against that of the contact network, largest difference {:.1e}",
@@ -282,7 +282,7 @@ fn scaling(results: &Results) -> (Check, Sheet) {
         let mut all: Vec<(f64, f64)> = Vec::new();
         for (phase, look) in [(Phase::Loading, Look::Line), (Phase::Unloading, Look::Dashed)] {
             let points: Vec<(f64, f64)> = (result.strokes.levels(phase).iter())
-                .filter_map(|level| Some((1e3 * Network::product(level), level.force?.value)))
+                .filter_map(|level| Some((1e3 * Also::product(level), level.force?.value)))
                 .collect();
             all.extend(points.iter().filter(|point| point.0.is_finite()));
             let name = match phase {
@@ -317,9 +317,9 @@ fn scaling(results: &Results) -> (Check, Sheet) {
 
 /// Largest difference between the product of the means and the mean of the product, where the latter is not small.
 fn mean_of_product(result: &ModelResult) -> f64 {
-    let highest = largest(levels(&result.strokes).map(|level| Network::Scaling.at(level)));
-    let large = levels(&result.strokes).filter(|level| Network::Scaling.at(level) > 0.1 * highest);
-    largest(large.map(|level| difference(Network::product(level), Network::Scaling.at(level))))
+    let highest = largest(levels(&result.strokes).map(|level| Also::Scaling.at(level)));
+    let large = levels(&result.strokes).filter(|level| Also::Scaling.at(level) > 0.1 * highest);
+    largest(large.map(|level| difference(Also::product(level), Also::Scaling.at(level))))
 }
 
 #[cfg(test)]

@@ -29,4 +29,3 @@ pub const TOP_FORCE: f64 = 15.6;
 
 /// Force below which the experiment sees no contact [N] (Table I, MC-DEM).
 pub const RESOLUTION: f64 = 4e-3;
-

@@ -8,13 +8,14 @@ use demeter::compare::{
 use std::path::{Path, PathBuf};
 
 /// Columns of the series that figures show beside the force, and their places.
-const ALSO: [&str; 6] = [
+const ALSO: [&str; 7] = [
     "packing contacts",
     "packing coordination",
     "packing packing fraction",
     "packing centre distance",
     "packing mean force",
     "packing scaling",
+    "wall work",
 ];
 
 /// Share of a stroke by which a compression may lie before the first touch and still count: rounding.
@@ -170,18 +171,19 @@ fn result(
     })
 }
 
-/// A quantity of the contact network, averaged over cycles.
+/// A quantity of the series beside the force, averaged over cycles; in the order of [`ALSO`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Network {
+pub(super) enum Also {
     Contacts,
     Coordination,
     PackingFraction,
     CentreDistance,
     MeanForce,
     Scaling,
+    WallWork,
 }
 
-impl Network {
+impl Also {
     /// Its value at a level.
     pub fn at(self, level: &Level) -> f64 {
         level.also.get(self as usize).map_or(f64::NAN, |mean| mean.value)
@@ -205,17 +207,24 @@ impl ModelResult {
         self.strokes.bins.as_ref()
     }
 
-    /// Work of the plate while it loads, and the share of it that it does not get back [N m, -].
-    pub(super) fn work(&self) -> (f64, f64) {
-        let work = |phase| {
-            let points: Vec<(f64, f64)> = (self.strokes.levels(phase).iter())
-                .filter_map(|level| Some((level.position, level.force?.value)))
-                .collect();
-            let area = |w: &[(f64, f64)]| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0);
-            points.windows(2).map(area).sum::<f64>()
-        };
-        let (there, back) = (work(Phase::Loading), work(Phase::Unloading));
-        (there, 1.0 - back / there)
+    /// Work of the plate in a phase, the area under its force [N m].
+    pub(super) fn work_of(&self, phase: Phase) -> f64 {
+        let points: Vec<(f64, f64)> = (self.strokes.levels(phase).iter())
+            .filter_map(|level| Some((level.position, level.force?.value)))
+            .collect();
+        let area = |w: &[(f64, f64)]| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0);
+        points.windows(2).map(area).sum()
+    }
+
+    /// The same from the energy books of the run, which sum force times velocity over every step [J].
+    pub(super) fn booked_work_of(&self, phase: Phase) -> Option<f64> {
+        let levels = self.strokes.levels(phase);
+        Some((Also::WallWork.at(levels.last()?) - Also::WallWork.at(levels.first()?)).abs())
+    }
+
+    /// Share of the work of loading that unloading does not give back.
+    pub(super) fn lost(&self) -> f64 {
+        1.0 - self.work_of(Phase::Unloading) / self.work_of(Phase::Loading)
     }
 }
 

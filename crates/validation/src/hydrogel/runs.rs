@@ -3,7 +3,7 @@
 use super::{Model, ValidationError};
 use demeter::checkpoint;
 use demeter::output::RunFolder;
-use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, resume, run};
+use demeter::scenario::{Observer, Progress, RunEnd, RunError, RunOptions, Scenario, resume, run};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -129,9 +129,12 @@ fn run_model(experiment: &Experiment, model: &Model, folder: &Path, tell: Tell<'
             run(&scenario, folder, options, &mut watcher)
         }
     };
-    let report = report.map_err(|source| ValidationError::Run {
-        model: model.name,
-        source,
+    let report = report.map_err(|error| match error {
+        RunError::Scenario(faults) => ValidationError::Scenario(*faults),
+        source => ValidationError::Run {
+            model: model.name,
+            source,
+        },
     })?;
     let reason = match report.end {
         RunEnd::Finished => return Ok(()),

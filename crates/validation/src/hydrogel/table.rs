@@ -88,7 +88,7 @@ fn row(results: &Results, result: &ModelResult) -> Vec<String> {
         told(known(&stand_in.errz).map(|m| m.threshold)),
         told(value(&stand_in.errz_at)),
         told(known(&stand_in.bhat).map(|m| m.value)),
-        told(Some(result.work().1)),
+        told(Some(result.lost())),
         told(Some(published.rtop)),
         told(Some(published.errf)),
         told(Some(published.errz)),
@@ -164,7 +164,7 @@ fn markdown_row(results: &Results, result: &ModelResult) -> String {
         cell(known(&stand_in.errz).map(|m| m.misfit.value), 2, published.errz),
         cell(known(&stand_in.errz).map(|m| 1e3 * m.threshold), 2, 1e3 * published.tau),
         cell(known(&stand_in.bhat).map(|m| 1e2 * m.value), 2, 1e2 * published.bhat),
-        100.0 * result.work().1,
+        100.0 * result.lost(),
     )
 }
 
