@@ -355,7 +355,7 @@ fn gather(
 }
 
 /// The stretch of equal values that begins at `start`.
-pub(crate) fn next_run(pairs: &[u32], start: usize) -> Range<usize> {
+fn next_run(pairs: &[u32], start: usize) -> Range<usize> {
     let length = pairs[start..].iter().take_while(|&&p| p == pairs[start]).count();
     start..start + length
 }

@@ -4,7 +4,7 @@ use crate::contacts::coupling::bulge::{ALLOWANCE, Bounds, FIRST_BULGE};
 use crate::contacts::coupling::displaced::ChunkPlace;
 use crate::contacts::coupling::kernels::Kernels;
 use crate::contacts::coupling::mixing::{Largest, Products, Progress};
-use crate::contacts::coupling::sites::{GRAINS_PER_TASK, Scenery, Sites};
+use crate::contacts::coupling::sites::{Changes, GRAINS_PER_TASK, Scenery, Sites};
 use crate::contacts::coupling::{Coupling, DEFAULT_TOLERANCE, Worst};
 use crate::contacts::{CHUNK, ContactChunk, Contacts, Fault, Scene};
 use crate::materials::Materials;
@@ -12,6 +12,7 @@ use crate::neighbours::{Neighbours, Pair, WallPair};
 use crate::particles::Grains;
 use crate::simulation::Simulation;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Plain iterations before forces are mixed: near rest one is enough.
 const PLAIN_ITERATIONS: usize = 6;
@@ -29,7 +30,7 @@ const ROOM_TO_GROW: f64 = 1.2;
 const SHARE_OF_SKIN: f64 = 0.5;
 
 /// Everything that coupled contacts need beyond what a contact remembers.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct CouplingState {
     pub(crate) scheme: Coupling,
     pub(crate) memory: CouplingMemory,
@@ -37,6 +38,7 @@ pub(crate) struct CouplingState {
     sites: Vec<Sites>,
     /// How far the surface of every grain bulges at most by the forces known [m].
     needed: Vec<f64>,
+    changes: Changes,
 }
 
 /// What a restart needs of it.
@@ -78,6 +80,7 @@ impl CouplingState {
             kernels,
             sites: Vec::new(),
             needed: Vec::new(),
+            changes: Changes::default(),
         })
     }
 
@@ -139,6 +142,7 @@ impl CouplingState {
             contacts,
             kernels: &self.kernels,
             bounds: &self.memory.bounds,
+            changes: &self.changes,
         };
         let tasks = (self.sites.par_iter_mut()).zip(self.needed.par_chunks_mut(GRAINS_PER_TASK));
         tasks.enumerate().for_each(|(task, (sites, needed))| {
@@ -162,11 +166,12 @@ impl CouplingState {
     }
 
     /// Takes what the latest forces need, with an allowance, for the next step.
-    fn foresee(&mut self) {
+    fn foresee(&mut self, radius: &[f64]) {
         self.memory.bulge.clear();
+        let bulges = self.needed.iter().zip(radius);
         self.memory
             .bulge
-            .extend(self.needed.iter().map(|needed| ALLOWANCE * needed));
+            .extend(bulges.map(|(needed, radius)| foreseen(*needed, *radius)));
         self.memory.max_bulge = self.memory.bulge.iter().copied().fold(0.0, f64::max);
     }
 }
@@ -175,11 +180,14 @@ impl Simulation {
     /// Finds how far surfaces may bulge from the forces of the step before: after grains were put in another order.
     pub(super) fn foresee_bulges(&mut self) {
         let Some(state) = &mut self.coupling else { return };
-        state.each_task((&self.grains, &self.neighbours, &self.contacts), |_, of, from, needed| {
-            for (needed, grain) in needed.iter_mut().zip(of) {
-                *needed = from.bounds.of_grain(grain, from.grains, from.neighbours, from.contacts);
-            }
-        });
+        state.each_task(
+            (&self.grains, &self.neighbours, &self.contacts),
+            |_, of, from, needed| {
+                for (needed, grain) in needed.iter_mut().zip(of) {
+                    *needed = from.bounds.of_grain(grain, from.grains, from.neighbours, from.contacts);
+                }
+            },
+        );
         state.foresee(&self.grains.radius);
     }
 
@@ -229,7 +237,7 @@ impl Simulation {
     fn with_chunks<'a>(
         &'a mut self,
         max_speed: f64,
-        work: impl Fn(ChunkPlace, &mut ContactChunk, Candidates<'a>, &Scene<'_>, &[Sites]) + Sync + Send,
+        work: impl Fn(ChunkPlace, &mut ContactChunk, Candidates<'a>, &Scene<'_>, &CouplingState) + Sync + Send,
     ) {
         let Some(state) = &self.coupling else { return };
         let scene = Scene {
@@ -247,7 +255,7 @@ impl Simulation {
             bulge: &state.memory.bulge,
         };
         each_chunk(&mut self.contacts, &self.neighbours, |at, chunk, candidates| {
-            work(at, chunk, candidates, &scene, &state.sites);
+            work(at, chunk, candidates, &scene, state);
         });
     }
 
@@ -258,13 +266,12 @@ impl Simulation {
         } else {
             state.scheme
         };
-        let kernels = state.kernels.clone();
-        self.with_chunks(max_speed, |at, chunk, candidates, scene, _| {
+        self.with_chunks(max_speed, |at, chunk, candidates, scene, state| {
             match candidates {
                 Candidates::Pairs(pairs) => chunk.find_pairs(pairs, scene),
                 Candidates::Walls(pairs) => chunk.find_walls(pairs, scene),
             }
-            chunk.begin_coupling(at, scene, scheme, &kernels);
+            chunk.begin_coupling(at, scene, scheme, &state.kernels);
         });
     }
 
@@ -282,85 +289,100 @@ impl Simulation {
     /// Gathers the sites of all grains, and finds their influences on each other and the displacements.
     fn gather_sites(&mut self) {
         let Some(state) = &mut self.coupling else { return };
-        state.each_task((&self.grains, &self.neighbours, &self.contacts), |sites, of, from, needed| {
-            sites.gather(of.clone(), from);
-            sites.find_influences(of.clone(), from);
-            sites.displace(of, from, needed);
-        });
+        state.each_task(
+            (&self.grains, &self.neighbours, &self.contacts),
+            |sites, of, from, needed| {
+                sites.gather(of.clone(), from);
+                sites.find_influences(of.clone(), from);
+                sites.displace(of, from, needed);
+            },
+        );
     }
 
-    /// Finds the displacements by the forces tried now.
-    fn find_displacements(&mut self) {
+    /// Finds the displacements anew where forces or levers have changed.
+    fn displace_again(&mut self) {
         let Some(state) = &mut self.coupling else { return };
-        state.each_task((&self.grains, &self.neighbours, &self.contacts), |sites, of, from, needed| {
-            sites.take_forces(from.contacts);
-            sites.displace(of, from, needed);
-        });
-    }
-
-    /// Finds the influences anew, with the levers of the displacements found latest, and the displacements.
-    fn move_levers(&mut self, max_speed: f64) {
-        self.with_chunks(max_speed, |at, chunk, _, _, _| chunk.accept(at));
-        let Some(state) = &mut self.coupling else { return };
-        state.each_task((&self.grains, &self.neighbours, &self.contacts), |sites, of, from, needed| {
-            sites.take_sources(from.contacts);
-            sites.find_influences(of.clone(), from);
-            sites.displace(of, from, needed);
-        });
+        state.each_task(
+            (&self.grains, &self.neighbours, &self.contacts),
+            |sites, of, from, needed| {
+                sites.displace_again(of, from, needed);
+            },
+        );
     }
 
     /// Solves the coupled equation at the places of this step.
     fn solve_coupling(&mut self, max_speed: f64) -> Result<(), Fault> {
-        let Some(state) = &self.coupling else { return Ok(()) };
+        let Some(state) = &mut self.coupling else { return Ok(()) };
         let feels_levers = state.kernels.feel_levers();
         let tolerance = match state.scheme {
             Coupling::Converged { tolerance } => tolerance,
             Coupling::Lagged => DEFAULT_TOLERANCE,
         };
+        let count = self.grains.len();
+        // at first all displacements are new
+        state.changes.clear(count);
+        (0..count as u32).for_each(|grain| state.changes.note_force(grain));
         let largest = self.largest_force();
         let mut progress = Progress::begin();
         for iteration in 1..=MOST_ITERATIONS {
-            self.with_chunks(max_speed, |at, chunk, _, scene, sites| {
-                chunk.answer(at, scene, sites, largest)
+            self.with_chunks(max_speed, |at, chunk, _, scene, state| {
+                chunk.answer(at, scene, &state.sites, &state.changes, largest);
             });
-            let worst = self.worst();
-            if worst.share.is_nan() {
+            let worst = self.worst().share;
+            if worst.is_nan() {
                 break;
             }
-            if worst.share > tolerance {
-                if iteration.is_multiple_of(PATIENCE_WITH_JUMPS) && self.let_jumps_lag(worst.share) {
+            self.coupling.iter_mut().for_each(|c| c.changes.clear(count));
+            if worst > tolerance {
+                if iteration.is_multiple_of(PATIENCE_WITH_JUMPS) && self.let_jumps_lag(max_speed, worst) > 0 {
                     progress = Progress::begin();
-                    self.chunks_mut().for_each(|chunk| chunk.coupling.mixing.forget());
                 } else if iteration < PLAIN_ITERATIONS {
-                    self.chunks_mut().for_each(|chunk| chunk.coupling.iterate());
+                    self.with_chunks(max_speed, |at, chunk, _, _, state| {
+                        chunk.iterate(at, &state.changes, tolerance);
+                    });
                 } else {
                     self.mix(&mut progress);
                 }
-                self.find_displacements();
-            } else if feels_levers && self.lever_change(max_speed) > tolerance {
-                self.move_levers(max_speed);
-                progress = Progress::begin();
             } else {
-                if let Some(state) = &mut self.coupling {
-                    state.memory.effort.solutions += 1;
-                    state.memory.effort.iterations += iteration as u64;
+                let moved = feels_levers && self.move_levers(max_speed, tolerance);
+                if !moved {
+                    if let Some(state) = &mut self.coupling {
+                        state.memory.effort.solutions += 1;
+                        state.memory.effort.iterations += iteration as u64;
+                    }
+                    return Ok(());
                 }
-                return Ok(());
+                progress = Progress::begin();
             }
+            self.displace_again();
         }
         Err(self.beyond_fold(max_speed))
     }
 
-    /// Lets the contacts lag that are farthest from a solution because their force jumps; tells whether there are such.
-    fn let_jumps_lag(&mut self, worst: f64) -> bool {
-        let mut found = 0;
-        for chunk in self.chunks_mut().filter(|chunk| chunk.coupling.worst.share == worst) {
-            found += u64::from(chunk.let_jump_lag());
-        }
+    /// Moves the levers that displacements have changed; tells whether there are such.
+    fn move_levers(&mut self, max_speed: f64, tolerance: f64) -> bool {
+        self.with_chunks(max_speed, |at, chunk, _, scene, state| {
+            chunk.move_levers(at, scene, &state.changes, tolerance);
+        });
+        (0..self.grains.len() as u32).any(|grain| self.coupling.as_ref().is_some_and(|c| c.changes.any(grain)))
+    }
+
+    /// Lets the contacts lag that are farthest from a solution because their force jumps; tells how many.
+    fn let_jumps_lag(&mut self, max_speed: f64, worst: f64) -> u64 {
+        let found = AtomicU64::new(0);
+        self.with_chunks(max_speed, |at, chunk, _, _, state| {
+            if chunk.coupling.worst.share == worst {
+                found.fetch_add(u64::from(chunk.let_jump_lag(at, &state.changes)), Ordering::Relaxed);
+            }
+        });
+        let found = found.into_inner();
         if let Some(state) = &mut self.coupling {
             state.memory.effort.jumps += found;
         }
-        found > 0
+        if found > 0 {
+            self.chunks_mut().for_each(|chunk| chunk.coupling.mixing.forget());
+        }
+        found
     }
 
     /// Goes on with mixed forces.
@@ -375,6 +397,9 @@ impl Simulation {
         }
         let weights = products.weights(&largest);
         self.chunks_mut().for_each(|chunk| chunk.coupling.advance(&weights));
+        if let Some(state) = &self.coupling {
+            (0..self.grains.len() as u32).for_each(|grain| state.changes.note_force(grain));
+        }
     }
 
     fn products(&mut self, largest: &Largest) -> Products {
@@ -409,16 +434,6 @@ impl Simulation {
         self.chunks()
             .map(|chunk| chunk.coupling.worst)
             .fold(Worst::default(), worse)
-    }
-
-    fn lever_change(&mut self, max_speed: f64) -> f64 {
-        let largest = std::sync::atomic::AtomicU64::new(0);
-        // positive numbers are in the order of their bits
-        self.with_chunks(max_speed, |at, chunk, _, scene, _| {
-            let change = chunk.lever_change(at, scene).to_bits();
-            largest.fetch_max(change, std::sync::atomic::Ordering::Relaxed);
-        });
-        f64::from_bits(largest.into_inner())
     }
 
     /// The fault at the contact that is farthest from a solution.

@@ -1,19 +1,23 @@
 //! Contacts between displaced surfaces: their overlaps, the forces that follow, and what the laws see.
 
-use super::sites::{self, Sites};
 use super::kernels::Kernels;
 use super::sites::Source;
+use super::sites::{self, Changes, Sites};
 use super::{Coupled, Coupling, Delivered, Scratch, Worst, lever_shift};
-use crate::contacts::block::{next_run, normal_window};
+use crate::contacts::block::normal_window;
 use crate::contacts::{ContactChunk, Fault, Kept, Scene};
 use demeter_physics::contact::PairSize;
 use demeter_physics::contact::multi_contact::clearance;
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor};
 use demeter_physics::integrator::Integrator;
+use std::ops::Range;
 
 /// A displaced overlap beyond this multiple of the largest overlap allowed tells that the coupled equation has no
 /// solution: at the fold of a regular packing the displacements add twice the overlap.
 const LARGEST_DISPLACED: f64 = 3.0;
+
+/// Forces closer to their solution than this share of the tolerance are not changed any more.
+const GOOD_ENOUGH: f64 = 0.1;
 
 /// Forces below this share of the largest anywhere are not told from none.
 const LEAST_SHARE: f64 = 1e-2;
@@ -112,75 +116,107 @@ impl ContactChunk {
         [delivered.get(0), if at.wall { 0.0 } else { delivered.get(1) }]
     }
 
-    /// Takes the displacements of the sites, finds the elastic forces that the laws answer with, and how far they are
-    /// from those tried. `largest` is the largest force anywhere [N].
-    pub(crate) fn answer(&mut self, at: ChunkPlace, scene: &Scene, sites: &[Sites], largest: f64) {
-        self.coupling.overlap.clear();
-        for k in 0..self.len() {
-            let [first, second] = self.delivered(k, at);
-            self.coupling.overlap.push(self.now.geometry[k].overlap + (first + second));
-        }
-        let Self { now, coupling, i, j, .. } = self;
-        coupling.find_forces(now, scene);
-        coupling.worst = Worst::default();
-        for k in 0..now.len() {
-            if coupling.lagging[k] {
-                coupling.answer[k] = coupling.trial[k];
-            }
-            let deviation = (coupling.answer[k] - coupling.trial[k]).abs();
-            if deviation == 0.0 {
+    /// Takes the displacements of the sites, finds the elastic forces that the laws answer with, and how far they are from
+    /// those tried: of contacts whose displacement may have changed. `largest` is the largest force anywhere [N].
+    pub(crate) fn answer(&mut self, at: ChunkPlace, scene: &Scene, sites: &[Sites], changes: &Changes, largest: f64) {
+        let count = self.len();
+        self.coupling.overlap.resize(count, 0.0);
+        self.coupling.answer.resize(count, 0.0);
+        self.coupling.share.resize(count, 0.0);
+        let concerned = |chunk: &Self, k: usize| changes.any(chunk.i[k]) || (!at.wall && changes.any(chunk.j[k]));
+        let mut k = 0;
+        while k < count {
+            if !concerned(self, k) {
+                k += 1;
                 continue;
             }
-            let mut scale = sites::largest_force(sites, i[k]).max(LEAST_SHARE * largest);
-            if !at.wall {
-                scale = scale.max(sites::largest_force(sites, j[k]));
+            let first = k;
+            while k < count && self.now.pair[k] == self.now.pair[first] && concerned(self, k) {
+                let [one, other] = self.delivered(k, at);
+                self.coupling.overlap[k] = self.now.geometry[k].overlap + (one + other);
+                k += 1;
             }
-            // where all forces were 0 so far, nothing is known yet
-            let share = deviation / scale.max(coupling.answer[k].abs());
-            if share.is_nan() || share > coupling.worst.share {
-                coupling.worst = Worst { share, contact: k };
+            self.coupling.find_forces(first..k, &self.now, scene);
+            for k in first..k {
+                self.coupling.share[k] = self.deviation_share(k, at, sites, largest);
+            }
+        }
+        self.coupling.worst = Worst::default();
+        for (contact, &share) in self.coupling.share.iter().enumerate() {
+            if share.is_nan() || share > self.coupling.worst.share {
+                self.coupling.worst = Worst { share, contact };
+            }
+        }
+    }
+
+    /// How far a contact's force is from the one tried, as a share of the largest force on its grains.
+    fn deviation_share(&mut self, k: usize, at: ChunkPlace, sites: &[Sites], largest: f64) -> f64 {
+        let coupling = &mut self.coupling;
+        if coupling.lagging[k] {
+            coupling.answer[k] = coupling.trial[k];
+        }
+        let deviation = (coupling.answer[k] - coupling.trial[k]).abs();
+        if deviation == 0.0 {
+            return 0.0;
+        }
+        let mut scale = sites::largest_force(sites, self.i[k]).max(LEAST_SHARE * largest);
+        if !at.wall {
+            scale = scale.max(sites::largest_force(sites, self.j[k]));
+        }
+        // where all forces were 0 so far, nothing is known yet
+        deviation / scale.max(coupling.answer[k].abs())
+    }
+
+    /// Goes on with the forces that the laws answered with, where they are not good enough.
+    pub(crate) fn iterate(&mut self, at: ChunkPlace, changes: &Changes, tolerance: f64) {
+        for k in 0..self.len() {
+            if self.coupling.share[k] > GOOD_ENOUGH * tolerance {
+                self.coupling.trial[k] = self.coupling.answer[k];
+                self.note_change(k, at, changes);
+            }
+        }
+    }
+
+    /// Notes that the force tried at a contact has changed.
+    #[inline(always)]
+    fn note_change(&self, k: usize, at: ChunkPlace, changes: &Changes) {
+        changes.note_force(self.i[k]);
+        if !at.wall {
+            changes.note_force(self.j[k]);
+        }
+    }
+
+    /// Moves the levers that displacements have changed by more than a share of the smaller radius.
+    pub(crate) fn move_levers(&mut self, at: ChunkPlace, scene: &Scene, changes: &Changes, tolerance: f64) {
+        if at.wall {
+            return;
+        }
+        for k in 0..self.len() {
+            let shift = lever_shift(self.delivered(k, at));
+            let change = shift - self.coupling.lever_shift[k];
+            let (i, j) = (self.i[k], self.j[k]);
+            if change.abs() > tolerance * scene.smaller_radius(i, Some(j)) {
+                self.coupling.lever_shift[k] = shift;
+                let lever = &mut self.coupling.sources[k].lever;
+                lever[0] += change;
+                lever[1] -= change;
+                changes.note_lever(i);
+                changes.note_lever(j);
             }
         }
     }
 
     /// Lets the worst contact displace with its force of the step before if it flips between a pull and none: where a force
     /// begins with a jump, the coupled equation may have no solution. Tells whether there was one.
-    pub(crate) fn let_jump_lag(&mut self) -> bool {
+    pub(crate) fn let_jump_lag(&mut self, at: ChunkPlace, changes: &Changes) -> bool {
         let k = self.coupling.worst.contact;
         let pulls = self.coupling.answer[k].min(self.coupling.trial[k]) < 0.0;
         if pulls && !self.coupling.lagging[k] {
             self.coupling.lagging[k] = true;
             self.coupling.trial[k] = self.earlier(k).elastic;
+            self.note_change(k, at, changes);
         }
         pulls
-    }
-
-    /// Largest change of a lever since the influences were found, as a share of the smaller radius.
-    pub(crate) fn lever_change(&self, at: ChunkPlace, scene: &Scene) -> f64 {
-        let change = |k: usize| {
-            let change = (lever_shift(self.delivered(k, at)) - self.coupling.lever_shift[k]).abs();
-            change / scene.smaller_radius(self.i[k], Some(self.j[k]))
-        };
-        if at.wall {
-            0.0
-        } else {
-            (0..self.len()).map(change).fold(0.0, f64::max)
-        }
-    }
-
-    /// Goes on with the levers of the displacements found now, and with the forces that they gave.
-    pub(crate) fn accept(&mut self, at: ChunkPlace) {
-        for k in 0..self.len() {
-            let shift = if at.wall { 0.0 } else { lever_shift(self.delivered(k, at)) };
-            let change = shift - self.coupling.lever_shift[k];
-            self.coupling.lever_shift[k] = shift;
-            let source = &mut self.coupling.sources[k];
-            source.lever[0] += change;
-            source.lever[1] -= change;
-            source.force = self.coupling.answer[k];
-        }
-        self.coupling.iterate();
-        self.coupling.mixing.forget();
     }
 
     /// Puts the displacements into the geometry that the laws see, and watches that they stay within reason.
@@ -265,24 +301,20 @@ impl ContactChunk {
 }
 
 impl Scratch {
-    /// Elastic forces at the displaced overlaps, with what the contacts remember from the step before.
-    fn find_forces(&mut self, now: &Kept, scene: &Scene) {
-        self.answer.resize(now.len(), 0.0);
-        let mut run = 0..0;
-        while run.end < now.len() {
-            run = next_run(&now.pair, run.end);
-            let law = scene.materials.law(now.pair[run.start]);
-            law.normal.visit(Elastic {
-                dt: scene.dt,
-                integrator: scene.integrator,
-                stride: scene.stride,
-                overlap: &self.overlap[run.clone()],
-                rate: &self.rate[run.clone()],
-                size: &self.size[run.clone()],
-                history: &now.history[run.start * scene.stride..run.end * scene.stride],
-                memory: &mut self.memory,
-                answer: &mut self.answer[run.clone()],
-            });
-        }
+    /// Elastic forces of contacts of one material pair at the displaced overlaps, with what they remember from the step
+    /// before.
+    fn find_forces(&mut self, run: Range<usize>, now: &Kept, scene: &Scene) {
+        let law = scene.materials.law(now.pair[run.start]);
+        law.normal.visit(Elastic {
+            dt: scene.dt,
+            integrator: scene.integrator,
+            stride: scene.stride,
+            overlap: &self.overlap[run.clone()],
+            rate: &self.rate[run.clone()],
+            size: &self.size[run.clone()],
+            history: &now.history[run.start * scene.stride..run.end * scene.stride],
+            memory: &mut self.memory,
+            answer: &mut self.answer[run],
+        });
     }
 }

@@ -124,6 +124,8 @@ pub(crate) struct Scratch {
     pub(crate) trial: Vec<f64>,
     /// Forces that the laws answer with [N].
     answer: Vec<f64>,
+    /// How far the forces tried are from the answers, as shares of the largest force on the grains.
+    share: Vec<f64>,
     /// Overlaps of the displaced surfaces [m].
     overlap: Vec<f64>,
     /// Whether the displacements by a contact follow from its force of the step before after all.
@@ -147,11 +149,6 @@ impl Scratch {
         self.rate.push(rate);
         self.size.push(size);
         self.old.push(old.map(|k| k as u32));
-    }
-
-    /// Goes on with the forces that the laws answered with.
-    pub(crate) fn iterate(&mut self) {
-        self.trial.copy_from_slice(&self.answer);
     }
 
     /// Notes how far the forces tried are from the answers.

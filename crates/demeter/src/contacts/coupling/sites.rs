@@ -7,6 +7,7 @@ use crate::neighbours::Neighbours;
 use crate::particles::Grains;
 use demeter_physics::contact::multi_contact::{ContactPair, MultiContact, MultiContactVisitor};
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Grains handled by one task.
 pub(crate) const GRAINS_PER_TASK: usize = 64;
@@ -26,7 +27,10 @@ impl ContactPlace {
     fn find(self, contacts: &Contacts) -> (&ContactChunk, usize) {
         let wall = self.0 >> 63 == 1;
         let chunks = if wall { &contacts.walls } else { &contacts.pairs };
-        (&chunks[(self.0 >> 32 & 0x7fff_ffff) as usize], (self.0 & 0xffff_ffff) as usize)
+        (
+            &chunks[(self.0 >> 32 & 0x7fff_ffff) as usize],
+            (self.0 & 0xffff_ffff) as usize,
+        )
     }
 }
 
@@ -63,23 +67,31 @@ pub(crate) struct Sites {
     start: Vec<u32>,
     sites: Vec<Site>,
     /// Influences of every site of a grain on those behind it, and of those behind it on it.
-    influences: Columns,
+    influences: Influences,
     influence_start: Vec<InfluenceStart>,
     displacement: Vec<f64>,
     /// Largest force on every grain [N].
     largest_force: Vec<f64>,
 }
 
-/// Pairs of sites of one grain, `(1, 0), (2, 0), (2, 1), ...`, as columns: loops over them have no branches.
+/// Influences of pairs of sites of every grain, `(1, 0), (2, 0), (2, 1), ...`.
 #[derive(Clone, Debug, Default)]
-struct Columns {
-    cosine: Vec<f64>,
-    earlier_lever: Vec<f64>,
-    later_lever: Vec<f64>,
-    least_distance_squared: Vec<f64>,
+struct Influences {
     on_later: Vec<f64>,
-    /// Of no use where all influences are mutual.
+    /// Only of grains whose influences are not mutual.
     on_earlier: Vec<f64>,
+}
+
+/// Pairs evaluated at a time: a loop over columns of fixed length has no branches and is vectorised.
+const LANES: usize = 16;
+
+/// Pairs of sites of one grain, as columns.
+struct Pairs {
+    filled: usize,
+    cosine: [f64; LANES],
+    earlier_lever: [f64; LANES],
+    later_lever: [f64; LANES],
+    least_distance_squared: [f64; LANES],
 }
 
 /// Where the influences of a grain's sites begin.
@@ -104,6 +116,58 @@ pub(crate) struct Scenery<'a> {
     pub(crate) contacts: &'a Contacts,
     pub(crate) kernels: &'a Kernels,
     pub(crate) bounds: &'a Bounds,
+    pub(crate) changes: &'a Changes,
+}
+
+/// What has changed at the contacts of a grain since its displacements were found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Change {
+    None,
+    Force,
+    Lever,
+}
+
+/// Changes of all grains. They are noted by contact, and by any number of contacts: it does not matter which comes first.
+#[derive(Debug, Default)]
+pub(crate) struct Changes {
+    force: Vec<AtomicBool>,
+    lever: Vec<AtomicBool>,
+}
+
+impl Changes {
+    /// Forgets the changes of all grains.
+    pub(crate) fn clear(&mut self, grains: usize) {
+        for flags in [&mut self.force, &mut self.lever] {
+            flags.resize_with(grains, AtomicBool::default);
+            flags.iter_mut().for_each(|flag| *flag.get_mut() = false);
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn note_force(&self, grain: u32) {
+        self.force[grain as usize].store(true, Ordering::Relaxed);
+    }
+
+    #[inline(always)]
+    pub(crate) fn note_lever(&self, grain: u32) {
+        self.lever[grain as usize].store(true, Ordering::Relaxed);
+    }
+
+    #[inline(always)]
+    pub(crate) fn of(&self, grain: usize) -> Change {
+        if self.lever[grain].load(Ordering::Relaxed) {
+            Change::Lever
+        } else if self.force[grain].load(Ordering::Relaxed) {
+            Change::Force
+        } else {
+            Change::None
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn any(&self, grain: u32) -> bool {
+        self.of(grain as usize) != Change::None
+    }
 }
 
 impl Sites {
@@ -146,24 +210,6 @@ impl Sites {
         }
     }
 
-    /// Takes the forces tried now.
-    pub(crate) fn take_forces(&mut self, contacts: &Contacts) {
-        for site in &mut self.sites {
-            let (chunk, k) = site.place.find(contacts);
-            site.force = chunk.coupling.trial[k];
-        }
-    }
-
-    /// Takes the forces and levers of the sources.
-    pub(crate) fn take_sources(&mut self, contacts: &Contacts) {
-        for site in &mut self.sites {
-            let (chunk, k) = site.place.find(contacts);
-            let source = &chunk.coupling.sources[k];
-            site.lever = source.lever[usize::from(!site.first)];
-            site.force = source.force;
-        }
-    }
-
     /// Finds the influences of the contacts of every grain on each other.
     pub(crate) fn find_influences(&mut self, of: Range<usize>, from: Scenery<'_>) {
         self.influences.on_later.clear();
@@ -171,48 +217,82 @@ impl Sites {
         self.influence_start.clear();
         for (grain, &radius) in from.grains.radius[of].iter().enumerate() {
             let range = self.range(grain);
-            let start = self.influences.add(&self.sites[range], radius, from.kernels);
+            let start = InfluenceStart {
+                on_later: self.influences.on_later.len() as u32,
+                on_earlier: Some(self.influences.on_earlier.len() as u32),
+            };
+            let start = self.influences.find(start, &self.sites[range], radius, from.kernels);
             self.influence_start.push(start);
         }
     }
 
-    /// Finds the displacements by the forces of the sites and delivers them to the contacts, and finds for every grain how
-    /// far its surface may bulge.
+    /// Finds the displacements on all grains.
     pub(crate) fn displace(&mut self, of: Range<usize>, from: Scenery<'_>, bulge: &mut [f64]) {
         self.largest_force.clear();
-        for (grain, index) in of.enumerate() {
-            let sites = &self.sites[self.range(grain)];
-            let start = self.influence_start[grain];
-            let on_later = &self.influences.on_later[start.on_later as usize..];
-            let on_earlier = match start.on_earlier {
-                Some(first) => &self.influences.on_earlier[first as usize..],
-                None => on_later,
-            };
-            self.displacement.clear();
-            self.displacement.resize(sites.len(), 0.0);
-            let mut pair = 0;
-            for later in 1..sites.len() {
-                let (before, own) = self.displacement.split_at_mut(later);
-                let force = sites[later].force;
-                let count = before.len();
-                let (onto, back) = (&on_later[pair..pair + count], &on_earlier[pair..pair + count]);
-                let mut sum = 0.0;
-                for (earlier, displacement) in before.iter_mut().enumerate() {
-                    sum += onto[earlier] * sites[earlier].force;
-                    *displacement += back[earlier] * force;
-                }
-                own[0] = sum;
-                pair += count;
-            }
-            let mut load = Load::on(from.grains.radius[index]);
-            for (site, displacement) in sites.iter().zip(&self.displacement) {
-                load.add(site.force, site.lever);
-                let (chunk, k) = site.place.find(from.contacts);
-                chunk.coupling.delivered[k].put(site.first, *displacement);
-            }
-            self.largest_force.push(load.largest);
-            bulge[grain] = (from.bounds).bulge(from.grains.material[index], from.grains.radius[index], &load);
+        self.largest_force.resize(of.len(), 0.0);
+        for (grain, bulge) in bulge.iter_mut().enumerate() {
+            self.displace_grain(grain, of.start + grain, from, bulge);
         }
+    }
+
+    /// Finds the displacements anew on grains with contacts whose force or lever has changed.
+    pub(crate) fn displace_again(&mut self, of: Range<usize>, from: Scenery<'_>, bulge: &mut [f64]) {
+        for (grain, bulge) in bulge.iter_mut().enumerate() {
+            let index = of.start + grain;
+            let change = from.changes.of(index);
+            if change == Change::None {
+                continue;
+            }
+            let range = self.range(grain);
+            for site in &mut self.sites[range.clone()] {
+                let (chunk, k) = site.place.find(from.contacts);
+                site.force = chunk.coupling.trial[k];
+                site.lever = chunk.coupling.sources[k].lever[usize::from(!site.first)];
+            }
+            if change == Change::Lever {
+                let (start, radius) = (self.influence_start[grain], from.grains.radius[index]);
+                self.influences.find(start, &self.sites[range], radius, from.kernels);
+            }
+            self.displace_grain(grain, index, from, bulge);
+        }
+    }
+
+    /// Finds the displacements by the forces of a grain's sites and delivers them to the contacts, and finds how far its
+    /// surface may bulge.
+    #[inline(always)]
+    fn displace_grain(&mut self, grain: usize, index: usize, from: Scenery<'_>, bulge: &mut f64) {
+        let sites = &self.sites[self.range(grain)];
+        let start = self.influence_start[grain];
+        let on_later = &self.influences.on_later[start.on_later as usize..];
+        let on_earlier = match start.on_earlier {
+            Some(first) => &self.influences.on_earlier[first as usize..],
+            None => on_later,
+        };
+        self.displacement.clear();
+        self.displacement.resize(sites.len(), 0.0);
+        let mut pair = 0;
+        for later in 1..sites.len() {
+            let (before, own) = self.displacement.split_at_mut(later);
+            let force = sites[later].force;
+            let count = before.len();
+            let (onto, back) = (&on_later[pair..pair + count], &on_earlier[pair..pair + count]);
+            let mut sum = 0.0;
+            for (earlier, displacement) in before.iter_mut().enumerate() {
+                sum += onto[earlier] * sites[earlier].force;
+                *displacement += back[earlier] * force;
+            }
+            own[0] = sum;
+            pair += count;
+        }
+        let radius = from.grains.radius[index];
+        let mut load = Load::on(radius);
+        for (site, displacement) in sites.iter().zip(&self.displacement) {
+            load.add(site.force, site.lever);
+            let (chunk, k) = site.place.find(from.contacts);
+            chunk.coupling.delivered[k].put(site.first, *displacement);
+        }
+        self.largest_force[grain] = load.largest;
+        *bulge = from.bounds.bulge(from.grains.material[index], radius, &load);
     }
 }
 
@@ -244,58 +324,66 @@ impl Load {
     }
 }
 
-impl Columns {
-    /// Adds the influences of the sites of one grain on each other.
-    fn add(&mut self, sites: &[Site], radius: f64, kernels: &Kernels) -> InfluenceStart {
-        let mut start = InfluenceStart {
-            on_later: self.on_later.len() as u32,
-            on_earlier: Some(self.on_earlier.len() as u32),
-        };
+impl Influences {
+    /// Finds the influences of the sites of one grain on each other from `start` on.
+    fn find(&mut self, mut start: InfluenceStart, sites: &[Site], radius: f64, kernels: &Kernels) -> InfluenceStart {
         let Some(site) = sites.first() else { return start };
-        self.pair_up(sites);
+        let count = sites.len() * (sites.len() - 1) / 2;
+        let on_later = room(&mut self.on_later, Some(start.on_later), count);
         if sites.iter().all(|s| s.kernel == site.kernel) {
-            let mutual = kernels.law(site.kernel).visit(Influences { columns: self, radius });
-            start.on_earlier = start.on_earlier.filter(|_| !mutual);
+            let law = kernels.law(site.kernel);
+            let mutual = law.visit(Uniform {
+                sites,
+                radius,
+                influence: on_later,
+                backwards: false,
+            });
+            if mutual {
+                start.on_earlier = None;
+                return start;
+            }
+            let influence = room(&mut self.on_earlier, start.on_earlier, count);
+            law.visit(Uniform {
+                sites,
+                radius,
+                influence,
+                backwards: true,
+            });
             return start;
         }
+        let on_earlier = room(&mut self.on_earlier, start.on_earlier, count);
         let mut pair = 0;
-        for later in 1..sites.len() {
-            for earlier in 0..later {
-                let at = self.contacts(pair, radius);
-                self.on_later.push(kernels.influence(sites[later].kernel, &at));
-                self.on_earlier.push(kernels.influence(sites[earlier].kernel, &reversed(&at)));
+        for (count, later) in sites.iter().enumerate() {
+            for earlier in &sites[..count] {
+                let at = contacts(earlier, later, radius);
+                on_later[pair] = kernels.influence(later.kernel, &at);
+                on_earlier[pair] = kernels.influence(earlier.kernel, &reversed(&at));
                 pair += 1;
             }
         }
         start
     }
+}
 
-    fn pair_up(&mut self, sites: &[Site]) {
-        self.cosine.clear();
-        self.earlier_lever.clear();
-        self.later_lever.clear();
-        self.least_distance_squared.clear();
-        for (count, later) in sites.iter().enumerate() {
-            let (n, before) = (later.normal, &sites[..count]);
-            let cosine = |s: &Site| n[0] * s.normal[0] + n[1] * s.normal[1] + n[2] * s.normal[2];
-            self.cosine.extend(before.iter().map(cosine));
-            self.earlier_lever.extend(before.iter().map(|s| s.lever));
-            self.later_lever.extend(before.iter().map(|_| later.lever));
-            let least = before.iter().map(|s| s.clearance * later.clearance);
-            self.least_distance_squared.extend(least);
-        }
+/// The `count` values from `first` on, which are there or are added at the end.
+fn room(values: &mut Vec<f64>, first: Option<u32>, count: usize) -> &mut [f64] {
+    let first = first.map_or(values.len(), |first| first as usize);
+    if values.len() < first + count {
+        values.resize(first + count, 0.0);
     }
+    &mut values[first..first + count]
+}
 
-    /// The earlier site of a pair as what displaces, the later as what is displaced.
-    #[inline(always)]
-    fn contacts(&self, pair: usize, radius: f64) -> ContactPair {
-        ContactPair {
-            cosine: self.cosine[pair],
-            source_lever: self.earlier_lever[pair],
-            target_lever: self.later_lever[pair],
-            least_distance_squared: self.least_distance_squared[pair],
-            radius,
-        }
+/// The earlier site as what displaces, the later as what is displaced.
+#[inline(always)]
+fn contacts(earlier: &Site, later: &Site, radius: f64) -> ContactPair {
+    let (n, m) = (earlier.normal, later.normal);
+    ContactPair {
+        cosine: n[0] * m[0] + n[1] * m[1] + n[2] * m[2],
+        source_lever: earlier.lever,
+        target_lever: later.lever,
+        least_distance_squared: earlier.clearance * later.clearance,
+        radius,
     }
 }
 
@@ -308,45 +396,79 @@ fn reversed(at: &ContactPair) -> ContactPair {
     }
 }
 
-/// Influences of the sites of a grain on each other, where one law holds for all; tells whether they are mutual.
-struct Influences<'a> {
-    columns: &'a mut Columns,
+/// Influences of the sites of a grain on those behind them (or, backwards, before them), where one law holds for all;
+/// tells whether they are mutual.
+struct Uniform<'a> {
+    sites: &'a [Site],
     radius: f64,
+    influence: &'a mut [f64],
+    backwards: bool,
 }
 
-impl MultiContactVisitor for Influences<'_> {
+impl MultiContactVisitor for Uniform<'_> {
     type Output = bool;
 
     fn visit<L: MultiContact>(self, law: &L) -> bool {
-        let Self { columns, radius } = self;
-        let count = columns.cosine.len();
-        let first = columns.on_later.len();
-        columns.on_later.resize(first + count, 0.0);
-        let mutual = law.is_mutual();
-        if !mutual {
-            columns.on_earlier.resize(first + count, 0.0);
-        }
-        if L::INDEPENDENT {
-            return mutual;
-        }
-        // slices of one length: the loops have no bounds to check
-        let (cosine, least) = (&columns.cosine[..count], &columns.least_distance_squared[..count]);
-        let (earlier, later) = (&columns.earlier_lever[..count], &columns.later_lever[..count]);
-        let pair = |p: usize| ContactPair {
-            cosine: cosine[p],
-            source_lever: earlier[p],
-            target_lever: later[p],
-            least_distance_squared: least[p],
+        let Self {
+            sites,
             radius,
-        };
-        for (p, influence) in columns.on_later[first..][..count].iter_mut().enumerate() {
-            *influence = law.influence(&pair(p));
+            influence,
+            backwards,
+        } = self;
+        if L::INDEPENDENT {
+            influence.fill(0.0);
+            return law.is_mutual();
         }
-        if !mutual {
-            for (p, influence) in columns.on_earlier[first..][..count].iter_mut().enumerate() {
-                *influence = law.influence(&reversed(&pair(p)));
+        let mut pairs = Pairs {
+            filled: 0,
+            cosine: [-1.0; LANES],
+            earlier_lever: [radius; LANES],
+            later_lever: [radius; LANES],
+            least_distance_squared: [radius * radius; LANES],
+        };
+        let mut done = 0;
+        for (count, later) in sites.iter().enumerate() {
+            for earlier in &sites[..count] {
+                let at = contacts(earlier, later, radius);
+                let lane = pairs.filled % LANES;
+                pairs.cosine[lane] = at.cosine;
+                pairs.earlier_lever[lane] = at.source_lever;
+                pairs.later_lever[lane] = at.target_lever;
+                pairs.least_distance_squared[lane] = at.least_distance_squared;
+                pairs.filled = lane + 1;
+                if pairs.filled == LANES {
+                    influence[done..done + LANES].copy_from_slice(&pairs.influences(law, radius, backwards));
+                    done += LANES;
+                    pairs.filled = 0;
+                }
             }
         }
-        mutual
+        let left = influence.len() - done;
+        if left > 0 {
+            influence[done..].copy_from_slice(&pairs.influences(law, radius, backwards)[..left]);
+        }
+        law.is_mutual()
+    }
+}
+
+impl Pairs {
+    #[inline(always)]
+    fn influences<L: MultiContact>(&self, law: &L, radius: f64, backwards: bool) -> [f64; LANES] {
+        let (source, target) = if backwards {
+            (&self.later_lever, &self.earlier_lever)
+        } else {
+            (&self.earlier_lever, &self.later_lever)
+        };
+        let mut influence = [0.0; LANES];
+        for (lane, influence) in influence.iter_mut().enumerate() {
+            *influence = law.influence(&ContactPair {
+                cosine: self.cosine[lane],
+                source_lever: source[lane],
+                target_lever: target[lane],
+                least_distance_squared: self.least_distance_squared[lane],
+                radius,
+            });
+        }
+        influence
     }
 }
