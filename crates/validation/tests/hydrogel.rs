@@ -1,7 +1,11 @@
 //! The protocol of the hydrogel experiment on a small packing: the table and the figures are written, and a
 //! model that couples the contacts of a grain makes the packing stiffer.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test tells what it measured, and may panic"
+)]
 
 use demeter::scenario::{FitTask, Match};
 use demeter_validation::hydrogel::{

@@ -18,14 +18,14 @@ pub enum ValidationError {
     },
     /// The scenario is wrong.
     #[error("{0}")]
-    Scenario(Diagnostics),
+    Scenario(Box<Diagnostics>),
     /// A run could not be carried out.
     #[error("{model}: {source}")]
     Run {
         /// The model.
         model: &'static str,
         /// Why.
-        source: RunError,
+        source: Box<RunError>,
     },
     /// A run did not come to its end.
     #[error("{model}: the run in `{}` did not come to its end: {reason}", folder.display())]

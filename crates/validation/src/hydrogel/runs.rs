@@ -45,7 +45,8 @@ impl Experiment {
             ));
         }
         set.extend(self.set.iter().cloned());
-        let mut scenario = Scenario::read(&self.scenario, &set).map_err(ValidationError::Scenario)?;
+        let mut scenario =
+            Scenario::read(&self.scenario, &set).map_err(|faults| ValidationError::Scenario(Box::new(faults)))?;
         // the scenario in the run folder must find its files from anywhere
         scenario.base = absolute(&scenario.base);
         Ok(scenario)
@@ -130,10 +131,10 @@ fn run_model(experiment: &Experiment, model: &Model, folder: &Path, tell: Tell<'
         }
     };
     let report = report.map_err(|error| match error {
-        RunError::Scenario(faults) => ValidationError::Scenario(*faults),
+        RunError::Scenario(faults) => ValidationError::Scenario(faults),
         source => ValidationError::Run {
             model: model.name,
-            source,
+            source: Box::new(source),
         },
     })?;
     let reason = match report.end {
