@@ -169,7 +169,7 @@ impl Simulation {
             // at the start of a run the velocities are those given
             (_, Moment::Start) => self.kick(0.0),
         };
-        match bad.into_iter().flatten().min_by_key(|&g| self.grains.id[g]) {
+        match bad {
             None => Ok(()),
             Some(g) => Err(Fault::NotFinite {
                 step: self.step,
@@ -193,11 +193,16 @@ impl Simulation {
     }
 
     fn load_walls(&mut self) {
-        let loads = self.contacts.wall_loads(self.walls.len());
-        for (wall, (force, torque)) in self.walls.iter_mut().zip(loads) {
+        for (index, wall) in self.walls.iter_mut().enumerate() {
+            let (force, torque) = self.contacts.wall_load(index);
             wall.set_load(force, torque);
         }
     }
+}
+
+/// The one of two grains that has the lower id.
+fn first_by_id(ids: &[u32], one: Option<usize>, other: Option<usize>) -> Option<usize> {
+    one.into_iter().chain(other).min_by_key(|&g| ids[g])
 }
 
 /// When forces are found.

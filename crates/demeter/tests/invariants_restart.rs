@@ -3,7 +3,7 @@
 
 mod cases;
 
-use cases::beds::{BEDS, bed_with};
+use cases::beds::{BEDS, bed_with, steps_for};
 use cases::{full, on_threads};
 use demeter::contacts::CarriedContact;
 use demeter::measure::{Moment, contact_records, measure};
@@ -62,9 +62,10 @@ fn a_state_of_the_other_integrator_is_refused() {
 }
 
 fn interrupt(integrator: Integrator) {
-    let (count, last, more) = if full() { (300, 20_000, 3_000) } else { (60, 5_000, 400) };
+    let (count, most, more) = if full() { (300, 20_000, 3_000) } else { (60, 5_000, 400) };
     on_threads(1, || {
         for name in BEDS {
+            let last = steps_for(name, most);
             let saved = saved_steps(last);
             let mut sim = Simulation::new(bed_with(integrator, name, count));
             let mut states = vec![];

@@ -21,6 +21,7 @@ pub use fault::Fault;
 pub use narrow::Scene;
 pub use transfer::{CarriedContact, ContactKey};
 
+use crate::walls::SurfaceContact;
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
@@ -109,6 +110,9 @@ pub struct ContactChunk {
     pub(crate) before: Kept,
     /// Whether a contact of the step before goes on.
     pub(crate) goes_on: Vec<bool>,
+    /// Surfaces that a grain is near to, and the contacts of the step before that are taken up: of one candidate.
+    pub(crate) touched: Vec<SurfaceContact>,
+    pub(crate) taken: Vec<usize>,
     pub(crate) coupling: Scratch,
     /// Index of the first grain.
     pub i: Vec<u32>,
@@ -233,16 +237,15 @@ impl Contacts {
         total
     }
 
-    /// Force and torque on every wall, summed in a fixed order.
-    pub fn wall_loads(&self, walls: usize) -> Vec<(DVec3, DVec3)> {
-        let mut loads = vec![(DVec3::ZERO, DVec3::ZERO); walls];
+    /// Force and torque on a wall, summed in a fixed order.
+    pub fn wall_load(&self, wall: usize) -> (DVec3, DVec3) {
+        let mut load = (DVec3::ZERO, DVec3::ZERO);
         for chunk in &self.walls {
-            for (total, part) in loads.iter_mut().zip(&chunk.wall_load) {
-                total.0 += part.0;
-                total.1 += part.1;
-            }
+            let part = chunk.wall_load[wall];
+            load.0 += part.0;
+            load.1 += part.1;
         }
-        loads
+        load
     }
 
     /// The first fault, between grains before walls.

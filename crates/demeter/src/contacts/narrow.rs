@@ -129,8 +129,7 @@ impl ContactChunk {
         self.begin(scene.walls.len());
         let grains = scene.grains;
         let window = scene.widest_window();
-        let mut touched: Vec<SurfaceContact> = Vec::new();
-        let mut taken: Vec<usize> = Vec::new();
+        let (mut touched, mut taken) = (std::mem::take(&mut self.touched), std::mem::take(&mut self.taken));
         for (c, p) in pairs.iter().enumerate() {
             let (g, wall) = (p.grain as usize, &scene.walls[p.wall as usize]);
             let (centre, radius) = (grains.position[g], grains.radius[g]);
@@ -164,6 +163,7 @@ impl ContactChunk {
             }
             self.now.start.push(self.now.len() as u32);
         }
+        (self.touched, self.taken) = (touched, taken);
     }
 
     fn begin(&mut self, walls: usize) {

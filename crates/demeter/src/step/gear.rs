@@ -3,7 +3,7 @@
 //! Forces are found at the predicted places, which the test of the candidates sees; the corrector then moves the grains by
 //! a little, which the next prediction starts from. Between the two, force and torque are those predicted.
 
-use super::{GRAINS_PER_TASK, Motion};
+use super::{GRAINS_PER_TASK, Motion, first_by_id};
 use crate::contacts::sum::contact_load;
 use crate::simulation::Simulation;
 use demeter_physics::integrator::gear::{self, Gear};
@@ -16,7 +16,7 @@ impl Simulation {
         let domain = *self.comm.domain();
         let grains = &mut self.grains;
         let n = GRAINS_PER_TASK;
-        let moved: Vec<Motion> = (
+        (
             (grains.position.par_chunks_mut(n), grains.velocity.par_chunks_mut(n)),
             (
                 grains.orientation.par_chunks_mut(n),
@@ -60,17 +60,16 @@ impl Simulation {
                     motion
                 },
             )
-            .collect();
-        moved.into_iter().fold(Motion::default(), Motion::merge)
+            .reduce(Motion::default, Motion::merge)
     }
 
-    /// Sum per grain, body force, and the correction of all that was predicted. Tells by task the first grain with a value
+    /// Sum per grain, body force, and the correction of all that was predicted. Tells the first grain, by its id, with a value
     /// that is not a number.
-    pub(super) fn correct(&mut self) -> Vec<Option<usize>> {
+    pub(super) fn correct(&mut self) -> Option<usize> {
         let method = Gear::new(self.dt);
         let (neighbours, contacts, gravity) = (&self.neighbours, &self.contacts, self.gravity);
         let grains = &mut self.grains;
-        let n = GRAINS_PER_TASK;
+        let (n, ids) = (GRAINS_PER_TASK, &grains.id);
         (
             (grains.position.par_chunks_mut(n), grains.velocity.par_chunks_mut(n)),
             (
@@ -100,12 +99,12 @@ impl Simulation {
                             && new_force.is_finite()
                             && new_torque.is_finite())
                         {
-                            bad = bad.or(Some(task * n + k));
+                            bad = first_by_id(ids, bad, Some(task * n + k));
                         }
                     }
                     bad
                 },
             )
-            .collect()
+            .reduce(|| None, |one, other| first_by_id(ids, one, other))
     }
 }

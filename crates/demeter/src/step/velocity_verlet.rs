@@ -1,6 +1,6 @@
 //! Velocity Verlet.
 
-use super::{GRAINS_PER_TASK, Motion};
+use super::{GRAINS_PER_TASK, Motion, first_by_id};
 use crate::contacts::sum::contact_load;
 use crate::simulation::Simulation;
 use demeter_physics::integrator::rotate;
@@ -14,7 +14,7 @@ impl Simulation {
         let domain = *self.comm.domain();
         let grains = &mut self.grains;
         let n = GRAINS_PER_TASK;
-        let moved: Vec<Motion> = (
+        (
             grains.position.par_chunks_mut(n),
             grains.velocity.par_chunks_mut(n),
             grains.angular_velocity.par_chunks_mut(n),
@@ -49,16 +49,15 @@ impl Simulation {
                     motion
                 },
             )
-            .collect();
-        moved.into_iter().fold(Motion::default(), Motion::merge)
+            .reduce(Motion::default, Motion::merge)
     }
 
-    /// Sum per grain, body force, and the kick over `correction` [s] that corrects the predicted velocity. Tells by task the
-    /// first grain with a value that is not a number.
-    pub(super) fn kick(&mut self, correction: f64) -> Vec<Option<usize>> {
+    /// Sum per grain, body force, and the kick over `correction` [s] that corrects the predicted velocity. Tells the first
+    /// grain, by its id, with a value that is not a number.
+    pub(super) fn kick(&mut self, correction: f64) -> Option<usize> {
         let (neighbours, contacts, gravity) = (&self.neighbours, &self.contacts, self.gravity);
         let grains = &mut self.grains;
-        let n = GRAINS_PER_TASK;
+        let (n, ids) = (GRAINS_PER_TASK, &grains.id);
         (
             grains.velocity.par_chunks_mut(n),
             grains.angular_velocity.par_chunks_mut(n),
@@ -82,11 +81,11 @@ impl Simulation {
                         && new_force.is_finite()
                         && new_torque.is_finite())
                     {
-                        bad = bad.or(Some(task * n + k));
+                        bad = first_by_id(ids, bad, Some(task * n + k));
                     }
                 }
                 bad
             })
-            .collect()
+            .reduce(|| None, |one, other| first_by_id(ids, one, other))
     }
 }

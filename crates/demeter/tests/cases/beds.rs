@@ -2,6 +2,7 @@
 //! periodic sides, removal.
 
 use super::{Case, G, Laws, law, one_material};
+use demeter::contacts::Coupling;
 use demeter::insertion::{Amount, Insertion, Region, SizeDistribution, Source, insert};
 use demeter::particles::{Domain, Outside};
 use demeter::simulation::Setup;
@@ -14,7 +15,7 @@ use std::f64::consts::TAU;
 pub const RADIUS: f64 = 2e-3;
 
 /// All beds by name.
-pub const BEDS: [&str; 9] = [
+pub const BEDS: [&str; 13] = [
     "settling",
     "drum",
     "servo",
@@ -24,7 +25,16 @@ pub const BEDS: [&str; 9] = [
     "squeezing",
     "cohesive",
     "powder",
+    "squeezed",
+    "squeezed lagged",
+    "squeezed cohesive",
+    "squeezed out",
 ];
+
+/// Steps for a bed: half as many where contacts feel each other, which costs more and begins at the first step.
+pub fn steps_for(name: &str, steps: u64) -> u64 {
+    if name.starts_with("squeezed") { steps / 2 } else { steps }
+}
 
 /// The bed of a name with about `count` grains, and how it is integrated.
 pub fn bed_with(integrator: Integrator, name: &str, count: u32) -> Setup {
@@ -46,6 +56,10 @@ pub fn bed(name: &str, count: u32) -> Setup {
         "squeezing" => squeezing(count),
         "cohesive" => cohesive(count),
         "powder" => powder(count),
+        "squeezed" => squeezed(count),
+        "squeezed lagged" => squeezed_lagged(count),
+        "squeezed cohesive" => squeezed_cohesive(count),
+        "squeezed out" => squeezed_out(count),
         _ => panic!("there is no bed `{name}`"),
     }
 }
@@ -274,5 +288,107 @@ fn removal(count: u32) -> Setup {
     case.gravity = DVec3::new(2.0, 0.0, -G);
     case.skin = 0.2 * RADIUS;
     case.max_overlap = 0.4;
+    case.setup()
+}
+
+/// Grains that overlap from the beginning, on a floor and under a plate that comes down by some 12 % of the height at
+/// which it meets their resistance: contacts of a grain feel each other. The plate is a mesh.
+fn squeezed_between(laws: &Laws, count: u32, periodic: bool, stroke: f64) -> (Case, f64) {
+    let mut case = Case::new(one_material(5e6, laws));
+    let a = edge(count, 0.44);
+    if periodic {
+        case.domain = Domain {
+            lower: DVec3::new(0.0, 0.0, -a),
+            upper: DVec3::new(a, a, 2.0 * a),
+            periodic: [true, true, false],
+            outside: Outside::Stop,
+        };
+    }
+    fill(&mut case, DVec3::ZERO, DVec3::splat(a), count, 0.1);
+    swell(&mut case, 1.06);
+    let [q, r, s, t] = [(-1.0, -1.0), (2.0, -1.0), (2.0, 2.0), (-1.0, 2.0)].map(|(x, y)| DVec3::new(x * a, y * a, a));
+    let motion = Motion::Oscillation {
+        amplitude: DVec3::new(0.0, 0.0, -stroke * a),
+        frequency: 30.0,
+        phase: 0.0,
+    };
+    let triangles = vec![[q, s, r], [q, t, s]];
+    case.wall(0, Shape::Mesh { triangles }, motion);
+    case.gravity = DVec3::new(0.0, 0.0, -G);
+    case.skin = 0.2 * RADIUS;
+    case.max_overlap = 0.4;
+    (case, a)
+}
+
+/// Makes the grains larger where they are.
+fn swell(case: &mut Case, factor: f64) {
+    let grains = &mut case.grains;
+    for k in 0..grains.len() {
+        grains.radius[k] *= factor;
+        grains.mass[k] *= factor * factor * factor;
+        grains.inertia[k] *= factor * factor * factor * factor * factor;
+    }
+}
+
+fn walled(case: &mut Case, a: f64, open: [bool; 6]) {
+    let walls = Shape::Box {
+        lower: DVec3::ZERO,
+        upper: DVec3::splat(a),
+        open,
+    };
+    case.wall(0, walls, Motion::Rest);
+}
+
+fn squeezed(count: u32) -> Setup {
+    let laws = Laws::hertz(0.7).friction(law("coulomb", &[("friction", 0.3)]));
+    let (mut case, a) = squeezed_between(&laws.multi_contact("half-space", &[]), count, false, 0.14);
+    walled(&mut case, a, OPEN_TOP);
+    case.setup()
+}
+
+fn squeezed_lagged(count: u32) -> Setup {
+    let laws = Laws::hertz(0.7).friction(mindlin());
+    let (mut case, _) = squeezed_between(&laws.multi_contact("sphere-to-sphere", &[]), count, true, 0.14);
+    case.plane(0, DVec3::ZERO, DVec3::Z);
+    case.coupling = Coupling::Lagged;
+    case.setup()
+}
+
+/// What pulls displaces the other way, and plastic contacts feel each other across gaps.
+fn squeezed_cohesive(count: u32) -> Setup {
+    let adhesive = law(
+        "tomas",
+        &[
+            ("adhesion_force", 2e-2),
+            ("adhesion_radius", 0.5 * RADIUS),
+            ("separation", 0.01 * RADIUS),
+            ("range", 10.0),
+            ("micro_yield_strength", 5e5),
+            ("kappa_p", 0.15),
+            ("alpha", 0.3),
+        ],
+    );
+    let laws = Laws::of(adhesive).friction(mindlin()).rolling("epsd", 0.1);
+    let (mut case, a) = squeezed_between(&laws.multi_contact("half-space", &[]), count, false, 0.1);
+    walled(&mut case, a, OPEN_TOP);
+    case.setup()
+}
+
+/// The plate presses grains out at an open side, where they are removed.
+fn squeezed_out(count: u32) -> Setup {
+    let laws = Laws::hertz(0.7).friction(mindlin());
+    let (mut case, a) = squeezed_between(
+        &laws.multi_contact("half-space", &[("prefactor", 1.125)]),
+        count,
+        false,
+        0.3,
+    );
+    walled(&mut case, a, [false, true, false, false, false, true]);
+    case.domain = Domain {
+        lower: DVec3::splat(-0.5 * a),
+        upper: DVec3::splat(1.1 * a),
+        periodic: [false; 3],
+        outside: Outside::Remove,
+    };
     case.setup()
 }

@@ -81,6 +81,11 @@ impl Laws {
         self
     }
 
+    pub fn multi_contact(mut self, name: &str, parameters: &[(&str, f64)]) -> Self {
+        self.0.multi_contact = Some(law(name, parameters));
+        self
+    }
+
     pub fn rolling(mut self, name: &str, rolling_friction: f64) -> Self {
         self.0.rolling = Some(law(name, &[("rolling_friction", rolling_friction)]));
         self

@@ -1,0 +1,64 @@
+//! A step takes no memory once everything has its size.
+#![allow(unsafe_code, reason = "an allocator that counts is made of unsafe calls")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+mod cases;
+
+use cases::beds::{BEDS, bed};
+use cases::on_threads;
+use demeter::simulation::Simulation;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+struct Counting;
+
+static ALLOCATIONS: AtomicU64 = AtomicU64::new(0);
+
+// SAFETY: every call is handed to the allocator of the system.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(block, layout) }
+    }
+
+    unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        unsafe { System.realloc(block, layout, size) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+/// Steps that allocate among those that keep their candidates, of the last half of a run.
+fn allocating_steps(name: &str) -> (u32, u32) {
+    let mut sim = Simulation::new(bed(name, 120));
+    let (mut counted, mut allocating) = (0, 0);
+    for step in 0..1200 {
+        let (rebuilds, before) = (sim.rebuilds(), ALLOCATIONS.load(Ordering::Relaxed));
+        sim.step().unwrap();
+        let allocated = ALLOCATIONS.load(Ordering::Relaxed) - before;
+        if step >= 600 && sim.rebuilds() == rebuilds {
+            counted += 1;
+            allocating += u32::from(allocated > 0);
+        }
+    }
+    (counted, allocating)
+}
+
+/// Now and then a table grows by a contact beyond what it has held before.
+#[test]
+fn steps_take_no_memory() {
+    for name in BEDS {
+        let (counted, allocating) = on_threads(1, || allocating_steps(name));
+        assert!(counted > 100, "{name}: {counted} steps kept their candidates");
+        assert!(
+            50 * allocating <= counted,
+            "{name}: {allocating} of {counted} steps allocate"
+        );
+    }
+}
