@@ -85,7 +85,10 @@ impl Hydrogel {
     /// What is run, in words.
     fn made(&self) -> String {
         let packing = match &self.packing {
-            Some(file) => format!("Packing: `{}`.", file.display()),
+            Some(file) => {
+                let name = file.file_name().unwrap_or(file.as_os_str());
+                format!("Packing: `{}`.", name.to_string_lossy())
+            }
             None => "Packing: made here, `grains` of the scenario.".to_string(),
         };
         let changes = match self.set.as_slice() {
