@@ -133,6 +133,20 @@ pub struct ContactChunk {
 }
 
 impl ContactChunk {
+    /// Forgets all contacts and all of their work.
+    fn forget(&mut self) {
+        self.now.clear();
+        self.before.clear();
+        self.i.clear();
+        self.j.clear();
+        self.force.clear();
+        self.torque_i.clear();
+        self.torque_j.clear();
+        self.tally = Tally::default();
+        self.wall_load.clear();
+        self.fault = None;
+    }
+
     /// Number of contacts.
     pub fn len(&self) -> usize {
         self.now.len()

@@ -81,7 +81,7 @@ impl Contacts {
     /// asked of a contact after a step can be asked now. `carried` is sorted by its keys.
     pub fn adopt(&mut self, grains: &Grains, neighbours: &Neighbours, carried: &[CarriedContact]) {
         let stride = self.stride;
-        self.pairs = chunks(neighbours.pairs.len(), |c, chunk| {
+        refill(&mut self.pairs, neighbours.pairs.len(), |c, chunk| {
             let p = neighbours.pairs[c];
             let key = ContactKey {
                 wall: false,
@@ -91,7 +91,7 @@ impl Contacts {
             };
             remember(carried, key, (p.i, p.j), stride, chunk);
         });
-        self.walls = chunks(neighbours.wall_pairs.len(), |c, chunk| {
+        refill(&mut self.walls, neighbours.wall_pairs.len(), |c, chunk| {
             let p = neighbours.wall_pairs[c];
             let key = ContactKey {
                 wall: true,
@@ -104,18 +104,16 @@ impl Contacts {
     }
 }
 
-fn chunks(candidates: usize, fill: impl Fn(usize, &mut ContactChunk)) -> Vec<ContactChunk> {
-    (0..candidates.div_ceil(CHUNK))
-        .map(|number| {
-            let mut chunk = ContactChunk::default();
-            chunk.now.clear();
-            for c in number * CHUNK..((number + 1) * CHUNK).min(candidates) {
-                fill(c, &mut chunk);
-                chunk.now.start.push(chunk.now.len() as u32);
-            }
-            chunk
-        })
-        .collect()
+/// Fills chunks for new candidates; they keep the memory that they have.
+fn refill(chunks: &mut Vec<ContactChunk>, candidates: usize, fill: impl Fn(usize, &mut ContactChunk)) {
+    chunks.resize_with(candidates.div_ceil(CHUNK), ContactChunk::default);
+    for (number, chunk) in chunks.iter_mut().enumerate() {
+        chunk.forget();
+        for c in number * CHUNK..((number + 1) * CHUNK).min(candidates) {
+            fill(c, chunk);
+            chunk.now.start.push(chunk.now.len() as u32);
+        }
+    }
 }
 
 /// Appends the carried contacts of a grain and a partner, from `first` on, whatever their elements.
