@@ -19,15 +19,22 @@ const ORDER: [&[&str]; 9] = [
 ];
 
 /// Crates and those of the workspace that they may depend on.
-const CRATES: [(&str, &[&str]); 4] = [
+const CRATES: [(&str, &[&str]); 5] = [
     ("physics", &[]),
     ("demeter", &["demeter-physics"]),
     ("cli", &["demeter", "demeter-physics"]),
     ("python", &["demeter", "demeter-physics"]),
+    ("validation", &["demeter"]),
 ];
 
 /// Names of the workspace's crates.
-const PACKAGES: [&str; 4] = ["demeter", "demeter-physics", "demeter-cli", "demeter-py"];
+const PACKAGES: [&str; 5] = [
+    "demeter",
+    "demeter-physics",
+    "demeter-cli",
+    "demeter-py",
+    "demeter-validation",
+];
 
 fn level(module: &str) -> Option<usize> {
     ORDER.iter().position(|modules| modules.contains(&module))

@@ -8,6 +8,7 @@ mod layers;
 mod new_law;
 mod python;
 mod shell;
+mod validate;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -50,6 +51,12 @@ enum Command {
         /// Only cases whose name contains this
         filter: Option<String>,
     },
+    /// Simulate an experiment of the literature anew and compare; `validate hydrogel --help` tells more
+    Validate {
+        /// Name of the experiment and its options
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true, required = true)]
+        arguments: Vec<String>,
+    },
     /// Settle the benchmark packing and print the speed
     Bench {
         /// Threads
@@ -74,6 +81,7 @@ fn main() -> ExitCode {
         Command::Layers => checks::layers(),
         Command::NewLaw { family, name } => new_law::run(family, &name),
         Command::Verify { filter } => checks::verify(filter.as_deref()),
+        Command::Validate { arguments } => validate::run(&arguments),
         Command::Bench { threads, scenario, out } => bench::run(&scenario, threads, out),
     };
     match result {

@@ -27,7 +27,7 @@ pub struct Reading {
     pub discard: usize,
     /// Column of the force, with or without its unit; a `-` before it turns its sign round.
     pub force: String,
-    /// Other columns that are averaged.
+    /// Other columns that are averaged; a mean of which one value is not a number (a mean over no contact) is none, either.
     pub also: Vec<String>,
     /// Name of the force distribution; the only one when absent.
     pub distribution: Option<String>,
@@ -300,7 +300,7 @@ impl CycleReader<'_> {
         let sign = self.reading.force_column().1;
         let mut values = vec![sign * line.number(columns.force)?];
         for column in &columns.also {
-            values.push(line.number(*column)?);
+            values.push(line.number_or_nan(*column)?);
         }
         Ok(CycleRow {
             time,

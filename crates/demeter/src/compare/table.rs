@@ -159,6 +159,14 @@ impl Row<'_> {
         value.ok_or_else(|| self.fault(column, "a finite number"))
     }
 
+    /// A finite number, or not a number, which is what a series tells where a measure has nothing to average.
+    pub fn number_or_nan(&self, column: usize) -> Result<f64, CompareError> {
+        match self.text(column) {
+            "NaN" => Ok(f64::NAN),
+            _ => self.number(column),
+        }
+    }
+
     /// A finite number, or nothing where the cell is empty.
     pub fn maybe_number(&self, column: usize) -> Result<Option<f64>, CompareError> {
         match self.text(column) {
@@ -225,6 +233,7 @@ mod tests {
             "{error}"
         );
         assert!(row.count::<u64>(1).is_err() && row.maybe_number(0).unwrap() == Some(1.0));
+        assert!(row.number_or_nan(1).unwrap().is_nan() && row.number_or_nan(0).unwrap() == 1.0);
         let mut short = table("a,b\n1\n", false).unwrap();
         assert!(short.next().err().unwrap().to_string().contains("line 2 has 1 cells"));
         assert!(matches!(

@@ -1,0 +1,139 @@
+//! `cargo xtask validate`: simulates experiments of the literature anew and compares them with what was measured.
+
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a program for the command line"
+)]
+
+use clap::{Parser, Subcommand};
+use demeter_validation::hydrogel::{
+    Experiment, Results, Standards, TOP_FORCE, ValidationError, find_models, run_models, write_figures, write_table,
+};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(Parser)]
+#[command(
+    name = "cargo xtask validate",
+    about = "Experiments of the literature, simulated anew and compared"
+)]
+struct Arguments {
+    #[command(subcommand)]
+    experiment: Which,
+}
+
+#[derive(Subcommand)]
+enum Which {
+    /// 514 hydrogel grains that a plate squeezes, with five contact models: Table I and figures 3 to 6 of Brodu, Dijksman
+    /// and Behringer (2015)
+    Hydrogel(Hydrogel),
+}
+
+#[derive(clap::Args)]
+struct Hydrogel {
+    /// Cycles of squeezing and releasing; the paper has 20
+    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    cycles: u16,
+    /// Cycles left out at the beginning; otherwise 5 of 8 and more, 1 of fewer, none of one
+    #[arg(long)]
+    discard: Option<u16>,
+    /// Grains, as a LIGGGHTS data file or CSV; otherwise a packing is made
+    #[arg(long)]
+    packing: Option<PathBuf>,
+    /// Models by name, with commas between; otherwise all five
+    #[arg(long, value_delimiter = ',')]
+    models: Vec<String>,
+    /// Prefactor of MC-DEM
+    #[arg(long, default_value_t = PREFACTOR)]
+    prefactor: f64,
+    /// Measured force on the plate at full compression [N]
+    #[arg(long, default_value_t = TOP_FORCE)]
+    top_force: f64,
+    /// Measured curve (CSV, as `demeter compare` reads it), compressions from the first touch
+    #[arg(long)]
+    measured: Option<PathBuf>,
+    /// Runs at a time, with one thread each
+    #[arg(long, default_value_t = 2)]
+    jobs: usize,
+    /// Scenario of the experiment
+    #[arg(long, default_value = "validation/hydrogel/scenario.toml")]
+    scenario: PathBuf,
+    /// Changes of the scenario, as `demeter run --set`
+    #[arg(long)]
+    set: Vec<String>,
+    /// Folder of the results; runs go into folders below it
+    #[arg(long, default_value = "runs/validate-hydrogel")]
+    out: PathBuf,
+    /// Replace other runs in the folders
+    #[arg(long)]
+    overwrite: bool,
+}
+
+/// Prefactor with which the force on the plate is the measured one; `validation/hydrogel/README.md` tells how it was found.
+const PREFACTOR: f64 = 1.2;
+
+impl Hydrogel {
+    fn discard(&self) -> usize {
+        usize::from(self.discard.unwrap_or(match self.cycles {
+            8.. => 5,
+            2..8 => 1,
+            _ => 0,
+        }))
+    }
+
+    /// What is run, in words.
+    fn made(&self) -> String {
+        let packing = match &self.packing {
+            Some(file) => {
+                let name = file.file_name().unwrap_or(file.as_os_str());
+                format!("Packing: `{}`.", name.to_string_lossy())
+            }
+            None => "Packing: made here, `grains` of the scenario.".to_string(),
+        };
+        let changes = match self.set.as_slice() {
+            [] => String::new(),
+            set => format!(" Changes of the scenario: `{}`.", set.join("`, `")),
+        };
+        let (cycles, version) = (self.cycles, demeter::VERSION);
+        format!("Demeter {version}, {cycles} cycles. {packing}{changes}")
+    }
+}
+
+fn hydrogel(arguments: &Hydrogel) -> Result<(), ValidationError> {
+    let models = find_models(&arguments.models)?;
+    let experiment = Experiment {
+        scenario: arguments.scenario.clone(),
+        set: arguments.set.clone(),
+        packing: arguments.packing.clone(),
+        cycles: usize::from(arguments.cycles),
+        prefactor: arguments.prefactor,
+        overwrite: arguments.overwrite,
+    };
+    let tell = |text: &str| eprintln!("{text}");
+    let folders = run_models(&experiment, &models, &arguments.out, arguments.jobs, &tell)?;
+    let standards = Standards {
+        top_force: arguments.top_force,
+        discard: arguments.discard(),
+        measured: arguments.measured.clone(),
+    };
+    let results = Results::read(&models, &folders, arguments.prefactor, &standards)?;
+    println!("{}", write_table(&results, &arguments.made(), &arguments.out)?);
+    for check in write_figures(&results, &arguments.out)? {
+        println!("{check}");
+    }
+    Ok(())
+}
+
+fn main() -> ExitCode {
+    let result = match Arguments::parse().experiment {
+        Which::Hydrogel(arguments) => hydrogel(&arguments),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
