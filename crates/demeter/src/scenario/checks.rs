@@ -77,7 +77,7 @@ fn available_memory() -> Option<f64> {
 
 /// In a periodic direction a grain must not meet two images of one partner.
 /// Room for the bulges of two grains across a periodic side, as a share of the largest radius.
-const ROOM_FOR_BULGES: f64 = 1.0;
+const ROOM_FOR_BULGES: f64 = 0.5;
 
 pub(super) fn check_periodic_size(
     grains: &Grains,

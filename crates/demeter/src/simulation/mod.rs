@@ -238,5 +238,6 @@ impl Simulation {
         self.grains.reorder(&keep);
         self.comm.wrap(&mut self.grains);
         self.continue_with(&carried);
+        self.foresee_bulges();
     }
 }

@@ -177,7 +177,7 @@ impl CouplingState {
 
 impl Simulation {
     /// Finds how far surfaces may bulge from the forces of the step before: after grains were put in another order.
-    pub(super) fn foresee_bulges(&mut self) {
+    pub(crate) fn foresee_bulges(&mut self) {
         let Some(state) = &mut self.coupling else { return };
         state.each_task(
             (&self.grains, &self.neighbours, &self.contacts),
