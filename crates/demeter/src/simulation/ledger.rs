@@ -80,8 +80,9 @@ pub struct Books {
 }
 
 impl Books {
-    /// Opens the books with what is there at the start.
-    pub(crate) fn open(&mut self, energies: &Energies) {
+    /// Opens the books with what is there at the start, and with the work of the forces of that moment: half of it lies ahead.
+    pub(crate) fn open(&mut self, energies: &Energies, step: Tally) {
+        self.latest = step;
         self.initial = energies.present();
         self.initial_throughput = energies.present() - energies.gravitational;
         self.initial_gravitational = energies.gravitational;

@@ -136,7 +136,7 @@ impl Simulation {
         if !self.started {
             self.find_first_forces()?;
             let energies = self.mechanical_energies();
-            self.books.open(&energies);
+            self.books.open(&energies, self.contacts.tally());
             self.started = true;
         }
         Ok(())
