@@ -87,7 +87,7 @@ fn is_warning(line: &str) -> bool {
 /// Formats every file: `cargo fmt` does not see modules that a macro declares, which all contact laws are.
 pub fn format(check: bool) -> Result<(), String> {
     let mut files = Vec::new();
-    for folder in ["crates", "xtask/src"] {
+    for folder in ["crates", "benches", "xtask/src"] {
         files.extend(rust_files(&root().join(folder))?);
     }
     let files: Vec<String> = files

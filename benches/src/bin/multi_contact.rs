@@ -33,8 +33,6 @@ const MODELS: [(&str, Coupling); 7] = [
     ("sphere-to-sphere", CONVERGED),
     ("point-on-sphere", Coupling::Lagged),
     ("point-on-sphere", CONVERGED),
-
-
 ];
 
 #[derive(Parser)]
@@ -85,7 +83,9 @@ fn bench(arguments: &Arguments) -> Result<(), Box<dyn Error + Send + Sync>> {
     let start = squeezed()?;
     let models: Vec<_> = MODELS
         .into_iter()
-        .filter(|(law, c)| *law == "independent" || law.contains(&arguments.only) && name(*c).contains(&arguments.coupling))
+        .filter(|(law, c)| {
+            *law == "independent" || law.contains(&arguments.only) && name(*c).contains(&arguments.coupling)
+        })
         .collect();
     let mut runs = Vec::new();
     for (law, coupling) in &models {
@@ -116,7 +116,9 @@ fn bench(arguments: &Arguments) -> Result<(), Box<dyn Error + Send + Sync>> {
     }
     let contacts = |sim: &Simulation| sim.contacts.pair_count() + sim.contacts.wall_count();
     println!("{} grains, {} threads", start.grains.len(), arguments.threads);
-    println!("| law | coupling | ns per grain and step | over independent | iterations per step | repeats per step | contacts |");
+    println!(
+        "| law | coupling | ns per grain and step | over independent | iterations per step | repeats per step | contacts |"
+    );
     println!("|---|---|---|---|---|---|---|");
     for (k, ((law, coupling), sim)) in models.iter().zip(&runs).enumerate() {
         let ratios: Vec<f64> = times[k].iter().zip(&times[0]).map(|(t, one)| t / one).collect();

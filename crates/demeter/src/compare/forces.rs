@@ -2,6 +2,7 @@
 
 use super::error::CompareError;
 use super::table::Table;
+use crate::output::distribution::{ABOVE, COLUMNS};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -9,21 +10,6 @@ use std::path::{Path, PathBuf};
 const MAX_SIZE: u64 = 8 << 30;
 /// Largest number of counts that are kept.
 const MAX_COUNTS: usize = 1 << 27;
-/// Columns in front of the counts.
-const FIRST: [&str; 9] = [
-    "step",
-    "time [s]",
-    "stage",
-    "stage time [s]",
-    "strain",
-    "grains",
-    "between",
-    "contacts",
-    "sum [N]",
-];
-/// Last column: contacts whose force is above all bins.
-const ABOVE: &str = "above";
-
 /// Share of a bin within which a threshold is taken to stand at its edge: both are rounded.
 const AT_THE_EDGE: f64 = 1e-9;
 
@@ -183,7 +169,7 @@ impl Forces {
                 _ => return Err(row.fault(between, "`grains` or `walls`")),
             };
             let count = |column| row.count::<u32>(column);
-            let counts: Vec<u32> = (FIRST.len()..FIRST.len() + bins.count() + 1)
+            let counts: Vec<u32> = (COLUMNS.len()..COLUMNS.len() + bins.count() + 1)
                 .map(count)
                 .collect::<Result<_, _>>()?;
             let grains = count(grains)?;
@@ -261,14 +247,14 @@ fn bins(table: &Table) -> Result<Bins, CompareError> {
         problem,
     };
     let header = table.header();
-    let begins = header.len() > FIRST.len() + 1 && header.iter().zip(FIRST).all(|(title, first)| title == first);
+    let begins = header.len() > COLUMNS.len() + 1 && header.iter().zip(COLUMNS).all(|(title, first)| title == first);
     if !begins || header.last().is_none_or(|last| last != ABOVE) {
-        let columns = FIRST.join(",");
+        let columns = COLUMNS.join(",");
         return Err(refuse(format!(
             "not a force distribution: its columns must be `{columns}`, lower edges of bins in N, `{ABOVE}`"
         )));
     }
-    let titles = &header[FIRST.len()..header.len() - 1];
+    let titles = &header[COLUMNS.len()..header.len() - 1];
     let mut edges = Vec::with_capacity(titles.len() + 1);
     for title in titles {
         let edge = title.parse().map_err(|_| {

@@ -7,7 +7,7 @@ use crate::measure::{ForceDistribution, ForceHistogram, Measures};
 use std::path::Path;
 
 /// Columns in front of those of the bins.
-const COLUMNS: [&str; 9] = [
+pub(crate) const COLUMNS: [&str; 9] = [
     "step",
     "time [s]",
     "stage",
@@ -20,7 +20,7 @@ const COLUMNS: [&str; 9] = [
 ];
 
 /// Title of the column behind those of the bins.
-const ABOVE: &str = "above";
+pub(crate) const ABOVE: &str = "above";
 
 /// The two kinds of contacts, in the column `between`.
 const BETWEEN: [&str; 2] = ["grains", "walls"];

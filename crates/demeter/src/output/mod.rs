@@ -5,7 +5,7 @@
 //! piece. So an error of the disk or a kill never costs anything that was written before.
 
 mod collection;
-mod distribution;
+pub(crate) mod distribution;
 mod error;
 mod folder;
 mod frame;
