@@ -78,6 +78,7 @@ fn collide(solid: Solid, radius: f64, speed: f64, plane: bool, restitution: f64)
     case.skin = 0.1 * radius;
     let mut add = |z: f64, v: f64| {
         let grain = NewGrain {
+            fixed: false,
             material: 0,
             radius,
             density: solid.2,

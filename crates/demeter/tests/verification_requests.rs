@@ -49,6 +49,7 @@ fn collide(choice: &LawChoice, target: Target, speed: f64, phase: f64) -> Seen {
     let build = |case: &mut Case, height: f64| {
         let mut add = |material: u16, radius: f64, z: f64, v: f64| {
             let grain = NewGrain {
+                fixed: false,
                 material,
                 radius,
                 density: list[material as usize].density,

@@ -31,6 +31,7 @@ fn materials(law: &str, restitution: f64) -> Materials {
 
 fn add(case: &mut Case, material: u16, radius: f64, position: DVec3, velocity: DVec3) {
     let grain = NewGrain {
+        fixed: false,
         material,
         radius,
         density: case.materials.list()[material as usize].density,

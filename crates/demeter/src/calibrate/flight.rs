@@ -129,6 +129,7 @@ impl Launch<'_> {
         let mut add = |id: u32, material: u16, radius: f64, position: DVec3, velocity: DVec3, spin: DVec3| {
             let density = materials.list()[usize::from(material)].density;
             let grain = NewGrain {
+                fixed: false,
                 material,
                 radius,
                 density,
@@ -193,7 +194,7 @@ impl Launch<'_> {
         };
         let mut after = sim.energies();
         let grains = &sim.grains;
-        let of = |values: &[DVec3], id: u32| {
+        let of = |values: &crate::particles::Rows, id: u32| {
             let index = grains.id.iter().position(|i| *i == id);
             index.map_or(DVec3::ZERO, |k| values[k])
         };
@@ -207,7 +208,7 @@ impl Launch<'_> {
                 .id
                 .iter()
                 .position(|i| *i == 2)
-                .map_or(0.0, |k| grains.inertia[k]);
+                .map_or(0.0, |k| grains.inertia(k));
             before.rotational -= 0.5 * held * self.file.impact.spin_b.length_squared();
             after.rotational -= 0.5 * held * spin[1].length_squared();
         }
@@ -259,11 +260,11 @@ impl Track {
                 let separation = sim.grains.position[a] - sim.grains.position[b];
                 let distance = separation.length();
                 let velocity = sim.grains.velocity[a] - sim.grains.velocity[b];
-                let overlap = sim.grains.radius[a] + sim.grains.radius[b] - distance;
+                let overlap = sim.grains.radius(a) + sim.grains.radius(b) - distance;
                 (overlap, -velocity.dot(separation) / distance)
             }
             None => (
-                sim.grains.radius[a] - sim.grains.position[a].z,
+                sim.grains.radius(a) - sim.grains.position[a].z,
                 -sim.grains.velocity[a].z,
             ),
         };

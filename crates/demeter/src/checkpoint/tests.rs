@@ -17,6 +17,7 @@ fn grains(x: f64) -> Grains {
     let mut grains = Grains::default();
     for id in 1..=2 {
         let grain = NewGrain {
+            fixed: false,
             material: 0,
             radius: 0.1,
             density: 1000.0,

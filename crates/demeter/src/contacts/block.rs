@@ -207,7 +207,7 @@ impl ContactChunk {
     pub(crate) fn evaluate_pairs(&mut self, scene: &Scene) {
         let grains = scene.grains;
         self.evaluate(scene, |j, _point, lever| {
-            let (radius, mass, inertia) = (grains.radius[j], grains.mass[j], grains.inertia[j]);
+            let (radius, mass, inertia) = (grains.radius(j), grains.mass[j], grains.inertia(j));
             Partner {
                 velocity: grains.velocity[j],
                 angular_velocity: grains.angular_velocity[j],
@@ -332,7 +332,7 @@ fn gather(
     let point = grains.position[i] - n * contact.lever_i;
     let other = partner(j, point, contact.lever_j);
     let (omega_i, omega_j) = (grains.angular_velocity[i], other.angular_velocity);
-    let (mass, inertia) = (grains.mass[i], grains.inertia[i]);
+    let (mass, inertia) = (grains.mass[i], grains.inertia(i));
     let arms = omega_i * contact.lever_i + omega_j * contact.lever_j;
     // a wall's velocity is that of its surface already, so its lever is 0
     let velocity = grains.velocity[i] - other.velocity - arms.cross(n);
@@ -342,7 +342,7 @@ fn gather(
     let lever2_j = contact.lever_j * contact.lever_j;
     Kinematics {
         size: PairSize {
-            radius: 1.0 / (1.0 / grains.radius[i] + other.inverse_radius),
+            radius: 1.0 / (1.0 / grains.radius(i) + other.inverse_radius),
             mass: 1.0 / (1.0 / mass + other.inverse_mass),
         },
         rate,

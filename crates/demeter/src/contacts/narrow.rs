@@ -70,8 +70,8 @@ impl Scene<'_> {
 
     /// The smaller radius of two grains, or that of a grain at a wall [m].
     pub(crate) fn smaller_radius(&self, i: u32, j: Option<u32>) -> f64 {
-        let radius = self.grains.radius[i as usize];
-        j.map_or(radius, |j| radius.min(self.grains.radius[j as usize]))
+        let radius = self.grains.radius(i as usize);
+        j.map_or(radius, |j| radius.min(self.grains.radius(j as usize)))
     }
 
     /// Whether two bodies act on each other at any moment of this step; `overlap` with all that they may bulge.
@@ -98,7 +98,7 @@ impl ContactChunk {
         for (c, p) in pairs.iter().enumerate() {
             let (i, j) = (p.i as usize, p.j as usize);
             let separation = grains.position[i] - grains.position[j] + scene.comm.shift(p.shift);
-            let (ri, rj) = (grains.radius[i], grains.radius[j]);
+            let (ri, rj) = (grains.radius(i), grains.radius(j));
             let bulge = scene.bulge(i) + scene.bulge(j);
             let reach = ri + rj + window + bulge;
             if separation.length_squared() < reach * reach {
@@ -132,7 +132,7 @@ impl ContactChunk {
         let (mut touched, mut taken) = (std::mem::take(&mut self.touched), std::mem::take(&mut self.taken));
         for (c, p) in pairs.iter().enumerate() {
             let (g, wall) = (p.grain as usize, &scene.walls[p.wall as usize]);
-            let (centre, radius) = (grains.position[g], grains.radius[g]);
+            let (centre, radius) = (grains.position[g], grains.radius(g));
             let bulge = scene.bulge(g);
             touched.clear();
             wall.contacts(centre, radius + window + bulge, &mut touched);

@@ -346,6 +346,7 @@ pub(super) fn insert_file(insertion: &Insertion, materials: &[Material]) -> Resu
             return Err(located(not_allowed(&text, "coordinates must be within 1e12 m")).into());
         }
         grains.push(NewGrain {
+            fixed: false,
             material,
             radius: 0.5 * diameter_value,
             density: (density.or(own_density)).unwrap_or(materials[usize::from(material)].density),

@@ -193,6 +193,7 @@ fn check_common(insertion: &Insertion, materials: &[Material]) -> Result<(), Ins
 fn grains_at(insertion: &Insertion, materials: &[Material], places: &[SizedPlace]) -> Inserted {
     let density = materials[usize::from(insertion.material)].density;
     let grains = places.iter().map(|&(position, radius)| NewGrain {
+        fixed: false,
         material: insertion.material,
         radius,
         density,

@@ -143,7 +143,7 @@ pub fn kinetic_over_elastic(energies: &Energies) -> f64 {
 /// Corners of the box around the grains' surfaces [m]; infinite, the lower above the upper, without grains.
 fn bounds(grains: &Grains) -> (DVec3, DVec3) {
     let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for (&p, &r) in grains.position.iter().zip(&grains.radius) {
+    for (&p, r) in grains.position.iter().zip(grains.radii()) {
         lower = lower.min(p - r);
         upper = upper.max(p + r);
     }
@@ -153,7 +153,10 @@ fn bounds(grains: &Grains) -> (DVec3, DVec3) {
 /// Volume of the bounding box of the grains' surfaces, whole in periodic directions, and solid volume [m^3].
 fn volumes(sim: &Simulation) -> (f64, f64) {
     let (lower, upper) = bounds(&sim.grains);
-    let solid = (sim.grains.radius.iter()).fold(0.0, |sum, r| sum + 4.0 / 3.0 * std::f64::consts::PI * r * r * r);
+    let solid = sim
+        .grains
+        .radii()
+        .fold(0.0, |sum, r| sum + 4.0 / 3.0 * std::f64::consts::PI * r * r * r);
     let mut size = if sim.grains.is_empty() {
         DVec3::ZERO
     } else {
@@ -197,16 +200,16 @@ fn stress(sim: &Simulation, volume: f64) -> [f64; 6] {
 
 /// Largest overlap as a share of the smaller radius.
 fn max_overlap(sim: &Simulation) -> f64 {
-    let radius = &sim.grains.radius;
+    let radius = |g: u32| sim.grains.radius(g as usize);
     let mut largest = 0.0f64;
     for chunk in &sim.contacts.pairs {
         for ((contact, &i), &j) in chunk.geometry().iter().zip(&chunk.i).zip(&chunk.j) {
-            largest = largest.max(contact.overlap / radius[i as usize].min(radius[j as usize]));
+            largest = largest.max(contact.overlap / radius(i).min(radius(j)));
         }
     }
     for chunk in &sim.contacts.walls {
         for (contact, &i) in chunk.geometry().iter().zip(&chunk.i) {
-            largest = largest.max(contact.overlap / radius[i as usize]);
+            largest = largest.max(contact.overlap / radius(i));
         }
     }
     largest

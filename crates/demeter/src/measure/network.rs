@@ -92,7 +92,7 @@ impl ContactNetwork {
     pub fn core(&self, sim: &Simulation) -> (DVec3, DVec3) {
         let grains = &sim.grains;
         let (mut lower, mut upper) = bounds(grains);
-        let mean_diameter = 2.0 * grains.radius.iter().sum::<f64>() / grains.len().max(1) as f64;
+        let mean_diameter = 2.0 * grains.radii().sum::<f64>() / grains.len().max(1) as f64;
         lower += self.margin * mean_diameter;
         upper -= self.margin * mean_diameter;
         let domain = sim.domain();
@@ -118,7 +118,7 @@ impl ContactNetwork {
         let images: [&[f64]; 3] = domain.periodic.map(|p| if p { &[-1.0, 0.0, 1.0][..] } else { &[0.0] });
         let period = domain.size();
         let mut solid = 0.0;
-        for (&centre, &radius) in sim.grains.position.iter().zip(&sim.grains.radius) {
+        for (&centre, radius) in sim.grains.position.iter().zip(sim.grains.radii()) {
             for &x in images[0] {
                 for &y in images[1] {
                     for &z in images[2] {

@@ -1,6 +1,6 @@
 //! Cell grid for one size class.
 
-use crate::particles::Domain;
+use crate::particles::{Domain, Rows};
 use glam::DVec3;
 
 /// Grains of one size class, sorted into cells. Periodic directions hold a whole number of cells.
@@ -18,7 +18,7 @@ pub(super) struct CellGrid {
 impl CellGrid {
     /// Sorts `members` into cells of at least `edge`, coarser when the space is so sparse that cells would outnumber
     /// grains by far.
-    pub(super) fn new(members: &[u32], position: &[DVec3], max_radius: f64, edge: f64, domain: &Domain) -> Self {
+    pub(super) fn new(members: &[u32], position: &Rows, max_radius: f64, edge: f64, domain: &Domain) -> Self {
         let (lower, upper) = extent(members, position, domain);
         let size = upper - lower;
         let most = 4.0 * members.len() as f64 + 64.0;
@@ -53,7 +53,7 @@ impl CellGrid {
         grid
     }
 
-    fn sort(&mut self, members: &[u32], position: &[DVec3]) {
+    fn sort(&mut self, members: &[u32], position: &Rows) {
         let count = (self.cells[0] * self.cells[1] * self.cells[2]) as usize;
         let cell: Vec<u32> = members
             .iter()
@@ -116,7 +116,7 @@ impl CellGrid {
 }
 
 /// Bounding box of the grains; the whole box in periodic directions.
-fn extent(members: &[u32], position: &[DVec3], domain: &Domain) -> (DVec3, DVec3) {
+fn extent(members: &[u32], position: &Rows, domain: &Domain) -> (DVec3, DVec3) {
     let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for &g in members {
         lower = lower.min(position[g as usize]);

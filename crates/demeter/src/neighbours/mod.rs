@@ -67,7 +67,7 @@ impl Neighbours {
             pair_start,
             pair_entries,
             wall_start,
-            reference: grains.position.clone(),
+            reference: grains.position.iter().copied().collect(),
             wall_reference: walls.iter().map(Wall::pose).collect(),
         }
     }
@@ -112,8 +112,8 @@ impl Neighbours {
 }
 
 fn grain_pairs(grains: &Grains, comm: &Single, skin: f64) -> Vec<Pair> {
-    let classes = size_classes(&grains.radius);
-    let largest = |members: &[u32]| members.iter().map(|&g| grains.radius[g as usize]).fold(0.0, f64::max);
+    let classes = size_classes(grains);
+    let largest = |members: &[u32]| members.iter().map(|&g| grains.radius(g as usize)).fold(0.0, f64::max);
     let grids: Vec<CellGrid> = (classes.members.iter())
         .map(|members| {
             let radius = largest(members);
@@ -144,7 +144,7 @@ fn pairs_of_grain(
     skin: f64,
     found: &mut Vec<Pair>,
 ) {
-    let (x, r) = (grains.position[g as usize], grains.radius[g as usize]);
+    let (x, r) = (grains.position[g as usize], grains.radius(g as usize));
     for (other_class, grid) in grids.iter().enumerate().take(class as usize + 1) {
         let own = other_class == class as usize;
         grid.visit(x, r + grid.max_radius + skin, |h| {
@@ -153,7 +153,7 @@ fn pairs_of_grain(
             }
             let difference = x - grains.position[h as usize];
             let shift = comm.nearest_image(difference);
-            let reach = r + grains.radius[h as usize] + skin;
+            let reach = r + grains.radius(h as usize) + skin;
             if (difference + comm.shift(shift)).length_squared() < reach * reach {
                 found.push(if grains.id[g as usize] < grains.id[h as usize] {
                     Pair { i: g, j: h, shift }
@@ -175,12 +175,12 @@ struct SizeClasses {
 }
 
 /// Classes by halving of the largest radius; class 0 holds the largest grains. Without empty classes at the end.
-fn size_classes(radius: &[f64]) -> SizeClasses {
+fn size_classes(grains: &Grains) -> SizeClasses {
     const MOST: u8 = 20;
-    let largest = radius.iter().copied().fold(0.0, f64::max);
-    let class: Vec<u8> = radius
-        .iter()
-        .map(|&r| {
+    let largest = grains.radii().fold(0.0, f64::max);
+    let class: Vec<u8> = grains
+        .radii()
+        .map(|r| {
             let (mut class, mut limit) = (0, 0.5 * largest);
             while r < limit && class < MOST {
                 class += 1;
@@ -229,7 +229,7 @@ fn wall_pairs(grains: &Grains, walls: &[Wall], skin: f64) -> (Vec<u32>, Vec<Wall
         .into_par_iter()
         .with_min_len(GRAINS_PER_TASK)
         .map(|g| {
-            let reach = grains.radius[g] + skin;
+            let reach = grains.radius(g) + skin;
             (0..walls.len() as u32)
                 .filter(|&w| walls[w as usize].near(grains.position[g], reach))
                 .collect()

@@ -9,7 +9,7 @@ const BITS: u32 = 10;
 /// Indices of the grains along a Z-order (Morton) curve; ties keep the order of the ids.
 pub fn space_filling_order(grains: &Grains) -> Vec<u32> {
     let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for &p in &grains.position {
+    for &p in grains.position.iter() {
         lower = lower.min(p);
         upper = upper.max(p);
     }

@@ -18,6 +18,7 @@ fn random_grains(count: u32, smallest: f64, domain: &Domain) -> Grains {
         grains.push(
             count + 1 - id,
             &NewGrain {
+                fixed: false,
                 material: 0,
                 radius,
                 density: 1.0,
@@ -45,7 +46,7 @@ fn check_against_all_pairs(periodic: [bool; 3], smallest: f64) {
     for i in 0..grains.len() {
         for j in 0..grains.len() {
             let d = domain.difference(grains.position[i], grains.position[j]);
-            if grains.id[i] < grains.id[j] && d.length() < grains.radius[i] + grains.radius[j] + skin {
+            if grains.id[i] < grains.id[j] && d.length() < grains.radius(i) + grains.radius(j) + skin {
                 expected.push((i as u32, j as u32));
             }
         }

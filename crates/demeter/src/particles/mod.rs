@@ -1,8 +1,10 @@
 //! Grains as a struct of arrays, and the domain that they live in.
 
 mod domain;
+mod rows;
 
 pub use domain::{Domain, Outside};
+pub use rows::{Row, Rows};
 
 use demeter_physics::integrator::gear::Derivatives;
 use glam::{DQuat, DVec3};
@@ -23,6 +25,8 @@ pub struct NewGrain {
     pub velocity: DVec3,
     /// Angular velocity in the world frame [1/s].
     pub angular_velocity: DVec3,
+    /// Whether forces leave its velocity as it is.
+    pub fixed: bool,
 }
 
 /// All grains. Index `i` of every array is the same grain; `id` never changes, the index may.
@@ -32,20 +36,16 @@ pub struct Grains {
     pub id: Vec<u32>,
     /// Index of the material.
     pub material: Vec<u16>,
-    /// Radius [m].
-    pub radius: Vec<f64>,
     /// Mass [kg].
     pub mass: Vec<f64>,
-    /// Moment of inertia, `2/5 m r^2` [kg m^2].
-    pub inertia: Vec<f64>,
-    /// Centre [m], inside the periodic box when there is one.
-    pub position: Vec<DVec3>,
+    /// Centre [m], inside the periodic box when there is one; beside it the radius [m].
+    pub position: Rows,
     /// How many periodic boxes the grain has crossed, by direction.
     pub image: Vec<[i32; 3]>,
-    /// Velocity [m/s].
-    pub velocity: Vec<DVec3>,
-    /// Angular velocity in the world frame [1/s].
-    pub angular_velocity: Vec<DVec3>,
+    /// Velocity [m/s]; beside it the inverse mass [1/kg], 0 for a fixed grain.
+    pub velocity: Rows,
+    /// Angular velocity in the world frame [1/s]; beside it the inverse moment of inertia [1/(kg m^2)], 0 for a fixed grain.
+    pub angular_velocity: Rows,
     /// Orientation.
     pub orientation: Vec<DQuat>,
     /// Total force of the latest step [N].
@@ -76,19 +76,67 @@ impl Grains {
         self.id.is_empty()
     }
 
+    /// Radius of a grain [m].
+    #[inline(always)]
+    pub fn radius(&self, grain: usize) -> f64 {
+        self.position.scalar(grain)
+    }
+
+    /// All radii [m].
+    pub fn radii(&self) -> impl ExactSizeIterator<Item = f64> + Clone + '_ {
+        self.position.scalars()
+    }
+
+    /// Moment of inertia of a grain, `2/5 m r^2` [kg m^2].
+    #[inline(always)]
+    pub fn inertia(&self, grain: usize) -> f64 {
+        inertia(self.mass[grain], self.radius(grain))
+    }
+
+    /// Inverse mass of a grain, 0 where it is fixed [1/kg].
+    #[inline(always)]
+    pub fn inverse_mass(&self, grain: usize) -> f64 {
+        self.velocity.scalar(grain)
+    }
+
+    /// Inverse moment of inertia of a grain, 0 where it is fixed [1/(kg m^2)].
+    #[inline(always)]
+    pub fn inverse_inertia(&self, grain: usize) -> f64 {
+        self.angular_velocity.scalar(grain)
+    }
+
+    /// Whether forces leave the velocity of a grain as it is.
+    #[inline(always)]
+    pub fn is_fixed(&self, grain: usize) -> bool {
+        self.inverse_mass(grain) == 0.0
+    }
+
+    /// Puts radius [m] and mass [kg] of a grain.
+    pub fn set_size(&mut self, grain: usize, radius: f64, mass: f64) {
+        self.mass[grain] = mass;
+        self.position.set_scalar(grain, radius);
+        if !self.is_fixed(grain) {
+            self.velocity.set_scalar(grain, 1.0 / mass);
+            self.angular_velocity.set_scalar(grain, 1.0 / inertia(mass, radius));
+        }
+    }
+
     /// Adds a grain with the given id.
     pub fn push(&mut self, id: u32, grain: &NewGrain) {
         let r = grain.radius;
         let mass = grain.density * (4.0 / 3.0 * std::f64::consts::PI) * r * r * r;
+        let (inverse_mass, inverse_inertia) = if grain.fixed {
+            (0.0, 0.0)
+        } else {
+            (1.0 / mass, 1.0 / inertia(mass, r))
+        };
         self.id.push(id);
         self.material.push(grain.material);
-        self.radius.push(r);
         self.mass.push(mass);
-        self.inertia.push(0.4 * mass * r * r);
-        self.position.push(grain.position);
+        self.position.push(grain.position, r);
         self.image.push([0; 3]);
-        self.velocity.push(grain.velocity);
-        self.angular_velocity.push(grain.angular_velocity);
+        self.velocity.push(grain.velocity, inverse_mass);
+        self.angular_velocity.push(grain.angular_velocity, inverse_inertia);
         self.orientation.push(DQuat::IDENTITY);
         self.force.push(DVec3::ZERO);
         self.torque.push(DVec3::ZERO);
@@ -104,13 +152,11 @@ impl Grains {
         }
         pick(&mut self.id, order);
         pick(&mut self.material, order);
-        pick(&mut self.radius, order);
         pick(&mut self.mass, order);
-        pick(&mut self.inertia, order);
-        pick(&mut self.position, order);
+        self.position.pick(order);
         pick(&mut self.image, order);
-        pick(&mut self.velocity, order);
-        pick(&mut self.angular_velocity, order);
+        self.velocity.pick(order);
+        self.angular_velocity.pick(order);
         pick(&mut self.orientation, order);
         pick(&mut self.force, order);
         pick(&mut self.torque, order);
@@ -118,4 +164,10 @@ impl Grains {
             pick(&mut self.higher, order);
         }
     }
+}
+
+/// Moment of inertia of a sphere about its centre [kg m^2].
+#[inline(always)]
+fn inertia(mass: f64, radius: f64) -> f64 {
+    0.4 * mass * radius * radius
 }

@@ -86,7 +86,7 @@ pub(super) fn check_periodic_size(
     coupled: bool,
     faults: &mut Diagnostics,
 ) {
-    let largest = grains.radius.iter().copied().fold(0.0, f64::max);
+    let largest = grains.radii().fold(0.0, f64::max);
     let bulges = if coupled { ROOM_FOR_BULGES * largest } else { 0.0 };
     let least = 4.0 * largest + 2.0 * skin + bulges;
     for axis in (0..3).filter(|&k| domain.periodic[k]) {
@@ -114,12 +114,7 @@ pub(super) fn check_overlaps(
     warnings: &mut Vec<String>,
 ) {
     let allowed = scenario.simulation.max_overlap;
-    let places: Vec<(DVec3, f64)> = grains
-        .position
-        .iter()
-        .copied()
-        .zip(grains.radius.iter().copied())
-        .collect();
+    let places: Vec<(DVec3, f64)> = grains.position.iter().copied().zip(grains.radii()).collect();
     let advice =
         || Some("move them apart, or raise `simulation.max_overlap` if the packing is meant to be loaded".into());
     if let Some(pair) = first_overlap(&places, Some(domain)) {
@@ -155,11 +150,11 @@ fn deepest_in_wall(grains: &Grains, walls: &[Wall]) -> Option<(usize, usize, f64
     for g in 0..grains.len() {
         for (w, wall) in walls.iter().enumerate() {
             touched.clear();
-            if wall.near(grains.position[g], grains.radius[g]) {
-                wall.contacts(grains.position[g], grains.radius[g], &mut touched);
+            if wall.near(grains.position[g], grains.radius(g)) {
+                wall.contacts(grains.position[g], grains.radius(g), &mut touched);
             }
             for contact in &touched {
-                let share = (grains.radius[g] - contact.distance) / grains.radius[g];
+                let share = (grains.radius(g) - contact.distance) / grains.radius(g);
                 if deepest.is_none_or(|(_, _, s)| share > s) {
                     deepest = Some((g, w, share));
                 }
@@ -189,7 +184,7 @@ pub(super) fn check_wall_speeds(scenario: &Scenario, grains: &Grains, dt: f64, f
                 (format!("{path}.motion.{name}"), name, motion)
             })
         });
-    let smallest = grains.radius.iter().copied().fold(f64::INFINITY, f64::min);
+    let smallest = grains.radii().fold(f64::INFINITY, f64::min);
     for (path, name, motion) in walls.chain(stages) {
         if let Some(speed) = linear_speed(motion).filter(|speed| speed * dt > MOST_MOTION * smallest) {
             faults.push(

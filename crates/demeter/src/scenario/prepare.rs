@@ -61,7 +61,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let skin = scenario
         .simulation
         .skin
-        .unwrap_or_else(|| SKIN_SHARE * mean(&grains.radius));
+        .unwrap_or_else(|| SKIN_SHARE * mean_radius(&grains));
     check_periodic_size(&grains, &domain, skin, materials.are_coupled(), &mut faults);
     let wall_materials: Vec<u16> = walls.iter().map(|w| w.material).collect();
     for (a, b, why) in refusals(&grains, &wall_materials, &materials) {
@@ -132,8 +132,8 @@ pub(super) fn prepare_to_resume(scenario: &Scenario, domain: Domain, skin: f64) 
     })
 }
 
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len().max(1) as f64
+fn mean_radius(grains: &Grains) -> f64 {
+    grains.radii().sum::<f64>() / grains.len().max(1) as f64
 }
 
 fn materials(scenario: &Scenario, faults: &mut Diagnostics) -> Option<Materials> {
@@ -275,11 +275,7 @@ fn domain(scenario: &Scenario, grains: &Grains, walls: &[Wall], faults: &mut Dia
     let bounds: Vec<(DVec3, DVec3)> = walls.iter().filter_map(Wall::bounds).collect();
     let (mut lower, mut upper) = (DVec3::NEG_INFINITY, DVec3::INFINITY);
     if !bounds.is_empty() {
-        let places = grains
-            .position
-            .iter()
-            .zip(&grains.radius)
-            .map(|(&p, &r)| (p - r, p + r));
+        let places = grains.position.iter().zip(grains.radii()).map(|(&p, r)| (p - r, p + r));
         let all = || bounds.iter().copied().chain(places.clone());
         lower = all().fold(DVec3::INFINITY, |low, (l, _)| low.min(l));
         upper = all().fold(DVec3::NEG_INFINITY, |high, (_, u)| high.max(u));

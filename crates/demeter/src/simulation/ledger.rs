@@ -177,7 +177,7 @@ impl Simulation {
         let grains = &self.grains;
         for g in (0..grains.len()).filter(|&g| counts(g)) {
             e.kinetic += 0.5 * grains.mass[g] * grains.velocity[g].length_squared();
-            e.rotational += 0.5 * grains.inertia[g] * grains.angular_velocity[g].length_squared();
+            e.rotational += 0.5 * grains.inertia(g) * grains.angular_velocity[g].length_squared();
             let place = self.comm.unwrapped(grains.position[g], grains.image[g]);
             e.gravitational -= grains.mass[g] * self.gravity.dot(place);
         }
@@ -228,10 +228,9 @@ impl Simulation {
 
     /// Effective radius and mass of a grain and its partner, a grain or a wall.
     pub(crate) fn pair_size(&self, i: usize, j: Option<usize>) -> PairSize {
-        let inverse = |values: &[f64], j: Option<usize>| j.map_or(0.0, |j| 1.0 / values[j]);
         PairSize {
-            radius: 1.0 / (1.0 / self.grains.radius[i] + inverse(&self.grains.radius, j)),
-            mass: 1.0 / (1.0 / self.grains.mass[i] + inverse(&self.grains.mass, j)),
+            radius: 1.0 / (1.0 / self.grains.radius(i) + j.map_or(0.0, |j| 1.0 / self.grains.radius(j))),
+            mass: 1.0 / (self.grains.inverse_mass(i) + j.map_or(0.0, |j| self.grains.inverse_mass(j))),
         }
     }
 }

@@ -197,7 +197,7 @@ impl Simulation {
 
     fn note_bounds(&mut self) {
         let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for (&p, &r) in self.neighbours.reference.iter().zip(&self.grains.radius) {
+        for (&p, r) in self.neighbours.reference.iter().zip(self.grains.radii()) {
             lower = lower.min(p - r);
             upper = upper.max(p + r);
         }

@@ -74,9 +74,7 @@ impl SimulationState {
         };
         let lengths = [
             g.material.len(),
-            g.radius.len(),
             g.mass.len(),
-            g.inertia.len(),
             g.position.len(),
             g.image.len(),
             g.velocity.len(),

@@ -151,12 +151,12 @@ impl CouplingState {
     }
 
     /// Whether no surface bulges farther than contacts were looked for; if not, they will be looked for farther away.
-    fn bulges_as_foreseen(&mut self, radius: &[f64]) -> bool {
+    fn bulges_as_foreseen(&mut self, grains: &Grains) -> bool {
         let CouplingMemory { bulge, max_bulge, .. } = &mut self.memory;
         let mut as_foreseen = true;
-        for ((bulge, needed), radius) in bulge.iter_mut().zip(&self.needed).zip(radius) {
+        for ((bulge, needed), radius) in bulge.iter_mut().zip(&self.needed).zip(grains.radii()) {
             if needed > bulge {
-                *bulge = foreseen(*needed, *radius);
+                *bulge = foreseen(*needed, radius);
                 *max_bulge = max_bulge.max(*bulge);
                 as_foreseen = false;
             }
@@ -165,12 +165,12 @@ impl CouplingState {
     }
 
     /// Takes what the latest forces need, with an allowance, for the next step.
-    fn foresee(&mut self, radius: &[f64]) {
+    fn foresee(&mut self, grains: &Grains) {
         self.memory.bulge.clear();
-        let bulges = self.needed.iter().zip(radius);
+        let bulges = self.needed.iter().zip(grains.radii());
         self.memory
             .bulge
-            .extend(bulges.map(|(needed, radius)| foreseen(*needed, *radius)));
+            .extend(bulges.map(|(needed, radius)| foreseen(*needed, radius)));
         self.memory.max_bulge = self.memory.bulge.iter().copied().fold(0.0, f64::max);
     }
 }
@@ -187,7 +187,7 @@ impl Simulation {
                 }
             },
         );
-        state.foresee(&self.grains.radius);
+        state.foresee(&self.grains);
     }
 
     /// Narrow phase, displacements and contact laws.
@@ -203,7 +203,7 @@ impl Simulation {
                 return Err(fault);
             }
             let Some(state) = &mut self.coupling else { return Ok(()) };
-            if state.bulges_as_foreseen(&self.grains.radius) {
+            if state.bulges_as_foreseen(&self.grains) {
                 break;
             }
             state.memory.effort.repeats += 1;
@@ -223,7 +223,7 @@ impl Simulation {
             chunk.book_lost(scene);
         });
         if let Some(state) = &mut self.coupling {
-            state.foresee(&self.grains.radius);
+            state.foresee(&self.grains);
         }
         Ok(())
     }

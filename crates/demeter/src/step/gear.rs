@@ -7,6 +7,7 @@ use super::{GRAINS_PER_TASK, Motion, first_by_id};
 use crate::contacts::sum::contact_load;
 use crate::simulation::Simulation;
 use demeter_physics::integrator::gear::{self, Gear};
+use glam::DVec3;
 use rayon::prelude::*;
 
 impl Simulation {
@@ -17,41 +18,46 @@ impl Simulation {
         let grains = &mut self.grains;
         let n = GRAINS_PER_TASK;
         (
-            (grains.position.par_chunks_mut(n), grains.velocity.par_chunks_mut(n)),
+            (
+                grains.position.rows_mut().par_chunks_mut(n),
+                grains.velocity.rows_mut().par_chunks_mut(n),
+            ),
             (
                 grains.orientation.par_chunks_mut(n),
-                grains.angular_velocity.par_chunks_mut(n),
+                grains.angular_velocity.rows_mut().par_chunks_mut(n),
             ),
             (grains.force.par_chunks_mut(n), grains.torque.par_chunks_mut(n)),
             grains.higher.par_chunks_mut(n),
-            (grains.mass.par_chunks(n), grains.inertia.par_chunks(n)),
+            grains.mass.par_chunks(n),
             self.neighbours.reference.par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
             .map(
-                |(
-                    task,
-                    ((position, velocity), (orientation, spin), (force, torque), higher, (mass, inertia), reference),
-                )| {
+                |(task, ((position, velocity), (orientation, spin), (force, torque), higher, mass, reference))| {
                     let mut motion = Motion::default();
                     let (mut speed2, mut displacement2) = (0.0f64, 0.0f64);
                     for k in 0..position.len() {
                         let mut moving = gear::Motion {
-                            place: position[k],
-                            rate: velocity[k],
-                            acceleration: force[k] / mass[k],
+                            place: position[k].vector,
+                            rate: velocity[k].vector,
+                            acceleration: force[k] * velocity[k].scalar,
                         };
                         method.predict(&mut moving, &mut higher[k].translation);
-                        (position[k], velocity[k]) = (moving.place, moving.rate);
+                        (position[k].vector, velocity[k].vector) = (moving.place, moving.rate);
                         force[k] = moving.acceleration * mass[k];
-                        let mut twist = torque[k] / inertia[k];
+                        let inverse_inertia = spin[k].scalar;
+                        let mut twist = torque[k] * inverse_inertia;
                         let derivatives = &mut higher[k].rotation;
-                        method.predict_rotation(&mut orientation[k], &mut spin[k], &mut twist, derivatives);
-                        torque[k] = twist * inertia[k];
-                        speed2 = speed2.max(velocity[k].length_squared());
-                        displacement2 = displacement2.max((position[k] - reference[k]).length_squared());
-                        if motion.misplaced.is_none() && !domain.contains(position[k]) {
+                        method.predict_rotation(&mut orientation[k], &mut spin[k].vector, &mut twist, derivatives);
+                        torque[k] = if inverse_inertia > 0.0 {
+                            twist / inverse_inertia
+                        } else {
+                            DVec3::ZERO
+                        };
+                        speed2 = speed2.max(velocity[k].vector.length_squared());
+                        displacement2 = displacement2.max((position[k].vector - reference[k]).length_squared());
+                        if motion.misplaced.is_none() && !domain.contains(position[k].vector) {
                             motion.misplaced = Some(task * n + k);
                         }
                     }
@@ -71,31 +77,44 @@ impl Simulation {
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
         (
-            (grains.position.par_chunks_mut(n), grains.velocity.par_chunks_mut(n)),
+            (
+                grains.position.rows_mut().par_chunks_mut(n),
+                grains.velocity.rows_mut().par_chunks_mut(n),
+            ),
             (
                 grains.orientation.par_chunks_mut(n),
-                grains.angular_velocity.par_chunks_mut(n),
+                grains.angular_velocity.rows_mut().par_chunks_mut(n),
             ),
             (grains.force.par_chunks_mut(n), grains.torque.par_chunks_mut(n)),
             grains.higher.par_chunks_mut(n),
-            (grains.mass.par_chunks(n), grains.inertia.par_chunks(n)),
+            grains.mass.par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
             .map(
-                |(task, ((position, velocity), (orientation, spin), (force, torque), higher, (mass, inertia)))| {
+                |(task, ((position, velocity), (orientation, spin), (force, torque), higher, mass))| {
                     let mut bad = None;
                     for k in 0..velocity.len() {
                         let (contact_force, new_torque) = contact_load(task * n + k, neighbours, contacts);
                         let new_force = contact_force + gravity * mass[k];
-                        let error = (new_force - force[k]) / mass[k];
-                        method.correct(&mut position[k], &mut velocity[k], &mut higher[k].translation, error);
-                        let error = (new_torque - torque[k]) / inertia[k];
-                        method.correct_rotation(&mut orientation[k], &mut spin[k], &mut higher[k].rotation, error);
+                        let error = (new_force - force[k]) * velocity[k].scalar;
+                        method.correct(
+                            &mut position[k].vector,
+                            &mut velocity[k].vector,
+                            &mut higher[k].translation,
+                            error,
+                        );
+                        let error = (new_torque - torque[k]) * spin[k].scalar;
+                        method.correct_rotation(
+                            &mut orientation[k],
+                            &mut spin[k].vector,
+                            &mut higher[k].rotation,
+                            error,
+                        );
                         force[k] = new_force;
                         torque[k] = new_torque;
-                        if !(velocity[k].is_finite()
-                            && spin[k].is_finite()
+                        if !(velocity[k].vector.is_finite()
+                            && spin[k].vector.is_finite()
                             && new_force.is_finite()
                             && new_torque.is_finite())
                         {

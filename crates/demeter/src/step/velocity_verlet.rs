@@ -15,32 +15,31 @@ impl Simulation {
         let grains = &mut self.grains;
         let n = GRAINS_PER_TASK;
         (
-            grains.position.par_chunks_mut(n),
-            grains.velocity.par_chunks_mut(n),
-            grains.angular_velocity.par_chunks_mut(n),
+            grains.position.rows_mut().par_chunks_mut(n),
+            grains.velocity.rows_mut().par_chunks_mut(n),
+            grains.angular_velocity.rows_mut().par_chunks_mut(n),
             grains.orientation.par_chunks_mut(n),
             (grains.force.par_chunks(n), grains.torque.par_chunks(n)),
-            (grains.mass.par_chunks(n), grains.inertia.par_chunks(n)),
             self.neighbours.reference.par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
             .map(
-                |(task, (position, velocity, spin, orientation, (force, torque), (mass, inertia), reference))| {
+                |(task, (position, velocity, spin, orientation, (force, torque), reference))| {
                     let mut motion = Motion::default();
                     let (mut speed2, mut displacement2) = (0.0f64, 0.0f64);
                     for k in 0..position.len() {
-                        let kick = force[k] * (half / mass[k]);
-                        let middle = velocity[k] + kick;
-                        position[k] += middle * dt;
-                        velocity[k] = middle + kick;
-                        let twist = torque[k] * (half / inertia[k]);
-                        let middle_spin = spin[k] + twist;
+                        let kick = force[k] * (half * velocity[k].scalar);
+                        let middle = velocity[k].vector + kick;
+                        position[k].vector += middle * dt;
+                        velocity[k].vector = middle + kick;
+                        let twist = torque[k] * (half * spin[k].scalar);
+                        let middle_spin = spin[k].vector + twist;
                         orientation[k] = rotate(orientation[k], middle_spin, dt);
-                        spin[k] = middle_spin + twist;
-                        speed2 = speed2.max(velocity[k].length_squared());
-                        displacement2 = displacement2.max((position[k] - reference[k]).length_squared());
-                        if motion.misplaced.is_none() && !domain.contains(position[k]) {
+                        spin[k].vector = middle_spin + twist;
+                        speed2 = speed2.max(velocity[k].vector.length_squared());
+                        displacement2 = displacement2.max((position[k].vector - reference[k]).length_squared());
+                        if motion.misplaced.is_none() && !domain.contains(position[k].vector) {
                             motion.misplaced = Some(task * n + k);
                         }
                     }
@@ -59,25 +58,25 @@ impl Simulation {
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
         (
-            grains.velocity.par_chunks_mut(n),
-            grains.angular_velocity.par_chunks_mut(n),
+            grains.velocity.rows_mut().par_chunks_mut(n),
+            grains.angular_velocity.rows_mut().par_chunks_mut(n),
             grains.force.par_chunks_mut(n),
             grains.torque.par_chunks_mut(n),
-            (grains.mass.par_chunks(n), grains.inertia.par_chunks(n)),
+            grains.mass.par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
-            .map(|(task, (velocity, spin, force, torque, (mass, inertia)))| {
+            .map(|(task, (velocity, spin, force, torque, mass))| {
                 let mut bad = None;
                 for k in 0..velocity.len() {
                     let (contact_force, new_torque) = contact_load(task * n + k, neighbours, contacts);
                     let new_force = contact_force + gravity * mass[k];
-                    velocity[k] += (new_force - force[k]) * (correction / mass[k]);
-                    spin[k] += (new_torque - torque[k]) * (correction / inertia[k]);
+                    velocity[k].vector += (new_force - force[k]) * (correction * velocity[k].scalar);
+                    spin[k].vector += (new_torque - torque[k]) * (correction * spin[k].scalar);
                     force[k] = new_force;
                     torque[k] = new_torque;
-                    if !(velocity[k].is_finite()
-                        && spin[k].is_finite()
+                    if !(velocity[k].vector.is_finite()
+                        && spin[k].vector.is_finite()
                         && new_force.is_finite()
                         && new_torque.is_finite())
                     {

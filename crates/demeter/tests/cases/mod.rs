@@ -156,6 +156,7 @@ impl Case {
     pub fn spinning_grain(&mut self, radius: f64, position: DVec3, velocity: DVec3, spin: DVec3) -> u32 {
         let id = self.grains.len() as u32 + 1;
         let grain = NewGrain {
+            fixed: false,
             material: 0,
             radius,
             density: self.materials.list()[0].density,

@@ -62,7 +62,7 @@ impl Bed {
         let (strain, stray, drift) = (0.03, 0.05, DVec3::new(0.5, 0.3, 4.0));
         make_unstoppable(&mut self.sim);
         let mut dice = Dice::new(3);
-        for (velocity, at) in self.sim.grains.velocity.iter_mut().zip(&self.sim.grains.position) {
+        for (velocity, at) in self.sim.grains.velocity.iter_mut().zip(self.sim.grains.position.iter()) {
             let way = (dice.place() - 0.5) * (2.0 * stray);
             *velocity = (drift + way - DVec3::Z * (strain * at.z)) / steps;
         }

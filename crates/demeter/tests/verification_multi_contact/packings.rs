@@ -53,9 +53,8 @@ pub fn disordered(count: usize, ratio: f64, fill: f64, seed: u64) -> (Vec<(f64, 
 
 /// Makes the grains too heavy to be moved by forces: they go on with their velocities, and a step takes one second.
 pub fn make_unstoppable(sim: &mut Simulation) {
-    for (mass, inertia) in sim.grains.mass.iter_mut().zip(&mut sim.grains.inertia) {
-        *mass *= 1e25;
-        *inertia *= 1e25;
+    for g in 0..sim.grains.len() {
+        sim.grains.set_size(g, sim.grains.radius(g), 1e25 * sim.grains.mass[g]);
     }
     sim.dt = 1.0;
 }

@@ -59,6 +59,7 @@ pub fn case(model: Model, poisson_ratio: f64) -> Case {
 pub fn add(case: &mut Case, material: u16, radius: f64, position: DVec3) {
     let id = case.grains.len() as u32 + 1;
     let grain = NewGrain {
+        fixed: false,
         material,
         radius,
         density: 1.0,
@@ -112,7 +113,7 @@ pub fn packing(sim: &Simulation, model: Model, planes: &[Plane], reach: f64, adh
         let material = &materials[sim.grains.material[g] as usize];
         Ball {
             centre: sim.grains.position[g],
-            radius: sim.grains.radius[g],
+            radius: sim.grains.radius(g),
             young_modulus: material.young_modulus,
             poisson_ratio: material.poisson_ratio,
         }

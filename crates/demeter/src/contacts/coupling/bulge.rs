@@ -38,8 +38,8 @@ impl MultiContactVisitor for Unit {
 
 impl Bounds {
     pub(crate) fn new(grains: &Grains, materials: &Materials) -> Self {
-        let smallest = grains.radius.iter().copied().fold(f64::INFINITY, f64::min);
-        let largest = grains.radius.iter().copied().fold(0.0, f64::max);
+        let smallest = grains.radii().fold(f64::INFINITY, f64::min);
+        let largest = grains.radii().fold(0.0, f64::max);
         // where two of the smallest grains sit side by side on the largest, as a share of its radius
         let side_by_side = smallest / (smallest + largest);
         let least_distance = side_by_side.min(clearance(1.0, None));
@@ -67,7 +67,7 @@ impl Bounds {
 
     /// The same by the forces of the step before.
     pub(crate) fn of_grain(&self, grain: usize, grains: &Grains, neighbours: &Neighbours, contacts: &Contacts) -> f64 {
-        let mut load = Load::on(grains.radius[grain]);
+        let mut load = Load::on(grains.radius(grain));
         let mut add = |chunk: &ContactChunk, pair: usize, first: bool| {
             for k in chunk.contacts_of(pair % CHUNK) {
                 let contact = &chunk.now.geometry[k];
@@ -81,6 +81,6 @@ impl Bounds {
         for pair in neighbours.wall_pairs_of(grain) {
             add(&contacts.walls[pair / CHUNK], pair, true);
         }
-        self.bulge(grains.material[grain], grains.radius[grain], &load)
+        self.bulge(grains.material[grain], grains.radius(grain), &load)
     }
 }

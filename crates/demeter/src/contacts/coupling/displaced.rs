@@ -85,7 +85,7 @@ impl ContactChunk {
             };
             // at a wall the contact point is the foot of the perpendicular
             let shift = if at.wall { 0.0 } else { shift };
-            let radius = scene.grains.radius[self.i[k] as usize];
+            let radius = scene.grains.radius(self.i[k] as usize);
             let effective = (!at.wall).then(|| self.coupling.size[k].radius);
             sources.push(Source {
                 normal: contact.normal.to_array(),
@@ -259,9 +259,9 @@ impl ContactChunk {
         let radius = scene.smaller_radius(self.i[k], (!at.wall).then_some(self.j[k]));
         let (across, partner) = if at.wall {
             let name = &scene.walls[other].name;
-            (scene.grains.radius[grain], format!("wall {name}"))
+            (scene.grains.radius(grain), format!("wall {name}"))
         } else {
-            let across = scene.grains.radius[grain] + scene.grains.radius[other];
+            let across = scene.grains.radius(grain) + scene.grains.radius(other);
             (across, format!("grain {}", scene.grains.id[other]))
         };
         Fault::BeyondFold {

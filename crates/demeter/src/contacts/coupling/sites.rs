@@ -215,7 +215,7 @@ impl Sites {
         self.influences.on_later.clear();
         self.influences.on_earlier.clear();
         self.influence_start.clear();
-        for (grain, &radius) in from.grains.radius[of].iter().enumerate() {
+        for (grain, radius) in of.map(|g| from.grains.radius(g)).enumerate() {
             let range = self.range(grain);
             let start = InfluenceStart {
                 on_later: self.influences.on_later.len() as u32,
@@ -250,7 +250,7 @@ impl Sites {
                 site.lever = chunk.coupling.sources[k].lever[usize::from(!site.first)];
             }
             if change == Change::Lever {
-                let (start, radius) = (self.influence_start[grain], from.grains.radius[index]);
+                let (start, radius) = (self.influence_start[grain], from.grains.radius(index));
                 self.influences.find(start, &self.sites[range], radius, from.kernels);
             }
             self.displace_grain(grain, index, from, bulge);
@@ -284,7 +284,7 @@ impl Sites {
             own[0] = sum;
             pair += count;
         }
-        let radius = from.grains.radius[index];
+        let radius = from.grains.radius(index);
         let mut load = Load::on(radius);
         for (site, displacement) in sites.iter().zip(&self.displacement) {
             load.add(site.force, site.lever);

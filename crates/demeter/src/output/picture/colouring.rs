@@ -86,7 +86,7 @@ impl Colouring {
                 Self::by_value("speed", "m/s", &speeds)
             }
             ColourBy::Diameter => {
-                let diameters: Vec<f64> = g.radius.iter().map(|r| 2.0 * r).collect();
+                let diameters: Vec<f64> = g.radii().map(|r| 2.0 * r).collect();
                 Self::by_value("diameter", "m", &diameters)
             }
             ColourBy::Coordination => {

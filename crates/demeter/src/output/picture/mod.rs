@@ -92,8 +92,8 @@ fn scene(frame: &Frame, colouring: &Colouring, width: usize, height: usize) -> I
     let (columns, rows) = (SCALE * width, SCALE * height);
     let camera = Camera::showing(&bounds(frame), &area);
     let grains = frame.grains;
-    let spheres: Vec<Sphere> = (grains.position.iter().zip(&grains.radius))
-        .map(|(&p, &radius)| Sphere {
+    let spheres: Vec<Sphere> = (grains.position.iter().zip(grains.radii()))
+        .map(|(&p, radius)| Sphere {
             centre: camera.local(p),
             radius,
         })
@@ -125,7 +125,7 @@ fn scene(frame: &Frame, colouring: &Colouring, width: usize, height: usize) -> I
 fn bounds(frame: &Frame) -> Bounds {
     let mut lower = DVec3::INFINITY;
     let mut upper = DVec3::NEG_INFINITY;
-    for (&p, &r) in frame.grains.position.iter().zip(&frame.grains.radius) {
+    for (&p, r) in frame.grains.position.iter().zip(frame.grains.radii()) {
         if p.is_finite() && r.is_finite() {
             lower = lower.min(p - r);
             upper = upper.max(p + r);

@@ -10,6 +10,7 @@ fn grains(count: u32) -> Grains {
         grains.push(
             id,
             &NewGrain {
+                fixed: false,
                 material: (id % 2) as u16,
                 radius: 0.01,
                 density: 1000.0,
@@ -135,7 +136,7 @@ fn a_wall_alone_is_drawn_as_its_rim() {
 fn a_state_that_blew_up_is_drawn_as_far_as_it_can_be() {
     let mut grains = grains(12);
     grains.position[3] = DVec3::NAN;
-    grains.radius[4] = f64::INFINITY;
+    grains.position.set_scalar(4, f64::INFINITY);
     grains.velocity[5] = DVec3::INFINITY;
     let image = picture(&grains, &[contact(1, 2, f64::NAN)], &[], ColourBy::Speed);
     assert!(drawn(&image) > 500);
