@@ -131,6 +131,8 @@ impl Simulation {
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
+            resists_rolling: self.resists_rolling,
+            instructions: self.instructions,
             bulge: &[],
         };
         let (pairs, wall_pairs) = (&self.neighbours.pairs, &self.neighbours.wall_pairs);
@@ -142,7 +144,6 @@ impl Simulation {
             .map(|(chunk, pairs)| {
                 chunk.find_pairs(pairs, &scene);
                 chunk.evaluate_pairs(&scene);
-                chunk.book_lost(&scene);
             });
         let with_walls = self
             .contacts
@@ -152,7 +153,6 @@ impl Simulation {
             .map(|(chunk, pairs)| {
                 chunk.find_walls(pairs, &scene);
                 chunk.evaluate_walls(&scene);
-                chunk.book_lost(&scene);
             });
         between_grains.chain(with_walls).for_each(|()| ());
         Ok(())

@@ -1,7 +1,7 @@
 //! Handing contacts over when the candidates are found anew, and to and from a checkpoint.
 
 use super::coupling::Coupled;
-use super::{CHUNK, ContactChunk, Contacts};
+use super::{CHUNK, ContactChunk, Contacts, Load};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
@@ -32,10 +32,10 @@ pub struct CarriedContact {
     pub geometry: Contact,
     /// Normal force [N].
     pub normal_force: f64,
-    /// Force on the first body [N].
-    pub force: DVec3,
-    /// Torques on the two bodies [N m].
-    pub torques: (DVec3, DVec3),
+    /// What it does to both bodies.
+    pub load: Load,
+    /// Torque of the rolling law on the first body [N m].
+    pub rolling: DVec3,
     /// History of its laws.
     pub history: Vec<f64>,
     /// What it remembers of the displacements by the other contacts, where contacts feel each other.
@@ -65,8 +65,8 @@ impl Contacts {
                         pair: chunk.now.pair[k],
                         geometry: chunk.now.geometry[k],
                         normal_force: chunk.now.normal_force[k],
-                        force: chunk.force[k],
-                        torques: (chunk.torque_i[k], chunk.torque_j[k]),
+                        load: chunk.load[k],
+                        rolling: chunk.rolling_torque(k),
                         history: chunk.history(k, self.stride).to_vec(),
                         coupling: chunk.now.coupling.get(k).copied(),
                     });
@@ -112,6 +112,9 @@ fn refill(chunks: &mut Vec<ContactChunk>, candidates: usize, fill: impl Fn(usize
         for c in number * CHUNK..((number + 1) * CHUNK).min(candidates) {
             fill(c, chunk);
             chunk.now.start.push(chunk.now.len() as u32);
+            let within = (c - number * CHUNK) as u32;
+            let contacts = chunk.now.len();
+            chunk.now.candidate.resize(contacts, within);
         }
     }
 }
@@ -130,9 +133,8 @@ fn remember(
     for c in carried[start..].iter().take_while(same) {
         chunk.i.push(i);
         chunk.j.push(j);
-        chunk.force.push(c.force);
-        chunk.torque_i.push(c.torques.0);
-        chunk.torque_j.push(c.torques.1);
+        chunk.load.push(c.load);
+        chunk.rolling.push(c.rolling);
         let kept = &mut chunk.now;
         kept.element.push(c.key.element);
         kept.pair.push(c.pair);

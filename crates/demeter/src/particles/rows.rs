@@ -1,17 +1,26 @@
 //! Vectors of all grains, each with a number beside it, in rows that one load of 32 bytes fetches.
 
+use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::ops::{Index, IndexMut};
 
 /// A vector and a number that is used together with it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Pod, Zeroable)]
 #[repr(C, align(32))]
 pub struct Row {
     /// The vector.
     pub vector: DVec3,
     /// The number.
     pub scalar: f64,
+}
+
+impl Row {
+    /// The components of the vector, and the number.
+    #[inline(always)]
+    pub fn as_array(&self) -> &[f64; 4] {
+        bytemuck::cast_ref(self)
+    }
 }
 
 /// One [`Row`] per grain; indexing gives the vector.

@@ -14,13 +14,14 @@ pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_tim
 use time_step::largest_reach;
 
 use crate::comm::Single;
-use crate::contacts::{CarriedContact, Contacts, Coupling, Fault, block};
+use crate::contacts::{CarriedContact, Contacts, Coupling, Fault, laws};
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, space_filling_order};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::CouplingState;
 use crate::walls::{Pose, Wall};
 use demeter_physics::integrator::Integrator;
+use demeter_physics::lanes::Instructions;
 use glam::DVec3;
 use std::collections::BTreeSet;
 
@@ -80,6 +81,8 @@ pub struct Simulation {
     pub(crate) max_overlap: f64,
     /// `None` where all contacts are independent.
     pub(crate) coupling: Option<CouplingState>,
+    pub(crate) resists_rolling: bool,
+    pub(crate) instructions: Instructions,
     rebuilds: u64,
     /// Bounds of the grains when the candidates were found.
     bounds: (DVec3, DVec3),
@@ -91,7 +94,8 @@ pub struct Simulation {
 impl Simulation {
     /// A simulation before its start; the first step, or [`Simulation::start`], finds the first forces.
     pub fn new(mut setup: Setup) -> Self {
-        let stride = block::stride(&setup.materials);
+        let stride = laws::stride(&setup.materials);
+        let resists_rolling = laws::resists_rolling(&setup.materials);
         let remembered = match setup.integrator {
             Integrator::VelocityVerlet => 0,
             Integrator::Gear => setup.grains.len(),
@@ -120,6 +124,8 @@ impl Simulation {
             max_reach,
             max_overlap: setup.max_overlap,
             coupling,
+            resists_rolling,
+            instructions: Instructions::widest(),
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
             started: false,
@@ -140,6 +146,11 @@ impl Simulation {
             self.started = true;
         }
         Ok(())
+    }
+
+    /// Uses other instructions of the processor than the widest; the bits of the results are the same.
+    pub fn set_instructions(&mut self, instructions: Instructions) {
+        self.instructions = instructions;
     }
 
     /// Whether the forces of the first moment were found.

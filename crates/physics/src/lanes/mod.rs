@@ -62,7 +62,7 @@ pub trait Lanes:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// The columns of a table of rows, of which `row` tells one per lane.
     fn columns<'a>(row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4];
-    /// Hands over the rows of a table of four columns, one per lane.
+    /// Hands over the rows of a table of four columns, one per lane, in the order of the lanes.
     fn rows(columns: [Self; 4], put: impl FnMut(usize, [f64; 4]));
 
     /// `self < other`, `false` where one is not a number.

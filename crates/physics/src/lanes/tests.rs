@@ -32,8 +32,11 @@ impl Kernel for Everything<'_> {
             let w = L::Vector::new(b, a * 2.0, b - 0.3);
             let of_rows = {
                 let rows = [a, b, a - b, a * 3.0];
-                let mut back = [[0.0; 4]; MOST_LANES];
-                L::rows(rows, |k, row| back[k] = row);
+                let mut back = Vec::new();
+                L::rows(rows, |k, row| {
+                    assert_eq!(k, back.len());
+                    back.push(row);
+                });
                 L::columns(|k| &back[k])
             };
             let results = [

@@ -271,9 +271,12 @@ impl Lanes for F64x8 {
             let r26 = _mm512_permutex2var_pd(low_ab, odd, low_cd);
             let r15 = _mm512_permutex2var_pd(high_ab, even, high_cd);
             let r37 = _mm512_permutex2var_pd(high_ab, odd, high_cd);
-            for (first, pair) in [r04, r15, r26, r37].into_iter().enumerate() {
-                put(first, values(_mm512_castpd512_pd256(pair)));
-                put(first + 4, values(_mm512_extractf64x4_pd::<1>(pair)));
+            let pairs = [r04, r15, r26, r37];
+            for (lane, pair) in pairs.into_iter().enumerate() {
+                put(lane, values(_mm512_castpd512_pd256(pair)));
+            }
+            for (lane, pair) in pairs.into_iter().enumerate() {
+                put(lane + 4, values(_mm512_extractf64x4_pd::<1>(pair)));
             }
         }
     }
