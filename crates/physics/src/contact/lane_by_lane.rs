@@ -1,6 +1,6 @@
 //! Laws that are written for one contact, asked for several.
 
-use crate::lanes::{Lanes, MOST_LANES, Vector};
+use crate::lanes::{Lanes, MOST_LANES, Mask, Vector};
 use glam::DVec3;
 
 /// At least as many values as any law remembers.
@@ -53,6 +53,17 @@ fn laid_out<L: Lanes>(history: &[L]) -> [[f64; MOST_LANES]; MOST_HISTORY] {
         value.store(lanes);
     }
     table
+}
+
+/// A positive value that a contact notes when it is new, that is where the value is still 0.
+#[inline(always)]
+pub(super) fn noted<L: Lanes>(value: L, find: impl Fn(usize) -> f64) -> L {
+    if (!value.gt(L::splat(0.0))).any() {
+        let before = value.to_array();
+        L::from_fn(|lane| if before[lane] == 0.0 { find(lane) } else { before[lane] })
+    } else {
+        value
+    }
 }
 
 /// A vector in one lane.

@@ -1,6 +1,7 @@
 //! Normal laws: force along the line of centres.
 
 pub mod dashpot;
+mod hertz_spring;
 pub mod hysteresis;
 pub mod jkr_curve;
 pub mod path;
