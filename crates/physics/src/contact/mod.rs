@@ -9,9 +9,11 @@
 //! kept at half steps. At the ends of a contact, where the force has a kink, this takes the error of a collision from
 //! first order in `dt`, random with the phase at which steps hit the contact, to second order and smooth.
 
+mod lane_by_lane;
 pub mod multi_contact;
 pub mod normal;
 pub mod rolling;
+pub mod slider;
 pub mod spring;
 pub mod tangential;
 
@@ -156,6 +158,8 @@ macro_rules! law_family {
             /// Does the work.
             fn visit<L: $law_trait>(self, law: &L) -> Self::Output;
         }
+
+        $(const _: () = assert!($law::HISTORY.len() <= $crate::contact::lane_by_lane::MOST_HISTORY);)*
 
         /// All laws of the family.
         pub const LAWS: &[$crate::contact::LawInfo] = &[

@@ -1,16 +1,16 @@
 //! Normal laws: force along the line of centres.
 
 pub mod dashpot;
+mod hertz_spring;
 pub mod hysteresis;
 pub mod jkr_curve;
-mod lane_by_lane;
 pub mod path;
 mod spring_dashpot;
 #[cfg(test)]
 mod walk;
 mod window;
 
-use super::{MaterialPair, PairSize, law_family};
+use super::{MaterialPair, PairSize, lane_by_lane, law_family};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
@@ -27,6 +27,19 @@ pub struct NormalInput<L = f64> {
     pub rate: L,
     /// Largest change of the overlap within half a step, `|rate| dt / 2` [m]. With 0 the law gives its plain force.
     pub half_window: L,
+}
+
+impl<L: Lanes> NormalInput<L> {
+    /// The contact in one lane.
+    #[inline(always)]
+    pub fn lane(&self, lane: usize) -> NormalInput {
+        NormalInput {
+            size: self.size.lane(lane),
+            overlap: self.overlap.to_array()[lane],
+            rate: self.rate.to_array()[lane],
+            half_window: self.half_window.to_array()[lane],
+        }
+    }
 }
 
 impl NormalInput {
@@ -88,6 +101,18 @@ impl<L: Lanes> NormalResponse<L> {
         }
     }
 
+    /// From one answer per lane.
+    #[inline(always)]
+    pub fn of_lanes(answers: &[NormalResponse]) -> Self {
+        Self {
+            elastic: L::from_fn(|k| answers[k].elastic),
+            damping: L::from_fn(|k| answers[k].damping),
+            least: L::from_fn(|k| answers[k].least),
+            adhesion: L::from_fn(|k| answers[k].adhesion),
+            lost: L::from_fn(|k| answers[k].lost),
+        }
+    }
+
     /// The same, without a pull where contact ends at zero force.
     #[inline(always)]
     pub fn ending_at(mut self, end: ContactEnd) -> Self {
@@ -130,7 +155,9 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     /// The same in every lane: `history` holds the lanes of each value in turn.
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
-        lane_by_lane::respond(input, history, |input, history| self.respond(input, history))
+        NormalResponse::of_lanes(&lane_by_lane::ask(history, NormalResponse::NOTHING, |lane, history| {
+            self.respond(&input.lane(lane), history)
+        }))
     }
     /// Energy that the contact would give back on its way out of reach, were there no dashpot [J].
     fn energy(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64;
@@ -161,16 +188,18 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     /// [`Normal::bearing_overlap`] in every lane.
     #[inline(always)]
     fn bearing_overlap_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
-        lane_by_lane::tell(size, overlap, history, |size, overlap, history| {
-            self.bearing_overlap(size, overlap, history)
+        let overlap = overlap.to_array();
+        lane_by_lane::tell(history, |lane, history| {
+            self.bearing_overlap(size.lane(lane), overlap[lane], history)
         })
     }
 
     /// [`Normal::stiffness`] in every lane.
     #[inline(always)]
     fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
-        lane_by_lane::tell(size, overlap, history, |size, overlap, history| {
-            self.stiffness(size, overlap, history)
+        let overlap = overlap.to_array();
+        lane_by_lane::tell(history, |lane, history| {
+            self.stiffness(size.lane(lane), overlap[lane], history)
         })
     }
 

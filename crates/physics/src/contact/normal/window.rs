@@ -14,39 +14,27 @@ fn mean<L: Lanes>(input: &NormalInput<L>, near_end: L::Mask, smooth: L, primitiv
     }
 }
 
-/// Mean of `d^(3/2)` over the part of the window in which the bodies overlap [m^(3/2)].
+/// Mean of a value that grows with this power of the overlap, over the part of the window in which the bodies overlap.
 #[inline(always)]
-pub(crate) fn mean_three_halves<L: Lanes>(input: &NormalInput<L>) -> L {
+pub(super) fn mean_of_power<L: Lanes>(input: &NormalInput<L>, exponent: f64, value: impl Fn(L) -> L) -> L {
     let share = input.half_window / input.overlap;
-    let smooth = input.overlap * input.overlap.sqrt() * (share * share / 8.0 + 1.0);
-    mean(input, near_end(input), smooth, |d| d * 0.4 * d * d.sqrt())
-}
-
-/// Mean of `d^(1/2)` [m^(1/2)].
-#[inline(always)]
-pub(crate) fn mean_root<L: Lanes>(input: &NormalInput<L>) -> L {
-    let share = input.half_window / input.overlap;
-    let smooth = input.overlap.sqrt() * (L::splat(1.0) - share * share / 24.0);
-    mean(input, near_end(input), smooth, |d| d * (2.0 / 3.0) * d.sqrt())
-}
-
-/// Mean of `d^(1/4)` [m^(1/4)].
-#[inline(always)]
-pub(crate) fn mean_quarter<L: Lanes>(input: &NormalInput<L>) -> L {
-    let share = input.half_window / input.overlap;
-    let smooth = input.overlap.sqrt().sqrt() * (L::splat(1.0) - share * share / 32.0);
-    mean(input, near_end(input), smooth, |d| d * 0.8 * d.sqrt().sqrt())
+    // f + f'' h^2/6
+    let bend = exponent * (exponent - 1.0) / 6.0;
+    let smooth = value(input.overlap) * (share * share * bend + 1.0);
+    mean(input, near_end(input), smooth, |d| {
+        value(d) * d * (1.0 / (exponent + 1.0))
+    })
 }
 
 /// Mean of the overlap, 0 in a gap [m].
 #[inline(always)]
-pub(crate) fn mean_overlap<L: Lanes>(input: &NormalInput<L>) -> L {
+pub(super) fn mean_overlap<L: Lanes>(input: &NormalInput<L>) -> L {
     mean(input, ends_within(input), input.overlap, |d| d * 0.5 * d)
 }
 
 /// Share of the window in which the bodies overlap.
 #[inline(always)]
-pub(crate) fn contact_share<L: Lanes>(input: &NormalInput<L>) -> L {
+pub(super) fn contact_share<L: Lanes>(input: &NormalInput<L>) -> L {
     mean(input, ends_within(input), L::splat(1.0), |d| d)
 }
 
