@@ -31,11 +31,11 @@ impl Single {
         self.shifts[code as usize].vector
     }
 
-    /// All shifts by their codes; none where no side is periodic.
+    /// All shifts by their codes, four numbers each; none where no side is periodic.
     #[inline(always)]
-    pub fn shifts(&self) -> &[Row] {
+    pub fn shifts(&self) -> &[f64] {
         if self.domain.periodic.contains(&true) {
-            &self.shifts
+            bytemuck::cast_slice(&self.shifts)
         } else {
             &[]
         }

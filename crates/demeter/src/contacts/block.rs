@@ -3,7 +3,9 @@
 //! A block gathers the kinematics of its contacts, runs the normal, tangential and rolling laws over runs of contacts
 //! of one material pair (one dispatch per run), and writes forces and torques.
 
-use super::kinematics::{BLOCK, Block, Column, Gather, Others, Partners, Surfaces, Write, put_vectors, vectors};
+use super::kinematics::{
+    BLOCK, Block, Column, Gather, Partners, Surfaces, Write, places_in_turn, put_vectors, shift, vectors,
+};
 use super::laws::{normal_history, tangential_history};
 use super::{ContactChunk, Load, Scene, Tally};
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor, centred_force};
@@ -61,26 +63,26 @@ impl Memory<'_> {
         &mut self.values[first..first + self.length]
     }
 
-    /// The first four values of a contact from `value` on.
-    #[inline(always)]
-    fn four(&self, k: usize, value: usize) -> &[f64; 4] {
-        let first = k * self.stride + self.first + value;
-        let four: Option<&[f64; 4]> = self.values[first..].first_chunk();
-        four.unwrap_or(&[0.0; 4])
-    }
-
     /// What the contacts from `k` on remember, as lanes; lanes beyond `count` repeat the last contact.
     #[inline(always)]
     fn load<L: Lanes>(&self, k: usize, count: usize) -> [L; MOST_WIDE_HISTORY] {
         let mut lanes = [L::splat(0.0); MOST_WIDE_HISTORY];
-        let at = |lane: usize| (k + lane).min(count - 1);
+        let mut places = places_in_turn::<L>(count, k, self.stride);
+        shift(&mut places, self.first);
         let mut value = 0;
         while value + 4 <= self.length {
-            lanes[value..value + 4].copy_from_slice(&L::columns(|lane| self.four(at(lane), value)));
+            let [a, b, c, d] = L::columns(self.values, &places);
+            lanes[value] = a;
+            lanes[value + 1] = b;
+            lanes[value + 2] = c;
+            lanes[value + 3] = d;
+            shift(&mut places, 4);
             value += 4;
         }
-        for (rest, lanes) in lanes.iter_mut().enumerate().take(self.length).skip(value) {
-            *lanes = L::from_fn(|lane| self.values[at(lane) * self.stride + self.first + rest]);
+        while value < self.length {
+            lanes[value] = L::gather(self.values, &places);
+            shift(&mut places, 1);
+            value += 1;
         }
         lanes
     }
@@ -88,23 +90,22 @@ impl Memory<'_> {
     /// Puts back what the contacts from `k` on remember.
     #[inline(always)]
     fn store<L: Lanes>(&mut self, lanes: &[L; MOST_WIDE_HISTORY], k: usize, count: usize) {
-        let lanes_used = L::COUNT.min(count - k);
+        let used = L::COUNT.min(count - k);
         let mut value = 0;
         while value + 4 <= self.length {
-            let four = [lanes[value], lanes[value + 1], lanes[value + 2], lanes[value + 3]];
-            L::rows(four, |lane, row| {
-                if lane < lanes_used {
-                    let first = (k + lane) * self.stride + self.first + value;
-                    self.values[first..first + 4].copy_from_slice(&row);
-                }
-            });
+            let rows = L::rows([lanes[value], lanes[value + 1], lanes[value + 2], lanes[value + 3]]);
+            for (lane, row) in rows.iter().enumerate().take(used) {
+                let first = (k + lane) * self.stride + self.first + value;
+                self.values[first..first + 4].copy_from_slice(row);
+            }
             value += 4;
         }
-        for rest in value..self.length {
-            let numbers = lanes[rest].to_array();
-            for (lane, number) in numbers.into_iter().enumerate().take(lanes_used) {
-                self.values[(k + lane) * self.stride + self.first + rest] = number;
+        while value < self.length {
+            let numbers = lanes[value].to_array();
+            for (lane, number) in numbers.into_iter().enumerate().take(used) {
+                self.values[(k + lane) * self.stride + self.first + value] = number;
             }
+            value += 1;
         }
     }
 }
@@ -392,11 +393,8 @@ impl ContactChunk {
     /// Evaluates the laws of all contacts between grains.
     pub(crate) fn evaluate_pairs(&mut self, scene: &Scene) {
         self.evaluate(scene, |chunk, contacts, block| {
-            let partners = Others {
-                grains: scene.grains,
-                j: &chunk.j[contacts.clone()],
-            };
-            chunk.gather(contacts, &partners, block, scene);
+            let partners = Partners::grains(scene.grains, &chunk.j[contacts.clone()]);
+            chunk.gather(contacts, partners, block, scene);
         });
     }
 
@@ -404,8 +402,10 @@ impl ContactChunk {
     pub(crate) fn evaluate_walls(&mut self, scene: &Scene) {
         self.evaluate(scene, |chunk, contacts, block| {
             let (i, j) = (&chunk.i[contacts.clone()], &chunk.j[contacts.clone()]);
-            let partners = Surfaces::new(&chunk.now.geometry[contacts.clone()], i, j, scene.grains, scene.walls);
-            chunk.gather(contacts, &partners, block, scene);
+            let geometry = &chunk.now.geometry[contacts.clone()];
+            let surfaces = Surfaces::new(geometry, i, j, scene.grains, scene.walls);
+            let partners = Partners::walls(&surfaces, contacts.len());
+            chunk.gather(contacts, partners, block, scene);
         });
         for k in 0..self.len() {
             let wall = &scene.walls[self.j[k] as usize];
@@ -420,7 +420,7 @@ impl ContactChunk {
         }
     }
 
-    fn gather(&self, contacts: Range<usize>, partners: &impl Partners, block: &mut Block, scene: &Scene) {
+    fn gather(&self, contacts: Range<usize>, partners: Partners, block: &mut Block, scene: &Scene) {
         let gather = Gather {
             block,
             contacts: &self.now.geometry[contacts.clone()],

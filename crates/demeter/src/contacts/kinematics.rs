@@ -2,11 +2,10 @@
 //! contacts at a time, as columns.
 
 use super::Load;
-use crate::particles::{Grains, Row};
+use crate::particles::Grains;
 use crate::walls::Wall;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
-use demeter_physics::lanes::{Kernel, Lanes, Vector};
-use glam::DVec3;
+use demeter_physics::lanes::{Kernel, Lanes, MOST_LANES, Places, Vector};
 
 /// Contacts in one block: a whole number of lanes, and few enough that all columns stay in the first cache.
 pub(super) const BLOCK: usize = 64;
@@ -82,131 +81,149 @@ pub(super) fn vectors<L: Lanes>(columns: &[Column; 3], k: usize) -> L::Vector {
 /// Puts vectors into three columns, from contact `k` on.
 #[inline(always)]
 pub(super) fn put_vectors<L: Lanes>(vectors: L::Vector, columns: &mut [Column; 3], k: usize) {
-    for (component, column) in vectors.components().into_iter().zip(columns) {
-        component.store(&mut column[k..]);
+    let [x, y, z] = vectors.components();
+    x.store(&mut columns[0][k..]);
+    y.store(&mut columns[1][k..]);
+    z.store(&mut columns[2][k..]);
+}
+
+/// Places of the lanes from contact `k` on, `width` numbers each; lanes beyond the end repeat the last contact.
+#[inline(always)]
+pub(super) fn places<L: Lanes>(index: &[u32], k: usize, width: usize) -> Places {
+    let mut places = [0; MOST_LANES];
+    let last = index.len() - 1;
+    let mut lane = 0;
+    while lane < L::COUNT {
+        places[lane] = width * index[(k + lane).min(last)] as usize;
+        lane += 1;
+    }
+    places
+}
+
+/// The same where contacts follow each other.
+#[inline(always)]
+pub(super) fn places_in_turn<L: Lanes>(count: usize, k: usize, width: usize) -> Places {
+    let mut places = [0; MOST_LANES];
+    let mut lane = 0;
+    while lane < L::COUNT {
+        places[lane] = width * (k + lane).min(count - 1);
+        lane += 1;
+    }
+    places
+}
+
+/// The second bodies of the contacts of a block: rows of numbers, and which of them belong to which contact.
+#[derive(Clone, Copy)]
+pub(super) struct Partners<'a> {
+    /// Velocities, with the inverse masses.
+    velocity: &'a [f64],
+    /// Angular velocities, with the inverse moments of inertia.
+    spin: &'a [f64],
+    /// Positions, with the radii; none of walls.
+    position: Option<&'a [f64]>,
+    index: &'a [u32],
+}
+
+impl<'a> Partners<'a> {
+    /// Grains as second bodies.
+    pub(super) fn grains(grains: &'a Grains, j: &'a [u32]) -> Self {
+        Self {
+            velocity: grains.velocity.numbers(),
+            spin: grains.angular_velocity.numbers(),
+            position: Some(grains.position.numbers()),
+            index: j,
+        }
+    }
+
+    /// Walls as second bodies.
+    pub(super) fn walls(surfaces: &'a Surfaces, count: usize) -> Self {
+        Self {
+            velocity: surfaces.velocity.as_flattened(),
+            spin: surfaces.spin.as_flattened(),
+            position: None,
+            index: &IN_TURN[..count],
+        }
     }
 }
 
-/// The second bodies of the contacts of a block.
-pub(super) trait Partners {
-    /// Velocity, with the inverse mass.
-    fn velocity(&self, k: usize) -> &[f64; 4];
-    /// Angular velocity, with the inverse moment of inertia.
-    fn spin(&self, k: usize) -> &[f64; 4];
-    /// Effective radius of contacts whose first bodies have these radii, from contact `k` on.
-    fn effective_radius<L: Lanes>(&self, first: L, at: impl Fn(usize) -> usize) -> L;
-}
-
-/// Grains as second bodies.
-pub(super) struct Others<'a> {
-    pub(super) grains: &'a Grains,
-    pub(super) j: &'a [u32],
-}
-
-impl Partners for Others<'_> {
-    #[inline(always)]
-    fn velocity(&self, k: usize) -> &[f64; 4] {
-        self.grains.velocity.rows()[self.j[k] as usize].as_array()
+const IN_TURN: [u32; BLOCK] = {
+    let mut index = [0; BLOCK];
+    let mut k = 0;
+    while k < BLOCK {
+        index[k] = k as u32;
+        k += 1;
     }
+    index
+};
 
-    #[inline(always)]
-    fn spin(&self, k: usize) -> &[f64; 4] {
-        self.grains.angular_velocity.rows()[self.j[k] as usize].as_array()
-    }
-
-    #[inline(always)]
-    fn effective_radius<L: Lanes>(&self, first: L, at: impl Fn(usize) -> usize) -> L {
-        let second = L::from_fn(|lane| self.grains.position.scalar(self.j[at(lane)] as usize));
-        first * second / (first + second)
-    }
-}
-
-/// Walls as second bodies: how their surfaces move at the contacts.
+/// How the surfaces of walls move at the contacts of a block.
 pub(super) struct Surfaces {
-    velocity: [Row; BLOCK],
-    spin: [Row; BLOCK],
+    velocity: [[f64; 4]; BLOCK],
+    spin: [[f64; 4]; BLOCK],
 }
 
 impl Surfaces {
     /// Of contacts of grains with walls.
     pub(super) fn new(contacts: &[Contact], i: &[u32], j: &[u32], grains: &Grains, walls: &[Wall]) -> Self {
-        let still = Row {
-            vector: DVec3::ZERO,
-            scalar: 0.0,
-        };
-        let (mut velocity, mut spin) = ([still; BLOCK], [still; BLOCK]);
+        let (mut velocity, mut spin) = ([[0.0; 4]; BLOCK], [[0.0; 4]; BLOCK]);
         for (k, contact) in contacts.iter().enumerate() {
             let wall = &walls[j[k] as usize];
             let point = grains.position[i[k] as usize] - contact.normal * contact.lever_i;
-            velocity[k].vector = wall.velocity_at(point);
-            spin[k].vector = wall.angular_velocity();
+            velocity[k] = wall.velocity_at(point).extend(0.0).to_array();
+            spin[k] = wall.angular_velocity().extend(0.0).to_array();
         }
         Self { velocity, spin }
     }
 }
 
-impl Partners for Surfaces {
-    #[inline(always)]
-    fn velocity(&self, k: usize) -> &[f64; 4] {
-        self.velocity[k].as_array()
-    }
-
-    #[inline(always)]
-    fn spin(&self, k: usize) -> &[f64; 4] {
-        self.spin[k].as_array()
-    }
-
-    #[inline(always)]
-    fn effective_radius<L: Lanes>(&self, first: L, _at: impl Fn(usize) -> usize) -> L {
-        first
-    }
-}
-
 /// Finds how the bodies of at most [`BLOCK`] contacts move against each other.
-pub(super) struct Gather<'a, P> {
+pub(super) struct Gather<'a> {
     pub(super) block: &'a mut Block,
     pub(super) contacts: &'a [Contact],
     pub(super) grains: &'a Grains,
     pub(super) i: &'a [u32],
-    pub(super) partners: &'a P,
+    pub(super) partners: Partners<'a>,
     /// Whether some law resists rolling.
     pub(super) rolling: bool,
 }
 
-impl<P: Partners> Kernel for Gather<'_, P> {
+impl Kernel for Gather<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let (block, grains) = (self.block, self.grains);
-        let last = self.contacts.len() - 1;
+        let Self {
+            block,
+            grains,
+            partners,
+            ..
+        } = self;
+        let contacts = Contact::numbers(self.contacts);
+        let (velocity, spin) = (grains.velocity.numbers(), grains.angular_velocity.numbers());
+        let one = L::splat(1.0);
         for k in (0..self.contacts.len()).step_by(L::COUNT) {
-            // lanes beyond the end repeat the last contact
-            let at = |lane: usize| (k + lane).min(last);
-            let first = |lane: usize| self.i[at(lane)] as usize;
-            let [nx, ny, nz, overlap] = L::columns(|lane| self.contacts[at(lane)].plane());
-            let [_, _, lever_i, lever_j] = L::columns(|lane| self.contacts[at(lane)].levers());
-            let [vx, vy, vz, inverse_mass] = L::columns(|lane| grains.velocity.rows()[first(lane)].as_array());
-            let [wx, wy, wz, inverse_inertia] =
-                L::columns(|lane| grains.angular_velocity.rows()[first(lane)].as_array());
-            let [ux, uy, uz, other_mass] = L::columns(|lane| self.partners.velocity(at(lane)));
-            let [sx, sy, sz, other_inertia] = L::columns(|lane| self.partners.spin(at(lane)));
+            let mut here = places_in_turn::<L>(self.contacts.len(), k, Contact::NUMBERS);
+            let (first, second) = (places::<L>(self.i, k, 4), places::<L>(partners.index, k, 4));
+            let [nx, ny, nz, overlap] = L::columns(contacts, &here);
+            shift(&mut here, 2);
+            let [_, _, lever_i, lever_j] = L::columns(contacts, &here);
+            let [vx, vy, vz, inverse_mass] = L::columns(velocity, &first);
+            let [wx, wy, wz, inverse_inertia] = L::columns(spin, &first);
+            let [ux, uy, uz, other_mass] = L::columns(partners.velocity, &second);
+            let [sx, sy, sz, other_inertia] = L::columns(partners.spin, &second);
             let n = L::Vector::new(nx, ny, nz);
             let (omega_i, omega_j) = (L::Vector::new(wx, wy, wz), L::Vector::new(sx, sy, sz));
             let arms = omega_i * lever_i + omega_j * lever_j;
             // a wall's velocity is that of its surface already, so its lever is 0
             let velocity = L::Vector::new(vx - ux, vy - uy, vz - uz) - arms.outer(n);
             let rate = -velocity.inner(n);
-            let radius = L::from_fn(|lane| grains.position.scalar(first(lane)));
             let inverse = inverse_mass + other_mass;
             let tangential = inverse + lever_i * lever_i * inverse_inertia + lever_j * lever_j * other_inertia;
-            let one = L::splat(1.0);
             put_vectors::<L>(n, &mut block.normal, k);
             overlap.store(&mut block.overlap[k..]);
             rate.store(&mut block.rate[k..]);
             put_vectors::<L>(velocity + n * rate, &mut block.sliding, k);
             ((omega_i + omega_j).inner(n) * 0.5).store(&mut block.spin[k..]);
-            self.partners.effective_radius(radius, at).store(&mut block.radius[k..]);
             (one / inverse).store(&mut block.mass[k..]);
             (one / tangential).store(&mut block.tangential_mass[k..]);
             if self.rolling {
@@ -216,7 +233,29 @@ impl<P: Partners> Kernel for Gather<'_, P> {
                     + about_contact(other_mass, other_inertia, lever_j);
                 (one / inverse).store(&mut block.rolling_inertia[k..]);
             }
+            let mut radii = first;
+            shift(&mut radii, 3);
+            let radius = L::gather(grains.position.numbers(), &radii);
+            let effective = if let Some(position) = partners.position {
+                let mut radii = second;
+                shift(&mut radii, 3);
+                let other = L::gather(position, &radii);
+                radius * other / (radius + other)
+            } else {
+                radius
+            };
+            effective.store(&mut block.radius[k..]);
         }
+    }
+}
+
+/// Moves all places.
+#[inline(always)]
+pub(super) fn shift(places: &mut Places, by: usize) {
+    let mut lane = 0;
+    while lane < MOST_LANES {
+        places[lane] += by;
+        lane += 1;
     }
 }
 
@@ -240,25 +279,22 @@ impl Kernel for Write<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let last = self.contacts.len() - 1;
+        let contacts = Contact::numbers(self.contacts);
         for k in (0..self.contacts.len()).step_by(L::COUNT) {
-            let at = |lane: usize| (k + lane).min(last);
-            let [_, _, lever_i, lever_j] = L::columns(|lane| self.contacts[at(lane)].levers());
+            let mut here = places_in_turn::<L>(self.contacts.len(), k, Contact::NUMBERS);
+            shift(&mut here, 2);
+            let [_, _, lever_i, lever_j] = L::columns(contacts, &here);
             let n: L::Vector = vectors::<L>(&self.block.normal, k);
             let tangential: L::Vector = vectors::<L>(&self.block.tangential, k);
             let [fx, fy, fz] = (n * L::load(&self.block.force[k..]) + tangential).components();
             let [ax, ay, az] = n.outer(tangential).components();
-            let count = L::COUNT.min(self.loads.len() - k);
-            L::rows([fx, fy, fz, lever_i], |lane, row| {
-                if lane < count {
-                    self.loads[k + lane].force = row;
-                }
-            });
-            L::rows([ax, ay, az, lever_j], |lane, row| {
-                if lane < count {
-                    self.loads[k + lane].arm = row;
-                }
-            });
+            let forces = L::rows([fx, fy, fz, lever_i]);
+            let arms = L::rows([ax, ay, az, lever_j]);
+            let here = k..(k + L::COUNT).min(self.loads.len());
+            for (lane, load) in self.loads[here].iter_mut().enumerate() {
+                load.force = forces[lane];
+                load.arm = arms[lane];
+            }
         }
     }
 }

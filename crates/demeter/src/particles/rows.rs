@@ -15,14 +15,6 @@ pub struct Row {
     pub scalar: f64,
 }
 
-impl Row {
-    /// The components of the vector, and the number.
-    #[inline(always)]
-    pub fn as_array(&self) -> &[f64; 4] {
-        bytemuck::cast_ref(self)
-    }
-}
-
 /// One [`Row`] per grain; indexing gives the vector.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Rows(Vec<Row>);
@@ -72,6 +64,12 @@ impl Rows {
     /// Puts the same vector everywhere.
     pub fn fill(&mut self, vector: DVec3) {
         self.iter_mut().for_each(|v| *v = vector);
+    }
+
+    /// The rows as plain numbers, four each.
+    #[inline(always)]
+    pub fn numbers(&self) -> &[f64] {
+        bytemuck::cast_slice(&self.0)
     }
 
     /// The rows.

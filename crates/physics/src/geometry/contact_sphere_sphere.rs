@@ -20,18 +20,13 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// Normal and overlap.
-    #[inline(always)]
-    pub fn plane(&self) -> &[f64; 4] {
-        let [plane @ .., _, _]: &[f64; 6] = bytemuck::cast_ref(self);
-        plane
-    }
+    /// Numbers that make up a contact, in the order of its fields.
+    pub const NUMBERS: usize = 6;
 
-    /// Behind two other numbers, both levers.
+    /// Contacts as plain numbers, [`Contact::NUMBERS`] each.
     #[inline(always)]
-    pub fn levers(&self) -> &[f64; 4] {
-        let [_, _, levers @ ..]: &[f64; 6] = bytemuck::cast_ref(self);
-        levers
+    pub fn numbers(contacts: &[Self]) -> &[f64] {
+        bytemuck::cast_slice(contacts)
     }
 }
 
