@@ -76,10 +76,10 @@ pub struct PairSize<L = f64> {
 impl<L: Lanes> PairSize<L> {
     /// The size in one lane.
     #[inline(always)]
-    pub fn lane(self, lane: usize) -> PairSize {
+    pub fn lane(&self, lane: usize) -> PairSize {
         PairSize {
-            radius: self.radius.to_array()[lane],
-            mass: self.mass.to_array()[lane],
+            radius: self.radius.as_slice()[lane],
+            mass: self.mass.as_slice()[lane],
         }
     }
 }
