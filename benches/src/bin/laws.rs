@@ -21,7 +21,7 @@ use std::time::Instant;
 /// Contacts in a block.
 const CONTACTS: usize = 1024;
 
-/// More values than any law remembers.
+/// At least as many values as any law remembers.
 const MOST_HISTORY: usize = 32;
 
 /// Values that a law answers for a contact.
@@ -178,9 +178,9 @@ trait Subject {
     fn remembered(&self) -> usize;
     fn one(&self, block: &Block, at: usize, history: &mut [f64]) -> [f64; ANSWERS];
     fn wide<L: Lanes>(&self, block: &Block, at: usize, history: &mut [L]) -> [L; ANSWERS];
-    /// Load per rate of motion in the contact plane that one step adds, and the largest load.
-    fn planar(&self, _size: PairSize, _overlap: f64, _stiffness: f64) -> Option<f64> {
-        None
+    /// Stiffness of its spring in the contact plane, if it has one.
+    fn spring(&self, _size: PairSize, _overlap: f64, _normal_stiffness: f64) -> f64 {
+        0.0
     }
 }
 
@@ -224,8 +224,8 @@ impl<T: Tangential> Subject for OfTangential<'_, T> {
         [x, y, z, r.dissipated, L::splat(0.0)]
     }
 
-    fn planar(&self, size: PairSize, overlap: f64, _stiffness: f64) -> Option<f64> {
-        Some(self.0.stiffness(size, overlap))
+    fn spring(&self, size: PairSize, overlap: f64, _normal_stiffness: f64) -> f64 {
+        self.0.stiffness(size, overlap)
     }
 }
 
@@ -249,8 +249,8 @@ impl<R: Rolling> Subject for OfRolling<'_, R> {
         [x, y, z, r.dissipated, L::splat(0.0)]
     }
 
-    fn planar(&self, size: PairSize, _overlap: f64, stiffness: f64) -> Option<f64> {
-        Some(self.0.stiffness(size, stiffness))
+    fn spring(&self, size: PairSize, _overlap: f64, normal_stiffness: f64) -> f64 {
+        self.0.stiffness(size, normal_stiffness)
     }
 }
 
@@ -280,7 +280,7 @@ fn contacts(subject: &impl Subject, info: &LawInfo, at_limits: bool) -> Block {
             Some(friction) => (1.4 * size.mass * radius * radius, friction * radius * force),
             None => (2.0 / 7.0 * size.mass, typical("friction").unwrap_or(0.0) * force),
         };
-        let spring = subject.planar(size, overlap, stiffness).unwrap_or(0.0);
+        let spring = subject.spring(size, overlap, stiffness);
         let per_rate = if spring > 0.0 { spring * DT } else { inertia / DT };
         let motion = across * (limit / per_rate * if limited { 10.0 } else { 1e-3 });
         block.radius.push(size.radius);
@@ -314,7 +314,7 @@ struct Table {
 impl Table {
     fn new(remembered: usize) -> Self {
         Self {
-            history: vec![vec![0.0; CONTACTS]; remembered],
+            history: vec![vec![0.0; CONTACTS]; if remembered > 4 { MOST_HISTORY } else { remembered }],
             answers: std::array::from_fn(|_| vec![0.0; CONTACTS]),
         }
     }
@@ -332,15 +332,14 @@ impl<S: Subject> Pass<'_, S> {
     fn asked_wide<L: Lanes, const HISTORY: usize>(self) {
         for at in (0..CONTACTS).step_by(L::COUNT) {
             let mut history = [L::splat(0.0); HISTORY];
-            for (value, column) in history.iter_mut().zip(&self.table.history) {
-                *value = L::load(&column[at..]);
+            for value in 0..HISTORY {
+                history[value] = L::load(&self.table.history[value][at..]);
             }
-            let remembered = self.table.history.len();
-            let answers = self.subject.wide(self.block, at, &mut history[..remembered]);
-            for (value, column) in history.iter().zip(&mut self.table.history) {
-                value.store(&mut column[at..]);
+            let answers = self.subject.wide(self.block, at, &mut history);
+            for value in 0..HISTORY {
+                history[value].store(&mut self.table.history[value][at..]);
             }
-            for (value, column) in answers.iter().zip(&mut self.table.answers) {
+            for (value, column) in answers.into_iter().zip(&mut self.table.answers) {
                 value.store(&mut column[at..]);
             }
         }
@@ -349,7 +348,7 @@ impl<S: Subject> Pass<'_, S> {
     /// Asks for one contact after the other, each with its memory in one piece.
     #[inline(never)]
     fn one_by_one(self, memory: &mut [f64]) {
-        let remembered = self.table.history.len();
+        let remembered = memory.len() / CONTACTS;
         for at in 0..CONTACTS {
             let history = &mut memory[at * remembered..][..remembered];
             let answers = self.subject.one(self.block, at, history);
@@ -365,10 +364,13 @@ impl<S: Subject> Kernel for Pass<'_, S> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
+        // as many as the law remembers, so that they stay in registers
         match self.table.history.len() {
             0 => self.asked_wide::<L, 0>(),
             1 => self.asked_wide::<L, 1>(),
-            2..=4 => self.asked_wide::<L, 4>(),
+            2 => self.asked_wide::<L, 2>(),
+            3 => self.asked_wide::<L, 3>(),
+            4 => self.asked_wide::<L, 4>(),
             _ => self.asked_wide::<L, MOST_HISTORY>(),
         }
     }
