@@ -332,12 +332,12 @@ impl<S: Subject> Pass<'_, S> {
     fn asked_wide<L: Lanes, const HISTORY: usize>(self) {
         for at in (0..CONTACTS).step_by(L::COUNT) {
             let mut history = [L::splat(0.0); HISTORY];
-            for value in 0..HISTORY {
-                history[value] = L::load(&self.table.history[value][at..]);
+            for (value, column) in history.iter_mut().zip(&self.table.history[..HISTORY]) {
+                *value = L::load(&column[at..]);
             }
             let answers = self.subject.wide(self.block, at, &mut history);
-            for value in 0..HISTORY {
-                history[value].store(&mut self.table.history[value][at..]);
+            for (value, column) in history.iter().zip(&mut self.table.history[..HISTORY]) {
+                value.store(&mut column[at..]);
             }
             for (value, column) in answers.into_iter().zip(&mut self.table.answers) {
                 value.store(&mut column[at..]);
