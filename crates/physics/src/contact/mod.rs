@@ -159,7 +159,10 @@ macro_rules! law_family {
             fn visit<L: $law_trait>(self, law: &L) -> Self::Output;
         }
 
-        $(const _: () = assert!($law::HISTORY.len() <= $crate::contact::lane_by_lane::MOST_HISTORY);)*
+        $(const _: () = assert!(
+            $law::HISTORY.len() <= $crate::contact::lane_by_lane::MOST_HISTORY,
+            "a law remembers more values than `MOST_HISTORY` in contact/lane_by_lane.rs"
+        );)*
 
         /// All laws of the family.
         pub const LAWS: &[$crate::contact::LawInfo] = &[
