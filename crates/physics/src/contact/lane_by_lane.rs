@@ -1,4 +1,7 @@
 //! Laws that are written for one contact, asked for several.
+//!
+//! Closures must not touch lanes: they are functions of their own, compiled without the instructions of the kernel that they
+//! end up in, and every operation on lanes in a closure that is not inlined becomes a call.
 
 use crate::lanes::{Lanes, MOST_LANES, Mask, Vector};
 use glam::DVec3;
@@ -6,70 +9,67 @@ use glam::DVec3;
 /// At least as many values as any law remembers.
 pub(super) const MOST_HISTORY: usize = 32;
 
-/// Asks a law in every lane, which it is told with the history of that lane.
+/// Asks a law in every lane, with the number of the lane and what is remembered there.
 #[inline(always)]
 pub(super) fn ask<L: Lanes, A: Copy>(
     history: &mut [L],
     nothing: A,
     law: impl Fn(usize, &mut [f64]) -> A,
 ) -> [A; MOST_LANES] {
-    let mut table = laid_out(history);
     let mut answers = [nothing; MOST_LANES];
     let mut memory = [0.0; MOST_HISTORY];
-    let memory = &mut memory[..history.len()];
     for (lane, answer) in answers.iter_mut().enumerate().take(L::COUNT) {
-        for (one, lanes) in memory.iter_mut().zip(&table) {
-            *one = lanes[lane];
-        }
+        let memory = recalled(history, lane, &mut memory);
         *answer = law(lane, memory);
-        for (one, lanes) in memory.iter().zip(&mut table) {
-            lanes[lane] = *one;
+        for (value, one) in history.iter_mut().zip(memory) {
+            value.as_mut_slice()[lane] = *one;
         }
-    }
-    for (value, lanes) in history.iter_mut().zip(&table) {
-        *value = L::load(lanes);
     }
     answers
 }
 
-/// Asks a law for a number in every lane, which it is told with the history of that lane.
+/// Asks a law for a number in every lane, with the number of the lane and what is remembered there.
 #[inline(always)]
 pub(super) fn tell<L: Lanes>(history: &[L], law: impl Fn(usize, &[f64]) -> f64) -> L {
-    let table = laid_out(history);
     let mut memory = [0.0; MOST_HISTORY];
-    L::from_fn(|lane| {
-        for (one, lanes) in memory.iter_mut().zip(&table[..history.len()]) {
-            *one = lanes[lane];
+    let mut answers = L::splat(0.0);
+    for (lane, answer) in answers.as_mut_slice().iter_mut().enumerate() {
+        *answer = law(lane, recalled(history, lane, &mut memory));
+    }
+    answers
+}
+
+/// What is remembered in one lane.
+#[inline(always)]
+fn recalled<'a, L: Lanes>(history: &[L], lane: usize, memory: &'a mut [f64; MOST_HISTORY]) -> &'a mut [f64] {
+    for (one, value) in memory.iter_mut().zip(history) {
+        *one = value.as_slice()[lane];
+    }
+    &mut memory[..history.len()]
+}
+
+/// Whether some contact has still to note its positive value: it is 0 when the contact is new.
+#[inline(always)]
+pub(super) fn some_new<L: Lanes>(noted: L) -> bool {
+    (!noted.gt(L::splat(0.0))).any()
+}
+
+/// What contacts have noted, found where it is still 0.
+#[inline(always)]
+pub(super) fn noted<L: Lanes>(mut value: L, find: impl Fn(usize) -> f64) -> L {
+    for (lane, one) in value.as_mut_slice().iter_mut().enumerate() {
+        if *one == 0.0 {
+            *one = find(lane);
         }
-        law(lane, &memory[..history.len()])
-    })
-}
-
-/// What is remembered, value by value.
-#[inline(always)]
-fn laid_out<L: Lanes>(history: &[L]) -> [[f64; MOST_LANES]; MOST_HISTORY] {
-    let mut table = [[0.0; MOST_LANES]; MOST_HISTORY];
-    for (lanes, value) in table.iter_mut().zip(history) {
-        value.store(lanes);
     }
-    table
-}
-
-/// A positive value that a contact notes when it is new, that is where the value is still 0.
-#[inline(always)]
-pub(super) fn noted<L: Lanes>(value: L, find: impl Fn(usize) -> f64) -> L {
-    if (!value.gt(L::splat(0.0))).any() {
-        let before = value.to_array();
-        L::from_fn(|lane| if before[lane] == 0.0 { find(lane) } else { before[lane] })
-    } else {
-        value
-    }
+    value
 }
 
 /// A vector in one lane.
 #[inline(always)]
-pub(super) fn vector_in<L: Lanes>(vector: L::Vector, lane: usize) -> DVec3 {
-    DVec3::from_array(vector.components().map(|component| component.to_array()[lane]))
+pub(super) fn vector_in<L: Lanes>(vector: &L::Vector, lane: usize) -> DVec3 {
+    let [x, y, z] = vector.components();
+    DVec3::new(x.as_slice()[lane], y.as_slice()[lane], z.as_slice()[lane])
 }
 
 /// A vector in every lane.

@@ -76,10 +76,10 @@ pub struct PairSize<L = f64> {
 impl<L: Lanes> PairSize<L> {
     /// The size in one lane.
     #[inline(always)]
-    pub fn lane(self, lane: usize) -> PairSize {
+    pub fn lane(&self, lane: usize) -> PairSize {
         PairSize {
-            radius: self.radius.to_array()[lane],
-            mass: self.mass.to_array()[lane],
+            radius: self.radius.as_slice()[lane],
+            mass: self.mass.as_slice()[lane],
         }
     }
 }
@@ -159,7 +159,10 @@ macro_rules! law_family {
             fn visit<L: $law_trait>(self, law: &L) -> Self::Output;
         }
 
-        $(const _: () = assert!($law::HISTORY.len() <= $crate::contact::lane_by_lane::MOST_HISTORY);)*
+        $(const _: () = assert!(
+            $law::HISTORY.len() <= $crate::contact::lane_by_lane::MOST_HISTORY,
+            "a law remembers more values than `MOST_HISTORY` in contact/lane_by_lane.rs"
+        );)*
 
         /// All laws of the family.
         pub const LAWS: &[$crate::contact::LawInfo] = &[

@@ -50,6 +50,10 @@ pub trait Lanes:
     fn load(from: &[f64]) -> Self;
     /// Puts the lanes at the front of a slice, which must hold as many.
     fn store(self, to: &mut [f64]);
+    /// The lanes as they lie in memory.
+    fn as_slice(&self) -> &[f64];
+    /// The lanes as they lie in memory, to be changed.
+    fn as_mut_slice(&mut self) -> &mut [f64];
     /// Square root.
     fn sqrt(self) -> Self;
     /// Magnitude.

@@ -112,6 +112,18 @@ impl Lanes for F64x2 {
     }
 
     #[inline(always)]
+    fn as_slice(&self) -> &[f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }
+    }
+
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts_mut(std::ptr::from_mut(self).cast(), Self::COUNT) }
+    }
+
+    #[inline(always)]
     fn sqrt(self) -> Self {
         // SAFETY: every ARMv8 processor has it
         Self(unsafe { vsqrtq_f64(self.0) })

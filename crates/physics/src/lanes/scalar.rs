@@ -31,6 +31,16 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
+    fn as_slice(&self) -> &[f64] {
+        std::slice::from_ref(self)
+    }
+
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        std::slice::from_mut(self)
+    }
+
+    #[inline(always)]
     fn sqrt(self) -> Self {
         f64::sqrt(self)
     }

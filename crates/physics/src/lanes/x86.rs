@@ -208,6 +208,18 @@ impl Lanes for F64x8 {
     }
 
     #[inline(always)]
+    fn as_slice(&self) -> &[f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }
+    }
+
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts_mut(std::ptr::from_mut(self).cast(), Self::COUNT) }
+    }
+
+    #[inline(always)]
     fn sqrt(self) -> Self {
         // SAFETY: see the top of this file
         Self(unsafe { _mm512_sqrt_pd(self.0) })
@@ -312,6 +324,18 @@ impl Lanes for F64x4 {
         let to = &mut to[..4];
         // SAFETY: there is room for four numbers
         unsafe { _mm256_storeu_pd(to.as_mut_ptr(), self.0) }
+    }
+
+    #[inline(always)]
+    fn as_slice(&self) -> &[f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }
+    }
+
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts_mut(std::ptr::from_mut(self).cast(), Self::COUNT) }
     }
 
     #[inline(always)]

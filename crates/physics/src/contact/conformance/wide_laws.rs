@@ -271,7 +271,7 @@ fn births(random: &mut Random) -> Vec<Vec<bool>> {
 
 /// Whether nothing is there: lanes that are left over are filled with zeros.
 fn is_padding(step: usize, contact: usize) -> bool {
-    contact % MOST_LANES == MOST_LANES - 1 && step % 3 == 0
+    contact % MOST_LANES == MOST_LANES - 1 && step.is_multiple_of(3)
 }
 
 /// A contact that is anywhere from far apart to deeply pressed, moving slowly or fast.

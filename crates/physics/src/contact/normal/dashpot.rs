@@ -4,7 +4,7 @@
 use super::Normal;
 use crate::collision::{CollisionError, HeadOn, Start, Tolerance};
 use crate::contact::PairSize;
-use crate::contact::lane_by_lane::noted;
+use crate::contact::lane_by_lane::{noted, some_new};
 use crate::lanes::Lanes;
 use crate::parameters::ParameterError;
 use crate::restitution::hertz_damping;
@@ -140,7 +140,9 @@ impl Dashpot {
         match self {
             Self::Coefficient(coefficient) => L::splat(*coefficient),
             Self::Realised { .. } => {
-                memory[0] = noted(memory[0], |lane| 1.0 + self.remembered(size.lane(lane), &with));
+                if some_new(memory[0]) {
+                    memory[0] = noted(memory[0], |lane| 1.0 + self.remembered(size.lane(lane), &with));
+                }
                 memory[0] - 1.0
             }
         }

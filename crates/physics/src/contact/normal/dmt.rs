@@ -1,7 +1,7 @@
 #![doc = include_str!("dmt.md")]
 
 use super::dashpot::Dashpot;
-use super::hertz_spring::HertzSpring;
+use super::hertz_spring::{HertzSpring, Power};
 use super::window::contact_share;
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
@@ -138,12 +138,15 @@ impl Normal for Dmt {
         let pull_off = self.pull_off(input.size);
         let alpha = self.dashpot.coefficient(input.size, history, |d| self.with(d));
         let adhesion = pull_off * contact_share(input);
-        let across = self.tail.map_or(L::splat(0.0), |tail| pull_off * tail.mean(input));
+        let across = match self.tail {
+            Some(tail) => pull_off * tail.mean(input),
+            None => L::splat(0.0),
+        };
         NormalResponse {
             adhesion,
             ..NormalResponse::spring_dashpot(
-                self.spring.mean_force(input) - adhesion - across,
-                self.spring.mean_damping(input) * alpha,
+                self.spring.mean(Power::Force, input) - adhesion - across,
+                self.spring.mean(Power::Damping, input) * alpha,
             )
         }
     }

@@ -2,10 +2,9 @@
 //!
 //! Everything follows from `F/d = K sqrt(d)`, which takes one root.
 
-use super::NormalInput;
-use super::window::mean_of_power;
+use super::{NormalInput, mean_of_change, near_end, window};
 use crate::contact::{MaterialPair, PairSize};
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Mask};
 
 /// What the stiffness follows from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +13,28 @@ pub(super) enum HertzSpring {
     Materials(f64),
     /// An observed collision: stiffness per effective mass, `K/m` [1/(m^(1/2) s^2)].
     PerMass(f64),
+}
+
+/// Powers of the overlap that laws are made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Power {
+    /// `K d^(3/2)` [N].
+    Force,
+    /// `K d^(1/2)` [N/m].
+    Secant,
+    /// `sqrt(m K) d^(1/4)`, which dashpots are told in units of [N s/m].
+    Damping,
+}
+
+impl Power {
+    #[inline(always)]
+    const fn exponent(self) -> f64 {
+        match self {
+            Self::Force => 1.5,
+            Self::Secant => 0.5,
+            Self::Damping => 0.25,
+        }
+    }
 }
 
 impl HertzSpring {
@@ -39,22 +60,35 @@ impl HertzSpring {
         }
     }
 
-    /// Mean of `K d^(3/2)` over the window [N].
+    /// A power of the overlap.
     #[inline(always)]
-    pub fn mean_force<L: Lanes>(&self, input: &NormalInput<L>) -> L {
-        mean_of_power(input, 1.5, |d| self.secant(input.size, d) * d)
+    fn power<L: Lanes>(&self, power: Power, size: PairSize<L>, overlap: L) -> L {
+        let secant = self.secant(size, overlap);
+        match power {
+            Power::Force => secant * overlap,
+            Power::Secant => secant,
+            Power::Damping => (size.mass * secant).sqrt(),
+        }
     }
 
-    /// Mean of `K d^(1/2)` over the window [N/m].
+    /// Mean of a power of the overlap over the part of the window in which the bodies overlap.
     #[inline(always)]
-    pub fn mean_secant<L: Lanes>(&self, input: &NormalInput<L>) -> L {
-        mean_of_power(input, 0.5, |d| self.secant(input.size, d))
-    }
-
-    /// Mean of `sqrt(m K) d^(1/4)`, which dashpots are told in units of, over the window [N s/m].
-    #[inline(always)]
-    pub fn mean_damping<L: Lanes>(&self, input: &NormalInput<L>) -> L {
-        mean_of_power(input, 0.25, |d| (input.size.mass * self.secant(input.size, d)).sqrt())
+    pub fn mean<L: Lanes>(&self, power: Power, input: &NormalInput<L>) -> L {
+        let share = input.half_window / input.overlap;
+        let exponent = power.exponent();
+        // f + f'' h^2/6
+        let bend = exponent * (exponent - 1.0) / 6.0;
+        let smooth = self.power(power, input.size, input.overlap) * (share * share * bend + 1.0);
+        let smooth = smooth.keep(input.overlap.gt(L::splat(0.0)));
+        let near_end = near_end(input);
+        if near_end.any() {
+            let [upper, lower] = window(input);
+            let rise = self.power(power, input.size, upper) * upper - self.power(power, input.size, lower) * lower;
+            let change = rise * (1.0 / (exponent + 1.0));
+            L::select(near_end, mean_of_change(input, change), smooth)
+        } else {
+            smooth
+        }
     }
 
     /// Tangent stiffness, `3/2 K sqrt(d)` [N/m].

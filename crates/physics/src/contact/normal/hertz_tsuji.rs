@@ -1,6 +1,6 @@
 #![doc = include_str!("hertz_tsuji.md")]
 
-use super::hertz_spring::HertzSpring;
+use super::hertz_spring::{HertzSpring, Power};
 use super::spring_dashpot::{Damping, ENDS, Observed, check_end, contact_end, exactly_one_damping, unit_duration};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
@@ -90,9 +90,9 @@ impl Normal for HertzTsuji {
 
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
-        let unit = || self.spring.mean_damping(input);
+        let unit = self.spring.mean(Power::Damping, input);
         let damping = self.damping.dashpot(input, unit, history) * CRITICAL_ALPHA;
-        let response = NormalResponse::spring_dashpot(self.spring.mean_force(input), damping);
+        let response = NormalResponse::spring_dashpot(self.spring.mean(Power::Force, input), damping);
         response.ending_at(self.end)
     }
 

@@ -110,7 +110,7 @@ impl Normal for Linear {
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let k = self.k(input.size);
-        let unit = || (k * input.size.mass).sqrt();
+        let unit = (k * input.size.mass).sqrt();
         let damping = self.damping.dashpot(input, unit, history) * 2.0;
         let response = NormalResponse::spring_dashpot(k * mean_overlap(input), damping * contact_share(input));
         response.ending_at(self.end)

@@ -35,9 +35,9 @@ impl<L: Lanes> NormalInput<L> {
     pub fn lane(&self, lane: usize) -> NormalInput {
         NormalInput {
             size: self.size.lane(lane),
-            overlap: self.overlap.to_array()[lane],
-            rate: self.rate.to_array()[lane],
-            half_window: self.half_window.to_array()[lane],
+            overlap: self.overlap.as_slice()[lane],
+            rate: self.rate.as_slice()[lane],
+            half_window: self.half_window.as_slice()[lane],
         }
     }
 }
@@ -155,9 +155,11 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     /// The same in every lane: `history` holds the lanes of each value in turn.
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
-        NormalResponse::of_lanes(&lane_by_lane::ask(history, NormalResponse::NOTHING, |lane, history| {
+        let nothing = NormalResponse::NOTHING;
+        let answers = lane_by_lane::ask(history, nothing, |lane, history| {
             self.respond(&input.lane(lane), history)
-        }))
+        });
+        NormalResponse::of_lanes(&answers)
     }
     /// Energy that the contact would give back on its way out of reach, were there no dashpot [J].
     fn energy(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64;
@@ -188,18 +190,16 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     /// [`Normal::bearing_overlap`] in every lane.
     #[inline(always)]
     fn bearing_overlap_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
-        let overlap = overlap.to_array();
         lane_by_lane::tell(history, |lane, history| {
-            self.bearing_overlap(size.lane(lane), overlap[lane], history)
+            self.bearing_overlap(size.lane(lane), overlap.as_slice()[lane], history)
         })
     }
 
     /// [`Normal::stiffness`] in every lane.
     #[inline(always)]
     fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
-        let overlap = overlap.to_array();
         lane_by_lane::tell(history, |lane, history| {
-            self.stiffness(size.lane(lane), overlap[lane], history)
+            self.stiffness(size.lane(lane), overlap.as_slice()[lane], history)
         })
     }
 
@@ -244,13 +244,25 @@ pub(crate) fn near_end<L: Lanes>(input: &NormalInput<L>) -> L::Mask {
     input.half_window.gt(input.overlap * WINDOW_SHARE)
 }
 
+/// Where the window begins and ends, cut to the overlapping part: upper and lower end [m].
+#[inline(always)]
+fn window<L: Lanes>(input: &NormalInput<L>) -> [L; 2] {
+    let (h, zero) = (input.half_window, L::splat(0.0));
+    [(input.overlap + h).max(zero), (input.overlap - h).max(zero)]
+}
+
+/// Mean over the window of what changes by this much over it.
+#[inline(always)]
+fn mean_of_change<L: Lanes>(input: &NormalInput<L>, change: L) -> L {
+    let h = input.half_window;
+    (change / (h * 2.0)).keep(h.gt(L::splat(0.0)))
+}
+
 /// Mean slope of a primitive over the window, `(P(d + h) - P(d - h)) / (2 h)`: the mean of its derivative.
 #[inline(always)]
-pub(crate) fn mean_slope<L: Lanes>(input: &NormalInput<L>, primitive: impl Fn(L) -> L) -> L {
-    let (h, zero) = (input.half_window, L::splat(0.0));
-    let upper = primitive((input.overlap + h).max(zero));
-    let lower = primitive((input.overlap - h).max(zero));
-    ((upper - lower) / (h * 2.0)).keep(h.gt(zero))
+pub fn mean_slope(input: &NormalInput, primitive: impl Fn(f64) -> f64) -> f64 {
+    let [upper, lower] = window(input);
+    mean_of_change(input, primitive(upper) - primitive(lower))
 }
 
 /// Normal force of one step [N] and the rate of approach that it acts at [m/s].

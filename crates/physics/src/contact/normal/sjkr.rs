@@ -1,7 +1,7 @@
 #![doc = include_str!("sjkr.md")]
 
 use super::dashpot::Dashpot;
-use super::hertz_spring::HertzSpring;
+use super::hertz_spring::{HertzSpring, Power};
 use super::window::mean_overlap;
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
@@ -87,8 +87,8 @@ impl Normal for Sjkr {
         NormalResponse {
             adhesion,
             ..NormalResponse::spring_dashpot(
-                self.spring.mean_force(input) - adhesion,
-                self.spring.mean_damping(input) * alpha,
+                self.spring.mean(Power::Force, input) - adhesion,
+                self.spring.mean(Power::Damping, input) * alpha,
             )
         }
     }

@@ -2,7 +2,7 @@
 //! Elliott 2011). Both follow one phase trajectory, which the damping ratio `g` alone decides.
 
 use super::NormalInput;
-use crate::contact::lane_by_lane::noted;
+use crate::contact::lane_by_lane::{noted, some_new};
 use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, Restitution};
 use crate::restitution::hertz::HertzCollision;
@@ -53,16 +53,18 @@ impl Damping {
     /// Half the coefficient of the linear spring's dashpot, `g sqrt(k m) = gamma m` [N s/m]; of the Hertzian one, the share
     /// `1/sqrt(5)`. `unit` is `sqrt(k m)`.
     #[inline(always)]
-    pub fn dashpot<L: Lanes>(&self, input: &NormalInput<L>, unit: impl FnOnce() -> L, memory: &mut [L]) -> L {
+    pub fn dashpot<L: Lanes>(&self, input: &NormalInput<L>, unit: L, memory: &mut [L]) -> L {
         match self {
-            Self::Ratio(ratio) => unit() * *ratio,
+            Self::Ratio(ratio) => unit * *ratio,
             Self::Rate(rate) => input.size.mass * *rate,
             Self::Profile(restitution, end) => {
-                let rate = input.rate;
-                memory[0] = noted(memory[0], |lane| {
-                    1.0 + ratio_of(restitution.at(rate.to_array()[lane].abs()), *end)
-                });
-                unit() * (memory[0] - 1.0)
+                if some_new(memory[0]) {
+                    let rate = input.rate;
+                    memory[0] = noted(memory[0], |lane| {
+                        1.0 + ratio_of(restitution.at(rate.as_slice()[lane].abs()), *end)
+                    });
+                }
+                unit * (memory[0] - 1.0)
             }
         }
     }

@@ -1,8 +1,8 @@
 #![doc = include_str!("viscoelastic.md")]
 
-use super::hertz_spring::HertzSpring;
+use super::hertz_spring::{HertzSpring, Power};
 use super::{Normal, NormalInput, NormalResponse};
-use crate::contact::lane_by_lane::noted;
+use crate::contact::lane_by_lane::{noted, some_new};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
@@ -62,7 +62,9 @@ impl Viscoelastic {
             Damping::Time(time) => L::splat(time),
             Damping::Number(0.0, _) => L::splat(0.0),
             Damping::Number(..) => {
-                history[0] = noted(history[0], |lane| self.dissipation_time(size.lane(lane)));
+                if some_new(history[0]) {
+                    history[0] = noted(history[0], |lane| self.dissipation_time(size.lane(lane)));
+                }
                 history[0]
             }
         }
@@ -135,8 +137,8 @@ impl Normal for Viscoelastic {
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let time = self.remembered_time(input.size, history);
-        let damping = self.spring.mean_secant(input) * time * 1.5;
-        NormalResponse::spring_dashpot(self.spring.mean_force(input), damping).ending_at(self.end)
+        let damping = self.spring.mean(Power::Secant, input) * time * 1.5;
+        NormalResponse::spring_dashpot(self.spring.mean(Power::Force, input), damping).ending_at(self.end)
     }
 
     #[inline(always)]

@@ -38,12 +38,12 @@ impl<L: Lanes> RollingInput<L> {
     pub fn lane(&self, lane: usize) -> RollingInput {
         RollingInput {
             size: self.size.lane(lane),
-            rolling_inertia: self.rolling_inertia.to_array()[lane],
-            normal: vector_in::<L>(self.normal, lane),
-            angular_velocity: vector_in::<L>(self.angular_velocity, lane),
-            spin: self.spin.to_array()[lane],
-            normal_force: self.normal_force.to_array()[lane],
-            normal_stiffness: self.normal_stiffness.to_array()[lane],
+            rolling_inertia: self.rolling_inertia.as_slice()[lane],
+            normal: vector_in::<L>(&self.normal, lane),
+            angular_velocity: vector_in::<L>(&self.angular_velocity, lane),
+            spin: self.spin.as_slice()[lane],
+            normal_force: self.normal_force.as_slice()[lane],
+            normal_stiffness: self.normal_stiffness.as_slice()[lane],
             dt: self.dt,
             removable_share: self.removable_share,
         }
@@ -102,9 +102,11 @@ pub trait Rolling: Copy + Send + Sync {
     /// The same in every lane: `history` holds the lanes of each value in turn.
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &RollingInput<L>, history: &mut [L]) -> RollingResponse<L> {
-        RollingResponse::of_lanes(&ask(history, RollingResponse::NOTHING, |lane, history| {
+        let nothing = RollingResponse::NOTHING;
+        let answers = ask(history, nothing, |lane, history| {
             self.respond(&input.lane(lane), history)
-        }))
+        });
+        RollingResponse::of_lanes(&answers)
     }
     /// Energy stored with this history [J].
     fn energy(&self, history: &[f64]) -> f64;

@@ -38,12 +38,12 @@ impl<L: Lanes> TangentialInput<L> {
     pub fn lane(&self, lane: usize) -> TangentialInput {
         TangentialInput {
             size: self.size.lane(lane),
-            tangential_mass: self.tangential_mass.to_array()[lane],
-            overlap: self.overlap.to_array()[lane],
-            normal: vector_in::<L>(self.normal, lane),
-            velocity: vector_in::<L>(self.velocity, lane),
-            spin: self.spin.to_array()[lane],
-            normal_force: self.normal_force.to_array()[lane],
+            tangential_mass: self.tangential_mass.as_slice()[lane],
+            normal: vector_in::<L>(&self.normal, lane),
+            velocity: vector_in::<L>(&self.velocity, lane),
+            spin: self.spin.as_slice()[lane],
+            normal_force: self.normal_force.as_slice()[lane],
+            overlap: self.overlap.as_slice()[lane],
             dt: self.dt,
             removable_share: self.removable_share,
         }
@@ -102,9 +102,11 @@ pub trait Tangential: Copy + Send + Sync {
     /// The same in every lane: `history` holds the lanes of each value in turn.
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, history: &mut [L]) -> TangentialResponse<L> {
-        TangentialResponse::of_lanes(&ask(history, TangentialResponse::NOTHING, |lane, history| {
+        let nothing = TangentialResponse::NOTHING;
+        let answers = ask(history, nothing, |lane, history| {
             self.respond(&input.lane(lane), history)
-        }))
+        });
+        TangentialResponse::of_lanes(&answers)
     }
     /// Energy stored with this history [J].
     fn energy(&self, history: &[f64]) -> f64;
