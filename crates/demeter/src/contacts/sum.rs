@@ -1,6 +1,6 @@
 //! Sum per grain over its contacts, in the order of the partner's id.
 
-use super::{CHUNK, Contacts};
+use super::Contacts;
 use crate::neighbours::Neighbours;
 use glam::DVec3;
 
@@ -8,9 +8,9 @@ use glam::DVec3;
 #[inline]
 pub fn contact_load(grain: usize, neighbours: &Neighbours, contacts: &Contacts) -> (DVec3, DVec3) {
     let (mut force, mut torque) = (DVec3::ZERO, DVec3::ZERO);
-    for (pair, first) in neighbours.pairs_of(grain) {
-        let chunk = &contacts.pairs[pair / CHUNK];
-        for k in chunk.contacts_of(pair % CHUNK) {
+    for (chunk, slot, first) in neighbours.pairs_of(grain) {
+        let chunk = &contacts.pairs[chunk];
+        for k in chunk.contacts_of(slot) {
             if first {
                 force += chunk.force[k];
                 torque += chunk.torque_i[k];
@@ -20,9 +20,9 @@ pub fn contact_load(grain: usize, neighbours: &Neighbours, contacts: &Contacts) 
             }
         }
     }
-    for pair in neighbours.wall_pairs_of(grain) {
-        let chunk = &contacts.walls[pair / CHUNK];
-        for k in chunk.contacts_of(pair % CHUNK) {
+    for (chunk, slot) in neighbours.wall_pairs_of(grain) {
+        let chunk = &contacts.walls[chunk];
+        for k in chunk.contacts_of(slot) {
             force += chunk.force[k];
             torque += chunk.torque_i[k];
         }

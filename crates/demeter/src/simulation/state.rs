@@ -11,7 +11,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// State of a simulation after a whole step.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct SimulationState {
     /// Steps done.
     pub step: u64,
@@ -97,8 +97,6 @@ impl SimulationState {
             Err(StateError::Inconsistent("a grain's material"))
         } else if !self.contacts.iter().all(|c| pair_fits(&c.pair)) || !self.contacts.is_sorted_by_key(|c| c.key) {
             Err(StateError::Inconsistent("contacts"))
-        } else if !self.neighbours.fits(n, walls) {
-            Err(StateError::Inconsistent("candidate pairs"))
         } else {
             Ok(())
         }
@@ -114,7 +112,7 @@ impl Simulation {
             grains: self.grains.clone(),
             walls: self.walls.iter().map(Wall::state).collect(),
             contacts: self.contacts.carry(&self.grains),
-            neighbours: self.neighbours.clone(),
+            neighbours: self.neighbours.saved(),
             books: self.books,
             rebuilds: self.rebuilds,
             bounds: self.bounds,
@@ -147,6 +145,10 @@ impl Simulation {
             _ => return Err(StateError::Coupling),
         }
         sim.neighbours = state.neighbours;
+        let (walls, materials) = (sim.walls.len(), sim.materials.list().len());
+        if !sim.neighbours.restore(&sim.grains, walls, materials) {
+            return Err(StateError::Inconsistent("candidate pairs"));
+        }
         sim.contacts.adopt(&sim.grains, &sim.neighbours, &state.contacts);
         sim.walls_before = sim.walls.iter().map(Wall::pose).collect();
         Ok(sim)
