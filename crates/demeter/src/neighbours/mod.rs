@@ -3,7 +3,7 @@
 //! A rebuild works in the memory of the one before and in parallel, and gives the same on any number of threads:
 //!
 //! 1. [`cells`]: grains are sorted into a grid per size class, and their places copied in that order;
-//! 2. [`search`]: every grain looks at half of the cells around it, and into the grids of other classes;
+//! 2. [`search`], [`visit`]: every grain looks at half of the cells around it, and into the grids of other classes;
 //! 3. [`table`]: what a task finds is put into the order of the laws and cut into chunks of one law;
 //! 4. [`incidence`]: every grain learns its candidates, in the order of the partner's id.
 
@@ -13,6 +13,7 @@ mod order;
 mod ranges;
 mod search;
 mod table;
+mod visit;
 #[cfg(test)]
 mod tests;
 
@@ -68,6 +69,20 @@ pub struct Neighbours {
     pub wall_reference: Vec<Pose>,
 }
 
+impl Clone for Neighbours {
+    /// A copy holds what a checkpoint holds; [`Neighbours::restore`] finds the rest.
+    fn clone(&self) -> Self {
+        Self {
+            pairs: self.pairs.saved(),
+            walls: self.walls.saved(),
+            effort: self.effort,
+            reference: self.reference.clone(),
+            wall_reference: self.wall_reference.clone(),
+            ..Self::default()
+        }
+    }
+}
+
 impl Neighbours {
     /// Finds all pairs closer than `skin` [m] to touching.
     pub fn find(&mut self, grains: &Grains, walls: &[Wall], materials: &Materials, comm: &Single, skin: f64) {
@@ -83,18 +98,6 @@ impl Neighbours {
     fn find_incidence(&mut self, grains: &Grains) {
         self.incidence.find(&self.pairs, &grains.id, 2);
         self.wall_incidence.find(&self.walls, &grains.id, 1);
-    }
-
-    /// What a checkpoint holds; [`Neighbours::restore`] finds the rest.
-    pub fn saved(&self) -> Self {
-        Self {
-            pairs: self.pairs.saved(),
-            walls: self.walls.saved(),
-            effort: self.effort,
-            reference: self.reference.clone(),
-            wall_reference: self.wall_reference.clone(),
-            ..Self::default()
-        }
     }
 
     /// Makes the table of a checkpoint whole again; tells whether it fits these grains, walls and materials, as it does

@@ -11,7 +11,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// State of a simulation after a whole step.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct SimulationState {
     /// Steps done.
     pub step: u64,
@@ -112,7 +112,7 @@ impl Simulation {
             grains: self.grains.clone(),
             walls: self.walls.iter().map(Wall::state).collect(),
             contacts: self.contacts.carry(&self.grains),
-            neighbours: self.neighbours.saved(),
+            neighbours: self.neighbours.clone(),
             books: self.books,
             rebuilds: self.rebuilds,
             bounds: self.bounds,
