@@ -164,7 +164,7 @@ impl Simulation {
     }
 
     /// Finds all candidates anew; contacts keep what they remember.
-    pub(crate) fn find_candidates(&mut self) {
+    pub fn find_candidates(&mut self) {
         self.comm.wrap(&mut self.grains);
         let is_moved = self.rebuilds.is_multiple_of(REBUILDS_PER_REORDER);
         if is_moved {

@@ -1,0 +1,303 @@
+//! Looking around a grain: runs of grains in the order of the cells, and distance tests on them, a few at a time.
+
+use super::cells::{Cells, Grid, LANES};
+use glam::DVec3;
+
+/// What rounding of the arithmetic of the filter may take from a reach.
+const FILTER: f64 = 1.0 + 4e-6;
+
+/// A place whose surroundings are searched.
+#[derive(Clone, Copy)]
+struct Probe {
+    at: [f32; 3],
+    /// Reach without the radius of the other grain [m].
+    reach: f32,
+    /// Periods; infinite where there is none.
+    period: [f32; 3],
+}
+
+/// Runs of grains in the order of the cells.
+#[derive(Default)]
+struct Runs {
+    list: [(u32, u32); 10],
+    count: usize,
+}
+
+impl Runs {
+    #[inline(always)]
+    fn push(&mut self, from: u32, to: u32) {
+        if from < to {
+            self.list[self.count] = (from, to);
+            self.count += 1;
+        }
+    }
+}
+
+impl Cells {
+    /// Whether a search has to look across periodic sides.
+    pub(super) fn is_periodic(&self) -> bool {
+        self.frame.periodic != [false; 3]
+    }
+
+    /// Calls `f` with every grain that may be close to one and is not looked for from the other side. Tells the number of
+    /// distance tests.
+    #[inline(always)]
+    pub(super) fn visit<const PERIODIC: bool>(
+        &self,
+        grain: u32,
+        position: DVec3,
+        radius: f64,
+        f: &mut impl FnMut(u32),
+    ) -> u64 {
+        let local = self.frame.local(position);
+        let period = |axis: usize| {
+            if self.frame.periodic[axis] {
+                self.frame.size[axis] as f32
+            } else {
+                f32::INFINITY
+            }
+        };
+        let probe = Probe {
+            at: local.to_array().map(|x| x as f32),
+            reach: ((radius + self.skin) * FILTER + self.frame.slack) as f32,
+            period: [0, 1, 2].map(period),
+        };
+        let class = self.classes.of(radius);
+        let mut tests = self.visit_own::<PERIODIC>(grain, &self.grids[class], local, &probe, f);
+        for &other in &self.asks[class] {
+            let grid = &self.grids[other];
+            let reach = radius + grid.largest + self.skin;
+            tests += self.visit_other::<PERIODIC>(grid, local, reach, &probe, f);
+        }
+        tests
+    }
+
+    /// Grains of the own class: later ones in the own cell, and half of the cells around.
+    #[inline(always)]
+    fn visit_own<const PERIODIC: bool>(
+        &self,
+        grain: u32,
+        grid: &Grid,
+        local: DVec3,
+        probe: &Probe,
+        f: &mut impl FnMut(u32),
+    ) -> u64 {
+        let [x, y, z] = grid.coordinates(local);
+        let mut runs = Runs::default();
+        let depth = grid.cells[2];
+        let is_ring = self.frame.periodic[2] && depth > 1;
+        // the own row: later grains of the own cell, and the cell behind
+        let own = grid.row(x, y) + z as usize;
+        let (own_start, own_end) = (self.start[own], self.start[own + 1]);
+        let members = &self.member[own_start as usize..own_end as usize];
+        let place = members.iter().position(|&m| m == grain).unwrap_or(members.len());
+        let behind = if z + 1 < depth { self.start[own + 2] } else { own_end };
+        runs.push(own_start + place as u32 + 1, behind);
+        if is_ring && z + 1 == depth {
+            runs.push(
+                self.start[own + 1 - depth as usize],
+                self.start[own + 2 - depth as usize],
+            );
+        }
+        // rows beside, three cells of each
+        let (low, high) = ((z - 1).max(0) as usize, (z + 1).min(depth - 1) as usize + 1);
+        let mut row = |x: i32, y: i32| {
+            let row = grid.row(x, y);
+            runs.push(self.start[row + low], self.start[row + high]);
+            if is_ring && z == 0 {
+                runs.push(self.start[row + depth as usize - 1], self.start[row + depth as usize]);
+            } else if is_ring && z + 1 == depth {
+                runs.push(self.start[row], self.start[row + 1]);
+            }
+        };
+        let ahead = self.beside(grid, 1, y + 1);
+        if let Some(y) = ahead {
+            row(x, y);
+        }
+        if let Some(x) = self.beside(grid, 0, x + 1) {
+            row(x, y);
+            if let Some(y) = self.beside(grid, 1, y - 1) {
+                row(x, y);
+            }
+            if let Some(y) = ahead {
+                row(x, y);
+            }
+        }
+        let mut tests = 0;
+        for &(from, to) in &runs.list[..runs.count] {
+            tests += u64::from(to - from);
+            self.near::<PERIODIC>(from, to, probe, f);
+        }
+        tests
+    }
+
+    /// The cell beside another, if there is one.
+    #[inline(always)]
+    fn beside(&self, grid: &Grid, axis: usize, to: i32) -> Option<i32> {
+        let cells = grid.cells[axis];
+        if (0..cells).contains(&to) {
+            Some(to)
+        } else if self.frame.periodic[axis] && cells > 1 {
+            Some(if to < 0 { to + cells } else { to - cells })
+        } else {
+            None
+        }
+    }
+
+    /// All grains of another class within a reach.
+    #[inline(always)]
+    fn visit_other<const PERIODIC: bool>(
+        &self,
+        grid: &Grid,
+        local: DVec3,
+        reach: f64,
+        probe: &Probe,
+        f: &mut impl FnMut(u32),
+    ) -> u64 {
+        let reach = reach + self.frame.slack;
+        let mut tests = 0;
+        let xs = self.span(grid, 0, local.x, reach);
+        let ys = self.span(grid, 1, local.y, reach);
+        for x in xs.cells() {
+            let dx = xs.distance(x, local.x, grid.edge.x);
+            for y in ys.cells() {
+                let dy = ys.distance(y, local.y, grid.edge.y);
+                let left = reach * reach - dx * dx - dy * dy;
+                if left < 0.0 {
+                    continue;
+                }
+                let zs = self.span(grid, 2, local.z, left.sqrt());
+                let row = grid.row(xs.wrap(x), ys.wrap(y));
+                let mut run = |from: i32, to: i32| {
+                    let (from, to) = (self.start[row + from as usize], self.start[row + to as usize]);
+                    tests += u64::from(to - from);
+                    self.near::<PERIODIC>(from, to, probe, &mut *f);
+                };
+                let (from, to) = (zs.first, zs.first + zs.count);
+                if from < 0 {
+                    run(from + zs.period, zs.period);
+                    run(0, to);
+                } else if to > grid.cells[2] {
+                    run(from, zs.period);
+                    run(0, to - zs.period);
+                } else {
+                    run(from, to);
+                }
+            }
+        }
+        tests
+    }
+
+    /// Cells along one axis that a reach touches, each once.
+    #[inline(always)]
+    fn span(&self, grid: &Grid, axis: usize, at: f64, reach: f64) -> Span {
+        let cells = grid.cells[axis];
+        let last = cells - 1;
+        let low = ((at - reach) * grid.per_edge[axis]).floor() as i32;
+        let high = ((at + reach) * grid.per_edge[axis]).floor() as i32;
+        if !self.frame.periodic[axis] {
+            let (low, high) = (low.clamp(0, last), high.clamp(0, last));
+            return Span {
+                first: low,
+                count: high - low + 1,
+                period: cells,
+                is_whole: false,
+            };
+        }
+        let count = high.saturating_sub(low).saturating_add(1);
+        if count >= cells {
+            return Span {
+                first: 0,
+                count: cells,
+                period: cells,
+                is_whole: true,
+            };
+        }
+        Span {
+            first: low,
+            count,
+            period: cells,
+            is_whole: false,
+        }
+    }
+
+    /// Calls `f` with the grains at `from..to` in the order of the cells that pass the filter.
+    #[inline(always)]
+    fn near<const PERIODIC: bool>(&self, from: u32, to: u32, probe: &Probe, f: &mut impl FnMut(u32)) {
+        let to = to as usize;
+        let mut k = from as usize;
+        while k < to {
+            let mut mask = self.filter::<PERIODIC>(k, probe);
+            let left = to - k;
+            if left < LANES {
+                mask &= (1 << left) - 1;
+            }
+            while mask != 0 {
+                f(self.member[k + mask.trailing_zeros() as usize]);
+                mask &= mask - 1;
+            }
+            k += LANES;
+        }
+    }
+
+    /// Which of the grains `k..k + LANES` in the order of the cells are near enough.
+    #[inline(always)]
+    fn filter<const PERIODIC: bool>(&self, k: usize, probe: &Probe) -> u32 {
+        let columns = (
+            self.x[k..].first_chunk::<LANES>(),
+            self.y[k..].first_chunk::<LANES>(),
+            self.z[k..].first_chunk::<LANES>(),
+            self.radius[k..].first_chunk::<LANES>(),
+        );
+        let (Some(x), Some(y), Some(z), Some(radius)) = columns else {
+            return 0;
+        };
+        let along = |axis: usize, x: f32| {
+            let d = (probe.at[axis] - x).abs();
+            if !PERIODIC {
+                return d;
+            }
+            let other = probe.period[axis] - d;
+            if other < d { other } else { d }
+        };
+        let mut near = [0u32; LANES];
+        for l in 0..LANES {
+            let (dx, dy, dz) = (along(0, x[l]), along(1, y[l]), along(2, z[l]));
+            let reach = probe.reach + radius[l];
+            near[l] = u32::from(dx * dx + dy * dy + dz * dz < reach * reach) << l;
+        }
+        near.iter().fold(0, |all, one| all | one)
+    }
+}
+
+/// Cells along one axis; beyond the ends of a periodic one they go on on the other side.
+struct Span {
+    first: i32,
+    count: i32,
+    period: i32,
+    /// Whether it holds all cells of a ring.
+    is_whole: bool,
+}
+
+impl Span {
+    #[inline(always)]
+    fn cells(&self) -> std::ops::Range<i32> {
+        self.first..self.first + self.count
+    }
+
+    #[inline(always)]
+    fn wrap(&self, cell: i32) -> i32 {
+        cell.rem_euclid(self.period)
+    }
+
+    /// Distance of a place from a cell [m]: never too large.
+    #[inline(always)]
+    fn distance(&self, cell: i32, at: f64, edge: f64) -> f64 {
+        if self.is_whole {
+            return 0.0;
+        }
+        let below = f64::from(cell) * edge - at;
+        let above = at - f64::from(cell + 1) * edge;
+        (below.max(above) * (1.0 - 1e-9)).max(0.0)
+    }
+}
