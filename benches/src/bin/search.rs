@@ -1,7 +1,7 @@
 //! What the search for candidates costs: on loose and dense packings of one size, and of sizes 1:10 and 1:100; and a whole
 //! rebuild with contacts that are carried over.
 //!
-//! Told is the median over the rounds. Grains move a little between two searches, so that nothing is searched twice.
+//! Told is the fastest of the rounds, as others may share the machine. Grains move a little between two searches, so that nothing is searched twice.
 #![allow(clippy::print_stdout, reason = "a benchmark prints its table")]
 
 use clap::Parser;
@@ -20,7 +20,7 @@ struct Arguments {
     /// Grains of every packing.
     #[arg(long, default_value_t = 20_000)]
     count: u32,
-    /// Rounds, of which the median is told.
+    /// Rounds, of which the fastest is told.
     #[arg(long, default_value_t = 31)]
     rounds: usize,
     /// Skin, as a share of the mean diameter.
@@ -85,7 +85,7 @@ poisson_ratio = 0.3
 density = "2500 kg/m^3"
 [contact]
 normal = {{ law = "hertz-tsuji", restitution = 0.5 }}
-tangential = {{ law = "mindlin", friction = 0.5 }}
+tangential = {{ law = "mindlin-history", friction = 0.5 }}
 [[grains]]
 material = "m"
 source = "random"
@@ -160,11 +160,11 @@ fn measure(arguments: &Arguments, name: &str, setup: Setup) -> Outcome<()> {
     let (table, memory) = found.bytes();
     println!(
         "| {name} | {sizes} | {:.0} | {:.2} | {:.1} | {:.0} | {:.0} | {:.2} | {:.0} | {:.0} |",
-        median(&search) / n * 1e9,
+        fastest(&search) / n * 1e9,
         found.pair_count() as f64 / n,
         found.effort().tests as f64 / n,
-        median(&sort) / n * 1e9,
-        median(&rebuild) / n * 1e9,
+        fastest(&sort) / n * 1e9,
+        fastest(&rebuild) / n * 1e9,
         sim.contacts.pair_count() as f64 / n,
         table as f64 / n,
         memory as f64 / n,
@@ -172,8 +172,6 @@ fn measure(arguments: &Arguments, name: &str, setup: Setup) -> Outcome<()> {
     Ok(())
 }
 
-fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
-    sorted[sorted.len() / 2]
+fn fastest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::INFINITY, f64::min)
 }
