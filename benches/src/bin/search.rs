@@ -39,8 +39,8 @@ const PACKINGS: [(&str, f64, f64); 5] = [
     ("one size, dilute", 1.0, 0.05),
     ("one size, loose", 1.0, 0.3),
     ("one size, dense", 1.0, 0.6),
-    ("1:10, dense", 10.0, 0.62),
-    ("1:100, dense", 100.0, 0.62),
+    ("1:10, dense", 10.0, 0.58),
+    ("1:100, dense", 100.0, 0.58),
 ];
 
 fn main() -> Outcome<()> {

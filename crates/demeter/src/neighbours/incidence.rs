@@ -18,8 +18,8 @@ pub(super) struct Incidence {
 pub(super) trait Candidate: Copy + Sync {
     /// Grains, with the number of the side.
     fn grains(&self) -> impl Iterator<Item = (u32, u32)>;
-    /// What the entry of a grain on a side is sorted by.
-    fn key(&self, side: u32, ids: &[u32]) -> u32;
+    /// What the entry of a grain is sorted by.
+    fn key(&self, grain: u32, ids: &[u32]) -> u32;
 }
 
 impl Candidate for Pair {
@@ -29,8 +29,8 @@ impl Candidate for Pair {
     }
 
     #[inline(always)]
-    fn key(&self, side: u32, ids: &[u32]) -> u32 {
-        ids[if side == 0 { self.j } else { self.i } as usize]
+    fn key(&self, grain: u32, ids: &[u32]) -> u32 {
+        ids[self.other(grain) as usize]
     }
 }
 
@@ -41,7 +41,7 @@ impl Candidate for WallPair {
     }
 
     #[inline(always)]
-    fn key(&self, _side: u32, _ids: &[u32]) -> u32 {
+    fn key(&self, _grain: u32, _ids: &[u32]) -> u32 {
         self.wall
     }
 }
@@ -82,12 +82,12 @@ impl Incidence {
             place(table, first, starts, base, entries);
             let mut begin = base;
             let mut long = Vec::new();
-            for &end in starts.iter() {
+            for (grain, &end) in (first as u32..).zip(starts.iter()) {
                 let own = &mut entries[begin - base..end as usize - base];
                 if own.len() <= FEW {
-                    sort_few(own, table, ids);
+                    sort_few(own, grain, table, ids);
                 } else {
-                    sort_many(own, table, ids, &mut long);
+                    sort_many((own, grain), table, ids, &mut long);
                 }
                 begin = end as usize;
             }
@@ -126,19 +126,18 @@ fn place<C: Candidate>(table: &Table<C>, first: usize, starts: &mut [u32], base:
 }
 
 #[inline(always)]
-fn key<C: Candidate>(bits: u32, table: &Table<C>, ids: &[u32]) -> u32 {
-    let entry = Entry::of_bits(bits);
-    table.candidate(entry).key(bits & 1, ids)
+fn key<C: Candidate>(bits: u32, grain: u32, table: &Table<C>, ids: &[u32]) -> u32 {
+    table.candidate(Entry::of_bits(bits)).key(grain, ids)
 }
 
 /// Sorts by counting: without a branch that depends on what is compared.
 #[inline(always)]
-fn sort_few<C: Candidate>(entries: &mut [u32], table: &Table<C>, ids: &[u32]) {
+fn sort_few<C: Candidate>(entries: &mut [u32], grain: u32, table: &Table<C>, ids: &[u32]) {
     let (mut keys, mut from) = ([u32::MAX; FEW], [0u32; FEW]);
     let count = entries.len();
     for (k, &bits) in entries.iter().enumerate() {
         from[k] = bits;
-        keys[k] = key(bits, table, ids);
+        keys[k] = key(bits, grain, table, ids);
     }
     for k in 0..count.min(FEW) {
         let rank: u32 = if count <= FEW / 2 {
@@ -150,12 +149,12 @@ fn sort_few<C: Candidate>(entries: &mut [u32], table: &Table<C>, ids: &[u32]) {
     }
 }
 
-fn sort_many<C: Candidate>(entries: &mut [u32], table: &Table<C>, ids: &[u32], keyed: &mut Vec<u64>) {
+fn sort_many<C: Candidate>((entries, grain): (&mut [u32], u32), table: &Table<C>, ids: &[u32], keyed: &mut Vec<u64>) {
     keyed.clear();
     keyed.extend(
         entries
             .iter()
-            .map(|&bits| u64::from(key(bits, table, ids)) << 32 | u64::from(bits)),
+            .map(|&bits| u64::from(key(bits, grain, table, ids)) << 32 | u64::from(bits)),
     );
     keyed.sort_unstable();
     for (entry, keyed) in entries.iter_mut().zip(keyed) {

@@ -42,6 +42,14 @@ pub struct Pair {
     pub shift: u8,
 }
 
+impl Pair {
+    /// The other grain of the pair.
+    #[inline(always)]
+    pub fn other(&self, grain: u32) -> u32 {
+        self.i ^ self.j ^ grain
+    }
+}
+
 /// A candidate pair of grain and wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct WallPair {
@@ -177,8 +185,8 @@ impl Neighbours {
     /// Chunk of the candidate of two grains, and its number among all candidates; `i` has the lower id.
     #[inline]
     pub(crate) fn find_pair(&self, i: u32, j: u32) -> Option<(usize, usize)> {
-        let mut entries = self.incidence.of(i as usize).filter(|entry| entry.is_first());
-        let entry = entries.find(|&entry| self.pairs.candidate(entry).j == j)?;
+        let mut entries = self.incidence.of(i as usize);
+        let entry = entries.find(|&entry| self.pairs.candidate(entry).other(i) == j)?;
         Some((entry.chunk(), self.pairs.before(entry.chunk()) + entry.slot()))
     }
 

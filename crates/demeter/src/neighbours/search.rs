@@ -2,6 +2,7 @@
 
 use super::cells::Cells;
 use super::table::{LawOrder, NOWHERE, Segment, Table};
+use super::visit::Near;
 use super::{Pair, WallPair};
 use crate::comm::Single;
 use crate::materials::Materials;
@@ -50,6 +51,7 @@ pub(super) struct Search {
 /// Memory of one thread.
 #[derive(Debug, Default)]
 struct Worker {
+    near: Near,
     pairs: Vec<Pair>,
     walls: Vec<WallPair>,
     laws: Vec<u32>,
@@ -170,39 +172,34 @@ impl Finder<'_> {
         let one_material = self.materials.list().len() == 1;
         let rows = grains.position.rows();
         worker.pairs.clear();
+        let half = 0.5 * comm.domain().size();
         let mut effort = SearchEffort::default();
         let mut span = NOWHERE;
         for g in of.clone() {
             let row = rows[g];
             let id = grains.id[g];
-            let found = &mut worker.pairs;
-            effort.tests += self
-                .cells
-                .visit::<PERIODIC>(g as u32, row.vector, row.scalar, &mut |h: u32| {
-                    let other = &rows[h as usize];
-                    let difference = row.vector - other.vector;
-                    let shift = if PERIODIC {
-                        comm.nearest_image(difference)
-                    } else {
-                        Single::UNSHIFTED
-                    };
-                    let separation = if PERIODIC {
-                        difference + comm.shift(shift)
-                    } else {
-                        difference
-                    };
-                    let reach = row.scalar + other.scalar + self.skin;
-                    if separation.length_squared() < reach * reach {
-                        span = (span.0.min(h), span.1.max(h));
-                        let g = g as u32;
-                        found.push(if id < grains.id[h as usize] {
-                            Pair { i: g, j: h, shift }
-                        } else {
-                            let shift = Single::opposite(shift);
-                            Pair { i: h, j: g, shift }
-                        });
-                    }
-                });
+            worker.near.clear();
+            effort.tests += (self.cells).visit::<PERIODIC>(g as u32, row.vector, row.scalar, &mut worker.near);
+            for &h in worker.near.grains() {
+                let other = &rows[h as usize];
+                let mut separation = row.vector - other.vector;
+                let mut shift = Single::UNSHIFTED;
+                if PERIODIC && separation.abs().cmpgt(half).any() {
+                    shift = comm.nearest_image(separation);
+                    separation += comm.shift(shift);
+                }
+                let reach = row.scalar + other.scalar + self.skin;
+                if separation.length_squared() < reach * reach {
+                    span = (span.0.min(h), span.1.max(h));
+                    let is_first = id < grains.id[h as usize];
+                    let g = g as u32;
+                    worker.pairs.push(Pair {
+                        i: if is_first { g } else { h },
+                        j: if is_first { h } else { g },
+                        shift: if is_first { shift } else { Single::opposite(shift) },
+                    });
+                }
+            }
         }
         if !worker.pairs.is_empty() {
             span = (span.0.min(of.start as u32), span.1.max(of.end as u32 - 1));

@@ -16,6 +16,25 @@ struct Probe {
     period: [f32; 3],
 }
 
+/// Grains that passed the filter.
+#[derive(Debug, Default)]
+pub(super) struct Near {
+    list: Vec<u32>,
+    count: usize,
+}
+
+impl Near {
+    #[inline(always)]
+    pub(super) fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    #[inline(always)]
+    pub(super) fn grains(&self) -> &[u32] {
+        &self.list[..self.count]
+    }
+}
+
 /// Runs of grains in the order of the cells.
 #[derive(Default)]
 struct Runs {
@@ -39,15 +58,15 @@ impl Cells {
         self.frame.periodic != [false; 3]
     }
 
-    /// Calls `f` with every grain that may be close to one and is not looked for from the other side. Tells the number of
-    /// distance tests.
+    /// Adds every grain that may be close to one and is not looked for from the other side. Tells the number of distance
+    /// tests.
     #[inline(always)]
     pub(super) fn visit<const PERIODIC: bool>(
         &self,
         grain: u32,
         position: DVec3,
         radius: f64,
-        f: &mut impl FnMut(u32),
+        near: &mut Near,
     ) -> u64 {
         let local = self.frame.local(position);
         let period = |axis: usize| {
@@ -63,11 +82,11 @@ impl Cells {
             period: [0, 1, 2].map(period),
         };
         let class = self.classes.of(radius);
-        let mut tests = self.visit_own::<PERIODIC>(grain, &self.grids[class], local, &probe, f);
+        let mut tests = self.visit_own::<PERIODIC>(grain, &self.grids[class], local, &probe, near);
         for &other in &self.asks[class] {
             let grid = &self.grids[other];
             let reach = radius + grid.largest + self.skin;
-            tests += self.visit_other::<PERIODIC>(grid, local, reach, &probe, f);
+            tests += self.visit_other::<PERIODIC>(grid, local, reach, &probe, near);
         }
         tests
     }
@@ -80,7 +99,7 @@ impl Cells {
         grid: &Grid,
         local: DVec3,
         probe: &Probe,
-        f: &mut impl FnMut(u32),
+        near: &mut Near,
     ) -> u64 {
         let [x, y, z] = grid.coordinates(local);
         let mut runs = Runs::default();
@@ -126,7 +145,7 @@ impl Cells {
         let mut tests = 0;
         for &(from, to) in &runs.list[..runs.count] {
             tests += u64::from(to - from);
-            self.near::<PERIODIC>(from, to, probe, f);
+            self.near::<PERIODIC>(from, to, probe, near);
         }
         tests
     }
@@ -152,7 +171,7 @@ impl Cells {
         local: DVec3,
         reach: f64,
         probe: &Probe,
-        f: &mut impl FnMut(u32),
+        near: &mut Near,
     ) -> u64 {
         let reach = reach + self.frame.slack;
         let mut tests = 0;
@@ -171,7 +190,7 @@ impl Cells {
                 let mut run = |from: i32, to: i32| {
                     let (from, to) = (self.start[row + from as usize], self.start[row + to as usize]);
                     tests += u64::from(to - from);
-                    self.near::<PERIODIC>(from, to, probe, &mut *f);
+                    self.near::<PERIODIC>(from, to, probe, near);
                 };
                 let (from, to) = (zs.first, zs.first + zs.count);
                 if from < 0 {
@@ -221,36 +240,30 @@ impl Cells {
         }
     }
 
-    /// Calls `f` with the grains at `from..to` in the order of the cells that pass the filter.
+    /// Adds the grains at `from..to` in the order of the cells that pass the filter.
     #[inline(always)]
-    fn near<const PERIODIC: bool>(&self, from: u32, to: u32, probe: &Probe, f: &mut impl FnMut(u32)) {
+    fn near<const PERIODIC: bool>(&self, from: u32, to: u32, probe: &Probe, near: &mut Near) {
         let to = to as usize;
         let mut k = from as usize;
         while k < to {
-            let mut mask = self.filter::<PERIODIC>(k, probe);
-            let left = to - k;
-            if left < LANES {
-                mask &= (1 << left) - 1;
-            }
-            while mask != 0 {
-                f(self.member[k + mask.trailing_zeros() as usize]);
-                mask &= mask - 1;
-            }
+            self.filter::<PERIODIC>(k, to - k, probe, near);
             k += LANES;
         }
     }
 
-    /// Which of the grains `k..k + LANES` in the order of the cells are near enough.
+    /// Adds those of the `left` grains from `k` on, at most [`LANES`] of them, that are near enough. What to add is not
+    /// decided by branches, which nothing could foresee: all are written, and those near enough are kept.
     #[inline(always)]
-    fn filter<const PERIODIC: bool>(&self, k: usize, probe: &Probe) -> u32 {
+    fn filter<const PERIODIC: bool>(&self, k: usize, left: usize, probe: &Probe, near: &mut Near) {
         let columns = (
             self.x[k..].first_chunk::<LANES>(),
             self.y[k..].first_chunk::<LANES>(),
             self.z[k..].first_chunk::<LANES>(),
             self.radius[k..].first_chunk::<LANES>(),
+            self.member[k..].first_chunk::<LANES>(),
         );
-        let (Some(x), Some(y), Some(z), Some(radius)) = columns else {
-            return 0;
+        let (Some(x), Some(y), Some(z), Some(radius), Some(member)) = columns else {
+            return;
         };
         let along = |axis: usize, x: f32| {
             let d = (probe.at[axis] - x).abs();
@@ -260,13 +273,28 @@ impl Cells {
             let other = probe.period[axis] - d;
             if other < d { other } else { d }
         };
-        let mut near = [0u32; LANES];
+        let left = left.min(LANES) as u32;
+        let mut is_near = [0u32; LANES];
         for l in 0..LANES {
             let (dx, dy, dz) = (along(0, x[l]), along(1, y[l]), along(2, z[l]));
             let reach = probe.reach + radius[l];
-            near[l] = u32::from(dx * dx + dy * dy + dz * dz < reach * reach) << l;
+            let passes = dx * dx + dy * dy + dz * dz < reach * reach;
+            is_near[l] = u32::from(passes) & u32::from((l as u32) < left);
         }
-        near.iter().fold(0, |all, one| all | one)
+        let mut count = near.count;
+        if near.list.len() < count + LANES {
+            near.list.resize(2 * count + 8 * LANES, 0);
+        }
+        let Some(list) = near.list.get_mut(count..count + LANES) else {
+            return;
+        };
+        let mut added = 0;
+        for l in 0..LANES {
+            list[added & (LANES - 1)] = member[l];
+            added += is_near[l] as usize;
+        }
+        count += added;
+        near.count = count;
     }
 }
 
