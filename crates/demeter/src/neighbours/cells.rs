@@ -9,7 +9,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 /// Distance tests made at a time: a loop over columns of fixed length has no branches and is vectorised.
-pub(super) const LANES: usize = 8;
+pub(super) const LANES: usize = 4;
 
 /// Rounding of places in `f32`, as a share of the extent: two roundings in each of three directions, and to spare.
 const ROUNDING: f64 = 5e-7;

@@ -84,8 +84,10 @@ impl Incidence {
             let mut long = Vec::new();
             for (grain, &end) in (first as u32..).zip(starts.iter()) {
                 let own = &mut entries[begin - base..end as usize - base];
-                if own.len() <= FEW {
-                    sort_few(own, grain, table, ids);
+                if own.len() <= FEW / 2 {
+                    sort_few::<C, { FEW / 2 }>(own, grain, table, ids);
+                } else if own.len() <= FEW {
+                    sort_few::<C, FEW>(own, grain, table, ids);
                 } else {
                     sort_many((own, grain), table, ids, &mut long);
                 }
@@ -130,22 +132,17 @@ fn key<C: Candidate>(bits: u32, grain: u32, table: &Table<C>, ids: &[u32]) -> u3
     table.candidate(Entry::of_bits(bits)).key(grain, ids)
 }
 
-/// Sorts by counting: without a branch that depends on what is compared.
+/// Sorts at most `MOST` by counting: without a branch that depends on what is compared.
 #[inline(always)]
-fn sort_few<C: Candidate>(entries: &mut [u32], grain: u32, table: &Table<C>, ids: &[u32]) {
-    let (mut keys, mut from) = ([u32::MAX; FEW], [0u32; FEW]);
-    let count = entries.len();
-    for (k, &bits) in entries.iter().enumerate() {
-        from[k] = bits;
-        keys[k] = key(bits, grain, table, ids);
+fn sort_few<C: Candidate, const MOST: usize>(entries: &mut [u32], grain: u32, table: &Table<C>, ids: &[u32]) {
+    let (mut keys, mut from) = ([u32::MAX; MOST], [0u32; MOST]);
+    for ((&bits, place), from) in entries.iter().zip(&mut keys).zip(&mut from) {
+        *from = bits;
+        *place = key(bits, grain, table, ids);
     }
-    for k in 0..count.min(FEW) {
-        let rank: u32 = if count <= FEW / 2 {
-            keys[..FEW / 2].iter().map(|&other| u32::from(other < keys[k])).sum()
-        } else {
-            keys.iter().map(|&other| u32::from(other < keys[k])).sum()
-        };
-        entries[rank as usize] = from[k];
+    for (&bits, &own) in from.iter().zip(&keys).take(entries.len()) {
+        let rank: u32 = keys.iter().map(|&other| u32::from(other < own)).sum();
+        entries[rank as usize] = bits;
     }
 }
 

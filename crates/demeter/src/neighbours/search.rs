@@ -179,7 +179,7 @@ impl Finder<'_> {
             let row = rows[g];
             let id = grains.id[g];
             worker.near.clear();
-            effort.tests += (self.cells).visit::<PERIODIC>(g as u32, row.vector, row.scalar, &mut worker.near);
+            effort.tests += (self.cells).visit(g as u32, row.vector, row.scalar, &mut worker.near);
             for &h in worker.near.grains() {
                 let other = &rows[h as usize];
                 let mut separation = row.vector - other.vector;

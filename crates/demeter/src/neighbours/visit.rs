@@ -16,6 +16,29 @@ struct Probe {
     period: [f32; 3],
 }
 
+impl Probe {
+    /// Which of the first `left` grains of columns are near enough: 1 for those, 0 for others.
+    #[inline(always)]
+    fn filter<const PERIODIC: bool>(&self, [x, y, z, radius]: [&[f32; LANES]; 4], left: i32) -> [u32; LANES] {
+        let along = |axis: usize, x: f32| {
+            let d = (self.at[axis] - x).abs();
+            if !PERIODIC {
+                return d;
+            }
+            let other = self.period[axis] - d;
+            if other < d { other } else { d }
+        };
+        let mut is_near = [0u32; LANES];
+        for l in 0..LANES {
+            let (dx, dy, dz) = (along(0, x[l]), along(1, y[l]), along(2, z[l]));
+            let reach = self.reach + radius[l];
+            let passes = dx * dx + dy * dy + dz * dz < reach * reach;
+            is_near[l] = u32::from(passes) & u32::from((l as i32) < left);
+        }
+        is_near
+    }
+}
+
 /// Grains that passed the filter.
 #[derive(Debug, Default)]
 pub(super) struct Near {
@@ -60,14 +83,7 @@ impl Cells {
 
     /// Adds every grain that may be close to one and is not looked for from the other side. Tells the number of distance
     /// tests.
-    #[inline(always)]
-    pub(super) fn visit<const PERIODIC: bool>(
-        &self,
-        grain: u32,
-        position: DVec3,
-        radius: f64,
-        near: &mut Near,
-    ) -> u64 {
+    pub(super) fn visit(&self, grain: u32, position: DVec3, radius: f64, near: &mut Near) -> u64 {
         let local = self.frame.local(position);
         let period = |axis: usize| {
             if self.frame.periodic[axis] {
@@ -82,29 +98,40 @@ impl Cells {
             period: [0, 1, 2].map(period),
         };
         let class = self.classes.of(radius);
-        let mut tests = self.visit_own::<PERIODIC>(grain, &self.grids[class], local, &probe, near);
+        let own = &self.grids[class];
+        let mut runs = Runs::default();
+        let is_inside = self.runs_of_own(grain, own, local, &mut runs);
+        let mut tests = if is_inside || !self.is_periodic() {
+            self.near::<false>(&runs.list[..runs.count], &probe, near)
+        } else {
+            self.near::<true>(&runs.list[..runs.count], &probe, near)
+        };
         for &other in &self.asks[class] {
             let grid = &self.grids[other];
-            let reach = radius + grid.largest + self.skin;
-            tests += self.visit_other::<PERIODIC>(grid, local, reach, &probe, near);
+            let reach = radius + grid.largest + self.skin + self.frame.slack;
+            tests += if self.is_inside(local, radius + grid.largest) {
+                self.visit_other::<false>(grid, local, reach, &probe, near)
+            } else {
+                self.visit_other::<true>(grid, local, reach, &probe, near)
+            };
         }
         tests
     }
 
-    /// Grains of the own class: later ones in the own cell, and half of the cells around.
+    /// Whether a search does not reach across a periodic side.
     #[inline(always)]
-    fn visit_own<const PERIODIC: bool>(
-        &self,
-        grain: u32,
-        grid: &Grid,
-        local: DVec3,
-        probe: &Probe,
-        near: &mut Near,
-    ) -> u64 {
+    fn is_inside(&self, local: DVec3, touch: f64) -> bool {
+        let reach = touch + self.skin + self.frame.slack;
+        let frame = &self.frame;
+        (0..3).all(|k| !frame.periodic[k] || (local[k] - reach > 0.0 && local[k] + reach < frame.size[k]))
+    }
+
+    /// Grains of the own class: later ones in the own cell, and half of the cells around. Tells whether none of these cells
+    /// is at the border of the grid.
+    #[inline(always)]
+    fn runs_of_own(&self, grain: u32, grid: &Grid, local: DVec3, runs: &mut Runs) -> bool {
         let [x, y, z] = grid.coordinates(local);
-        let mut runs = Runs::default();
         let depth = grid.cells[2];
-        let is_ring = self.frame.periodic[2] && depth > 1;
         // the own row: later grains of the own cell, and the cell behind
         let own = grid.row(x, y) + z as usize;
         let (own_start, own_end) = (self.start[own], self.start[own + 1]);
@@ -112,21 +139,37 @@ impl Cells {
         let place = members.iter().position(|&m| m == grain).unwrap_or(members.len());
         let behind = if z + 1 < depth { self.start[own + 2] } else { own_end };
         runs.push(own_start + place as u32 + 1, behind);
-        if is_ring && z + 1 == depth {
-            runs.push(
-                self.start[own + 1 - depth as usize],
-                self.start[own + 2 - depth as usize],
-            );
+        let inner = |axis: usize, at: i32| at > 0 && at + 1 < grid.cells[axis];
+        if inner(0, x) && inner(1, y) && inner(2, z) {
+            // rows beside, three cells of each
+            let (row, sheet) = (depth as usize, (grid.cells[1] * depth) as usize);
+            for to in [own + row, own + sheet - row, own + sheet, own + sheet + row] {
+                runs.push(self.start[to - 1], self.start[to + 2]);
+            }
+            return true;
         }
-        // rows beside, three cells of each
-        let (low, high) = ((z - 1).max(0) as usize, (z + 1).min(depth - 1) as usize + 1);
+        self.runs_at_border(grid, [x, y, z], runs);
+        false
+    }
+
+    /// Runs of the cells around one at the border: those beyond a periodic side are on the other.
+    fn runs_at_border(&self, grid: &Grid, [x, y, z]: [i32; 3], runs: &mut Runs) {
+        let depth = grid.cells[2];
+        let is_ring = self.frame.periodic[2] && depth > 1;
+        let mut cells = |row: usize, from: i32, to: i32| {
+            runs.push(self.start[row + from as usize], self.start[row + to as usize]);
+        };
+        if is_ring && z + 1 == depth {
+            cells(grid.row(x, y), 0, 1);
+        }
+        let (low, high) = ((z - 1).max(0), (z + 1).min(depth - 1) + 1);
         let mut row = |x: i32, y: i32| {
             let row = grid.row(x, y);
-            runs.push(self.start[row + low], self.start[row + high]);
+            cells(row, low, high);
             if is_ring && z == 0 {
-                runs.push(self.start[row + depth as usize - 1], self.start[row + depth as usize]);
+                cells(row, depth - 1, depth);
             } else if is_ring && z + 1 == depth {
-                runs.push(self.start[row], self.start[row + 1]);
+                cells(row, 0, 1);
             }
         };
         let ahead = self.beside(grid, 1, y + 1);
@@ -135,19 +178,10 @@ impl Cells {
         }
         if let Some(x) = self.beside(grid, 0, x + 1) {
             row(x, y);
-            if let Some(y) = self.beside(grid, 1, y - 1) {
-                row(x, y);
-            }
-            if let Some(y) = ahead {
+            for y in self.beside(grid, 1, y - 1).into_iter().chain(ahead) {
                 row(x, y);
             }
         }
-        let mut tests = 0;
-        for &(from, to) in &runs.list[..runs.count] {
-            tests += u64::from(to - from);
-            self.near::<PERIODIC>(from, to, probe, near);
-        }
-        tests
     }
 
     /// The cell beside another, if there is one.
@@ -164,7 +198,6 @@ impl Cells {
     }
 
     /// All grains of another class within a reach.
-    #[inline(always)]
     fn visit_other<const PERIODIC: bool>(
         &self,
         grid: &Grid,
@@ -173,7 +206,6 @@ impl Cells {
         probe: &Probe,
         near: &mut Near,
     ) -> u64 {
-        let reach = reach + self.frame.slack;
         let mut tests = 0;
         let xs = self.span(grid, 0, local.x, reach);
         let ys = self.span(grid, 1, local.y, reach);
@@ -189,8 +221,9 @@ impl Cells {
                 let row = grid.row(xs.wrap(x), ys.wrap(y));
                 let mut run = |from: i32, to: i32| {
                     let (from, to) = (self.start[row + from as usize], self.start[row + to as usize]);
-                    tests += u64::from(to - from);
-                    self.near::<PERIODIC>(from, to, probe, near);
+                    if from < to {
+                        tests += self.near::<PERIODIC>(&[(from, to)], probe, near);
+                    }
                 };
                 let (from, to) = (zs.first, zs.first + zs.count);
                 if from < 0 {
@@ -240,61 +273,43 @@ impl Cells {
         }
     }
 
-    /// Adds the grains at `from..to` in the order of the cells that pass the filter.
+    /// Adds the grains of runs in the order of the cells that pass the filter. Tells the number of distance tests.
     #[inline(always)]
-    fn near<const PERIODIC: bool>(&self, from: u32, to: u32, probe: &Probe, near: &mut Near) {
-        let to = to as usize;
-        let mut k = from as usize;
-        while k < to {
-            self.filter::<PERIODIC>(k, to - k, probe, near);
-            k += LANES;
-        }
-    }
-
-    /// Adds those of the `left` grains from `k` on, at most [`LANES`] of them, that are near enough. What to add is not
-    /// decided by branches, which nothing could foresee: all are written, and those near enough are kept.
-    #[inline(always)]
-    fn filter<const PERIODIC: bool>(&self, k: usize, left: usize, probe: &Probe, near: &mut Near) {
-        let columns = (
-            self.x[k..].first_chunk::<LANES>(),
-            self.y[k..].first_chunk::<LANES>(),
-            self.z[k..].first_chunk::<LANES>(),
-            self.radius[k..].first_chunk::<LANES>(),
-            self.member[k..].first_chunk::<LANES>(),
-        );
-        let (Some(x), Some(y), Some(z), Some(radius), Some(member)) = columns else {
-            return;
-        };
-        let along = |axis: usize, x: f32| {
-            let d = (probe.at[axis] - x).abs();
-            if !PERIODIC {
-                return d;
-            }
-            let other = probe.period[axis] - d;
-            if other < d { other } else { d }
-        };
-        let left = left.min(LANES) as u32;
-        let mut is_near = [0u32; LANES];
-        for l in 0..LANES {
-            let (dx, dy, dz) = (along(0, x[l]), along(1, y[l]), along(2, z[l]));
-            let reach = probe.reach + radius[l];
-            let passes = dx * dx + dy * dy + dz * dz < reach * reach;
-            is_near[l] = u32::from(passes) & u32::from((l as u32) < left);
+    fn near<const PERIODIC: bool>(&self, runs: &[(u32, u32)], probe: &Probe, near: &mut Near) -> u64 {
+        let tests: usize = runs.iter().map(|&(from, to)| (to - from) as usize).sum();
+        let room = near.count + tests + LANES;
+        if near.list.len() < room {
+            near.list.resize(2 * room, 0);
         }
         let mut count = near.count;
-        if near.list.len() < count + LANES {
-            near.list.resize(2 * count + 8 * LANES, 0);
+        for &(from, to) in runs {
+            // columns may be read beyond the end of a run; what is there does not count
+            let length = (to - from) as usize;
+            let padded = from as usize..from as usize + length.next_multiple_of(LANES);
+            let columns = (self.x[padded.clone()].as_chunks().0.iter())
+                .zip(self.y[padded.clone()].as_chunks().0)
+                .zip(self.z[padded.clone()].as_chunks().0)
+                .zip(self.radius[padded.clone()].as_chunks().0)
+                .zip(self.member[padded].as_chunks::<LANES>().0);
+            let mut left = length as i32;
+            for ((((x, y), z), radius), member) in columns {
+                let is_near = probe.filter::<PERIODIC>([x, y, z, radius], left);
+                let Some(list) = near.list.get_mut(count..count + LANES) else {
+                    break;
+                };
+                // what to keep is not decided by branches, which nothing could foresee: all are written, and the next of
+                // them over those not near
+                let mut kept = 0;
+                for l in 0..LANES {
+                    list[kept & (LANES - 1)] = member[l];
+                    kept += is_near[l] as usize;
+                }
+                count += kept;
+                left -= LANES as i32;
+            }
         }
-        let Some(list) = near.list.get_mut(count..count + LANES) else {
-            return;
-        };
-        let mut added = 0;
-        for l in 0..LANES {
-            list[added & (LANES - 1)] = member[l];
-            added += is_near[l] as usize;
-        }
-        count += added;
         near.count = count;
+        tests as u64
     }
 }
 
