@@ -59,6 +59,9 @@ impl Single {
         digit(0) * 9 + digit(1) * 3 + digit(2)
     }
 
+    /// Code of no shift.
+    pub const UNSHIFTED: u8 = 13;
+
     /// Code of the opposite shift.
     #[inline(always)]
     pub fn opposite(code: u8) -> u8 {

@@ -1,6 +1,6 @@
 //! Active contacts: the central table of the engine.
 //!
-//! Candidates are cut into chunks of fixed size. A chunk owns its contacts (struct of arrays), is handled by one task
+//! Candidates are cut into chunks of one law. A chunk owns its contacts (struct of arrays), is handled by one task
 //! and keeps its own sums, so nothing depends on the number of threads. Within a step a chunk goes through
 //!
 //! 1. [`narrow`]: candidates -> contacts that touch during this step, with the history of the step before
@@ -24,14 +24,13 @@ pub use fault::Fault;
 pub use narrow::Scene;
 pub use transfer::{CarriedContact, ContactKey};
 
+pub use crate::neighbours::CHUNK;
+
 use crate::walls::SurfaceContact;
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
-
-/// Candidates handled by one chunk.
-pub const CHUNK: usize = 1024;
 
 /// Work of the contact forces in one step [J], and what is needed to watch a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -271,12 +270,14 @@ impl ContactChunk {
 /// All contacts: between grains, and between grains and walls.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
-    /// Contacts between grains, by chunks of [`crate::neighbours::Neighbours::pairs`].
+    /// Contacts between grains, by chunks of [`crate::neighbours::Neighbours::chunk`].
     pub pairs: Vec<ContactChunk>,
-    /// Contacts with walls, by chunks of [`crate::neighbours::Neighbours::wall_pairs`].
+    /// Contacts with walls, by chunks of [`crate::neighbours::Neighbours::wall_chunk`].
     pub walls: Vec<ContactChunk>,
     /// Number of history values per contact.
     pub stride: usize,
+    /// Memory for handing contacts over to new candidates, between grains and with walls.
+    pub(crate) transfer: [transfer::Transfer; 2],
 }
 
 impl Contacts {

@@ -107,7 +107,7 @@ impl ContactChunk {
         };
         lanes::run(scene.instructions, find);
         if scene.is_coupled() || self.found.candidates != self.now.candidate {
-            self.take_over(pairs, scene);
+            self.renew(pairs, scene);
         }
         std::mem::swap(&mut self.now.geometry, &mut self.found.geometry);
         if let Some(k) = self.found.too_deep {
@@ -119,7 +119,7 @@ impl ContactChunk {
     }
 
     /// Takes over what the contacts of the step before remember, where not all of them are still the same.
-    fn take_over(&mut self, pairs: &[Pair], scene: &Scene) {
+    fn renew(&mut self, pairs: &[Pair], scene: &Scene) {
         let (grains, stride) = (scene.grains, scene.stride);
         std::mem::swap(&mut self.now, &mut self.before);
         self.now.clear();

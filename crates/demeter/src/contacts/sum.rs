@@ -1,6 +1,6 @@
 //! Sum per grain over its contacts, in the order of the partner's id.
 
-use super::{CHUNK, Contacts, Load};
+use super::{Contacts, Load};
 use crate::neighbours::Neighbours;
 use glam::DVec3;
 
@@ -8,18 +8,18 @@ use glam::DVec3;
 #[inline(always)]
 pub fn contact_load(grain: usize, neighbours: &Neighbours, contacts: &Contacts) -> (DVec3, DVec3) {
     let mut sum = Sum::default();
-    for (pair, first) in neighbours.pairs_of(grain) {
-        let chunk = &contacts.pairs[pair / CHUNK];
-        for k in chunk.contacts_of(pair % CHUNK) {
+    for (chunk, slot, first) in neighbours.pairs_of(grain) {
+        let chunk = &contacts.pairs[chunk];
+        for k in chunk.contacts_of(slot) {
             sum.add(&chunk.load[k], first);
             if let Some(&torque) = chunk.rolling.get(k) {
                 sum.roll(torque, first);
             }
         }
     }
-    for pair in neighbours.wall_pairs_of(grain) {
-        let chunk = &contacts.walls[pair / CHUNK];
-        for k in chunk.contacts_of(pair % CHUNK) {
+    for (chunk, slot) in neighbours.wall_pairs_of(grain) {
+        let chunk = &contacts.walls[chunk];
+        for k in chunk.contacts_of(slot) {
             sum.add(&chunk.load[k], true);
             if let Some(&torque) = chunk.rolling.get(k) {
                 sum.roll(torque, true);
