@@ -137,11 +137,10 @@ impl Simulation {
         };
         let neighbours = &self.neighbours;
         let between_grains = (self.contacts.pairs.par_iter_mut().enumerate()).map(|(c, chunk)| {
-            chunk.find_pairs(neighbours.chunk(c).0, &scene);
-            chunk.evaluate_pairs(&scene);
+            chunk.step_pairs(neighbours.chunk(c), &scene);
         });
         let with_walls = (self.contacts.walls.par_iter_mut().enumerate()).map(|(c, chunk)| {
-            chunk.find_walls(neighbours.wall_chunk(c).0, &scene);
+            chunk.find_walls(neighbours.wall_chunk(c), &scene);
             chunk.evaluate_walls(&scene);
         });
         between_grains.chain(with_walls).for_each(|()| ());

@@ -35,7 +35,7 @@ use scenes::{FACE_CENTRED, SIMPLE_CUBIC, case, found, lattice, started};
 
 /// All contacts carry one force.
 fn assert_all(sim: &Simulation, contacts: usize, expected: f64) {
-    let mut forces = found(&sim.contacts);
+    let mut forces = found(&sim);
     forces.retain(|f| f.force != 0.0);
     assert_eq!(forces.len(), contacts);
     for found in forces {
@@ -119,7 +119,7 @@ fn side_contacts_are_born_from_bulging() {
         // held a rounding error apart, so that no side contact touches by itself
         let edge = DVec3::new(2.0 + 1e-14, 2.0 + 1e-14, 2.0 * 0.95);
         let sim = started(lattice(case(model, 0.5), 3, edge, &SIMPLE_CUBIC));
-        let mut forces = found(&sim.contacts);
+        let mut forces = found(&sim);
         forces.retain(|f| f.force != 0.0);
         assert_eq!(forces.len(), if side > 0.0 { 81 } else { 27 });
         for found in forces {

@@ -205,10 +205,10 @@ fn a_dent_lasts_through_unloading_and_reloading() {
             for wall in 0..2 {
                 // in the dent it touches without force: it is in the table, but does not act
                 let mut found = contacts.iter().flat_map(|chunk| {
-                    let all = chunk.geometry().iter().zip(chunk.normal_force()).zip(&chunk.j);
-                    all.filter(|(_, on)| **on as usize == wall)
+                    let here = (0..chunk.len()).filter(|&k| chunk.j[k] as usize == wall);
+                    here.map(|k| (sim.contact(chunk, k), chunk.normal_force()[k]))
                 });
-                let Some(((contact, &force), _)) = found.next() else {
+                let Some((contact, force)) = found.next() else {
                     // they parted: the next contact is a new one
                     lost += plastic(deepest[wall]);
                     (deepest[wall], latest[wall]) = (0.0, 0.0);

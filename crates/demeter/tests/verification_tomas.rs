@@ -351,14 +351,14 @@ fn a_cloud_of_fine_powder_agglomerates() {
             .contacts
             .pairs
             .iter()
-            .flat_map(|c| c.geometry())
+            .flat_map(|c| (0..c.len()).map(|k| sim.contact(c, k)))
             .filter(|c| c.overlap > 0.0)
             .count();
         let stuck = sim
             .contacts
             .walls
             .iter()
-            .flat_map(|c| c.geometry())
+            .flat_map(|c| (0..c.len()).map(|k| sim.contact(c, k)))
             .filter(|c| c.overlap > 0.0)
             .count();
         let per_grain = (2 * touching + stuck) as f64 / f64::from(count);
@@ -385,7 +385,8 @@ fn the_powder_of_the_invariants_meets_every_branch() {
         for _ in 0..5000 {
             sim.step().unwrap();
             for chunk in sim.contacts.pairs.iter().chain(&sim.contacts.walls) {
-                for (k, contact) in chunk.geometry().iter().enumerate() {
+                for k in 0..chunk.len() {
+                    let contact = sim.contact(chunk, k);
                     let [deepest, foot, ..] = *chunk.history(k, sim.contacts.stride) else {
                         panic!("no history")
                     };

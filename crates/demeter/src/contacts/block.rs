@@ -441,7 +441,7 @@ impl ContactChunk {
         let mut block = Block::EMPTY;
         let mut first = 0;
         while first < count {
-            let contacts = first..next_block(&self.now.pair, first);
+            let contacts = first..(first + BLOCK).min(count);
             gather(self, contacts.clone(), &mut block);
             let length = contacts.len();
             block.force[..length].copy_from_slice(&self.now.normal_force[contacts.clone()]);
@@ -449,7 +449,7 @@ impl ContactChunk {
                 dt: scene.dt,
                 integrator: scene.integrator,
                 instructions: scene.instructions,
-                law: scene.materials.law(self.now.pair[first]),
+                law: scene.materials.law(self.law),
                 block: &mut block,
                 count: length,
                 history: &mut self.now.history[contacts.start * scene.stride..contacts.end * scene.stride],
@@ -475,11 +475,4 @@ impl ContactChunk {
             first = contacts.end;
         }
     }
-}
-
-/// End of the block of contacts of one material pair that begins at `start`.
-fn next_block(pairs: &[u32], start: usize) -> usize {
-    let most = (start + BLOCK).min(pairs.len());
-    let length = pairs[start..most].iter().take_while(|&&p| p == pairs[start]).count();
-    start + length
 }

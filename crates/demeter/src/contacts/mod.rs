@@ -86,11 +86,9 @@ pub(crate) struct Kept {
     pub(crate) start: Vec<u32>,
     /// Candidate of every contact; of chunks of pairs only.
     pub(crate) candidate: Vec<u32>,
-    /// Element of the wall that is touched; 0 between grains.
+    /// Element of the wall that is touched; empty between grains.
     pub(crate) element: Vec<u32>,
-    /// Material pair.
-    pub(crate) pair: Vec<u32>,
-    /// Geometry.
+    /// Geometry; between grains whose contacts do not feel each other only while forces are found.
     pub(crate) geometry: Vec<Contact>,
     /// Normal force on the first body along the normal [N].
     pub(crate) normal_force: Vec<f64>,
@@ -106,7 +104,6 @@ impl Kept {
         self.start.push(0);
         self.candidate.clear();
         self.element.clear();
-        self.pair.clear();
         self.geometry.clear();
         self.normal_force.clear();
         self.history.clear();
@@ -114,7 +111,7 @@ impl Kept {
     }
 
     fn len(&self) -> usize {
-        self.geometry.len()
+        self.normal_force.len()
     }
 
     /// Puts the candidates of contacts, of which each has at most one.
@@ -152,6 +149,8 @@ pub struct ContactChunk {
     pub(crate) taken: Vec<usize>,
     pub(crate) coupling: Scratch,
     found: meetings::Found,
+    /// The material pair of all contacts.
+    pub(crate) law: u32,
     /// Index of the first grain.
     pub i: Vec<u32>,
     /// Index of the second grain, or of the wall.
@@ -211,12 +210,7 @@ impl ContactChunk {
 
     /// Whether there is no contact.
     pub fn is_empty(&self) -> bool {
-        self.now.len() == 0
-    }
-
-    /// Geometry of every contact.
-    pub fn geometry(&self) -> &[Contact] {
-        &self.now.geometry
+        self.len() == 0
     }
 
     /// Normal force of every contact [N].
@@ -240,14 +234,14 @@ impl ContactChunk {
         (0..self.len()).filter(|&k| self.acts(k)).count()
     }
 
-    /// Material pair of every contact.
-    pub fn pair(&self) -> &[u32] {
-        &self.now.pair
+    /// The material pair of all contacts.
+    pub fn law(&self) -> u32 {
+        self.law
     }
 
-    /// Wall element of every contact.
-    pub fn element(&self) -> &[u32] {
-        &self.now.element
+    /// Element of the wall that a contact touches; 0 between grains.
+    pub fn element(&self, contact: usize) -> u32 {
+        self.now.element.get(contact).copied().unwrap_or(0)
     }
 
     /// What the contacts remember of the displacements by each other; empty where all are independent.

@@ -5,7 +5,7 @@
 //! as far as it reaches, and one window farther, so that it sees itself let go and books what that loses.
 
 use super::laws::largest_reach;
-use super::meetings::FindPairs;
+use super::meetings::{FindPairs, Found};
 use super::{ContactChunk, Fault, Kept};
 use crate::comm::Single;
 use crate::materials::Materials;
@@ -17,6 +17,7 @@ use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::{self, Instructions};
 use glam::DVec3;
+use std::cell::RefCell;
 
 /// Everything that contacts are made of.
 #[derive(Clone, Copy)]
@@ -95,10 +96,30 @@ impl Scene<'_> {
     }
 }
 
+thread_local! {
+    /// What a thread needs while it finds the contacts of a chunk.
+    static WORKSPACE: RefCell<(Found, Kept)> = RefCell::default();
+}
+
 impl ContactChunk {
-    /// Finds the contacts of a chunk of pairs of grains.
-    pub(crate) fn find_pairs(&mut self, pairs: &[Pair], scene: &Scene) {
-        self.begin(scene.walls.len());
+    /// Finds the contacts of a chunk of pairs of grains that do not feel each other, and their forces.
+    ///
+    /// What is needed in between lies in memory of the thread, which stays in its caches from chunk to chunk.
+    pub(crate) fn step_pairs(&mut self, candidates: (&[Pair], u32), scene: &Scene) {
+        WORKSPACE.with_borrow_mut(|(found, before)| {
+            std::mem::swap(found, &mut self.found);
+            std::mem::swap(before, &mut self.before);
+            self.find_pairs(candidates, scene);
+            self.evaluate_pairs(scene);
+            std::mem::swap(&mut self.now.geometry, &mut self.found.geometry);
+            std::mem::swap(found, &mut self.found);
+            std::mem::swap(before, &mut self.before);
+        });
+    }
+
+    /// Finds the contacts of a chunk of pairs of grains of one material pair.
+    pub(crate) fn find_pairs(&mut self, (pairs, law): (&[Pair], u32), scene: &Scene) {
+        self.begin(0, law);
         let find = FindPairs {
             pairs,
             scene,
@@ -136,11 +157,7 @@ impl ContactChunk {
             let pair = &pairs[candidate as usize];
             self.i.push(pair.i);
             self.j.push(pair.j);
-            self.now.element.push(0);
             let (i, j) = (pair.i as usize, pair.j as usize);
-            self.now
-                .pair
-                .push(scene.materials.pair(grains.material[i], grains.material[j]));
             if goes_on {
                 self.now.normal_force.push(self.before.normal_force[old]);
                 let history = &self.before.history[old * stride..(old + 1) * stride];
@@ -168,8 +185,8 @@ impl ContactChunk {
     }
 
     /// Finds the contacts of a chunk of pairs of grain and wall.
-    pub(crate) fn find_walls(&mut self, pairs: &[WallPair], scene: &Scene) {
-        self.begin(scene.walls.len());
+    pub(crate) fn find_walls(&mut self, (pairs, law): (&[WallPair], u32), scene: &Scene) {
+        self.begin(scene.walls.len(), law);
         std::mem::swap(&mut self.now, &mut self.before);
         self.now.clear();
         self.goes_on.clear();
@@ -185,14 +202,13 @@ impl ContactChunk {
             let bulge = scene.bulge(g);
             touched.clear();
             wall.contacts(centre, radius + window + bulge, &mut touched);
-            let pair = scene.materials.pair(grains.material[g], wall.material);
             let mass = grains.mass[g];
             let rate = |s: &SurfaceContact| {
                 let foot = centre - s.normal * s.distance;
                 (wall.velocity_at(foot) - grains.velocity[g]).dot(s.normal)
             };
             let size = PairSize { radius, mass };
-            touched.retain(|s| scene.acts(pair, || size, radius - s.distance + bulge, rate(s)));
+            touched.retain(|s| scene.acts(law, || size, radius - s.distance + bulge, rate(s)));
             taken.clear();
             for k in 0..touched.len() {
                 let s = touched[k];
@@ -204,7 +220,7 @@ impl ContactChunk {
                 };
                 let old = self.before.heir(c, &touched, k, &taken);
                 taken.extend(old);
-                self.push(scene.stride, (p.grain, p.wall, s.element), pair, contact, old);
+                self.push(scene.stride, (p.grain, p.wall, s.element), contact, old);
                 if scene.is_coupled() {
                     self.coupling.push(rate(&s), size, old);
                 }
@@ -220,7 +236,8 @@ impl ContactChunk {
         }
     }
 
-    fn begin(&mut self, walls: usize) {
+    fn begin(&mut self, walls: usize, law: u32) {
+        self.law = law;
         self.coupling.clear();
         self.fault = None;
         self.tally = super::Tally::default();
@@ -228,18 +245,10 @@ impl ContactChunk {
         self.wall_load.resize(walls, (DVec3::ZERO, DVec3::ZERO));
     }
 
-    fn push(
-        &mut self,
-        stride: usize,
-        (i, j, element): (u32, u32, u32),
-        pair: u32,
-        contact: Contact,
-        old: Option<usize>,
-    ) {
+    fn push(&mut self, stride: usize, (i, j, element): (u32, u32, u32), contact: Contact, old: Option<usize>) {
         self.i.push(i);
         self.j.push(j);
         self.now.element.push(element);
-        self.now.pair.push(pair);
         self.now.geometry.push(contact);
         match old {
             Some(k) => {
@@ -290,7 +299,7 @@ impl ContactChunk {
             return;
         }
         let history = &self.before.history[old * scene.stride..(old + 1) * scene.stride];
-        let law = scene.materials.law(self.before.pair[old]);
+        let law = scene.materials.law(self.law);
         let (tangential, rolling) = super::laws::spring_energies(law, history);
         self.tally.friction += tangential;
         self.tally.rolling += rolling;

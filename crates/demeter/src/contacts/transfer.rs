@@ -28,16 +28,14 @@ pub struct ContactKey {
 pub struct CarriedContact {
     /// Identity.
     pub key: ContactKey,
-    /// Material pair.
-    pub pair: u32,
-    /// Geometry.
-    pub geometry: Contact,
+    /// Geometry, where it is not found from the places of the grains again.
+    pub geometry: Option<Contact>,
     /// Normal force [N].
     pub normal_force: f64,
     /// What it does to both bodies.
     pub load: Load,
     /// Torque of the rolling law on the first body [N m].
-    pub rolling: DVec3,
+    pub rolling: Option<DVec3>,
     /// History of its laws.
     pub history: Vec<f64>,
     /// What it remembers of the displacements by the other contacts, where contacts feel each other.
@@ -78,6 +76,8 @@ trait Heirs: Sync {
     fn count(&self) -> usize;
     /// Candidates before a chunk, and in it.
     fn of_chunk(&self, chunk: usize) -> (usize, usize);
+    /// Material pair of a chunk.
+    fn law(&self, chunk: usize) -> u32;
     /// Bodies of a candidate.
     fn bodies(&self, chunk: usize, slot: usize) -> (u32, u32);
     /// Chunk and number of the candidate of two bodies.
@@ -109,6 +109,10 @@ impl Heirs for Pairs<'_> {
         (self.0.before_chunk(chunk), self.0.chunk(chunk).0.len())
     }
 
+    fn law(&self, chunk: usize) -> u32 {
+        self.0.chunk(chunk).1
+    }
+
     #[inline(always)]
     fn bodies(&self, chunk: usize, slot: usize) -> (u32, u32) {
         let pair = &self.0.chunk(chunk).0[slot];
@@ -132,6 +136,10 @@ impl Heirs for Walls<'_> {
 
     fn of_chunk(&self, chunk: usize) -> (usize, usize) {
         (self.0.before_wall_chunk(chunk), self.0.wall_chunk(chunk).0.len())
+    }
+
+    fn law(&self, chunk: usize) -> u32 {
+        self.0.wall_chunk(chunk).1
     }
 
     #[inline(always)]
@@ -161,6 +169,7 @@ impl Transfer {
             (chunks[done..end].par_iter_mut().enumerate()).for_each(|(k, chunk)| {
                 let (before, candidates) = heirs.of_chunk(done + k);
                 chunk.forget();
+                chunk.law = heirs.law(done + k);
                 for (slot, heir) in heir[before..before + candidates].iter().enumerate() {
                     let from = heir.load(Ordering::Relaxed);
                     if from != NONE {
@@ -233,9 +242,8 @@ impl ContactChunk {
         self.load.push(old.load[contact]);
         self.rolling.extend(old.rolling.get(contact));
         let (now, before) = (&mut self.now, &old.now);
-        now.element.push(before.element[contact]);
-        now.pair.push(before.pair[contact]);
-        now.geometry.push(before.geometry[contact]);
+        now.element.extend(before.element.get(contact));
+        now.geometry.extend(before.geometry.get(contact));
         now.normal_force.push(before.normal_force[contact]);
         now.history.extend_from_slice(old.history(contact, stride));
         now.coupling.extend(before.coupling.get(contact));
@@ -246,11 +254,12 @@ impl ContactChunk {
         self.i.push(i);
         self.j.push(j);
         self.load.push(contact.load);
-        self.rolling.push(contact.rolling);
+        self.rolling.extend(contact.rolling);
         let now = &mut self.now;
-        now.element.push(contact.key.element);
-        now.pair.push(contact.pair);
-        now.geometry.push(contact.geometry);
+        if contact.key.wall {
+            now.element.push(contact.key.element);
+        }
+        now.geometry.extend(contact.geometry);
         now.normal_force.push(contact.normal_force);
         let history = contact.history.iter().copied();
         now.history.extend(history.chain(std::iter::repeat(0.0)).take(stride));
@@ -284,13 +293,12 @@ impl Contacts {
                             wall,
                             grain,
                             partner,
-                            element: chunk.now.element[k],
+                            element: chunk.element(k),
                         },
-                        pair: chunk.now.pair[k],
-                        geometry: chunk.now.geometry[k],
+                        geometry: chunk.now.geometry.get(k).copied(),
                         normal_force: chunk.now.normal_force[k],
                         load: chunk.load[k],
-                        rolling: chunk.rolling_torque(k),
+                        rolling: chunk.rolling.get(k).copied(),
                         history: chunk.history(k, self.stride).to_vec(),
                         coupling: chunk.now.coupling.get(k).copied(),
                     });
@@ -325,6 +333,7 @@ fn refill(chunks: &mut Vec<ContactChunk>, heirs: &impl Heirs, fill: impl Fn((u32
     chunks.resize_with(heirs.chunks(), ContactChunk::default);
     for (number, chunk) in chunks.iter_mut().enumerate() {
         chunk.forget();
+        chunk.law = heirs.law(number);
         for slot in 0..heirs.of_chunk(number).1 {
             fill(heirs.bodies(number, slot), chunk);
             chunk.end_candidate();

@@ -173,10 +173,9 @@ fn volumes(sim: &Simulation) -> (f64, f64) {
 fn stress(sim: &Simulation, volume: f64) -> [f64; 6] {
     let mut sum = [0.0; 6];
     let mut add = |chunk: &ContactChunk| {
-        for (k, contact) in chunk.geometry().iter().enumerate() {
-            let force = chunk.force(k);
+        for k in 0..chunk.len() {
+            let (f, contact) = (chunk.force(k), sim.contact(chunk, k));
             let l = contact.normal * (contact.lever_i + contact.lever_j);
-            let f = force;
             let shear = [f.x * l.y + f.y * l.x, f.x * l.z + f.z * l.x, f.y * l.z + f.z * l.y];
             let terms = [
                 f.x * l.x,
@@ -204,13 +203,13 @@ fn max_overlap(sim: &Simulation) -> f64 {
     let radius = |g: u32| sim.grains.radius(g as usize);
     let mut largest = 0.0f64;
     for chunk in &sim.contacts.pairs {
-        for ((contact, &i), &j) in chunk.geometry().iter().zip(&chunk.i).zip(&chunk.j) {
-            largest = largest.max(contact.overlap / radius(i).min(radius(j)));
+        for (k, (&i, &j)) in chunk.i.iter().zip(&chunk.j).enumerate() {
+            largest = largest.max(sim.contact(chunk, k).overlap / radius(i).min(radius(j)));
         }
     }
     for chunk in &sim.contacts.walls {
-        for (contact, &i) in chunk.geometry().iter().zip(&chunk.i) {
-            largest = largest.max(contact.overlap / radius(i));
+        for (k, &i) in chunk.i.iter().enumerate() {
+            largest = largest.max(sim.contact(chunk, k).overlap / radius(i));
         }
     }
     largest

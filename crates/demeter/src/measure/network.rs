@@ -66,7 +66,7 @@ impl ContactNetwork {
         let (mut contacts, mut force, mut distance) = (0, 0.0, 0.0);
         for chunk in &sim.contacts.pairs {
             for k in (0..chunk.len()).filter(|&k| self.counts(chunk, k)) {
-                let contact = &chunk.geometry()[k];
+                let contact = sim.contact(chunk, k);
                 contacts += 1;
                 force += chunk.normal_force()[k];
                 distance += contact.lever_i + contact.lever_j;

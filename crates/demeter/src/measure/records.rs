@@ -21,7 +21,7 @@ pub fn contact_records(sim: &Simulation) -> Vec<ContactRecord> {
 }
 
 fn record(sim: &Simulation, chunk: &ContactChunk, k: usize, wall: bool) -> ContactRecord {
-    let contact = &chunk.geometry()[k];
+    let contact = sim.contact(chunk, k);
     let i = chunk.i[k] as usize;
     let normal_force = contact.normal * chunk.normal_force()[k];
     let tangential_force = chunk.force(k) - normal_force;
@@ -29,7 +29,7 @@ fn record(sim: &Simulation, chunk: &ContactChunk, k: usize, wall: bool) -> Conta
         id_i: sim.grains.id[i],
         id_j: if wall { 0 } else { sim.grains.id[chunk.j[k] as usize] },
         wall: if wall { chunk.j[k] as i32 } else { -1 },
-        element: chunk.element()[k],
+        element: chunk.element(k),
         position: sim.grains.position[i] - contact.normal * contact.lever_i,
         normal: contact.normal,
         overlap: contact.overlap,

@@ -208,10 +208,10 @@ impl Simulation {
             if !counts(chunk.i[k] as usize) && (wall || !counts(chunk.j[k] as usize)) {
                 continue;
             }
-            let law = self.materials.law(chunk.pair()[k]);
+            let law = self.materials.law(chunk.law());
             let size = self.pair_size(chunk.i[k] as usize, (!wall).then(|| chunk.j[k] as usize));
             let history = chunk.history(k, self.contacts.stride);
-            let overlap = chunk.geometry()[k].overlap;
+            let overlap = self.contact(chunk, k).overlap;
             let mut normal = normal_energy(law, size, overlap, history);
             if let Some(coupled) = chunk.coupling().get(k) {
                 let undisplaced = normal_energy(law, size, overlap - coupled.sum(), history);

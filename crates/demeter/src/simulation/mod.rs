@@ -14,12 +14,13 @@ pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_tim
 use time_step::largest_reach;
 
 use crate::comm::Single;
-use crate::contacts::{Contacts, Coupling, Fault, laws};
+use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, laws};
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, SpatialOrder};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::CouplingState;
 use crate::walls::{Pose, Wall};
+use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::Instructions;
 use glam::DVec3;
@@ -157,6 +158,17 @@ impl Simulation {
     /// Whether the forces of the first moment were found.
     pub fn is_started(&self) -> bool {
         self.started
+    }
+
+    /// Geometry of a contact at this moment: as its laws saw it.
+    pub fn contact(&self, chunk: &ContactChunk, contact: usize) -> Contact {
+        if let Some(contact) = chunk.now.geometry.get(contact) {
+            return *contact;
+        }
+        let (i, j) = (chunk.i[contact] as usize, chunk.j[contact] as usize);
+        let apart = self.grains.position[i] - self.grains.position[j];
+        let shift = self.comm.shift(self.comm.nearest_image(apart));
+        contact_sphere_sphere(apart + shift, self.grains.radius(i), self.grains.radius(j))
     }
 
     /// Distance beyond touching at which bodies become candidates [m].

@@ -102,17 +102,17 @@ fn each_chunk<'a>(
 ) {
     let place = |wall: bool, chunk: usize| ChunkPlace { wall, chunk };
     let pairs = (contacts.pairs.par_iter_mut().enumerate())
-        .map(|(c, chunk)| work(place(false, c), chunk, Candidates::Pairs(neighbours.chunk(c).0)));
+        .map(|(c, chunk)| work(place(false, c), chunk, Candidates::Pairs(neighbours.chunk(c))));
     let walls = (contacts.walls.par_iter_mut().enumerate())
-        .map(|(c, chunk)| work(place(true, c), chunk, Candidates::Walls(neighbours.wall_chunk(c).0)));
+        .map(|(c, chunk)| work(place(true, c), chunk, Candidates::Walls(neighbours.wall_chunk(c))));
     pairs.chain(walls).for_each(|()| ());
 }
 
-/// Candidates of a chunk.
+/// Candidates of a chunk, and their material pair.
 #[derive(Clone, Copy)]
 enum Candidates<'a> {
-    Pairs(&'a [Pair]),
-    Walls(&'a [WallPair]),
+    Pairs((&'a [Pair], u32)),
+    Walls((&'a [WallPair], u32)),
 }
 
 /// How far a surface may bulge that needs so much now [m].
@@ -276,8 +276,8 @@ impl Simulation {
             &mut self.contacts,
             &self.neighbours,
             |_, chunk, candidates| match candidates {
-                Candidates::Pairs(pairs) => chunk.take_back(pairs.len(), |c| (pairs[c].i, pairs[c].j)),
-                Candidates::Walls(pairs) => chunk.take_back(pairs.len(), |c| (pairs[c].grain, pairs[c].wall)),
+                Candidates::Pairs((pairs, _)) => chunk.take_back(pairs.len(), |c| (pairs[c].i, pairs[c].j)),
+                Candidates::Walls((pairs, _)) => chunk.take_back(pairs.len(), |c| (pairs[c].grain, pairs[c].wall)),
             },
         );
     }

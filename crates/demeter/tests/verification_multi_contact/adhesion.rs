@@ -65,7 +65,7 @@ fn on_two_walls(model: Model, name: &str, nu: f64, cosine: f64, overlap: f64) ->
         case.plane(WALLS, normal * (overlap - 1.0), normal);
     }
     let sim = started(case);
-    let both = found(&sim.contacts);
+    let both = found(&sim);
     assert_eq!(both.len(), 2);
     approx::assert_relative_eq!(both[0].force, both[1].force, max_relative = 1e-10);
     both[0]
@@ -122,7 +122,7 @@ fn pulls_that_begin_with_a_jump_do_not_stop_a_run() {
             while sim.walls[1].displacement().z > -4e-3 {
                 sim.step().unwrap();
             }
-            let forces = found(&sim.contacts);
+            let forces = found(&sim);
             let jumps = sim.coupling_effort().jumps;
             assert_eq!(forces.len(), 2, "{name} {work} {coupling:?}");
             assert!(forces.iter().all(|f| f.force.is_finite()), "{name} {work} {coupling:?}");

@@ -171,7 +171,7 @@ fn check(bed: &Bed, packing: &Packing, contacts: &[Option<Found>], shift: &[Shif
 /// Forces of the engine, and the displacements that they make at all pairs.
 fn check_converged(bed: &Bed, model: Model, adhesion: Adhesion, looked: &mut Looked) {
     let packing = bed.all_pairs(model, adhesion);
-    let contacts = matched(&packing, &found(&bed.sim.contacts));
+    let contacts = matched(&packing, &found(&bed.sim));
     let forces: Vec<f64> = contacts.iter().map(|c| c.map_or(0.0, |f| f.elastic)).collect();
     let shift = packing.consistent_displacements(&forces);
     check(bed, &packing, &contacts, &shift, looked);
@@ -233,7 +233,7 @@ fn moving_grains_miss_no_contact_converged() {
 /// Contacts of a moment, by the ids of their grains.
 fn by_id(sim: &Simulation) -> Vec<Found> {
     let id = |g: usize| sim.grains.id[g] as usize;
-    let all = found(&sim.contacts).into_iter();
+    let all = found(&sim).into_iter();
     all.map(|f| Found {
         first: id(f.first),
         second: f.second.map(id),
@@ -260,7 +260,7 @@ fn moving_grains_miss_no_contact_lagged() {
                 (f.first, f.second) = (index[f.first], f.second.map(|g| index[g]));
             }
             let packing = bed.all_pairs(model, Adhesion::default());
-            let contacts = matched(&packing, &found(&bed.sim.contacts));
+            let contacts = matched(&packing, &found(&bed.sim));
             let earlier = matched(&packing, &earlier);
             let forces: Vec<f64> = earlier.iter().map(|c| c.map_or(0.0, |f| f.elastic)).collect();
             let places: Vec<Shift> = earlier.iter().map(|c| c.map_or([0.0; 2], |f| f.displacement)).collect();

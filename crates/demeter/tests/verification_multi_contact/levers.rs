@@ -47,7 +47,8 @@ fn torque_is_lever_times_force() {
         let mut torque = vec![DVec3::ZERO; 2];
         for (wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
             for chunk in chunks {
-                for (k, contact) in chunk.geometry().iter().enumerate() {
+                for k in 0..chunk.len() {
+                    let contact = sim.contact(chunk, k);
                     let (force, normal) = (chunk.force(k), contact.normal);
                     let of_first = (normal * -contact.lever_i).cross(force);
                     assert!((chunk.torque_i(k) - of_first).length() < 1e-15);
@@ -75,7 +76,7 @@ fn levers_reach_to_the_middle_of_the_displaced_overlap() {
         let solution = packing.solve().unwrap();
         let pair = packing.touches.iter().position(|t| t.second.is_some()).unwrap();
         let (shift, d) = (solution.shift[pair], packing.touches[pair].distance);
-        let contact = sim.contacts.pairs[0].geometry()[0];
+        let contact = sim.contact(&sim.contacts.pairs[0], 0);
         // the formula of the notes, not that of the helper
         let first = 0.5 * (d + (RADII[0] + shift[0]) - (RADII[1] + shift[1]));
         approx::assert_relative_eq!(contact.lever_i, first, max_relative = 1e-11);
@@ -83,7 +84,7 @@ fn levers_reach_to_the_middle_of_the_displaced_overlap() {
         let moved = first - 0.5 * (d + RADII[0] - RADII[1]);
         report(&format!("lever moved, {model:?}"), moved);
         assert!(model == Model::Independent || moved.abs() > 1e-4);
-        for contact in found(&sim.contacts).iter().filter(|f| f.second.is_none()) {
+        for contact in found(&sim).iter().filter(|f| f.second.is_none()) {
             let at = sim.grains.position[contact.first];
             let away = |p: &Plane| (at - p.0).dot(p.1);
             let same = |p: &&Plane| (p.1 - contact.normal).length() < 1e-9;
@@ -96,7 +97,8 @@ fn levers_reach_to_the_middle_of_the_displaced_overlap() {
 #[test]
 fn spins_that_fit_the_displaced_levers_do_not_slide() {
     for model in MODELS {
-        let contact = spinning(model, [0.0; 2]).contacts.pairs[0].geometry()[0];
+        let sim = spinning(model, [0.0; 2]);
+        let contact = sim.contact(&sim.contacts.pairs[0], 0);
         let across = |spins: [f64; 2]| {
             let force = force(&spinning(model, spins));
             force.reject_from_normalized(DVec3::Z).length()

@@ -3,7 +3,7 @@
 use super::cases::{Case, Laws, law};
 use super::influence::{Ball, Model};
 use super::reference::{Adhesion, Force, Packing, Solution, Touch, largest};
-use demeter::contacts::{Contacts, Coupling};
+use demeter::contacts::Coupling;
 use demeter::materials::{Material, Materials};
 use demeter::particles::{Domain, NewGrain, Outside};
 use demeter::simulation::Simulation;
@@ -185,12 +185,13 @@ pub struct Found {
 }
 
 /// All contacts of the engine, acting or not.
-pub fn found(contacts: &Contacts) -> Vec<Found> {
+pub fn found(sim: &Simulation) -> Vec<Found> {
+    let contacts = &sim.contacts;
     let mut all = Vec::new();
     for (wall, chunks) in [(false, &contacts.pairs), (true, &contacts.walls)] {
         for chunk in chunks {
             for k in 0..chunk.len() {
-                let geometry = &chunk.geometry()[k];
+                let geometry = sim.contact(chunk, k);
                 let coupled = chunk.coupling().get(k).copied();
                 all.push(Found {
                     first: chunk.i[k] as usize,
@@ -237,7 +238,7 @@ pub fn matched(packing: &Packing, found: &[Found]) -> Vec<Option<Found>> {
 pub fn deviation(sim: &Simulation, packing: &Packing, solution: &Solution) -> (f64, f64) {
     let scale = largest(solution.force.iter().copied());
     let (mut forces, mut lengths) = (0.0, 0.0);
-    for (k, found) in matched(packing, &found(&sim.contacts)).into_iter().enumerate() {
+    for (k, found) in matched(packing, &found(&sim)).into_iter().enumerate() {
         let expected = solution.force[k];
         let Some(found) = found else {
             assert!(expected == 0.0, "missed: {:?}", packing.touches[k]);

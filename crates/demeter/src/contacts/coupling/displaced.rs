@@ -92,7 +92,7 @@ impl ContactChunk {
                 lever: [contact.lever_i + shift, contact.lever_j - shift],
                 clearance: clearance(radius, effective),
                 force,
-                kernel: kernels.of(self.now.pair[k]),
+                kernel: kernels.of(self.law),
             });
             self.coupling.lever_shift.push(shift);
         }
@@ -131,12 +131,12 @@ impl ContactChunk {
                 continue;
             }
             let first = k;
-            while k < count && self.now.pair[k] == self.now.pair[first] && concerned(self, k) {
+            while k < count && concerned(self, k) {
                 let [one, other] = self.delivered(k, at);
                 self.coupling.overlap[k] = self.now.geometry[k].overlap + (one + other);
                 k += 1;
             }
-            self.coupling.find_forces(first..k, &self.now, scene);
+            self.coupling.find_forces(first..k, &self.now, self.law, scene);
             for k in first..k {
                 self.coupling.share[k] = self.deviation_share(k, at, sites, largest);
             }
@@ -239,7 +239,7 @@ impl ContactChunk {
             }
             let overlap = contact.overlap;
             let (size, rate) = (self.coupling.size[k], self.coupling.rate[k]);
-            let acts = overlap > 0.0 || scene.acts(self.now.pair[k], || size, overlap, rate);
+            let acts = overlap > 0.0 || scene.acts(self.law, || size, overlap, rate);
             self.coupling.asleep.push(!acts);
             let allowed = LARGEST_DISPLACED * scene.max_overlap;
             // no radius is smaller than the effective one
@@ -295,7 +295,7 @@ impl ContactChunk {
     fn forget_contact(&mut self, k: usize, scene: &Scene) {
         let history = &mut self.now.history[k * scene.stride..(k + 1) * scene.stride];
         if scene.stride > 0 {
-            let law = scene.materials.law(self.now.pair[k]);
+            let law = scene.materials.law(self.law);
             let (tangential, rolling) = crate::contacts::laws::spring_energies(law, history);
             self.tally.friction += tangential;
             self.tally.rolling += rolling;
@@ -307,8 +307,8 @@ impl ContactChunk {
 impl Scratch {
     /// Elastic forces of contacts of one material pair at the displaced overlaps, with what they remember from the step
     /// before.
-    fn find_forces(&mut self, run: Range<usize>, now: &Kept, scene: &Scene) {
-        let law = scene.materials.law(now.pair[run.start]);
+    fn find_forces(&mut self, run: Range<usize>, now: &Kept, law: u32, scene: &Scene) {
+        let law = scene.materials.law(law);
         law.normal.visit(Elastic {
             dt: scene.dt,
             integrator: scene.integrator,
