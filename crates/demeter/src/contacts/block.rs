@@ -434,9 +434,10 @@ impl ContactChunk {
 
     fn evaluate(&mut self, scene: &Scene, gather: impl Fn(&Self, Range<usize>, &mut Block)) {
         let count = self.len();
-        self.load.resize(count, Load::default());
+        self.load.resize(count + 1, Load::default());
+        self.load[0] = Load::default();
         if scene.resists_rolling {
-            self.rolling.resize(count, DVec3::ZERO);
+            self.rolling.resize(count + 1, DVec3::ZERO);
         }
         let mut block = Block::EMPTY;
         let mut first = 0;
@@ -460,12 +461,15 @@ impl ContactChunk {
             let write = Write {
                 block: &block,
                 contacts: &self.now.geometry[contacts.clone()],
-                loads: &mut self.load[contacts.clone()],
+                loads: &mut self.load[contacts.start + 1..contacts.end + 1],
             };
             lanes::run(scene.instructions, write);
             if scene.resists_rolling {
                 let [x, y, z] = &block.torque;
-                for (k, torque) in self.rolling[contacts.clone()].iter_mut().enumerate() {
+                for (k, torque) in self.rolling[contacts.start + 1..contacts.end + 1]
+                    .iter_mut()
+                    .enumerate()
+                {
                     *torque = DVec3::new(x[k], y[k], z[k]);
                 }
             }

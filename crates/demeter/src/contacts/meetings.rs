@@ -87,8 +87,9 @@ impl FindPairs<'_> {
 
     #[inline(always)]
     fn find_near<L: Lanes>(&mut self) {
-        self.found.near.clear();
         let (count, window) = (self.pairs.len(), self.scene.widest_window());
+        let mut found = 0;
+        self.found.near.resize(count + L::COUNT, 0);
         let mut lot = Lot::empty();
         for c in (0..count).step_by(L::COUNT) {
             let mut lane = 0;
@@ -98,12 +99,16 @@ impl FindPairs<'_> {
             }
             let (apart, ri, rj) = self.apart::<L>(&lot);
             let reach = ri + rj + self.bulges::<L>(&lot) + window;
-            let mut bits = apart.square().lt(reach * reach).bits() & lanes_below(count - c);
-            while bits != 0 {
-                self.found.near.push(c as u32 + bits.trailing_zeros());
-                bits &= bits - 1;
+            let bits = apart.square().lt(reach * reach).bits() & lanes_below(count - c);
+            // every lane is written, and counted only where it is near: which are cannot be foretold
+            let mut lane = 0;
+            while lane < L::COUNT {
+                self.found.near[found] = (c + lane) as u32;
+                found += (bits >> lane & 1) as usize;
+                lane += 1;
             }
         }
+        self.found.near.truncate(found);
     }
 
     /// Whether a law that attracts across a gap acts on a pair that does not touch.

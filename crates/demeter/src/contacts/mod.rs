@@ -155,9 +155,9 @@ pub struct ContactChunk {
     pub i: Vec<u32>,
     /// Index of the second grain, or of the wall.
     pub j: Vec<u32>,
-    /// What every contact does to both bodies.
+    /// What every contact does to both bodies: nothing at first, then that of each contact.
     pub(crate) load: Vec<Load>,
-    /// Torque of the rolling laws on the first body [N m]; empty where no law resists rolling.
+    /// Torque of the rolling laws on the first body [N m], in the same places; empty where no law resists rolling.
     pub(crate) rolling: Vec<DVec3>,
     /// Work of this step.
     pub tally: Tally,
@@ -175,6 +175,7 @@ impl ContactChunk {
         self.i.clear();
         self.j.clear();
         self.load.clear();
+        self.load.push(Load::default());
         self.rolling.clear();
         self.tally = Tally::default();
         self.wall_load.clear();
@@ -183,24 +184,31 @@ impl ContactChunk {
 
     /// Force of a contact on its first body [N]; on the second it is the opposite.
     pub fn force(&self, contact: usize) -> DVec3 {
-        let [x, y, z, _] = self.load[contact].force;
+        let [x, y, z, _] = self.load[contact + 1].force;
         DVec3::new(x, y, z)
     }
 
     /// Torque of a contact on its first body about its centre [N m].
     pub fn torque_i(&self, contact: usize) -> DVec3 {
-        let load = &self.load[contact];
+        let load = &self.load[contact + 1];
         self.rolling_torque(contact) - load.arm() * load.force[3]
     }
 
     /// Torque of a contact on its second body about its centre; of a rolling law only when it is a wall [N m].
     pub fn torque_j(&self, contact: usize) -> DVec3 {
-        let load = &self.load[contact];
+        let load = &self.load[contact + 1];
         -self.rolling_torque(contact) - load.arm() * load.arm[3]
     }
 
     fn rolling_torque(&self, contact: usize) -> DVec3 {
-        self.rolling.get(contact).copied().unwrap_or(DVec3::ZERO)
+        self.rolling.get(contact + 1).copied().unwrap_or(DVec3::ZERO)
+    }
+
+    /// Where the load of a candidate between grains lies: at 0, where none is, when it is no contact.
+    #[inline(always)]
+    pub(crate) fn load_place(&self, candidate: usize) -> usize {
+        let [start, end] = [self.now.start[candidate], self.now.start[candidate + 1]];
+        ((end - start) * end) as usize
     }
 
     /// Number of contacts.

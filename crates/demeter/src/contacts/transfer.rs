@@ -239,8 +239,11 @@ impl ContactChunk {
     fn take_over(&mut self, old: &Self, contact: usize, (i, j): (u32, u32), stride: usize) {
         self.i.push(i);
         self.j.push(j);
-        self.load.push(old.load[contact]);
-        self.rolling.extend(old.rolling.get(contact));
+        self.load.push(old.load[contact + 1]);
+        if !old.rolling.is_empty() {
+            self.rolling.resize(self.load.len() - 1, DVec3::ZERO);
+            self.rolling.push(old.rolling[contact + 1]);
+        }
         let (now, before) = (&mut self.now, &old.now);
         now.element.extend(before.element.get(contact));
         now.geometry.extend(before.geometry.get(contact));
@@ -254,7 +257,10 @@ impl ContactChunk {
         self.i.push(i);
         self.j.push(j);
         self.load.push(contact.load);
-        self.rolling.extend(contact.rolling);
+        if let Some(rolling) = contact.rolling {
+            self.rolling.resize(self.load.len() - 1, DVec3::ZERO);
+            self.rolling.push(rolling);
+        }
         let now = &mut self.now;
         if contact.key.wall {
             now.element.push(contact.key.element);
@@ -297,8 +303,8 @@ impl Contacts {
                         },
                         geometry: chunk.now.geometry.get(k).copied(),
                         normal_force: chunk.now.normal_force[k],
-                        load: chunk.load[k],
-                        rolling: chunk.rolling.get(k).copied(),
+                        load: chunk.load[k + 1],
+                        rolling: chunk.rolling.get(k + 1).copied(),
                         history: chunk.history(k, self.stride).to_vec(),
                         coupling: chunk.now.coupling.get(k).copied(),
                     });

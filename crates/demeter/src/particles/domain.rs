@@ -53,10 +53,14 @@ impl Domain {
     /// candidates are found, so farther away it was thrown by one step over more than a box. A point that is not finite
     /// lies nowhere.
     pub fn contains(&self, p: DVec3) -> bool {
+        let (lower, upper) = self.allowed();
+        (0..3).all(|k| p[k] >= lower[k] && p[k] <= upper[k])
+    }
+
+    /// Lowest and highest places that [`Domain::contains`] allows.
+    pub fn allowed(&self) -> (DVec3, DVec3) {
         let size = self.size();
-        (0..3).all(|k| {
-            let slack = if self.periodic[k] { size[k] } else { 0.0 };
-            p[k] >= self.lower[k] - slack && p[k] <= self.upper[k] + slack
-        })
+        let slack = DVec3::from_array([0, 1, 2].map(|k| if self.periodic[k] { size[k] } else { 0.0 }));
+        (self.lower - slack, self.upper + slack)
     }
 }

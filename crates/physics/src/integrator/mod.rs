@@ -10,7 +10,7 @@
 
 pub mod gear;
 
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Mask, Vector};
 use glam::{DQuat, DVec3};
 
 /// How the equations of motion are integrated.
@@ -61,21 +61,47 @@ impl Integrator {
 /// Orientation after turning at the angular velocity `omega` (world frame) [1/s] for `dt` [s].
 #[inline]
 pub fn rotate(orientation: DQuat, omega: DVec3, dt: f64) -> DQuat {
-    let half = omega * (0.5 * dt);
-    let square = half.length_squared();
-    let (sine_share, cosine) = if square < SMALL_SQUARE {
-        (
-            1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0)),
-            1.0 - square / 2.0 * (1.0 - square / 12.0 * (1.0 - square / 30.0)),
-        )
-    } else {
-        let angle = square.sqrt();
-        (libm::sin(angle) / angle, libm::cos(angle))
-    };
-    let turn = half * sine_share;
-    let turned = DQuat::from_xyzw(turn.x, turn.y, turn.z, cosine) * orientation;
+    DQuat::from_array(rotate_wide::<f64>(orientation.to_array(), omega, dt))
+}
+
+/// The same in every lane; quaternions as `x, y, z, w`.
+#[inline(always)]
+pub fn rotate_wide<L: Lanes>([x, y, z, w]: [L; 4], omega: L::Vector, dt: f64) -> [L; 4] {
+    let half = omega * L::splat(0.5 * dt);
+    let square = half.square();
+    let one = L::splat(1.0);
+    let mut sine_share = one - square / 6.0 * (one - square / 20.0 * (one - square / 42.0));
+    let mut cosine = one - square / 2.0 * (one - square / 12.0 * (one - square / 30.0));
+    let large = square.ge(L::splat(SMALL_SQUARE));
+    if large.any() {
+        let (mut sines, mut cosines, squares) = (sine_share.to_array(), cosine.to_array(), square.to_array());
+        let mut lane = 0;
+        while lane < L::COUNT {
+            if squares[lane] >= SMALL_SQUARE {
+                let angle = squares[lane].sqrt();
+                sines[lane] = libm::sin(angle) / angle;
+                cosines[lane] = libm::cos(angle);
+            }
+            lane += 1;
+        }
+        (sine_share, cosine) = (L::load(&sines), L::load(&cosines));
+    }
+    let [tx, ty, tz] = (half * sine_share).components();
+    let turned = [
+        cosine * x + tx * w + ty * z - tz * y,
+        cosine * y - tx * z + ty * w + tz * x,
+        cosine * z + tx * y - ty * x + tz * w,
+        cosine * w - tx * x - ty * y - tz * z,
+    ];
     // one step of Newton for the inverse root of a square that is 1 but for rounding
-    turned * (1.5 - 0.5 * turned.length_squared())
+    let length2 = turned[0] * turned[0] + turned[1] * turned[1] + turned[2] * turned[2] + turned[3] * turned[3];
+    let factor = L::splat(1.5) - length2 * 0.5;
+    [
+        turned[0] * factor,
+        turned[1] * factor,
+        turned[2] * factor,
+        turned[3] * factor,
+    ]
 }
 
 /// Square of the half angle below which the series of sine and cosine in [`rotate`] are exact: the first terms that are left
