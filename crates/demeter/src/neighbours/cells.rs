@@ -89,7 +89,9 @@ impl Grid {
         let mut wanted = edge * (1.0 + 1e-9);
         loop {
             for (axis, cells) in cells.iter_mut().enumerate() {
-                *cells = (frame.size[axis] / wanted).floor().clamp(1.0, 1e6) as i32;
+                let count = (frame.size[axis] / wanted).floor();
+                // one cell also where a size is no number
+                *cells = if count > 1.0 { count.min(1e6) as i32 } else { 1 };
                 // on a ring of two cells each would be on both sides of the other
                 if frame.periodic[axis] && *cells == 2 {
                     *cells = 1;
@@ -326,4 +328,3 @@ impl Cells {
         4 * (self.cell.capacity() + self.start.capacity() + self.member.capacity() + 4 * self.x.capacity())
     }
 }
-

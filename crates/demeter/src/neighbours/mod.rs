@@ -13,9 +13,9 @@ mod order;
 mod ranges;
 mod search;
 mod table;
-mod visit;
 #[cfg(test)]
 mod tests;
+mod visit;
 
 pub use order::{GONE, SpatialOrder};
 pub use search::SearchEffort;
@@ -211,6 +211,11 @@ impl Neighbours {
     /// What the latest search took.
     pub fn effort(&self) -> SearchEffort {
         self.effort
+    }
+
+    /// Share of the candidates whose grains lie far apart in memory.
+    pub(crate) fn scattered(&self) -> f64 {
+        self.effort.scattered as f64 / self.pairs.len().max(1) as f64
     }
 
     /// Bytes in use: of the table, and of what a search needs.
