@@ -211,6 +211,11 @@ impl Simulation {
         self.max_reach + self.coupling.as_ref().map_or(0.0, |c| c.memory.margin)
     }
 
+    /// Number of candidate pairs of grains.
+    pub fn candidates(&self) -> usize {
+        self.neighbours.pair_count()
+    }
+
     /// What solving the coupled equation of the contacts took so far.
     pub fn coupling_effort(&self) -> Effort {
         self.coupling.as_ref().map_or_else(Effort::default, |c| c.memory.effort)
