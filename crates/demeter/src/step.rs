@@ -139,18 +139,18 @@ impl Simulation {
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
+            resists_rolling: self.resists_rolling,
+            instructions: self.instructions,
             bulge: &[],
         };
         let neighbours = &self.neighbours;
         let between_grains = (self.contacts.pairs.par_iter_mut().enumerate()).map(|(c, chunk)| {
             chunk.find_pairs(neighbours.chunk(c).0, &scene);
             chunk.evaluate_pairs(&scene);
-            chunk.book_lost(&scene);
         });
         let with_walls = (self.contacts.walls.par_iter_mut().enumerate()).map(|(c, chunk)| {
             chunk.find_walls(neighbours.wall_chunk(c).0, &scene);
             chunk.evaluate_walls(&scene);
-            chunk.book_lost(&scene);
         });
         between_grains.chain(with_walls).for_each(|()| ());
         Ok(())

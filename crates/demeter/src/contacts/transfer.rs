@@ -1,7 +1,7 @@
 //! Handing contacts over when the candidates are found anew, and to and from a checkpoint.
 
 use super::coupling::Coupled;
-use super::{CHUNK, ContactChunk, Contacts};
+use super::{CHUNK, ContactChunk, Contacts, Load};
 use crate::neighbours::{GONE, Neighbours};
 use crate::particles::Grains;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
@@ -34,10 +34,10 @@ pub struct CarriedContact {
     pub geometry: Contact,
     /// Normal force [N].
     pub normal_force: f64,
-    /// Force on the first body [N].
-    pub force: DVec3,
-    /// Torques on the two bodies [N m].
-    pub torques: (DVec3, DVec3),
+    /// What it does to both bodies.
+    pub load: Load,
+    /// Torque of the rolling law on the first body [N m].
+    pub rolling: DVec3,
     /// History of its laws.
     pub history: Vec<f64>,
     /// What it remembers of the displacements by the other contacts, where contacts feel each other.
@@ -221,6 +221,8 @@ impl ContactChunk {
 
     /// Ends the contacts of one candidate.
     fn end_candidate(&mut self) {
+        let candidate = self.candidates() as u32;
+        self.now.candidate.resize(self.now.len(), candidate);
         self.now.start.push(self.now.len() as u32);
     }
 
@@ -228,9 +230,8 @@ impl ContactChunk {
     fn take_over(&mut self, old: &Self, contact: usize, (i, j): (u32, u32), stride: usize) {
         self.i.push(i);
         self.j.push(j);
-        self.force.push(old.force[contact]);
-        self.torque_i.push(old.torque_i[contact]);
-        self.torque_j.push(old.torque_j[contact]);
+        self.load.push(old.load[contact]);
+        self.rolling.extend(old.rolling.get(contact));
         let (now, before) = (&mut self.now, &old.now);
         now.element.push(before.element[contact]);
         now.pair.push(before.pair[contact]);
@@ -244,9 +245,8 @@ impl ContactChunk {
     fn restore(&mut self, contact: &CarriedContact, (i, j): (u32, u32), stride: usize) {
         self.i.push(i);
         self.j.push(j);
-        self.force.push(contact.force);
-        self.torque_i.push(contact.torques.0);
-        self.torque_j.push(contact.torques.1);
+        self.load.push(contact.load);
+        self.rolling.push(contact.rolling);
         let now = &mut self.now;
         now.element.push(contact.key.element);
         now.pair.push(contact.pair);
@@ -289,8 +289,8 @@ impl Contacts {
                         pair: chunk.now.pair[k],
                         geometry: chunk.now.geometry[k],
                         normal_force: chunk.now.normal_force[k],
-                        force: chunk.force[k],
-                        torques: (chunk.torque_i[k], chunk.torque_j[k]),
+                        load: chunk.load[k],
+                        rolling: chunk.rolling_torque(k),
                         history: chunk.history(k, self.stride).to_vec(),
                         coupling: chunk.now.coupling.get(k).copied(),
                     });

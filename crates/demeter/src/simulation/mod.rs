@@ -18,13 +18,14 @@ pub(crate) use skin::{Counts, ROOM_FOR_BULGES};
 use time_step::largest_reach;
 
 use crate::comm::Single;
-use crate::contacts::{Contacts, Coupling, Fault, block};
+use crate::contacts::{Contacts, Coupling, Fault, laws};
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, SpatialOrder};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::CouplingState;
 use crate::walls::{Pose, Wall};
 use demeter_physics::integrator::Integrator;
+use demeter_physics::lanes::Instructions;
 use glam::DVec3;
 
 /// Grains are put in order again when so much more of the candidates, as a share of all, are scattered in memory than right
@@ -85,6 +86,8 @@ pub struct Simulation {
     pub(crate) max_overlap: f64,
     /// `None` where all contacts are independent.
     pub(crate) coupling: Option<CouplingState>,
+    pub(crate) resists_rolling: bool,
+    pub(crate) instructions: Instructions,
     order: SpatialOrder,
     /// Share of the candidates that were scattered in memory when the grains were put in order.
     scattered_in_order: f64,
@@ -99,7 +102,8 @@ pub struct Simulation {
 impl Simulation {
     /// A simulation before its start; the first step, or [`Simulation::start`], finds the first forces.
     pub fn new(mut setup: Setup) -> Self {
-        let stride = block::stride(&setup.materials);
+        let stride = laws::stride(&setup.materials);
+        let resists_rolling = laws::resists_rolling(&setup.materials);
         let remembered = match setup.integrator {
             Integrator::VelocityVerlet => 0,
             Integrator::Gear => setup.grains.len(),
@@ -135,6 +139,8 @@ impl Simulation {
             max_reach,
             max_overlap: setup.max_overlap,
             coupling,
+            resists_rolling,
+            instructions: Instructions::widest(),
             order: SpatialOrder::default(),
             scattered_in_order: 0.0,
             rebuilds: 0,
@@ -157,6 +163,11 @@ impl Simulation {
             self.started = true;
         }
         Ok(())
+    }
+
+    /// Uses other instructions of the processor than the widest; the bits of the results are the same.
+    pub fn set_instructions(&mut self, instructions: Instructions) {
+        self.instructions = instructions;
     }
 
     /// Whether the forces of the first moment were found.

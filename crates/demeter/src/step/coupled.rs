@@ -216,7 +216,6 @@ impl Simulation {
             } else {
                 chunk.evaluate_pairs(scene);
             }
-            chunk.book_lost(scene);
         });
         if let Some(state) = &mut self.coupling {
             state.foresee(&self.grains);
@@ -247,6 +246,8 @@ impl Simulation {
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
+            resists_rolling: self.resists_rolling,
+            instructions: self.instructions,
             bulge: &state.memory.bulge,
         };
         each_chunk(&mut self.contacts, &self.neighbours, |at, chunk, candidates| {
