@@ -133,7 +133,7 @@ fn bench(arguments: &Arguments) -> Outcome<()> {
     for (name, ratio, fraction) in PACKINGS {
         if name.contains(&arguments.only) && ratio <= 10.0 {
             let setup = packing(arguments.count, ratio, fraction)?;
-            for speed in [0.0, 1e-4, 1e-3, 1e-2] {
+            for speed in [0.0, 1e-5, 1e-4, 3e-4] {
                 tune(arguments, name, setup.clone(), speed)?;
             }
         }

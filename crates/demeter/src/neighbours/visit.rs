@@ -207,6 +207,7 @@ impl Cells {
         near: &mut Near,
     ) -> u64 {
         let mut tests = 0;
+        let mut runs = Runs::default();
         let xs = self.span(grid, 0, local.x, reach);
         let ys = self.span(grid, 1, local.y, reach);
         for x in xs.cells() {
@@ -220,10 +221,7 @@ impl Cells {
                 let zs = self.span(grid, 2, local.z, left.sqrt());
                 let row = grid.row(xs.wrap(x), ys.wrap(y));
                 let mut run = |from: i32, to: i32| {
-                    let (from, to) = (self.start[row + from as usize], self.start[row + to as usize]);
-                    if from < to {
-                        tests += self.near::<PERIODIC>(&[(from, to)], probe, near);
-                    }
+                    runs.push(self.start[row + from as usize], self.start[row + to as usize]);
                 };
                 let (from, to) = (zs.first, zs.first + zs.count);
                 if from < 0 {
@@ -235,9 +233,13 @@ impl Cells {
                 } else {
                     run(from, to);
                 }
+                if runs.count + 2 > runs.list.len() {
+                    tests += self.near::<PERIODIC>(&runs.list[..runs.count], probe, near);
+                    runs.count = 0;
+                }
             }
         }
-        tests
+        tests + self.near::<PERIODIC>(&runs.list[..runs.count], probe, near)
     }
 
     /// Cells along one axis that a reach touches, each once.
@@ -245,8 +247,8 @@ impl Cells {
     fn span(&self, grid: &Grid, axis: usize, at: f64, reach: f64) -> Span {
         let cells = grid.cells[axis];
         let last = cells - 1;
-        let low = ((at - reach) * grid.per_edge[axis]).floor() as i32;
-        let high = ((at + reach) * grid.per_edge[axis]).floor() as i32;
+        let low = floor((at - reach) * grid.per_edge[axis]);
+        let high = floor((at + reach) * grid.per_edge[axis]);
         if !self.frame.periodic[axis] {
             let (low, high) = (low.clamp(0, last), high.clamp(0, last));
             return Span {
@@ -311,6 +313,13 @@ impl Cells {
         near.count = count;
         tests as u64
     }
+}
+
+/// The next lower whole number, without the call that [`f64::floor`] is on old processors.
+#[inline(always)]
+fn floor(x: f64) -> i32 {
+    let towards_zero = x as i32;
+    towards_zero.saturating_sub(i32::from(f64::from(towards_zero) > x))
 }
 
 /// Cells along one axis; beyond the ends of a periodic one they go on on the other side.
