@@ -2,6 +2,7 @@
 
 use super::cells::{Cells, Grid, LANES};
 use glam::DVec3;
+use std::sync::atomic::Ordering;
 
 /// What rounding of the arithmetic of the filter may take from a reach.
 const FILTER: f64 = 1.0 + 4e-6;
@@ -61,17 +62,16 @@ impl Near {
 /// Runs of grains in the order of the cells.
 #[derive(Default)]
 struct Runs {
-    list: [(u32, u32); 10],
+    list: [(u32, u32); 12],
     count: usize,
 }
 
 impl Runs {
     #[inline(always)]
     fn push(&mut self, from: u32, to: u32) {
-        if from < to {
-            self.list[self.count] = (from, to);
-            self.count += 1;
-        }
+        // whether a run is empty cannot be foreseen
+        self.list[self.count] = (from, to);
+        self.count += usize::from(from < to);
     }
 }
 
@@ -134,11 +134,8 @@ impl Cells {
         let depth = grid.cells[2];
         // the own row: later grains of the own cell, and the cell behind
         let own = grid.row(x, y) + z as usize;
-        let (own_start, own_end) = (self.start[own], self.start[own + 1]);
-        let members = &self.member[own_start as usize..own_end as usize];
-        let place = members.iter().position(|&m| m == grain).unwrap_or(members.len());
-        let behind = if z + 1 < depth { self.start[own + 2] } else { own_end };
-        runs.push(own_start + place as u32 + 1, behind);
+        let place = self.place[grain as usize].load(Ordering::Relaxed);
+        runs.push(place + 1, self.start[own + 1 + usize::from(z + 1 < depth)]);
         let inner = |axis: usize, at: i32| at > 0 && at + 1 < grid.cells[axis];
         if inner(0, x) && inner(1, y) && inner(2, z) {
             // rows beside, three cells of each
