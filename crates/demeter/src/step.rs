@@ -9,7 +9,7 @@ pub use coupled::{CouplingMemory, Effort};
 
 use crate::contacts::{Fault, Scene};
 use crate::particles::Outside;
-use crate::simulation::Simulation;
+use crate::simulation::{Counts, Simulation};
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -25,7 +25,8 @@ impl Simulation {
         let motion = self.move_grains();
         self.move_walls();
         self.check_places(&motion)?;
-        if self.candidates_are_stale(&motion) {
+        if let Some(skin) = self.next_skin(&motion) {
+            self.skin = skin;
             self.find_candidates();
             self.foresee_bulges();
         }
@@ -102,15 +103,22 @@ impl Simulation {
         Ok(())
     }
 
-    /// Whether some grain may touch a partner that is not among its candidates.
-    fn candidates_are_stale(&self, motion: &Motion) -> bool {
+    /// The skin to find candidates anew with: when some grain may touch a partner that is not among its candidates, and
+    /// when a narrower skin would do.
+    fn next_skin(&self, motion: &Motion) -> Option<f64> {
         // the narrow phase looks ahead by half a step
         let windows = if self.max_reach > 0.0 { 2.0 } else { 1.0 };
-        let grain = motion.max_displacement + windows * motion.max_speed * self.dt;
+        let window = windows * motion.max_speed * self.dt;
+        let grain = motion.max_displacement + window;
         let wall = self.wall_displacement();
         let (bulges, margin) = (self.coupling.as_ref()).map_or((0.0, 0.0), |c| (c.bulges_of_two(), c.memory.margin));
-        let skin = self.skin + margin - bulges;
-        self.neighbours.reference.len() != self.grains.len() || 2.0 * grain > skin || grain + wall > skin
+        let used = (2.0 * grain).max(grain + wall) - (margin - bulges);
+        let counts = || Counts::new(&self.neighbours, self.contacts.pair_count());
+        let is_old = self.neighbours.reference.len() != self.grains.len();
+        if is_old || used > self.skin {
+            return Some(self.tuner.after_use(self.skin, self.step, counts()));
+        }
+        (self.tuner).instead_of_wide(self.skin, used.max(0.0), self.step, counts)
     }
 
     /// Narrow phase and contact laws, chunk by chunk.

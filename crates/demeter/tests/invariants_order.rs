@@ -6,7 +6,7 @@ mod cases;
 use cases::beds::{BEDS, bed_with, steps_for};
 use cases::{full, on_threads};
 use demeter::contacts::ContactKey;
-use demeter::simulation::{Setup, Simulation};
+use demeter::simulation::{Setup, Simulation, Skin};
 use demeter_physics::integrator::Integrator;
 
 /// Position, velocity, angular velocity, orientation and image of every grain by id, and the contacts with what they
@@ -100,19 +100,17 @@ fn the_skin_changes_nothing() {
     on_threads(1, || {
         for (integrator, name) in cases {
             let (expected, rebuilds) = trajectories(bed_with(integrator, name, count), steps);
-            for factor in [0.2, 3.0] {
+            let first = bed_with(integrator, name, count).skin.first();
+            for skin in [Skin::Fixed(0.2 * first), Skin::Fixed(3.0 * first), Skin::Tuned(first)] {
                 let mut setup = bed_with(integrator, name, count);
-                setup.skin *= factor;
+                setup.skin = skin;
                 let (found, others) = trajectories(setup, steps);
                 assert!(
                     rebuilds != others,
-                    "{name}: {rebuilds} searches for candidates whatever the skin"
+                    "{name}, {skin:?}: {rebuilds} searches for candidates whatever the skin"
                 );
                 let same = expected.iter().zip(&found).take_while(|(a, b)| a == b).count();
-                assert!(
-                    same == expected.len(),
-                    "{name}, skin times {factor}: {same} tenths agree"
-                );
+                assert!(same == expected.len(), "{name}, {skin:?}: {same} tenths agree");
             }
         }
     });

@@ -7,7 +7,7 @@ use cases::beds::{BEDS, bed_with, steps_for};
 use cases::{full, on_threads};
 use demeter::contacts::CarriedContact;
 use demeter::measure::{Moment, contact_records, measure};
-use demeter::simulation::{Simulation, SimulationState, StateError};
+use demeter::simulation::{Setup, Simulation, SimulationState, Skin, StateError};
 use demeter::walls::Wall;
 use demeter_physics::integrator::Integrator;
 
@@ -16,7 +16,7 @@ fn fingerprint(sim: &mut Simulation) -> Vec<u8> {
     let carried: Vec<CarriedContact> = sim.contacts.carry(&sim.grains);
     let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
     let mut bytes = postcard::to_stdvec(&(sim.step, &sim.grains, &carried, &walls)).unwrap();
-    bytes.extend(postcard::to_stdvec(&(sim.energies(), sim.books, sim.rebuilds())).unwrap());
+    bytes.extend(postcard::to_stdvec(&(sim.energies(), sim.books, sim.rebuilds(), sim.skin())).unwrap());
     bytes.extend(format!("{:?}", measure(sim, Moment::default(), None)).bytes());
     bytes.extend(format!("{:?}", contact_records(sim)).bytes());
     bytes
@@ -42,12 +42,26 @@ fn saved_steps(last: u64) -> Vec<u64> {
 
 #[test]
 fn a_continued_run_gives_the_same_bits() {
-    interrupt(Integrator::VelocityVerlet);
+    interrupt(|name, count| bed_with(Integrator::VelocityVerlet, name, count));
+}
+
+#[test]
+fn a_continued_run_whose_skin_is_tuned_gives_the_same_bits() {
+    interrupt(tuned);
+}
+
+/// A bed whose skin follows the motion.
+fn tuned(name: &str, count: u32) -> Setup {
+    let setup = bed_with(Integrator::VelocityVerlet, name, count);
+    Setup {
+        skin: Skin::Tuned(setup.skin.first()),
+        ..setup
+    }
 }
 
 #[test]
 fn a_continued_run_gives_the_same_bits_with_gear() {
-    interrupt(Integrator::Gear);
+    interrupt(|name, count| bed_with(Integrator::Gear, name, count));
 }
 
 #[test]
@@ -61,13 +75,13 @@ fn a_state_of_the_other_integrator_is_refused() {
     }
 }
 
-fn interrupt(integrator: Integrator) {
+fn interrupt(setup: impl Fn(&str, u32) -> Setup + Sync) {
     let (count, most, more) = if full() { (300, 20_000, 3_000) } else { (60, 5_000, 400) };
     on_threads(1, || {
         for name in BEDS {
             let last = steps_for(name, most);
             let saved = saved_steps(last);
-            let mut sim = Simulation::new(bed_with(integrator, name, count));
+            let mut sim = Simulation::new(setup(name, count));
             let mut states = vec![];
             for step in 1..=last {
                 sim.step().unwrap();
@@ -82,7 +96,7 @@ fn interrupt(integrator: Integrator) {
             for (bytes, at_once) in states {
                 let state: SimulationState = postcard::from_bytes(&bytes).unwrap();
                 let start = state.step;
-                let mut continued = Simulation::resume(bed_with(integrator, name, count), state).unwrap();
+                let mut continued = Simulation::resume(setup(name, count), state).unwrap();
                 assert!(
                     fingerprint(&mut continued) == at_once,
                     "{name}: restored at step {start}, before any step"

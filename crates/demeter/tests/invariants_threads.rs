@@ -7,13 +7,15 @@ use cases::beds::{BEDS, bed_with};
 use cases::{full, on_threads};
 use demeter::contacts::Fault;
 use demeter::measure::{Moment, contact_records, measure};
-use demeter::simulation::Simulation;
+use demeter::simulation::{Setup, Simulation, Skin};
 use demeter::walls::Wall;
 use demeter_physics::integrator::Integrator;
 
 /// Bytes of the final state and of every tenth row of the series.
 fn run(integrator: Integrator, name: &str, count: u32, steps: u64) -> Result<(Vec<u8>, String, usize), Fault> {
-    let mut sim = Simulation::new(bed_with(integrator, name, count));
+    let setup = bed_with(integrator, name, count);
+    let skin = Skin::Tuned(setup.skin.first());
+    let mut sim = Simulation::new(Setup { skin, ..setup });
     let mut series = String::new();
     for step in 0..steps {
         sim.step()?;
@@ -25,7 +27,7 @@ fn run(integrator: Integrator, name: &str, count: u32, steps: u64) -> Result<(Ve
     let contacts = format!("{:?}", contact_records(&sim));
     let chunks = sim.contacts.pairs.len() + sim.contacts.walls.len();
     Ok((
-        postcard::to_stdvec(&(&sim.grains, &walls, &contacts)).unwrap(),
+        postcard::to_stdvec(&(&sim.grains, &walls, &contacts, sim.skin(), sim.rebuilds())).unwrap(),
         series,
         chunks,
     ))

@@ -6,7 +6,7 @@ use crate::contacts::{ContactChunk, Coupling};
 use crate::materials::{Material, Materials};
 use crate::particles::{Domain, Grains, NewGrain, Outside};
 use crate::scenario::{ImpactFile, Partner};
-use crate::simulation::{Energies, Setup, Simulation, shortest_time_scale};
+use crate::simulation::{Energies, Setup, Simulation, Skin, shortest_time_scale};
 use crate::walls::{Motion, Shape, Wall};
 use demeter_physics::collision::{Moment, Outcome, Start};
 use demeter_physics::contact::normal::{Normal, NormalVisitor};
@@ -174,7 +174,7 @@ impl Launch<'_> {
             },
             gravity: DVec3::ZERO,
             dt,
-            skin: SKIN_SHARE * self.smaller_radius(),
+            skin: Skin::Fixed(SKIN_SHARE * self.smaller_radius()),
             max_overlap: self.max_overlap,
             integrator: Integrator::default(),
             coupling: Coupling::default(),

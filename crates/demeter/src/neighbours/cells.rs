@@ -7,6 +7,7 @@ use super::ranges::{for_ranges, sums};
 use crate::particles::{Domain, Grains};
 use glam::DVec3;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Distance tests made at a time: a loop over columns of fixed length has no branches and is vectorised.
 pub(super) const LANES: usize = 4;
@@ -89,7 +90,9 @@ impl Grid {
         let mut wanted = edge * (1.0 + 1e-9);
         loop {
             for (axis, cells) in cells.iter_mut().enumerate() {
-                *cells = (frame.size[axis] / wanted).floor().clamp(1.0, 1e6) as i32;
+                let count = (frame.size[axis] / wanted).floor();
+                // one cell also where a size is no number
+                *cells = if count > 1.0 { count.min(1e6) as i32 } else { 1 };
                 // on a ring of two cells each would be on both sides of the other
                 if frame.periodic[axis] && *cells == 2 {
                     *cells = 1;
@@ -168,7 +171,8 @@ pub(super) struct Cells {
     /// Which other classes the grains of a class search.
     pub(super) asks: Vec<Vec<usize>>,
     pub(super) skin: f64,
-    cell: Vec<u32>,
+    /// Cell of every grain; when the grains are in order, its place in it. Every value is written by one task.
+    pub(super) place: Vec<AtomicU32>,
     pub(super) start: Vec<u32>,
     pub(super) x: Vec<f32>,
     pub(super) y: Vec<f32>,
@@ -258,22 +262,23 @@ impl Cells {
     fn fill(&mut self, grains: &Grains) {
         let n = grains.len();
         let cells = self.grids.last().map_or(0, |grid| grid.first_cell + grid.count()) as usize;
-        self.cell.resize(n, 0);
+        self.place.resize_with(n, AtomicU32::default);
         let (frame, classes, grids) = (&self.frame, &self.classes, &self.grids);
-        (self.cell.par_chunks_mut(GRAINS_PER_TASK))
+        (self.place.par_chunks_mut(GRAINS_PER_TASK))
             .zip(grains.position.rows().par_chunks(GRAINS_PER_TASK))
             .for_each(|(cells, rows)| {
                 for (cell, row) in cells.iter_mut().zip(rows) {
                     let grid = &grids[classes.of(row.scalar)];
                     let [x, y, z] = grid.coordinates(frame.local(row.vector));
-                    *cell = (grid.row(x, y) as i32 + z) as u32;
+                    *cell.get_mut() = (grid.row(x, y) as i32 + z) as u32;
                 }
             });
         self.start.clear();
         self.start.resize(cells + 1, 0);
-        let cell = &self.cell;
+        let cell = &self.place;
         for_ranges(0, &mut self.start[1..], n, &|first, counts: &mut [u32]| {
-            for &c in cell {
+            for c in cell {
+                let c = c.load(Ordering::Relaxed);
                 if let Some(count) = counts.get_mut((c as usize).wrapping_sub(first)) {
                     *count += 1;
                 }
@@ -290,16 +295,17 @@ impl Cells {
     /// Puts the grains where their cells begin. `start[c + 1]` begins as the start of cell `c`, and ends as its end.
     fn place(&mut self, grains: &Grains) {
         let member = &mut self.member[..grains.len()];
-        let cell = &self.cell;
+        let cell = &self.place;
         super::ranges::scatter(0, &mut self.start[1..], 0, member, &|first, starts, base, members| {
-            for (grain, &c) in cell.iter().enumerate() {
+            for (grain, c) in cell.iter().enumerate() {
+                let c = c.load(Ordering::Relaxed);
                 if let Some(next) = starts.get_mut((c as usize).wrapping_sub(first)) {
                     members[*next as usize - base] = grain as u32;
                     *next += 1;
                 }
             }
         });
-        let frame = &self.frame;
+        let (frame, place) = (&self.frame, &self.place);
         let n = GRAINS_PER_TASK;
         (
             self.x[..grains.len()].par_chunks_mut(n),
@@ -309,8 +315,10 @@ impl Cells {
             self.member[..grains.len()].par_chunks(n),
         )
             .into_par_iter()
-            .for_each(|(x, y, z, radius, members)| {
+            .enumerate()
+            .for_each(|(task, (x, y, z, radius, members))| {
                 for (k, &member) in members.iter().enumerate() {
+                    place[member as usize].store((task * n + k) as u32, Ordering::Relaxed);
                     let row = &grains.position.rows()[member as usize];
                     let p = frame.local(row.vector);
                     (x[k], y[k], z[k], radius[k]) = (p.x as f32, p.y as f32, p.z as f32, row.scalar as f32);
@@ -323,6 +331,6 @@ impl Cells {
 
     /// Bytes in use.
     pub(super) fn bytes(&self) -> usize {
-        4 * (self.cell.capacity() + self.start.capacity() + self.member.capacity() + 4 * self.x.capacity())
+        4 * (self.place.capacity() + self.start.capacity() + self.member.capacity() + 4 * self.x.capacity())
     }
 }

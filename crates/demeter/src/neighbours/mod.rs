@@ -213,6 +213,11 @@ impl Neighbours {
         self.effort
     }
 
+    /// Share of the candidates whose grains lie far apart in memory.
+    pub(crate) fn scattered(&self) -> f64 {
+        self.effort.scattered as f64 / self.pairs.len().max(1) as f64
+    }
+
     /// Bytes in use: of the table, and of what a search needs.
     pub fn bytes(&self) -> (usize, usize) {
         let reference = self.reference.capacity() * size_of::<DVec3>();

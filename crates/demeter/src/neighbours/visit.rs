@@ -2,6 +2,7 @@
 
 use super::cells::{Cells, Grid, LANES};
 use glam::DVec3;
+use std::sync::atomic::Ordering;
 
 /// What rounding of the arithmetic of the filter may take from a reach.
 const FILTER: f64 = 1.0 + 4e-6;
@@ -61,17 +62,16 @@ impl Near {
 /// Runs of grains in the order of the cells.
 #[derive(Default)]
 struct Runs {
-    list: [(u32, u32); 10],
+    list: [(u32, u32); 12],
     count: usize,
 }
 
 impl Runs {
     #[inline(always)]
     fn push(&mut self, from: u32, to: u32) {
-        if from < to {
-            self.list[self.count] = (from, to);
-            self.count += 1;
-        }
+        // whether a run is empty cannot be foreseen
+        self.list[self.count] = (from, to);
+        self.count += usize::from(from < to);
     }
 }
 
@@ -134,11 +134,8 @@ impl Cells {
         let depth = grid.cells[2];
         // the own row: later grains of the own cell, and the cell behind
         let own = grid.row(x, y) + z as usize;
-        let (own_start, own_end) = (self.start[own], self.start[own + 1]);
-        let members = &self.member[own_start as usize..own_end as usize];
-        let place = members.iter().position(|&m| m == grain).unwrap_or(members.len());
-        let behind = if z + 1 < depth { self.start[own + 2] } else { own_end };
-        runs.push(own_start + place as u32 + 1, behind);
+        let place = self.place[grain as usize].load(Ordering::Relaxed);
+        runs.push(place + 1, self.start[own + 1 + usize::from(z + 1 < depth)]);
         let inner = |axis: usize, at: i32| at > 0 && at + 1 < grid.cells[axis];
         if inner(0, x) && inner(1, y) && inner(2, z) {
             // rows beside, three cells of each
@@ -207,6 +204,7 @@ impl Cells {
         near: &mut Near,
     ) -> u64 {
         let mut tests = 0;
+        let mut runs = Runs::default();
         let xs = self.span(grid, 0, local.x, reach);
         let ys = self.span(grid, 1, local.y, reach);
         for x in xs.cells() {
@@ -220,10 +218,7 @@ impl Cells {
                 let zs = self.span(grid, 2, local.z, left.sqrt());
                 let row = grid.row(xs.wrap(x), ys.wrap(y));
                 let mut run = |from: i32, to: i32| {
-                    let (from, to) = (self.start[row + from as usize], self.start[row + to as usize]);
-                    if from < to {
-                        tests += self.near::<PERIODIC>(&[(from, to)], probe, near);
-                    }
+                    runs.push(self.start[row + from as usize], self.start[row + to as usize]);
                 };
                 let (from, to) = (zs.first, zs.first + zs.count);
                 if from < 0 {
@@ -235,9 +230,13 @@ impl Cells {
                 } else {
                     run(from, to);
                 }
+                if runs.count + 2 > runs.list.len() {
+                    tests += self.near::<PERIODIC>(&runs.list[..runs.count], probe, near);
+                    runs.count = 0;
+                }
             }
         }
-        tests
+        tests + self.near::<PERIODIC>(&runs.list[..runs.count], probe, near)
     }
 
     /// Cells along one axis that a reach touches, each once.
@@ -245,8 +244,8 @@ impl Cells {
     fn span(&self, grid: &Grid, axis: usize, at: f64, reach: f64) -> Span {
         let cells = grid.cells[axis];
         let last = cells - 1;
-        let low = ((at - reach) * grid.per_edge[axis]).floor() as i32;
-        let high = ((at + reach) * grid.per_edge[axis]).floor() as i32;
+        let low = floor((at - reach) * grid.per_edge[axis]);
+        let high = floor((at + reach) * grid.per_edge[axis]);
         if !self.frame.periodic[axis] {
             let (low, high) = (low.clamp(0, last), high.clamp(0, last));
             return Span {
@@ -311,6 +310,13 @@ impl Cells {
         near.count = count;
         tests as u64
     }
+}
+
+/// The next lower whole number, without the call that [`f64::floor`] is on old processors.
+#[inline(always)]
+fn floor(x: f64) -> i32 {
+    let towards_zero = x as i32;
+    towards_zero.saturating_sub(i32::from(f64::from(towards_zero) > x))
 }
 
 /// Cells along one axis; beyond the ends of a periodic one they go on on the other side.

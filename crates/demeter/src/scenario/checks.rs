@@ -76,9 +76,6 @@ fn available_memory() -> Option<f64> {
 }
 
 /// In a periodic direction a grain must not meet two images of one partner.
-/// Room for the bulges of two grains across a periodic side, as a share of the largest radius.
-const ROOM_FOR_BULGES: f64 = 0.5;
-
 pub(super) fn check_periodic_size(
     grains: &Grains,
     domain: &Domain,
@@ -87,7 +84,11 @@ pub(super) fn check_periodic_size(
     faults: &mut Diagnostics,
 ) {
     let largest = grains.radii().fold(0.0, f64::max);
-    let bulges = if coupled { ROOM_FOR_BULGES * largest } else { 0.0 };
+    let bulges = if coupled {
+        crate::simulation::ROOM_FOR_BULGES * largest
+    } else {
+        0.0
+    };
     let least = 4.0 * largest + 2.0 * skin + bulges;
     for axis in (0..3).filter(|&k| domain.periodic[k]) {
         let size = domain.size()[axis];

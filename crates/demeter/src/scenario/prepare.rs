@@ -5,7 +5,7 @@ use super::{Diagnostics, Scenario, TimeStep, WallShape, WallSpec};
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains};
-use crate::simulation::{SAFE_SHARE, Setup, TimeScale, refusals, shortest_time_scale, unsafe_share};
+use crate::simulation::{SAFE_SHARE, Setup, Skin, TimeScale, refusals, shortest_time_scale, unsafe_share};
 use crate::walls::{Mesh, Shape, Wall, read_stl};
 use demeter_physics::contact::LawError;
 use glam::DVec3;
@@ -58,11 +58,8 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     if grains.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));
     }
-    let skin = scenario
-        .simulation
-        .skin
-        .unwrap_or_else(|| SKIN_SHARE * mean_radius(&grains));
-    check_periodic_size(&grains, &domain, skin, materials.are_coupled(), &mut faults);
+    let skin = (scenario.simulation.skin).map_or_else(|| Skin::Tuned(SKIN_SHARE * mean_radius(&grains)), Skin::Fixed);
+    check_periodic_size(&grains, &domain, skin.first(), materials.are_coupled(), &mut faults);
     let wall_materials: Vec<u16> = walls.iter().map(|w| w.material).collect();
     for (a, b, why) in refusals(&grains, &wall_materials, &materials) {
         let path = scenario.contact.path(a.into(), b.into());
@@ -110,8 +107,9 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     })
 }
 
-/// What a run needs to go on from a checkpoint: everything but the grains and the time step, which the checkpoint holds.
-pub(super) fn prepare_to_resume(scenario: &Scenario, domain: Domain, skin: f64) -> Result<Setup, Diagnostics> {
+/// What a run needs to go on from a checkpoint: everything but the grains, the time step and the skin, which the checkpoint
+/// holds.
+pub(super) fn prepare_to_resume(scenario: &Scenario, domain: Domain) -> Result<Setup, Diagnostics> {
     let mut faults = scenario.diagnostics();
     let materials = materials(scenario, &mut faults);
     let walls = walls(scenario, &mut faults);
@@ -127,7 +125,7 @@ pub(super) fn prepare_to_resume(scenario: &Scenario, domain: Domain, skin: f64) 
         integrator: scenario.simulation.integrator,
         coupling: scenario.simulation.coupling,
         dt: f64::NAN,
-        skin,
+        skin: Skin::Fixed(f64::NAN),
         max_overlap: scenario.simulation.max_overlap,
     })
 }

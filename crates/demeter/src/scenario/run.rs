@@ -129,7 +129,6 @@ pub struct RunState {
     simulation: SimulationState,
     place: Place,
     domain: Domain,
-    skin: f64,
 }
 
 impl RunState {
@@ -264,7 +263,7 @@ impl<'a> Runner<'a> {
         folder: RunFolder,
         observer: &'a mut dyn Observer,
     ) -> Result<Self, RunError> {
-        let mut setup: Setup = prepare_to_resume(scenario, state.domain, state.skin)?;
+        let mut setup: Setup = prepare_to_resume(scenario, state.domain)?;
         setup.dt = state.simulation.dt;
         let step = state.simulation.step;
         let sim = Simulation::resume(setup, state.simulation)?;
@@ -520,7 +519,6 @@ impl<'a> Runner<'a> {
             simulation,
             place,
             domain: *self.sim.domain(),
-            skin: self.sim.skin(),
         };
         checkpoint::write_latest(self.folder.root(), &header, &state)?;
         Ok(())

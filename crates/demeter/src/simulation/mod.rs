@@ -2,15 +2,19 @@
 
 mod ledger;
 mod protocol;
+mod skin;
 mod state;
 mod time_step;
 
 pub use crate::step::Effort;
 pub use ledger::{Books, Energies};
 pub use protocol::{Cadence, Stage, StopCondition};
+pub use skin::Skin;
 pub use state::{SimulationState, StateError};
 pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_time_scale, unsafe_share};
 
+use skin::SkinTuner;
+pub(crate) use skin::{Counts, ROOM_FOR_BULGES};
 use time_step::largest_reach;
 
 use crate::comm::Single;
@@ -25,8 +29,9 @@ use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::Instructions;
 use glam::DVec3;
 
-/// Rebuilds of the candidates between two reorderings of the grains.
-const REBUILDS_PER_REORDER: u64 = 16;
+/// Grains are put in order again when so much more of the candidates, as a share of all, are scattered in memory than right
+/// after the last time.
+const DECAY: f64 = 0.05;
 
 /// What a simulation is made of.
 #[derive(Clone, Debug)]
@@ -45,8 +50,8 @@ pub struct Setup {
     pub integrator: Integrator,
     /// Time step [s].
     pub dt: f64,
-    /// Distance beyond touching at which bodies become candidates [m].
-    pub skin: f64,
+    /// Distance beyond touching at which bodies become candidates.
+    pub skin: Skin,
     /// Largest overlap allowed, as share of the smaller radius.
     pub max_overlap: f64,
     /// How contacts that feel each other are treated; nothing where all are independent.
@@ -76,6 +81,7 @@ pub struct Simulation {
     pub(crate) comm: Single,
     pub(crate) neighbours: Neighbours,
     pub(crate) skin: f64,
+    pub(crate) tuner: SkinTuner,
     /// Largest gap across which any law acts [m]; candidates are found that much farther away.
     pub(crate) max_reach: f64,
     pub(crate) max_overlap: f64,
@@ -84,6 +90,8 @@ pub struct Simulation {
     pub(crate) resists_rolling: bool,
     pub(crate) instructions: Instructions,
     order: SpatialOrder,
+    /// Share of the candidates that were scattered in memory when the grains were put in order.
+    scattered_in_order: f64,
     rebuilds: u64,
     /// Bounds of the grains when the candidates were found.
     bounds: (DVec3, DVec3),
@@ -105,7 +113,14 @@ impl Simulation {
         let wall_materials: Vec<u16> = setup.walls.iter().map(|w| w.material).collect();
         let max_reach = largest_reach(&setup.grains, &wall_materials, &setup.materials);
         let coupling = CouplingState::new(setup.coupling, &setup.grains, &setup.materials);
+        let tuner = SkinTuner::new(
+            setup.skin,
+            &setup.grains,
+            &setup.domain,
+            (max_reach, coupling.is_some()),
+        );
         Self {
+            tuner,
             integrator: setup.integrator,
             comm: Single::new(setup.domain),
             walls_before: setup.walls.iter().map(Wall::pose).collect(),
@@ -121,13 +136,14 @@ impl Simulation {
             },
             books: Books::default(),
             neighbours: Neighbours::default(),
-            skin: setup.skin,
+            skin: setup.skin.first(),
             max_reach,
             max_overlap: setup.max_overlap,
             coupling,
             resists_rolling,
             instructions: Instructions::widest(),
             order: SpatialOrder::default(),
+            scattered_in_order: 0.0,
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
             started: false,
@@ -189,12 +205,15 @@ impl Simulation {
     /// Finds all candidates anew; contacts keep what they remember.
     pub fn find_candidates(&mut self) {
         self.comm.wrap(&mut self.grains);
-        let is_moved = self.rebuilds.is_multiple_of(REBUILDS_PER_REORDER);
+        let is_moved = self.rebuilds == 0 || self.neighbours.scattered() > self.scattered_in_order + DECAY;
         if is_moved {
             self.order.sort(&mut self.grains);
         }
         self.rebuilds += 1;
         self.continue_with_candidates(is_moved);
+        if is_moved {
+            self.scattered_in_order = self.neighbours.scattered();
+        }
     }
 
     /// Finds the candidates of the grains as they are, and hands them the contacts.
@@ -206,12 +225,18 @@ impl Simulation {
         (self.neighbours).find(&self.grains, &self.walls, &self.materials, &self.comm, beyond_touch);
         let moved_to = is_moved.then(|| self.order.moved_to());
         self.contacts.hand_over(&self.neighbours, moved_to);
+        self.tuner.note_rebuild(self.step);
         self.note_bounds();
     }
 
     /// Gap across which bodies may act on each other: the reach of the laws, and the bulges of both [m].
     fn beyond_touch(&self) -> f64 {
         self.max_reach + self.coupling.as_ref().map_or(0.0, |c| c.memory.margin)
+    }
+
+    /// Number of candidate pairs of grains.
+    pub fn candidates(&self) -> usize {
+        self.neighbours.pair_count()
     }
 
     /// What solving the coupled equation of the contacts took so far.

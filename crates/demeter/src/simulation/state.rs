@@ -1,5 +1,6 @@
 //! Everything that a restart to the same bits needs.
 
+use super::skin::SkinTuner;
 use super::{Books, Setup, Simulation};
 use crate::contacts::CarriedContact;
 use crate::neighbours::Neighbours;
@@ -25,6 +26,9 @@ pub struct SimulationState {
     neighbours: Neighbours,
     books: Books,
     rebuilds: u64,
+    scattered_in_order: f64,
+    skin: f64,
+    tuner: SkinTuner,
     bounds: (DVec3, DVec3),
     max_reach: f64,
     /// Nothing where contacts are independent.
@@ -94,6 +98,8 @@ impl SimulationState {
             Err(StateError::Integrator)
         } else if g.material.iter().any(|&m| m as usize >= materials) {
             Err(StateError::Inconsistent("a grain's material"))
+        } else if !self.tuner.fits(self.skin, self.step) {
+            Err(StateError::Inconsistent("the skin"))
         } else if !self.contacts.is_sorted_by_key(|c| c.key) {
             Err(StateError::Inconsistent("contacts"))
         } else {
@@ -114,14 +120,17 @@ impl Simulation {
             neighbours: self.neighbours.clone(),
             books: self.books,
             rebuilds: self.rebuilds,
+            scattered_in_order: self.scattered_in_order,
+            skin: self.skin,
+            tuner: self.tuner,
             bounds: self.bounds,
             max_reach: self.max_reach,
             coupling: self.coupling.as_ref().map(|c| c.memory.clone()),
         }
     }
 
-    /// Continues from a state; the bits are those of an uninterrupted run. The grains and the time step of `setup` are
-    /// replaced by the state's.
+    /// Continues from a state; the bits are those of an uninterrupted run. The grains, the time step and the skin of
+    /// `setup` are replaced by the state's.
     pub fn resume(setup: Setup, state: SimulationState) -> Result<Self, StateError> {
         state.check(setup.walls.len(), setup.materials.list().len(), setup.integrator)?;
         let mut sim = Self::new(Setup {
@@ -136,6 +145,8 @@ impl Simulation {
         sim.dt = state.dt;
         sim.books = state.books;
         sim.rebuilds = state.rebuilds;
+        sim.scattered_in_order = state.scattered_in_order;
+        (sim.skin, sim.tuner) = (state.skin, state.tuner);
         sim.bounds = state.bounds;
         sim.max_reach = state.max_reach;
         match (&mut sim.coupling, state.coupling) {

@@ -7,7 +7,7 @@ pub mod beds;
 use demeter::contacts::Coupling;
 use demeter::materials::{Material, Materials, PairChoice};
 use demeter::particles::{Domain, Grains, NewGrain, Outside};
-use demeter::simulation::{SAFE_SHARE, Setup, Simulation, shortest_time_scale};
+use demeter::simulation::{SAFE_SHARE, Setup, Simulation, Skin, shortest_time_scale};
 use demeter::walls::{Motion, Shape, Wall};
 use demeter_physics::DVec3;
 use demeter_physics::contact::LawChoice;
@@ -190,7 +190,7 @@ impl Case {
             integrator: self.integrator,
             coupling: self.coupling,
             dt: self.share * scale.time,
-            skin: self.skin,
+            skin: Skin::Fixed(self.skin),
             max_overlap: self.max_overlap,
         }
     }
