@@ -9,7 +9,8 @@ pub use coupled::{CouplingMemory, Effort};
 
 use crate::contacts::{Fault, Scene};
 use crate::particles::Outside;
-use crate::simulation::Simulation;
+use crate::simulation::profile::{Part, Profile};
+use crate::simulation::{Phase, Simulation};
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -22,17 +23,26 @@ impl Simulation {
     pub fn step(&mut self) -> Result<(), Fault> {
         self.start()?;
         self.step += 1;
+        self.took(Phase::Other);
         let motion = self.move_grains();
+        self.took(Phase::Motion);
         self.move_walls();
+        self.took(Phase::Walls);
         self.check_places(&motion)?;
         if self.candidates_are_stale(&motion) {
             self.find_candidates();
             self.foresee_bulges();
         }
+        self.took(Phase::Search);
         self.find_contacts(motion.max_speed)?;
+        self.took(self.phase_of_contacts());
         self.sum_and_correct(Moment::Step)?;
+        self.took(Phase::Sums);
         self.load_walls();
+        self.took(Phase::Walls);
         self.book_step();
+        self.took(Phase::Books);
+        self.count_work();
         Ok(())
     }
 
@@ -113,6 +123,13 @@ impl Simulation {
         self.neighbours.reference.len() != self.grains.len() || 2.0 * grain > skin || grain + wall > skin
     }
 
+    fn phase_of_contacts(&self) -> Phase {
+        match self.coupling {
+            Some(_) => Phase::Coupled,
+            None => Phase::Contacts,
+        }
+    }
+
     /// Narrow phase and contact laws, chunk by chunk.
     fn find_contacts(&mut self, max_grain_speed: f64) -> Result<(), Fault> {
         let max_speed = max_grain_speed.max(self.wall_speed());
@@ -135,14 +152,19 @@ impl Simulation {
             instructions: self.instructions,
             bulge: &[],
         };
-        let neighbours = &self.neighbours;
+        let (neighbours, profile) = (&self.neighbours, self.profile.as_deref());
         let between_grains = (self.contacts.pairs.par_iter_mut().enumerate()).map(|(c, chunk)| {
+            let mut clock = Profile::chunk(profile);
             chunk.find_pairs(neighbours.chunk(c).0, &scene);
+            clock.took(Part::Narrow);
             chunk.evaluate_pairs(&scene);
+            clock.took(Part::Laws);
         });
         let with_walls = (self.contacts.walls.par_iter_mut().enumerate()).map(|(c, chunk)| {
+            let mut clock = Profile::chunk(profile);
             chunk.find_walls(neighbours.wall_chunk(c).0, &scene);
             chunk.evaluate_walls(&scene);
+            clock.took(Part::Walls);
         });
         between_grains.chain(with_walls).for_each(|()| ());
         Ok(())

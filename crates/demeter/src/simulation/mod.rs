@@ -1,13 +1,17 @@
 //! The state of a run and its protocol.
 
 mod ledger;
+pub(crate) mod profile;
 mod protocol;
+mod roofline;
 mod state;
 mod time_step;
 
 pub use crate::step::Effort;
 pub use ledger::{Books, Energies};
+pub use profile::{Phase, PhaseTime, ProfileReport};
 pub use protocol::{Cadence, Stage, StopCondition};
+pub use roofline::{Machine, Roofline, Work};
 pub use state::{SimulationState, StateError};
 pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_time_scale, unsafe_share};
 
@@ -82,6 +86,8 @@ pub struct Simulation {
     pub(crate) coupling: Option<CouplingState>,
     pub(crate) resists_rolling: bool,
     pub(crate) instructions: Instructions,
+    /// `None` where nobody asked where the time goes.
+    pub(crate) profile: Option<Box<profile::Profile>>,
     order: SpatialOrder,
     rebuilds: u64,
     /// Bounds of the grains when the candidates were found.
@@ -126,6 +132,7 @@ impl Simulation {
             coupling,
             resists_rolling,
             instructions: Instructions::widest(),
+            profile: None,
             order: SpatialOrder::default(),
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
