@@ -128,7 +128,9 @@ fn bench(arguments: &Arguments) -> Outcome<()> {
     }
     println!();
     println!("The tuned skin, from {} mean diameters on:", arguments.skin);
-    println!("| packing | speed, diameters per step | skin, mean diameters | steps between rebuilds | candidates/grain | contacts/grain | ns per grain and step | rebuilds, share of the time |");
+    println!(
+        "| packing | speed, diameters per step | skin, mean diameters | steps between rebuilds | candidates/grain | contacts/grain | ns per grain and step | rebuilds, share of the time |"
+    );
     println!("|---|---|---|---|---|---|---|---|");
     for (name, ratio, fraction) in PACKINGS {
         if name.contains(&arguments.only) && ratio <= 10.0 {
@@ -148,7 +150,9 @@ fn tune(arguments: &Arguments, name: &str, mut setup: Setup, speed: f64) -> Outc
     let mut state = 1u64;
     for velocity in setup.grains.velocity.iter_mut() {
         let mut component = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             2.0 * ((state >> 11) as f64 / (1u64 << 53) as f64) - 1.0
         };
         *velocity = DVec3::new(component(), component(), component()) * (speed * mean / setup.dt);

@@ -2,6 +2,7 @@
 
 use crate::exit;
 use clap::{Args, Parser, Subcommand};
+use demeter_physics::lanes::Instructions;
 use std::path::PathBuf;
 
 /// Discrete element method for powders and soft grains: one text file in, one folder of results out.
@@ -92,6 +93,26 @@ pub struct RunArguments {
     /// How to run it.
     #[command(flatten)]
     pub output: HowToRun,
+    /// What of the engine to choose and to tell.
+    #[command(flatten)]
+    pub engine: Engine,
+}
+
+/// Of `run` and `resume`: nothing of it changes the results.
+#[derive(Debug, Args)]
+pub struct Engine {
+    /// Tell at the end where the time went, and how far that is from what the machine can do
+    ///
+    /// Seconds, shares and nanoseconds per particle-step of the search, the narrow phase, the laws, the sums and the kick, the
+    /// drift, walls, books and output; bytes and operations that each particle-step needs at least, and how many times the
+    /// time that memory alone would need the steps took. Also in `summary.json`, as `profile`.
+    #[arg(long)]
+    pub profile: bool,
+    /// Instructions of the processor to compute with: `portable`, `avx2`, `avx512` or `neon`; the widest when absent
+    ///
+    /// The results are the same with all.
+    #[arg(long, value_name = "NAME", value_parser = Instructions::named)]
+    pub instructions: Option<Instructions>,
 }
 
 /// Of `run` and `resume`.
@@ -126,6 +147,9 @@ pub struct ResumeArguments {
     /// How to run it.
     #[command(flatten)]
     pub output: HowToRun,
+    /// What of the engine to choose and to tell.
+    #[command(flatten)]
+    pub engine: Engine,
 }
 
 /// Of `demeter collide`.

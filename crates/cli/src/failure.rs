@@ -123,7 +123,11 @@ impl From<RunError> for Failure {
                     | OutputError::OtherSeries { .. }
             ),
             RunError::Checkpoint(ref checkpoint) => matches!(checkpoint, CheckpointError::Missing { .. }),
-            RunError::Finished { .. } | RunError::State(_) | RunError::Motion { .. } | RunError::Threads { .. } => true,
+            RunError::Finished { .. }
+            | RunError::State(_)
+            | RunError::Motion { .. }
+            | RunError::Instructions(_)
+            | RunError::Threads { .. } => true,
         };
         let message = error.to_string();
         if wrong { Self::wrong(message) } else { Self::io(message) }

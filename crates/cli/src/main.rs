@@ -19,6 +19,7 @@ mod info;
 mod interrupt;
 mod laws;
 mod new;
+mod profile;
 mod progress;
 mod readable;
 mod run;

@@ -1,10 +1,11 @@
 //! `demeter run` and `demeter resume`.
 
 use crate::answer::{Rows, answer, answer_json, note};
-use crate::arguments::{HowToRun, ResumeArguments, RunArguments};
+use crate::arguments::{Engine, HowToRun, ResumeArguments, RunArguments};
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::profile;
 use crate::progress::Watch;
 use crate::readable::{count, number, things, vector, wait};
 use demeter::output::RunFolder;
@@ -27,7 +28,7 @@ pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
         Some(folder) => folder.clone(),
         None => default_folder(&arguments.file, arguments.overwrite)?,
     };
-    let options = options(&arguments.output, arguments.overwrite);
+    let options = options(&arguments.output, &arguments.engine, arguments.overwrite);
     let mut watch = Watch::new(interrupt);
     let report = demeter::scenario::run(&scenario, &folder, options, &mut watch);
     watch.end();
@@ -37,7 +38,8 @@ pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
 /// Goes on with a run.
 pub fn resume(arguments: &ResumeArguments) -> Result<Exit, Failure> {
     let mut watch = Watch::new(Interrupt::listen());
-    let report = demeter::scenario::resume(&arguments.folder, options(&arguments.output, false), &mut watch);
+    let options = options(&arguments.output, &arguments.engine, false);
+    let report = demeter::scenario::resume(&arguments.folder, options, &mut watch);
     watch.end();
     match report {
         Err(RunError::Finished { folder }) => finished(&folder, arguments.output.json),
@@ -67,10 +69,12 @@ fn read_summary(folder: &Path) -> Result<Value, Failure> {
     serde_json::from_slice(&bytes).map_err(|error| fail(&error))
 }
 
-fn options(how: &HowToRun, overwrite: bool) -> RunOptions {
+fn options(how: &HowToRun, engine: &Engine, overwrite: bool) -> RunOptions {
     RunOptions {
         threads: how.threads.map(usize::from),
         overwrite,
+        instructions: engine.instructions,
+        profile: engine.profile,
     }
 }
 
@@ -227,7 +231,8 @@ fn to_text(report: &Report) -> String {
             wait(summary.wall_clock_time)
         ),
     );
-    format!("{head}\n{}", rows.lines())
+    let profile = summary.profile.as_ref().map(profile::to_text).unwrap_or_default();
+    format!("{head}\n{}{profile}", rows.lines())
 }
 
 #[cfg(test)]

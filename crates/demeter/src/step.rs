@@ -9,7 +9,8 @@ pub use coupled::{CouplingMemory, Effort};
 
 use crate::contacts::{Fault, Scene};
 use crate::particles::Outside;
-use crate::simulation::{Counts, Simulation};
+use crate::simulation::profile::{Part, Profile};
+use crate::simulation::{Counts, Phase, Simulation};
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -22,18 +23,27 @@ impl Simulation {
     pub fn step(&mut self) -> Result<(), Fault> {
         self.start()?;
         self.step += 1;
+        self.took(Phase::Other);
         let motion = self.move_grains();
+        self.took(Phase::Motion);
         self.move_walls();
+        self.took(Phase::Walls);
         self.check_places(&motion)?;
         if let Some(skin) = self.next_skin(&motion) {
             self.skin = skin;
             self.find_candidates();
             self.foresee_bulges();
         }
+        self.took(Phase::Search);
         self.find_contacts(motion.max_speed)?;
+        self.took(self.phase_of_contacts());
         self.sum_and_correct(Moment::Step)?;
+        self.took(Phase::Sums);
         self.load_walls();
+        self.took(Phase::Walls);
         self.book_step();
+        self.took(Phase::Books);
+        self.count_work();
         Ok(())
     }
 
@@ -121,6 +131,13 @@ impl Simulation {
         (self.tuner).instead_of_wide(self.skin, used.max(0.0), self.step, counts)
     }
 
+    fn phase_of_contacts(&self) -> Phase {
+        match self.coupling {
+            Some(_) => Phase::Coupled,
+            None => Phase::Contacts,
+        }
+    }
+
     /// Narrow phase and contact laws, chunk by chunk.
     fn find_contacts(&mut self, max_grain_speed: f64) -> Result<(), Fault> {
         let max_speed = max_grain_speed.max(self.wall_speed());
@@ -143,13 +160,17 @@ impl Simulation {
             instructions: self.instructions,
             bulge: &[],
         };
-        let neighbours = &self.neighbours;
+        let (neighbours, profile) = (&self.neighbours, self.profile.as_deref());
         let between_grains = (self.contacts.pairs.par_iter_mut().enumerate()).map(|(c, chunk)| {
-            chunk.step_pairs(neighbours.chunk(c), &scene);
+            let mut clock = Profile::chunk(profile);
+            chunk.step_pairs(neighbours.chunk(c), &scene, || clock.took(Part::Narrow));
+            clock.took(Part::Laws);
         });
         let with_walls = (self.contacts.walls.par_iter_mut().enumerate()).map(|(c, chunk)| {
+            let mut clock = Profile::chunk(profile);
             chunk.find_walls(neighbours.wall_chunk(c), &scene);
             chunk.evaluate_walls(&scene);
+            clock.took(Part::Walls);
         });
         between_grains.chain(with_walls).for_each(|()| ());
         Ok(())

@@ -378,7 +378,7 @@ fn files_of_measures_are_the_same_after_restarts() {
     let [whole, parts] = ["whole", "parts"].map(|name| place.path().join(name));
     let threads = |count| RunOptions {
         threads: Some(count),
-        overwrite: false,
+        ..RunOptions::default()
     };
     run(&scenario, &whole, threads(1), &mut Watch { impatient: false }).unwrap();
     let expected = rows(&whole);

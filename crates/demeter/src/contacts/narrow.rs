@@ -104,12 +104,14 @@ thread_local! {
 impl ContactChunk {
     /// Finds the contacts of a chunk of pairs of grains that do not feel each other, and their forces.
     ///
-    /// What is needed in between lies in memory of the thread, which stays in its caches from chunk to chunk.
-    pub(crate) fn step_pairs(&mut self, candidates: (&[Pair], u32), scene: &Scene) {
+    /// What is needed in between lies in memory of the thread, which stays in its caches from chunk to chunk. `found_all` is
+    /// called when the contacts are found.
+    pub(crate) fn step_pairs(&mut self, candidates: (&[Pair], u32), scene: &Scene, found_all: impl FnOnce()) {
         WORKSPACE.with_borrow_mut(|(found, before)| {
             std::mem::swap(found, &mut self.found);
             std::mem::swap(before, &mut self.before);
             self.find_pairs(candidates, scene);
+            found_all();
             self.evaluate_pairs(scene);
             std::mem::swap(&mut self.now.geometry, &mut self.found.geometry);
             std::mem::swap(found, &mut self.found);

@@ -3,6 +3,7 @@
 use super::error::OutputError;
 use super::folder::RunFolder;
 use crate::measure::{Energies, Measures};
+use crate::simulation::ProfileReport;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -49,6 +50,9 @@ pub struct Summary {
     pub walls: BTreeMap<String, WallSummary>,
     /// What the user should know.
     pub warnings: Vec<String>,
+    /// Where the time went, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile: Option<ProfileReport>,
 }
 
 /// One stage that ran.
@@ -178,5 +182,6 @@ mod tests {
         assert_eq!(read["energies"]["elastic"], 0.1);
         assert_eq!(read["energies"]["max_residual"], 2e-5);
         assert!(read["energies"]["wall_work"].is_null());
+        assert!(read.get("profile").is_none(), "nobody asked for a profile");
     }
 }

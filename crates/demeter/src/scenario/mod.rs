@@ -19,6 +19,8 @@ mod report;
 mod resolved;
 mod rows;
 mod run;
+mod run_error;
+mod run_options;
 mod settings;
 mod sizes;
 mod stages;
@@ -42,7 +44,9 @@ pub use observed::{Measured, Observable, Observation, Target, Unknown};
 pub use packing_file::{FitTask, Match, PACKING_FIT_REFERENCE, PackingFile, UnknownNumber};
 pub use prepare::{Prepared, prepare};
 pub use report::{Report, RunEnd};
-pub use run::{Observer, Progress, RunError, RunOptions, RunState, resume, run};
+pub use run::{Observer, Progress, RunState, resume, run};
+pub use run_error::RunError;
+pub use run_options::RunOptions;
 pub use settings::{
     AUTOMATIC_CHECKPOINTS, AUTOMATIC_FRAMES, AUTOMATIC_ROWS, DEFAULT_MAX_OVERLAP, DomainSpec, OutputSpec, PlotSpec,
     SimulationSpec, TimeStep,

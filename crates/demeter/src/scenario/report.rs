@@ -1,10 +1,12 @@
 //! What a run leaves behind at its end: summary, picture, plots.
 
 use super::plots;
-use super::run::{RunError, Runner, labels};
+use super::run::{Runner, labels};
+use super::run_error::RunError;
 use crate::contacts::Fault;
 use crate::output::picture::{PictureOptions, render_packing};
 use crate::output::{OutputError, Summary};
+use crate::simulation::Phase;
 use std::path::{Path, PathBuf};
 
 /// How a run ended.
@@ -44,7 +46,9 @@ impl Runner<'_> {
         }
         let name = &self.scenario.stages[stage].name;
         let path = self.folder.stage_picture(stage + 1, name);
-        Ok(self.draw(&path, &format!("{}: end of {name}", self.scenario.title))?)
+        self.draw(&path, &format!("{}: end of {name}", self.scenario.title))?;
+        self.sim.took(Phase::Output);
+        Ok(())
     }
 
     /// The warnings of the run, with that of books that do not close.
@@ -71,6 +75,7 @@ impl Runner<'_> {
 
     /// Writes the summary and, after whole runs and faults, the picture and the plots.
     pub(super) fn report(&mut self, end: RunEnd) -> Result<Report, RunError> {
+        self.sim.took(Phase::Other);
         let seconds_here = self.started.elapsed().as_secs_f64();
         let speed = self.particle_steps as f64 / seconds_here.max(1e-9);
         let mut summary = Summary {
@@ -108,6 +113,8 @@ impl Runner<'_> {
             self.draw(&self.folder.picture(), &self.scenario.title)?;
         }
         plots::write(&self.folder, &labels(self.scenario), &self.scenario.output.plots)?;
+        self.sim.took(Phase::Output);
+        summary.profile = self.sim.profile();
         summary.write(&self.folder)?;
         Ok(Report {
             end,

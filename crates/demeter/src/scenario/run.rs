@@ -3,17 +3,18 @@
 use super::prepare::{Prepared, prepare, prepare_to_resume};
 use super::report::{Report, RunEnd};
 use super::rows::Rows;
-use super::{Diagnostics, Scenario, measures::networks};
-use crate::checkpoint::{self, CheckpointError, Header};
+use super::run_error::RunError;
+use super::run_options::RunOptions;
+use super::{Scenario, measures::networks};
+use crate::checkpoint::{self, Header};
 use crate::contacts::Fault;
 use crate::measure::{Measures, Moment, contact_records, kinetic_over_elastic, wall_surfaces};
-use crate::output::{Frame, FrameWriter, OutputError, RunFolder, SeriesLabels, StageSummary, wall_summaries};
+use crate::output::{Frame, FrameWriter, RunFolder, SeriesLabels, StageSummary, wall_summaries};
 use crate::particles::Domain;
-use crate::simulation::{Setup, Simulation, SimulationState, Stage, StateError, StopCondition};
-use crate::walls::WallError;
+use crate::simulation::{Phase, Setup, Simulation, SimulationState, Stage, StopCondition};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 /// Steps between two looks at the energies for a stop condition.
@@ -21,15 +22,6 @@ const ENERGY_INTERVAL: u64 = 50;
 
 /// Time between two reports of progress [s].
 const PROGRESS_INTERVAL: f64 = 0.25;
-
-/// How a run is carried out; none of it changes the results.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct RunOptions {
-    /// Number of threads; all cores when absent.
-    pub threads: Option<usize>,
-    /// Whether an earlier run in the folder may be replaced.
-    pub overwrite: bool,
-}
 
 /// Where a run stands.
 #[derive(Clone, Debug)]
@@ -58,51 +50,6 @@ pub trait Observer: Send {
     fn progress(&mut self, progress: &Progress) -> bool;
     /// Told once things happen that a user wants to read: the time step, the end of a stage, a warning.
     fn message(&mut self, text: &str);
-}
-
-/// Why a run could not be carried out.
-#[derive(Debug, thiserror::Error)]
-pub enum RunError {
-    /// The scenario is wrong.
-    #[error("the scenario is wrong")]
-    Scenario(Box<Diagnostics>),
-    /// Results could not be written.
-    #[error(transparent)]
-    Output(#[from] OutputError),
-    /// A checkpoint could not be written or read.
-    #[error(transparent)]
-    Checkpoint(#[from] CheckpointError),
-    /// The checkpoint does not fit the scenario.
-    #[error(transparent)]
-    State(#[from] StateError),
-    /// There is nothing to go on with.
-    #[error("the run in `{}` is finished: nothing is left to do", folder.display())]
-    Finished {
-        /// The folder of the run.
-        folder: PathBuf,
-    },
-    /// A stage tells a wall a motion that it cannot make.
-    #[error("stage `{stage}`: {source}")]
-    Motion {
-        /// The stage.
-        stage: String,
-        /// Why.
-        source: WallError,
-    },
-    /// The threads could not be started.
-    #[error("cannot start {threads} threads: {reason}. Ask for fewer with --threads")]
-    Threads {
-        /// Number asked for.
-        threads: usize,
-        /// What the system said.
-        reason: String,
-    },
-}
-
-impl From<Diagnostics> for RunError {
-    fn from(faults: Diagnostics) -> Self {
-        Self::Scenario(Box::new(faults))
-    }
 }
 
 /// Place in the protocol and everything else that a restart needs.
@@ -145,17 +92,20 @@ pub fn run(
     options: RunOptions,
     observer: &mut dyn Observer,
 ) -> Result<Report, RunError> {
+    options.check()?;
     let prepared = prepare(scenario)?;
     with_threads(options.threads, || {
         let folder = RunFolder::create(folder, options.overwrite)?;
         folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
         let mut runner = Runner::begin(scenario, prepared, folder, observer)?;
+        options.apply(&mut runner.sim);
         runner.run_to_the_end()
     })
 }
 
 /// Continues the run in a folder from its latest checkpoint.
 pub fn resume(folder: &Path, options: RunOptions, observer: &mut dyn Observer) -> Result<Report, RunError> {
+    options.check()?;
     let folder = RunFolder::open(folder)?;
     let mut scenario = Scenario::read(&folder.scenario(), &[])?;
     let restored = checkpoint::read_latest::<RunState>(folder.root())?;
@@ -170,6 +120,7 @@ pub fn resume(folder: &Path, options: RunOptions, observer: &mut dyn Observer) -
     }
     with_threads(options.threads, || {
         let mut runner = Runner::resume(&scenario, restored.value, folder, observer)?;
+        options.apply(&mut runner.sim);
         runner.run_to_the_end()
     })
 }
@@ -467,6 +418,7 @@ impl<'a> Runner<'a> {
         if self.place.last_row == Some(self.sim.step) {
             return Ok(());
         }
+        self.sim.took(Phase::Other);
         let stage_time = (self.sim.step - self.place.stage_step) as f64 * self.sim.dt;
         let moment = Moment {
             stage: self.place.stage,
@@ -476,6 +428,7 @@ impl<'a> Runner<'a> {
         self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
         self.place.last_row = Some(self.sim.step);
         self.latest = Some(row);
+        self.sim.took(Phase::Output);
         Ok(())
     }
 
@@ -483,8 +436,10 @@ impl<'a> Runner<'a> {
         if self.place.last_frame == Some(self.sim.step) {
             return Ok(());
         }
+        self.sim.took(Phase::Other);
         self.with_frame(|frames, frame| frames.write(frame))?;
         self.place.last_frame = Some(self.sim.step);
+        self.sim.took(Phase::Output);
         Ok(())
     }
 
@@ -504,6 +459,7 @@ impl<'a> Runner<'a> {
     }
 
     fn write_checkpoint(&mut self) -> Result<(), RunError> {
+        self.sim.took(Phase::Other);
         let simulation = self.sim.state();
         let header = Header {
             engine_version: crate::VERSION.to_string(),
@@ -521,6 +477,7 @@ impl<'a> Runner<'a> {
             domain: *self.sim.domain(),
         };
         checkpoint::write_latest(self.folder.root(), &header, &state)?;
+        self.sim.took(Phase::Output);
         Ok(())
     }
 

@@ -1,14 +1,18 @@
 //! The state of a run and its protocol.
 
 mod ledger;
+pub(crate) mod profile;
 mod protocol;
+mod roofline;
 mod skin;
 mod state;
 mod time_step;
 
 pub use crate::step::Effort;
 pub use ledger::{Books, Energies};
+pub use profile::{Phase, PhaseTime, ProfileReport};
 pub use protocol::{Cadence, Stage, StopCondition};
+pub use roofline::{Machine, Roofline, Work};
 pub use skin::Skin;
 pub use state::{SimulationState, StateError};
 pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_time_scale, unsafe_share};
@@ -89,6 +93,8 @@ pub struct Simulation {
     pub(crate) coupling: Option<CouplingState>,
     pub(crate) resists_rolling: bool,
     pub(crate) instructions: Instructions,
+    /// `None` where nobody asked where the time goes.
+    pub(crate) profile: Option<Box<profile::Profile>>,
     order: SpatialOrder,
     /// Share of the candidates that were scattered in memory when the grains were put in order.
     scattered_in_order: f64,
@@ -142,6 +148,7 @@ impl Simulation {
             coupling,
             resists_rolling,
             instructions: Instructions::widest(),
+            profile: None,
             order: SpatialOrder::default(),
             scattered_in_order: 0.0,
             rebuilds: 0,

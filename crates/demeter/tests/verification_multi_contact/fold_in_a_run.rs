@@ -85,6 +85,7 @@ fn a_run_past_the_fold_stops_with_a_snapshot() {
         let options = RunOptions {
             threads: Some(1),
             overwrite: true,
+            ..RunOptions::default()
         };
         let report_of = run(&scenario, folder.path(), options, &mut Silent).unwrap();
         let RunEnd::Fault(fault) = &report_of.end else {

@@ -189,6 +189,18 @@ impl Instructions {
         found
     }
 
+    /// Those of a name, if this processor has them.
+    pub fn named(name: &str) -> Result<Self, NoSuchInstructions> {
+        let available = Self::available();
+        match available.iter().find(|instructions| instructions.name() == name) {
+            Some(found) => Ok(*found),
+            None => Err(NoSuchInstructions {
+                name: name.to_owned(),
+                available,
+            }),
+        }
+    }
+
     /// The widest of this processor.
     pub fn widest() -> Self {
         Self::available()[0]
@@ -203,6 +215,24 @@ impl Instructions {
             Self::Avx512 => "avx512",
         }
     }
+}
+
+/// Instructions were asked for that this processor does not have, or that do not exist.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "this processor has no instructions `{name}`; it has {}, and the results are the same with all",
+    listed(available)
+)]
+pub struct NoSuchInstructions {
+    /// What was asked for.
+    pub name: String,
+    /// What there is, widest first.
+    pub available: Vec<Instructions>,
+}
+
+fn listed(instructions: &[Instructions]) -> String {
+    let names: Vec<String> = instructions.iter().map(|i| format!("`{}`", i.name())).collect();
+    names.join(", ")
 }
 
 /// Runs a kernel with instructions that this processor has ([`Instructions::available`]); with others it runs portably.

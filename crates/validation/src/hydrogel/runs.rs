@@ -109,6 +109,7 @@ fn run_model(experiment: &Experiment, model: &Model, folder: &Path, tell: Tell<'
     let options = RunOptions {
         threads: Some(1),
         overwrite: experiment.overwrite,
+        ..RunOptions::default()
     };
     let mut watcher = Watcher { model, tell };
     let report = match state {

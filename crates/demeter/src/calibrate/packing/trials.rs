@@ -128,7 +128,7 @@ impl Laboratory<'_> {
     fn options(&self) -> RunOptions {
         RunOptions {
             threads: self.threads,
-            overwrite: false,
+            ..RunOptions::default()
         }
     }
 }

@@ -1,0 +1,50 @@
+//! Where the time of a run went, as a table.
+
+use crate::readable::{number, things};
+use demeter::simulation::{ProfileReport, Roofline};
+
+/// Phases with time in them, the whole, and how far that is from what the machine can do.
+pub fn to_text(profile: &ProfileReport) -> String {
+    let line = |name: &str, seconds: f64, share: f64, ns: f64| {
+        format!("  {name:<18} {seconds:>10.3} s {:>6.1} % {ns:>8.1}\n", 100.0 * share)
+    };
+    let particle_steps = profile.particle_steps.max(1) as f64;
+    let mut text = format!(
+        "where the time went, on {} with {} instructions\n  {:<18} {:>12} {:>8} {:>8}\n",
+        things(profile.threads as u64, "thread"),
+        profile.instructions,
+        "",
+        "seconds",
+        "share",
+        "ns/particle-step"
+    );
+    for phase in profile.phases.iter().filter(|p| p.seconds > 0.0) {
+        text += &line(phase.name, phase.seconds, phase.share, phase.ns_per_particle_step);
+    }
+    text += &line("all", profile.seconds, 1.0, profile.seconds * 1e9 / particle_steps);
+    let rebuilds = things(profile.rebuilds, "rebuild");
+    text += &format!("  {rebuilds} of the candidates in {}\n", things(profile.steps, "step"));
+    if let Some(roofline) = &profile.roofline {
+        text += &against_the_machine(roofline);
+    }
+    text
+}
+
+fn against_the_machine(roofline: &Roofline) -> String {
+    format!(
+        "  a particle-step has {} candidates and {} contacts; it must move {} bytes ({} ns at {} GB/s) and needs {} operations \
+         ({} ns at {} GFLOP/s)\n  the steps took {} ns: {} times the time that memory alone would need, {} times that of the \
+         operations\n",
+        number(roofline.candidates_per_grain),
+        number(roofline.contacts_per_grain),
+        number(roofline.bytes.round()),
+        number(roofline.memory_ns),
+        number(roofline.machine.bandwidth * 1e-9),
+        number(roofline.operations.round()),
+        number(roofline.operations_ns),
+        number(roofline.machine.operations * 1e-9),
+        number(roofline.ns),
+        number(roofline.times_memory),
+        number(roofline.times_operations),
+    )
+}

@@ -1,0 +1,57 @@
+//! Why a run could not be carried out.
+
+use super::Diagnostics;
+use crate::checkpoint::CheckpointError;
+use crate::output::OutputError;
+use crate::simulation::StateError;
+use crate::walls::WallError;
+use demeter_physics::lanes::NoSuchInstructions;
+use std::path::PathBuf;
+
+/// Why a run could not be carried out.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The scenario is wrong.
+    #[error("the scenario is wrong")]
+    Scenario(Box<Diagnostics>),
+    /// Results could not be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// A checkpoint could not be written or read.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
+    /// The checkpoint does not fit the scenario.
+    #[error(transparent)]
+    State(#[from] StateError),
+    /// There is nothing to go on with.
+    #[error("the run in `{}` is finished: nothing is left to do", folder.display())]
+    Finished {
+        /// The folder of the run.
+        folder: PathBuf,
+    },
+    /// A stage tells a wall a motion that it cannot make.
+    #[error("stage `{stage}`: {source}")]
+    Motion {
+        /// The stage.
+        stage: String,
+        /// Why.
+        source: WallError,
+    },
+    /// This processor lacks the instructions that were asked for.
+    #[error(transparent)]
+    Instructions(#[from] NoSuchInstructions),
+    /// The threads could not be started.
+    #[error("cannot start {threads} threads: {reason}. Ask for fewer with --threads")]
+    Threads {
+        /// Number asked for.
+        threads: usize,
+        /// What the system said.
+        reason: String,
+    },
+}
+
+impl From<Diagnostics> for RunError {
+    fn from(faults: Diagnostics) -> Self {
+        Self::Scenario(Box::new(faults))
+    }
+}

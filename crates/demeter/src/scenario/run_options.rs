@@ -1,0 +1,35 @@
+//! How a run is carried out.
+
+use crate::simulation::Simulation;
+use demeter_physics::lanes::{Instructions, NoSuchInstructions};
+
+/// How a run is carried out; none of it changes the results.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RunOptions {
+    /// Number of threads; all cores when absent.
+    pub threads: Option<usize>,
+    /// Whether an earlier run in the folder may be replaced.
+    pub overwrite: bool,
+    /// Instructions of the processor ([`Instructions::named`]); the widest when absent.
+    pub instructions: Option<Instructions>,
+    /// Whether the summary tells where the time went.
+    pub profile: bool,
+}
+
+impl RunOptions {
+    /// Refuses instructions that this processor lacks.
+    pub(super) fn check(&self) -> Result<(), NoSuchInstructions> {
+        self.instructions
+            .map_or(Ok(()), |asked| Instructions::named(asked.name()).map(|_| ()))
+    }
+
+    /// Tells a simulation how to run.
+    pub(super) fn apply(&self, sim: &mut Simulation) {
+        if let Some(instructions) = self.instructions {
+            sim.set_instructions(instructions);
+        }
+        if self.profile {
+            sim.profile_from_now();
+        }
+    }
+}
