@@ -74,13 +74,14 @@ impl FindPairs<'_> {
     /// How far the surfaces of both grains may bulge [m].
     #[inline(always)]
     fn bulges<L: Lanes>(&self, lot: &Lot) -> L {
+        if !self.scene.is_coupled() {
+            return L::splat(0.0);
+        }
         let mut bulges = [0.0; MOST_LANES];
-        if self.scene.is_coupled() {
-            let mut lane = 0;
-            while lane < L::COUNT {
-                bulges[lane] = self.scene.bulge(lot.first[lane] / 4) + self.scene.bulge(lot.second[lane] / 4);
-                lane += 1;
-            }
+        let mut lane = 0;
+        while lane < L::COUNT {
+            bulges[lane] = self.scene.bulge(lot.first[lane] / 4) + self.scene.bulge(lot.second[lane] / 4);
+            lane += 1;
         }
         L::load(&bulges)
     }

@@ -70,16 +70,7 @@ pub trait Lanes:
     fn rows(columns: [Self; 4]) -> [[f64; 4]; MOST_LANES];
 
     /// One number of `values` per lane.
-    #[inline(always)]
-    fn gather(values: &[f64], places: &Places) -> Self {
-        let mut all = [0.0; MOST_LANES];
-        let mut lane = 0;
-        while lane < Self::COUNT {
-            all[lane] = values[places[lane]];
-            lane += 1;
-        }
-        Self::load(&all)
-    }
+    fn gather(values: &[f64], places: &Places) -> Self;
 
     /// `self < other`, `false` where one is not a number.
     #[inline(always)]

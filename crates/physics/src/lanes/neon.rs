@@ -154,6 +154,11 @@ impl Lanes for F64x2 {
     }
 
     #[inline(always)]
+    fn gather(values: &[f64], places: &Places) -> Self {
+        Self::load(&[values[places[0]], values[places[1]]])
+    }
+
+    #[inline(always)]
     fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
         let first = &values[starts[0]..starts[0] + 4];
         let second = &values[starts[1]..starts[1] + 4];

@@ -250,6 +250,14 @@ impl Lanes for F64x8 {
     }
 
     #[inline(always)]
+    fn gather(values: &[f64], p: &Places) -> Self {
+        let [a, b, c, d] = [values[p[0]], values[p[1]], values[p[2]], values[p[3]]];
+        let [e, f, g, h] = [values[p[4]], values[p[5]], values[p[6]], values[p[7]]];
+        // SAFETY: see the top of this file
+        Self(unsafe { _mm512_setr_pd(a, b, c, d, e, f, g, h) })
+    }
+
+    #[inline(always)]
     fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
         // no closures here: they would be compiled without the instructions
         // SAFETY: see the top of this file
@@ -366,6 +374,13 @@ impl Lanes for F64x4 {
     fn select(mask: Mask4, yes: Self, no: Self) -> Self {
         // SAFETY: see the top of this file
         Self(unsafe { _mm256_blendv_pd(no.0, yes.0, mask.0) })
+    }
+
+    #[inline(always)]
+    fn gather(values: &[f64], p: &Places) -> Self {
+        let [a, b, c, d] = [values[p[0]], values[p[1]], values[p[2]], values[p[3]]];
+        // SAFETY: see the top of this file
+        Self(unsafe { _mm256_setr_pd(a, b, c, d) })
     }
 
     #[inline(always)]
