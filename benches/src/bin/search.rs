@@ -135,12 +135,35 @@ fn bench(arguments: &Arguments) -> Outcome<()> {
     for (name, ratio, fraction) in PACKINGS {
         if name.contains(&arguments.only) && ratio <= 10.0 {
             let setup = packing(arguments.count, ratio, fraction)?;
+            let idle = idle_candidate(arguments, &setup)?;
+            println!(
+                "| {name} | a candidate that is no contact costs {:.1} ns per step |",
+                idle * 1e9
+            );
             for speed in [0.0, 1e-5, 1e-4, 3e-4] {
                 tune(arguments, name, setup.clone(), speed)?;
             }
         }
     }
     Ok(())
+}
+
+/// What a candidate that is no contact costs in a step [s]: from two runs at rest, with a narrow and a wide skin.
+fn idle_candidate(arguments: &Arguments, setup: &Setup) -> Outcome<f64> {
+    let n = setup.grains.len() as f64;
+    let mean = 2.0 * setup.grains.radii().sum::<f64>() / n;
+    let run = |share: f64| -> Outcome<(f64, f64)> {
+        let skin = Skin::Fixed(share * mean);
+        let mut sim = Simulation::new(Setup { skin, ..setup.clone() });
+        sim.step()?;
+        let times: Vec<f64> = (0..arguments.steps).map(|_| timed(|| drop(sim.step()))).collect();
+        Ok((
+            fastest(&times),
+            sim.candidates() as f64 - sim.contacts.pair_count() as f64,
+        ))
+    };
+    let (narrow, wide) = (run(0.02)?, run(0.2)?);
+    Ok((wide.0 - narrow.0) / (wide.1 - narrow.1))
 }
 
 /// Grains that fly through each other's places: from a packing, at a speed in mean diameters per step.

@@ -42,11 +42,10 @@ impl SpatialOrder {
         self.apply(grains);
     }
 
-    /// Keeps only some grains, in the order that they have.
-    pub fn keep(&mut self, grains: &mut Grains, stays: impl Fn(usize) -> bool) {
+    /// Puts grains into an order of their indices; those not named are dropped.
+    pub fn pick(&mut self, grains: &mut Grains, indices: impl Iterator<Item = u32>) {
         self.order.clear();
-        self.order
-            .extend((0..grains.len() as u32).filter(|&g| stays(g as usize)));
+        self.order.extend(indices);
         self.apply(grains);
     }
 

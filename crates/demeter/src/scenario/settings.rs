@@ -37,7 +37,7 @@ pub struct SimulationSpec {
     pub gravity: DVec3,
     /// Largest overlap as a share of the smaller radius: beyond it the run stops; the automatic step is safe up to it.
     pub max_overlap: f64,
-    /// Extra distance at which pairs become candidates [m]; chosen by the engine when absent.
+    /// Extra distance at which pairs become candidates [m]; follows the motion when absent.
     pub skin: Option<f64>,
 }
 

@@ -6,6 +6,8 @@ mod protocol;
 mod roofline;
 mod skin;
 mod state;
+#[cfg(test)]
+mod tests;
 mod time_step;
 
 pub use crate::step::Effort;
@@ -286,7 +288,8 @@ impl Simulation {
         let leaves = |g: usize| indices.binary_search(&g).is_ok();
         let gone = self.energies_of(leaves);
         self.books.remove(indices.len() as u64, &gone);
-        self.order.keep(&mut self.grains, |g| !leaves(g));
+        let stay = (0..self.grains.len() as u32).filter(|&g| !leaves(g as usize));
+        self.order.pick(&mut self.grains, stay);
         self.comm.wrap(&mut self.grains);
         self.continue_with_candidates(true);
         self.foresee_bulges();

@@ -1,8 +1,8 @@
 //! How far beyond touching candidates are looked for.
 //!
-//! A wide skin lasts for more steps, and costs more distance tests in each of them. With a skin `s` that motion uses up at
+//! A wide skin lasts for more steps, and costs more candidates that are looked at in vain in each of them. With a skin `s` that motion uses up at
 //! `u` metres per step, a rebuild of cost `R` every `s/u` steps, and `e s` candidates that are no contacts, a step costs
-//! `R u/s + e s`. That is least at `s = sqrt(R u/e)`, where the tests between two rebuilds cost as much as a rebuild.
+//! `R u/s + e s`. That is least at `s = sqrt(R u/e)`, where they cost as much between two rebuilds as a rebuild.
 //!
 //! `R` is counted, never timed, so a run has the same bits on every machine: see [`REBUILD_PER_GRAIN`] and its neighbours.
 
@@ -10,14 +10,14 @@ use crate::neighbours::Neighbours;
 use crate::particles::{Domain, Grains};
 use serde::{Deserialize, Serialize};
 
-/// Cost of a rebuild per grain, in distance tests of a step (about 2 ns, `benches/README.md`).
-const REBUILD_PER_GRAIN: f64 = 60.0;
+/// Cost of a rebuild per grain, in candidates that a step looks at in vain (about 5 ns each, `benches/README.md`).
+const REBUILD_PER_GRAIN: f64 = 20.0;
 
 /// Cost of a rebuild per candidate found, in the same unit.
-const REBUILD_PER_CANDIDATE: f64 = 20.0;
+const REBUILD_PER_CANDIDATE: f64 = 6.0;
 
 /// Cost of a rebuild per contact handed over, in the same unit.
-const REBUILD_PER_CONTACT: f64 = 35.0;
+const REBUILD_PER_CONTACT: f64 = 15.0;
 
 /// A skin changes at most by this factor at once.
 const LARGEST_CHANGE: f64 = 2.0;
@@ -28,7 +28,7 @@ const MOST_CANDIDATES: f64 = 12.0;
 /// Steps between two looks whether a skin is too wide.
 const LOOK_EVERY: u64 = 16;
 
-/// Costs of tests since the last rebuild, in rebuilds, from which on a skin is given up that is too wide.
+/// Costs of idle candidates since the last rebuild, in rebuilds, from which on a skin is given up that is too wide.
 const PATIENCE: f64 = 2.0;
 
 /// A skin that is not used up is given up when one narrower by this factor would do.
@@ -84,7 +84,7 @@ impl Counts {
         }
     }
 
-    /// Cost of a rebuild, in distance tests.
+    /// Cost of a rebuild, in candidates looked at.
     fn rebuild(self) -> f64 {
         REBUILD_PER_GRAIN * self.grains as f64
             + REBUILD_PER_CANDIDATE * self.candidates as f64
@@ -223,9 +223,9 @@ mod tests {
     #[test]
     fn a_skin_that_is_used_up_soon_is_kept() {
         let counts = || counts(0.1);
-        // at this pace motion uses it up when the tests have cost as much as a rebuild: that is the best skin
+        // at this pace motion uses it up when idle candidates have cost as much as a rebuild: that is the best skin
         let lasts = (counts().rebuild() / counts().idle()) as u64;
-        assert!(lasts > 100);
+        assert!(lasts > 2 * LOOK_EVERY);
         for step in 1..lasts {
             let used = 0.1 * step as f64 / lasts as f64;
             assert_eq!(TUNER.instead_of_wide(0.1, used, step, counts), None);

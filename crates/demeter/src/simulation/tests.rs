@@ -1,0 +1,157 @@
+use super::*;
+use crate::contacts::CarriedContact;
+use crate::materials::{Material, PairChoice};
+use crate::particles::{NewGrain, Outside};
+use crate::walls::{Motion, Shape};
+use demeter_physics::contact::LawChoice;
+use demeter_physics::parameters::Value;
+
+/// Grains per edge of the lattice.
+const EDGE: u32 = 12;
+
+fn law(law: &str, parameter: &str) -> LawChoice {
+    LawChoice {
+        law: law.into(),
+        parameters: [(parameter.to_string(), Value::Number(0.5))].into_iter().collect(),
+    }
+}
+
+fn two_materials() -> Materials {
+    let list = ["a", "b"].map(|name| Material {
+        name: name.into(),
+        young_modulus: 1e6,
+        poisson_ratio: 0.3,
+        density: 2500.0,
+    });
+    let choice = PairChoice {
+        normal: law("hertz-tsuji", "restitution"),
+        tangential: Some(law("mindlin-history", "friction")),
+        rolling: None,
+        multi_contact: None,
+    };
+    Materials::new(list.into(), |_, _| choice.clone()).unwrap()
+}
+
+/// Grains of two materials on a lattice of spacing 1, shaken from their places and between a floor and a lid; with this
+/// mean radius and speed. Ids and places in memory are scattered.
+fn lattice(radius: f64, speed: f64, skin: Skin) -> Setup {
+    let mut state = 7u64;
+    let mut uniform = move || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    };
+    let edge = f64::from(EDGE);
+    let mut grains = Grains::default();
+    for k in 0..EDGE.pow(3) {
+        // 1001 has no divisor in common with the number of grains
+        let site = (k * 1001) % EDGE.pow(3);
+        let cell = [site % EDGE, site / EDGE % EDGE, site / EDGE.pow(2)].map(f64::from);
+        let mut random = || DVec3::new(uniform(), uniform(), uniform());
+        let position = DVec3::from_array(cell) + 0.5 + 0.05 * random();
+        let grain = NewGrain {
+            material: (k % 2) as u16,
+            radius: radius * (1.0 + 0.05 * random().x),
+            density: 2500.0,
+            position,
+            velocity: speed * random(),
+            angular_velocity: DVec3::ZERO,
+            fixed: false,
+        };
+        grains.push(1 + (k * 5) % EDGE.pow(3), &grain);
+    }
+    let plane = |name: &str, z: f64, normal: DVec3| {
+        let point = DVec3::Z * z;
+        Wall::new(name, 0, Shape::Plane { point, normal }, Motion::Rest).unwrap()
+    };
+    let materials = two_materials();
+    let scale = shortest_time_scale(&grains, &[0, 0], &materials, 0.5).unwrap();
+    Setup {
+        walls: vec![plane("floor", 0.0, DVec3::Z), plane("lid", edge, DVec3::NEG_Z)],
+        materials,
+        domain: Domain {
+            lower: DVec3::ZERO,
+            upper: DVec3::splat(edge),
+            periodic: [true, true, false],
+            outside: Outside::Stop,
+        },
+        gravity: DVec3::ZERO,
+        integrator: Integrator::default(),
+        coupling: Coupling::default(),
+        dt: SAFE_SHARE * scale.time,
+        skin,
+        max_overlap: 0.5,
+        grains,
+    }
+}
+
+/// A run with many contacts that remember something.
+fn squeezed() -> Simulation {
+    let mut sim = Simulation::new(lattice(0.51, 1.0, Skin::Fixed(0.05)));
+    for _ in 0..20 {
+        sim.step().unwrap();
+    }
+    assert!(sim.contacts.pair_count() > 2000 && sim.contacts.wall_count() > 50);
+    sim
+}
+
+fn carried(sim: &Simulation) -> Vec<CarriedContact> {
+    sim.contacts.carry(&sim.grains)
+}
+
+#[test]
+fn a_rebuild_hands_all_contacts_over() {
+    let mut sim = squeezed();
+    let expected = carried(&sim);
+    assert!(expected.iter().any(|c| c.history.iter().any(|&h| h != 0.0)));
+    for skin in [0.05, 2.0, 1.0] {
+        sim.skin *= skin;
+        sim.find_candidates();
+        assert!(carried(&sim) == expected, "skin times {skin}");
+    }
+}
+
+#[test]
+fn contacts_follow_grains_into_another_order() {
+    let mut sim = squeezed();
+    let expected = carried(&sim);
+    for stride in [7, 1001] {
+        // neither has a divisor in common with the number of grains
+        let n = sim.grains.len() as u32;
+        sim.order.pick(&mut sim.grains, (0..n).map(|k| (k * stride + 3) % n));
+        sim.continue_with_candidates(true);
+        assert!(carried(&sim) == expected);
+    }
+    // as scattered as they are now, the grains are put in order again
+    let scattered = sim.neighbours.scattered();
+    sim.find_candidates();
+    assert!(sim.neighbours.scattered() < 0.8 * scattered);
+    assert!(carried(&sim) == expected);
+    sim.step().unwrap();
+}
+
+#[test]
+fn contacts_of_removed_grains_end_and_all_others_go_on() {
+    let mut sim = squeezed();
+    let before = carried(&sim);
+    let gone: Vec<usize> = (0..sim.grains.len()).step_by(5).collect();
+    let ids: Vec<u32> = gone.iter().map(|&g| sim.grains.id[g]).collect();
+    sim.remove(&gone);
+    let stays = |c: &&CarriedContact| !ids.contains(&c.key.grain) && (c.key.wall || !ids.contains(&c.key.partner));
+    let expected: Vec<_> = before.iter().filter(stays).cloned().collect();
+    assert!(expected.len() < before.len());
+    assert!(carried(&sim) == expected);
+    sim.step().unwrap();
+}
+
+#[test]
+fn a_packing_at_rest_comes_to_a_narrow_skin() {
+    let first = 0.2;
+    let mut sim = Simulation::new(lattice(0.46, 0.0, Skin::Tuned(first)));
+    for _ in 0..2000 {
+        sim.step().unwrap();
+    }
+    assert!(sim.skin() < 0.2 * first, "{} of {first}", sim.skin());
+    assert!(sim.rebuilds() < 10);
+}
