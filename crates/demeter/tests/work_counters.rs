@@ -1,0 +1,59 @@
+//! How much work runs take, in numbers that no clock and no processor changes: a step that looks at more candidates, or
+//! searches more often, shows here. Where that is meant to be, the numbers are changed, and the commit tells why.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
+
+mod cases;
+
+use cases::beds::bed;
+use cases::on_threads;
+use demeter::simulation::Simulation;
+
+const STEPS: u64 = 1500;
+
+/// What the steps of a run took in all.
+#[derive(Debug, Default, PartialEq)]
+struct Count {
+    rebuilds: u64,
+    distance_tests: u64,
+    candidates: u64,
+    contacts: u64,
+    wall_candidates: u64,
+    wall_contacts: u64,
+}
+
+fn count(name: &str) -> Count {
+    let mut sim = Simulation::new(bed(name, 300));
+    sim.start().unwrap();
+    let begun = sim.rebuilds();
+    let mut count = Count::default();
+    for _ in 0..STEPS {
+        let rebuilds = sim.rebuilds();
+        sim.step().unwrap();
+        if sim.rebuilds() > rebuilds {
+            count.distance_tests += sim.distance_tests();
+        }
+        let work = sim.work();
+        count.candidates += work.candidates;
+        count.contacts += work.contacts;
+        count.wall_candidates += work.wall_candidates;
+        count.wall_contacts += work.wall_contacts;
+    }
+    count.rebuilds = sim.rebuilds() - begun;
+    count
+}
+
+#[test]
+fn runs_take_the_work_that_they_took() {
+    let expected = [
+        (
+            "settling",
+            Count::default(),
+        ),
+    ];
+    for (name, expected) in expected {
+        for threads in [1, 3] {
+            let found = on_threads(threads, || count(name));
+            assert_eq!(found, expected, "{name} on {threads} threads, over {STEPS} steps");
+        }
+    }
+}
