@@ -10,7 +10,7 @@ use toml::Table;
 const REFERENCE: &str = "benches/instructions.toml";
 
 /// Steps of the two runs whose difference is counted, so that what comes before the first step cancels.
-const STEPS: [u64; 2] = [20, 220];
+const STEPS: [u64; 2] = [20, 320];
 
 /// The widest that callgrind knows, and what every processor has.
 const COUNTED: [&str; 2] = ["portable", "avx2"];
@@ -95,7 +95,10 @@ fn number_after(text: &str, word: &str) -> Option<f64> {
 
 /// The text of the reference.
 fn reference(compiler: &str, counts: &[(&str, f64)]) -> String {
-    let values: String = counts.iter().map(|(name, count)| format!("{name} = {count:.1}\n")).collect();
+    let values: String = counts
+        .iter()
+        .map(|(name, count)| format!("{name} = {count:.1}\n"))
+        .collect();
     format!(
         "# Instructions per particle-step of the bed in src/bin/one_step.rs, dev profile, counted by callgrind.\n\
          # Written by `cargo xtask instructions --accept`, compared by `cargo xtask instructions`.\n\
@@ -106,7 +109,10 @@ fn reference(compiler: &str, counts: &[(&str, f64)]) -> String {
 /// What to tell where all is as it was accepted, or cannot be compared; else what is wrong.
 fn compare(reference: &str, compiler: &str, counts: &[(&str, f64)]) -> Result<String, String> {
     let table: Table = reference.parse().map_err(|error| format!("{REFERENCE}: {error}"))?;
-    let accepted_with = table.get("compiler").and_then(|value| value.as_str()).unwrap_or("nothing");
+    let accepted_with = table
+        .get("compiler")
+        .and_then(|value| value.as_str())
+        .unwrap_or("nothing");
     if accepted_with != compiler {
         return Ok(format!(
             "==> instructions of one step: NOT COMPARED, {REFERENCE} was counted with {accepted_with}, this is {compiler}; \
@@ -129,7 +135,10 @@ fn compare(reference: &str, compiler: &str, counts: &[(&str, f64)]) -> Result<St
         }
     }
     if faults.is_empty() {
-        return Ok(format!("==> instructions of one step: within {} % of {REFERENCE}", 100.0 * TOLERANCE));
+        return Ok(format!(
+            "==> instructions of one step: within {} % of {REFERENCE}",
+            100.0 * TOLERANCE
+        ));
     }
     Err(format!(
         "{}\nif that is meant to be, and better work or the reason is told in the commit: `cargo xtask instructions --accept`, \
@@ -154,14 +163,25 @@ mod tests {
     fn a_change_of_work_is_seen() {
         let accepted = reference("rustc 1", &[("portable", 1000.0), ("avx2", 400.0)]);
         let compare = |compiler, counts: &[(&str, f64)]| compare(&accepted, compiler, counts);
-        assert!(compare("rustc 1", &[("portable", 1040.0), ("avx2", 385.0)]).unwrap().contains("within 5 %"));
-        for counts in [[("portable", 1060.0), ("avx2", 400.0)], [("portable", 1000.0), ("avx2", 370.0)]] {
+        assert!(
+            compare("rustc 1", &[("portable", 1040.0), ("avx2", 385.0)])
+                .unwrap()
+                .contains("within 5 %")
+        );
+        for counts in [
+            [("portable", 1060.0), ("avx2", 400.0)],
+            [("portable", 1000.0), ("avx2", 370.0)],
+        ] {
             let fault = compare("rustc 1", &counts).unwrap_err();
             assert!(fault.contains("--accept") && fault.lines().count() == 2, "{fault}");
         }
         // only what was counted is compared, and only with the same compiler
         assert!(compare("rustc 1", &[("avx2", 400.0)]).is_ok());
         assert!(compare("rustc 2", &[("avx2", 900.0)]).unwrap().contains("NOT COMPARED"));
-        assert!(compare("rustc 1", &[("neon", 1.0)]).unwrap_err().contains("no number for `neon`"));
+        assert!(
+            compare("rustc 1", &[("neon", 1.0)])
+                .unwrap_err()
+                .contains("no number for `neon`")
+        );
     }
 }

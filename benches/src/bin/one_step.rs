@@ -35,7 +35,7 @@ const SPACING: f64 = 0.995;
 /// Distance beyond touching at which grains become candidates, over the diameter: beyond the next but one neighbours.
 const SKIN: f64 = 0.18;
 /// Largest speed in each direction [m/s]: candidates go stale now and then.
-const SPEED: f64 = 1.0;
+const SPEED: f64 = 2.0;
 
 /// Materials, laws and time step, with one grain that the bed takes the place of.
 fn scene(edge: f64) -> Outcome<Setup> {
@@ -79,7 +79,13 @@ fn bed() -> Outcome<Simulation> {
     setup.skin = SKIN * DIAMETER;
     let mut numbers = Pcg64::seed_from_u64(1);
     let mut random = || SPEED * (2.0 * ((numbers.next_u64() >> 11) as f64 / (1u64 << 53) as f64) - 1.0);
-    let site = |k: u32| DVec3::new(f64::from(k % CELLS), f64::from(k / CELLS % CELLS), f64::from(k / CELLS / CELLS));
+    let site = |k: u32| {
+        DVec3::new(
+            f64::from(k % CELLS),
+            f64::from(k / CELLS % CELLS),
+            f64::from(k / CELLS / CELLS),
+        )
+    };
     for k in 0..CELLS.pow(3) {
         for shift in [0.25, 0.75] {
             let grain = NewGrain {

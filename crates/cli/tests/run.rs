@@ -97,15 +97,28 @@ fn a_profile_tells_where_the_time_went_and_changes_no_bit() {
 
     let asked = ["--profile", "--instructions", "portable", "--out", "told"];
     let said = place.expect(0, &[&base[..], &asked].concat());
-    for line in ["where the time went", "search", "laws", "sums and kick", "output", "the time that memory alone would need"] {
+    for line in [
+        "where the time went",
+        "search",
+        "laws",
+        "sums and kick",
+        "output",
+        "the time that memory alone would need",
+    ] {
         assert!(said.out.contains(line), "no `{line}`: {}", said.out);
     }
     let profile = &summary("told")["profile"];
-    assert_eq!((&profile["steps"], &profile["particle_steps"]), (&600.into(), &72_000.into()));
+    assert_eq!(
+        (&profile["steps"], &profile["particle_steps"]),
+        (&600.into(), &72_000.into())
+    );
     assert_eq!(profile["instructions"], "portable");
     let phases = profile["phases"].as_array().unwrap();
     let seconds: f64 = phases.iter().map(|phase| phase["seconds"].as_f64().unwrap()).sum();
-    assert!((seconds / profile["seconds"].as_f64().unwrap() - 1.0).abs() < 1e-6, "{profile}");
+    assert!(
+        (seconds / profile["seconds"].as_f64().unwrap() - 1.0).abs() < 1e-6,
+        "{profile}"
+    );
     assert!(profile["roofline"]["times_memory"].as_f64().unwrap() > 0.0, "{profile}");
     assert_same(&place.results("quiet"), &place.results("told"));
 }

@@ -33,7 +33,10 @@ fn run(integrator: Integrator, name: &str, set: impl FnOnce(&mut Simulation) + S
                 series += &format!("{:?}\n", measure(&mut sim, Moment::default(), None));
             }
         }
-        assert!(contacts > 8, "{name}: at most {contacts} contacts, that fill no register");
+        assert!(
+            contacts > 8,
+            "{name}: at most {contacts} contacts, that fill no register"
+        );
         let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
         let contacts = format!("{:?}", contact_records(&sim));
         Fingerprint {
@@ -51,7 +54,10 @@ fn compare(integrator: Integrator) {
         for &wide in available.iter().filter(|&&i| i != Instructions::Portable) {
             let other = run(integrator, name, |sim| sim.set_instructions(wide));
             let what = wide.name();
-            assert!(portable.series == other.series, "{name}: the series differs with {what}");
+            assert!(
+                portable.series == other.series,
+                "{name}: the series differs with {what}"
+            );
             assert!(portable.state == other.state, "{name}: the state differs with {what}");
         }
     }

@@ -191,7 +191,11 @@ fn triad() -> f64 {
     );
     let scale = black_box(0.5);
     let seconds = fastest(|| {
-        let tasks = (a.par_chunks_mut(TRIAD_TASK), b.par_chunks(TRIAD_TASK), c.par_chunks(TRIAD_TASK));
+        let tasks = (
+            a.par_chunks_mut(TRIAD_TASK),
+            b.par_chunks(TRIAD_TASK),
+            c.par_chunks(TRIAD_TASK),
+        );
         tasks.into_par_iter().for_each(|(a, b, c)| {
             for ((a, b), c) in a.iter_mut().zip(b).zip(c) {
                 *a = b + scale * c;

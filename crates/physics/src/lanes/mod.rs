@@ -219,7 +219,10 @@ impl Instructions {
 
 /// Instructions were asked for that this processor does not have, or that do not exist.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("this processor has no instructions `{name}`; it has {}, and the results are the same with all", listed(available))]
+#[error(
+    "this processor has no instructions `{name}`; it has {}, and the results are the same with all",
+    listed(available)
+)]
 pub struct NoSuchInstructions {
     /// What was asked for.
     pub name: String,
