@@ -1,6 +1,5 @@
 //! Instructions of one step, counted by callgrind: a measure of work that does not depend on who else uses the machine.
 
-use crate::checks::ALL_BUT_PYTHON;
 use crate::shell::{answers, read, root, run_cargo, target_folder, write};
 use std::path::Path;
 use std::process::Command;
@@ -31,9 +30,19 @@ pub fn run(accept: bool) -> Result<(), String> {
         println!("==> instructions of one step: NOT COUNTED, the reference is of Linux on x86-64");
         return Ok(());
     }
-    let arguments = [&["build"], &ALL_BUT_PYTHON[..], &["--bin", "one_step"]];
-    run_cargo(&arguments.concat(), &[])?;
-    let binary = target_folder()?.join("debug/one_step");
+    run_cargo(
+        &[
+            "build",
+            "--profile",
+            "counting",
+            "-p",
+            "demeter-benches",
+            "--bin",
+            "one_step",
+        ],
+        &[],
+    )?;
+    let binary = target_folder()?.join("counting/one_step");
     let mut counts = Vec::new();
     for instructions in COUNTED {
         if let Some(count) = per_particle_step(&binary, instructions)? {
@@ -100,7 +109,7 @@ fn reference(compiler: &str, counts: &[(&str, f64)]) -> String {
         .map(|(name, count)| format!("{name} = {count:.1}\n"))
         .collect();
     format!(
-        "# Instructions per particle-step of the bed in src/bin/one_step.rs, dev profile, counted by callgrind.\n\
+        "# Instructions per particle-step of the bed in src/bin/one_step.rs, profile `counting`, counted by callgrind.\n\
          # Written by `cargo xtask instructions --accept`, compared by `cargo xtask instructions`.\n\
          compiler = \"{compiler}\"\n\n[instructions]\n{values}"
     )
