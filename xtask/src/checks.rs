@@ -1,7 +1,7 @@
 //! The checks of a merge, one by one and all together.
 
 use crate::shell::{answers, cargo, root, run, run_cargo, rust_files};
-use crate::{house_rules, layers, python};
+use crate::{house_rules, instructions, layers, python};
 use std::process::Command;
 
 /// The Python crate is left out of what needs linking: it is checked on its own.
@@ -15,6 +15,7 @@ pub fn ci() -> Result<(), String> {
     run_cargo(&["check", "-p", "demeter-py", "--locked"], &[])?;
     documentation()?;
     test()?;
+    instructions::run(false)?;
     python::test()?;
     println!("==> all checks passed");
     Ok(())

@@ -4,6 +4,7 @@ mod bench;
 mod checks;
 mod house_rules;
 mod imports;
+mod instructions;
 mod layers;
 mod new_law;
 mod python;
@@ -57,6 +58,12 @@ enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true, required = true)]
         arguments: Vec<String>,
     },
+    /// Count the instructions of one step with callgrind and compare with `benches/instructions.toml`
+    Instructions {
+        /// Take what is counted as the new reference
+        #[arg(long)]
+        accept: bool,
+    },
     /// Settle the benchmark packing and print the speed
     Bench {
         /// Threads
@@ -82,6 +89,7 @@ fn main() -> ExitCode {
         Command::NewLaw { family, name } => new_law::run(family, &name),
         Command::Verify { filter } => checks::verify(filter.as_deref()),
         Command::Validate { arguments } => validate::run(&arguments),
+        Command::Instructions { accept } => instructions::run(accept),
         Command::Bench { threads, scenario, out } => bench::run(&scenario, threads, out),
     };
     match result {

@@ -6,11 +6,11 @@ use demeter::simulation::{ProfileReport, Roofline};
 /// Phases with time in them, the whole, and how far that is from what the machine can do.
 pub fn to_text(profile: &ProfileReport) -> String {
     let line = |name: &str, seconds: f64, share: f64, ns: f64| {
-        format!("  {name:<18} {seconds:>10.3} s {:>6.1} % {ns:>8.1}\n", 100.0 * share)
+        format!("  {name:<18} {seconds:>10.3} s {:>6.1} % {ns:>16.1}\n", 100.0 * share)
     };
     let particle_steps = profile.particle_steps.max(1) as f64;
     let mut text = format!(
-        "where the time went, on {} with {} instructions\n  {:<18} {:>12} {:>8} {:>8}\n",
+        "where the time went, on {} with {} instructions\n  {:<18} {:>12} {:>8} {:>16}\n",
         things(profile.threads as u64, "thread"),
         profile.instructions,
         "",

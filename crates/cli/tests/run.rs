@@ -84,6 +84,59 @@ fn the_number_of_threads_changes_no_bit() {
 }
 
 #[test]
+fn a_profile_tells_where_the_time_went_and_changes_no_bit() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let base = [&["run", "fall.toml"], &SHORT[..]].concat();
+    let said = place.expect(0, &[&base[..], &["--out", "quiet"]].concat());
+    assert!(!said.out.contains("where the time went"), "{}", said.out);
+    let summary = |folder: &str| -> serde_json::Value {
+        serde_json::from_slice(&fs::read(place.path(folder).join("summary.json")).unwrap()).unwrap()
+    };
+    assert!(summary("quiet").get("profile").is_none());
+
+    let asked = ["--profile", "--instructions", "portable", "--out", "told"];
+    let said = place.expect(0, &[&base[..], &asked].concat());
+    for line in [
+        "where the time went",
+        "search",
+        "laws",
+        "sums and kick",
+        "output",
+        "the time that memory alone would need",
+    ] {
+        assert!(said.out.contains(line), "no `{line}`: {}", said.out);
+    }
+    let profile = &summary("told")["profile"];
+    assert_eq!(
+        (&profile["steps"], &profile["particle_steps"]),
+        (&600.into(), &72_000.into())
+    );
+    assert_eq!(profile["instructions"], "portable");
+    let phases = profile["phases"].as_array().unwrap();
+    let seconds: f64 = phases.iter().map(|phase| phase["seconds"].as_f64().unwrap()).sum();
+    assert!(
+        (seconds / profile["seconds"].as_f64().unwrap() - 1.0).abs() < 1e-6,
+        "{profile}"
+    );
+    assert!(profile["roofline"]["times_memory"].as_f64().unwrap() > 0.0, "{profile}");
+    assert_same(&place.results("quiet"), &place.results("told"));
+}
+
+#[test]
+fn instructions_that_are_not_there_are_refused_before_anything_is_written() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let foreign = if cfg!(target_arch = "aarch64") { "avx2" } else { "neon" };
+    for name in ["sse9", foreign] {
+        let said = place.expect(2, &["run", "fall.toml", "--instructions", name]);
+        let lists = said.err.contains(&format!("no instructions `{name}`")) && said.err.contains("`portable`");
+        assert!(lists, "{}", said.err);
+    }
+    assert_eq!(place.names(), ["fall.toml"]);
+}
+
+#[test]
 fn a_wrong_scenario_writes_nothing() {
     let place = Place::new();
     place.write(
