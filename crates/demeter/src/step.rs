@@ -7,7 +7,8 @@ mod velocity_verlet;
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
-use crate::contacts::{Fault, Scene};
+use crate::contacts::sum::Stretch;
+use crate::contacts::{Contacts, Fault, Scene};
 use crate::particles::Outside;
 use crate::simulation::profile::{Part, Profile};
 use crate::simulation::{Counts, Phase, Simulation};
@@ -17,6 +18,10 @@ use rayon::prelude::*;
 
 /// Grains handled by one task.
 const GRAINS_PER_TASK: usize = 512;
+
+/// Stretches of the table of contacts per thread: more share the work out better, fewer leave fewer grains to be summed up
+/// afterwards.
+const PARTS_PER_THREAD: usize = 4;
 
 impl Simulation {
     /// Advances the run by one time step (see [`demeter_physics::integrator`]).
@@ -161,18 +166,27 @@ impl Simulation {
             bulge: &[],
         };
         let (neighbours, profile) = (&self.neighbours, self.profile.as_deref());
-        let between_grains = (self.contacts.pairs.par_iter_mut().enumerate()).map(|(c, chunk)| {
-            let mut clock = Profile::chunk(profile);
-            chunk.step_pairs(neighbours.chunk(c), &scene, || clock.took(Part::Narrow));
-            clock.took(Part::Laws);
-        });
-        let with_walls = (self.contacts.walls.par_iter_mut().enumerate()).map(|(c, chunk)| {
+        let Contacts { pairs, walls, .. } = &mut self.contacts;
+        walls.par_iter_mut().enumerate().for_each(|(c, chunk)| {
             let mut clock = Profile::chunk(profile);
             chunk.find_walls(neighbours.wall_chunk(c), &scene);
             chunk.evaluate_walls(&scene);
             clock.took(Part::Walls);
         });
-        between_grains.chain(with_walls).for_each(|()| ());
+        self.sums.resize(self.grains.len(), None);
+        let all = Stretch {
+            chunks: pairs,
+            first_chunk: 0,
+            sums: &mut self.sums,
+            first_grain: 0,
+        };
+        let threads = rayon::current_num_threads();
+        let parts = if threads > 1 { PARTS_PER_THREAD * threads } else { 1 };
+        all.work(parts, neighbours, walls, &|c, chunk| {
+            let mut clock = Profile::chunk(profile);
+            chunk.step_pairs(neighbours.chunk(c), &scene, || clock.took(Part::Narrow));
+            clock.took(Part::Laws);
+        });
         Ok(())
     }
 

@@ -1,16 +1,31 @@
 //! Sum per grain over its contacts, in the order of the partner's id.
 
-use super::{Contacts, Load};
+use super::{ContactChunk, Contacts, Load};
 use crate::neighbours::Neighbours;
 use glam::DVec3;
 
 /// Force [N] and torque [N m] of all contacts on one grain.
+pub type GrainLoad = (DVec3, DVec3);
+
+/// Force and torque of all contacts on one grain.
+pub fn contact_load(grain: usize, neighbours: &Neighbours, contacts: &Contacts) -> GrainLoad {
+    sum_of(grain, neighbours, &contacts.pairs, 0, &contacts.walls)
+}
+
+/// Force and torque of all contacts on one grain; `pairs` are chunks from `first_chunk` on, all that the grain has contacts
+/// in among them.
 #[inline(always)]
-pub fn contact_load(grain: usize, neighbours: &Neighbours, contacts: &Contacts) -> (DVec3, DVec3) {
+fn sum_of(
+    grain: usize,
+    neighbours: &Neighbours,
+    pairs: &[ContactChunk],
+    first_chunk: usize,
+    walls: &[ContactChunk],
+) -> GrainLoad {
     let mut sum = Sum::default();
     for (chunk, slot, first) in neighbours.pairs_of(grain) {
         // whether a candidate is a contact cannot be foretold, so none is asked: no branch waits for memory here
-        let chunk = &contacts.pairs[chunk];
+        let chunk = &pairs[chunk - first_chunk];
         let place = chunk.load_place(slot);
         sum.add(&chunk.load[place], first);
         if let Some(&torque) = chunk.rolling.get(place) {
@@ -18,7 +33,7 @@ pub fn contact_load(grain: usize, neighbours: &Neighbours, contacts: &Contacts) 
         }
     }
     for (chunk, slot) in neighbours.wall_pairs_of(grain) {
-        let chunk = &contacts.walls[chunk];
+        let chunk = &walls[chunk];
         for k in chunk.contacts_of(slot) {
             sum.add(&chunk.load[k + 1], true);
             if let Some(&torque) = chunk.rolling.get(k + 1) {
@@ -27,6 +42,80 @@ pub fn contact_load(grain: usize, neighbours: &Neighbours, contacts: &Contacts) 
         }
     }
     sum.result()
+}
+
+/// A stretch of the table of contacts that one task works on, and the grains that are its own.
+///
+/// Grains lie in memory as their contacts do, so soon after its last contact a grain is summed up while the loads are still
+/// in the cache. A grain with contacts in other stretches is left to the kick.
+pub(crate) struct Stretch<'a> {
+    pub(crate) chunks: &'a mut [ContactChunk],
+    pub(crate) first_chunk: usize,
+    /// Sums of its grains; none of those that are left.
+    pub(crate) sums: &'a mut [Option<GrainLoad>],
+    pub(crate) first_grain: usize,
+}
+
+impl<'a> Stretch<'a> {
+    /// Works on the chunks, in parallel in `parts`: how the table is cut changes no sum.
+    pub(crate) fn work(
+        self,
+        parts: usize,
+        neighbours: &Neighbours,
+        walls: &[ContactChunk],
+        step: &(impl Fn(usize, &mut ContactChunk) + Sync),
+    ) {
+        if parts < 2 || self.chunks.len() < 2 {
+            return self.work_alone(neighbours, walls, step);
+        }
+        let (one, other) = self.cut(parts, neighbours);
+        rayon::join(
+            || one.work(parts / 2, neighbours, walls, step),
+            || other.work(parts - parts / 2, neighbours, walls, step),
+        );
+    }
+
+    fn cut(self, parts: usize, neighbours: &Neighbours) -> (Self, Self) {
+        let middle = (self.chunks.len() * (parts / 2) / parts).max(1);
+        let (chunks, other_chunks) = self.chunks.split_at_mut(middle);
+        let first = neighbours.chunk(self.first_chunk + middle).0.first();
+        let grain = first.map_or(0, |pair| pair.i.min(pair.j) as usize);
+        let grains = grain.saturating_sub(self.first_grain).min(self.sums.len());
+        let (sums, other_sums) = self.sums.split_at_mut(grains);
+        let one = Self {
+            chunks,
+            first_chunk: self.first_chunk,
+            sums,
+            first_grain: self.first_grain,
+        };
+        let other = Self {
+            chunks: other_chunks,
+            first_chunk: self.first_chunk + middle,
+            sums: other_sums,
+            first_grain: self.first_grain + grains,
+        };
+        (one, other)
+    }
+
+    fn work_alone(self, neighbours: &Neighbours, walls: &[ContactChunk], step: &impl Fn(usize, &mut ContactChunk)) {
+        let mut next = 0;
+        for c in 0..self.chunks.len() {
+            step(self.first_chunk + c, &mut self.chunks[c]);
+            let done = self.first_chunk + c;
+            while next < self.sums.len() {
+                let grain = self.first_grain + next;
+                let spans = neighbours.pairs_of(grain).map(|(chunk, ..)| chunk);
+                let (lowest, highest) = spans.fold((done, 0), |(low, high), c| (low.min(c), high.max(c)));
+                if highest > done {
+                    break;
+                }
+                self.sums[next] = (lowest >= self.first_chunk)
+                    .then(|| sum_of(grain, neighbours, self.chunks, self.first_chunk, walls));
+                next += 1;
+            }
+        }
+        self.sums[next..].fill(None);
+    }
 }
 
 /// Force and negative torque so far.

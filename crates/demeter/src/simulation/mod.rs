@@ -24,6 +24,7 @@ pub(crate) use skin::{Counts, ROOM_FOR_BULGES};
 use time_step::largest_reach;
 
 use crate::comm::Single;
+use crate::contacts::sum::GrainLoad;
 use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, laws};
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, SpatialOrder};
@@ -93,6 +94,8 @@ pub struct Simulation {
     pub(crate) max_overlap: f64,
     /// `None` where all contacts are independent.
     pub(crate) coupling: Option<CouplingState>,
+    /// Sums of the contact loads of this step, of the grains that have them already.
+    pub(crate) sums: Vec<Option<GrainLoad>>,
     pub(crate) resists_rolling: bool,
     pub(crate) instructions: Instructions,
     /// `None` where nobody asked where the time goes.
@@ -148,6 +151,7 @@ impl Simulation {
             max_reach,
             max_overlap: setup.max_overlap,
             coupling,
+            sums: Vec::new(),
             resists_rolling,
             instructions: Instructions::widest(),
             profile: None,

@@ -51,6 +51,7 @@ impl Simulation {
     /// grain, by its id, with a value that is not a number.
     pub(super) fn kick(&mut self, correction: f64) -> Option<usize> {
         let (neighbours, contacts, gravity) = (&self.neighbours, &self.contacts, self.gravity);
+        let sums = &self.sums;
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
         (
@@ -65,7 +66,9 @@ impl Simulation {
             .map(|(task, (velocity, spin, force, torque, mass))| {
                 let mut bad = None;
                 for k in 0..velocity.len() {
-                    let (contact_force, new_torque) = contact_load(task * n + k, neighbours, contacts);
+                    let known = sums.get(task * n + k).copied().flatten();
+                    let (contact_force, new_torque) =
+                        known.unwrap_or_else(|| contact_load(task * n + k, neighbours, contacts));
                     let new_force = contact_force + gravity * mass[k];
                     let (velocity, spin) = (&mut velocity[k], &mut spin[k]);
                     velocity.vector += (new_force - force[k]) * (correction * velocity.scalar);
