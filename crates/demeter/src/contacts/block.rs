@@ -94,7 +94,7 @@ impl Memory<'_> {
         let mut value = 0;
         while value + 4 <= self.length {
             let rows = L::rows([lanes[value], lanes[value + 1], lanes[value + 2], lanes[value + 3]]);
-            for (lane, row) in rows.iter().enumerate().take(used) {
+            for (lane, row) in rows.as_ref().iter().enumerate().take(used) {
                 let first = (k + lane) * self.stride + self.first + value;
                 self.values[first..first + 4].copy_from_slice(row);
             }

@@ -92,11 +92,18 @@ pub(super) fn put_vectors<L: Lanes>(vectors: L::Vector, columns: &mut [Column; 3
 #[inline(always)]
 pub(super) fn places<L: Lanes>(index: &[u32], k: usize, width: usize) -> Places {
     let mut places = [0; MOST_LANES];
-    let last = index.len() - 1;
     let mut lane = 0;
-    while lane < L::COUNT {
-        places[lane] = width * index[(k + lane).min(last)] as usize;
-        lane += 1;
+    if let Some(index) = index.get(k..k + L::COUNT) {
+        while lane < L::COUNT {
+            places[lane] = width * index[lane] as usize;
+            lane += 1;
+        }
+    } else {
+        let last = index.len() - 1;
+        while lane < L::COUNT {
+            places[lane] = width * index[(k + lane).min(last)] as usize;
+            lane += 1;
+        }
     }
     places
 }
@@ -106,9 +113,16 @@ pub(super) fn places<L: Lanes>(index: &[u32], k: usize, width: usize) -> Places 
 pub(super) fn places_in_turn<L: Lanes>(count: usize, k: usize, width: usize) -> Places {
     let mut places = [0; MOST_LANES];
     let mut lane = 0;
-    while lane < L::COUNT {
-        places[lane] = width * (k + lane).min(count - 1);
-        lane += 1;
+    if k + L::COUNT <= count {
+        while lane < L::COUNT {
+            places[lane] = width * (k + lane);
+            lane += 1;
+        }
+    } else {
+        while lane < L::COUNT {
+            places[lane] = width * (k + lane).min(count - 1);
+            lane += 1;
+        }
     }
     places
 }
@@ -292,9 +306,10 @@ impl Kernel for Write<'_> {
             let forces = L::rows([fx, fy, fz, lever_i]);
             let arms = L::rows([ax, ay, az, lever_j]);
             let here = k..(k + L::COUNT).min(self.loads.len());
-            for (lane, load) in self.loads[here].iter_mut().enumerate() {
-                load.force = forces[lane];
-                load.arm = arms[lane];
+            let rows = forces.as_ref().iter().zip(arms.as_ref());
+            for (load, (force, arm)) in self.loads[here].iter_mut().zip(rows) {
+                load.force = *force;
+                load.arm = *arm;
             }
         }
     }

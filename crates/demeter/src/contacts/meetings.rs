@@ -164,7 +164,7 @@ impl FindPairs<'_> {
             let (lever_i, lever_j) = (lever_i.to_array(), lever_j.to_array());
             while bits != 0 {
                 let lane = bits.trailing_zeros() as usize;
-                let [x, y, z, overlap] = planes[lane];
+                let [x, y, z, overlap] = planes.as_ref()[lane];
                 self.found.candidates.push(near[n + lane]);
                 self.found.geometry.push(Contact {
                     normal: DVec3::new(x, y, z),

@@ -82,9 +82,11 @@ impl Load {
 /// What survives of a contact from one step to the next.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
-    /// Contacts of candidate `c` of the chunk: `start[c]..start[c + 1]`.
+    /// Contacts of candidate `c` of a chunk with walls: `start[c]..start[c + 1]`.
     pub(crate) start: Vec<u32>,
-    /// Candidate of every contact; of chunks of pairs only.
+    /// Number of the contact of every candidate between grains, which has at most one, from 1; 0 where it is none.
+    pub(crate) place: Vec<u16>,
+    /// Candidate of every contact between grains.
     pub(crate) candidate: Vec<u32>,
     /// Element of the wall that is touched; empty between grains.
     pub(crate) element: Vec<u32>,
@@ -102,6 +104,7 @@ impl Kept {
     fn clear(&mut self) {
         self.start.clear();
         self.start.push(0);
+        self.place.clear();
         self.candidate.clear();
         self.element.clear();
         self.geometry.clear();
@@ -118,18 +121,17 @@ impl Kept {
     pub(crate) fn set_candidates(&mut self, candidates: &[u32], count: usize) {
         self.candidate.clear();
         self.candidate.extend_from_slice(candidates);
-        self.start.clear();
-        let mut contacts = candidates.iter().peekable();
-        let mut before = 0;
-        self.start.extend((0..=count as u32).map(|c| {
-            let start = before;
-            before += u32::from(contacts.next_if_eq(&&c).is_some());
-            start
-        }));
+        self.place.clear();
+        self.place.resize(count, 0);
+        for (contact, &candidate) in candidates.iter().enumerate() {
+            self.place[candidate as usize] = contact as u16 + 1;
+        }
     }
 
     pub(crate) fn range(&self, candidate: usize) -> std::ops::Range<usize> {
-        if self.start.len() > candidate + 1 {
+        if let Some(&place) = self.place.get(candidate) {
+            usize::from(place).saturating_sub(1)..usize::from(place)
+        } else if self.start.len() > candidate + 1 {
             self.start[candidate] as usize..self.start[candidate + 1] as usize
         } else {
             0..0
@@ -207,8 +209,7 @@ impl ContactChunk {
     /// Where the load of a candidate between grains lies: at 0, where none is, when it is no contact.
     #[inline(always)]
     pub(crate) fn load_place(&self, candidate: usize) -> usize {
-        let [start, end] = [self.now.start[candidate], self.now.start[candidate + 1]];
-        ((end - start) * end) as usize
+        usize::from(self.now.place[candidate])
     }
 
     /// Number of contacts.

@@ -104,8 +104,7 @@ impl<'a> Stretch<'a> {
             let done = self.first_chunk + c;
             while next < self.sums.len() {
                 let grain = self.first_grain + next;
-                let spans = neighbours.pairs_of(grain).map(|(chunk, ..)| chunk);
-                let (lowest, highest) = spans.fold((done, 0), |(low, high), c| (low.min(c), high.max(c)));
+                let (lowest, highest) = neighbours.span_of(grain);
                 if highest > done {
                     break;
                 }

@@ -76,6 +76,8 @@ trait Heirs: Sync {
     fn count(&self) -> usize;
     /// Candidates before a chunk, and in it.
     fn of_chunk(&self, chunk: usize) -> (usize, usize);
+    /// Whether the second bodies are walls.
+    fn are_walls(&self) -> bool;
     /// Material pair of a chunk.
     fn law(&self, chunk: usize) -> u32;
     /// Bodies of a candidate.
@@ -109,6 +111,10 @@ impl Heirs for Pairs<'_> {
         (self.0.before_chunk(chunk), self.0.chunk(chunk).0.len())
     }
 
+    fn are_walls(&self) -> bool {
+        false
+    }
+
     fn law(&self, chunk: usize) -> u32 {
         self.0.chunk(chunk).1
     }
@@ -136,6 +142,10 @@ impl Heirs for Walls<'_> {
 
     fn of_chunk(&self, chunk: usize) -> (usize, usize) {
         (self.0.before_wall_chunk(chunk), self.0.wall_chunk(chunk).0.len())
+    }
+
+    fn are_walls(&self) -> bool {
+        true
     }
 
     fn law(&self, chunk: usize) -> u32 {
@@ -179,7 +189,7 @@ impl Transfer {
                             chunk.take_over(old, contact, bodies, stride);
                         }
                     }
-                    chunk.end_candidate();
+                    chunk.end_candidate(heirs.are_walls());
                 }
             });
             self.free_chunks(end);
@@ -198,7 +208,7 @@ impl Transfer {
         self.last_use.resize(self.old.len(), 0);
         let heir = &self.heir;
         (self.old.par_iter().zip(&mut self.last_use).enumerate()).for_each(|(number, (chunk, last_use))| {
-            for slot in 0..chunk.candidates() {
+            for slot in 0..chunk.candidates(heirs.are_walls()) {
                 let Some(contact) = chunk.contacts_of(slot).next() else {
                     continue;
                 };
@@ -223,16 +233,26 @@ impl Transfer {
 }
 
 impl ContactChunk {
-    /// Number of candidates.
-    fn candidates(&self) -> usize {
-        self.now.start.len().saturating_sub(1)
+    /// Number of candidates, with walls or between grains.
+    fn candidates(&self, walls: bool) -> usize {
+        if walls {
+            self.now.start.len().saturating_sub(1)
+        } else {
+            self.now.place.len()
+        }
     }
 
     /// Ends the contacts of one candidate.
-    fn end_candidate(&mut self) {
-        let candidate = self.candidates() as u32;
-        self.now.candidate.resize(self.now.len(), candidate);
-        self.now.start.push(self.now.len() as u32);
+    fn end_candidate(&mut self, walls: bool) {
+        let contacts = self.now.len();
+        if walls {
+            self.now.start.push(contacts as u32);
+        } else {
+            let candidate = self.now.place.len() as u32;
+            let is_contact = contacts > self.now.candidate.len();
+            self.now.candidate.resize(contacts, candidate);
+            self.now.place.push(if is_contact { contacts as u16 } else { 0 });
+        }
     }
 
     /// Appends a contact of an old chunk, with all that can be asked of it after a step.
@@ -342,7 +362,7 @@ fn refill(chunks: &mut Vec<ContactChunk>, heirs: &impl Heirs, fill: impl Fn((u32
         chunk.law = heirs.law(number);
         for slot in 0..heirs.of_chunk(number).1 {
             fill(heirs.bodies(number, slot), chunk);
-            chunk.end_candidate();
+            chunk.end_candidate(heirs.are_walls());
         }
     }
 }

@@ -27,6 +27,7 @@ use crate::particles::Grains;
 use crate::walls::{Pose, Wall};
 use glam::DVec3;
 use incidence::Incidence;
+use rayon::prelude::*;
 use search::Search;
 use serde::{Deserialize, Serialize};
 use table::Table;
@@ -68,6 +69,9 @@ pub struct Neighbours {
     incidence: Incidence,
     #[serde(skip)]
     wall_incidence: Incidence,
+    /// First and last chunk of the pairs of every grain.
+    #[serde(skip)]
+    spans: Vec<[u32; 2]>,
     #[serde(skip)]
     search: Search,
     effort: SearchEffort,
@@ -106,6 +110,14 @@ impl Neighbours {
     fn find_incidence(&mut self, grains: &Grains) {
         self.incidence.find(&self.pairs, &grains.id, 2);
         self.wall_incidence.find(&self.walls, &grains.id, 1);
+        self.spans.resize(grains.len(), [0; 2]);
+        let incidence = &self.incidence;
+        (self.spans.par_iter_mut().enumerate())
+            .with_min_len(1024)
+            .for_each(|(grain, span)| {
+                let chunks = incidence.of(grain).map(|entry| entry.chunk() as u32);
+                *span = chunks.fold([u32::MAX, 0], |[low, high], c| [low.min(c), high.max(c)]);
+            });
     }
 
     /// Makes the table of a checkpoint whole again; tells whether it fits these grains, walls and materials, as it does
@@ -180,6 +192,13 @@ impl Neighbours {
     #[inline(always)]
     pub fn wall_pairs_of(&self, grain: usize) -> impl ExactSizeIterator<Item = (usize, usize)> + '_ {
         (self.wall_incidence.of(grain)).map(|entry| (entry.chunk(), entry.slot()))
+    }
+
+    /// First and last chunk of the pairs that a grain is in; nothing but a first beyond the last where it is in none.
+    #[inline(always)]
+    pub(crate) fn span_of(&self, grain: usize) -> (usize, usize) {
+        let [first, last] = self.spans[grain];
+        (first as usize, last as usize)
     }
 
     /// Chunk of the candidate of two grains, and its number among all candidates; `i` has the lower id.

@@ -139,7 +139,7 @@ fn gather<L: Lanes>(values: &[f64], mut places: Places) -> L::Vector {
 fn put<L: Lanes>(rows: &mut [Row], vector: L::Vector, scalar: L) {
     let [x, y, z] = vector.components();
     let columns = L::rows([x, y, z, scalar]);
-    for (row, new) in rows.iter_mut().zip(&columns) {
+    for (row, new) in rows.iter_mut().zip(columns.as_ref()) {
         *row = bytemuck::cast(*new);
     }
 }
@@ -173,7 +173,7 @@ impl Kernel for Drift<'_> {
             put::<L>(&mut self.position[here.clone()], place, radius);
             put::<L>(&mut self.velocity[here.clone()], velocity, inverse_mass);
             put::<L>(&mut self.spin[here.clone()], middle_spin + twist, inverse_inertia);
-            for (orientation, turned) in self.orientation[here].iter_mut().zip(&turned) {
+            for (orientation, turned) in self.orientation[here].iter_mut().zip(turned.as_ref()) {
                 *orientation = DQuat::from_array(*turned);
             }
             speed2 = velocity.square().max(speed2);

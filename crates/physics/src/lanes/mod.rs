@@ -43,6 +43,8 @@ pub trait Lanes:
     type Mask: Mask;
     /// Three of them: a vector per lane.
     type Vector: Vector<Self>;
+    /// Four numbers per lane.
+    type Rows: AsRef<[[f64; 4]]>;
 
     /// The same number in every lane.
     fn splat(value: f64) -> Self;
@@ -66,8 +68,8 @@ pub trait Lanes:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// The columns of rows of four numbers, one row per lane: those of `values` from `starts` on.
     fn columns(values: &[f64], starts: &Places) -> [Self; 4];
-    /// The rows of a table of four columns, one per lane; those beyond [`Lanes::COUNT`] mean nothing.
-    fn rows(columns: [Self; 4]) -> [[f64; 4]; MOST_LANES];
+    /// The rows of a table of four columns, one per lane.
+    fn rows(columns: [Self; 4]) -> Self::Rows;
 
     /// One number of `values` per lane.
     fn gather(values: &[f64], places: &Places) -> Self;

@@ -3,7 +3,7 @@
 //! Unsafe because the instructions are reached through intrinsics.
 #![allow(unsafe_code)]
 
-use super::{Lanes, MOST_LANES, Mask, Places, Vector3};
+use super::{Lanes, Mask, Places, Vector3};
 use std::arch::aarch64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -90,6 +90,7 @@ impl Lanes for F64x2 {
     const COUNT: usize = 2;
     type Mask = Mask2;
     type Vector = Vector3<Self>;
+    type Rows = [[f64; 4]; 2];
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -171,8 +172,8 @@ impl Lanes for F64x2 {
     }
 
     #[inline(always)]
-    fn rows(columns: [Self; 4]) -> [[f64; 4]; MOST_LANES] {
-        let mut rows = [[0.0; 4]; MOST_LANES];
+    fn rows(columns: [Self; 4]) -> [[f64; 4]; 2] {
+        let mut rows = [[0.0; 4]; 2];
         let mut column = 0;
         while column < 4 {
             let mut lanes = [0.0; 2];

@@ -1,6 +1,6 @@
 //! One lane.
 
-use super::{Lanes, MOST_LANES, Mask, Places};
+use super::{Lanes, Mask, Places};
 use glam::DVec3;
 
 impl Mask for bool {
@@ -14,6 +14,7 @@ impl Lanes for f64 {
     const COUNT: usize = 1;
     type Mask = bool;
     type Vector = DVec3;
+    type Rows = [[f64; 4]; 1];
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -72,10 +73,8 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
-    fn rows(columns: [Self; 4]) -> [[f64; 4]; MOST_LANES] {
-        let mut rows = [[0.0; 4]; MOST_LANES];
-        rows[0] = columns;
-        rows
+    fn rows(columns: [Self; 4]) -> [[f64; 4]; 1] {
+        [columns]
     }
 
     #[inline(always)]

@@ -33,7 +33,7 @@ impl Kernel for Everything<'_> {
             let of_rows = {
                 let rows = [a, b, a - b, a * 3.0];
                 let back = L::rows(rows);
-                L::columns(back.as_flattened(), &std::array::from_fn(|lane| 4 * lane))
+                L::columns(back.as_ref().as_flattened(), &std::array::from_fn(|lane| 4 * lane))
             };
             let results = [
                 a + b,

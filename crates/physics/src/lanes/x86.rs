@@ -4,7 +4,7 @@
 //! [`run_avx512`] alone, which [`super::run`] calls only where the processor has them.
 #![allow(unsafe_code)]
 
-use super::{Kernel, Lanes, MOST_LANES, Mask, Places, Vector3};
+use super::{Kernel, Lanes, Mask, Places, Vector3};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -167,25 +167,50 @@ impl Not for Mask4 {
     }
 }
 
-/// Four numbers in a register.
+/// Asserts that `width` numbers are there from all of the first places on.
 #[inline(always)]
-fn row(values: &[f64], start: usize) -> __m256d {
-    let values = &values[start..start + 4];
-    // SAFETY: four numbers are there
-    unsafe { _mm256_loadu_pd(values.as_ptr()) }
+fn check(values: &[f64], places: &Places, lanes: usize, width: usize) {
+    let mut last = places[0];
+    let mut lane = 1;
+    while lane < lanes {
+        last = if places[lane] > last { places[lane] } else { last };
+        lane += 1;
+    }
+    assert!(values.len() >= width && last <= values.len() - width);
+}
+
+/// Four numbers in a register.
+///
+/// # Safety
+/// They must be there.
+#[inline(always)]
+unsafe fn row(values: &[f64], start: usize) -> __m256d {
+    // SAFETY: as the caller promises
+    unsafe { _mm256_loadu_pd(values.as_ptr().add(start)) }
+}
+
+/// One number.
+///
+/// # Safety
+/// It must be there.
+#[inline(always)]
+unsafe fn one(values: &[f64], place: usize) -> f64 {
+    // SAFETY: as the caller promises
+    unsafe { *values.get_unchecked(place) }
 }
 
 /// Four numbers out of a register.
 #[inline(always)]
-fn put(row: __m256d, values: &mut [f64; 4]) {
-    // SAFETY: there is room for four numbers
-    unsafe { _mm256_storeu_pd(values.as_mut_ptr(), row) }
+fn put(row: __m256d) -> [f64; 4] {
+    // SAFETY: both are 32 bytes of four numbers
+    unsafe { std::mem::transmute(row) }
 }
 
 impl Lanes for F64x8 {
     const COUNT: usize = 8;
     type Mask = Mask8;
     type Vector = Vector3<Self>;
+    type Rows = [[f64; 4]; 8];
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -251,16 +276,22 @@ impl Lanes for F64x8 {
 
     #[inline(always)]
     fn gather(values: &[f64], p: &Places) -> Self {
-        let [a, b, c, d] = [values[p[0]], values[p[1]], values[p[2]], values[p[3]]];
-        let [e, f, g, h] = [values[p[4]], values[p[5]], values[p[6]], values[p[7]]];
-        // SAFETY: see the top of this file
-        Self(unsafe { _mm512_setr_pd(a, b, c, d, e, f, g, h) })
+        check(values, p, 8, 1);
+        // SAFETY: see the top of this file; the numbers are there
+        unsafe {
+            let [a, b] = [one(values, p[0]), one(values, p[1])];
+            let [c, d] = [one(values, p[2]), one(values, p[3])];
+            let [e, f] = [one(values, p[4]), one(values, p[5])];
+            let [g, h] = [one(values, p[6]), one(values, p[7])];
+            Self(_mm512_setr_pd(a, b, c, d, e, f, g, h))
+        }
     }
 
     #[inline(always)]
     fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
+        check(values, starts, 8, 4);
         // no closures here: they would be compiled without the instructions
-        // SAFETY: see the top of this file
+        // SAFETY: see the top of this file; the numbers are there
         unsafe {
             let r04 = _mm512_castpd256_pd512(row(values, starts[0]));
             let r04 = _mm512_insertf64x4::<1>(r04, row(values, starts[4]));
@@ -284,8 +315,7 @@ impl Lanes for F64x8 {
     }
 
     #[inline(always)]
-    fn rows([a, b, c, d]: [Self; 4]) -> [[f64; 4]; MOST_LANES] {
-        let mut rows = [[0.0; 4]; MOST_LANES];
+    fn rows([a, b, c, d]: [Self; 4]) -> [[f64; 4]; 8] {
         // SAFETY: see the top of this file
         unsafe {
             let (low_ab, high_ab) = (_mm512_unpacklo_pd(a.0, b.0), _mm512_unpackhi_pd(a.0, b.0));
@@ -296,16 +326,17 @@ impl Lanes for F64x8 {
             let r26 = _mm512_permutex2var_pd(low_ab, odd, low_cd);
             let r15 = _mm512_permutex2var_pd(high_ab, even, high_cd);
             let r37 = _mm512_permutex2var_pd(high_ab, odd, high_cd);
-            put(_mm512_castpd512_pd256(r04), &mut rows[0]);
-            put(_mm512_castpd512_pd256(r15), &mut rows[1]);
-            put(_mm512_castpd512_pd256(r26), &mut rows[2]);
-            put(_mm512_castpd512_pd256(r37), &mut rows[3]);
-            put(_mm512_extractf64x4_pd::<1>(r04), &mut rows[4]);
-            put(_mm512_extractf64x4_pd::<1>(r15), &mut rows[5]);
-            put(_mm512_extractf64x4_pd::<1>(r26), &mut rows[6]);
-            put(_mm512_extractf64x4_pd::<1>(r37), &mut rows[7]);
+            [
+                put(_mm512_castpd512_pd256(r04)),
+                put(_mm512_castpd512_pd256(r15)),
+                put(_mm512_castpd512_pd256(r26)),
+                put(_mm512_castpd512_pd256(r37)),
+                put(_mm512_extractf64x4_pd::<1>(r04)),
+                put(_mm512_extractf64x4_pd::<1>(r15)),
+                put(_mm512_extractf64x4_pd::<1>(r26)),
+                put(_mm512_extractf64x4_pd::<1>(r37)),
+            ]
         }
-        rows
     }
 }
 
@@ -313,6 +344,7 @@ impl Lanes for F64x4 {
     const COUNT: usize = 4;
     type Mask = Mask4;
     type Vector = Vector3<Self>;
+    type Rows = [[f64; 4]; 4];
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -378,32 +410,35 @@ impl Lanes for F64x4 {
 
     #[inline(always)]
     fn gather(values: &[f64], p: &Places) -> Self {
-        let [a, b, c, d] = [values[p[0]], values[p[1]], values[p[2]], values[p[3]]];
-        // SAFETY: see the top of this file
-        Self(unsafe { _mm256_setr_pd(a, b, c, d) })
+        check(values, p, 4, 1);
+        // SAFETY: see the top of this file; the numbers are there
+        unsafe {
+            let [a, b] = [one(values, p[0]), one(values, p[1])];
+            let [c, d] = [one(values, p[2]), one(values, p[3])];
+            Self(_mm256_setr_pd(a, b, c, d))
+        }
     }
 
     #[inline(always)]
     fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
-        let rows = [
-            row(values, starts[0]),
-            row(values, starts[1]),
-            row(values, starts[2]),
-            row(values, starts[3]),
-        ];
+        check(values, starts, 4, 4);
+        // SAFETY: the numbers are there
+        let rows = unsafe {
+            [
+                row(values, starts[0]),
+                row(values, starts[1]),
+                row(values, starts[2]),
+                row(values, starts[3]),
+            ]
+        };
         let [a, b, c, d] = transposed(rows);
         [Self(a), Self(b), Self(c), Self(d)]
     }
 
     #[inline(always)]
-    fn rows([a, b, c, d]: [Self; 4]) -> [[f64; 4]; MOST_LANES] {
-        let mut rows = [[0.0; 4]; MOST_LANES];
+    fn rows([a, b, c, d]: [Self; 4]) -> [[f64; 4]; 4] {
         let [first, second, third, fourth] = transposed([a.0, b.0, c.0, d.0]);
-        put(first, &mut rows[0]);
-        put(second, &mut rows[1]);
-        put(third, &mut rows[2]);
-        put(fourth, &mut rows[3]);
-        rows
+        [put(first), put(second), put(third), put(fourth)]
     }
 }
 
