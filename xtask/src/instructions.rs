@@ -55,7 +55,8 @@ pub fn run(accept: bool) -> Result<(), String> {
     if accept {
         return write(&path, &reference(&compiler, &counts));
     }
-    compare(&read(&path)?, &compiler, &counts).map(|text| println!("{text}"))
+    let accepted = read(&path).map_err(|error| format!("{error}; `cargo xtask instructions --accept` writes it"))?;
+    compare(&accepted, &compiler, &counts).map(|text| println!("{text}"))
 }
 
 /// The compiler, as its one line tells it.
