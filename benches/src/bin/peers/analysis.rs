@@ -62,6 +62,8 @@ pub struct Scene {
     pub spring: Spring,
     /// The surface whose load is told.
     pub bearing: Bearing,
+    /// Stiffness of a contact with a wall over that of two bodies of one material, one of them flat.
+    pub wall_stiffness: f64,
 }
 
 /// What is compared.
@@ -90,7 +92,7 @@ pub fn judge(grains: &[Grain], scene: &Scene) -> Physics {
     for grain in free.clone() {
         let overlap = 0.5 * grain.diameter - distance(scene.bearing, grain.position);
         if overlap > 0.0 {
-            borne += scene.spring.force(overlap, 0.5 * grain.diameter);
+            borne += scene.wall_stiffness * scene.spring.force(overlap, 0.5 * grain.diameter);
         }
     }
     Physics {
@@ -158,7 +160,7 @@ struct Cells {
 /// Fewer cells than this along an axis: a cell would be its own neighbour twice across the period.
 const LEAST_PERIODIC: i64 = 3;
 /// At most this many cells along an axis, so that a grain flown away does not ask for all memory.
-const MOST: f64 = 500.0;
+const MOST: f64 = 200.0;
 
 impl Cells {
     fn new(grains: &[Grain], period: DVec3) -> Self {
@@ -269,6 +271,7 @@ mod tests {
         density: 1.0,
         spring: Spring::Linear { stiffness: 10.0 },
         bearing: Bearing::Level { z: 0.0, up: 1.0 },
+        wall_stiffness: 1.0,
     };
 
     fn pairs(grains: &[Grain], period: DVec3) -> usize {
@@ -301,7 +304,7 @@ mod tests {
                     expected += usize::from(touches && !(a.kind == FIXED && b.kind == FIXED));
                 }
             }
-            assert!(expected > 100, "{expected}");
+            assert!(expected > 50, "{expected}");
             assert_eq!(pairs(&grains, period), expected, "{period}");
         }
     }
@@ -342,6 +345,11 @@ mod tests {
             ..OPEN
         };
         approx(judge(&floor, &plate).force, 10.0 * (1.0 - (2.0 - 1.1)));
+        let stiffer = Scene {
+            wall_stiffness: 1.3,
+            ..plate
+        };
+        approx(judge(&floor, &stiffer).force, 1.3 * judge(&floor, &plate).force);
         let drum = Scene {
             bearing: Bearing::CylinderAboutY { radius: 5.0 },
             spring: Spring::Hertz {

@@ -3,7 +3,7 @@
 use crate::demeter_loop;
 use crate::grains::{Fault, State};
 use crate::process::{self, Ended, find_program};
-use crate::workloads::{Kind, Variable, Workload};
+use crate::workloads::{Kind, POISSON, Variable, Workload};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -101,6 +101,18 @@ impl Engine {
     /// Whether its damping is another than Demeter's, so that energies cannot agree closely.
     pub fn damps_otherwise(&self, kind: Kind) -> bool {
         matches!(self, Self::Lammps { style: 1, .. }) && kind != Kind::Chute
+    }
+
+    /// Stiffness of its walls over that of two bodies of one material, one of them flat.
+    pub fn wall_stiffness(&self, kind: Kind) -> f64 {
+        match self {
+            // `hertz/material` at a wall: E/(2 (1 - nu)) in place of E/(2 (1 - nu^2))
+            Self::Lammps { style: 0, .. } => 1.0 + POISSON,
+            // the wall is taken for a sphere: as large as the grain at a plane, of twice its radius at a facet
+            Self::Yade { .. } if kind == Kind::Drum => (2f64 / 3.0).sqrt(),
+            Self::Yade { .. } => 0.5f64.sqrt(),
+            _ => 1.0,
+        }
     }
 
     /// Whether more threads are further processes.
@@ -281,37 +293,30 @@ pub fn launcher_of(program: &Path) -> Option<PathBuf> {
     own.or_else(|| find_program("mpirun"))
 }
 
-/// The last `Loop time of ...` of a log of LAMMPS or LIGGGHTS, its number of ranks, and what follows it.
+/// The last `Loop time of ...` with steps in a log of LAMMPS or LIGGGHTS, its number of ranks, and what follows it.
 fn last_loop(log: &str) -> Result<(Loop, f64, &str), Fault> {
-    let (_, rest) = log.rsplit_once("Loop time of ").ok_or("no line `Loop time of`")?;
-    let line = rest.lines().next().unwrap_or_default();
-    let words: Vec<&str> = line.split_whitespace().collect();
-    let [
-        seconds,
-        "on",
-        ranks,
-        "procs",
-        "for",
-        steps,
-        "steps",
-        "with",
-        grains,
-        "atoms",
-        ..,
-    ] = words.as_slice()
-    else {
-        return Err(format!("`Loop time of {line}` is not understood").into());
-    };
-    let builds = rest.lines().find_map(|l| l.strip_prefix("Neighbor list builds = "));
-    let found = Loop {
-        seconds: seconds.parse()?,
-        cpu: None,
-        steps: steps.parse()?,
-        grains: grains.parse()?,
-        builds: builds.and_then(|b| b.trim().parse().ok()),
-        memory: None,
-    };
-    Ok((found, ranks.parse()?, rest))
+    const TITLE: &str = "Loop time of ";
+    for (at, _) in log.rmatch_indices(TITLE) {
+        let rest = &log[at + TITLE.len()..];
+        let line = rest.lines().next().unwrap_or_default();
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let [seconds, "on", ranks, "procs", "for", steps, "steps", "with", grains, ..] = words.as_slice() else {
+            return Err(format!("`{TITLE}{line}` is not understood").into());
+        };
+        let builds = rest.lines().find_map(|l| l.strip_prefix("Neighbor list builds = "));
+        let found = Loop {
+            seconds: seconds.parse()?,
+            cpu: None,
+            steps: steps.parse()?,
+            grains: grains.parse()?,
+            builds: builds.and_then(|b| b.trim().parse().ok()),
+            memory: None,
+        };
+        if found.steps > 0 {
+            return Ok((found, ranks.parse()?, rest));
+        }
+    }
+    Err("no line `Loop time of` with steps".into())
 }
 
 fn parse_lammps(log: &str) -> Result<Loop, Fault> {
@@ -389,10 +394,11 @@ mod tests {
 
     #[test]
     fn the_set_up_of_liggghts_is_taken_off() {
-        let log = "Loop time of 3.95e-1 on 1 procs for 100 steps with 500 atoms\n";
+        let log = "Loop time of 3.95e-1 on 1 procs for 100 steps with 500 atoms, finish time Sat Nov 21 2026\n\n\
+            Neighbor list builds = 4\nLoop time of 7e-07 on 1 procs for 0 steps with 500 atoms, finish time Sat Nov 21\n";
         let output = "Setting up run ...\n5000000000 12 3\n100 2 3 4\n5100000000 13 4\nhello\n5600000000 14 9\n";
         let found = parse_liggghts(log, output).unwrap();
-        assert_eq!((found.seconds, found.steps), (0.395, 100));
+        assert_eq!((found.seconds, found.steps, found.builds), (0.395, 100, Some(4)));
         assert!((found.cpu.unwrap() - 0.4).abs() < 1e-12);
         assert_eq!(parse_liggghts(log, "").unwrap().cpu, None);
     }

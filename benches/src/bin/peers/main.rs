@@ -290,7 +290,10 @@ fn measure(engine: &Engine, job: &Job, round: usize, outcome: &mut Outcome) {
         return;
     }
     let done = engine.run(job).and_then(|(measured, ended)| {
-        let physics = job.end.map(|end| judge(end, job)).transpose()?;
+        let physics = job
+            .end
+            .map(|end| judge(end, job, engine.wall_stiffness(kind)))
+            .transpose()?;
         Ok((measured, ended, physics))
     });
     match done {
@@ -323,11 +326,13 @@ fn measure(engine: &Engine, job: &Job, round: usize, outcome: &mut Outcome) {
 }
 
 /// Judges the grains that a run left, and takes their file away.
-fn judge(end: &Path, job: &Job) -> Result<analysis::Physics, Fault> {
+fn judge(end: &Path, job: &Job, wall_stiffness: f64) -> Result<analysis::Physics, Fault> {
     let text = fs::read_to_string(end).map_err(|e| format!("{}: {e}", end.display()))?;
     let grains = grains::read_end(&text).map_err(|e| format!("{}: {e}", end.display()))?;
     fs::remove_file(end)?;
-    let scene = job.workload.scene(job.state, job.workload.relax + job.steps);
+    let scene = job
+        .workload
+        .scene(job.state, job.workload.relax + job.steps, wall_stiffness);
     Ok(analysis::judge(&grains, &scene))
 }
 

@@ -363,7 +363,7 @@ mod tests {
             ..chute_start()
         };
         let shrunk = |g: &Grain| Grain {
-            diameter: 2.6e-3,
+            diameter: 3.2e-3,
             position: g.position * DVec3::new(0.1 / 40.0, 0.1 / 20.0, 0.0025),
             ..*g
         };
@@ -382,8 +382,8 @@ mod tests {
         );
         let w6 = WORKLOADS.iter().find(|w| w.key == "w6-10k").unwrap();
         let (one, many) = (
-            judge(&unit.grains, &w6.scene(&unit, 0)),
-            judge(&big.grains, &w6.scene(&big, 0)),
+            judge(&unit.grains, &w6.scene(&unit, 0, 1.0)),
+            judge(&big.grains, &w6.scene(&big, 0, 1.0)),
         );
         assert!(
             one.contacts > 0.1 && (one.contacts - many.contacts).abs() < 1e-12,

@@ -4,9 +4,10 @@ use crate::analysis::{Bearing, Scene, Spring};
 use crate::grains::State;
 use demeter_physics::DVec3;
 
-/// Material of all but the chute: Young's modulus [Pa], Poisson's ratio, density [kg/m^3].
+/// Young's modulus of all but the chute [Pa].
 const YOUNG: f64 = 5e7;
-const POISSON: f64 = 0.3;
+/// Poisson's ratio of all but the chute.
+pub const POISSON: f64 = 0.3;
 /// Density of all grains but those of the chute [kg/m^3].
 pub const GLASS: f64 = 2500.0;
 /// Density of the grains of the chute, whose mass and diameter are 1 [kg/m^3].
@@ -219,8 +220,8 @@ impl Workload {
         all
     }
 
-    /// How to judge the grains after a number of steps from the start.
-    pub fn scene(&self, state: &State, steps: u64) -> Scene {
+    /// How to judge the grains after a number of steps from the start, with a stiffness of walls as in [`Scene`].
+    pub fn scene(&self, state: &State, steps: u64, wall_stiffness: f64) -> Scene {
         let floor = Bearing::Level { z: 0.0, up: 1.0 };
         let hertz = Spring::Hertz {
             plane_strain_modulus: YOUNG / (1.0 - POISSON * POISSON),
@@ -245,6 +246,7 @@ impl Workload {
             density: state.density,
             spring,
             bearing,
+            wall_stiffness,
         }
     }
 }
@@ -316,7 +318,6 @@ mod tests {
     use super::*;
     use crate::grains::Grain;
     use demeter::scenario::Scenario;
-    use std::path::Path;
 
     fn state() -> State {
         let grain = Grain {
@@ -349,9 +350,14 @@ mod tests {
 
     #[test]
     fn every_scenario_is_read_with_what_changes_in_it_and_has_the_time_step_of_the_peers() {
+        let folder = tempfile::tempdir().unwrap();
         for workload in WORKLOADS {
+            for name in [workload.state, "w2base", "w2flow"] {
+                let text = state().data_file(name);
+                std::fs::write(folder.path().join(format!("{name}.data")), text).unwrap();
+            }
             let overrides = workload.overrides(&state());
-            let read = Scenario::parse(workload.kind.scenario(), workload.key, Path::new("."), &overrides);
+            let read = Scenario::parse(workload.kind.scenario(), workload.key, folder.path(), &overrides);
             let scenario = read.unwrap_or_else(|faults| panic!("{}: {faults}", workload.key));
             let dt = demeter::scenario::TimeStep::Fixed(workload.dt);
             assert!(
@@ -366,7 +372,7 @@ mod tests {
     fn the_plate_starts_above_the_bed_and_its_place_is_known() {
         let w4 = &WORKLOADS[4];
         assert!((plate_start(&state()) - 0.1415).abs() < 1e-12);
-        let Bearing::Level { z, up } = w4.scene(&state(), 3760).bearing else {
+        let Bearing::Level { z, up } = w4.scene(&state(), 3760, 1.0).bearing else {
             panic!()
         };
         assert!((z - (0.1415 - 0.0188)).abs() < 1e-12 && up == -1.0);
