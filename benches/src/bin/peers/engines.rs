@@ -1,5 +1,6 @@
 //! The engines: how each is started, and what it tells of its loop.
 
+use crate::agreement::Tolerance;
 use crate::demeter_loop;
 use crate::grains::{Fault, State};
 use crate::process::{self, Ended, find_program};
@@ -98,9 +99,13 @@ impl Engine {
         }
     }
 
-    /// Whether its damping is another than Demeter's, so that energies cannot agree closely.
-    pub fn damps_otherwise(&self, kind: Kind) -> bool {
-        matches!(self, Self::Lammps { style: 1, .. }) && kind != Kind::Chute
+    /// How closely it must agree with Demeter.
+    pub fn tolerance(&self, workload: &Workload) -> Tolerance {
+        match self {
+            // the faster style has other dashpots than the law from E, nu and e; that of the chute is the same
+            Self::Lammps { style: 1, .. } if workload.kind != Kind::Chute => workload.tolerance.with_other_dashpots(),
+            _ => workload.tolerance,
+        }
     }
 
     /// Stiffness of its walls over that of two bodies of one material, one of them flat.

@@ -282,7 +282,7 @@ fn measure(engine: &Engine, job: &Job, round: usize, outcome: &mut Outcome) {
             fault: None,
             physics: None,
             deviation: None,
-            tolerance: agreement::tolerance(kind, engine.damps_otherwise(kind)),
+            tolerance: engine.tolerance(job.workload),
         });
         outcome.series.len() - 1
     });

@@ -287,8 +287,7 @@ impl Outcome {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::agreement::{compare, tolerance};
-    use crate::workloads::Kind;
+    use crate::agreement::{AT_REST, compare};
 
     fn sample(round: usize, cpu: f64, peak: u64, grains: usize) -> Sample {
         Sample {
@@ -312,7 +311,6 @@ mod tests {
             contacts: 2.0,
             force: if engine == "Demeter" { 3.0 } else { 3.3 },
         };
-        let tolerance = tolerance(Kind::Bed, false);
         let demeter = Physics { force: 3.0, ..physics };
         Series {
             engine: engine.into(),
@@ -320,8 +318,8 @@ mod tests {
             samples,
             fault: None,
             physics: Some(physics),
-            deviation: (engine != "Demeter").then(|| compare(&demeter, &physics, &tolerance)),
-            tolerance,
+            deviation: (engine != "Demeter").then(|| compare(&demeter, &physics, &AT_REST)),
+            tolerance: AT_REST,
         }
     }
 
@@ -393,7 +391,7 @@ mod tests {
             "{text}"
         );
         assert!(
-            text.contains("+0.00 % (10 %), +0.00 % (1 %), +10.00 % (2 %) | **no** |"),
+            text.contains("+0.00 % (10 %), +0.00 % (1 %), +10.00 % (3 %) | **no** |"),
             "{text}"
         );
     }

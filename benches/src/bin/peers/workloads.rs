@@ -1,5 +1,6 @@
 //! The workloads: what every engine is asked to do.
 
+use crate::agreement::{AT_REST, COLLAPSING, FLOWING, SQUEEZED, Tolerance};
 use crate::analysis::{Bearing, Scene, Spring};
 use crate::grains::State;
 use demeter_physics::DVec3;
@@ -60,6 +61,8 @@ pub struct Workload {
     pub dt: f64,
     /// Whether YADE runs it: not a million grains, which take it minutes and 6 GB before the first step.
     pub yade: bool,
+    /// How closely the others must agree with Demeter.
+    pub tolerance: Tolerance,
 }
 
 const fn workload(key: &'static str, title: &'static str, kind: Kind, state: &'static str) -> Workload {
@@ -72,22 +75,31 @@ const fn workload(key: &'static str, title: &'static str, kind: Kind, state: &'s
         steps: 1000,
         dt: 1e-5,
         yade: true,
+        tolerance: AT_REST,
     }
 }
 
 /// All workloads.
 pub const WORKLOADS: [Workload; 10] = [
     workload("w1set", "W1 settled, 20k", Kind::Bed, "w1set"),
-    workload("w1dyn", "W1 collapsing, 20k", Kind::Bed, "w1dyn"),
+    Workload {
+        tolerance: COLLAPSING,
+        ..workload("w1dyn", "W1 collapsing, 20k", Kind::Bed, "w1dyn")
+    },
     Workload {
         dt: 1e-4,
+        tolerance: FLOWING,
         ..workload("w2", "W2 chute, 32k", Kind::Chute, "w2")
     },
-    workload("w3", "W3 drum, 20k", Kind::Drum, "w3"),
+    Workload {
+        tolerance: FLOWING,
+        ..workload("w3", "W3 drum, 20k", Kind::Drum, "w3")
+    },
     Workload {
         relax: 0,
         // a tenth of the height of the bed
         steps: 3760,
+        tolerance: SQUEEZED,
         ..workload("w4", "W4 compaction, 20k", Kind::Plate, "w1set")
     },
     Workload {
