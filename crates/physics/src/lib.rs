@@ -15,6 +15,7 @@ pub mod contact;
 pub mod dimension;
 pub mod geometry;
 pub mod integrator;
+pub mod lanes;
 pub mod parameters;
 pub mod restitution;
 pub mod root;

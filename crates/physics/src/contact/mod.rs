@@ -19,6 +19,7 @@ pub mod tangential;
 mod conformance;
 
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 
 /// Elastic constants of one material.
@@ -63,11 +64,22 @@ impl MaterialPair {
 
 /// Effective size of a contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PairSize {
+pub struct PairSize<L = f64> {
     /// Effective radius, `r_i r_j / (r_i + r_j)`; the grain's radius against a wall [m].
-    pub radius: f64,
+    pub radius: L,
     /// Effective mass, `m_i m_j / (m_i + m_j)`; the grain's mass against a wall [kg].
-    pub mass: f64,
+    pub mass: L,
+}
+
+impl<L: Lanes> PairSize<L> {
+    /// The size in one lane.
+    #[inline(always)]
+    pub fn lane(self, lane: usize) -> PairSize {
+        PairSize {
+            radius: self.radius.to_array()[lane],
+            mass: self.mass.to_array()[lane],
+        }
+    }
 }
 
 /// What the registry tells of a law.

@@ -3,34 +3,34 @@
 //! The load is kept at half steps. Over one step it changes by `-stiffness rate dt`; the law acts with its value in
 //! the middle of the step, so that an elastic spring does exactly the work that it stores.
 
-use glam::DVec3;
+use crate::lanes::{Lanes, Mask, Vector};
 
 /// What drives the spring over one step.
 #[derive(Clone, Copy, Debug)]
-pub struct SpringInput {
+pub struct SpringInput<L: Lanes = f64> {
     /// Unit normal of the contact.
-    pub normal: DVec3,
+    pub normal: L::Vector,
     /// Rate of deformation, in the contact plane: a velocity for friction, an angular velocity for rolling.
-    pub rate: DVec3,
+    pub rate: L::Vector,
     /// Mean angular velocity of the two bodies about the normal [1/s].
-    pub spin: f64,
+    pub spin: L,
     /// Stiffness: force per length, or torque per angle.
-    pub stiffness: f64,
+    pub stiffness: L,
     /// Coefficient of the dashpot beside the spring.
-    pub damping: f64,
+    pub damping: L,
     /// Largest load that the contact can carry.
-    pub limit: f64,
+    pub limit: L,
     /// Time step [s].
     pub dt: f64,
 }
 
 /// What the spring answers.
 #[derive(Clone, Copy, Debug)]
-pub struct SpringResponse {
+pub struct SpringResponse<L: Lanes = f64> {
     /// Load over this step: force or torque on the first body.
-    pub load: DVec3,
+    pub load: L::Vector,
     /// Energy dissipated in this step [J].
-    pub dissipated: f64,
+    pub dissipated: L,
 }
 
 /// Number of remembered values: the load and the stiffness at which it was last seen.
@@ -38,33 +38,36 @@ pub const SPRING_HISTORY: usize = 4;
 
 /// Energy stored by a spring with this history [J].
 #[inline(always)]
-pub fn spring_energy(history: &[f64]) -> f64 {
-    let load = DVec3::new(history[0], history[1], history[2]);
-    if history[3] > 0.0 {
-        load.length_squared() / (2.0 * history[3])
-    } else {
-        0.0
-    }
+pub fn spring_energy<L: Lanes>(history: &[L]) -> L {
+    energy_of(L::Vector::new(history[0], history[1], history[2]), history[3])
+}
+
+/// Energy stored by a spring under a load [J].
+#[inline(always)]
+fn energy_of<L: Lanes>(load: L::Vector, stiffness: L) -> L {
+    (load.square() / (stiffness * 2.0)).keep(stiffness.gt(L::splat(0.0)))
 }
 
 /// Turns a vector with the contact: into the new contact plane at unchanged length, and by the spin about the normal.
 #[inline(always)]
-pub fn carry_along(vector: DVec3, normal: DVec3, spin_angle: f64) -> DVec3 {
-    let flat = vector - normal * vector.dot(normal);
-    let turned = flat + normal.cross(flat) * spin_angle;
-    let length2 = turned.length_squared();
-    if length2 > 0.0 {
-        turned * (vector.length_squared() / length2).sqrt()
-    } else {
-        turned
-    }
+pub fn carry_along<L: Lanes>(vector: L::Vector, normal: L::Vector, spin_angle: L) -> L::Vector {
+    let flat = vector - normal * vector.inner(normal);
+    let turned = flat + normal.outer(flat) * spin_angle;
+    let length2 = turned.square();
+    let factor = (vector.square() / length2).sqrt();
+    turned * L::select(length2.gt(L::splat(0.0)), factor, L::splat(1.0))
 }
 
 /// A load cut back to the largest that the contact can carry.
 #[inline(always)]
-fn held(load: DVec3, limit: f64) -> DVec3 {
-    let size = load.length();
-    if size > limit { load * (limit / size) } else { load }
+fn held<L: Lanes>(load: L::Vector, limit: L) -> L::Vector {
+    let square = load.square();
+    let slides = square.gt(limit * limit);
+    if slides.any() {
+        (load * (limit / square.sqrt())).or(slides, load)
+    } else {
+        load
+    }
 }
 
 /// Advances the spring by one step.
@@ -72,28 +75,26 @@ fn held(load: DVec3, limit: f64) -> DVec3 {
 /// When the stiffness falls (unloading), the load falls with it, so that no energy is made (Thornton 2015); when it
 /// rises, the load stays: the force is continuous in both directions.
 #[inline(always)]
-pub fn advance_spring(input: &SpringInput, history: &mut [f64]) -> SpringResponse {
+pub fn advance_spring<L: Lanes>(input: &SpringInput<L>, history: &mut [L]) -> SpringResponse<L> {
     let before = spring_energy(history);
-    let old = DVec3::new(history[0], history[1], history[2]);
-    let softening = if input.stiffness < history[3] {
-        input.stiffness / history[3]
-    } else {
-        1.0
-    };
+    let old = L::Vector::new(history[0], history[1], history[2]);
+    let softening = L::select(
+        input.stiffness.lt(history[3]),
+        input.stiffness / history[3],
+        L::splat(1.0),
+    );
     let kept = carry_along(old, input.normal, input.spin * input.dt) * softening;
-    let half = input.rate * (0.5 * input.dt * input.stiffness);
+    let half = input.rate * (input.stiffness * (0.5 * input.dt));
     // The slider holds the spring at the limit at each of its times. The dashpot's share of the load is cut, too, but
     // it never loads the spring: that would store energy that nobody put in.
     let middle = held(kept - half, input.limit);
     let load = held(kept - half - input.rate * input.damping, input.limit);
     let next = held(middle - half, input.limit);
-    history[0] = next.x;
-    history[1] = next.y;
-    history[2] = next.z;
+    history[..3].copy_from_slice(&next.components());
     history[3] = input.stiffness;
-    let work = -load.dot(input.rate) * input.dt;
+    let work = -load.inner(input.rate) * input.dt;
     SpringResponse {
         load,
-        dissipated: work - (spring_energy(history) - before),
+        dissipated: work - (energy_of(next, input.stiffness) - before),
     }
 }

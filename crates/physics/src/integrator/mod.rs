@@ -10,6 +10,7 @@
 
 pub mod gear;
 
+use crate::lanes::Lanes;
 use glam::{DQuat, DVec3};
 
 /// How the equations of motion are integrated.
@@ -48,11 +49,11 @@ impl Integrator {
     /// force taken at its own moment keeps, takes the mean near the ends of a contact alone: there the force has a kink,
     /// whose phase within the step would be felt in first order.
     #[inline(always)]
-    pub fn half_window(self, overlap: f64, rate: f64, dt: f64) -> f64 {
-        let half_window = 0.5 * dt * rate.abs();
+    pub fn half_window<L: Lanes>(self, overlap: L, rate: L, dt: f64) -> L {
+        let half_window = rate.abs() * (0.5 * dt);
         match self {
-            Self::Gear if overlap > END * half_window => 0.0,
-            _ => half_window,
+            Self::Gear => half_window.keep(!overlap.gt(half_window * END)),
+            Self::VelocityVerlet => half_window,
         }
     }
 }

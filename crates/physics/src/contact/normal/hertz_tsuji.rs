@@ -5,6 +5,7 @@ use super::window::{mean_quarter, mean_three_halves};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use crate::restitution::ContactEnd;
@@ -42,8 +43,8 @@ pub struct HertzTsuji {
 impl HertzTsuji {
     /// `K = 4/3 E sqrt(R)` [N/m^(3/2)].
     #[inline(always)]
-    fn hertz_stiffness(&self, size: PairSize) -> f64 {
-        self.modulus * size.radius.sqrt() + self.per_mass * size.mass
+    fn hertz_stiffness<L: Lanes>(&self, size: PairSize<L>) -> L {
+        size.radius.sqrt() * self.modulus + size.mass * self.per_mass
     }
 
     /// Speed of the undamped impact that reaches an overlap [m/s], from `1/2 m v^2 = 2/5 K d^(5/2)`.
@@ -101,13 +102,25 @@ impl Normal for HertzTsuji {
         Ok(law)
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let k = self.hertz_stiffness(input.size);
-        let ratio = self.damping.ratio(0.0, input.rate, history);
-        let dashpot = CRITICAL_ALPHA * ratio * (input.size.mass * k).sqrt();
-        let response = NormalResponse::viscoelastic(k * mean_three_halves(input), dashpot * mean_quarter(input));
+        let ratio = self.damping.ratio_wide(|| L::splat(0.0), input.rate, history);
+        let dashpot = ratio * CRITICAL_ALPHA * (input.size.mass * k).sqrt();
+        let response = NormalResponse::spring_dashpot(k * mean_three_halves(input), dashpot * mean_quarter(input));
         response.ending_at(self.end)
+    }
+
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        overlap.max(L::splat(0.0))
     }
 
     #[inline(always)]
@@ -117,8 +130,13 @@ impl Normal for HertzTsuji {
     }
 
     #[inline(always)]
-    fn stiffness(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
-        1.5 * self.hertz_stiffness(size) * overlap.max(0.0).sqrt()
+    fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.stiffness_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        self.hertz_stiffness(size) * 1.5 * overlap.max(L::splat(0.0)).sqrt()
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {

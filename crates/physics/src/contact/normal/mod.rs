@@ -3,6 +3,7 @@
 pub mod dashpot;
 pub mod hysteresis;
 pub mod jkr_curve;
+mod lane_by_lane;
 pub mod path;
 mod spring_dashpot;
 #[cfg(test)]
@@ -11,20 +12,21 @@ mod window;
 
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 use crate::restitution::ContactEnd;
 
 /// What a normal law sees of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NormalInput {
+pub struct NormalInput<L = f64> {
     /// Effective radius and mass.
-    pub size: PairSize,
+    pub size: PairSize<L>,
     /// Overlap now [m]; negative across a gap.
-    pub overlap: f64,
+    pub overlap: L,
     /// Rate of approach, d(overlap)/dt [m/s].
-    pub rate: f64,
+    pub rate: L,
     /// Largest change of the overlap within half a step, `|rate| dt / 2` [m]. With 0 the law gives its plain force.
-    pub half_window: f64,
+    pub half_window: L,
 }
 
 impl NormalInput {
@@ -41,19 +43,19 @@ impl NormalInput {
 
 /// What a normal law answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NormalResponse {
+pub struct NormalResponse<L = f64> {
     /// Force that does not depend on the rate (elastic, plastic, adhesive), mean over the window [N]; repulsion is
     /// positive.
-    pub elastic: f64,
+    pub elastic: L,
     /// Damping coefficient, mean over the window [N s/m]: the dashpot's force is this times the rate of approach.
-    pub damping: f64,
+    pub damping: L,
     /// Least total force [N]: minus infinity, or 0 where contact ends at zero force.
-    pub least: f64,
+    pub least: L,
     /// Added to the normal force before friction is limited by it [N], not negative: the pull that presses the
     /// surfaces together.
-    pub adhesion: f64,
+    pub adhesion: L,
     /// Energy lost over this step other than in the dashpot [J]: plastic work, tear-off.
-    pub lost: f64,
+    pub lost: L,
 }
 
 impl NormalResponse {
@@ -71,12 +73,26 @@ impl NormalResponse {
             lost: 0.0,
         }
     }
+}
+
+impl<L: Lanes> NormalResponse<L> {
+    /// A spring and a dashpot in every lane, without adhesion.
+    #[inline(always)]
+    pub fn spring_dashpot(elastic: L, damping: L) -> Self {
+        Self {
+            elastic,
+            damping,
+            least: L::splat(f64::NEG_INFINITY),
+            adhesion: L::splat(0.0),
+            lost: L::splat(0.0),
+        }
+    }
 
     /// The same, without a pull where contact ends at zero force.
     #[inline(always)]
     pub fn ending_at(mut self, end: ContactEnd) -> Self {
         if end == ContactEnd::ZeroForce {
-            self.least = 0.0;
+            self.least = L::splat(0.0);
         }
         self
     }
@@ -104,11 +120,18 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     /// The predictor-corrector hands such a law the whole window, and others a window near the ends of contact alone
     /// ([`Integrator::half_window`](crate::integrator::Integrator::half_window)).
     const FOLLOWS_KINKS: bool = false;
+    /// Whether [`Normal::respond_wide`] works on all lanes at once; if not, contacts are taken one by one.
+    const WIDE: bool = false;
 
     /// Binds the law to a pair of materials.
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>>;
     /// Force and damping over one step.
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse;
+    /// The same in every lane: `history` holds the lanes of each value in turn.
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
+        lane_by_lane::respond(input, history, |input, history| self.respond(input, history))
+    }
     /// Energy that the contact would give back on its way out of reach, were there no dashpot [J].
     fn energy(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64;
     /// Tangent stiffness `dF/d(overlap)` at an overlap [N/m].
@@ -133,6 +156,22 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     #[inline(always)]
     fn bearing_overlap(&self, _size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
         overlap.max(0.0)
+    }
+
+    /// [`Normal::bearing_overlap`] in every lane.
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
+        lane_by_lane::tell(size, overlap, history, |size, overlap, history| {
+            self.bearing_overlap(size, overlap, history)
+        })
+    }
+
+    /// [`Normal::stiffness`] in every lane.
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
+        lane_by_lane::tell(size, overlap, history, |size, overlap, history| {
+            self.stiffness(size, overlap, history)
+        })
     }
 
     /// Largest reach with any history [m], not negative.
@@ -172,21 +211,17 @@ const WINDOW_SHARE: f64 = 0.25;
 
 /// Whether the mean over the window must be taken exactly.
 #[inline(always)]
-pub(crate) fn near_end(input: &NormalInput) -> bool {
-    input.half_window > WINDOW_SHARE * input.overlap
+pub(crate) fn near_end<L: Lanes>(input: &NormalInput<L>) -> L::Mask {
+    input.half_window.gt(input.overlap * WINDOW_SHARE)
 }
 
 /// Mean slope of a primitive over the window, `(P(d + h) - P(d - h)) / (2 h)`: the mean of its derivative.
 #[inline(always)]
-pub(crate) fn mean_slope(input: &NormalInput, primitive: impl Fn(f64) -> f64) -> f64 {
-    let h = input.half_window;
-    if h > 0.0 {
-        let upper = primitive((input.overlap + h).max(0.0));
-        let lower = primitive((input.overlap - h).max(0.0));
-        (upper - lower) / (2.0 * h)
-    } else {
-        0.0
-    }
+pub(crate) fn mean_slope<L: Lanes>(input: &NormalInput<L>, primitive: impl Fn(L) -> L) -> L {
+    let (h, zero) = (input.half_window, L::splat(0.0));
+    let upper = primitive((input.overlap + h).max(zero));
+    let lower = primitive((input.overlap - h).max(zero));
+    ((upper - lower) / (h * 2.0)).keep(h.gt(zero))
 }
 
 /// Normal force of one step [N] and the rate of approach that it acts at [m/s].
@@ -197,14 +232,14 @@ pub(crate) fn mean_slope(input: &NormalInput, primitive: impl Fn(f64) -> f64) ->
 /// For two bodies alone this is velocity Verlet with the dashpot at the true velocity, to second order, and stable
 /// for any damping. A force below the least that the law allows is cut there.
 #[inline(always)]
-pub fn centred_force(response: NormalResponse, rate: f64, previous_force: f64, mass: f64, dt: f64) -> (f64, f64) {
-    let half_step = dt / (2.0 * mass);
+pub fn centred_force<L: Lanes>(response: NormalResponse<L>, rate: L, previous_force: L, mass: L, dt: f64) -> (L, L) {
+    let half_step = L::splat(dt) / (mass * 2.0);
     let unloaded = rate + previous_force * half_step;
-    let corrected = (unloaded - response.elastic * half_step) / (1.0 + response.damping * half_step);
+    let corrected = (unloaded - response.elastic * half_step) / (response.damping * half_step + 1.0);
     let force = response.elastic + response.damping * corrected;
-    if force < response.least {
-        (response.least, unloaded - response.least * half_step)
-    } else {
-        (force, corrected)
-    }
+    let cut = force.lt(response.least);
+    (
+        L::select(cut, response.least, force),
+        L::select(cut, unloaded - response.least * half_step, corrected),
+    )
 }

@@ -1,6 +1,7 @@
 //! What the linear and the Hertzian spring-dashpot share: every way to ask for their stiffness and damping (Antypov &
 //! Elliott 2011). Both follow one phase trajectory, which the damping ratio `g` alone decides.
 
+use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, Restitution};
 use crate::restitution::hertz::HertzCollision;
 use crate::restitution::inverse::{Collision, SpringDashpot};
@@ -60,6 +61,22 @@ impl Damping {
                     memory[0] = 1.0 + ratio_of(restitution.at(rate.abs()), *end);
                 }
                 memory[0] - 1.0
+            }
+        }
+    }
+
+    /// [`Damping::ratio`] in every lane.
+    #[inline(always)]
+    pub fn ratio_wide<L: Lanes>(&self, frequency: impl FnOnce() -> L, rate: L, memory: &mut [L]) -> L {
+        match self {
+            Self::Ratio(ratio) => L::splat(*ratio),
+            Self::Rate(rate) => L::splat(*rate) / frequency(),
+            Self::Profile(..) => {
+                let (mut noted, rate) = (memory[0].to_array(), rate.to_array());
+                // the frequency does not enter
+                let ratio = L::from_fn(|k| self.ratio(0.0, rate[k], std::slice::from_mut(&mut noted[k])));
+                memory[0] = L::load(&noted);
+                ratio
             }
         }
     }

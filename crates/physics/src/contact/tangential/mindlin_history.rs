@@ -4,6 +4,7 @@ use super::{Tangential, TangentialInput, TangentialResponse, dashpot};
 use crate::contact::spring::{SpringInput, advance_spring, spring_energy};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 
@@ -44,16 +45,23 @@ impl Tangential for MindlinHistory {
         })
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn respond(&self, input: &TangentialInput, history: &mut [f64]) -> TangentialResponse {
-        let stiffness = self.stiffness(input.size, input.overlap);
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, history: &mut [L]) -> TangentialResponse<L> {
+        let stiffness = self.spring(input.size, input.overlap);
         let spring = SpringInput {
             normal: input.normal,
             rate: input.velocity,
             spin: input.spin,
             stiffness,
             damping: dashpot(self.parameters.damping_ratio, stiffness, input.tangential_mass),
-            limit: self.parameters.friction * input.normal_force,
+            limit: input.normal_force * self.parameters.friction,
             dt: input.dt,
         };
         let response = advance_spring(&spring, history);
@@ -70,7 +78,15 @@ impl Tangential for MindlinHistory {
 
     #[inline(always)]
     fn stiffness(&self, size: PairSize, overlap: f64) -> f64 {
-        self.modulus * (size.radius * overlap.max(0.0)).sqrt()
+        self.spring(size, overlap)
+    }
+}
+
+impl MindlinHistory {
+    /// Tangential stiffness, `8 G sqrt(R d)` [N/m].
+    #[inline(always)]
+    fn spring<L: Lanes>(&self, size: PairSize<L>, overlap: L) -> L {
+        (size.radius * overlap.max(L::splat(0.0))).sqrt() * self.modulus
     }
 }
 

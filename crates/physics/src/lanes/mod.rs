@@ -1,0 +1,201 @@
+//! Several contacts at a time: a formula that is written over [`Lanes`] runs on one `f64`, and on as many as the processor's
+//! registers hold.
+//!
+//! Every operation is that of IEEE 754 in each lane: sums, products, quotients and roots are rounded once, products and sums
+//! are never fused. So each lane holds the bits that the same formula gives for one `f64`, on any processor.
+//!
+//! [`run`] chooses the registers at run time.
+
+#[cfg(target_arch = "aarch64")]
+mod neon;
+mod scalar;
+#[cfg(test)]
+mod tests;
+mod vector;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+pub use vector::{Vector, Vector3};
+
+use std::fmt::Debug;
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// Numbers side by side, on which one operation acts at once.
+pub trait Lanes:
+    Copy
+    + Debug
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+{
+    /// How many numbers, at most [`MOST_LANES`].
+    const COUNT: usize;
+    /// One answer per lane.
+    type Mask: Mask;
+    /// Three of them: a vector per lane.
+    type Vector: Vector<Self>;
+
+    /// The same number in every lane.
+    fn splat(value: f64) -> Self;
+    /// The first [`Lanes::COUNT`] numbers of a slice, which must hold as many.
+    fn load(from: &[f64]) -> Self;
+    /// Puts the lanes at the front of a slice, which must hold as many.
+    fn store(self, to: &mut [f64]);
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Magnitude.
+    fn abs(self) -> Self;
+    /// `self > other`, `false` where one is not a number.
+    fn gt(self, other: Self) -> Self::Mask;
+    /// `self >= other`, `false` where one is not a number.
+    fn ge(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask holds, `no` elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// The columns of a table of rows, of which `row` tells one per lane.
+    fn columns<'a>(row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4];
+    /// Hands over the rows of a table of four columns, one per lane.
+    fn rows(columns: [Self; 4], put: impl FnMut(usize, [f64; 4]));
+
+    /// `self < other`, `false` where one is not a number.
+    #[inline(always)]
+    fn lt(self, other: Self) -> Self::Mask {
+        other.gt(self)
+    }
+
+    /// The larger of two numbers; `other` where one is not a number or both are the same.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self::select(self.gt(other), self, other)
+    }
+
+    /// The smaller of two numbers; `other` where one is not a number or both are the same.
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self::select(other.gt(self), self, other)
+    }
+
+    /// This where the mask holds, 0 elsewhere.
+    #[inline(always)]
+    fn keep(self, mask: Self::Mask) -> Self {
+        Self::select(mask, self, Self::splat(0.0))
+    }
+
+    /// Lane by lane.
+    #[inline(always)]
+    fn from_fn(lane: impl FnMut(usize) -> f64) -> Self {
+        let all: [f64; MOST_LANES] = first_lanes(Self::COUNT, lane);
+        Self::load(&all)
+    }
+
+    /// The lanes as numbers; those beyond [`Lanes::COUNT`] are 0.
+    #[inline(always)]
+    fn to_array(self) -> [f64; MOST_LANES] {
+        let mut all = [0.0; MOST_LANES];
+        self.store(&mut all);
+        all
+    }
+}
+
+/// The first `count` values, 0 behind them.
+#[inline(always)]
+fn first_lanes(count: usize, mut lane: impl FnMut(usize) -> f64) -> [f64; MOST_LANES] {
+    let mut all = [0.0; MOST_LANES];
+    for (k, value) in all.iter_mut().enumerate().take(count) {
+        *value = lane(k);
+    }
+    all
+}
+
+/// One answer per lane.
+pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// The answers as bits: lane `k` is bit `k`.
+    fn bits(self) -> u32;
+
+    /// Whether it holds in some lane.
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.bits() != 0
+    }
+}
+
+/// The largest number of lanes.
+pub const MOST_LANES: usize = 8;
+
+/// Work that is written over [`Lanes`].
+pub trait Kernel {
+    /// What the work gives.
+    type Output;
+    /// Does the work; to be marked `#[inline(always)]`, as all that it calls, so that it is compiled for the registers.
+    fn run<L: Lanes>(self) -> Self::Output;
+}
+
+/// Instructions of the processor that kernels are run with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instructions {
+    /// One lane; on every processor.
+    Portable,
+    /// Two lanes of ARMv8.
+    Neon,
+    /// Four lanes of x86-64.
+    Avx2,
+    /// Eight lanes of x86-64.
+    Avx512,
+}
+
+impl Instructions {
+    /// Those of this processor, widest first.
+    pub fn available() -> Vec<Self> {
+        let mut found = Vec::new();
+        #[cfg(target_arch = "x86_64")]
+        {
+            if std::arch::is_x86_feature_detected!("avx512f") && std::arch::is_x86_feature_detected!("avx2") {
+                found.push(Self::Avx512);
+            }
+            if std::arch::is_x86_feature_detected!("avx2") {
+                found.push(Self::Avx2);
+            }
+        }
+        #[cfg(target_arch = "aarch64")]
+        found.push(Self::Neon);
+        found.push(Self::Portable);
+        found
+    }
+
+    /// The widest of this processor.
+    pub fn widest() -> Self {
+        Self::available()[0]
+    }
+
+    /// Name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Portable => "portable",
+            Self::Neon => "neon",
+            Self::Avx2 => "avx2",
+            Self::Avx512 => "avx512",
+        }
+    }
+}
+
+/// Runs a kernel with instructions that this processor has ([`Instructions::available`]); with others it runs portably.
+#[inline]
+pub fn run<K: Kernel>(instructions: Instructions, kernel: K) -> K::Output {
+    match instructions {
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx512 if std::arch::is_x86_feature_detected!("avx512f") => x86::run_avx512(kernel),
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx2 if std::arch::is_x86_feature_detected!("avx2") => x86::run_avx2(kernel),
+        #[cfg(target_arch = "aarch64")]
+        Instructions::Neon => kernel.run::<neon::F64x2>(),
+        _ => kernel.run::<f64>(),
+    }
+}

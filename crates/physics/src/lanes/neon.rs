@@ -1,0 +1,161 @@
+//! Two lanes of ARMv8, whose every processor has them.
+//!
+//! Unsafe because the instructions are reached through intrinsics.
+#![allow(unsafe_code)]
+
+use super::{Lanes, Mask, Vector3};
+use std::arch::aarch64::*;
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// Two lanes of NEON.
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub(super) struct F64x2(float64x2_t);
+
+macro_rules! arithmetic {
+    ($($operator:ident $method:ident $instruction:ident;)*) => {
+        $(
+            impl $operator for F64x2 {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: Self) -> Self {
+                    // SAFETY: every ARMv8 processor has it
+                    Self(unsafe { $instruction(self.0, other.0) })
+                }
+            }
+
+            impl $operator<f64> for F64x2 {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: f64) -> Self {
+                    self.$method(Self::splat(other))
+                }
+            }
+        )*
+    };
+}
+
+arithmetic! { Add add vaddq_f64; Sub sub vsubq_f64; Mul mul vmulq_f64; Div div vdivq_f64; }
+
+impl Neg for F64x2 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        // SAFETY: every ARMv8 processor has it
+        Self(unsafe { vnegq_f64(self.0) })
+    }
+}
+
+/// Answers of two lanes: all bits of a lane, or none.
+#[derive(Clone, Copy)]
+pub(super) struct Mask2(uint64x2_t);
+
+impl Mask for Mask2 {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        // SAFETY: every ARMv8 processor has it
+        let lanes = unsafe { [vgetq_lane_u64::<0>(self.0), vgetq_lane_u64::<1>(self.0)] };
+        (lanes[0] & 1) as u32 | ((lanes[1] & 1) << 1) as u32
+    }
+}
+
+impl BitAnd for Mask2 {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        // SAFETY: every ARMv8 processor has it
+        Self(unsafe { vandq_u64(self.0, other.0) })
+    }
+}
+
+impl BitOr for Mask2 {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        // SAFETY: every ARMv8 processor has it
+        Self(unsafe { vorrq_u64(self.0, other.0) })
+    }
+}
+
+impl Not for Mask2 {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        // SAFETY: every ARMv8 processor has it
+        Self(unsafe { veorq_u64(self.0, vdupq_n_u64(u64::MAX)) })
+    }
+}
+
+impl Lanes for F64x2 {
+    const COUNT: usize = 2;
+    type Mask = Mask2;
+    type Vector = Vector3<Self>;
+
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        // SAFETY: every ARMv8 processor has it
+        Self(unsafe { vdupq_n_f64(value) })
+    }
+
+    #[inline(always)]
+    fn load(from: &[f64]) -> Self {
+        let from = &from[..2];
+        // SAFETY: two numbers are there
+        Self(unsafe { vld1q_f64(from.as_ptr()) })
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        let to = &mut to[..2];
+        // SAFETY: there is room for two numbers
+        unsafe { vst1q_f64(to.as_mut_ptr(), self.0) }
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        // SAFETY: every ARMv8 processor has it
+        Self(unsafe { vsqrtq_f64(self.0) })
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        // SAFETY: every ARMv8 processor has it
+        Self(unsafe { vabsq_f64(self.0) })
+    }
+
+    #[inline(always)]
+    fn gt(self, other: Self) -> Mask2 {
+        // SAFETY: every ARMv8 processor has it
+        Mask2(unsafe { vcgtq_f64(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn ge(self, other: Self) -> Mask2 {
+        // SAFETY: every ARMv8 processor has it
+        Mask2(unsafe { vcgeq_f64(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn select(mask: Mask2, yes: Self, no: Self) -> Self {
+        // SAFETY: every ARMv8 processor has it
+        Self(unsafe { vbslq_f64(mask.0, yes.0, no.0) })
+    }
+
+    #[inline(always)]
+    fn columns<'a>(at: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4] {
+        let (first, second) = (at(0), at(1));
+        [0, 1, 2, 3].map(|column| Self::load(&[first[column], second[column]]))
+    }
+
+    #[inline(always)]
+    fn rows(columns: [Self; 4], mut put: impl FnMut(usize, [f64; 4])) {
+        let columns = columns.map(|column| {
+            let mut lanes = [0.0; 2];
+            column.store(&mut lanes);
+            lanes
+        });
+        for lane in 0..2 {
+            put(lane, columns.map(|column| column[lane]));
+        }
+    }
+}
