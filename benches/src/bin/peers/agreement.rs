@@ -42,7 +42,7 @@ pub const COLLAPSING: Tolerance = Tolerance {
 /// Dense flow: short and lasting contacts.
 pub const FLOWING: Tolerance = Tolerance {
     kinetic: 0.01,
-    contacts: 0.03,
+    contacts: 0.05,
     force: 0.05,
 };
 /// A bed that is squeezed: the packing rearranges, each engine's in its own way.

@@ -19,6 +19,15 @@ pub enum Bearing {
         /// Its radius [m].
         radius: f64,
     },
+    /// The inside of a prism about the axis y, whose first edge lies along x before it has turned.
+    PrismAboutY {
+        /// Distance of its faces from the axis [m].
+        apothem: f64,
+        /// Number of its faces.
+        faces: usize,
+        /// Angle by which it has turned about y.
+        turned: f64,
+    },
     /// The fixed grains; the force is its component across them, along z.
     FixedGrains,
 }
@@ -113,6 +122,12 @@ fn distance(bearing: Bearing, p: DVec3) -> f64 {
     match bearing {
         Bearing::Level { z, up } => up * (p.z - z),
         Bearing::CylinderAboutY { radius } => radius - (p.x * p.x + p.z * p.z).sqrt(),
+        Bearing::PrismAboutY { apothem, faces, turned } => {
+            let face = std::f64::consts::TAU / faces as f64;
+            // about y, x turns away from z; the angle here runs from x to z
+            let along = (p.z.atan2(p.x) + turned).rem_euclid(face) - 0.5 * face;
+            apothem - (p.x * p.x + p.z * p.z).sqrt() * along.cos()
+        }
         Bearing::FixedGrains => f64::INFINITY,
     }
 }
@@ -360,6 +375,33 @@ mod tests {
         let inside = [grain(DVec3::new(3.0, 50.0, -3.0), 2.0, 1)];
         let overlap = 1.0 - (5.0 - 18f64.sqrt());
         approx(judge(&inside, &drum).force, 4.0 / 3.0 * 500.0 * overlap.powf(1.5));
+    }
+
+    #[test]
+    fn a_prism_bears_with_its_turned_faces() {
+        let square = |turned| Bearing::PrismAboutY {
+            apothem: 2.0,
+            faces: 4,
+            turned,
+        };
+        // edges at 0, 90 degrees...: faces at 45 degrees
+        let (on_x, askew) = (DVec3::X * 1.5, DVec3::new(1.0, 7.0, 1.0));
+        approx(distance(square(0.0), on_x), 2.0 - 1.5 / 2f64.sqrt());
+        approx(distance(square(0.0), askew), 2.0 - 2f64.sqrt());
+        // turned by 30 degrees about y, the face at 45 degrees from x to z is at 15
+        let sixth = std::f64::consts::FRAC_PI_6;
+        let quarter = std::f64::consts::FRAC_PI_4;
+        let turned = demeter_physics::DVec3::new((quarter - sixth).cos(), 0.0, (quarter - sixth).sin());
+        approx(distance(square(sixth), turned), 1.0);
+        // many faces are a cylinder
+        let many = Bearing::PrismAboutY {
+            apothem: 5.0,
+            faces: 100_000,
+            turned: 0.1,
+        };
+        let p = DVec3::new(-2.0, 0.0, 3.0);
+        let round = distance(Bearing::CylinderAboutY { radius: 5.0 }, p);
+        assert!((distance(many, p) - round).abs() < 1e-8);
     }
 
     #[test]

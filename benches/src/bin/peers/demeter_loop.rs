@@ -22,6 +22,9 @@ pub struct Task {
     /// What changes in it.
     #[arg(long = "set")]
     pub overrides: Vec<String>,
+    /// Grains with ids up to this are fixed.
+    #[arg(long, default_value_t = 0)]
+    pub fixed: u32,
     /// Threads.
     #[arg(long)]
     pub threads: usize,
@@ -39,11 +42,19 @@ pub struct Task {
 /// Word with which the line of results begins.
 const RESULT: &str = "LOOP ";
 
-/// A simulation of a scenario, whose files lie in a folder.
-pub fn simulation(text: &str, folder: &Path, overrides: &[String]) -> Result<Simulation, Fault> {
+/// A simulation of a scenario, whose files lie in a folder, with grains with ids up to `fixed` held where they are.
+pub fn simulation(text: &str, folder: &Path, overrides: &[String], fixed: u32) -> Result<Simulation, Fault> {
     let told = |faults: demeter::scenario::Diagnostics| faults.to_string();
     let scenario = Scenario::parse(text, "scenario", folder, overrides).map_err(told)?;
-    Ok(Simulation::new(prepare(&scenario).map_err(told)?.setup))
+    let mut setup = prepare(&scenario).map_err(told)?.setup;
+    let grains = &mut setup.grains;
+    for g in 0..grains.len() {
+        if grains.id[g] <= fixed {
+            grains.velocity.set_scalar(g, 0.0);
+            grains.angular_velocity.set_scalar(g, 0.0);
+        }
+    }
+    Ok(Simulation::new(setup))
 }
 
 /// The grains of a simulation as they are, sorted by id.
@@ -65,7 +76,7 @@ pub fn grains(sim: &Simulation) -> Vec<Grain> {
 /// Runs a task and prints what its loop took.
 pub fn work(task: &Task) -> Result<(), Fault> {
     let text = std::fs::read_to_string(&task.scenario)?;
-    let mut sim = simulation(&text, &task.states, &task.overrides)?;
+    let mut sim = simulation(&text, &task.states, &task.overrides, task.fixed)?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(task.threads).build()?;
     let measured = pool.install(|| timed_loop(&mut sim, task))?;
     println!("{RESULT}{}", serde_json::to_string(&measured)?);
@@ -115,11 +126,12 @@ mod tests {
     #[test]
     fn a_task_runs_and_is_told() {
         let scenario = include_str!("../../../peers/prepare/bed.toml");
-        let mut sim = simulation(scenario, Path::new("."), &["grains[0].count=300".into()]).unwrap();
+        let mut sim = simulation(scenario, Path::new("."), &["grains[0].count=300".into()], 2).unwrap();
         let task = Task {
             scenario: PathBuf::new(),
             states: PathBuf::new(),
             overrides: Vec::new(),
+            fixed: 0,
             threads: 1,
             relax: 3,
             steps: 20,
@@ -132,6 +144,7 @@ mod tests {
         assert_eq!(parse(&printed).unwrap(), measured);
         assert!(parse("nothing").is_err());
         let all = grains(&sim);
+        assert!(all[..2].iter().all(|g| g.kind == FIXED) && all[2..].iter().all(|g| g.kind == 1));
         assert!(all.windows(2).all(|w| w[0].id < w[1].id) && all.iter().all(|g| g.diameter == 5e-3));
     }
 }

@@ -4,7 +4,7 @@ use crate::agreement::Tolerance;
 use crate::demeter_loop;
 use crate::grains::{Fault, State};
 use crate::process::{self, Ended, find_program};
-use crate::workloads::{Kind, POISSON, Variable, Workload};
+use crate::workloads::{EngineWalls, Kind, POISSON, Variable, Workload};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -108,15 +108,19 @@ impl Engine {
         }
     }
 
-    /// Stiffness of its walls over that of two bodies of one material, one of them flat.
-    pub fn wall_stiffness(&self, kind: Kind) -> f64 {
-        match self {
+    /// What is particular about its walls.
+    pub fn walls(&self, kind: Kind) -> EngineWalls {
+        let stiffness = match self {
             // `hertz/material` at a wall: E/(2 (1 - nu)) in place of E/(2 (1 - nu^2))
             Self::Lammps { style: 0, .. } => 1.0 + POISSON,
             // the wall is taken for a sphere: as large as the grain at a plane, of twice its radius at a facet
             Self::Yade { .. } if kind == Kind::Drum => (2f64 / 3.0).sqrt(),
             Self::Yade { .. } => 0.5f64.sqrt(),
             _ => 1.0,
+        };
+        EngineWalls {
+            stiffness,
+            faceted: matches!(self, Self::Liggghts { .. } | Self::Yade { .. }),
         }
     }
 
@@ -198,6 +202,7 @@ fn demeter(job: &Job) -> Result<Command, Fault> {
     for change in job.workload.overrides(job.state) {
         command.args(["--set", &change]);
     }
+    command.args(["--fixed", &job.workload.fixed().to_string()]);
     let [threads, relax, steps] = [job.threads as u64, job.workload.relax, job.steps].map(|n| n.to_string());
     command.args(["--threads", &threads, "--relax", &relax, "--steps", &steps]);
     if let Some(end) = job.end {

@@ -22,7 +22,7 @@ use grains::{Fault, State};
 use report::{Outcome, Report, Sample, Series};
 use std::fs;
 use std::path::{Path, PathBuf};
-use workloads::{Kind, Workload};
+use workloads::{EngineWalls, Kind, Workload};
 
 #[derive(Parser)]
 struct Arguments {
@@ -290,10 +290,7 @@ fn measure(engine: &Engine, job: &Job, round: usize, outcome: &mut Outcome) {
         return;
     }
     let done = engine.run(job).and_then(|(measured, ended)| {
-        let physics = job
-            .end
-            .map(|end| judge(end, job, engine.wall_stiffness(kind)))
-            .transpose()?;
+        let physics = job.end.map(|end| judge(end, job, engine.walls(kind))).transpose()?;
         Ok((measured, ended, physics))
     });
     match done {
@@ -326,13 +323,11 @@ fn measure(engine: &Engine, job: &Job, round: usize, outcome: &mut Outcome) {
 }
 
 /// Judges the grains that a run left, and takes their file away.
-fn judge(end: &Path, job: &Job, wall_stiffness: f64) -> Result<analysis::Physics, Fault> {
+fn judge(end: &Path, job: &Job, walls: EngineWalls) -> Result<analysis::Physics, Fault> {
     let text = fs::read_to_string(end).map_err(|e| format!("{}: {e}", end.display()))?;
     let grains = grains::read_end(&text).map_err(|e| format!("{}: {e}", end.display()))?;
     fs::remove_file(end)?;
-    let scene = job
-        .workload
-        .scene(job.state, job.workload.relax + job.steps, wall_stiffness);
+    let scene = job.workload.scene(job.state, job.workload.relax + job.steps, walls);
     Ok(analysis::judge(&grains, &scene))
 }
 

@@ -2,7 +2,7 @@
 
 use crate::demeter_loop;
 use crate::grains::{FIXED, Fault, Grain, State};
-use crate::workloads::{GLASS, Kind, UNIT};
+use crate::workloads::{FIXED_IN_CHUTE, GLASS, Kind, UNIT};
 use demeter::simulation::Simulation;
 use demeter_physics::DVec3;
 use rand_pcg::Pcg64;
@@ -27,6 +27,8 @@ struct Pass {
     scenario: &'static str,
     overrides: &'static [&'static str],
     density: f64,
+    /// Grains with ids up to this are fixed.
+    fixed: u32,
     /// After so many further steps the grains are this state.
     legs: &'static [(u64, &'static str)],
     /// Box of these states [m]; of the scenario's domain where there is none.
@@ -37,6 +39,7 @@ const BED: Pass = Pass {
     scenario: include_str!("../../../peers/prepare/bed.toml"),
     overrides: &[],
     density: GLASS,
+    fixed: 0,
     legs: &[(4000, "w1dyn"), (12_000, "w1set")],
     bounds: Some([DVec3::ZERO, DVec3::new(0.13, 0.13, 0.25)]),
 };
@@ -44,6 +47,7 @@ const DRUM: Pass = Pass {
     scenario: include_str!("../../../peers/prepare/drum.toml"),
     overrides: &[],
     density: GLASS,
+    fixed: 0,
     legs: &[(26_000, "w3")],
     bounds: None,
 };
@@ -53,6 +57,7 @@ const SIZES: [Pass; 2] = [
         scenario: include_str!("../../../peers/prepare/sizes.toml"),
         overrides: &[],
         density: GLASS,
+        fixed: 0,
         legs: &[(12_000, "w5-pressed")],
         bounds: SIZES_BOUNDS,
     },
@@ -60,6 +65,7 @@ const SIZES: [Pass; 2] = [
         scenario: Kind::Sizes.scenario(),
         overrides: &["grains[0].file=\"w5-pressed.data\"", "simulation.time_step=\"4 us\""],
         density: GLASS,
+        fixed: 0,
         legs: &[(10_000, "w5")],
         bounds: SIZES_BOUNDS,
     },
@@ -68,6 +74,7 @@ const COLUMN: Pass = Pass {
     scenario: include_str!("../../../peers/prepare/column.toml"),
     overrides: &[],
     density: GLASS,
+    fixed: 0,
     legs: &[(14_000, "w6-unit")],
     bounds: None,
 };
@@ -79,6 +86,7 @@ const CHUTE: Pass = Pass {
         "simulation.time_step=\"1 ms\"",
     ],
     density: UNIT,
+    fixed: FIXED_IN_CHUTE,
     legs: &[(10_000, "w2")],
     bounds: None,
 };
@@ -157,7 +165,7 @@ pub fn ensure(state: &str, folder: &Path) -> Result<(), Fault> {
 
 fn run(pass: &Pass, folder: &Path) -> Result<(), Fault> {
     let overrides: Vec<String> = pass.overrides.iter().map(|o| (*o).to_owned()).collect();
-    let mut sim = demeter_loop::simulation(pass.scenario, folder, &overrides)?;
+    let mut sim = demeter_loop::simulation(pass.scenario, folder, &overrides, pass.fixed)?;
     for (steps, name) in pass.legs {
         eprintln!("making the state {name}: {steps} steps of {} grains", sim.grains.len());
         for _ in 0..*steps {
@@ -238,7 +246,8 @@ fn chute_start() -> State {
     let mut grains = Vec::new();
     for k in 0..BASE[0] * BASE[1] {
         let place = DVec3::new(f64::from(k % BASE[0]) + 0.5, f64::from(k / BASE[0]) + 0.5, 0.5);
-        grains.push((FIXED, place + shift(0.15), DVec3::ZERO));
+        // up and down only, so that fixed grains do not overlap
+        grains.push((FIXED, place + shift(0.25) * DVec3::Z, DVec3::ZERO));
     }
     for k in 0..FLOWING {
         let (column, row) = (k % LAYER[0], k / LAYER[0] % LAYER[1]);
@@ -308,7 +317,7 @@ fn repeated(unit: &State, [along_x, along_y]: [u32; 2]) -> State {
 mod tests {
     use super::*;
     use crate::analysis::judge;
-    use crate::workloads::WORKLOADS;
+    use crate::workloads::{EngineWalls, WORKLOADS};
 
     #[test]
     fn every_workload_has_a_recipe_that_makes_its_state() {
@@ -350,7 +359,7 @@ mod tests {
     #[test]
     fn the_lattices_have_all_their_grains() {
         for (pass, count) in [(&BED, 20_000), (&DRUM, 20_000), (&COLUMN, 10_000)] {
-            let sim = demeter_loop::simulation(pass.scenario, Path::new("."), &[]).unwrap();
+            let sim = demeter_loop::simulation(pass.scenario, Path::new("."), &[], 0).unwrap();
             assert_eq!(sim.grains.len(), count);
         }
     }
@@ -382,8 +391,8 @@ mod tests {
         );
         let w6 = WORKLOADS.iter().find(|w| w.key == "w6-10k").unwrap();
         let (one, many) = (
-            judge(&unit.grains, &w6.scene(&unit, 0, 1.0)),
-            judge(&big.grains, &w6.scene(&big, 0, 1.0)),
+            judge(&unit.grains, &w6.scene(&unit, 0, EngineWalls::PLAIN)),
+            judge(&big.grains, &w6.scene(&big, 0, EngineWalls::PLAIN)),
         );
         assert!(
             one.contacts > 0.1 && (one.contacts - many.contacts).abs() < 1e-12,
@@ -395,7 +404,12 @@ mod tests {
     fn the_chute_starts_with_a_base_and_a_flow_that_do_not_overlap_much() {
         let start = chute_start();
         let fixed = start.grains.iter().filter(|g| g.kind == FIXED).count();
-        assert_eq!((fixed, start.grains.len()), (800, 32_000));
+        assert_eq!((fixed, start.grains.len()), (FIXED_IN_CHUTE as usize, 32_000));
+        assert!(
+            start.grains[..fixed]
+                .iter()
+                .all(|g| g.kind == FIXED && g.id <= FIXED_IN_CHUTE)
+        );
         let folder = tempfile::tempdir().unwrap();
         write_chute("x-", &start, folder.path()).unwrap();
         let flow = State::read(&folder.path().join("x-flow.data")).unwrap();

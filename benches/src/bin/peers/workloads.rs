@@ -13,6 +13,8 @@ pub const POISSON: f64 = 0.3;
 pub const GLASS: f64 = 2500.0;
 /// Density of the grains of the chute, whose mass and diameter are 1 [kg/m^3].
 pub const UNIT: f64 = 6.0 / std::f64::consts::PI;
+/// Grains of the base of the chute: those with ids up to this.
+pub const FIXED_IN_CHUTE: u32 = 800;
 /// Stiffness of the contacts of the chute [N/m].
 const CHUTE_STIFFNESS: f64 = 2000.0;
 /// Speed of the plate of W4 [m/s].
@@ -21,6 +23,9 @@ const PLATE_SPEED: f64 = 0.5;
 const PLATE_GAP: f64 = 1e-4;
 /// Radius of the drum of W3 [m].
 const DRUM_RADIUS: f64 = 0.1;
+/// Its angular velocity [1/s], and the faces of the peers' drums.
+const DRUM_SPEED: f64 = 3.0;
+const DRUM_FACES: usize = 96;
 /// Width of the boxes of W1 and W5 [m].
 const BED_WIDTH: f64 = 0.13;
 const SIZES_WIDTH: f64 = 0.0489;
@@ -40,6 +45,23 @@ pub enum Kind {
     Plate,
     /// A bed of many sizes.
     Sizes,
+}
+
+/// What is particular about the walls of an engine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EngineWalls {
+    /// Stiffness of a contact over that of two bodies of one material, one of them flat.
+    pub stiffness: f64,
+    /// Whether the drum is made of facets.
+    pub faceted: bool,
+}
+
+impl EngineWalls {
+    /// Flat bodies of the material of the grains, and a round drum.
+    pub const PLAIN: Self = Self {
+        stiffness: 1.0,
+        faceted: false,
+    };
 }
 
 /// One workload.
@@ -188,6 +210,11 @@ impl Kind {
 }
 
 impl Workload {
+    /// Grains with ids up to this are fixed.
+    pub fn fixed(&self) -> u32 {
+        if self.kind == Kind::Chute { FIXED_IN_CHUTE } else { 0 }
+    }
+
     /// What changes in the scenario of Demeter.
     pub fn overrides(&self, state: &State) -> Vec<String> {
         let file = format!("grains[0].file=\"{}.data\"", self.state);
@@ -232,8 +259,8 @@ impl Workload {
         all
     }
 
-    /// How to judge the grains after a number of steps from the start, with a stiffness of walls as in [`Scene`].
-    pub fn scene(&self, state: &State, steps: u64, wall_stiffness: f64) -> Scene {
+    /// How to judge the grains after a number of steps from the start, with the walls of an engine.
+    pub fn scene(&self, state: &State, steps: u64, walls: EngineWalls) -> Scene {
         let floor = Bearing::Level { z: 0.0, up: 1.0 };
         let hertz = Spring::Hertz {
             plane_strain_modulus: YOUNG / (1.0 - POISSON * POISSON),
@@ -243,6 +270,11 @@ impl Workload {
         let (period, spring, bearing) = match self.kind {
             Kind::Bed | Kind::Sizes => (DVec3::INFINITY, hertz, floor),
             Kind::Column => (periodic, hertz, floor),
+            Kind::Drum if walls.faceted => {
+                let turned = DRUM_SPEED * steps as f64 * self.dt;
+                let (apothem, faces) = (DRUM_RADIUS, DRUM_FACES);
+                (DVec3::INFINITY, hertz, Bearing::PrismAboutY { apothem, faces, turned })
+            }
             Kind::Drum => (DVec3::INFINITY, hertz, Bearing::CylinderAboutY { radius: DRUM_RADIUS }),
             Kind::Plate => {
                 let z = plate_start(state) - PLATE_SPEED * steps as f64 * self.dt;
@@ -258,7 +290,7 @@ impl Workload {
             density: state.density,
             spring,
             bearing,
-            wall_stiffness,
+            wall_stiffness: walls.stiffness,
         }
     }
 }
@@ -288,16 +320,15 @@ pub fn plate_mesh(state: &State) -> Vec<[DVec3; 3]> {
 
 /// The drum of LIGGGHTS: 96 facets round, 8 along, closed; its facets lie where the cylinder is, its edges beyond.
 pub fn drum_mesh() -> Vec<[DVec3; 3]> {
-    const ROUND: usize = 96;
     const ALONG: usize = 8;
     const LENGTH: f64 = 0.19;
-    let radius = DRUM_RADIUS / (std::f64::consts::PI / ROUND as f64).cos();
+    let radius = DRUM_RADIUS / (std::f64::consts::PI / DRUM_FACES as f64).cos();
     let rim = |i: usize, y: f64| {
-        let angle = std::f64::consts::TAU * (i % ROUND) as f64 / ROUND as f64;
+        let angle = std::f64::consts::TAU * (i % DRUM_FACES) as f64 / DRUM_FACES as f64;
         DVec3::new(radius * angle.cos(), y, radius * angle.sin())
     };
     let mut triangles = Vec::new();
-    for i in 0..ROUND {
+    for i in 0..DRUM_FACES {
         for j in 0..ALONG {
             let (near, far) = (LENGTH * j as f64 / ALONG as f64, LENGTH * (j + 1) as f64 / ALONG as f64);
             let [a, b, c, d] = [rim(i, near), rim(i + 1, near), rim(i + 1, far), rim(i, far)];
@@ -384,7 +415,7 @@ mod tests {
     fn the_plate_starts_above_the_bed_and_its_place_is_known() {
         let w4 = &WORKLOADS[4];
         assert!((plate_start(&state()) - 0.1415).abs() < 1e-12);
-        let Bearing::Level { z, up } = w4.scene(&state(), 3760, 1.0).bearing else {
+        let Bearing::Level { z, up } = w4.scene(&state(), 3760, EngineWalls::PLAIN).bearing else {
             panic!()
         };
         assert!((z - (0.1415 - 0.0188)).abs() < 1e-12 && up == -1.0);
