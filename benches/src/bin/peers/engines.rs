@@ -110,17 +110,23 @@ impl Engine {
 
     /// What is particular about its walls.
     pub fn walls(&self, kind: Kind) -> EngineWalls {
-        let stiffness = match self {
+        let plain = EngineWalls::PLAIN;
+        match self {
             // `hertz/material` at a wall: E/(2 (1 - nu)) in place of E/(2 (1 - nu^2))
-            Self::Lammps { style: 0, .. } => 1.0 + POISSON,
-            // the wall is taken for a sphere: as large as the grain at a plane, of twice its radius at a facet
-            Self::Yade { .. } if kind == Kind::Drum => (2f64 / 3.0).sqrt(),
-            Self::Yade { .. } => 0.5f64.sqrt(),
-            _ => 1.0,
-        };
-        EngineWalls {
-            stiffness,
-            faceted: matches!(self, Self::Liggghts { .. } | Self::Yade { .. }),
+            Self::Lammps { style: 0, .. } => EngineWalls {
+                stiffness: 1.0 + POISSON,
+                ..plain
+            },
+            Self::Demeter | Self::Lammps { .. } => plain,
+            Self::Liggghts { .. } => EngineWalls { faceted: true, ..plain },
+            Self::Yade { .. } => {
+                // the wall is taken for a sphere: as large as the grain at a plane, of twice its radius at a facet
+                let share: f64 = if kind == Kind::Drum { 2.0 / 3.0 } else { 0.5 };
+                EngineWalls {
+                    stiffness: share.sqrt(),
+                    faceted: true,
+                }
+            }
         }
     }
 

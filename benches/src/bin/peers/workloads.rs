@@ -1,6 +1,6 @@
 //! The workloads: what every engine is asked to do.
 
-use crate::agreement::{AT_REST, COLLAPSING, FLOWING, SQUEEZED, Tolerance};
+use crate::agreement::{AT_REST, AT_REST_SMALL, COLLAPSING, FLOWING, SQUEEZED, Tolerance};
 use crate::analysis::{Bearing, Scene, Spring};
 use crate::grains::State;
 use demeter_physics::DVec3;
@@ -126,6 +126,7 @@ pub const WORKLOADS: [Workload; 10] = [
     },
     Workload {
         dt: 2e-6,
+        tolerance: AT_REST_SMALL,
         ..workload("w5", "W5 sizes 1:10, 20k", Kind::Sizes, "w5")
     },
     Workload {
