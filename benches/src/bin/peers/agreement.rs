@@ -12,6 +12,8 @@ pub struct Tolerance {
     pub contacts: f64,
     /// Of the force on the bearing surface.
     pub force: f64,
+    /// Of the kinetic energy, where the dashpots of the peer are others.
+    pub kinetic_with_other_dashpots: f64,
 }
 
 /// Deviations of a peer from Demeter, as shares of what Demeter found, and whether they are tolerated.
@@ -32,6 +34,7 @@ pub const AT_REST: Tolerance = Tolerance {
     kinetic: 0.1,
     contacts: 0.01,
     force: 0.03,
+    kinetic_with_other_dashpots: 1.0,
 };
 /// The same with small grains, which rest on overlaps of nanometres that open and close.
 pub const AT_REST_SMALL: Tolerance = Tolerance {
@@ -43,25 +46,28 @@ pub const COLLAPSING: Tolerance = Tolerance {
     kinetic: 0.01,
     contacts: 0.03,
     force: 0.1,
+    kinetic_with_other_dashpots: 0.03,
 };
 /// Dense flow: short and lasting contacts.
 pub const FLOWING: Tolerance = Tolerance {
     kinetic: 0.01,
     contacts: 0.05,
     force: 0.05,
+    kinetic_with_other_dashpots: 0.03,
 };
 /// A bed that is squeezed: the packing rearranges, each engine's in its own way.
 pub const SQUEEZED: Tolerance = Tolerance {
     kinetic: 0.05,
     contacts: 0.01,
     force: 0.05,
+    kinetic_with_other_dashpots: 0.15,
 };
 
 impl Tolerance {
     /// That of a peer whose dashpots are others: energies differ by what they dissipate.
     pub fn with_other_dashpots(self) -> Self {
         Self {
-            kinetic: 3.0 * self.kinetic,
+            kinetic: self.kinetic_with_other_dashpots,
             force: 2.0 * self.force,
             ..self
         }

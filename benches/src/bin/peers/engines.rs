@@ -112,8 +112,8 @@ impl Engine {
     pub fn walls(&self, kind: Kind) -> EngineWalls {
         let plain = EngineWalls::PLAIN;
         match self {
-            // `hertz/material` at a wall: E/(2 (1 - nu)) in place of E/(2 (1 - nu^2))
-            Self::Lammps { style: 0, .. } => EngineWalls {
+            // `hertz/material` at a wall: E/(2 (1 - nu)) in place of E/(2 (1 - nu^2)) in 2021, no longer in 2025
+            Self::Lammps { style: 0, version, .. } if year(version) < 2022 => EngineWalls {
                 stiffness: 1.0 + POISSON,
                 ..plain
             },
@@ -300,6 +300,15 @@ pub fn lammps_version(program: &Path) -> Result<String, Fault> {
     Ok(version.split(" - ").next().unwrap_or(version).trim().to_owned())
 }
 
+/// The year of a version such as `29 Sep 2021`.
+fn year(version: &str) -> u32 {
+    version
+        .rsplit(' ')
+        .next()
+        .and_then(|word| word.parse().ok())
+        .unwrap_or(u32::MAX)
+}
+
 /// The launcher of ranks that belongs to a program: that of the Python environment in which it lies, or that on the path.
 pub fn launcher_of(program: &Path) -> Option<PathBuf> {
     let environment = program.ancestors().find(|folder| folder.join("pyvenv.cfg").is_file());
@@ -428,6 +437,28 @@ mod tests {
             (12.5, Some(12.25), 200, 20_000)
         );
         assert!(parse_yade("PEERS loop nothing").is_err() && parse_yade("").is_err());
+    }
+
+    #[test]
+    fn walls_of_lammps_depend_on_its_age() {
+        let walls = |version: &str, style| {
+            let lammps = Engine::Lammps {
+                program: PathBuf::new(),
+                launcher: None,
+                version: version.into(),
+                style,
+            };
+            lammps.walls(Kind::Bed).stiffness
+        };
+        assert_eq!(
+            (
+                walls("29 Sep 2021", 0),
+                walls("29 Sep 2021", 1),
+                walls("22 Jul 2025", 0)
+            ),
+            (1.3, 1.0, 1.0)
+        );
+        assert_eq!(walls("of no year", 0), 1.0);
     }
 
     #[test]
