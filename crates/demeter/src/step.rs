@@ -7,7 +7,7 @@ mod velocity_verlet;
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
-use crate::contacts::{CHUNK, Fault, Scene};
+use crate::contacts::{Fault, Scene};
 use crate::particles::Outside;
 use crate::simulation::Simulation;
 use demeter_physics::integrator::Integrator;
@@ -131,29 +131,19 @@ impl Simulation {
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
+            resists_rolling: self.resists_rolling,
+            instructions: self.instructions,
             bulge: &[],
         };
-        let (pairs, wall_pairs) = (&self.neighbours.pairs, &self.neighbours.wall_pairs);
-        let between_grains = self
-            .contacts
-            .pairs
-            .par_iter_mut()
-            .zip(pairs.par_chunks(CHUNK))
-            .map(|(chunk, pairs)| {
-                chunk.find_pairs(pairs, &scene);
-                chunk.evaluate_pairs(&scene);
-                chunk.book_lost(&scene);
-            });
-        let with_walls = self
-            .contacts
-            .walls
-            .par_iter_mut()
-            .zip(wall_pairs.par_chunks(CHUNK))
-            .map(|(chunk, pairs)| {
-                chunk.find_walls(pairs, &scene);
-                chunk.evaluate_walls(&scene);
-                chunk.book_lost(&scene);
-            });
+        let neighbours = &self.neighbours;
+        let between_grains = (self.contacts.pairs.par_iter_mut().enumerate()).map(|(c, chunk)| {
+            chunk.find_pairs(neighbours.chunk(c).0, &scene);
+            chunk.evaluate_pairs(&scene);
+        });
+        let with_walls = (self.contacts.walls.par_iter_mut().enumerate()).map(|(c, chunk)| {
+            chunk.find_walls(neighbours.wall_chunk(c).0, &scene);
+            chunk.evaluate_walls(&scene);
+        });
         between_grains.chain(with_walls).for_each(|()| ());
         Ok(())
     }

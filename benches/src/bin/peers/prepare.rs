@@ -78,6 +78,7 @@ const COLUMN: Pass = Pass {
     legs: &[(14_000, "w6-unit")],
     bounds: None,
 };
+/// The loose start falls together and swings; after 15 units of time the base bears the weight of the flow.
 const CHUTE: Pass = Pass {
     scenario: Kind::Chute.scenario(),
     overrides: &[
@@ -87,7 +88,7 @@ const CHUTE: Pass = Pass {
     ],
     density: UNIT,
     fixed: FIXED_IN_CHUTE,
-    legs: &[(10_000, "w2")],
+    legs: &[(15_000, "w2")],
     bounds: None,
 };
 
@@ -133,7 +134,8 @@ impl Recipe {
             .passes
             .iter()
             .map(|p| format!("{:?} {:?}\n{}", p.overrides, p.legs, p.scenario));
-        let version = format!("{}: {:?} {COLUMNS:?}\n", self.name, self.makes);
+        let lattice = (BASE, LAYER, FLOWING, LAYERS_APART, LOWEST_LAYER, SURFACE_SPEED, SPREAD);
+        let version = format!("{}: {:?} {COLUMNS:?} {lattice:?}\n", self.name, self.makes);
         version + &passes.collect::<String>()
     }
 }
@@ -225,11 +227,11 @@ fn write_chute(prefix: &str, state: &State, folder: &Path) -> Result<(), Fault> 
 
 /// Columns and rows of fixed grains of the chute, of layers of flowing ones, and number of these.
 const BASE: [u32; 2] = [40, 20];
-const LAYER: [u32; 2] = [36, 18];
+const LAYER: [u32; 2] = [38, 19];
 const FLOWING: u32 = 31_200;
 /// Distance of the layers, and height of the lowest, in diameters.
-const LAYERS_APART: f64 = 1.11;
-const LOWEST_LAYER: f64 = 1.9;
+const LAYERS_APART: f64 = 1.04;
+const LOWEST_LAYER: f64 = 1.8;
 /// Speed of the surface at the start, and spread of every velocity, in the units of the chute: near to the steady flow.
 const SURFACE_SPEED: f64 = 9.0;
 const SPREAD: f64 = 0.3;
@@ -256,7 +258,7 @@ fn chute_start() -> State {
             f64::from(row) * wide / f64::from(LAYER[1]) + 0.5,
             f64::from(k / (LAYER[0] * LAYER[1])) * LAYERS_APART + LOWEST_LAYER,
         );
-        let place = place + shift(0.045);
+        let place = place + shift(0.02);
         let below_surface = (1.0 - place.z / height).max(0.0);
         let speed = SURFACE_SPEED * (1.0 - below_surface * below_surface.sqrt());
         // uniform, with the deviation asked for

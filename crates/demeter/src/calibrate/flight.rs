@@ -1,7 +1,7 @@
 //! Two bodies in the engine: they come, touch, and part or stick.
 
 use super::error::CalibrateError;
-use crate::contacts::block::normal_energy;
+use crate::contacts::laws::normal_energy;
 use crate::contacts::{ContactChunk, Coupling};
 use crate::materials::{Material, Materials};
 use crate::particles::{Domain, Grains, NewGrain, Outside};

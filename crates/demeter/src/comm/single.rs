@@ -1,24 +1,24 @@
 //! One process: a border is a periodic side.
 
-use crate::particles::{Domain, Grains};
+use crate::particles::{Domain, Grains, Row};
 use glam::DVec3;
 
 /// Periodic sides of one process.
 #[derive(Clone, Debug)]
 pub struct Single {
     domain: Domain,
-    shifts: [DVec3; 27],
+    shifts: [Row; 27],
 }
 
 impl Single {
     /// The borders of a domain.
     pub fn new(domain: Domain) -> Self {
         let size = domain.size();
-        let mut shifts = [DVec3::ZERO; 27];
+        let mut shifts = [Row::default(); 27];
         for (code, shift) in shifts.iter_mut().enumerate() {
             for (axis, digit) in [code / 9, code / 3 % 3, code % 3].into_iter().enumerate() {
                 if domain.periodic[axis] && digit != 1 {
-                    shift[axis] = if digit == 2 { size[axis] } else { -size[axis] };
+                    shift.vector[axis] = if digit == 2 { size[axis] } else { -size[axis] };
                 }
             }
         }
@@ -28,7 +28,17 @@ impl Single {
     /// Shift to add to a difference of positions, by its code.
     #[inline(always)]
     pub fn shift(&self, code: u8) -> DVec3 {
-        self.shifts[code as usize]
+        self.shifts[code as usize].vector
+    }
+
+    /// All shifts by their codes, four numbers each; none where no side is periodic.
+    #[inline(always)]
+    pub fn shifts(&self) -> &[f64] {
+        if self.domain.periodic.contains(&true) {
+            bytemuck::cast_slice(&self.shifts)
+        } else {
+            &[]
+        }
     }
 
     /// Code of the shift that makes the difference of two positions the shortest.
@@ -48,6 +58,9 @@ impl Single {
         };
         digit(0) * 9 + digit(1) * 3 + digit(2)
     }
+
+    /// Code of no shift.
+    pub const UNSHIFTED: u8 = 13;
 
     /// Code of the opposite shift.
     #[inline(always)]

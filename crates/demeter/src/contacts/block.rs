@@ -3,438 +3,483 @@
 //! A block gathers the kinematics of its contacts, runs the normal, tangential and rolling laws over runs of contacts
 //! of one material pair (one dispatch per run), and writes forces and torques.
 
-use super::{ContactChunk, Scene, Tally};
-use crate::materials::Materials;
+use super::kinematics::{
+    BLOCK, Block, Column, Gather, Partners, Surfaces, Write, places_in_turn, put_vectors, shift, vectors,
+};
+use super::laws::{normal_history, tangential_history};
+use super::{ContactChunk, Load, Scene, Tally};
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor, centred_force};
 use demeter_physics::contact::rolling::{Rolling, RollingInput, RollingVisitor};
 use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialVisitor};
 use demeter_physics::contact::{PairLaw, PairSize};
-use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::integrator::Integrator;
+use demeter_physics::lanes::{self, Instructions, Kernel, Lanes, MOST_LANES};
 use glam::DVec3;
 use std::ops::Range;
 
-/// Contacts in one block.
-const BLOCK: usize = 64;
+/// The most values that a law which works on all lanes remembers.
+const MOST_WIDE_HISTORY: usize = 16;
 
-/// One contact while its laws are evaluated.
-#[derive(Clone, Copy, Default)]
-struct Kinematics {
-    size: PairSize,
-    rate: f64,
-    tangential_velocity: DVec3,
-    rolling_velocity: DVec3,
-    spin: f64,
-    tangential_mass: f64,
-    rolling_inertia: f64,
-}
-
-/// The second body of a contact.
-#[derive(Clone, Copy)]
-struct Partner {
-    velocity: DVec3,
-    angular_velocity: DVec3,
-    inverse_radius: f64,
-    inverse_mass: f64,
-    inverse_inertia: f64,
-    /// `1/(I + m l^2)`.
-    inverse_rolling_inertia: f64,
-}
-
-/// The laws' view of a stretch of contacts of one material pair.
+/// The laws' view of a block of contacts of one material pair.
 struct Run<'a> {
     dt: f64,
     integrator: Integrator,
-    stride: usize,
+    instructions: Instructions,
     law: &'a PairLaw,
-    geometry: &'a [Contact],
-    kinematics: &'a [Kinematics],
-    normal_force: &'a mut [f64],
-    /// Its part that does not depend on the rate [N].
-    elastic: &'a mut [f64],
-    /// Normal force that friction and rolling resistance are limited by: with the pull of adhesion, not negative [N].
-    friction_load: &'a mut [f64],
-    /// Overlap of Hertzian contacts of the same area [m].
-    bearing_overlap: &'a mut [f64],
+    block: &'a mut Block,
+    count: usize,
+    /// History of all laws, and its length per contact.
     history: &'a mut [f64],
-    tangential_force: &'a mut [DVec3],
-    rolling_torque: &'a mut [DVec3],
+    stride: usize,
 }
 
 /// Half of the path of the overlap over which a normal law takes its mean [m].
 #[inline(always)]
-pub(crate) fn normal_window<L: Normal>(integrator: Integrator, overlap: f64, rate: f64, dt: f64) -> f64 {
-    if L::FOLLOWS_KINKS {
-        0.5 * dt * rate.abs()
+pub(crate) fn normal_window<N: Normal, L: Lanes>(integrator: Integrator, overlap: L, rate: L, dt: f64) -> L {
+    if N::FOLLOWS_KINKS {
+        rate.abs() * (0.5 * dt)
     } else {
         integrator.half_window(overlap, rate, dt)
     }
 }
 
-struct NormalPass<'r, 'a>(&'r mut Run<'a>);
-
-/// What the normal forces of a run took out of the mechanical energy [J].
-struct NormalLoss {
-    viscous: f64,
-    plastic: f64,
+/// Where a law finds what it remembers.
+struct Memory<'a> {
+    /// History of all contacts of the block.
+    values: &'a mut [f64],
+    /// Values per contact.
+    stride: usize,
+    /// The first of this law.
+    first: usize,
+    /// How many there are of this law.
+    length: usize,
 }
 
-impl NormalVisitor for NormalPass<'_, '_> {
-    type Output = NormalLoss;
+impl Memory<'_> {
+    /// What one contact remembers.
+    #[inline(always)]
+    fn of(&mut self, k: usize) -> &mut [f64] {
+        let first = k * self.stride + self.first;
+        &mut self.values[first..first + self.length]
+    }
 
-    fn visit<L: Normal>(self, law: &L) -> NormalLoss {
-        let run = self.0;
-        let mut loss = NormalLoss {
-            viscous: 0.0,
-            plastic: 0.0,
-        };
-        let remembered = law.history();
-        for (k, (contact, kin)) in run.geometry.iter().zip(run.kinematics).enumerate() {
-            let input = NormalInput {
-                size: kin.size,
-                overlap: contact.overlap,
-                rate: kin.rate,
-                half_window: normal_window::<L>(run.integrator, contact.overlap, kin.rate, run.dt),
-            };
-            let response = law.respond(&input, &mut run.history[k * run.stride..][..remembered]);
-            let (force, rate) = match run.integrator {
-                Integrator::VelocityVerlet => {
-                    centred_force(response, kin.rate, run.normal_force[k], kin.size.mass, run.dt)
-                }
-                // the predicted rate is of high order already
-                Integrator::Gear => (
-                    (response.elastic + response.damping * kin.rate).max(response.least),
-                    kin.rate,
-                ),
-            };
-            run.normal_force[k] = force;
-            run.elastic[k] = response.elastic;
-            run.friction_load[k] = (force + response.adhesion).max(0.0);
-            run.bearing_overlap[k] =
-                law.bearing_overlap(kin.size, contact.overlap, &run.history[k * run.stride..][..remembered]);
-            // where the force is cut at its least, the spring relaxes into the dashpot without pulling
-            loss.viscous += (force - response.elastic) * rate * run.dt;
-            loss.plastic += response.lost;
+    /// What the contacts from `k` on remember, as lanes; lanes beyond `count` repeat the last contact.
+    #[inline(always)]
+    fn load<L: Lanes>(&self, k: usize, count: usize) -> [L; MOST_WIDE_HISTORY] {
+        let mut lanes = [L::splat(0.0); MOST_WIDE_HISTORY];
+        let mut places = places_in_turn::<L>(count, k, self.stride);
+        shift(&mut places, self.first);
+        let mut value = 0;
+        while value + 4 <= self.length {
+            let [a, b, c, d] = L::columns(self.values, &places);
+            lanes[value] = a;
+            lanes[value + 1] = b;
+            lanes[value + 2] = c;
+            lanes[value + 3] = d;
+            shift(&mut places, 4);
+            value += 4;
         }
-        loss
+        while value < self.length {
+            lanes[value] = L::gather(self.values, &places);
+            shift(&mut places, 1);
+            value += 1;
+        }
+        lanes
+    }
+
+    /// Puts back what the contacts from `k` on remember.
+    #[inline(always)]
+    fn store<L: Lanes>(&mut self, lanes: &[L; MOST_WIDE_HISTORY], k: usize, count: usize) {
+        let used = L::COUNT.min(count - k);
+        let mut value = 0;
+        while value + 4 <= self.length {
+            let rows = L::rows([lanes[value], lanes[value + 1], lanes[value + 2], lanes[value + 3]]);
+            for (lane, row) in rows.iter().enumerate().take(used) {
+                let first = (k + lane) * self.stride + self.first + value;
+                self.values[first..first + 4].copy_from_slice(row);
+            }
+            value += 4;
+        }
+        while value < self.length {
+            let numbers = lanes[value].to_array();
+            for (lane, number) in numbers.into_iter().enumerate().take(used) {
+                self.values[(k + lane) * self.stride + self.first + value] = number;
+            }
+            value += 1;
+        }
+    }
+}
+
+/// Normal forces of a run with one law.
+struct NormalForces<'a, N> {
+    law: &'a N,
+    dt: f64,
+    integrator: Integrator,
+    block: &'a mut Block,
+    count: usize,
+    memory: Memory<'a>,
+}
+
+impl<N: Normal> NormalForces<'_, N> {
+    /// Asks the law for the forces from contact `k` on.
+    #[inline(always)]
+    fn find<L: Lanes>(&mut self, k: usize, history: &mut [L]) {
+        let block = &mut *self.block;
+        let (law, dt) = (self.law, self.dt);
+        let size = PairSize {
+            radius: L::load(&block.radius[k..]),
+            mass: L::load(&block.mass[k..]),
+        };
+        let (overlap, rate) = (L::load(&block.overlap[k..]), L::load(&block.rate[k..]));
+        let input = NormalInput {
+            size,
+            overlap,
+            rate,
+            half_window: normal_window::<N, L>(self.integrator, overlap, rate, dt),
+        };
+        let response = law.respond_wide(&input, history);
+        let (force, rate) = match self.integrator {
+            Integrator::VelocityVerlet => centred_force(response, rate, L::load(&block.force[k..]), size.mass, dt),
+            // the predicted rate is of high order already
+            Integrator::Gear => ((response.elastic + response.damping * rate).max(response.least), rate),
+        };
+        force.store(&mut block.force[k..]);
+        response.elastic.store(&mut block.elastic[k..]);
+        (force + response.adhesion)
+            .max(L::splat(0.0))
+            .store(&mut block.friction_load[k..]);
+        law.bearing_overlap_wide(size, overlap, history)
+            .store(&mut block.bearing_overlap[k..]);
+        // where the force is cut at its least, the spring relaxes into the dashpot without pulling
+        ((force - response.elastic) * rate * dt).store(&mut block.loss[0][k..]);
+        response.lost.store(&mut block.loss[1][k..]);
+    }
+
+    /// One contact after the other.
+    fn one_by_one(mut self) {
+        let mut history = [0.0; MOST_HISTORY];
+        for k in 0..self.count {
+            let length = self.memory.length;
+            history[..length].copy_from_slice(self.memory.of(k));
+            self.find::<f64>(k, &mut history[..length]);
+            self.memory.of(k).copy_from_slice(&history[..length]);
+        }
+    }
+}
+
+/// More values than any law remembers.
+const MOST_HISTORY: usize = 64;
+
+impl<N: Normal> Kernel for NormalForces<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(mut self) {
+        for k in (0..self.count).step_by(L::COUNT) {
+            let mut history = self.memory.load::<L>(k, self.count);
+            let length = self.memory.length;
+            self.find(k, &mut history[..length]);
+            self.memory.store(&history, k, self.count);
+        }
+    }
+}
+
+struct NormalPass<'r, 'a>(&'r mut Run<'a>);
+
+impl NormalVisitor for NormalPass<'_, '_> {
+    type Output = ();
+
+    fn visit<N: Normal>(self, law: &N) {
+        let run = self.0;
+        let forces = NormalForces {
+            law,
+            dt: run.dt,
+            integrator: run.integrator,
+            block: run.block,
+            count: run.count,
+            memory: Memory {
+                values: run.history,
+                stride: run.stride,
+                first: 0,
+                length: law.history(),
+            },
+        };
+        if N::WIDE {
+            lanes::run(run.instructions, forces);
+        } else {
+            forces.one_by_one();
+        }
+    }
+}
+
+/// Friction of a run with one law.
+struct FrictionForces<'a, T> {
+    law: &'a T,
+    dt: f64,
+    removable_share: f64,
+    block: &'a mut Block,
+    count: usize,
+    memory: Memory<'a>,
+}
+
+impl<T: Tangential> FrictionForces<'_, T> {
+    #[inline(always)]
+    fn find<L: Lanes>(&mut self, k: usize, history: &mut [L]) {
+        let block = &mut *self.block;
+        let input = TangentialInput {
+            size: PairSize {
+                radius: L::load(&block.radius[k..]),
+                mass: L::load(&block.mass[k..]),
+            },
+            tangential_mass: L::load(&block.tangential_mass[k..]),
+            overlap: L::load(&block.bearing_overlap[k..]),
+            normal: vectors::<L>(&block.normal, k),
+            velocity: vectors::<L>(&block.sliding, k),
+            spin: L::load(&block.spin[k..]),
+            normal_force: L::load(&block.friction_load[k..]),
+            dt: self.dt,
+            removable_share: self.removable_share,
+        };
+        let response = self.law.respond_wide(&input, history);
+        put_vectors::<L>(response.force, &mut block.tangential, k);
+        response.dissipated.store(&mut block.loss[0][k..]);
+    }
+}
+
+impl<T: Tangential> Kernel for FrictionForces<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(mut self) {
+        for k in (0..self.count).step_by(L::COUNT) {
+            let mut history = self.memory.load::<L>(k, self.count);
+            let length = self.memory.length;
+            self.find(k, &mut history[..length]);
+            self.memory.store(&history, k, self.count);
+        }
+    }
+}
+
+impl<T: Tangential> FrictionForces<'_, T> {
+    /// One contact after the other.
+    fn one_by_one(mut self) {
+        let mut history = [0.0; MOST_HISTORY];
+        for k in 0..self.count {
+            let length = self.memory.length;
+            history[..length].copy_from_slice(self.memory.of(k));
+            self.find::<f64>(k, &mut history[..length]);
+            self.memory.of(k).copy_from_slice(&history[..length]);
+        }
     }
 }
 
 struct TangentialPass<'r, 'a>(&'r mut Run<'a>);
 
 impl TangentialVisitor for TangentialPass<'_, '_> {
-    type Output = f64;
+    type Output = ();
 
-    fn visit<L: Tangential>(self, law: &L) -> f64 {
+    fn visit<T: Tangential>(self, law: &T) {
         let run = self.0;
-        let offset = normal_history(run.law);
-        let mut dissipated = 0.0;
-        for (k, (contact, kin)) in run.geometry.iter().zip(run.kinematics).enumerate() {
-            let history = &mut run.history[k * run.stride + offset..][..L::HISTORY.len()];
-            let input = TangentialInput {
-                size: kin.size,
-                tangential_mass: kin.tangential_mass,
-                overlap: run.bearing_overlap[k],
-                normal: contact.normal,
-                velocity: kin.tangential_velocity,
-                spin: kin.spin,
-                normal_force: run.friction_load[k],
-                dt: run.dt,
-                removable_share: run.integrator.removable_share(),
-            };
-            let response = law.respond(&input, history);
-            run.tangential_force[k] = response.force;
-            dissipated += response.dissipated;
+        let forces = FrictionForces {
+            law,
+            dt: run.dt,
+            removable_share: run.integrator.removable_share(),
+            block: run.block,
+            count: run.count,
+            memory: Memory {
+                values: run.history,
+                stride: run.stride,
+                first: normal_history(run.law),
+                length: T::HISTORY.len(),
+            },
+        };
+        if T::WIDE {
+            lanes::run(run.instructions, forces);
+        } else {
+            forces.one_by_one();
         }
-        dissipated
     }
 }
 
-struct RollingPass<'r, 'a>(&'r mut Run<'a>, NormalStiffness);
-
-/// Tangent normal stiffness of every contact of a run [N/m].
-type NormalStiffness = [f64; BLOCK];
+struct RollingPass<'r, 'a>(&'r mut Run<'a>, Column);
 
 impl RollingVisitor for RollingPass<'_, '_> {
-    type Output = f64;
+    type Output = ();
 
-    fn visit<L: Rolling>(self, law: &L) -> f64 {
+    fn visit<R: Rolling>(self, law: &R) {
         let Self(run, stiffness) = self;
-        let offset = normal_history(run.law) + tangential_history(run.law);
-        let mut dissipated = 0.0;
-        for (k, (contact, kin)) in run.geometry.iter().zip(run.kinematics).enumerate() {
-            let first = k * run.stride + offset;
+        let first = normal_history(run.law) + tangential_history(run.law);
+        let vector = |columns: &[Column; 3], k: usize| DVec3::new(columns[0][k], columns[1][k], columns[2][k]);
+        for k in 0..run.count {
+            let block = &mut *run.block;
+            let first = k * run.stride + first;
             let input = RollingInput {
-                size: kin.size,
-                rolling_inertia: kin.rolling_inertia,
-                normal: contact.normal,
-                angular_velocity: kin.rolling_velocity,
-                spin: kin.spin,
-                normal_force: run.friction_load[k],
+                size: PairSize {
+                    radius: block.radius[k],
+                    mass: block.mass[k],
+                },
+                rolling_inertia: block.rolling_inertia[k],
+                normal: vector(&block.normal, k),
+                angular_velocity: vector(&block.rolling, k),
+                spin: block.spin[k],
+                normal_force: block.friction_load[k],
                 normal_stiffness: stiffness[k],
                 dt: run.dt,
                 removable_share: run.integrator.removable_share(),
             };
-            let response = law.respond(&input, &mut run.history[first..first + L::HISTORY.len()]);
-            run.rolling_torque[k] = response.torque;
-            dissipated += response.dissipated;
+            let response = law.respond(&input, &mut run.history[first..first + R::HISTORY.len()]);
+            for (column, component) in block.torque.iter_mut().zip(response.torque.to_array()) {
+                column[k] = component;
+            }
+            block.loss[0][k] = response.dissipated;
         }
-        dissipated
     }
 }
 
 struct StiffnessPass<'r, 'a>(&'r Run<'a>);
 
 impl NormalVisitor for StiffnessPass<'_, '_> {
-    type Output = NormalStiffness;
+    type Output = Column;
 
-    fn visit<L: Normal>(self, law: &L) -> NormalStiffness {
+    fn visit<N: Normal>(self, law: &N) -> Column {
         let mut stiffness = [0.0; BLOCK];
         let (run, remembered) = (self.0, law.history());
-        for (k, out) in stiffness.iter_mut().enumerate().take(run.kinematics.len()) {
+        for (k, out) in stiffness.iter_mut().enumerate().take(run.count) {
             let history = &run.history[k * run.stride..][..remembered];
+            let size = PairSize {
+                radius: run.block.radius[k],
+                mass: run.block.mass[k],
+            };
             // an attraction that fades with the gap has a negative slope: no spring against rolling is made of that
-            *out = law
-                .stiffness(run.kinematics[k].size, run.geometry[k].overlap, history)
-                .max(0.0);
+            *out = law.stiffness(size, run.block.overlap[k], history).max(0.0);
         }
         stiffness
+    }
+}
+
+/// Sum in an order that no number of lanes changes.
+fn sum(values: &[f64]) -> f64 {
+    let mut sums = [0.0; MOST_LANES];
+    for values in values.chunks(MOST_LANES) {
+        for (sum, value) in sums.iter_mut().zip(values) {
+            *sum += value;
+        }
+    }
+    sums.iter().sum()
+}
+
+/// Runs the laws over the contacts of a block.
+fn run_laws(mut run: Run, tally: &mut Tally) {
+    let (law, count) = (run.law, run.count);
+    law.normal.visit(NormalPass(&mut run));
+    tally.viscous += sum(&run.block.loss[0][..count]);
+    tally.plastic += sum(&run.block.loss[1][..count]);
+    if let Some(friction) = &law.tangential {
+        friction.visit(TangentialPass(&mut run));
+        tally.friction += sum(&run.block.loss[0][..count]);
+    } else {
+        run.block.tangential = [[0.0; BLOCK]; 3];
+    }
+    if let Some(resistance) = &law.rolling {
+        let stiffness = law.normal.visit(StiffnessPass(&run));
+        resistance.visit(RollingPass(&mut run, stiffness));
+        tally.rolling += sum(&run.block.loss[0][..count]);
+    } else {
+        run.block.torque = [[0.0; BLOCK]; 3];
     }
 }
 
 impl ContactChunk {
     /// Evaluates the laws of all contacts between grains.
     pub(crate) fn evaluate_pairs(&mut self, scene: &Scene) {
-        let grains = scene.grains;
-        self.evaluate(scene, |j, _point, lever| {
-            let (radius, mass, inertia) = (grains.radius(j), grains.mass[j], grains.inertia(j));
-            Partner {
-                velocity: grains.velocity[j],
-                angular_velocity: grains.angular_velocity[j],
-                inverse_radius: 1.0 / radius,
-                inverse_mass: 1.0 / mass,
-                inverse_inertia: 1.0 / inertia,
-                inverse_rolling_inertia: 1.0 / (inertia + mass * lever * lever),
-            }
+        self.evaluate(scene, |chunk, contacts, block| {
+            let partners = Partners::grains(scene.grains, &chunk.j[contacts.clone()]);
+            chunk.gather(contacts, partners, block, scene);
         });
     }
 
     /// Evaluates the laws of all contacts with walls, and sums up what the walls feel.
     pub(crate) fn evaluate_walls(&mut self, scene: &Scene) {
-        self.evaluate(scene, |j, point, _lever| {
-            let wall = &scene.walls[j];
-            Partner {
-                velocity: wall.velocity_at(point),
-                angular_velocity: wall.angular_velocity(),
-                inverse_radius: 0.0,
-                inverse_mass: 0.0,
-                inverse_inertia: 0.0,
-                inverse_rolling_inertia: 0.0,
-            }
+        self.evaluate(scene, |chunk, contacts, block| {
+            let (i, j) = (&chunk.i[contacts.clone()], &chunk.j[contacts.clone()]);
+            let geometry = &chunk.now.geometry[contacts.clone()];
+            let surfaces = Surfaces::new(geometry, i, j, scene.grains, scene.walls);
+            let partners = Partners::walls(&surfaces, contacts.len());
+            chunk.gather(contacts, partners, block, scene);
         });
         for k in 0..self.len() {
             let wall = &scene.walls[self.j[k] as usize];
             let contact = &self.now.geometry[k];
             let point = scene.grains.position[self.i[k] as usize] - contact.normal * contact.lever_i;
-            let force = -self.force[k];
+            let (force, torque) = (-self.force(k), self.torque_j(k));
             self.tally.wall_work -=
-                scene.dt * (force.dot(wall.velocity_at(point)) + self.torque_j[k].dot(wall.angular_velocity()));
+                scene.dt * (force.dot(wall.velocity_at(point)) + torque.dot(wall.angular_velocity()));
             let load = &mut self.wall_load[self.j[k] as usize];
             load.0 += force;
-            load.1 += (point - wall.origin()).cross(force) + self.torque_j[k];
+            load.1 += (point - wall.origin()).cross(force) + torque;
         }
     }
 
-    fn evaluate(&mut self, scene: &Scene, partner: impl Fn(usize, DVec3, f64) -> Partner) {
+    fn gather(&self, contacts: Range<usize>, partners: Partners, block: &mut Block, scene: &Scene) {
+        let gather = Gather {
+            block,
+            contacts: &self.now.geometry[contacts.clone()],
+            grains: scene.grains,
+            i: &self.i[contacts],
+            partners,
+            rolling: scene.resists_rolling,
+        };
+        lanes::run(scene.instructions, gather);
+    }
+
+    fn evaluate(&mut self, scene: &Scene, gather: impl Fn(&Self, Range<usize>, &mut Block)) {
         let count = self.len();
-        self.force.resize(count, DVec3::ZERO);
-        self.torque_i.resize(count, DVec3::ZERO);
-        self.torque_j.resize(count, DVec3::ZERO);
+        self.load.resize(count, Load::default());
+        if scene.resists_rolling {
+            self.rolling.resize(count, DVec3::ZERO);
+        }
+        let mut block = Block::EMPTY;
         let mut first = 0;
         while first < count {
-            let last = (first + BLOCK).min(count);
-            let mut kinematics = [Kinematics::default(); BLOCK];
-            for (kin, k) in kinematics.iter_mut().zip(first..last) {
-                *kin = gather(
-                    scene,
-                    self.i[k] as usize,
-                    self.j[k] as usize,
-                    &self.now.geometry[k],
-                    &partner,
-                );
-            }
-            let mut elastic = [0.0; BLOCK];
-            let mut friction_load = [0.0; BLOCK];
-            let mut bearing_overlap = [0.0; BLOCK];
-            let mut tangential = [DVec3::ZERO; BLOCK];
-            let mut rolling = [DVec3::ZERO; BLOCK];
-            let mut run = 0..0;
-            while run.end < last - first {
-                run = next_run(&self.now.pair[first..last], run.end);
-                let contacts = first + run.start..first + run.end;
-                let laws = Run {
-                    dt: scene.dt,
-                    integrator: scene.integrator,
-                    stride: scene.stride,
-                    law: scene.materials.law(self.now.pair[contacts.start]),
-                    geometry: &self.now.geometry[contacts.clone()],
-                    kinematics: &kinematics[run.clone()],
-                    normal_force: &mut self.now.normal_force[contacts.clone()],
-                    elastic: &mut elastic[run.clone()],
-                    friction_load: &mut friction_load[run.clone()],
-                    bearing_overlap: &mut bearing_overlap[run.clone()],
-                    history: &mut self.now.history[contacts.start * scene.stride..contacts.end * scene.stride],
-                    tangential_force: &mut tangential[run.clone()],
-                    rolling_torque: &mut rolling[run.clone()],
-                };
-                run_laws(laws, &mut self.tally);
-            }
-            for (b, k) in (first..last).enumerate() {
-                let contact = &self.now.geometry[k];
-                self.force[k] = contact.normal * self.now.normal_force[k] + tangential[b];
-                let arm = contact.normal.cross(tangential[b]);
-                self.torque_i[k] = rolling[b] - arm * contact.lever_i;
-                self.torque_j[k] = -rolling[b] - arm * contact.lever_j;
+            let contacts = first..next_block(&self.now.pair, first);
+            gather(self, contacts.clone(), &mut block);
+            let length = contacts.len();
+            block.force[..length].copy_from_slice(&self.now.normal_force[contacts.clone()]);
+            let laws = Run {
+                dt: scene.dt,
+                integrator: scene.integrator,
+                instructions: scene.instructions,
+                law: scene.materials.law(self.now.pair[first]),
+                block: &mut block,
+                count: length,
+                history: &mut self.now.history[contacts.start * scene.stride..contacts.end * scene.stride],
+                stride: scene.stride,
+            };
+            run_laws(laws, &mut self.tally);
+            self.now.normal_force[contacts.clone()].copy_from_slice(&block.force[..length]);
+            let write = Write {
+                block: &block,
+                contacts: &self.now.geometry[contacts.clone()],
+                loads: &mut self.load[contacts.clone()],
+            };
+            lanes::run(scene.instructions, write);
+            if scene.resists_rolling {
+                let [x, y, z] = &block.torque;
+                for (k, torque) in self.rolling[contacts.clone()].iter_mut().enumerate() {
+                    *torque = DVec3::new(x[k], y[k], z[k]);
+                }
             }
             if scene.is_coupled() {
-                self.remember_coupling(first, &elastic[..last - first], scene);
+                self.remember_coupling(first, &block.elastic[..length], scene);
             }
-            first = last;
+            first = contacts.end;
         }
     }
 }
 
-/// Runs the laws over one stretch of contacts of one material pair.
-fn run_laws(mut run: Run, tally: &mut Tally) {
-    let law = run.law;
-    let loss = law.normal.visit(NormalPass(&mut run));
-    tally.viscous += loss.viscous;
-    tally.plastic += loss.plastic;
-    if let Some(friction) = &law.tangential {
-        tally.friction += friction.visit(TangentialPass(&mut run));
-    }
-    if let Some(resistance) = &law.rolling {
-        let stiffness = law.normal.visit(StiffnessPass(&run));
-        tally.rolling += resistance.visit(RollingPass(&mut run, stiffness));
-    }
-}
-
-#[inline(always)]
-fn gather(
-    scene: &Scene,
-    i: usize,
-    j: usize,
-    contact: &Contact,
-    partner: &impl Fn(usize, DVec3, f64) -> Partner,
-) -> Kinematics {
-    let grains = scene.grains;
-    let n = contact.normal;
-    let point = grains.position[i] - n * contact.lever_i;
-    let other = partner(j, point, contact.lever_j);
-    let (omega_i, omega_j) = (grains.angular_velocity[i], other.angular_velocity);
-    let (mass, inertia) = (grains.mass[i], grains.inertia(i));
-    let arms = omega_i * contact.lever_i + omega_j * contact.lever_j;
-    // a wall's velocity is that of its surface already, so its lever is 0
-    let velocity = grains.velocity[i] - other.velocity - arms.cross(n);
-    let rate = -velocity.dot(n);
-    let rolling = omega_i - omega_j;
-    let lever2 = contact.lever_i * contact.lever_i;
-    let lever2_j = contact.lever_j * contact.lever_j;
-    Kinematics {
-        size: PairSize {
-            radius: 1.0 / (1.0 / grains.radius(i) + other.inverse_radius),
-            mass: 1.0 / (1.0 / mass + other.inverse_mass),
-        },
-        rate,
-        tangential_velocity: velocity + n * rate,
-        rolling_velocity: rolling - n * rolling.dot(n),
-        spin: 0.5 * (omega_i + omega_j).dot(n),
-        tangential_mass: 1.0 / (1.0 / mass + other.inverse_mass + lever2 / inertia + lever2_j * other.inverse_inertia),
-        rolling_inertia: 1.0 / (1.0 / (inertia + mass * lever2) + other.inverse_rolling_inertia),
-    }
-}
-
-/// The stretch of equal values that begins at `start`.
-fn next_run(pairs: &[u32], start: usize) -> Range<usize> {
-    let length = pairs[start..].iter().take_while(|&&p| p == pairs[start]).count();
-    start..start + length
-}
-
-/// Number of history values of the normal law of a pair; they come first.
-fn normal_history(law: &PairLaw) -> usize {
-    struct Length;
-    impl NormalVisitor for Length {
-        type Output = usize;
-        fn visit<L: Normal>(self, law: &L) -> usize {
-            law.history()
-        }
-    }
-    law.normal.visit(Length)
-}
-
-/// Number of history values of the tangential law; they come next, then those of the rolling law.
-fn tangential_history(law: &PairLaw) -> usize {
-    law.tangential.map_or(0, |t| t.info().history)
-}
-
-/// Number of history values of the laws of one pair.
-pub fn history_length(law: &PairLaw) -> usize {
-    normal_history(law) + tangential_history(law) + law.rolling.map_or(0, |r| r.info().history)
-}
-
-/// Largest number of history values of any pair.
-pub fn stride(materials: &Materials) -> usize {
-    let count = materials.list().len() as u16;
-    let pairs = (0..count).flat_map(|a| (0..count).map(move |b| (a, b)));
-    pairs
-        .map(|(a, b)| history_length(materials.law(materials.pair(a, b))))
-        .max()
-        .unwrap_or(0)
-}
-
-/// Energy stored in the tangential and in the rolling spring of a contact with this history [J].
-pub fn spring_energies(law: &PairLaw, history: &[f64]) -> (f64, f64) {
-    struct Stored<'a>(&'a [f64]);
-    impl TangentialVisitor for Stored<'_> {
-        type Output = f64;
-        fn visit<L: Tangential>(self, law: &L) -> f64 {
-            law.energy(&self.0[..L::HISTORY.len()])
-        }
-    }
-    impl RollingVisitor for Stored<'_> {
-        type Output = f64;
-        fn visit<L: Rolling>(self, law: &L) -> f64 {
-            law.energy(&self.0[..L::HISTORY.len()])
-        }
-    }
-    let tangential = &history[normal_history(law)..];
-    let rolling = &tangential[tangential_history(law)..];
-    (
-        law.tangential.map_or(0.0, |t| t.visit(Stored(tangential))),
-        law.rolling.map_or(0.0, |r| r.visit(Stored(rolling))),
-    )
-}
-
-/// Energy stored by the normal law of a contact between bodies of these sizes [J].
-pub fn normal_energy(law: &PairLaw, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
-    struct Stored<'a>(PairSize, f64, &'a [f64]);
-    impl NormalVisitor for Stored<'_> {
-        type Output = f64;
-        fn visit<L: Normal>(self, law: &L) -> f64 {
-            law.energy(self.0, self.1, &self.2[..law.history()])
-        }
-    }
-    law.normal.visit(Stored(size, overlap, history))
-}
-
-/// Largest gap across which the normal law acts between bodies of these sizes [m].
-pub fn largest_reach(law: &PairLaw, size: PairSize) -> f64 {
-    struct Reach(PairSize);
-    impl NormalVisitor for Reach {
-        type Output = f64;
-        fn visit<L: Normal>(self, law: &L) -> f64 {
-            law.largest_reach(self.0)
-        }
-    }
-    law.normal.visit(Reach(size))
+/// End of the block of contacts of one material pair that begins at `start`.
+fn next_block(pairs: &[u32], start: usize) -> usize {
+    let most = (start + BLOCK).min(pairs.len());
+    let length = pairs[start..most].iter().take_while(|&&p| p == pairs[start]).count();
+    start + length
 }

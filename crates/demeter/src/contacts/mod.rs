@@ -1,6 +1,6 @@
 //! Active contacts: the central table of the engine.
 //!
-//! Candidates are cut into chunks of fixed size. A chunk owns its contacts (struct of arrays), is handled by one task
+//! Candidates are cut into chunks of one law. A chunk owns its contacts (struct of arrays), is handled by one task
 //! and keeps its own sums, so nothing depends on the number of threads. Within a step a chunk goes through
 //!
 //! 1. [`narrow`]: candidates -> contacts that touch during this step, with the history of the step before
@@ -12,6 +12,9 @@
 pub mod block;
 pub mod coupling;
 mod fault;
+mod kinematics;
+pub mod laws;
+mod meetings;
 pub mod narrow;
 pub mod sum;
 mod transfer;
@@ -21,16 +24,16 @@ pub use fault::Fault;
 pub use narrow::Scene;
 pub use transfer::{CarriedContact, ContactKey};
 
+pub use crate::neighbours::CHUNK;
+
 use crate::walls::SurfaceContact;
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
-
-/// Candidates handled by one chunk.
-pub const CHUNK: usize = 1024;
+use serde::{Deserialize, Serialize};
 
 /// Work of the contact forces in one step [J], and what is needed to watch a run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tally {
     /// Dissipated by normal dashpots.
     pub viscous: f64,
@@ -59,11 +62,30 @@ impl Tally {
     }
 }
 
+/// What a contact does to both bodies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[repr(C, align(64))]
+pub struct Load {
+    /// Force on the first body [N], and the distance of the contact point from its centre [m].
+    pub force: [f64; 4],
+    /// Normal times tangential force [N], and the distance of the contact point from the second centre [m].
+    pub arm: [f64; 4],
+}
+
+impl Load {
+    fn arm(&self) -> DVec3 {
+        let [x, y, z, _] = self.arm;
+        DVec3::new(x, y, z)
+    }
+}
+
 /// What survives of a contact from one step to the next.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
     /// Contacts of candidate `c` of the chunk: `start[c]..start[c + 1]`.
     pub(crate) start: Vec<u32>,
+    /// Candidate of every contact; of chunks of pairs only.
+    pub(crate) candidate: Vec<u32>,
     /// Element of the wall that is touched; 0 between grains.
     pub(crate) element: Vec<u32>,
     /// Material pair.
@@ -82,6 +104,7 @@ impl Kept {
     fn clear(&mut self) {
         self.start.clear();
         self.start.push(0);
+        self.candidate.clear();
         self.element.clear();
         self.pair.clear();
         self.geometry.clear();
@@ -92,6 +115,20 @@ impl Kept {
 
     fn len(&self) -> usize {
         self.geometry.len()
+    }
+
+    /// Puts the candidates of contacts, of which each has at most one.
+    pub(crate) fn set_candidates(&mut self, candidates: &[u32], count: usize) {
+        self.candidate.clear();
+        self.candidate.extend_from_slice(candidates);
+        self.start.clear();
+        let mut contacts = candidates.iter().peekable();
+        let mut before = 0;
+        self.start.extend((0..=count as u32).map(|c| {
+            let start = before;
+            before += u32::from(contacts.next_if_eq(&&c).is_some());
+            start
+        }));
     }
 
     pub(crate) fn range(&self, candidate: usize) -> std::ops::Range<usize> {
@@ -114,16 +151,15 @@ pub struct ContactChunk {
     pub(crate) touched: Vec<SurfaceContact>,
     pub(crate) taken: Vec<usize>,
     pub(crate) coupling: Scratch,
+    found: meetings::Found,
     /// Index of the first grain.
     pub i: Vec<u32>,
     /// Index of the second grain, or of the wall.
     pub j: Vec<u32>,
-    /// Force on the first body [N].
-    pub force: Vec<DVec3>,
-    /// Torque on the first body about its centre [N m].
-    pub torque_i: Vec<DVec3>,
-    /// Torque on the second body about its centre; of a rolling law only when it is a wall [N m].
-    pub torque_j: Vec<DVec3>,
+    /// What every contact does to both bodies.
+    pub(crate) load: Vec<Load>,
+    /// Torque of the rolling laws on the first body [N m]; empty where no law resists rolling.
+    pub(crate) rolling: Vec<DVec3>,
     /// Work of this step.
     pub tally: Tally,
     /// Force and torque on every wall (torque about its origin), for chunks of wall contacts.
@@ -139,12 +175,33 @@ impl ContactChunk {
         self.before.clear();
         self.i.clear();
         self.j.clear();
-        self.force.clear();
-        self.torque_i.clear();
-        self.torque_j.clear();
+        self.load.clear();
+        self.rolling.clear();
         self.tally = Tally::default();
         self.wall_load.clear();
         self.fault = None;
+    }
+
+    /// Force of a contact on its first body [N]; on the second it is the opposite.
+    pub fn force(&self, contact: usize) -> DVec3 {
+        let [x, y, z, _] = self.load[contact].force;
+        DVec3::new(x, y, z)
+    }
+
+    /// Torque of a contact on its first body about its centre [N m].
+    pub fn torque_i(&self, contact: usize) -> DVec3 {
+        let load = &self.load[contact];
+        self.rolling_torque(contact) - load.arm() * load.force[3]
+    }
+
+    /// Torque of a contact on its second body about its centre; of a rolling law only when it is a wall [N m].
+    pub fn torque_j(&self, contact: usize) -> DVec3 {
+        let load = &self.load[contact];
+        -self.rolling_torque(contact) - load.arm() * load.arm[3]
+    }
+
+    fn rolling_torque(&self, contact: usize) -> DVec3 {
+        self.rolling.get(contact).copied().unwrap_or(DVec3::ZERO)
     }
 
     /// Number of contacts.
@@ -213,12 +270,14 @@ impl ContactChunk {
 /// All contacts: between grains, and between grains and walls.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
-    /// Contacts between grains, by chunks of [`crate::neighbours::Neighbours::pairs`].
+    /// Contacts between grains, by chunks of [`crate::neighbours::Neighbours::chunk`].
     pub pairs: Vec<ContactChunk>,
-    /// Contacts with walls, by chunks of [`crate::neighbours::Neighbours::wall_pairs`].
+    /// Contacts with walls, by chunks of [`crate::neighbours::Neighbours::wall_chunk`].
     pub walls: Vec<ContactChunk>,
     /// Number of history values per contact.
     pub stride: usize,
+    /// Memory for handing contacts over to new candidates, between grains and with walls.
+    pub(crate) transfer: [transfer::Transfer; 2],
 }
 
 impl Contacts {

@@ -4,7 +4,8 @@
 //! it, assuming the present rate of approach: `overlap + |rate| dt/2 > 0`. A law that attracts across a gap is asked
 //! as far as it reaches, and one window farther, so that it sees itself let go and books what that loses.
 
-use super::block::largest_reach;
+use super::laws::largest_reach;
+use super::meetings::FindPairs;
 use super::{ContactChunk, Fault, Kept};
 use crate::comm::Single;
 use crate::materials::Materials;
@@ -12,8 +13,9 @@ use crate::neighbours::{Pair, WallPair};
 use crate::particles::Grains;
 use crate::walls::{SurfaceContact, Wall};
 use demeter_physics::contact::PairSize;
-use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
+use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::integrator::Integrator;
+use demeter_physics::lanes::{self, Instructions};
 use glam::DVec3;
 
 /// Everything that contacts are made of.
@@ -41,13 +43,17 @@ pub struct Scene<'a> {
     pub max_overlap: f64,
     /// History values per contact.
     pub stride: usize,
+    /// Whether some law resists rolling.
+    pub resists_rolling: bool,
+    /// Instructions to use.
+    pub instructions: Instructions,
     /// How far the surface of every grain may bulge towards others [m]; empty where contacts are independent.
     pub bulge: &'a [f64],
 }
 
 impl Scene<'_> {
     /// Distance beyond touching at which bodies may act on each other in this step [m].
-    fn widest_window(&self) -> f64 {
+    pub(super) fn widest_window(&self) -> f64 {
         let window = self.max_speed * self.dt;
         if self.max_reach > 0.0 {
             self.max_reach + 2.0 * window
@@ -64,7 +70,7 @@ impl Scene<'_> {
 
     /// How far the surface of a grain may bulge [m].
     #[inline(always)]
-    fn bulge(&self, grain: usize) -> f64 {
+    pub(super) fn bulge(&self, grain: usize) -> f64 {
         self.bulge.get(grain).copied().unwrap_or(0.0)
     }
 
@@ -93,40 +99,83 @@ impl ContactChunk {
     /// Finds the contacts of a chunk of pairs of grains.
     pub(crate) fn find_pairs(&mut self, pairs: &[Pair], scene: &Scene) {
         self.begin(scene.walls.len());
-        let grains = scene.grains;
-        let window = scene.widest_window();
-        for (c, p) in pairs.iter().enumerate() {
-            let (i, j) = (p.i as usize, p.j as usize);
-            let separation = grains.position[i] - grains.position[j] + scene.comm.shift(p.shift);
-            let (ri, rj) = (grains.radius(i), grains.radius(j));
-            let bulge = scene.bulge(i) + scene.bulge(j);
-            let reach = ri + rj + window + bulge;
-            if separation.length_squared() < reach * reach {
-                let contact = contact_sphere_sphere(separation, ri, rj);
-                let rate = (grains.velocity[j] - grains.velocity[i]).dot(contact.normal);
-                let pair = scene.materials.pair(grains.material[i], grains.material[j]);
-                let size = || PairSize {
-                    radius: 1.0 / (1.0 / ri + 1.0 / rj),
-                    mass: 1.0 / (1.0 / grains.mass[i] + 1.0 / grains.mass[j]),
-                };
-                if scene.acts(pair, size, contact.overlap + bulge, rate) {
-                    let old = self.before.range(c).next();
-                    self.push(scene.stride, (p.i, p.j, 0), pair, contact, old);
-                    if scene.is_coupled() {
-                        self.coupling.push(rate, size(), old);
-                    }
-                    self.watch_overlap(scene, i, contact.overlap / ri.min(rj), || {
-                        format!("grain {}", grains.id[j])
-                    });
-                }
-            }
-            self.now.start.push(self.now.len() as u32);
+        let find = FindPairs {
+            pairs,
+            scene,
+            shifts: scene.comm.shifts(),
+            found: &mut self.found,
+        };
+        lanes::run(scene.instructions, find);
+        if scene.is_coupled() || self.found.candidates != self.now.candidate {
+            self.renew(pairs, scene);
         }
+        std::mem::swap(&mut self.now.geometry, &mut self.found.geometry);
+        if let Some(k) = self.found.too_deep {
+            let (i, j) = (self.i[k] as usize, self.j[k] as usize);
+            let smaller = scene.grains.radius(i).min(scene.grains.radius(j));
+            let share = self.now.geometry[k].overlap / smaller;
+            self.watch_overlap(scene, i, share, || format!("grain {}", scene.grains.id[j]));
+        }
+    }
+
+    /// Takes over what the contacts of the step before remember, where not all of them are still the same.
+    fn renew(&mut self, pairs: &[Pair], scene: &Scene) {
+        let (grains, stride) = (scene.grains, scene.stride);
+        std::mem::swap(&mut self.now, &mut self.before);
+        self.now.clear();
+        self.i.clear();
+        self.j.clear();
+        let candidates = std::mem::take(&mut self.found.candidates);
+        let mut old = 0;
+        for (k, &candidate) in candidates.iter().enumerate() {
+            while self.before.candidate.get(old).is_some_and(|&c| c < candidate) {
+                self.book_end(old, scene);
+                old += 1;
+            }
+            let goes_on = self.before.candidate.get(old) == Some(&candidate);
+            let pair = &pairs[candidate as usize];
+            self.i.push(pair.i);
+            self.j.push(pair.j);
+            self.now.element.push(0);
+            let (i, j) = (pair.i as usize, pair.j as usize);
+            self.now
+                .pair
+                .push(scene.materials.pair(grains.material[i], grains.material[j]));
+            if goes_on {
+                self.now.normal_force.push(self.before.normal_force[old]);
+                let history = &self.before.history[old * stride..(old + 1) * stride];
+                self.now.history.extend_from_slice(history);
+            } else {
+                self.now.normal_force.push(0.0);
+                self.now.history.resize(self.now.history.len() + stride, 0.0);
+            }
+            if scene.is_coupled() {
+                let normal = self.found.geometry[k].normal;
+                let rate = (grains.velocity[j] - grains.velocity[i]).dot(normal);
+                let size = PairSize {
+                    radius: 1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
+                    mass: 1.0 / (grains.inverse_mass(i) + grains.inverse_mass(j)),
+                };
+                self.coupling.push(rate, size, goes_on.then_some(old));
+            }
+            old += usize::from(goes_on);
+        }
+        for old in old..self.before.candidate.len() {
+            self.book_end(old, scene);
+        }
+        self.now.set_candidates(&candidates, pairs.len());
+        self.found.candidates = candidates;
     }
 
     /// Finds the contacts of a chunk of pairs of grain and wall.
     pub(crate) fn find_walls(&mut self, pairs: &[WallPair], scene: &Scene) {
         self.begin(scene.walls.len());
+        std::mem::swap(&mut self.now, &mut self.before);
+        self.now.clear();
+        self.goes_on.clear();
+        self.goes_on.resize(self.before.len(), false);
+        self.i.clear();
+        self.j.clear();
         let grains = scene.grains;
         let window = scene.widest_window();
         let (mut touched, mut taken) = (std::mem::take(&mut self.touched), std::mem::take(&mut self.taken));
@@ -164,16 +213,15 @@ impl ContactChunk {
             self.now.start.push(self.now.len() as u32);
         }
         (self.touched, self.taken) = (touched, taken);
+        for k in 0..self.before.len() {
+            if !self.goes_on[k] {
+                self.book_end(k, scene);
+            }
+        }
     }
 
     fn begin(&mut self, walls: usize) {
-        std::mem::swap(&mut self.now, &mut self.before);
-        self.now.clear();
-        self.goes_on.clear();
-        self.goes_on.resize(self.before.len(), false);
         self.coupling.clear();
-        self.i.clear();
-        self.j.clear();
         self.fault = None;
         self.tally = super::Tally::default();
         self.wall_load.clear();
@@ -236,20 +284,16 @@ impl ContactChunk {
         }
     }
 
-    /// Books the energy that springs still held when their contact ended.
-    pub(crate) fn book_lost(&mut self, scene: &Scene) {
+    /// Books the energy that the springs of a contact of the step before still held when it ended.
+    fn book_end(&mut self, old: usize, scene: &Scene) {
         if scene.stride == 0 {
             return;
         }
-        for (k, &pair) in self.before.pair.iter().enumerate() {
-            if self.goes_on[k] {
-                continue;
-            }
-            let history = &self.before.history[k * scene.stride..(k + 1) * scene.stride];
-            let (tangential, rolling) = super::block::spring_energies(scene.materials.law(pair), history);
-            self.tally.friction += tangential;
-            self.tally.rolling += rolling;
-        }
+        let history = &self.before.history[old * scene.stride..(old + 1) * scene.stride];
+        let law = scene.materials.law(self.before.pair[old]);
+        let (tangential, rolling) = super::laws::spring_energies(law, history);
+        self.tally.friction += tangential;
+        self.tally.rolling += rolling;
     }
 }
 

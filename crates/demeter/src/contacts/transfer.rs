@@ -1,12 +1,14 @@
 //! Handing contacts over when the candidates are found anew, and to and from a checkpoint.
 
 use super::coupling::Coupled;
-use super::{CHUNK, ContactChunk, Contacts};
-use crate::neighbours::Neighbours;
+use super::{CHUNK, ContactChunk, Contacts, Load};
+use crate::neighbours::{GONE, Neighbours};
 use crate::particles::Grains;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::sync::atomic::{AtomicU32, Ordering};
 
 /// What a contact is, whatever the order of the grains: lower id, partner's id (or index of the wall), element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -21,7 +23,7 @@ pub struct ContactKey {
     pub element: u32,
 }
 
-/// A contact as it is handed over.
+/// A contact as a checkpoint holds it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CarriedContact {
     /// Identity.
@@ -32,17 +34,239 @@ pub struct CarriedContact {
     pub geometry: Contact,
     /// Normal force [N].
     pub normal_force: f64,
-    /// Force on the first body [N].
-    pub force: DVec3,
-    /// Torques on the two bodies [N m].
-    pub torques: (DVec3, DVec3),
+    /// What it does to both bodies.
+    pub load: Load,
+    /// Torque of the rolling law on the first body [N m].
+    pub rolling: DVec3,
     /// History of its laws.
     pub history: Vec<f64>,
     /// What it remembers of the displacements by the other contacts, where contacts feel each other.
     pub coupling: Option<Coupled>,
 }
 
+/// No contacts to take over.
+const NONE: u32 = u32::MAX;
+
+/// Bits of an heir that tell the place in the old chunk.
+const SLOT_BITS: u32 = CHUNK.next_power_of_two().trailing_zeros();
+
+/// Contacts are handed over in so many rounds, after each of which the memory of old chunks is free for new ones.
+const ROUNDS: usize = 16;
+
+/// Memory for handing contacts over.
+#[derive(Debug, Default)]
+pub(crate) struct Transfer {
+    /// For every new candidate, the chunk and the place in it of the old one.
+    heir: Vec<AtomicU32>,
+    /// The last new chunk that takes contacts from every old one; [`NONE`] when its memory is free.
+    last_use: Vec<u32>,
+    old: Vec<ContactChunk>,
+    /// Chunks whose memory waits to be used again.
+    spare: Vec<ContactChunk>,
+}
+
+impl Clone for Transfer {
+    /// Another table of contacts has its own memory.
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+/// New candidates that contacts are handed to.
+trait Heirs: Sync {
+    fn chunks(&self) -> usize;
+    fn count(&self) -> usize;
+    /// Candidates before a chunk, and in it.
+    fn of_chunk(&self, chunk: usize) -> (usize, usize);
+    /// Bodies of a candidate.
+    fn bodies(&self, chunk: usize, slot: usize) -> (u32, u32);
+    /// Chunk and number of the candidate of two bodies.
+    fn find(&self, i: u32, j: u32) -> Option<(usize, usize)>;
+}
+
+/// Candidates between grains, with the new index of every grain when they were put in another order.
+struct Pairs<'a>(&'a Neighbours, Option<&'a [u32]>);
+
+/// Candidates of grains and walls, with the same.
+struct Walls<'a>(&'a Neighbours, Option<&'a [u32]>);
+
+/// New index of a grain, unless it is gone.
+#[inline(always)]
+fn renumber(moved_to: Option<&[u32]>, grain: u32) -> Option<u32> {
+    moved_to.map_or(Some(grain), |to| Some(to[grain as usize]).filter(|&g| g != GONE))
+}
+
+impl Heirs for Pairs<'_> {
+    fn chunks(&self) -> usize {
+        self.0.chunks()
+    }
+
+    fn count(&self) -> usize {
+        self.0.pair_count()
+    }
+
+    fn of_chunk(&self, chunk: usize) -> (usize, usize) {
+        (self.0.before_chunk(chunk), self.0.chunk(chunk).0.len())
+    }
+
+    #[inline(always)]
+    fn bodies(&self, chunk: usize, slot: usize) -> (u32, u32) {
+        let pair = &self.0.chunk(chunk).0[slot];
+        (pair.i, pair.j)
+    }
+
+    #[inline(always)]
+    fn find(&self, i: u32, j: u32) -> Option<(usize, usize)> {
+        self.0.find_pair(renumber(self.1, i)?, renumber(self.1, j)?)
+    }
+}
+
+impl Heirs for Walls<'_> {
+    fn chunks(&self) -> usize {
+        self.0.wall_chunks()
+    }
+
+    fn count(&self) -> usize {
+        self.0.wall_pair_count()
+    }
+
+    fn of_chunk(&self, chunk: usize) -> (usize, usize) {
+        (self.0.before_wall_chunk(chunk), self.0.wall_chunk(chunk).0.len())
+    }
+
+    #[inline(always)]
+    fn bodies(&self, chunk: usize, slot: usize) -> (u32, u32) {
+        let pair = &self.0.wall_chunk(chunk).0[slot];
+        (pair.grain, pair.wall)
+    }
+
+    #[inline(always)]
+    fn find(&self, grain: u32, wall: u32) -> Option<(usize, usize)> {
+        self.0.find_wall_pair(renumber(self.1, grain)?, wall)
+    }
+}
+
+impl Transfer {
+    /// Moves all contacts into chunks for new candidates, straight from the old chunks.
+    fn hand_over(&mut self, chunks: &mut Vec<ContactChunk>, heirs: &impl Heirs, stride: usize) {
+        std::mem::swap(chunks, &mut self.old);
+        self.find_heirs(heirs);
+        let count = heirs.chunks();
+        let round = count.div_ceil(ROUNDS).max(2 * rayon::current_num_threads());
+        let mut done = 0;
+        while done < count {
+            let end = (done + round).min(count);
+            chunks.extend((done..end).map(|_| self.spare.pop().unwrap_or_default()));
+            let (old, heir) = (&self.old, &self.heir);
+            (chunks[done..end].par_iter_mut().enumerate()).for_each(|(k, chunk)| {
+                let (before, candidates) = heirs.of_chunk(done + k);
+                chunk.forget();
+                for (slot, heir) in heir[before..before + candidates].iter().enumerate() {
+                    let from = heir.load(Ordering::Relaxed);
+                    if from != NONE {
+                        let bodies = heirs.bodies(done + k, slot);
+                        let old = &old[(from >> SLOT_BITS) as usize];
+                        for contact in old.contacts_of(from as usize & ((1 << SLOT_BITS) - 1)) {
+                            chunk.take_over(old, contact, bodies, stride);
+                        }
+                    }
+                    chunk.end_candidate();
+                }
+            });
+            self.free_chunks(end);
+            done = end;
+        }
+        self.free_chunks(usize::MAX);
+        self.old.clear();
+        self.spare.truncate(2 * round);
+    }
+
+    /// Finds for every new candidate the old one with its contacts. Contacts whose bodies are no candidates end.
+    fn find_heirs(&mut self, heirs: &impl Heirs) {
+        self.heir.resize_with(heirs.count(), AtomicU32::default);
+        self.heir.par_iter_mut().for_each(|heir| *heir.get_mut() = NONE);
+        self.last_use.clear();
+        self.last_use.resize(self.old.len(), 0);
+        let heir = &self.heir;
+        (self.old.par_iter().zip(&mut self.last_use).enumerate()).for_each(|(number, (chunk, last_use))| {
+            for slot in 0..chunk.candidates() {
+                let Some(contact) = chunk.contacts_of(slot).next() else {
+                    continue;
+                };
+                if let Some((new_chunk, candidate)) = heirs.find(chunk.i[contact], chunk.j[contact]) {
+                    let place = (number << SLOT_BITS | slot) as u32;
+                    heir[candidate].store(place, Ordering::Relaxed);
+                    *last_use = (*last_use).max(new_chunk as u32);
+                }
+            }
+        });
+    }
+
+    /// Frees the memory of old chunks that no new chunk from `end` on needs.
+    fn free_chunks(&mut self, end: usize) {
+        for (chunk, last_use) in self.old.iter_mut().zip(&mut self.last_use) {
+            if *last_use != NONE && (*last_use as usize) < end {
+                self.spare.push(std::mem::take(chunk));
+                *last_use = NONE;
+            }
+        }
+    }
+}
+
+impl ContactChunk {
+    /// Number of candidates.
+    fn candidates(&self) -> usize {
+        self.now.start.len().saturating_sub(1)
+    }
+
+    /// Ends the contacts of one candidate.
+    fn end_candidate(&mut self) {
+        let candidate = self.candidates() as u32;
+        self.now.candidate.resize(self.now.len(), candidate);
+        self.now.start.push(self.now.len() as u32);
+    }
+
+    /// Appends a contact of an old chunk, with all that can be asked of it after a step.
+    fn take_over(&mut self, old: &Self, contact: usize, (i, j): (u32, u32), stride: usize) {
+        self.i.push(i);
+        self.j.push(j);
+        self.load.push(old.load[contact]);
+        self.rolling.extend(old.rolling.get(contact));
+        let (now, before) = (&mut self.now, &old.now);
+        now.element.push(before.element[contact]);
+        now.pair.push(before.pair[contact]);
+        now.geometry.push(before.geometry[contact]);
+        now.normal_force.push(before.normal_force[contact]);
+        now.history.extend_from_slice(old.history(contact, stride));
+        now.coupling.extend(before.coupling.get(contact));
+    }
+
+    /// Appends a contact of a checkpoint.
+    fn restore(&mut self, contact: &CarriedContact, (i, j): (u32, u32), stride: usize) {
+        self.i.push(i);
+        self.j.push(j);
+        self.load.push(contact.load);
+        self.rolling.push(contact.rolling);
+        let now = &mut self.now;
+        now.element.push(contact.key.element);
+        now.pair.push(contact.pair);
+        now.geometry.push(contact.geometry);
+        now.normal_force.push(contact.normal_force);
+        let history = contact.history.iter().copied();
+        now.history.extend(history.chain(std::iter::repeat(0.0)).take(stride));
+        now.coupling.extend(contact.coupling);
+    }
+}
+
 impl Contacts {
+    /// Hands all contacts over to new candidates. Where grains were put in another order, `moved_to` tells the new index of
+    /// every grain.
+    pub(crate) fn hand_over(&mut self, neighbours: &Neighbours, moved_to: Option<&[u32]>) {
+        let stride = self.stride;
+        (self.transfer[0]).hand_over(&mut self.pairs, &Pairs(neighbours, moved_to), stride);
+        (self.transfer[1]).hand_over(&mut self.walls, &Walls(neighbours, moved_to), stride);
+    }
+
     /// All contacts, sorted by their keys.
     pub fn carry(&self, grains: &Grains) -> Vec<CarriedContact> {
         let mut carried = Vec::with_capacity(self.pair_count() + self.wall_count());
@@ -65,8 +289,8 @@ impl Contacts {
                         pair: chunk.now.pair[k],
                         geometry: chunk.now.geometry[k],
                         normal_force: chunk.now.normal_force[k],
-                        force: chunk.force[k],
-                        torques: (chunk.torque_i[k], chunk.torque_j[k]),
+                        load: chunk.load[k],
+                        rolling: chunk.rolling_torque(k),
                         history: chunk.history(k, self.stride).to_vec(),
                         coupling: chunk.now.coupling.get(k).copied(),
                     });
@@ -77,69 +301,49 @@ impl Contacts {
         carried
     }
 
-    /// Makes chunks for new candidates with the carried contacts, as if a step had just ended with them: all that can be
-    /// asked of a contact after a step can be asked now. `carried` is sorted by its keys.
+    /// Makes chunks for candidates with the contacts of a checkpoint, sorted by their keys, as if a step had just ended with
+    /// them: all that can be asked of a contact after a step can be asked now.
     pub fn adopt(&mut self, grains: &Grains, neighbours: &Neighbours, carried: &[CarriedContact]) {
         let stride = self.stride;
-        refill(&mut self.pairs, neighbours.pairs.len(), |c, chunk| {
-            let p = neighbours.pairs[c];
-            let key = ContactKey {
-                wall: false,
-                grain: grains.id[p.i as usize],
-                partner: grains.id[p.j as usize],
-                element: 0,
-            };
-            remember(carried, key, (p.i, p.j), stride, chunk);
+        let key = |wall, i: u32, partner| ContactKey {
+            wall,
+            grain: grains.id[i as usize],
+            partner,
+            element: 0,
+        };
+        refill(&mut self.pairs, &Pairs(neighbours, None), |(i, j), chunk| {
+            remember(carried, key(false, i, grains.id[j as usize]), (i, j), stride, chunk);
         });
-        refill(&mut self.walls, neighbours.wall_pairs.len(), |c, chunk| {
-            let p = neighbours.wall_pairs[c];
-            let key = ContactKey {
-                wall: true,
-                grain: grains.id[p.grain as usize],
-                partner: p.wall,
-                element: 0,
-            };
-            remember(carried, key, (p.grain, p.wall), stride, chunk);
+        refill(&mut self.walls, &Walls(neighbours, None), |(i, j), chunk| {
+            remember(carried, key(true, i, j), (i, j), stride, chunk);
         });
     }
 }
 
-/// Fills chunks for new candidates; they keep the memory that they have.
-fn refill(chunks: &mut Vec<ContactChunk>, candidates: usize, fill: impl Fn(usize, &mut ContactChunk)) {
-    chunks.resize_with(candidates.div_ceil(CHUNK), ContactChunk::default);
+/// Fills chunks for candidates; they keep the memory that they have.
+fn refill(chunks: &mut Vec<ContactChunk>, heirs: &impl Heirs, fill: impl Fn((u32, u32), &mut ContactChunk)) {
+    chunks.resize_with(heirs.chunks(), ContactChunk::default);
     for (number, chunk) in chunks.iter_mut().enumerate() {
         chunk.forget();
-        for c in number * CHUNK..((number + 1) * CHUNK).min(candidates) {
-            fill(c, chunk);
-            chunk.now.start.push(chunk.now.len() as u32);
+        for slot in 0..heirs.of_chunk(number).1 {
+            fill(heirs.bodies(number, slot), chunk);
+            chunk.end_candidate();
         }
     }
 }
 
-/// Appends the carried contacts of a grain and a partner, from `first` on, whatever their elements.
+/// Appends the contacts of a grain and a partner in a checkpoint, from `first` on, whatever their elements.
 fn remember(
     carried: &[CarriedContact],
     first: ContactKey,
-    (i, j): (u32, u32),
+    bodies: (u32, u32),
     stride: usize,
     chunk: &mut ContactChunk,
 ) {
     let start = carried.partition_point(|c| c.key < first);
     let same =
         |c: &&CarriedContact| c.key.wall == first.wall && c.key.grain == first.grain && c.key.partner == first.partner;
-    for c in carried[start..].iter().take_while(same) {
-        chunk.i.push(i);
-        chunk.j.push(j);
-        chunk.force.push(c.force);
-        chunk.torque_i.push(c.torques.0);
-        chunk.torque_j.push(c.torques.1);
-        let kept = &mut chunk.now;
-        kept.element.push(c.key.element);
-        kept.pair.push(c.pair);
-        kept.geometry.push(c.geometry);
-        kept.normal_force.push(c.normal_force);
-        kept.history
-            .extend(c.history.iter().copied().chain(std::iter::repeat(0.0)).take(stride));
-        kept.coupling.extend(c.coupling);
+    for contact in carried[start..].iter().take_while(same) {
+        chunk.restore(contact, bodies, stride);
     }
 }

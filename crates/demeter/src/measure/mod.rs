@@ -173,9 +173,10 @@ fn volumes(sim: &Simulation) -> (f64, f64) {
 fn stress(sim: &Simulation, volume: f64) -> [f64; 6] {
     let mut sum = [0.0; 6];
     let mut add = |chunk: &ContactChunk| {
-        for (force, contact) in chunk.force.iter().zip(chunk.geometry()) {
+        for (k, contact) in chunk.geometry().iter().enumerate() {
+            let force = chunk.force(k);
             let l = contact.normal * (contact.lever_i + contact.lever_j);
-            let f = *force;
+            let f = force;
             let shear = [f.x * l.y + f.y * l.x, f.x * l.z + f.z * l.x, f.y * l.z + f.z * l.y];
             let terms = [
                 f.x * l.x,

@@ -1,22 +1,35 @@
 //! Candidate pairs: grains and walls close enough to touch before the next rebuild.
+//!
+//! A rebuild works in the memory of the one before and in parallel, and gives the same on any number of threads:
+//!
+//! 1. [`cells`]: grains are sorted into a grid per size class, and their places copied in that order;
+//! 2. [`search`], [`visit`]: every grain looks at half of the cells around it, and into the grids of other classes;
+//! 3. [`table`]: what a task finds is put into the order of the laws and cut into chunks of one law;
+//! 4. [`incidence`]: every grain learns its candidates, in the order of the partner's id.
 
-mod cell_grid;
+mod cells;
+mod incidence;
 mod order;
+mod ranges;
+mod search;
+mod table;
 #[cfg(test)]
 mod tests;
+mod visit;
 
-pub use order::space_filling_order;
+pub use order::{GONE, SpatialOrder};
+pub use search::SearchEffort;
+pub use table::CHUNK;
 
 use crate::comm::Single;
+use crate::materials::Materials;
 use crate::particles::Grains;
 use crate::walls::{Pose, Wall};
-use cell_grid::CellGrid;
 use glam::DVec3;
-use rayon::prelude::*;
+use incidence::Incidence;
+use search::Search;
 use serde::{Deserialize, Serialize};
-
-/// Grains handled by one task of the search.
-const GRAINS_PER_TASK: usize = 1024;
+use table::Table;
 
 /// A candidate pair of grains; `i` has the lower id.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -29,6 +42,14 @@ pub struct Pair {
     pub shift: u8,
 }
 
+impl Pair {
+    /// The other grain of the pair.
+    #[inline(always)]
+    pub fn other(&self, grain: u32) -> u32 {
+        self.i ^ self.j ^ grain
+    }
+}
+
 /// A candidate pair of grain and wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct WallPair {
@@ -39,207 +60,163 @@ pub struct WallPair {
 }
 
 /// Candidate pairs, and for every grain the pairs that it is in.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Neighbours {
-    /// Pairs of grains, by the index of `i`, then by the id of `j`.
-    pub pairs: Vec<Pair>,
-    /// Pairs of grain and wall, by grain, then by wall.
-    pub wall_pairs: Vec<WallPair>,
-    pair_start: Vec<u32>,
-    pair_entries: Vec<u32>,
-    wall_start: Vec<u32>,
+    pairs: Table<Pair>,
+    walls: Table<WallPair>,
+    #[serde(skip)]
+    incidence: Incidence,
+    #[serde(skip)]
+    wall_incidence: Incidence,
+    #[serde(skip)]
+    search: Search,
+    effort: SearchEffort,
     /// Where the grains were when the pairs were found [m].
     pub reference: Vec<DVec3>,
     /// Where the walls were.
     pub wall_reference: Vec<Pose>,
 }
 
-impl Neighbours {
-    /// Finds all pairs closer than `skin` to touching.
-    pub fn find(grains: &Grains, walls: &[Wall], comm: &Single, skin: f64) -> Self {
-        let mut pairs = grain_pairs(grains, comm, skin);
-        pairs.par_sort_unstable_by_key(|p| (p.i, grains.id[p.j as usize]));
-        let (pair_start, pair_entries) = incidence(&pairs, grains);
-        let (wall_start, wall_pairs) = wall_pairs(grains, walls, skin);
+impl Clone for Neighbours {
+    /// A copy holds what a checkpoint holds; [`Neighbours::restore`] finds the rest.
+    fn clone(&self) -> Self {
         Self {
-            pairs,
-            wall_pairs,
-            pair_start,
-            pair_entries,
-            wall_start,
-            reference: grains.position.iter().copied().collect(),
-            wall_reference: walls.iter().map(Wall::pose).collect(),
+            pairs: self.pairs.saved(),
+            walls: self.walls.saved(),
+            effort: self.effort,
+            reference: self.reference.clone(),
+            wall_reference: self.wall_reference.clone(),
+            ..Self::default()
         }
     }
+}
 
-    /// Whether all indices fit a number of grains and walls, as they do unless a file was tampered with.
-    pub fn fits(&self, grains: usize, walls: usize) -> bool {
-        let rising = |start: &[u32], end: usize| {
-            start.len() == grains + 1 && start.is_sorted() && start.last().is_some_and(|&l| l as usize == end)
+impl Neighbours {
+    /// Finds all pairs closer than `skin` [m] to touching.
+    pub fn find(&mut self, grains: &Grains, walls: &[Wall], materials: &Materials, comm: &Single, skin: f64) {
+        self.effort = self.search.pairs(&mut self.pairs, grains, (materials, comm), skin);
+        self.search.walls(&mut self.walls, grains, (walls, materials), skin);
+        self.find_incidence(grains);
+        self.reference.clear();
+        self.reference.extend(grains.position.iter());
+        self.wall_reference.clear();
+        self.wall_reference.extend(walls.iter().map(Wall::pose));
+    }
+
+    fn find_incidence(&mut self, grains: &Grains) {
+        self.incidence.find(&self.pairs, &grains.id, 2);
+        self.wall_incidence.find(&self.walls, &grains.id, 1);
+    }
+
+    /// Makes the table of a checkpoint whole again; tells whether it fits these grains, walls and materials, as it does
+    /// unless a file was tampered with.
+    pub fn restore(&mut self, grains: &Grains, walls: usize, materials: usize) -> bool {
+        let n = grains.len();
+        let span = |indices: &mut dyn Iterator<Item = u32>| {
+            indices.fold(table::NOWHERE, |span, g| (span.0.min(g), span.1.max(g)))
         };
-        self.reference.len() == grains
+        let fits = self.reference.len() == n
             && self.wall_reference.len() == walls
-            && self
-                .pairs
-                .iter()
-                .all(|p| (p.i as usize) < grains && (p.j as usize) < grains && p.shift < 27)
-            && self
-                .wall_pairs
-                .iter()
-                .all(|p| (p.grain as usize) < grains && (p.wall as usize) < walls)
-            && self
-                .pair_entries
-                .iter()
-                .all(|&e| ((e >> 1) as usize) < self.pairs.len())
-            && rising(&self.pair_start, self.pair_entries.len())
-            && rising(&self.wall_start, self.wall_pairs.len())
-    }
-
-    /// Pairs that a grain is in, in the order of the partner's id: index of the pair, and whether the grain is its `i`.
-    #[inline]
-    pub fn pairs_of(&self, grain: usize) -> impl Iterator<Item = (usize, bool)> + '_ {
-        let range = self.pair_start[grain] as usize..self.pair_start[grain + 1] as usize;
-        self.pair_entries[range]
-            .iter()
-            .map(|&e| ((e >> 1) as usize, e & 1 == 0))
-    }
-
-    /// Indices of the pairs of a grain with walls, in the order of the walls.
-    #[inline]
-    pub fn wall_pairs_of(&self, grain: usize) -> std::ops::Range<usize> {
-        self.wall_start[grain] as usize..self.wall_start[grain + 1] as usize
-    }
-}
-
-fn grain_pairs(grains: &Grains, comm: &Single, skin: f64) -> Vec<Pair> {
-    let classes = size_classes(grains);
-    let largest = |members: &[u32]| members.iter().map(|&g| grains.radius(g as usize)).fold(0.0, f64::max);
-    let grids: Vec<CellGrid> = (classes.members.iter())
-        .map(|members| {
-            let radius = largest(members);
-            CellGrid::new(members, &grains.position, radius, 2.0 * radius + skin, comm.domain())
-        })
-        .collect();
-    let tasks: Vec<Vec<Pair>> = (0..grains.len().div_ceil(GRAINS_PER_TASK))
-        .into_par_iter()
-        .map(|task| {
-            let mut found = Vec::new();
-            let last = ((task + 1) * GRAINS_PER_TASK).min(grains.len());
-            for g in task * GRAINS_PER_TASK..last {
-                pairs_of_grain(g as u32, grains, &grids, classes.class[g], comm, skin, &mut found);
-            }
-            found
-        })
-        .collect();
-    tasks.concat()
-}
-
-/// Pairs of one grain with grains of its own class that come later, and with all of larger classes.
-fn pairs_of_grain(
-    g: u32,
-    grains: &Grains,
-    grids: &[CellGrid],
-    class: u8,
-    comm: &Single,
-    skin: f64,
-    found: &mut Vec<Pair>,
-) {
-    let (x, r) = (grains.position[g as usize], grains.radius(g as usize));
-    for (other_class, grid) in grids.iter().enumerate().take(class as usize + 1) {
-        let own = other_class == class as usize;
-        grid.visit(x, r + grid.max_radius + skin, |h| {
-            if own && h <= g {
-                return;
-            }
-            let difference = x - grains.position[h as usize];
-            let shift = comm.nearest_image(difference);
-            let reach = r + grains.radius(h as usize) + skin;
-            if (difference + comm.shift(shift)).length_squared() < reach * reach {
-                found.push(if grains.id[g as usize] < grains.id[h as usize] {
-                    Pair { i: g, j: h, shift }
-                } else {
-                    Pair {
-                        i: h,
-                        j: g,
-                        shift: Single::opposite(shift),
-                    }
-                });
-            }
-        });
-    }
-}
-
-struct SizeClasses {
-    class: Vec<u8>,
-    members: Vec<Vec<u32>>,
-}
-
-/// Classes by halving of the largest radius; class 0 holds the largest grains. Without empty classes at the end.
-fn size_classes(grains: &Grains) -> SizeClasses {
-    const MOST: u8 = 20;
-    let largest = grains.radii().fold(0.0, f64::max);
-    let class: Vec<u8> = grains
-        .radii()
-        .map(|r| {
-            let (mut class, mut limit) = (0, 0.5 * largest);
-            while r < limit && class < MOST {
-                class += 1;
-                limit *= 0.5;
-            }
-            class
-        })
-        .collect();
-    let count = class.iter().copied().max().map_or(0, |c| c as usize + 1);
-    let mut members = vec![Vec::new(); count];
-    for (g, &c) in class.iter().enumerate() {
-        members[c as usize].push(g as u32);
-    }
-    SizeClasses { class, members }
-}
-
-fn incidence(pairs: &[Pair], grains: &Grains) -> (Vec<u32>, Vec<u32>) {
-    let mut start = vec![0u32; grains.len() + 1];
-    for p in pairs {
-        start[p.i as usize + 1] += 1;
-        start[p.j as usize + 1] += 1;
-    }
-    for g in 0..grains.len() {
-        start[g + 1] += start[g];
-    }
-    let mut entries = vec![0u32; 2 * pairs.len()];
-    let mut next = start.clone();
-    for (k, p) in pairs.iter().enumerate() {
-        for (grain, side) in [(p.i, 0), (p.j, 1)] {
-            entries[next[grain as usize] as usize] = 2 * k as u32 + side;
-            next[grain as usize] += 1;
+            && self.pairs.is_whole(materials.pow(2))
+            && self.walls.is_whole(materials.pow(2))
+            && (self.pairs.segments.iter().flat_map(|s| &s.candidates))
+                .all(|p| (p.i as usize) < n && (p.j as usize) < n && p.i != p.j && p.shift < 27)
+            && (self.walls.segments.iter().flat_map(|s| &s.candidates))
+                .all(|p| (p.grain as usize) < n && (p.wall as usize) < walls);
+        if !fits {
+            return false;
         }
+        for segment in &mut self.pairs.segments {
+            segment.span = span(&mut segment.candidates.iter().flat_map(|p| [p.i, p.j]));
+        }
+        for segment in &mut self.walls.segments {
+            segment.span = span(&mut segment.candidates.iter().map(|p| p.grain));
+        }
+        self.pairs.cut();
+        self.walls.cut();
+        self.find_incidence(grains);
+        true
     }
-    let partner = |e: u32| {
-        let p = &pairs[(e >> 1) as usize];
-        grains.id[if e & 1 == 0 { p.j } else { p.i } as usize]
-    };
-    for g in 0..grains.len() {
-        entries[start[g] as usize..start[g + 1] as usize].sort_unstable_by_key(|&e| partner(e));
-    }
-    (start, entries)
-}
 
-fn wall_pairs(grains: &Grains, walls: &[Wall], skin: f64) -> (Vec<u32>, Vec<WallPair>) {
-    let near: Vec<Vec<u32>> = (0..grains.len())
-        .into_par_iter()
-        .with_min_len(GRAINS_PER_TASK)
-        .map(|g| {
-            let reach = grains.radius(g) + skin;
-            (0..walls.len() as u32)
-                .filter(|&w| walls[w as usize].near(grains.position[g], reach))
-                .collect()
-        })
-        .collect();
-    let mut start = vec![0u32];
-    let mut pairs = Vec::new();
-    for (g, walls) in near.iter().enumerate() {
-        pairs.extend(walls.iter().map(|&wall| WallPair { grain: g as u32, wall }));
-        start.push(pairs.len() as u32);
+    /// Number of chunks of pairs of grains.
+    pub fn chunks(&self) -> usize {
+        self.pairs.chunks()
     }
-    (start, pairs)
+
+    /// Candidates of a chunk, and the material pair of all of them.
+    #[inline(always)]
+    pub fn chunk(&self, chunk: usize) -> (&[Pair], u32) {
+        self.pairs.chunk(chunk)
+    }
+
+    /// Number of chunks of pairs of grain and wall.
+    pub fn wall_chunks(&self) -> usize {
+        self.walls.chunks()
+    }
+
+    /// Candidates of a chunk of pairs of grain and wall, and the material pair of all of them.
+    #[inline(always)]
+    pub fn wall_chunk(&self, chunk: usize) -> (&[WallPair], u32) {
+        self.walls.chunk(chunk)
+    }
+
+    /// Number of candidate pairs of grains.
+    pub fn pair_count(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Number of candidate pairs of grain and wall.
+    pub fn wall_pair_count(&self) -> usize {
+        self.walls.len()
+    }
+
+    /// Pairs that a grain is in, in the order of the partner's id: chunk, place in it, and whether the grain is its `i`.
+    #[inline(always)]
+    pub fn pairs_of(&self, grain: usize) -> impl ExactSizeIterator<Item = (usize, usize, bool)> + '_ {
+        (self.incidence.of(grain)).map(|entry| (entry.chunk(), entry.slot(), entry.is_first()))
+    }
+
+    /// Pairs of a grain with walls, in the order of the walls: chunk, and place in it.
+    #[inline(always)]
+    pub fn wall_pairs_of(&self, grain: usize) -> impl ExactSizeIterator<Item = (usize, usize)> + '_ {
+        (self.wall_incidence.of(grain)).map(|entry| (entry.chunk(), entry.slot()))
+    }
+
+    /// Chunk of the candidate of two grains, and its number among all candidates; `i` has the lower id.
+    #[inline]
+    pub(crate) fn find_pair(&self, i: u32, j: u32) -> Option<(usize, usize)> {
+        let mut entries = self.incidence.of(i as usize);
+        let entry = entries.find(|&entry| self.pairs.candidate(entry).other(i) == j)?;
+        Some((entry.chunk(), self.pairs.before(entry.chunk()) + entry.slot()))
+    }
+
+    /// Chunk of the candidate of a grain and a wall, and its number among all of them.
+    #[inline]
+    pub(crate) fn find_wall_pair(&self, grain: u32, wall: u32) -> Option<(usize, usize)> {
+        let mut entries = self.wall_incidence.of(grain as usize);
+        let entry = entries.find(|&entry| self.walls.candidate(entry).wall == wall)?;
+        Some((entry.chunk(), self.walls.before(entry.chunk()) + entry.slot()))
+    }
+
+    /// Candidates in the chunks of pairs of grains before one.
+    pub(crate) fn before_chunk(&self, chunk: usize) -> usize {
+        self.pairs.before(chunk)
+    }
+
+    /// Candidates in the chunks of pairs of grain and wall before one.
+    pub(crate) fn before_wall_chunk(&self, chunk: usize) -> usize {
+        self.walls.before(chunk)
+    }
+
+    /// What the latest search took.
+    pub fn effort(&self) -> SearchEffort {
+        self.effort
+    }
+
+    /// Bytes in use: of the table, and of what a search needs.
+    pub fn bytes(&self) -> (usize, usize) {
+        let reference = self.reference.capacity() * size_of::<DVec3>();
+        let table = self.pairs.bytes() + self.walls.bytes() + self.incidence.bytes() + self.wall_incidence.bytes();
+        (table + reference, self.search.bytes())
+    }
 }

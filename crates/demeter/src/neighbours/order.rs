@@ -1,43 +1,155 @@
 //! Order of the grains along a space-filling curve, so that neighbours in space are neighbours in memory.
 
-use crate::particles::Grains;
+use crate::particles::{Grains, Row};
 use glam::DVec3;
+use rayon::prelude::*;
 
-/// Bits per direction of the Morton code.
-const BITS: u32 = 10;
+/// Most bits per direction.
+const MOST_BITS: u32 = 21;
 
-/// Indices of the grains along a Z-order (Morton) curve; ties keep the order of the ids.
-pub fn space_filling_order(grains: &Grains) -> Vec<u32> {
-    let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for &p in grains.position.iter() {
-        lower = lower.min(p);
-        upper = upper.max(p);
-    }
-    let edge = (upper - lower).max_element();
-    let scale = if edge > 0.0 {
-        f64::from((1 << BITS) - 1) / edge
-    } else {
-        0.0
-    };
-    let mut keyed: Vec<(u32, u32, u32)> = (0..grains.len())
-        .map(|g| {
-            let p = (grains.position[g] - lower) * scale;
-            (
-                spread(p.x as u32) | spread(p.y as u32) << 1 | spread(p.z as u32) << 2,
-                grains.id[g],
-                g as u32,
-            )
-        })
-        .collect();
-    keyed.sort_unstable();
-    keyed.into_iter().map(|(_, _, g)| g).collect()
+/// Grains whose places on the curve are found by one task.
+const GRAINS_PER_TASK: usize = 4096;
+
+/// Index of a grain that is no longer there.
+pub const GONE: u32 = u32::MAX;
+
+/// An order along a Hilbert curve, with its memory.
+#[derive(Clone, Debug, Default)]
+pub struct SpatialOrder {
+    keyed: Vec<(u64, u32)>,
+    order: Vec<u32>,
+    moved_to: Vec<u32>,
 }
 
-/// Spreads ten bits so that two free bits follow each.
-fn spread(x: u32) -> u32 {
-    let mut x = x & 0x3ff;
-    x = (x | x << 16) & 0x0300_00ff;
-    x = (x | x << 8) & 0x0300_f00f;
-    x = (x | x << 4) & 0x030c_30c3;
-    (x | x << 2) & 0x0924_9249
+impl SpatialOrder {
+    /// Puts the grains into the order of the curve; those in the same cell of it keep theirs.
+    pub fn sort(&mut self, grains: &mut Grains) {
+        let rows = grains.position.rows();
+        let (lower, scale, bits) = curve(rows);
+        self.keyed.resize(rows.len(), (0, 0));
+        (self.keyed.par_chunks_mut(GRAINS_PER_TASK))
+            .zip(rows.par_chunks(GRAINS_PER_TASK))
+            .enumerate()
+            .for_each(|(task, (keyed, rows))| {
+                for (k, (keyed, row)) in keyed.iter_mut().zip(rows).enumerate() {
+                    let cell = ((row.vector - lower) * scale).to_array().map(|x| x as u32);
+                    *keyed = (hilbert(cell, bits), (task * GRAINS_PER_TASK + k) as u32);
+                }
+            });
+        self.keyed.par_sort_unstable();
+        self.order.clear();
+        self.order.extend(self.keyed.iter().map(|k| k.1));
+        self.apply(grains);
+    }
+
+    /// Keeps only some grains, in the order that they have.
+    pub fn keep(&mut self, grains: &mut Grains, stays: impl Fn(usize) -> bool) {
+        self.order.clear();
+        self.order
+            .extend((0..grains.len() as u32).filter(|&g| stays(g as usize)));
+        self.apply(grains);
+    }
+
+    fn apply(&mut self, grains: &mut Grains) {
+        self.moved_to.clear();
+        self.moved_to.resize(grains.len(), GONE);
+        for (to, &from) in self.order.iter().enumerate() {
+            self.moved_to[from as usize] = to as u32;
+        }
+        grains.reorder(&self.order);
+    }
+
+    /// New index of every grain by its old one, [`GONE`] of those not kept.
+    pub fn moved_to(&self) -> &[u32] {
+        &self.moved_to
+    }
+}
+
+/// Lower corner, cells per metre and bits of a curve whose cells hold less than one grain in the mean.
+fn curve(rows: &[Row]) -> (DVec3, f64, u32) {
+    let ends = |(lower, upper): (DVec3, DVec3), other: (DVec3, DVec3)| (lower.min(other.0), upper.max(other.1));
+    let nothing = || (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let (lower, upper) = (rows.par_chunks(GRAINS_PER_TASK))
+        .map(|rows| (rows.iter()).fold(nothing(), |all, row| ends(all, (row.vector, row.vector))))
+        .reduce(nothing, ends);
+    let size = upper - lower;
+    let longest = size.max_element();
+    if longest.is_nan() || longest <= 0.0 {
+        return (lower, 0.0, 1);
+    }
+    // a cube has the finest cells per grain; flat and long beds need more bits along their length
+    let volume = (size / longest).max(DVec3::splat(1e-6)).element_product() / rows.len() as f64;
+    let mut bits = 1;
+    while bits < MOST_BITS && volume * f64::from(1u32 << bits).powi(3) < 4.0 {
+        bits += 1;
+    }
+    (lower, f64::from((1u32 << bits) - 1) / longest, bits)
+}
+
+/// Place on a Hilbert curve of a cell, by J. Skilling, Programming the Hilbert curve, AIP Conference Proceedings 707
+/// (2004) 381.
+fn hilbert(mut x: [u32; 3], bits: u32) -> u64 {
+    let top = 1u32 << (bits - 1);
+    let mut q = top;
+    while q > 1 {
+        let p = q - 1;
+        for axis in 0..3 {
+            if x[axis] & q != 0 {
+                x[0] ^= p;
+            } else {
+                let t = (x[0] ^ x[axis]) & p;
+                x[0] ^= t;
+                x[axis] ^= t;
+            }
+        }
+        q >>= 1;
+    }
+    x[1] ^= x[0];
+    x[2] ^= x[1];
+    let mut t = 0;
+    q = top;
+    while q > 1 {
+        if x[2] & q != 0 {
+            t ^= q - 1;
+        }
+        q >>= 1;
+    }
+    spread(x[0] ^ t) << 2 | spread(x[1] ^ t) << 1 | spread(x[2] ^ t)
+}
+
+/// Spreads 21 bits so that two free bits follow each.
+fn spread(x: u32) -> u64 {
+    let mut x = u64::from(x) & 0x1f_ffff;
+    x = (x | x << 32) & 0x001f_0000_0000_ffff;
+    x = (x | x << 16) & 0x001f_0000_ff00_00ff;
+    x = (x | x << 8) & 0x100f_00f0_0f00_f00f;
+    x = (x | x << 4) & 0x10c3_0c30_c30c_30c3;
+    (x | x << 2) & 0x1249_2492_4924_9249
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_curve_visits_every_cell_once_and_steps_to_a_neighbour() {
+        let bits = 3;
+        let mut cells = vec![None; 512];
+        for x in 0..8 {
+            for y in 0..8 {
+                for z in 0..8 {
+                    let place = &mut cells[hilbert([x, y, z], bits) as usize];
+                    assert!(place.is_none(), "two cells at one place");
+                    *place = Some([x, y, z]);
+                }
+            }
+        }
+        for pair in cells.windows(2) {
+            let [Some(a), Some(b)] = [pair[0], pair[1]] else {
+                panic!("a gap in the curve")
+            };
+            let steps: u32 = (0..3).map(|k| a[k].abs_diff(b[k])).sum();
+            assert_eq!(steps, 1, "{a:?} to {b:?}");
+        }
+    }
 }

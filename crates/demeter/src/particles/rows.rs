@@ -1,11 +1,12 @@
 //! Vectors of all grains, each with a number beside it, in rows that one load of 32 bytes fetches.
 
+use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::ops::{Index, IndexMut};
 
 /// A vector and a number that is used together with it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Pod, Zeroable)]
 #[repr(C, align(32))]
 pub struct Row {
     /// The vector.
@@ -63,6 +64,12 @@ impl Rows {
     /// Puts the same vector everywhere.
     pub fn fill(&mut self, vector: DVec3) {
         self.iter_mut().for_each(|v| *v = vector);
+    }
+
+    /// The rows as plain numbers, four each.
+    #[inline(always)]
+    pub fn numbers(&self) -> &[f64] {
+        bytemuck::cast_slice(&self.0)
     }
 
     /// The rows.

@@ -1,7 +1,7 @@
 //! The energy books: what came in, what is stored, what was dissipated.
 
 use super::Simulation;
-use crate::contacts::block::{normal_energy, spring_energies};
+use crate::contacts::laws::{normal_energy, spring_energies};
 use crate::contacts::{ContactChunk, Tally};
 use demeter_physics::contact::PairSize;
 use rayon::prelude::*;

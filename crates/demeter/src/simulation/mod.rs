@@ -14,15 +14,15 @@ pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_tim
 use time_step::largest_reach;
 
 use crate::comm::Single;
-use crate::contacts::{CarriedContact, Contacts, Coupling, Fault, block};
+use crate::contacts::{Contacts, Coupling, Fault, laws};
 use crate::materials::Materials;
-use crate::neighbours::{Neighbours, space_filling_order};
+use crate::neighbours::{Neighbours, SpatialOrder};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::CouplingState;
 use crate::walls::{Pose, Wall};
 use demeter_physics::integrator::Integrator;
+use demeter_physics::lanes::Instructions;
 use glam::DVec3;
-use std::collections::BTreeSet;
 
 /// Rebuilds of the candidates between two reorderings of the grains.
 const REBUILDS_PER_REORDER: u64 = 16;
@@ -80,6 +80,9 @@ pub struct Simulation {
     pub(crate) max_overlap: f64,
     /// `None` where all contacts are independent.
     pub(crate) coupling: Option<CouplingState>,
+    pub(crate) resists_rolling: bool,
+    pub(crate) instructions: Instructions,
+    order: SpatialOrder,
     rebuilds: u64,
     /// Bounds of the grains when the candidates were found.
     bounds: (DVec3, DVec3),
@@ -91,7 +94,8 @@ pub struct Simulation {
 impl Simulation {
     /// A simulation before its start; the first step, or [`Simulation::start`], finds the first forces.
     pub fn new(mut setup: Setup) -> Self {
-        let stride = block::stride(&setup.materials);
+        let stride = laws::stride(&setup.materials);
+        let resists_rolling = laws::resists_rolling(&setup.materials);
         let remembered = match setup.integrator {
             Integrator::VelocityVerlet => 0,
             Integrator::Gear => setup.grains.len(),
@@ -120,6 +124,9 @@ impl Simulation {
             max_reach,
             max_overlap: setup.max_overlap,
             coupling,
+            resists_rolling,
+            instructions: Instructions::widest(),
+            order: SpatialOrder::default(),
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
             started: false,
@@ -140,6 +147,11 @@ impl Simulation {
             self.started = true;
         }
         Ok(())
+    }
+
+    /// Uses other instructions of the processor than the widest; the bits of the results are the same.
+    pub fn set_instructions(&mut self, instructions: Instructions) {
+        self.instructions = instructions;
     }
 
     /// Whether the forces of the first moment were found.
@@ -163,25 +175,25 @@ impl Simulation {
     }
 
     /// Finds all candidates anew; contacts keep what they remember.
-    pub(crate) fn find_candidates(&mut self) {
-        let carried = self.contacts.carry(&self.grains);
+    pub fn find_candidates(&mut self) {
         self.comm.wrap(&mut self.grains);
-        if self.rebuilds.is_multiple_of(REBUILDS_PER_REORDER) {
-            let order = space_filling_order(&self.grains);
-            self.grains.reorder(&order);
+        let is_moved = self.rebuilds.is_multiple_of(REBUILDS_PER_REORDER);
+        if is_moved {
+            self.order.sort(&mut self.grains);
         }
         self.rebuilds += 1;
-        self.continue_with(&carried);
+        self.continue_with_candidates(is_moved);
     }
 
     /// Finds the candidates of the grains as they are, and hands them the contacts.
-    fn continue_with(&mut self, carried: &[CarriedContact]) {
+    fn continue_with_candidates(&mut self, is_moved: bool) {
         if let Some(coupling) = &mut self.coupling {
             coupling.take_margin(self.skin);
         }
         let beyond_touch = self.skin + self.beyond_touch();
-        self.neighbours = Neighbours::find(&self.grains, &self.walls, &self.comm, beyond_touch);
-        self.contacts.adopt(&self.grains, &self.neighbours, carried);
+        (self.neighbours).find(&self.grains, &self.walls, &self.materials, &self.comm, beyond_touch);
+        let moved_to = is_moved.then(|| self.order.moved_to());
+        self.contacts.hand_over(&self.neighbours, moved_to);
         self.note_bounds();
     }
 
@@ -230,14 +242,9 @@ impl Simulation {
         let leaves = |g: usize| indices.binary_search(&g).is_ok();
         let gone = self.energies_of(leaves);
         self.books.remove(indices.len() as u64, &gone);
-        let keep: Vec<u32> = (0..self.grains.len() as u32).filter(|&g| !leaves(g as usize)).collect();
-        let ids: BTreeSet<u32> = indices.iter().map(|&g| self.grains.id[g]).collect();
-        let carried: Vec<_> = (self.contacts.carry(&self.grains).into_iter())
-            .filter(|c| !ids.contains(&c.key.grain) && (c.key.wall || !ids.contains(&c.key.partner)))
-            .collect();
-        self.grains.reorder(&keep);
+        self.order.keep(&mut self.grains, |g| !leaves(g));
         self.comm.wrap(&mut self.grains);
-        self.continue_with(&carried);
+        self.continue_with_candidates(true);
         self.foresee_bulges();
     }
 }

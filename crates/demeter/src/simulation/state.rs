@@ -97,8 +97,6 @@ impl SimulationState {
             Err(StateError::Inconsistent("a grain's material"))
         } else if !self.contacts.iter().all(|c| pair_fits(&c.pair)) || !self.contacts.is_sorted_by_key(|c| c.key) {
             Err(StateError::Inconsistent("contacts"))
-        } else if !self.neighbours.fits(n, walls) {
-            Err(StateError::Inconsistent("candidate pairs"))
         } else {
             Ok(())
         }
@@ -147,6 +145,10 @@ impl Simulation {
             _ => return Err(StateError::Coupling),
         }
         sim.neighbours = state.neighbours;
+        let (walls, materials) = (sim.walls.len(), sim.materials.list().len());
+        if !sim.neighbours.restore(&sim.grains, walls, materials) {
+            return Err(StateError::Inconsistent("candidate pairs"));
+        }
         sim.contacts.adopt(&sim.grains, &sim.neighbours, &state.contacts);
         sim.walls_before = sim.walls.iter().map(Wall::pose).collect();
         Ok(sim)

@@ -1,6 +1,6 @@
 //! The time step: a stated share of the shortest time scale of the laws in use.
 
-use crate::contacts::block;
+use crate::contacts::laws;
 use crate::materials::Materials;
 use crate::particles::Grains;
 use demeter_physics::contact::normal::{Normal, NormalVisitor};
@@ -93,7 +93,7 @@ pub(super) fn largest_reach(grains: &Grains, wall_materials: &[u16], materials: 
     let mut largest = 0.0f64;
     each_contact(grains, wall_materials, materials, |(a, b), one, other| {
         let law = materials.law(materials.pair(a, b));
-        largest = largest.max(block::largest_reach(law, pair_size(one, other)));
+        largest = largest.max(laws::largest_reach(law, pair_size(one, other)));
     });
     largest
 }

@@ -6,7 +6,7 @@ use crate::contacts::coupling::kernels::Kernels;
 use crate::contacts::coupling::mixing::{Largest, Products, Progress};
 use crate::contacts::coupling::sites::{Changes, GRAINS_PER_TASK, Scenery, Sites};
 use crate::contacts::coupling::{Coupling, DEFAULT_TOLERANCE, Worst};
-use crate::contacts::{CHUNK, ContactChunk, Contacts, Fault, Scene};
+use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, Pair, WallPair};
 use crate::particles::Grains;
@@ -101,14 +101,10 @@ fn each_chunk<'a>(
     work: impl Fn(ChunkPlace, &mut ContactChunk, Candidates<'a>) + Sync + Send,
 ) {
     let place = |wall: bool, chunk: usize| ChunkPlace { wall, chunk };
-    let pairs = (contacts.pairs.par_iter_mut())
-        .zip(neighbours.pairs.par_chunks(CHUNK))
-        .enumerate()
-        .map(|(c, (chunk, pairs))| work(place(false, c), chunk, Candidates::Pairs(pairs)));
-    let walls = (contacts.walls.par_iter_mut())
-        .zip(neighbours.wall_pairs.par_chunks(CHUNK))
-        .enumerate()
-        .map(|(c, (chunk, pairs))| work(place(true, c), chunk, Candidates::Walls(pairs)));
+    let pairs = (contacts.pairs.par_iter_mut().enumerate())
+        .map(|(c, chunk)| work(place(false, c), chunk, Candidates::Pairs(neighbours.chunk(c).0)));
+    let walls = (contacts.walls.par_iter_mut().enumerate())
+        .map(|(c, chunk)| work(place(true, c), chunk, Candidates::Walls(neighbours.wall_chunk(c).0)));
     pairs.chain(walls).for_each(|()| ());
 }
 
@@ -220,7 +216,6 @@ impl Simulation {
             } else {
                 chunk.evaluate_pairs(scene);
             }
-            chunk.book_lost(scene);
         });
         if let Some(state) = &mut self.coupling {
             state.foresee(&self.grains);
@@ -251,6 +246,8 @@ impl Simulation {
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
+            resists_rolling: self.resists_rolling,
+            instructions: self.instructions,
             bulge: &state.memory.bulge,
         };
         each_chunk(&mut self.contacts, &self.neighbours, |at, chunk, candidates| {

@@ -6,6 +6,7 @@
 //! * [`collisions`]: restitution and energy of head-on collisions in the engine's own scheme
 //! * [`planar_laws`]: bound, direction, symmetries, dimensions, history of friction and rolling laws
 //! * [`planar_energy`]: what friction and rolling laws store, return and dissipate
+//! * [`wide_laws`]: the same bits for several contacts at a time as for one
 //! * [`multi_contact`]: bounds, symmetry, dimensions of multi-contact laws, what they depend on
 //! * [`coupled_contacts`]: their exact forces in symmetric packings
 
@@ -19,3 +20,4 @@ mod planar;
 mod planar_energy;
 mod planar_laws;
 mod registry;
+mod wide_laws;

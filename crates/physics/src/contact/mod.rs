@@ -9,9 +9,11 @@
 //! kept at half steps. At the ends of a contact, where the force has a kink, this takes the error of a collision from
 //! first order in `dt`, random with the phase at which steps hit the contact, to second order and smooth.
 
+mod lane_by_lane;
 pub mod multi_contact;
 pub mod normal;
 pub mod rolling;
+pub mod slider;
 pub mod spring;
 pub mod tangential;
 
@@ -74,10 +76,10 @@ pub struct PairSize<L = f64> {
 impl<L: Lanes> PairSize<L> {
     /// The size in one lane.
     #[inline(always)]
-    pub fn lane(self, lane: usize) -> PairSize {
+    pub fn lane(&self, lane: usize) -> PairSize {
         PairSize {
-            radius: self.radius.to_array()[lane],
-            mass: self.mass.to_array()[lane],
+            radius: self.radius.as_slice()[lane],
+            mass: self.mass.as_slice()[lane],
         }
     }
 }
@@ -156,6 +158,11 @@ macro_rules! law_family {
             /// Does the work.
             fn visit<L: $law_trait>(self, law: &L) -> Self::Output;
         }
+
+        $(const _: () = assert!(
+            $law::HISTORY.len() <= $crate::contact::lane_by_lane::MOST_HISTORY,
+            "a law remembers more values than `MOST_HISTORY` in contact/lane_by_lane.rs"
+        );)*
 
         /// All laws of the family.
         pub const LAWS: &[$crate::contact::LawInfo] = &[

@@ -39,13 +39,22 @@ pub const SPRING_HISTORY: usize = 4;
 /// Energy stored by a spring with this history [J].
 #[inline(always)]
 pub fn spring_energy<L: Lanes>(history: &[L]) -> L {
-    energy_of(L::Vector::new(history[0], history[1], history[2]), history[3])
+    energy_of(
+        L::Vector::new(history[0], history[1], history[2]),
+        compliance(history[3]),
+    )
+}
+
+/// Deformation per load; 0 of no spring.
+#[inline(always)]
+fn compliance<L: Lanes>(stiffness: L) -> L {
+    (L::splat(1.0) / stiffness).keep(stiffness.gt(L::splat(0.0)))
 }
 
 /// Energy stored by a spring under a load [J].
 #[inline(always)]
-fn energy_of<L: Lanes>(load: L::Vector, stiffness: L) -> L {
-    (load.square() / (stiffness * 2.0)).keep(stiffness.gt(L::splat(0.0)))
+fn energy_of<L: Lanes>(load: L::Vector, compliance: L) -> L {
+    load.square() * compliance * 0.5
 }
 
 /// Turns a vector with the contact: into the new contact plane at unchanged length, and by the spin about the normal.
@@ -76,11 +85,12 @@ fn held<L: Lanes>(load: L::Vector, limit: L) -> L::Vector {
 /// rises, the load stays: the force is continuous in both directions.
 #[inline(always)]
 pub fn advance_spring<L: Lanes>(input: &SpringInput<L>, history: &mut [L]) -> SpringResponse<L> {
-    let before = spring_energy(history);
     let old = L::Vector::new(history[0], history[1], history[2]);
+    let old_compliance = compliance(history[3]);
+    let before = energy_of(old, old_compliance);
     let softening = L::select(
         input.stiffness.lt(history[3]),
-        input.stiffness / history[3],
+        input.stiffness * old_compliance,
         L::splat(1.0),
     );
     let kept = carry_along(old, input.normal, input.spin * input.dt) * softening;
@@ -95,6 +105,6 @@ pub fn advance_spring<L: Lanes>(input: &SpringInput<L>, history: &mut [L]) -> Sp
     let work = -load.inner(input.rate) * input.dt;
     SpringResponse {
         load,
-        dissipated: work - (energy_of(next, input.stiffness) - before),
+        dissipated: work - (energy_of(next, compliance(input.stiffness)) - before),
     }
 }

@@ -1,10 +1,13 @@
 //! Contact of two spheres.
 
+use crate::lanes::{Lanes, Vector};
+use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// Geometry of one contact, seen from its first body.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Pod, Zeroable)]
+#[repr(C)]
 pub struct Contact {
     /// Unit vector from the second body to the first: the direction of a repulsive force on the first.
     pub normal: DVec3,
@@ -16,21 +19,38 @@ pub struct Contact {
     pub lever_j: f64,
 }
 
+impl Contact {
+    /// Numbers that make up a contact, in the order of its fields.
+    pub const NUMBERS: usize = 6;
+
+    /// Contacts as plain numbers, [`Contact::NUMBERS`] each.
+    #[inline(always)]
+    pub fn numbers(contacts: &[Self]) -> &[f64] {
+        bytemuck::cast_slice(contacts)
+    }
+}
+
 /// Contact of two spheres with `separation = x_i - x_j`; the contact point lies midway in the overlap,
 /// `(d + r_i - r_j)/2` from centre `i`. Coincident centres take the z axis as normal.
 #[inline(always)]
 pub fn contact_sphere_sphere(separation: DVec3, radius_i: f64, radius_j: f64) -> Contact {
-    let distance = separation.length();
-    let normal = if distance > 0.0 {
-        separation / distance
-    } else {
-        DVec3::Z
-    };
-    let lever_i = 0.5 * (distance + radius_i - radius_j);
+    let [x, y, z, overlap, lever_i, lever_j] = contact_sphere_sphere_wide(separation, radius_i, radius_j);
     Contact {
-        normal,
-        overlap: radius_i + radius_j - distance,
+        normal: DVec3::new(x, y, z),
+        overlap,
         lever_i,
-        lever_j: distance - lever_i,
+        lever_j,
     }
+}
+
+/// The same in every lane: the components of the normal, the overlap and both levers.
+#[inline(always)]
+pub fn contact_sphere_sphere_wide<L: Lanes>(separation: L::Vector, radius_i: L, radius_j: L) -> [L; 6] {
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let distance = separation.square().sqrt();
+    let apart = distance.gt(zero);
+    let normal = (separation * (one / distance)).or(apart, L::Vector::new(zero, zero, one));
+    let [x, y, z] = normal.components();
+    let lever_i = (distance + radius_i - radius_j) * 0.5;
+    [x, y, z, radius_i + radius_j - distance, lever_i, distance - lever_i]
 }

@@ -50,6 +50,10 @@ pub trait Lanes:
     fn load(from: &[f64]) -> Self;
     /// Puts the lanes at the front of a slice, which must hold as many.
     fn store(self, to: &mut [f64]);
+    /// The lanes as they lie in memory.
+    fn as_slice(&self) -> &[f64];
+    /// The lanes as they lie in memory, to be changed.
+    fn as_mut_slice(&mut self) -> &mut [f64];
     /// Square root.
     fn sqrt(self) -> Self;
     /// Magnitude.
@@ -60,10 +64,22 @@ pub trait Lanes:
     fn ge(self, other: Self) -> Self::Mask;
     /// `yes` where the mask holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// The columns of a table of rows, of which `row` tells one per lane.
-    fn columns<'a>(row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4];
-    /// Hands over the rows of a table of four columns, one per lane.
-    fn rows(columns: [Self; 4], put: impl FnMut(usize, [f64; 4]));
+    /// The columns of rows of four numbers, one row per lane: those of `values` from `starts` on.
+    fn columns(values: &[f64], starts: &Places) -> [Self; 4];
+    /// The rows of a table of four columns, one per lane; those beyond [`Lanes::COUNT`] mean nothing.
+    fn rows(columns: [Self; 4]) -> [[f64; 4]; MOST_LANES];
+
+    /// One number of `values` per lane.
+    #[inline(always)]
+    fn gather(values: &[f64], places: &Places) -> Self {
+        let mut all = [0.0; MOST_LANES];
+        let mut lane = 0;
+        while lane < Self::COUNT {
+            all[lane] = values[places[lane]];
+            lane += 1;
+        }
+        Self::load(&all)
+    }
 
     /// `self < other`, `false` where one is not a number.
     #[inline(always)]
@@ -126,6 +142,9 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
         self.bits() != 0
     }
 }
+
+/// A place in a slice per lane.
+pub type Places = [usize; MOST_LANES];
 
 /// The largest number of lanes.
 pub const MOST_LANES: usize = 8;

@@ -3,7 +3,7 @@
 //! Unsafe because the instructions are reached through intrinsics.
 #![allow(unsafe_code)]
 
-use super::{Lanes, Mask, Vector3};
+use super::{Lanes, MOST_LANES, Mask, Places, Vector3};
 use std::arch::aarch64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -112,6 +112,18 @@ impl Lanes for F64x2 {
     }
 
     #[inline(always)]
+    fn as_slice(&self) -> &[f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }
+    }
+
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts_mut(std::ptr::from_mut(self).cast(), Self::COUNT) }
+    }
+
+    #[inline(always)]
     fn sqrt(self) -> Self {
         // SAFETY: every ARMv8 processor has it
         Self(unsafe { vsqrtq_f64(self.0) })
@@ -142,20 +154,28 @@ impl Lanes for F64x2 {
     }
 
     #[inline(always)]
-    fn columns<'a>(at: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4] {
-        let (first, second) = (at(0), at(1));
-        [0, 1, 2, 3].map(|column| Self::load(&[first[column], second[column]]))
+    fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
+        let first = &values[starts[0]..starts[0] + 4];
+        let second = &values[starts[1]..starts[1] + 4];
+        [
+            Self::load(&[first[0], second[0]]),
+            Self::load(&[first[1], second[1]]),
+            Self::load(&[first[2], second[2]]),
+            Self::load(&[first[3], second[3]]),
+        ]
     }
 
     #[inline(always)]
-    fn rows(columns: [Self; 4], mut put: impl FnMut(usize, [f64; 4])) {
-        let columns = columns.map(|column| {
+    fn rows(columns: [Self; 4]) -> [[f64; 4]; MOST_LANES] {
+        let mut rows = [[0.0; 4]; MOST_LANES];
+        let mut column = 0;
+        while column < 4 {
             let mut lanes = [0.0; 2];
-            column.store(&mut lanes);
-            lanes
-        });
-        for lane in 0..2 {
-            put(lane, columns.map(|column| column[lane]));
+            columns[column].store(&mut lanes);
+            rows[0][column] = lanes[0];
+            rows[1][column] = lanes[1];
+            column += 1;
         }
+        rows
     }
 }

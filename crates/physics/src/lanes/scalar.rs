@@ -1,6 +1,6 @@
 //! One lane.
 
-use super::{Lanes, Mask};
+use super::{Lanes, MOST_LANES, Mask, Places};
 use glam::DVec3;
 
 impl Mask for bool {
@@ -31,6 +31,16 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
+    fn as_slice(&self) -> &[f64] {
+        std::slice::from_ref(self)
+    }
+
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        std::slice::from_mut(self)
+    }
+
+    #[inline(always)]
     fn sqrt(self) -> Self {
         f64::sqrt(self)
     }
@@ -56,12 +66,20 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
-    fn columns<'a>(row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4] {
-        *row(0)
+    fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
+        let start = starts[0];
+        [values[start], values[start + 1], values[start + 2], values[start + 3]]
     }
 
     #[inline(always)]
-    fn rows(columns: [Self; 4], mut put: impl FnMut(usize, [f64; 4])) {
-        put(0, columns);
+    fn rows(columns: [Self; 4]) -> [[f64; 4]; MOST_LANES] {
+        let mut rows = [[0.0; 4]; MOST_LANES];
+        rows[0] = columns;
+        rows
+    }
+
+    #[inline(always)]
+    fn gather(values: &[f64], places: &Places) -> Self {
+        values[places[0]]
     }
 }

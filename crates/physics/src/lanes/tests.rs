@@ -32,9 +32,8 @@ impl Kernel for Everything<'_> {
             let w = L::Vector::new(b, a * 2.0, b - 0.3);
             let of_rows = {
                 let rows = [a, b, a - b, a * 3.0];
-                let mut back = [[0.0; 4]; MOST_LANES];
-                L::rows(rows, |k, row| back[k] = row);
-                L::columns(|k| &back[k])
+                let back = L::rows(rows);
+                L::columns(back.as_flattened(), &std::array::from_fn(|lane| 4 * lane))
             };
             let results = [
                 a + b,

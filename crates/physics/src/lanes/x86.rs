@@ -4,7 +4,7 @@
 //! [`run_avx512`] alone, which [`super::run`] calls only where the processor has them.
 #![allow(unsafe_code)]
 
-use super::{Kernel, Lanes, Mask, Vector3};
+use super::{Kernel, Lanes, MOST_LANES, Mask, Places, Vector3};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -167,20 +167,19 @@ impl Not for Mask4 {
     }
 }
 
-/// A row in a register.
+/// Four numbers in a register.
 #[inline(always)]
-fn row(values: &[f64; 4]) -> __m256d {
+fn row(values: &[f64], start: usize) -> __m256d {
+    let values = &values[start..start + 4];
     // SAFETY: four numbers are there
     unsafe { _mm256_loadu_pd(values.as_ptr()) }
 }
 
-/// A row out of a register.
+/// Four numbers out of a register.
 #[inline(always)]
-fn values(row: __m256d) -> [f64; 4] {
-    let mut out = [0.0; 4];
+fn put(row: __m256d, values: &mut [f64; 4]) {
     // SAFETY: there is room for four numbers
-    unsafe { _mm256_storeu_pd(out.as_mut_ptr(), row) };
-    out
+    unsafe { _mm256_storeu_pd(values.as_mut_ptr(), row) }
 }
 
 impl Lanes for F64x8 {
@@ -206,6 +205,18 @@ impl Lanes for F64x8 {
         let to = &mut to[..8];
         // SAFETY: there is room for eight numbers
         unsafe { _mm512_storeu_pd(to.as_mut_ptr(), self.0) }
+    }
+
+    #[inline(always)]
+    fn as_slice(&self) -> &[f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }
+    }
+
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts_mut(std::ptr::from_mut(self).cast(), Self::COUNT) }
     }
 
     #[inline(always)]
@@ -239,12 +250,18 @@ impl Lanes for F64x8 {
     }
 
     #[inline(always)]
-    fn columns<'a>(at: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4] {
+    fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
+        // no closures here: they would be compiled without the instructions
         // SAFETY: see the top of this file
         unsafe {
-            let two =
-                |low: usize, high: usize| _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(row(at(low))), row(at(high)));
-            let (r04, r15, r26, r37) = (two(0, 4), two(1, 5), two(2, 6), two(3, 7));
+            let r04 = _mm512_castpd256_pd512(row(values, starts[0]));
+            let r04 = _mm512_insertf64x4::<1>(r04, row(values, starts[4]));
+            let r15 = _mm512_castpd256_pd512(row(values, starts[1]));
+            let r15 = _mm512_insertf64x4::<1>(r15, row(values, starts[5]));
+            let r26 = _mm512_castpd256_pd512(row(values, starts[2]));
+            let r26 = _mm512_insertf64x4::<1>(r26, row(values, starts[6]));
+            let r37 = _mm512_castpd256_pd512(row(values, starts[3]));
+            let r37 = _mm512_insertf64x4::<1>(r37, row(values, starts[7]));
             let (low01, high01) = (_mm512_unpacklo_pd(r04, r15), _mm512_unpackhi_pd(r04, r15));
             let (low23, high23) = (_mm512_unpacklo_pd(r26, r37), _mm512_unpackhi_pd(r26, r37));
             let even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
@@ -259,23 +276,28 @@ impl Lanes for F64x8 {
     }
 
     #[inline(always)]
-    fn rows(columns: [Self; 4], mut put: impl FnMut(usize, [f64; 4])) {
-        let [a, b, c, d] = columns.map(|column| column.0);
+    fn rows([a, b, c, d]: [Self; 4]) -> [[f64; 4]; MOST_LANES] {
+        let mut rows = [[0.0; 4]; MOST_LANES];
         // SAFETY: see the top of this file
         unsafe {
-            let (low_ab, high_ab) = (_mm512_unpacklo_pd(a, b), _mm512_unpackhi_pd(a, b));
-            let (low_cd, high_cd) = (_mm512_unpacklo_pd(c, d), _mm512_unpackhi_pd(c, d));
+            let (low_ab, high_ab) = (_mm512_unpacklo_pd(a.0, b.0), _mm512_unpackhi_pd(a.0, b.0));
+            let (low_cd, high_cd) = (_mm512_unpacklo_pd(c.0, d.0), _mm512_unpackhi_pd(c.0, d.0));
             let even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
             let odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
             let r04 = _mm512_permutex2var_pd(low_ab, even, low_cd);
             let r26 = _mm512_permutex2var_pd(low_ab, odd, low_cd);
             let r15 = _mm512_permutex2var_pd(high_ab, even, high_cd);
             let r37 = _mm512_permutex2var_pd(high_ab, odd, high_cd);
-            for (first, pair) in [r04, r15, r26, r37].into_iter().enumerate() {
-                put(first, values(_mm512_castpd512_pd256(pair)));
-                put(first + 4, values(_mm512_extractf64x4_pd::<1>(pair)));
-            }
+            put(_mm512_castpd512_pd256(r04), &mut rows[0]);
+            put(_mm512_castpd512_pd256(r15), &mut rows[1]);
+            put(_mm512_castpd512_pd256(r26), &mut rows[2]);
+            put(_mm512_castpd512_pd256(r37), &mut rows[3]);
+            put(_mm512_extractf64x4_pd::<1>(r04), &mut rows[4]);
+            put(_mm512_extractf64x4_pd::<1>(r15), &mut rows[5]);
+            put(_mm512_extractf64x4_pd::<1>(r26), &mut rows[6]);
+            put(_mm512_extractf64x4_pd::<1>(r37), &mut rows[7]);
         }
+        rows
     }
 }
 
@@ -302,6 +324,18 @@ impl Lanes for F64x4 {
         let to = &mut to[..4];
         // SAFETY: there is room for four numbers
         unsafe { _mm256_storeu_pd(to.as_mut_ptr(), self.0) }
+    }
+
+    #[inline(always)]
+    fn as_slice(&self) -> &[f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }
+    }
+
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [f64] {
+        // SAFETY: a register is its lanes, and nothing else
+        unsafe { std::slice::from_raw_parts_mut(std::ptr::from_mut(self).cast(), Self::COUNT) }
     }
 
     #[inline(always)]
@@ -335,15 +369,26 @@ impl Lanes for F64x4 {
     }
 
     #[inline(always)]
-    fn columns<'a>(at: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4] {
-        transposed([row(at(0)), row(at(1)), row(at(2)), row(at(3))]).map(Self)
+    fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
+        let rows = [
+            row(values, starts[0]),
+            row(values, starts[1]),
+            row(values, starts[2]),
+            row(values, starts[3]),
+        ];
+        let [a, b, c, d] = transposed(rows);
+        [Self(a), Self(b), Self(c), Self(d)]
     }
 
     #[inline(always)]
-    fn rows(columns: [Self; 4], mut put: impl FnMut(usize, [f64; 4])) {
-        for (k, row) in transposed(columns.map(|column| column.0)).into_iter().enumerate() {
-            put(k, values(row));
-        }
+    fn rows([a, b, c, d]: [Self; 4]) -> [[f64; 4]; MOST_LANES] {
+        let mut rows = [[0.0; 4]; MOST_LANES];
+        let [first, second, third, fourth] = transposed([a.0, b.0, c.0, d.0]);
+        put(first, &mut rows[0]);
+        put(second, &mut rows[1]);
+        put(third, &mut rows[2]);
+        put(fourth, &mut rows[3]);
+        rows
     }
 }
 

@@ -1,7 +1,7 @@
 //! How far a grain's surface may bulge: what the search for contacts must look beyond touching.
 
 use super::sites::Load;
-use crate::contacts::{CHUNK, ContactChunk, Contacts};
+use crate::contacts::{ContactChunk, Contacts};
 use crate::materials::Materials;
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
@@ -68,18 +68,18 @@ impl Bounds {
     /// The same by the forces of the step before.
     pub(crate) fn of_grain(&self, grain: usize, grains: &Grains, neighbours: &Neighbours, contacts: &Contacts) -> f64 {
         let mut load = Load::on(grains.radius(grain));
-        let mut add = |chunk: &ContactChunk, pair: usize, first: bool| {
-            for k in chunk.contacts_of(pair % CHUNK) {
+        let mut add = |chunk: &ContactChunk, slot: usize, first: bool| {
+            for k in chunk.contacts_of(slot) {
                 let contact = &chunk.now.geometry[k];
                 let lever = if first { contact.lever_i } else { contact.lever_j };
                 load.add(chunk.now.coupling[k].elastic, lever);
             }
         };
-        for (pair, first) in neighbours.pairs_of(grain) {
-            add(&contacts.pairs[pair / CHUNK], pair, first);
+        for (chunk, slot, first) in neighbours.pairs_of(grain) {
+            add(&contacts.pairs[chunk], slot, first);
         }
-        for pair in neighbours.wall_pairs_of(grain) {
-            add(&contacts.walls[pair / CHUNK], pair, true);
+        for (chunk, slot) in neighbours.wall_pairs_of(grain) {
+            add(&contacts.walls[chunk], slot, true);
         }
         self.bulge(grains.material[grain], grains.radius(grain), &load)
     }

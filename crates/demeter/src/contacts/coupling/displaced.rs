@@ -54,7 +54,7 @@ impl NormalVisitor for Elastic<'_> {
                 size: self.size[k],
                 overlap,
                 rate,
-                half_window: normal_window::<L>(self.integrator, overlap, rate, self.dt),
+                half_window: normal_window::<L, f64>(self.integrator, overlap, rate, self.dt),
             };
             self.memory
                 .copy_from_slice(&self.history[k * self.stride..][..remembered]);
@@ -296,7 +296,7 @@ impl ContactChunk {
         let history = &mut self.now.history[k * scene.stride..(k + 1) * scene.stride];
         if scene.stride > 0 {
             let law = scene.materials.law(self.now.pair[k]);
-            let (tangential, rolling) = crate::contacts::block::spring_energies(law, history);
+            let (tangential, rolling) = crate::contacts::laws::spring_energies(law, history);
             self.tally.friction += tangential;
             self.tally.rolling += rolling;
             history.fill(0.0);

@@ -2,7 +2,7 @@
 
 use super::bulge::Bounds;
 use super::kernels::Kernels;
-use crate::contacts::{CHUNK, ContactChunk, Contacts};
+use crate::contacts::{ContactChunk, Contacts};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
 use demeter_physics::contact::multi_contact::{ContactPair, MultiContact, MultiContactVisitor};
@@ -182,11 +182,11 @@ impl Sites {
         self.start.push(0);
         self.sites.clear();
         for grain in of {
-            for (pair, first) in from.neighbours.pairs_of(grain) {
-                self.take(false, pair, first, &from.contacts.pairs[pair / CHUNK]);
+            for (chunk, slot, first) in from.neighbours.pairs_of(grain) {
+                self.take((false, chunk, slot), first, &from.contacts.pairs[chunk]);
             }
-            for pair in from.neighbours.wall_pairs_of(grain) {
-                self.take(true, pair, true, &from.contacts.walls[pair / CHUNK]);
+            for (chunk, slot) in from.neighbours.wall_pairs_of(grain) {
+                self.take((true, chunk, slot), true, &from.contacts.walls[chunk]);
             }
             self.start.push(self.sites.len() as u32);
         }
@@ -194,8 +194,8 @@ impl Sites {
 
     /// Takes the contacts of one candidate.
     #[inline(always)]
-    fn take(&mut self, wall: bool, pair: usize, first: bool, chunk: &ContactChunk) {
-        for k in chunk.contacts_of(pair % CHUNK) {
+    fn take(&mut self, (wall, number, slot): (bool, usize, usize), first: bool, chunk: &ContactChunk) {
+        for k in chunk.contacts_of(slot) {
             let source = &chunk.coupling.sources[k];
             let (sign, body) = if first { (1.0, 0) } else { (-1.0, 1) };
             self.sites.push(Site {
@@ -203,7 +203,7 @@ impl Sites {
                 lever: source.lever[body],
                 clearance: source.clearance,
                 force: source.force,
-                place: ContactPlace::new(wall, pair / CHUNK, k),
+                place: ContactPlace::new(wall, number, k),
                 kernel: source.kernel[body],
                 first,
             });

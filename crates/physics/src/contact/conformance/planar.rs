@@ -24,6 +24,38 @@ pub struct PlanarInput {
     pub dt: f64,
 }
 
+impl PlanarInput {
+    /// As friction sees it.
+    pub fn friction(&self) -> TangentialInput {
+        TangentialInput {
+            size: self.size,
+            tangential_mass: self.inertia,
+            overlap: self.overlap,
+            normal: self.normal,
+            velocity: self.rate,
+            spin: self.spin,
+            normal_force: self.normal_force,
+            dt: self.dt,
+            removable_share: Integrator::VelocityVerlet.removable_share(),
+        }
+    }
+
+    /// As rolling resistance sees it.
+    pub fn rolling(&self) -> RollingInput {
+        RollingInput {
+            size: self.size,
+            rolling_inertia: self.inertia,
+            normal: self.normal,
+            angular_velocity: self.rate,
+            spin: self.spin,
+            normal_force: self.normal_force,
+            normal_stiffness: self.normal_stiffness,
+            dt: self.dt,
+            removable_share: Integrator::VelocityVerlet.removable_share(),
+        }
+    }
+}
+
 /// What a law answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarResponse {
@@ -51,18 +83,7 @@ struct Respond<'a>(PlanarInput, &'a mut [f64]);
 impl TangentialVisitor for Respond<'_> {
     type Output = PlanarResponse;
     fn visit<L: Tangential>(self, law: &L) -> PlanarResponse {
-        let input = TangentialInput {
-            size: self.0.size,
-            tangential_mass: self.0.inertia,
-            overlap: self.0.overlap,
-            normal: self.0.normal,
-            velocity: self.0.rate,
-            spin: self.0.spin,
-            normal_force: self.0.normal_force,
-            dt: self.0.dt,
-            removable_share: Integrator::VelocityVerlet.removable_share(),
-        };
-        let response = law.respond(&input, self.1);
+        let response = law.respond(&self.0.friction(), self.1);
         PlanarResponse {
             load: response.force,
             dissipated: response.dissipated,
@@ -73,18 +94,7 @@ impl TangentialVisitor for Respond<'_> {
 impl RollingVisitor for Respond<'_> {
     type Output = PlanarResponse;
     fn visit<L: Rolling>(self, law: &L) -> PlanarResponse {
-        let input = RollingInput {
-            size: self.0.size,
-            rolling_inertia: self.0.inertia,
-            normal: self.0.normal,
-            angular_velocity: self.0.rate,
-            spin: self.0.spin,
-            normal_force: self.0.normal_force,
-            normal_stiffness: self.0.normal_stiffness,
-            dt: self.0.dt,
-            removable_share: Integrator::VelocityVerlet.removable_share(),
-        };
-        let response = law.respond(&input, self.1);
+        let response = law.respond(&self.0.rolling(), self.1);
         PlanarResponse {
             load: response.torque,
             dissipated: response.dissipated,

@@ -4,6 +4,8 @@
 use super::Normal;
 use crate::collision::{CollisionError, HeadOn, Start, Tolerance};
 use crate::contact::PairSize;
+use crate::contact::lane_by_lane::{noted, some_new};
+use crate::lanes::Lanes;
 use crate::parameters::ParameterError;
 use crate::restitution::hertz_damping;
 use crate::root::between;
@@ -132,15 +134,14 @@ impl Dashpot {
 
     /// Coefficient for a contact. `memory` is the dashpot's own part of its history; `with` gives the law with a known
     /// coefficient. Solved when the contact is new. Where the request is out of reach, which [`Dashpot::check`] tells
-    /// beforehand, there is no damping.
+    /// beforehand, and for bodies of no mass, there is no damping.
     #[inline(always)]
-    pub fn coefficient<L: Normal>(&self, size: PairSize, memory: &mut [f64], with: impl Fn(Self) -> L) -> f64 {
+    pub fn coefficient<L: Lanes, N: Normal>(&self, size: PairSize<L>, memory: &mut [L], with: impl Fn(Self) -> N) -> L {
         match self {
-            Self::Coefficient(coefficient) => *coefficient,
-            // 0 is a new contact
+            Self::Coefficient(coefficient) => L::splat(*coefficient),
             Self::Realised { .. } => {
-                if memory[0] == 0.0 {
-                    memory[0] = 1.0 + self.remembered(size, with);
+                if some_new(memory[0]) {
+                    memory[0] = noted(memory[0], |lane| 1.0 + self.remembered(size.lane(lane), &with));
                 }
                 memory[0] - 1.0
             }
@@ -154,6 +155,9 @@ impl Dashpot {
 
     #[cold]
     fn remembered<L: Normal>(&self, size: PairSize, with: impl Fn(Self) -> L) -> f64 {
+        if size.mass <= 0.0 {
+            return 0.0;
+        }
         let law = with(*self);
         let key = (size.radius.to_bits(), size.mass.to_bits());
         let same = |solved: &Solved| solved.law.downcast_ref::<L>() == Some(&law);

@@ -1,10 +1,12 @@
 #![doc = include_str!("dmt.md")]
 
 use super::dashpot::Dashpot;
-use super::window::{contact_share, mean_quarter, mean_three_halves};
+use super::hertz_spring::{HertzSpring, Power};
+use super::window::contact_share;
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::{Lanes, Mask};
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use crate::restitution::duration::UNDAMPED;
@@ -42,26 +44,32 @@ const WIDE: f64 = 0.01;
 
 impl Tail {
     /// Energy that the tail gives on the way from a gap to contact, as share of the force in contact [m].
-    fn depth(&self, gap: f64) -> f64 {
-        let gap = gap.clamp(0.0, self.cutoff);
-        self.separation * gap / (self.separation + gap)
+    #[inline(always)]
+    fn depth<L: Lanes>(&self, gap: L) -> L {
+        let gap = gap.max(L::splat(0.0)).min(L::splat(self.cutoff));
+        gap * self.separation / (gap + self.separation)
     }
 
     /// Mean over the window of the force in the gap, as share of that in contact.
-    fn mean(&self, input: &NormalInput) -> f64 {
-        let (gap, h) = (-input.overlap, input.half_window);
-        let distance = self.separation + gap;
-        let near_an_end = gap.abs() <= h || (gap - self.cutoff).abs() <= h;
-        let wide = near_an_end || (h > WIDE * distance && gap > 0.0);
-        if wide && h > 0.0 {
-            return (self.depth(gap + h) - self.depth(gap - h)) / (2.0 * h);
+    #[inline(always)]
+    fn mean<L: Lanes>(&self, input: &NormalInput<L>) -> L {
+        let (gap, h, zero) = (-input.overlap, input.half_window, L::splat(0.0));
+        if !(gap + h).gt(zero).any() {
+            return zero;
         }
-        if gap > 0.0 && gap < self.cutoff {
-            let (share, width) = (self.separation / distance, h / distance);
-            // f + f'' h^2/6 with f = (z/(z + g))^2
-            share * share * (1.0 + width * width)
+        let inverse = L::splat(1.0) / (gap + self.separation);
+        let (share, width) = (inverse * self.separation, inverse * h);
+        // f + f'' h^2/6 with f = (z/(z + g))^2
+        let smooth = share * share * (width * width + 1.0);
+        let across = gap.gt(zero);
+        let smooth = smooth.keep(across & (L::splat(self.cutoff)).gt(gap));
+        let near_an_end = h.ge(gap.abs()) | h.ge((gap - self.cutoff).abs());
+        let wide = (near_an_end | (across & width.gt(L::splat(WIDE)))) & h.gt(zero);
+        if wide.any() {
+            let exact = (self.depth(gap + h) - self.depth(gap - h)) / (h * 2.0);
+            L::select(wide, exact, smooth)
         } else {
-            0.0
+            smooth
         }
     }
 }
@@ -69,24 +77,17 @@ impl Tail {
 /// The contact of Derjaguin, Muller and Toporov bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dmt {
-    /// `4/3 E` [Pa].
-    modulus: f64,
+    spring: HertzSpring,
     work_of_adhesion: f64,
     tail: Option<Tail>,
     dashpot: Dashpot,
 }
 
 impl Dmt {
-    /// `K = 4/3 E sqrt(R)` [N/m^(3/2)].
-    #[inline(always)]
-    fn hertz_stiffness(&self, size: PairSize) -> f64 {
-        self.modulus * size.radius.sqrt()
-    }
-
     /// `2 pi w R` [N].
     #[inline(always)]
-    fn pull_off(&self, size: PairSize) -> f64 {
-        2.0 * std::f64::consts::PI * self.work_of_adhesion * size.radius
+    fn pull_off<L: Lanes>(&self, size: PairSize<L>) -> L {
+        size.radius * (2.0 * std::f64::consts::PI * self.work_of_adhesion)
     }
 
     fn with(&self, dashpot: Dashpot) -> Self {
@@ -118,25 +119,41 @@ impl Normal for Dmt {
             cutoff: p.cutoff.unwrap_or(CUTOFF * separation),
         });
         Ok(Self {
-            modulus: 4.0 / 3.0 * pair.effective_modulus(),
+            spring: HertzSpring::of(pair),
             work_of_adhesion: p.work_of_adhesion,
             tail,
             dashpot: Dashpot::read("alpha", p.alpha, p.restitution, p.impact_speed)?,
         })
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
-        let (k, pull_off) = (self.hertz_stiffness(input.size), self.pull_off(input.size));
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
+        let pull_off = self.pull_off(input.size);
         let alpha = self.dashpot.coefficient(input.size, history, |d| self.with(d));
         let adhesion = pull_off * contact_share(input);
-        let across = self.tail.map_or(0.0, |tail| pull_off * tail.mean(input));
-        let mut response = NormalResponse::viscoelastic(
-            k * mean_three_halves(input) - adhesion - across,
-            alpha * (input.size.mass * k).sqrt() * mean_quarter(input),
-        );
-        response.adhesion = adhesion;
-        response
+        let across = match self.tail {
+            Some(tail) => pull_off * tail.mean(input),
+            None => L::splat(0.0),
+        };
+        NormalResponse {
+            adhesion,
+            ..NormalResponse::spring_dashpot(
+                self.spring.mean(Power::Force, input) - adhesion - across,
+                self.spring.mean(Power::Damping, input) * alpha,
+            )
+        }
+    }
+
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        overlap.max(L::splat(0.0))
     }
 
     #[inline(always)]
@@ -145,29 +162,31 @@ impl Normal for Dmt {
         let across = self
             .tail
             .map_or(0.0, |tail| tail.depth(tail.cutoff) - tail.depth(-overlap));
-        0.4 * self.hertz_stiffness(size) * d * d * d.sqrt() - self.pull_off(size) * (d + across)
+        self.spring.energy(size, d) - self.pull_off(size) * (d + across)
     }
 
     #[inline(always)]
-    fn stiffness(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
-        match self.tail {
-            Some(tail) if overlap < 0.0 && -overlap < tail.cutoff => {
-                let distance = tail.separation - overlap;
-                let share = tail.separation / distance;
-                -2.0 * self.pull_off(size) * share * share / distance
-            }
-            _ => 1.5 * self.hertz_stiffness(size) * overlap.max(0.0).sqrt(),
-        }
+    fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.stiffness_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        let spring = self.spring.tangent(size, overlap);
+        let Some(tail) = self.tail else { return spring };
+        let distance = L::splat(tail.separation) - overlap;
+        let share = L::splat(tail.separation) / distance;
+        let slope = self.pull_off(size) * -2.0 * share * share / distance;
+        let across = overlap.lt(L::splat(0.0)) & overlap.gt(L::splat(-tail.cutoff));
+        L::select(across, slope, spring)
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
         // that of Hertz, at least as deep as where both forces are equal; and the fall through the tail
-        let ratio = size.mass / self.hertz_stiffness(size);
         let pull_off = self.pull_off(size);
-        let share = libm::cbrt(pull_off / self.hertz_stiffness(size));
+        let share = libm::cbrt(pull_off / self.spring.stiffness(size));
         let overlap = overlap.max(share * share);
-        let v0 = (0.8 / ratio * overlap * overlap * overlap.sqrt()).sqrt();
-        let hertz = UNDAMPED * libm::pow(ratio, 0.4) * libm::pow(v0, -0.2);
+        let hertz = UNDAMPED * self.spring.unit_of_time(size, self.spring.impact_speed(size, overlap));
         match self.tail {
             Some(tail) if pull_off > 0.0 => hertz.min((size.mass * tail.separation / pull_off).sqrt()),
             _ => hertz,

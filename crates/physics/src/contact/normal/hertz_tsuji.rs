@@ -1,7 +1,7 @@
 #![doc = include_str!("hertz_tsuji.md")]
 
+use super::hertz_spring::{HertzSpring, Power};
 use super::spring_dashpot::{Damping, ENDS, Observed, check_end, contact_end, exactly_one_damping, unit_duration};
-use super::window::{mean_quarter, mean_three_halves};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
@@ -32,25 +32,9 @@ params! {
 /// The Hertzian spring-dashpot bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzTsuji {
-    /// `4/3 E` [Pa]; 0 where the stiffness follows from an observation.
-    modulus: f64,
-    /// Stiffness per effective mass [1/(m^(1/2) s^2)].
-    per_mass: f64,
+    spring: HertzSpring,
     damping: Damping,
     end: ContactEnd,
-}
-
-impl HertzTsuji {
-    /// `K = 4/3 E sqrt(R)` [N/m^(3/2)].
-    #[inline(always)]
-    fn hertz_stiffness<L: Lanes>(&self, size: PairSize<L>) -> L {
-        size.radius.sqrt() * self.modulus + size.mass * self.per_mass
-    }
-
-    /// Speed of the undamped impact that reaches an overlap [m/s], from `1/2 m v^2 = 2/5 K d^(5/2)`.
-    fn impact_speed(&self, size: PairSize, overlap: f64) -> f64 {
-        (0.8 * self.hertz_stiffness(size) / size.mass * overlap * overlap * overlap.sqrt()).sqrt()
-    }
 }
 
 impl Normal for HertzTsuji {
@@ -85,12 +69,7 @@ impl Normal for HertzTsuji {
             (None, alpha) => Damping::Ratio(alpha.unwrap_or(0.0) / CRITICAL_ALPHA),
         };
         let law = Self {
-            modulus: if per_mass.is_some() {
-                0.0
-            } else {
-                4.0 / 3.0 * pair.effective_modulus()
-            },
-            per_mass: per_mass.unwrap_or(0.0),
+            spring: per_mass.map_or(HertzSpring::of(pair), HertzSpring::PerMass),
             damping,
             end,
         };
@@ -111,10 +90,9 @@ impl Normal for HertzTsuji {
 
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
-        let k = self.hertz_stiffness(input.size);
-        let ratio = self.damping.ratio_wide(|| L::splat(0.0), input.rate, history);
-        let dashpot = ratio * CRITICAL_ALPHA * (input.size.mass * k).sqrt();
-        let response = NormalResponse::spring_dashpot(k * mean_three_halves(input), dashpot * mean_quarter(input));
+        let unit = self.spring.mean(Power::Damping, input);
+        let damping = self.damping.dashpot(input, unit, history) * CRITICAL_ALPHA;
+        let response = NormalResponse::spring_dashpot(self.spring.mean(Power::Force, input), damping);
         response.ending_at(self.end)
     }
 
@@ -125,8 +103,7 @@ impl Normal for HertzTsuji {
 
     #[inline(always)]
     fn energy(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
-        let d = overlap.max(0.0);
-        0.4 * self.hertz_stiffness(size) * d * d * d.sqrt()
+        self.spring.energy(size, overlap)
     }
 
     #[inline(always)]
@@ -136,11 +113,11 @@ impl Normal for HertzTsuji {
 
     #[inline(always)]
     fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, _history: &[L]) -> L {
-        self.hertz_stiffness(size) * 1.5 * overlap.max(L::splat(0.0)).sqrt()
+        self.spring.tangent(size, overlap)
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
-        let speed = self.impact_speed(size, overlap);
+        let speed = self.spring.impact_speed(size, overlap);
         let unit = match self.end {
             // without damping it is shortest
             ContactEnd::ZeroOverlap => UNDAMPED,
@@ -149,7 +126,7 @@ impl Normal for HertzTsuji {
                 unit_duration(SpringDashpot::Hertz, ratio, self.end).unwrap_or(UNDAMPED)
             }
         };
-        unit * libm::pow(size.mass / self.hertz_stiffness(size), 0.4) * libm::pow(speed, -0.2)
+        unit * self.spring.unit_of_time(size, speed)
     }
 
     #[inline(always)]
@@ -202,7 +179,7 @@ mod tests {
             advance(y, lower)
         };
         // u grows to about the fourth root of the largest overlap while s grows to about 4 u / v0
-        let overlap = (1.25 * size.mass * speed * speed / law.hertz_stiffness(size)).powf(0.4);
+        let overlap = (1.25 * size.mass * speed * speed / law.spring.stiffness(size)).powf(0.4);
         let step = 1e-3 * overlap.powf(0.25) * 4.0 / speed;
         let mut y: [f64; 3] = [0.0, speed, 0.0];
         let mut largest_overlap = 0.0;
@@ -261,7 +238,7 @@ mod tests {
             ] {
                 let law = law(PERSPEX, restitution);
                 let collision = collide(&law, size, speed);
-                let ratio = size.mass / law.hertz_stiffness(size);
+                let ratio = size.mass / law.spring.stiffness(size);
                 let unit_time = ratio.powf(0.4) * speed.powf(-0.2);
                 let unit_length = (ratio * speed * speed).powf(0.4);
                 assert_relative_eq!(collision.duration / unit_time, duration, max_relative = 1e-8);
@@ -300,7 +277,7 @@ mod tests {
             mass: 4e-4,
         };
         let law = law(PERSPEX, 1.0);
-        let (k, speed) = (law.hertz_stiffness(size), 0.7);
+        let (k, speed) = (law.spring.stiffness(size), 0.7);
         let collision = collide(&law, size, speed);
         let overlap = (1.25 * size.mass * speed * speed / k).powf(0.4);
         assert_relative_eq!(collision.largest_overlap, overlap, max_relative = 1e-10);

@@ -5,6 +5,7 @@ use super::window::{contact_share, mean_overlap};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use crate::restitution::ContactEnd;
@@ -42,8 +43,8 @@ pub struct Linear {
 
 impl Linear {
     #[inline(always)]
-    fn k(&self, size: PairSize) -> f64 {
-        self.stiffness + self.per_mass * size.mass
+    fn k<L: Lanes>(&self, size: PairSize<L>) -> L {
+        size.mass * self.per_mass + self.stiffness
     }
 }
 
@@ -99,12 +100,25 @@ impl Normal for Linear {
         })
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
-        let (k, mass) = (self.k(input.size), input.size.mass);
-        let damping = 2.0 * self.damping.ratio((k / mass).sqrt(), input.rate, history) * (k * mass).sqrt();
-        let response = NormalResponse::viscoelastic(k * mean_overlap(input), damping * contact_share(input));
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
+        let k = self.k(input.size);
+        let unit = (k * input.size.mass).sqrt();
+        let damping = self.damping.dashpot(input, unit, history) * 2.0;
+        let response = NormalResponse::spring_dashpot(k * mean_overlap(input), damping * contact_share(input));
         response.ending_at(self.end)
+    }
+
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        overlap.max(L::splat(0.0))
     }
 
     #[inline(always)]
@@ -114,7 +128,12 @@ impl Normal for Linear {
     }
 
     #[inline(always)]
-    fn stiffness(&self, size: PairSize, _overlap: f64, _history: &[f64]) -> f64 {
+    fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.stiffness_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, _overlap: L, _history: &[L]) -> L {
         self.k(size)
     }
 

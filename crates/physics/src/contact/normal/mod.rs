@@ -1,16 +1,16 @@
 //! Normal laws: force along the line of centres.
 
 pub mod dashpot;
+mod hertz_spring;
 pub mod hysteresis;
 pub mod jkr_curve;
-mod lane_by_lane;
 pub mod path;
 mod spring_dashpot;
 #[cfg(test)]
 mod walk;
 mod window;
 
-use super::{MaterialPair, PairSize, law_family};
+use super::{MaterialPair, PairSize, lane_by_lane, law_family};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
@@ -27,6 +27,19 @@ pub struct NormalInput<L = f64> {
     pub rate: L,
     /// Largest change of the overlap within half a step, `|rate| dt / 2` [m]. With 0 the law gives its plain force.
     pub half_window: L,
+}
+
+impl<L: Lanes> NormalInput<L> {
+    /// The contact in one lane.
+    #[inline(always)]
+    pub fn lane(&self, lane: usize) -> NormalInput {
+        NormalInput {
+            size: self.size.lane(lane),
+            overlap: self.overlap.as_slice()[lane],
+            rate: self.rate.as_slice()[lane],
+            half_window: self.half_window.as_slice()[lane],
+        }
+    }
 }
 
 impl NormalInput {
@@ -88,6 +101,18 @@ impl<L: Lanes> NormalResponse<L> {
         }
     }
 
+    /// From one answer per lane.
+    #[inline(always)]
+    pub fn of_lanes(answers: &[NormalResponse]) -> Self {
+        Self {
+            elastic: L::from_fn(|k| answers[k].elastic),
+            damping: L::from_fn(|k| answers[k].damping),
+            least: L::from_fn(|k| answers[k].least),
+            adhesion: L::from_fn(|k| answers[k].adhesion),
+            lost: L::from_fn(|k| answers[k].lost),
+        }
+    }
+
     /// The same, without a pull where contact ends at zero force.
     #[inline(always)]
     pub fn ending_at(mut self, end: ContactEnd) -> Self {
@@ -130,7 +155,11 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     /// The same in every lane: `history` holds the lanes of each value in turn.
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
-        lane_by_lane::respond(input, history, |input, history| self.respond(input, history))
+        let nothing = NormalResponse::NOTHING;
+        let answers = lane_by_lane::ask(history, nothing, |lane, history| {
+            self.respond(&input.lane(lane), history)
+        });
+        NormalResponse::of_lanes(&answers)
     }
     /// Energy that the contact would give back on its way out of reach, were there no dashpot [J].
     fn energy(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64;
@@ -161,16 +190,16 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     /// [`Normal::bearing_overlap`] in every lane.
     #[inline(always)]
     fn bearing_overlap_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
-        lane_by_lane::tell(size, overlap, history, |size, overlap, history| {
-            self.bearing_overlap(size, overlap, history)
+        lane_by_lane::tell(history, |lane, history| {
+            self.bearing_overlap(size.lane(lane), overlap.as_slice()[lane], history)
         })
     }
 
     /// [`Normal::stiffness`] in every lane.
     #[inline(always)]
     fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
-        lane_by_lane::tell(size, overlap, history, |size, overlap, history| {
-            self.stiffness(size, overlap, history)
+        lane_by_lane::tell(history, |lane, history| {
+            self.stiffness(size.lane(lane), overlap.as_slice()[lane], history)
         })
     }
 
@@ -215,13 +244,25 @@ pub(crate) fn near_end<L: Lanes>(input: &NormalInput<L>) -> L::Mask {
     input.half_window.gt(input.overlap * WINDOW_SHARE)
 }
 
+/// Where the window begins and ends, cut to the overlapping part: upper and lower end [m].
+#[inline(always)]
+fn window<L: Lanes>(input: &NormalInput<L>) -> [L; 2] {
+    let (h, zero) = (input.half_window, L::splat(0.0));
+    [(input.overlap + h).max(zero), (input.overlap - h).max(zero)]
+}
+
+/// Mean over the window of what changes by this much over it.
+#[inline(always)]
+fn mean_of_change<L: Lanes>(input: &NormalInput<L>, change: L) -> L {
+    let h = input.half_window;
+    (change / (h * 2.0)).keep(h.gt(L::splat(0.0)))
+}
+
 /// Mean slope of a primitive over the window, `(P(d + h) - P(d - h)) / (2 h)`: the mean of its derivative.
 #[inline(always)]
-pub(crate) fn mean_slope<L: Lanes>(input: &NormalInput<L>, primitive: impl Fn(L) -> L) -> L {
-    let (h, zero) = (input.half_window, L::splat(0.0));
-    let upper = primitive((input.overlap + h).max(zero));
-    let lower = primitive((input.overlap - h).max(zero));
-    ((upper - lower) / (h * 2.0)).keep(h.gt(zero))
+pub fn mean_slope(input: &NormalInput, primitive: impl Fn(f64) -> f64) -> f64 {
+    let [upper, lower] = window(input);
+    mean_of_change(input, primitive(upper) - primitive(lower))
 }
 
 /// Normal force of one step [N] and the rate of approach that it acts at [m/s].

@@ -1,10 +1,12 @@
 #![doc = include_str!("sjkr.md")]
 
 use super::dashpot::Dashpot;
-use super::window::{mean_overlap, mean_quarter, mean_three_halves};
+use super::hertz_spring::{HertzSpring, Power};
+use super::window::mean_overlap;
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use crate::restitution::duration::UNDAMPED;
@@ -32,24 +34,17 @@ const AREAS: [f64; 3] = [
 /// The simplified JKR contact bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sjkr {
-    /// `4/3 E` [Pa].
-    modulus: f64,
+    spring: HertzSpring,
     /// Pull per `R d` [Pa].
     pull: f64,
     dashpot: Dashpot,
 }
 
 impl Sjkr {
-    /// `K = 4/3 E sqrt(R)` [N/m^(3/2)].
-    #[inline(always)]
-    fn hertz_stiffness(&self, size: PairSize) -> f64 {
-        self.modulus * size.radius.sqrt()
-    }
-
     /// Pull per overlap [N/m].
     #[inline(always)]
-    fn pull(&self, size: PairSize) -> f64 {
-        self.pull * size.radius
+    fn pull<L: Lanes>(&self, size: PairSize<L>) -> L {
+        size.radius * self.pull
     }
 
     fn with(&self, dashpot: Dashpot) -> Self {
@@ -72,48 +67,58 @@ impl Normal for Sjkr {
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = SjkrParameters::from_values(values)?;
         Ok(Self {
-            modulus: 4.0 / 3.0 * pair.effective_modulus(),
+            spring: HertzSpring::of(pair),
             pull: p.cohesion_energy_density * AREAS[p.area.min(AREAS.len() - 1)],
             dashpot: Dashpot::read("alpha", p.alpha, p.restitution, p.impact_speed)?,
         })
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
-        let k = self.hertz_stiffness(input.size);
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let alpha = self.dashpot.coefficient(input.size, history, |d| self.with(d));
         let adhesion = self.pull(input.size) * mean_overlap(input);
-        let mut response = NormalResponse::viscoelastic(
-            k * mean_three_halves(input) - adhesion,
-            alpha * (input.size.mass * k).sqrt() * mean_quarter(input),
-        );
-        response.adhesion = adhesion;
-        response
+        NormalResponse {
+            adhesion,
+            ..NormalResponse::spring_dashpot(
+                self.spring.mean(Power::Force, input) - adhesion,
+                self.spring.mean(Power::Damping, input) * alpha,
+            )
+        }
+    }
+
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        overlap.max(L::splat(0.0))
     }
 
     #[inline(always)]
     fn energy(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
         let d = overlap.max(0.0);
-        d * d * (0.4 * self.hertz_stiffness(size) * d.sqrt() - 0.5 * self.pull(size))
+        self.spring.energy(size, d) - 0.5 * self.pull(size) * d * d
     }
 
     #[inline(always)]
-    fn stiffness(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
-        if overlap > 0.0 {
-            1.5 * self.hertz_stiffness(size) * overlap.sqrt() - self.pull(size)
-        } else {
-            0.0
-        }
+    fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.stiffness_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        (self.spring.tangent(size, overlap) - self.pull(size)).keep(overlap.gt(L::splat(0.0)))
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
         // that of Hertz, at least as deep as where both forces are equal
-        let k = self.hertz_stiffness(size);
-        let ratio = size.mass / k;
-        let share = self.pull(size) / k;
+        let share = self.pull(size) / self.spring.stiffness(size);
         let overlap = overlap.max(share * share);
-        let v0 = (0.8 / ratio * overlap * overlap * overlap.sqrt()).sqrt();
-        UNDAMPED * libm::pow(ratio, 0.4) * libm::pow(v0, -0.2)
+        UNDAMPED * self.spring.unit_of_time(size, self.spring.impact_speed(size, overlap))
     }
 
     #[inline(always)]

@@ -1,6 +1,8 @@
 //! What the linear and the Hertzian spring-dashpot share: every way to ask for their stiffness and damping (Antypov &
 //! Elliott 2011). Both follow one phase trajectory, which the damping ratio `g` alone decides.
 
+use super::NormalInput;
+use crate::contact::lane_by_lane::{noted, some_new};
 use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, Restitution};
 use crate::restitution::hertz::HertzCollision;
@@ -48,42 +50,32 @@ impl Damping {
         }
     }
 
-    /// Damping ratio of a contact with the frequency `omega0 = sqrt(k/m)` of the linear spring [1/s], at the rate of
-    /// approach `rate` [m/s].
+    /// Half the coefficient of the linear spring's dashpot, `g sqrt(k m) = gamma m` [N s/m]; of the Hertzian one, the share
+    /// `1/sqrt(5)`. `unit` is `sqrt(k m)`.
     #[inline(always)]
-    pub fn ratio(&self, frequency: f64, rate: f64, memory: &mut [f64]) -> f64 {
+    pub fn dashpot<L: Lanes>(&self, input: &NormalInput<L>, unit: L, memory: &mut [L]) -> L {
+        match self {
+            Self::Ratio(ratio) => unit * *ratio,
+            Self::Rate(rate) => input.size.mass * *rate,
+            Self::Profile(restitution, end) => {
+                if some_new(memory[0]) {
+                    let rate = input.rate;
+                    memory[0] = noted(memory[0], |lane| {
+                        1.0 + ratio_of(restitution.at(rate.as_slice()[lane].abs()), *end)
+                    });
+                }
+                unit * (memory[0] - 1.0)
+            }
+        }
+    }
+
+    /// Damping ratio at an impact speed [m/s] for the frequency `omega0 = sqrt(k/m)` of the linear spring [1/s].
+    pub fn ratio_at(&self, frequency: f64, speed: f64) -> f64 {
         match self {
             Self::Ratio(ratio) => *ratio,
             Self::Rate(rate) => rate / frequency,
-            Self::Profile(restitution, end) => {
-                // 0 is a new contact
-                if memory[0] == 0.0 {
-                    memory[0] = 1.0 + ratio_of(restitution.at(rate.abs()), *end);
-                }
-                memory[0] - 1.0
-            }
+            Self::Profile(restitution, end) => ratio_of(restitution.at(speed), *end),
         }
-    }
-
-    /// [`Damping::ratio`] in every lane.
-    #[inline(always)]
-    pub fn ratio_wide<L: Lanes>(&self, frequency: impl FnOnce() -> L, rate: L, memory: &mut [L]) -> L {
-        match self {
-            Self::Ratio(ratio) => L::splat(*ratio),
-            Self::Rate(rate) => L::splat(*rate) / frequency(),
-            Self::Profile(..) => {
-                let (mut noted, rate) = (memory[0].to_array(), rate.to_array());
-                // the frequency does not enter
-                let ratio = L::from_fn(|k| self.ratio(0.0, rate[k], std::slice::from_mut(&mut noted[k])));
-                memory[0] = L::load(&noted);
-                ratio
-            }
-        }
-    }
-
-    /// Damping ratio at a frequency [1/s] and an impact speed [m/s].
-    pub fn ratio_at(&self, frequency: f64, speed: f64) -> f64 {
-        self.ratio(frequency, speed, &mut [0.0])
     }
 }
 

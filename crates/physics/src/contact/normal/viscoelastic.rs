@@ -1,9 +1,11 @@
 #![doc = include_str!("viscoelastic.md")]
 
-use super::window::{mean_root, mean_three_halves};
+use super::hertz_spring::{HertzSpring, Power};
 use super::{Normal, NormalInput, NormalResponse};
+use crate::contact::lane_by_lane::{noted, some_new};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use crate::restitution::ContactEnd;
@@ -36,25 +38,18 @@ enum Damping {
 /// Viscoelastic contact bound to a pair of materials.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viscoelastic {
-    /// `4/3 E` [Pa].
-    modulus: f64,
+    spring: HertzSpring,
     damping: Damping,
     end: ContactEnd,
 }
 
 impl Viscoelastic {
-    /// `K = 4/3 E sqrt(R)` [N/m^(3/2)].
-    #[inline(always)]
-    fn hertz_stiffness(&self, size: PairSize) -> f64 {
-        self.modulus * size.radius.sqrt()
-    }
-
     /// `A` of two bodies [s]: `beta / ((3/2) (K/m)^(2/5) v0^(1/5))`.
     fn dissipation_time(&self, size: PairSize) -> f64 {
         match self.damping {
             Damping::Time(time) => time,
             Damping::Number(beta, speed) => {
-                let rate = libm::pow(self.hertz_stiffness(size) / size.mass, 0.4) * libm::pow(speed, 0.2);
+                let rate = libm::pow(self.spring.stiffness(size) / size.mass, 0.4) * libm::pow(speed, 0.2);
                 beta / (1.5 * rate)
             }
         }
@@ -62,13 +57,13 @@ impl Viscoelastic {
 
     /// The same, remembered by a contact where it takes long to find.
     #[inline(always)]
-    fn remembered_time(&self, size: PairSize, history: &mut [f64]) -> f64 {
+    fn remembered_time<L: Lanes>(&self, size: PairSize<L>, history: &mut [L]) -> L {
         match self.damping {
-            Damping::Time(time) => time,
+            Damping::Time(time) => L::splat(time),
+            Damping::Number(0.0, _) => L::splat(0.0),
             Damping::Number(..) => {
-                // 0 is a new contact, or one without damping
-                if history[0] == 0.0 {
-                    history[0] = self.dissipation_time(size);
+                if some_new(history[0]) {
+                    history[0] = noted(history[0], |lane| self.dissipation_time(size.lane(lane)));
                 }
                 history[0]
             }
@@ -126,45 +121,60 @@ impl Normal for Viscoelastic {
             }
         };
         Ok(Self {
-            modulus: 4.0 / 3.0 * pair.effective_modulus(),
+            spring: HertzSpring::of(pair),
             damping,
             end,
         })
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
-        let k = self.hertz_stiffness(input.size);
-        let dashpot = 1.5 * self.remembered_time(input.size, history) * k;
-        let response = NormalResponse::viscoelastic(k * mean_three_halves(input), dashpot * mean_root(input));
-        response.ending_at(self.end)
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
+        let time = self.remembered_time(input.size, history);
+        let damping = self.spring.mean(Power::Secant, input) * time * 1.5;
+        NormalResponse::spring_dashpot(self.spring.mean(Power::Force, input), damping).ending_at(self.end)
+    }
+
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        overlap.max(L::splat(0.0))
     }
 
     #[inline(always)]
     fn energy(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
-        let d = overlap.max(0.0);
-        0.4 * self.hertz_stiffness(size) * d * d * d.sqrt()
+        self.spring.energy(size, overlap)
     }
 
     #[inline(always)]
-    fn stiffness(&self, size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
-        1.5 * self.hertz_stiffness(size) * overlap.max(0.0).sqrt()
+    fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.stiffness_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        self.spring.tangent(size, overlap)
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
-        let ratio = size.mass / self.hertz_stiffness(size);
-        let speed = (0.8 / ratio * overlap * overlap * overlap.sqrt()).sqrt();
+        let speed = self.spring.impact_speed(size, overlap);
+        let unit_of_time = self.spring.unit_of_time(size, speed);
         let unit = match self.end {
             // without damping it is shortest
             ContactEnd::ZeroOverlap => UNDAMPED,
             ContactEnd::ZeroForce => {
-                let beta = 1.5 * self.dissipation_time(size) * libm::pow(ratio, -0.4) * libm::pow(speed, 0.2);
+                let beta = 1.5 * self.dissipation_time(size) / unit_of_time;
                 // stronger damping leaves too little of the speed to need shorter steps
                 let collision = ViscoelasticCollision::new(beta.min(MOST_RESOLVED));
                 collision.and_then(|c| c.contact_time(self.end)).unwrap_or(UNDAMPED)
             }
         };
-        unit * libm::pow(ratio, 0.4) * libm::pow(speed, -0.2)
+        unit * unit_of_time
     }
 
     #[inline(always)]
@@ -221,7 +231,7 @@ mod tests {
     #[test]
     fn slower_impacts_lose_less_by_the_law_of_brilliantov() {
         let law = build(&[("dissipation_time", 2e-8)], "zero-overlap").unwrap();
-        let k = law.hertz_stiffness(SIZE);
+        let k = law.spring.stiffness(SIZE);
         for speed in [1e-4f64, 1e-2, 1.0, 5.0] {
             let beta = 1.5 * 2e-8 * (k / SIZE.mass).powf(0.4) * speed.powf(0.2);
             let expected = ViscoelasticCollision::new(beta).unwrap();

@@ -1,8 +1,10 @@
 #![doc = include_str!("constant_torque.md")]
 
 use super::{Rolling, RollingInput, RollingResponse};
+use crate::contact::slider::resist;
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 
@@ -33,21 +35,21 @@ impl Rolling for ConstantTorque {
         })
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
-    fn respond(&self, input: &RollingInput, _history: &mut [f64]) -> RollingResponse {
-        let speed = input.angular_velocity.length();
-        let full = self.rolling_friction * input.size.radius * input.normal_force;
-        let stopping = input.removable_share * input.rolling_inertia / input.dt;
-        let coefficient = if full < stopping * speed {
-            full / speed
-        } else {
-            stopping
-        };
-        let coefficient = if full > 0.0 { coefficient } else { 0.0 };
-        let torque = -input.angular_velocity * coefficient;
+    fn respond(&self, input: &RollingInput, history: &mut [f64]) -> RollingResponse {
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &RollingInput<L>, _history: &mut [L]) -> RollingResponse<L> {
+        let limit = input.size.radius * input.normal_force * self.rolling_friction;
+        let stopping = input.rolling_inertia * (input.removable_share / input.dt);
+        let response = resist(input.angular_velocity, limit, stopping, input.dt);
         RollingResponse {
-            torque,
-            dissipated: coefficient * speed * speed * input.dt,
+            torque: response.load,
+            dissipated: response.dissipated,
         }
     }
 

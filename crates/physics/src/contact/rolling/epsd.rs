@@ -4,6 +4,7 @@ use super::{Rolling, RollingInput, RollingResponse};
 use crate::contact::spring::{SpringInput, advance_spring, spring_energy};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 
@@ -40,16 +41,23 @@ impl Rolling for Epsd {
         })
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn respond(&self, input: &RollingInput, history: &mut [f64]) -> RollingResponse {
-        let stiffness = self.stiffness(input.size, input.normal_stiffness);
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &RollingInput<L>, history: &mut [L]) -> RollingResponse<L> {
+        let stiffness = self.spring(input.size, input.normal_stiffness);
         let spring = SpringInput {
             normal: input.normal,
             rate: input.angular_velocity,
             spin: input.spin,
             stiffness,
-            damping: 2.0 * self.parameters.damping_ratio * (input.rolling_inertia * stiffness).sqrt(),
-            limit: self.parameters.rolling_friction * input.size.radius * input.normal_force,
+            damping: (input.rolling_inertia * stiffness).sqrt() * (2.0 * self.parameters.damping_ratio),
+            limit: input.size.radius * input.normal_force * self.parameters.rolling_friction,
             dt: input.dt,
         };
         let response = advance_spring(&spring, history);
@@ -66,7 +74,15 @@ impl Rolling for Epsd {
 
     #[inline(always)]
     fn stiffness(&self, size: PairSize, normal_stiffness: f64) -> f64 {
-        let arm = self.parameters.rolling_friction * size.radius;
-        2.25 * normal_stiffness * arm * arm
+        self.spring(size, normal_stiffness)
+    }
+}
+
+impl Epsd {
+    /// Rolling stiffness, `9/4 k_n (mu_r R)^2` [N m].
+    #[inline(always)]
+    fn spring<L: Lanes>(&self, size: PairSize<L>, normal_stiffness: L) -> L {
+        let arm = size.radius * self.parameters.rolling_friction;
+        normal_stiffness * 2.25 * arm * arm
     }
 }

@@ -1,8 +1,10 @@
 #![doc = include_str!("coulomb.md")]
 
 use super::{Tangential, TangentialInput, TangentialResponse};
+use crate::contact::slider::resist;
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 
@@ -31,22 +33,21 @@ impl Tangential for Coulomb {
         Ok(Self { friction: p.friction })
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
-    fn respond(&self, input: &TangentialInput, _history: &mut [f64]) -> TangentialResponse {
-        let speed = input.velocity.length();
-        let sliding = self.friction * input.normal_force;
-        // force per speed, the smaller of the two branches: no division by a vanishing speed
-        let sticking = input.removable_share * input.tangential_mass / input.dt;
-        let coefficient = if sliding < sticking * speed {
-            sliding / speed
-        } else {
-            sticking
-        };
-        let coefficient = if sliding > 0.0 { coefficient } else { 0.0 };
-        let force = -input.velocity * coefficient;
+    fn respond(&self, input: &TangentialInput, history: &mut [f64]) -> TangentialResponse {
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, _history: &mut [L]) -> TangentialResponse<L> {
+        let limit = input.normal_force * self.friction;
+        let stopping = input.tangential_mass * (input.removable_share / input.dt);
+        let response = resist(input.velocity, limit, stopping, input.dt);
         TangentialResponse {
-            force,
-            dissipated: coefficient * speed * speed * input.dt,
+            force: response.load,
+            dissipated: response.dissipated,
         }
     }
 

@@ -4,6 +4,7 @@ use super::{Tangential, TangentialInput, TangentialResponse, dashpot};
 use crate::contact::spring::{SpringInput, advance_spring, spring_energy};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 
@@ -41,16 +42,24 @@ impl Tangential for LinearHistory {
         })
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn respond(&self, input: &TangentialInput, history: &mut [f64]) -> TangentialResponse {
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, history: &mut [L]) -> TangentialResponse<L> {
         let p = &self.parameters;
+        let stiffness = L::splat(p.stiffness);
         let spring = SpringInput {
             normal: input.normal,
             rate: input.velocity,
             spin: input.spin,
-            stiffness: p.stiffness,
-            damping: dashpot(p.damping_ratio, p.stiffness, input.tangential_mass),
-            limit: p.friction * input.normal_force,
+            stiffness,
+            damping: dashpot(p.damping_ratio, stiffness, input.tangential_mass),
+            limit: input.normal_force * p.friction,
             dt: input.dt,
         };
         let response = advance_spring(&spring, history);

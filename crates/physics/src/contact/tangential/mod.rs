@@ -1,8 +1,9 @@
 //! Tangential laws: friction in the contact plane.
 
+use super::lane_by_lane::{ask, vector_in, vector_of};
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
-use crate::lanes::{Lanes, MOST_LANES, Vector};
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 use glam::DVec3;
 
@@ -31,6 +32,24 @@ pub struct TangentialInput<L: Lanes = f64> {
     pub removable_share: f64,
 }
 
+impl<L: Lanes> TangentialInput<L> {
+    /// The contact in one lane.
+    #[inline(always)]
+    pub fn lane(&self, lane: usize) -> TangentialInput {
+        TangentialInput {
+            size: self.size.lane(lane),
+            tangential_mass: self.tangential_mass.as_slice()[lane],
+            normal: vector_in::<L>(&self.normal, lane),
+            velocity: vector_in::<L>(&self.velocity, lane),
+            spin: self.spin.as_slice()[lane],
+            normal_force: self.normal_force.as_slice()[lane],
+            overlap: self.overlap.as_slice()[lane],
+            dt: self.dt,
+            removable_share: self.removable_share,
+        }
+    }
+}
+
 /// What a tangential law answers.
 #[derive(Clone, Copy, Debug)]
 pub struct TangentialResponse<L: Lanes = f64> {
@@ -38,6 +57,25 @@ pub struct TangentialResponse<L: Lanes = f64> {
     pub force: L::Vector,
     /// Energy dissipated in this step [J].
     pub dissipated: L,
+}
+
+impl TangentialResponse {
+    /// No force.
+    pub const NOTHING: Self = Self {
+        force: DVec3::ZERO,
+        dissipated: 0.0,
+    };
+}
+
+impl<L: Lanes> TangentialResponse<L> {
+    /// From one answer per lane.
+    #[inline(always)]
+    pub fn of_lanes(answers: &[TangentialResponse]) -> Self {
+        Self {
+            force: vector_of::<L>(|k| answers[k].force),
+            dissipated: L::from_fn(|k| answers[k].dissipated),
+        }
+    }
 }
 
 /// A tangential law.
@@ -64,7 +102,11 @@ pub trait Tangential: Copy + Send + Sync {
     /// The same in every lane: `history` holds the lanes of each value in turn.
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, history: &mut [L]) -> TangentialResponse<L> {
-        lane_by_lane(input, history, |input, history| self.respond(input, history))
+        let nothing = TangentialResponse::NOTHING;
+        let answers = ask(history, nothing, |lane, history| {
+            self.respond(&input.lane(lane), history)
+        });
+        TangentialResponse::of_lanes(&answers)
     }
     /// Energy stored with this history [J].
     fn energy(&self, history: &[f64]) -> f64;
@@ -88,53 +130,4 @@ law_family! {
 #[inline(always)]
 fn dashpot<L: Lanes>(damping_ratio: f64, stiffness: L, mass: L) -> L {
     (stiffness * mass).sqrt() * (2.0 * damping_ratio)
-}
-
-/// More values than any tangential law remembers.
-const MOST_HISTORY: usize = 64;
-
-/// Asks a law that is written for one contact in every lane.
-#[inline(always)]
-fn lane_by_lane<L: Lanes>(
-    input: &TangentialInput<L>,
-    history: &mut [L],
-    law: impl Fn(&TangentialInput, &mut [f64]) -> TangentialResponse,
-) -> TangentialResponse<L> {
-    let vector = |v: L::Vector, lane: usize| DVec3::from_array(v.components().map(|c| c.to_array()[lane]));
-    let (mut force, mut dissipated) = ([[0.0; MOST_LANES]; 3], [0.0; MOST_LANES]);
-    let mut memory = [0.0; MOST_HISTORY];
-    for lane in 0..L::COUNT {
-        let one = |value: L| value.to_array()[lane];
-        let memory = &mut memory[..history.len()];
-        for (one, value) in memory.iter_mut().zip(&*history) {
-            *one = value.to_array()[lane];
-        }
-        let answer = law(
-            &TangentialInput {
-                size: input.size.lane(lane),
-                tangential_mass: one(input.tangential_mass),
-                overlap: one(input.overlap),
-                normal: vector(input.normal, lane),
-                velocity: vector(input.velocity, lane),
-                spin: one(input.spin),
-                normal_force: one(input.normal_force),
-                dt: input.dt,
-                removable_share: input.removable_share,
-            },
-            memory,
-        );
-        for (value, changed) in history.iter_mut().zip(memory) {
-            let mut lanes = value.to_array();
-            lanes[lane] = *changed;
-            *value = L::load(&lanes);
-        }
-        for (axis, component) in answer.force.to_array().into_iter().enumerate() {
-            force[axis][lane] = component;
-        }
-        dissipated[lane] = answer.dissipated;
-    }
-    TangentialResponse {
-        force: L::Vector::new(L::load(&force[0]), L::load(&force[1]), L::load(&force[2])),
-        dissipated: L::load(&dissipated),
-    }
 }

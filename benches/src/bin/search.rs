@@ -1,0 +1,182 @@
+//! What the search for candidates costs: on loose and dense packings of one size, and of sizes 1:10 and 1:100; and a whole
+//! rebuild with contacts that are carried over.
+//!
+//! Told is the fastest of the rounds, as others may share the machine. Grains move a little between two searches, so that nothing is searched twice.
+#![allow(clippy::print_stdout, reason = "a benchmark prints its table")]
+
+use clap::Parser;
+use demeter::comm::Single;
+use demeter::neighbours::{Neighbours, SpatialOrder};
+use demeter::scenario::{Scenario, prepare};
+use demeter::simulation::{Setup, Simulation};
+use std::error::Error;
+use std::path::Path;
+use std::time::Instant;
+
+type Outcome<T> = Result<T, Box<dyn Error + Send + Sync>>;
+
+#[derive(Parser)]
+struct Arguments {
+    /// Grains of every packing.
+    #[arg(long, default_value_t = 20_000)]
+    count: u32,
+    /// Rounds, of which the fastest is told.
+    #[arg(long, default_value_t = 31)]
+    rounds: usize,
+    /// Skin, as a share of the mean diameter.
+    #[arg(long, default_value_t = 0.1)]
+    skin: f64,
+    /// Threads.
+    #[arg(long, default_value_t = 1)]
+    threads: usize,
+    /// Only packings whose name contains this.
+    #[arg(long, default_value = "")]
+    only: String,
+}
+
+/// Name, ratio of the largest to the smallest diameter, share of the volume that grains fill.
+const PACKINGS: [(&str, f64, f64); 5] = [
+    ("one size, dilute", 1.0, 0.05),
+    ("one size, loose", 1.0, 0.3),
+    ("one size, dense", 1.0, 0.6),
+    ("1:10, dense", 10.0, 0.58),
+    ("1:100, dense", 100.0, 0.58),
+];
+
+fn main() -> Outcome<()> {
+    let arguments = Arguments::parse();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(arguments.threads).build()?;
+    pool.install(|| bench(&arguments))
+}
+
+/// A diameter [mm], or sizes with equal volume per logarithm of the size (`p(d) ~ d^-4` by number).
+fn diameters(ratio: f64) -> (String, f64) {
+    if ratio == 1.0 {
+        return ("\"1 mm\"".into(), 1.0);
+    }
+    let points: Vec<f64> = (0..=40).map(|k| ratio.powf(f64::from(k) / 40.0)).collect();
+    let list = |values: &mut dyn Iterator<Item = String>| values.collect::<Vec<_>>().join(", ");
+    let sizes = list(&mut points.iter().map(|d| format!("\"{d} mm\"")));
+    let finer = list(&mut (0..=40).map(|k| format!("{}", f64::from(k) / 40.0)));
+    // mean volume of a grain over pi/6, with as much volume per logarithm of the size everywhere
+    let mean_cube = 3.0 * ratio.ln() / (1.0 - ratio.powi(-3));
+    (
+        format!("{{ distribution = \"table\", basis = \"mass\", diameters = [{sizes}], finer = [{finer}] }}"),
+        mean_cube,
+    )
+}
+
+/// Grains in a periodic box, `fraction` of which they fill.
+fn packing(count: u32, ratio: f64, fraction: f64) -> Outcome<Setup> {
+    let (diameter, mean_cube) = diameters(ratio);
+    let edge = (f64::from(count) * mean_cube * std::f64::consts::FRAC_PI_6 / fraction).cbrt();
+    let text = format!(
+        r#"
+title = "packing"
+[simulation]
+max_overlap = 0.5
+[domain]
+lower = "0 0 0 mm"
+upper = "{edge} {edge} {edge} mm"
+periodic = ["x", "y", "z"]
+[material.m]
+young_modulus = "10 MPa"
+poisson_ratio = 0.3
+density = "2500 kg/m^3"
+[contact]
+normal = {{ law = "hertz-tsuji", restitution = 0.5 }}
+tangential = {{ law = "mindlin-history", friction = 0.5 }}
+[[grains]]
+material = "m"
+source = "random"
+region = {{ shape = "box", lower = "0 0 0 mm", upper = "{edge} {edge} {edge} mm" }}
+diameter = {diameter}
+count = {count}
+[[stage]]
+name = "none"
+duration = "1 s"
+"#
+    );
+    let fault = |d: demeter::scenario::Diagnostics| d.to_string();
+    let scenario = Scenario::parse(&text, "packing.toml", Path::new("."), &[]).map_err(fault)?;
+    Ok(prepare(&scenario).map_err(fault)?.setup)
+}
+
+fn bench(arguments: &Arguments) -> Outcome<()> {
+    println!(
+        "{} grains, skin {} mean diameters, {} threads",
+        arguments.count, arguments.skin, arguments.threads
+    );
+    println!(
+        "| packing | sizes | search, ns/grain | candidates/grain | distance tests/grain | order along the curve, ns/grain | \
+         rebuild, ns/grain | contacts/grain | table, B/grain | memory of the search, B/grain |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|---|");
+    for (name, ratio, fraction) in PACKINGS {
+        if name.contains(&arguments.only) {
+            measure(arguments, name, packing(arguments.count, ratio, fraction)?)?;
+        }
+    }
+    Ok(())
+}
+
+/// Seconds of one call.
+fn timed(work: impl FnOnce()) -> f64 {
+    let begun = Instant::now();
+    work();
+    begun.elapsed().as_secs_f64()
+}
+
+fn measure(arguments: &Arguments, name: &str, setup: Setup) -> Outcome<()> {
+    let mut grains = setup.grains.clone();
+    let n = grains.len() as f64;
+    let comm = Single::new(setup.domain);
+    let mean = 2.0 * grains.radii().sum::<f64>() / n;
+    let skin = arguments.skin * mean;
+    let (mut found, mut order) = (Neighbours::default(), SpatialOrder::default());
+    let radii = |fold: fn(f64, f64) -> f64| grains.radii().reduce(fold).unwrap_or(f64::NAN);
+    let sizes = format!("1:{:.1}", radii(f64::max) / radii(f64::min));
+    let (mut search, mut sort) = (vec![], vec![]);
+    let mut state = 1u64;
+    for _ in 0..arguments.rounds {
+        let mut random = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        for position in grains.position.iter_mut() {
+            position.x += 0.05 * skin * random();
+        }
+        comm.wrap(&mut grains);
+        sort.push(timed(|| order.sort(&mut grains)));
+        search.push(timed(|| found.find(&grains, &[], &setup.materials, &comm, skin)));
+    }
+    // grains of the same places and a little larger: those that nearly touched do
+    let mut squeezed = setup;
+    for g in 0..squeezed.grains.len() {
+        let (radius, mass) = (squeezed.grains.radius(g), squeezed.grains.mass[g]);
+        squeezed.grains.set_size(g, 1.01 * radius, mass);
+    }
+    squeezed.skin = skin;
+    let mut sim = Simulation::new(squeezed);
+    sim.step()?;
+    let rebuild: Vec<f64> = (0..arguments.rounds).map(|_| timed(|| sim.find_candidates())).collect();
+    let (table, memory) = found.bytes();
+    println!(
+        "| {name} | {sizes} | {:.0} | {:.2} | {:.1} | {:.0} | {:.0} | {:.2} | {:.0} | {:.0} |",
+        fastest(&search) / n * 1e9,
+        found.pair_count() as f64 / n,
+        found.effort().tests as f64 / n,
+        fastest(&sort) / n * 1e9,
+        fastest(&rebuild) / n * 1e9,
+        sim.contacts.pair_count() as f64 / n,
+        table as f64 / n,
+        memory as f64 / n,
+    );
+    Ok(())
+}
+
+fn fastest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::INFINITY, f64::min)
+}

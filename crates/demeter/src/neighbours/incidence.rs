@@ -1,0 +1,160 @@
+//! Which candidates every grain is in.
+
+use super::ranges::{for_ranges, scatter, sums};
+use super::table::{Entry, Segment, Table};
+use super::{Pair, WallPair};
+
+/// Grains with so few candidates are sorted by counting, for every entry, those that go before it.
+const FEW: usize = 16;
+
+/// Entries of every grain.
+#[derive(Debug, Default)]
+pub(super) struct Incidence {
+    start: Vec<u32>,
+    entries: Vec<u32>,
+}
+
+/// A candidate and the grains that it is a candidate of.
+pub(super) trait Candidate: Copy + Sync {
+    /// Grains, with the number of the side.
+    fn grains(&self) -> impl Iterator<Item = (u32, u32)>;
+    /// What the entry of a grain is sorted by.
+    fn key(&self, grain: u32, ids: &[u32]) -> u32;
+}
+
+impl Candidate for Pair {
+    #[inline(always)]
+    fn grains(&self) -> impl Iterator<Item = (u32, u32)> {
+        [(self.i, 0), (self.j, 1)].into_iter()
+    }
+
+    #[inline(always)]
+    fn key(&self, grain: u32, ids: &[u32]) -> u32 {
+        ids[self.other(grain) as usize]
+    }
+}
+
+impl Candidate for WallPair {
+    #[inline(always)]
+    fn grains(&self) -> impl Iterator<Item = (u32, u32)> {
+        std::iter::once((self.grain, 0))
+    }
+
+    #[inline(always)]
+    fn key(&self, _grain: u32, _ids: &[u32]) -> u32 {
+        self.wall
+    }
+}
+
+impl Incidence {
+    /// Entries of a grain, in the order of the partner's id.
+    #[inline(always)]
+    pub(super) fn of(&self, grain: usize) -> impl ExactSizeIterator<Item = Entry> + '_ {
+        let range = self.start[grain] as usize..self.start[grain + 1] as usize;
+        self.entries[range].iter().map(|&bits| Entry::of_bits(bits))
+    }
+
+    /// Finds the entries of all grains anew.
+    pub(super) fn find<C: Candidate>(&mut self, table: &Table<C>, ids: &[u32], sides: usize) {
+        let grains = ids.len();
+        self.start.clear();
+        self.start.resize(grains + 1, 0);
+        for_ranges(0, &mut self.start[1..], grains, &|first, counts: &mut [u32]| {
+            for segment in meeting(table, first, counts.len()) {
+                for candidate in &segment.candidates {
+                    for (grain, _) in candidate.grains() {
+                        if let Some(count) = counts.get_mut((grain as usize).wrapping_sub(first)) {
+                            *count += 1;
+                        }
+                    }
+                }
+            }
+        });
+        sums(&mut self.start);
+        let entries = sides * table.len();
+        if self.entries.capacity() < entries {
+            self.entries.clear();
+            self.entries.reserve_exact(entries + entries / 16);
+        }
+        self.entries.resize(entries, 0);
+        let places = &mut self.entries[..];
+        scatter(0, &mut self.start[1..], 0, places, &|first, starts, base, entries| {
+            place(table, first, starts, base, entries);
+            let mut begin = base;
+            let mut long = Vec::new();
+            for (grain, &end) in (first as u32..).zip(starts.iter()) {
+                let own = &mut entries[begin - base..end as usize - base];
+                if own.len() <= FEW / 2 {
+                    sort_few::<C, { FEW / 2 }>(own, grain, table, ids);
+                } else if own.len() <= FEW {
+                    sort_few::<C, FEW>(own, grain, table, ids);
+                } else {
+                    sort_many((own, grain), table, ids, &mut long);
+                }
+                begin = end as usize;
+            }
+        });
+    }
+
+    /// Bytes in use.
+    pub(super) fn bytes(&self) -> usize {
+        4 * (self.start.capacity() + self.entries.capacity())
+    }
+}
+
+/// Segments with candidates of any of these grains.
+fn meeting<C>(table: &Table<C>, first: usize, count: usize) -> impl Iterator<Item = &Segment<C>> {
+    let segments = table.segments.iter();
+    segments.filter(move |s| (s.span.0 as usize) < first + count && s.span.1 as usize >= first)
+}
+
+/// Puts entries where those of their grain begin; the starts end as ends.
+fn place<C: Candidate>(table: &Table<C>, first: usize, starts: &mut [u32], base: usize, entries: &mut [u32]) {
+    let whole = (first, first + starts.len());
+    for chunk in 0..table.chunks() {
+        let span = table.span(chunk);
+        if span.0 as usize >= whole.1 || (span.1 as usize) < whole.0 {
+            continue;
+        }
+        for (slot, candidate) in table.chunk(chunk).0.iter().enumerate() {
+            for (grain, side) in candidate.grains() {
+                if let Some(next) = starts.get_mut((grain as usize).wrapping_sub(first)) {
+                    entries[*next as usize - base] = Entry::new(chunk, slot, side).bits();
+                    *next += 1;
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn key<C: Candidate>(bits: u32, grain: u32, table: &Table<C>, ids: &[u32]) -> u32 {
+    table.candidate(Entry::of_bits(bits)).key(grain, ids)
+}
+
+/// Sorts at most `MOST` by counting: without a branch that depends on what is compared.
+#[inline(always)]
+fn sort_few<C: Candidate, const MOST: usize>(entries: &mut [u32], grain: u32, table: &Table<C>, ids: &[u32]) {
+    let (mut keys, mut from) = ([u32::MAX; MOST], [0u32; MOST]);
+    for ((&bits, place), from) in entries.iter().zip(&mut keys).zip(&mut from) {
+        *from = bits;
+        *place = key(bits, grain, table, ids);
+    }
+    for (&bits, &own) in from.iter().zip(&keys).take(entries.len()) {
+        let rank: u32 = keys.iter().map(|&other| u32::from(other < own)).sum();
+        entries[rank as usize] = bits;
+    }
+}
+
+fn sort_many<C: Candidate>((entries, grain): (&mut [u32], u32), table: &Table<C>, ids: &[u32], keyed: &mut Vec<u64>) {
+    keyed.clear();
+    keyed.extend(
+        entries
+            .iter()
+            .map(|&bits| u64::from(key(bits, grain, table, ids)) << 32 | u64::from(bits)),
+    );
+    keyed.sort_unstable();
+    for (entry, keyed) in entries.iter_mut().zip(keyed) {
+        *entry = *keyed as u32;
+    }
+}

@@ -1,0 +1,251 @@
+//! The search for candidates.
+
+use super::cells::Cells;
+use super::table::{LawOrder, NOWHERE, Segment, Table};
+use super::visit::Near;
+use super::{Pair, WallPair};
+use crate::comm::Single;
+use crate::materials::Materials;
+use crate::particles::Grains;
+use crate::walls::Wall;
+use glam::DVec3;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::sync::{Mutex, PoisonError};
+
+/// Grains handled by one task; more where there are many pairs of materials, so that chunks are worth their while.
+const GRAINS_PER_TASK: usize = 512;
+
+/// Pairs of materials that a task of so many grains serves well.
+const FEW_LAWS: usize = 4;
+
+/// Neighbours in memory that are told together whether they are near a wall.
+const GRAINS_PER_GROUP: usize = 64;
+
+/// What the search found and tried.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SearchEffort {
+    /// Distances looked at in the filter of the search.
+    pub tests: u64,
+    /// Candidates whose grains lie in different tasks, which grows as grains that are close drift apart in memory.
+    pub scattered: u64,
+}
+
+impl SearchEffort {
+    fn join(self, other: Self) -> Self {
+        Self {
+            tests: self.tests + other.tests,
+            scattered: self.scattered + other.scattered,
+        }
+    }
+}
+
+/// Memory that a search needs, kept from one to the next.
+#[derive(Debug, Default)]
+pub(super) struct Search {
+    pub(super) cells: Cells,
+    workers: Vec<Mutex<Worker>>,
+    near_walls: Vec<Vec<WallPair>>,
+}
+
+/// Memory of one thread.
+#[derive(Debug, Default)]
+struct Worker {
+    near: Near,
+    pairs: Vec<Pair>,
+    walls: Vec<WallPair>,
+    laws: Vec<u32>,
+    order: LawOrder,
+}
+
+impl Search {
+    fn prepare(&mut self) {
+        let threads = rayon::current_num_threads();
+        self.workers
+            .resize_with(threads.max(self.workers.len()).max(1), Mutex::default);
+    }
+
+    fn with_worker<T>(&self, work: impl FnOnce(&mut Worker) -> T) -> T {
+        let thread = rayon::current_thread_index().unwrap_or(0) % self.workers.len();
+        let mut worker = self.workers[thread].lock().unwrap_or_else(PoisonError::into_inner);
+        work(&mut worker)
+    }
+
+    /// Finds all pairs of grains closer than `skin` to touching.
+    pub(super) fn pairs(
+        &mut self,
+        table: &mut Table<Pair>,
+        grains: &Grains,
+        (materials, comm): (&Materials, &Single),
+        skin: f64,
+    ) -> SearchEffort {
+        self.prepare();
+        self.cells.sort(grains, comm.domain(), skin);
+        let laws = materials.list().len().pow(2);
+        let per_task = GRAINS_PER_TASK * laws.div_ceil(FEW_LAWS).clamp(1, 16);
+        table
+            .segments
+            .resize_with(grains.len().div_ceil(per_task), Segment::default);
+        let finder = Finder {
+            grains,
+            materials,
+            comm,
+            skin,
+            cells: &self.cells,
+        };
+        let effort = (table.segments.par_iter_mut().enumerate())
+            .map(|(task, segment)| {
+                let of = task * per_task..((task + 1) * per_task).min(grains.len());
+                self.with_worker(|worker| {
+                    if finder.cells.is_periodic() {
+                        finder.find::<true>(of, segment, worker)
+                    } else {
+                        finder.find::<false>(of, segment, worker)
+                    }
+                })
+            })
+            .reduce(SearchEffort::default, SearchEffort::join);
+        table.cut();
+        effort
+    }
+
+    /// Finds all pairs of grain and wall closer than `skin` to touching.
+    pub(super) fn walls(
+        &mut self,
+        table: &mut Table<WallPair>,
+        grains: &Grains,
+        (walls, materials): (&[Wall], &Materials),
+        skin: f64,
+    ) {
+        self.prepare();
+        self.near_walls
+            .resize_with(grains.len().div_ceil(GRAINS_PER_TASK), Vec::new);
+        self.near_walls.par_iter_mut().enumerate().for_each(|(task, near)| {
+            near.clear();
+            let end = ((task + 1) * GRAINS_PER_TASK).min(grains.len());
+            for first in (task * GRAINS_PER_TASK..end).step_by(GRAINS_PER_GROUP) {
+                group_near_walls(first..(first + GRAINS_PER_GROUP).min(end), grains, walls, skin, near);
+            }
+        });
+        table.segments.resize_with(1, Segment::default);
+        let worker = self.workers[0].get_mut().unwrap_or_else(PoisonError::into_inner);
+        worker.walls.clear();
+        self.near_walls
+            .iter()
+            .for_each(|near| worker.walls.extend_from_slice(near));
+        let law = |p: &WallPair| materials.pair(grains.material[p.grain as usize], walls[p.wall as usize].material);
+        worker.laws.clear();
+        worker.laws.extend(worker.walls.iter().map(law));
+        let span = |span: (u32, u32), p: &WallPair| (span.0.min(p.grain), span.1.max(p.grain));
+        let segment = &mut table.segments[0];
+        segment.span = worker.walls.iter().fold(NOWHERE, span);
+        segment.fill(&worker.walls, &worker.laws, &mut worker.order);
+        table.cut();
+    }
+
+    /// Bytes in use.
+    pub(super) fn bytes(&self) -> usize {
+        let workers: usize = (self.workers.iter())
+            .map(|worker| worker.lock().unwrap_or_else(PoisonError::into_inner).pairs.capacity() * size_of::<Pair>())
+            .sum();
+        self.cells.bytes() + workers
+    }
+}
+
+/// What a task finds pairs from.
+struct Finder<'a> {
+    grains: &'a Grains,
+    materials: &'a Materials,
+    comm: &'a Single,
+    skin: f64,
+    cells: &'a Cells,
+}
+
+impl Finder<'_> {
+    fn find<const PERIODIC: bool>(
+        &self,
+        of: std::ops::Range<usize>,
+        segment: &mut Segment<Pair>,
+        worker: &mut Worker,
+    ) -> SearchEffort {
+        let Self { grains, comm, .. } = *self;
+        let one_material = self.materials.list().len() == 1;
+        let rows = grains.position.rows();
+        worker.pairs.clear();
+        let half = 0.5 * comm.domain().size();
+        let mut effort = SearchEffort::default();
+        let mut span = NOWHERE;
+        for g in of.clone() {
+            let row = rows[g];
+            let id = grains.id[g];
+            worker.near.clear();
+            effort.tests += (self.cells).visit(g as u32, row.vector, row.scalar, &mut worker.near);
+            for &h in worker.near.grains() {
+                let other = &rows[h as usize];
+                let mut separation = row.vector - other.vector;
+                let mut shift = Single::UNSHIFTED;
+                if PERIODIC && separation.abs().cmpgt(half).any() {
+                    shift = comm.nearest_image(separation);
+                    separation += comm.shift(shift);
+                }
+                let reach = row.scalar + other.scalar + self.skin;
+                if separation.length_squared() < reach * reach {
+                    span = (span.0.min(h), span.1.max(h));
+                    let is_first = id < grains.id[h as usize];
+                    let g = g as u32;
+                    worker.pairs.push(Pair {
+                        i: if is_first { g } else { h },
+                        j: if is_first { h } else { g },
+                        shift: if is_first { shift } else { Single::opposite(shift) },
+                    });
+                }
+            }
+        }
+        if !worker.pairs.is_empty() {
+            span = (span.0.min(of.start as u32), span.1.max(of.end as u32 - 1));
+        }
+        segment.span = span;
+        let outside = |p: &&Pair| !(of.contains(&(p.i as usize)) && of.contains(&(p.j as usize)));
+        effort.scattered = worker.pairs.iter().filter(outside).count() as u64;
+        let law = |p: &Pair| {
+            let material = |g: u32| grains.material[g as usize];
+            self.materials.pair(material(p.i), material(p.j))
+        };
+        worker.laws.clear();
+        if one_material {
+            worker.laws.resize(worker.pairs.len(), 0);
+        } else {
+            worker.laws.extend(worker.pairs.iter().map(law));
+        }
+        segment.fill(&worker.pairs, &worker.laws, &mut worker.order);
+        effort
+    }
+}
+
+/// Pairs with walls of grains that are neighbours in memory: a wall that is not near the ball around all of them is near
+/// none.
+fn group_near_walls(of: std::ops::Range<usize>, grains: &Grains, walls: &[Wall], skin: f64, near: &mut Vec<WallPair>) {
+    let rows = &grains.position.rows()[of.clone()];
+    let (mut lower, mut upper, mut largest) = (DVec3::INFINITY, DVec3::NEG_INFINITY, 0.0f64);
+    for row in rows {
+        lower = lower.min(row.vector);
+        upper = upper.max(row.vector);
+        largest = largest.max(row.scalar);
+    }
+    let centre = 0.5 * (lower + upper);
+    let ball = (1.0 + 1e-9) * (0.5 * (upper - lower).length() + largest + skin) + 1e-9 * centre.abs().max_element();
+    let first = near.len();
+    for (w, wall) in walls.iter().enumerate() {
+        if !wall.near(centre, ball) {
+            continue;
+        }
+        for (g, row) in of.clone().zip(rows) {
+            if wall.near(row.vector, row.scalar + skin) {
+                let (grain, wall) = (g as u32, w as u32);
+                near.push(WallPair { grain, wall });
+            }
+        }
+    }
+    // by grain, then by wall: walls come in their order
+    near[first..].sort_unstable_by_key(|p| (p.grain, p.wall));
+}
