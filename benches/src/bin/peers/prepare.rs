@@ -134,8 +134,11 @@ impl Recipe {
             .passes
             .iter()
             .map(|p| format!("{:?} {:?}\n{}", p.overrides, p.legs, p.scenario));
-        let lattice = (BASE, LAYER, FLOWING, LAYERS_APART, LOWEST_LAYER, SURFACE_SPEED, SPREAD);
-        let version = format!("{}: {:?} {COLUMNS:?} {lattice:?}\n", self.name, self.makes);
+        let mut version = format!("{}: {:?} {COLUMNS:?}\n", self.name, self.makes);
+        if self.name == "w2" {
+            let lattice = (BASE, LAYER, FLOWING, LAYERS_APART, LOWEST_LAYER, SURFACE_SPEED, SPREAD);
+            version += &format!("{lattice:?}\n");
+        }
         version + &passes.collect::<String>()
     }
 }
