@@ -5,7 +5,7 @@
 use clap::Parser;
 use demeter::particles::{Grains, NewGrain};
 use demeter::scenario::{Scenario, prepare};
-use demeter::simulation::{Setup, Simulation};
+use demeter::simulation::{Setup, Simulation, Skin};
 use demeter_physics::DVec3;
 use demeter_physics::lanes::Instructions;
 use rand::{Rng, SeedableRng};
@@ -76,7 +76,7 @@ fn bed() -> Outcome<Simulation> {
     let cell = SPACING * DIAMETER * 2.0 / 3f64.sqrt();
     let mut setup = scene(cell * f64::from(CELLS))?;
     setup.grains = Grains::default();
-    setup.skin = SKIN * DIAMETER;
+    setup.skin = Skin::Fixed(SKIN * DIAMETER);
     let mut numbers = Pcg64::seed_from_u64(1);
     let mut random = || SPEED * (2.0 * ((numbers.next_u64() >> 11) as f64 / (1u64 << 53) as f64) - 1.0);
     let site = |k: u32| {
