@@ -174,7 +174,6 @@ impl Finder<'_> {
         worker.pairs.clear();
         let half = 0.5 * comm.domain().size();
         let mut effort = SearchEffort::default();
-        let mut span = NOWHERE;
         for g in of.clone() {
             let row = rows[g];
             let id = grains.id[g];
@@ -190,7 +189,6 @@ impl Finder<'_> {
                 }
                 let reach = row.scalar + other.scalar + self.skin;
                 if separation.length_squared() < reach * reach {
-                    span = (span.0.min(h), span.1.max(h));
                     let is_first = id < grains.id[h as usize];
                     let g = g as u32;
                     worker.pairs.push(Pair {
@@ -201,10 +199,8 @@ impl Finder<'_> {
                 }
             }
         }
-        if !worker.pairs.is_empty() {
-            span = (span.0.min(of.start as u32), span.1.max(of.end as u32 - 1));
-        }
-        segment.span = span;
+        let ends = |span: (u32, u32), p: &Pair| (span.0.min(p.i).min(p.j), span.1.max(p.i).max(p.j));
+        segment.span = worker.pairs.iter().fold(NOWHERE, ends);
         let outside = |p: &&Pair| !(of.contains(&(p.i as usize)) && of.contains(&(p.j as usize)));
         effort.scattered = worker.pairs.iter().filter(outside).count() as u64;
         let law = |p: &Pair| {
