@@ -49,7 +49,11 @@ pub fn contact_sphere_sphere_wide<L: Lanes>(separation: L::Vector, radius_i: L, 
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
     let distance = separation.square().sqrt();
     let apart = distance.gt(zero);
-    let normal = (separation * (one / distance)).or(apart, L::Vector::new(zero, zero, one));
+    // three quotients: times the inverse would leave normals of a regular packing that differ in their last bits, and near a
+    // fold of the multi-contact equation the regular solution would be lost
+    let [x, y, z] = separation.components();
+    let normal = L::Vector::new(x / distance, y / distance, z / distance);
+    let normal = normal.or(apart, L::Vector::new(zero, zero, one));
     let [x, y, z] = normal.components();
     let lever_i = (distance + radius_i - radius_j) * 0.5;
     [x, y, z, radius_i + radius_j - distance, lever_i, distance - lever_i]
