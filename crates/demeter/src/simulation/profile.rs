@@ -1,7 +1,8 @@
 //! Where the time of a run goes: asked for with [`Simulation::profile_from_now`], else no clock is read.
 //!
 //! The clock goes on from lap to lap, so the phases add up to the whole. Within the pass over the contacts every thread adds
-//! up its own time for the narrow phase, the laws and the walls; what is left of the pass is threads that wait for others.
+//! up its own time for the narrow phase, the laws and the walls; what is left of the pass are sums
+//! of grains whose contacts are all done, and threads that wait for others.
 
 use super::Simulation;
 use super::roofline::{Machine, Roofline, Work};
@@ -100,7 +101,7 @@ impl Profile {
             ("search", of(Phase::Search)),
             ("narrow phase", narrow),
             ("laws", laws),
-            ("threads that wait", waiting),
+            ("sums within, waiting", waiting),
             ("coupled contacts", of(Phase::Coupled)),
             ("walls", walls + of(Phase::Walls)),
             ("sums and kick", of(Phase::Sums)),
