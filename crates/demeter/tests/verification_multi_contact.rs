@@ -35,7 +35,7 @@ use scenes::{FACE_CENTRED, SIMPLE_CUBIC, case, found, lattice, started};
 
 /// All contacts carry one force.
 fn assert_all(sim: &Simulation, contacts: usize, expected: f64) {
-    let mut forces = found(&sim);
+    let mut forces = found(sim);
     forces.retain(|f| f.force != 0.0);
     assert_eq!(forces.len(), contacts);
     for found in forces {

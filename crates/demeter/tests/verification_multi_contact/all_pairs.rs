@@ -233,7 +233,7 @@ fn moving_grains_miss_no_contact_converged() {
 /// Contacts of a moment, by the ids of their grains.
 fn by_id(sim: &Simulation) -> Vec<Found> {
     let id = |g: usize| sim.grains.id[g] as usize;
-    let all = found(&sim).into_iter();
+    let all = found(sim).into_iter();
     all.map(|f| Found {
         first: id(f.first),
         second: f.second.map(id),

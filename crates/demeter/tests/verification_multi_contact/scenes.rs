@@ -238,7 +238,7 @@ pub fn matched(packing: &Packing, found: &[Found]) -> Vec<Option<Found>> {
 pub fn deviation(sim: &Simulation, packing: &Packing, solution: &Solution) -> (f64, f64) {
     let scale = largest(solution.force.iter().copied());
     let (mut forces, mut lengths) = (0.0, 0.0);
-    for (k, found) in matched(packing, &found(&sim)).into_iter().enumerate() {
+    for (k, found) in matched(packing, &found(sim)).into_iter().enumerate() {
         let expected = solution.force[k];
         let Some(found) = found else {
             assert!(expected == 0.0, "missed: {:?}", packing.touches[k]);
