@@ -2,10 +2,10 @@
 //!
 //! A rebuild works in the memory of the one before and in parallel, and gives the same on any number of threads:
 //!
-//! 1. [`cells`]: grains are sorted into a grid per size class, and their places copied in that order;
-//! 2. [`search`], [`visit`]: every grain looks at half of the cells around it, and into the grids of other classes;
-//! 3. [`table`]: what a task finds is put into the order of the laws and cut into chunks of one law;
-//! 4. [`incidence`]: every grain learns its candidates, in the order of the partner's id.
+//! 1. `cells`: grains are sorted into a grid per size class, and their places copied in that order;
+//! 2. `search`, `visit`: every grain looks at half of the cells around it, and into the grids of other classes;
+//! 3. `table`: what a task finds is put into the order of the laws and cut into chunks of one law;
+//! 4. `incidence`: every grain learns its candidates, in the order of the partner's id.
 
 mod cells;
 mod incidence;

@@ -161,7 +161,7 @@ pub struct PhaseTime {
     pub seconds: f64,
     /// Share of all time.
     pub share: f64,
-    /// Time per grain and step [ns]; 0 without steps.
+    /// Time per grain and step in ns; 0 without steps.
     pub ns_per_particle_step: f64,
 }
 

@@ -259,11 +259,11 @@ pub struct Roofline {
     pub bytes: f64,
     /// Operations per particle-step.
     pub operations: f64,
-    /// Time of the steps per particle-step, without output [ns].
+    /// Time of the steps per particle-step, without output in ns.
     pub ns: f64,
-    /// Time that moving the bytes takes alone [ns].
+    /// Time that moving the bytes takes alone in ns.
     pub memory_ns: f64,
-    /// Time that the operations take alone [ns].
+    /// Time that the operations take alone in ns.
     pub operations_ns: f64,
     /// How many times the time that memory alone would need the steps took. Below 1 where the tables stay in the cache.
     pub times_memory: f64,
