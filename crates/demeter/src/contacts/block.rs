@@ -110,26 +110,96 @@ impl Memory<'_> {
     }
 }
 
-/// Normal forces of a run with one law.
-struct NormalForces<'a, N> {
-    law: &'a N,
-    dt: f64,
-    integrator: Integrator,
+/// One law asked for its answers over a block.
+trait Pass {
+    /// Whether the law works on all lanes at once.
+    const WIDE: bool;
+    /// Asks for the answers from contact `k` on.
+    fn ask<L: Lanes>(&self, block: &mut Block, k: usize, history: &mut [L]);
+}
+
+/// A pass over the contacts of a block, with what its law remembers of them.
+struct Over<'a, P> {
+    pass: P,
     block: &'a mut Block,
     count: usize,
     memory: Memory<'a>,
 }
 
-impl<N: Normal> NormalForces<'_, N> {
-    /// Asks the law for the forces from contact `k` on.
+/// More values than any law remembers.
+const MOST_HISTORY: usize = 64;
+
+impl<P: Pass> Over<'_, P> {
+    /// One contact after the other.
+    fn one_by_one(mut self) {
+        let mut history = [0.0; MOST_HISTORY];
+        let history = &mut history[..self.memory.length];
+        for k in 0..self.count {
+            history.copy_from_slice(self.memory.of(k));
+            self.pass.ask::<f64>(self.block, k, history);
+            self.memory.of(k).copy_from_slice(history);
+        }
+    }
+}
+
+impl<P: Pass> Kernel for Over<'_, P> {
+    type Output = ();
+
     #[inline(always)]
-    fn find<L: Lanes>(&mut self, k: usize, history: &mut [L]) {
-        let block = &mut *self.block;
-        let (law, dt) = (self.law, self.dt);
-        let size = PairSize {
-            radius: L::load(&block.radius[k..]),
-            mass: L::load(&block.mass[k..]),
+    fn run<L: Lanes>(mut self) {
+        for k in (0..self.count).step_by(L::COUNT) {
+            let mut history = self.memory.load::<L>(k, self.count);
+            self.pass.ask(self.block, k, &mut history[..self.memory.length]);
+            self.memory.store(&history, k, self.count);
+        }
+    }
+}
+
+impl Run<'_> {
+    /// Asks a law that remembers `length` values, from `first` on among those of its contact.
+    fn ask<P: Pass>(&mut self, pass: P, first: usize, length: usize) {
+        let over = Over {
+            pass,
+            block: self.block,
+            count: self.count,
+            memory: Memory {
+                values: self.history,
+                stride: self.stride,
+                first,
+                length,
+            },
         };
+        if P::WIDE {
+            lanes::run(self.instructions, over);
+        } else {
+            over.one_by_one();
+        }
+    }
+}
+
+/// Effective sizes from contact `k` on.
+#[inline(always)]
+fn sizes<L: Lanes>(block: &Block, k: usize) -> PairSize<L> {
+    PairSize {
+        radius: L::load(&block.radius[k..]),
+        mass: L::load(&block.mass[k..]),
+    }
+}
+
+/// Normal forces with one law.
+struct NormalForces<'a, N> {
+    law: &'a N,
+    dt: f64,
+    integrator: Integrator,
+}
+
+impl<N: Normal> Pass for NormalForces<'_, N> {
+    const WIDE: bool = N::WIDE;
+
+    #[inline(always)]
+    fn ask<L: Lanes>(&self, block: &mut Block, k: usize, history: &mut [L]) {
+        let (law, dt) = (self.law, self.dt);
+        let size = sizes::<L>(block, k);
         let (overlap, rate) = (L::load(&block.overlap[k..]), L::load(&block.rate[k..]));
         let input = NormalInput {
             size,
@@ -154,34 +224,6 @@ impl<N: Normal> NormalForces<'_, N> {
         ((force - response.elastic) * rate * dt).store(&mut block.loss[0][k..]);
         response.lost.store(&mut block.loss[1][k..]);
     }
-
-    /// One contact after the other.
-    fn one_by_one(mut self) {
-        let mut history = [0.0; MOST_HISTORY];
-        for k in 0..self.count {
-            let length = self.memory.length;
-            history[..length].copy_from_slice(self.memory.of(k));
-            self.find::<f64>(k, &mut history[..length]);
-            self.memory.of(k).copy_from_slice(&history[..length]);
-        }
-    }
-}
-
-/// More values than any law remembers.
-const MOST_HISTORY: usize = 64;
-
-impl<N: Normal> Kernel for NormalForces<'_, N> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(mut self) {
-        for k in (0..self.count).step_by(L::COUNT) {
-            let mut history = self.memory.load::<L>(k, self.count);
-            let length = self.memory.length;
-            self.find(k, &mut history[..length]);
-            self.memory.store(&history, k, self.count);
-        }
-    }
 }
 
 struct NormalPass<'r, 'a>(&'r mut Run<'a>);
@@ -190,47 +232,25 @@ impl NormalVisitor for NormalPass<'_, '_> {
     type Output = ();
 
     fn visit<N: Normal>(self, law: &N) {
-        let run = self.0;
-        let forces = NormalForces {
-            law,
-            dt: run.dt,
-            integrator: run.integrator,
-            block: run.block,
-            count: run.count,
-            memory: Memory {
-                values: run.history,
-                stride: run.stride,
-                first: 0,
-                length: law.history(),
-            },
-        };
-        if N::WIDE {
-            lanes::run(run.instructions, forces);
-        } else {
-            forces.one_by_one();
-        }
+        let (dt, integrator) = (self.0.dt, self.0.integrator);
+        self.0.ask(NormalForces { law, dt, integrator }, 0, law.history());
     }
 }
 
-/// Friction of a run with one law.
-struct FrictionForces<'a, T> {
+/// Friction with one law.
+struct Friction<'a, T> {
     law: &'a T,
     dt: f64,
     removable_share: f64,
-    block: &'a mut Block,
-    count: usize,
-    memory: Memory<'a>,
 }
 
-impl<T: Tangential> FrictionForces<'_, T> {
+impl<T: Tangential> Pass for Friction<'_, T> {
+    const WIDE: bool = T::WIDE;
+
     #[inline(always)]
-    fn find<L: Lanes>(&mut self, k: usize, history: &mut [L]) {
-        let block = &mut *self.block;
+    fn ask<L: Lanes>(&self, block: &mut Block, k: usize, history: &mut [L]) {
         let input = TangentialInput {
-            size: PairSize {
-                radius: L::load(&block.radius[k..]),
-                mass: L::load(&block.mass[k..]),
-            },
+            size: sizes::<L>(block, k),
             tangential_mass: L::load(&block.tangential_mass[k..]),
             overlap: L::load(&block.bearing_overlap[k..]),
             normal: vectors::<L>(&block.normal, k),
@@ -246,58 +266,48 @@ impl<T: Tangential> FrictionForces<'_, T> {
     }
 }
 
-impl<T: Tangential> Kernel for FrictionForces<'_, T> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(mut self) {
-        for k in (0..self.count).step_by(L::COUNT) {
-            let mut history = self.memory.load::<L>(k, self.count);
-            let length = self.memory.length;
-            self.find(k, &mut history[..length]);
-            self.memory.store(&history, k, self.count);
-        }
-    }
-}
-
-impl<T: Tangential> FrictionForces<'_, T> {
-    /// One contact after the other.
-    fn one_by_one(mut self) {
-        let mut history = [0.0; MOST_HISTORY];
-        for k in 0..self.count {
-            let length = self.memory.length;
-            history[..length].copy_from_slice(self.memory.of(k));
-            self.find::<f64>(k, &mut history[..length]);
-            self.memory.of(k).copy_from_slice(&history[..length]);
-        }
-    }
-}
-
 struct TangentialPass<'r, 'a>(&'r mut Run<'a>);
 
 impl TangentialVisitor for TangentialPass<'_, '_> {
     type Output = ();
 
     fn visit<T: Tangential>(self, law: &T) {
-        let run = self.0;
-        let forces = FrictionForces {
+        let friction = Friction {
             law,
-            dt: run.dt,
-            removable_share: run.integrator.removable_share(),
-            block: run.block,
-            count: run.count,
-            memory: Memory {
-                values: run.history,
-                stride: run.stride,
-                first: normal_history(run.law),
-                length: T::HISTORY.len(),
-            },
+            dt: self.0.dt,
+            removable_share: self.0.integrator.removable_share(),
         };
-        if T::WIDE {
-            lanes::run(run.instructions, forces);
-        } else {
-            forces.one_by_one();
-        }
+        self.0.ask(friction, normal_history(self.0.law), T::HISTORY.len());
+    }
+}
+
+/// Rolling resistance with one law.
+struct Resistance<'a, R> {
+    law: &'a R,
+    dt: f64,
+    removable_share: f64,
+    normal_stiffness: Column,
+}
+
+impl<R: Rolling> Pass for Resistance<'_, R> {
+    const WIDE: bool = R::WIDE;
+
+    #[inline(always)]
+    fn ask<L: Lanes>(&self, block: &mut Block, k: usize, history: &mut [L]) {
+        let input = RollingInput {
+            size: sizes::<L>(block, k),
+            rolling_inertia: L::load(&block.rolling_inertia[k..]),
+            normal: vectors::<L>(&block.normal, k),
+            angular_velocity: vectors::<L>(&block.rolling, k),
+            spin: L::load(&block.spin[k..]),
+            normal_force: L::load(&block.friction_load[k..]),
+            normal_stiffness: L::load(&self.normal_stiffness[k..]),
+            dt: self.dt,
+            removable_share: self.removable_share,
+        };
+        let response = self.law.respond_wide(&input, history);
+        put_vectors::<L>(response.torque, &mut block.torque, k);
+        response.dissipated.store(&mut block.loss[0][k..]);
     }
 }
 
@@ -307,32 +317,15 @@ impl RollingVisitor for RollingPass<'_, '_> {
     type Output = ();
 
     fn visit<R: Rolling>(self, law: &R) {
-        let Self(run, stiffness) = self;
+        let Self(run, normal_stiffness) = self;
+        let resistance = Resistance {
+            law,
+            dt: run.dt,
+            removable_share: run.integrator.removable_share(),
+            normal_stiffness,
+        };
         let first = normal_history(run.law) + tangential_history(run.law);
-        let vector = |columns: &[Column; 3], k: usize| DVec3::new(columns[0][k], columns[1][k], columns[2][k]);
-        for k in 0..run.count {
-            let block = &mut *run.block;
-            let first = k * run.stride + first;
-            let input = RollingInput {
-                size: PairSize {
-                    radius: block.radius[k],
-                    mass: block.mass[k],
-                },
-                rolling_inertia: block.rolling_inertia[k],
-                normal: vector(&block.normal, k),
-                angular_velocity: vector(&block.rolling, k),
-                spin: block.spin[k],
-                normal_force: block.friction_load[k],
-                normal_stiffness: stiffness[k],
-                dt: run.dt,
-                removable_share: run.integrator.removable_share(),
-            };
-            let response = law.respond(&input, &mut run.history[first..first + R::HISTORY.len()]);
-            for (column, component) in block.torque.iter_mut().zip(response.torque.to_array()) {
-                column[k] = component;
-            }
-            block.loss[0][k] = response.dissipated;
-        }
+        run.ask(resistance, first, R::HISTORY.len());
     }
 }
 
