@@ -7,6 +7,7 @@ mod velocity_verlet;
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
+use crate::contacts::sum::Stretch;
 use crate::contacts::{Contacts, Fault, Scene};
 use crate::particles::Outside;
 use crate::simulation::profile::{Part, Profile};
@@ -177,7 +178,12 @@ impl Simulation {
             chunk.evaluate_walls(&scene);
             clock.took(Part::Walls);
         });
-        let all = self.sums.all(pairs, neighbours, scene.near.is_some());
+        let are_new = scene.near.is_some() || !self.sums.has_places(neighbours);
+        let all = Stretch {
+            chunks: pairs,
+            first_chunk: 0,
+            sums: self.sums.all(neighbours, are_new),
+        };
         let threads = rayon::current_num_threads();
         let parts = if threads > 1 { PARTS_PER_THREAD * threads } else { 1 };
         all.work(parts, neighbours, walls, self.instructions, &|c, chunk| {
@@ -185,6 +191,10 @@ impl Simulation {
             chunk.step_pairs(neighbours.chunk(c), &scene, || clock.took(Part::Narrow));
             clock.took(Part::Laws);
         });
+        if parts > 1 {
+            let all = self.sums.all(neighbours, are_new);
+            all.finish(&self.contacts, neighbours, self.instructions);
+        }
         Ok(())
     }
 

@@ -9,7 +9,6 @@ use super::kinematics::{
 use super::laws::{normal_history, tangential_history};
 use super::meetings::lanes_below;
 use super::{ContactChunk, Load, Scene, Tally};
-use crate::neighbours::Pair;
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor, centred_force};
 use demeter_physics::contact::rolling::{Rolling, RollingInput, RollingVisitor};
 use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialVisitor};
@@ -430,7 +429,7 @@ fn run_laws(mut run: Run, tally: &mut Tally) {
 
 impl ContactChunk {
     /// Finds which contacts between grains act in this step, and evaluates their laws.
-    pub(crate) fn meet_pairs(&mut self, pairs: &[Pair], scene: &Scene) {
+    pub(crate) fn meet_pairs(&mut self, scene: &Scene) {
         self.evaluate(scene, |chunk, contacts, block| {
             let approach = Approach {
                 block,
@@ -438,8 +437,7 @@ impl ContactChunk {
                 count: contacts.len(),
                 i: &chunk.i[contacts.start..],
                 j: &chunk.j[contacts.start..],
-                pairs,
-                candidate: &chunk.now.candidate[contacts.clone()],
+                shift: chunk.shift.get(contacts.start..).unwrap_or_default(),
             };
             let too_deep = lanes::run(scene.instructions, approach);
             if let Some(k) = too_deep {

@@ -3,7 +3,6 @@
 
 use super::meetings::{Lot, Meeting, lanes_below};
 use super::{Load, Scene};
-use crate::neighbours::Pair;
 use crate::particles::Grains;
 use crate::walls::Wall;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
@@ -281,9 +280,8 @@ pub(super) struct Approach<'a> {
     /// Grains of these pairs and of those that come later.
     pub(super) i: &'a [u32],
     pub(super) j: &'a [u32],
-    /// Candidates of the chunk, and which of them these are.
-    pub(super) pairs: &'a [Pair],
-    pub(super) candidate: &'a [u32],
+    /// Codes of their shifts across periodic sides; empty where there are none.
+    pub(super) shift: &'a [u8],
 }
 
 impl Kernel for Approach<'_> {
@@ -306,13 +304,8 @@ impl Kernel for Approach<'_> {
             }
             lot.first = listed::<L>(&self.i[..count], k);
             lot.second = listed::<L>(&self.j[..count], k);
-            if !meeting.shifts.is_empty() {
-                let mut lane = 0;
-                while lane < L::COUNT {
-                    let candidate = self.candidate[(k + lane).min(count - 1)];
-                    lot.shift[lane] = u32::from(self.pairs[candidate as usize].shift);
-                    lane += 1;
-                }
+            if !self.shift.is_empty() {
+                lot.put_shifts::<L>(&self.shift[..count], k);
             }
             let met = meeting.meet::<L>(&lot, lanes_below((count - k).min(L::COUNT)));
             if met.acts == 0 {

@@ -2,6 +2,7 @@
 
 use super::Scene;
 use super::near::FindNear;
+use crate::comm::Single;
 use crate::neighbours::Pair;
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere_wide};
@@ -12,8 +13,9 @@ use glam::DVec3;
 pub(super) struct Lot {
     pub(super) first: Index,
     pub(super) second: Index,
-    /// Codes of the shifts across periodic sides.
+    /// Codes of the shifts across periodic sides, and whether any pair has one.
     pub(super) shift: Index,
+    pub(super) is_shifted: bool,
 }
 
 impl Lot {
@@ -23,6 +25,7 @@ impl Lot {
             first: [0; MOST_LANES],
             second: [0; MOST_LANES],
             shift: [0; MOST_LANES],
+            is_shifted: false,
         }
     }
 
@@ -31,6 +34,20 @@ impl Lot {
         self.first[lane] = pair.i;
         self.second[lane] = pair.j;
         self.shift[lane] = u32::from(pair.shift);
+        self.is_shifted = pair.shift != Single::UNSHIFTED || (lane > 0 && self.is_shifted);
+    }
+
+    /// Puts the codes of the shifts of pairs.
+    #[inline(always)]
+    pub(super) fn put_shifts<L: Lanes>(&mut self, codes: &[u8], k: usize) {
+        self.is_shifted = false;
+        let mut lane = 0;
+        while lane < L::COUNT {
+            let code = codes[(k + lane).min(codes.len() - 1)];
+            self.shift[lane] = u32::from(code);
+            self.is_shifted |= code != Single::UNSHIFTED;
+            lane += 1;
+        }
     }
 }
 
@@ -108,7 +125,7 @@ impl<'a> Meeting<'a> {
     #[inline(always)]
     fn difference<L: Lanes>(&self, [xi, yi, zi, ri]: [L; 4], [xj, yj, zj, rj]: [L; 4], lot: &Lot) -> (L::Vector, L, L) {
         let mut apart = L::Vector::new(xi - xj, yi - yj, zi - zj);
-        if !self.shifts.is_empty() {
+        if lot.is_shifted {
             let [[x, y, z, _]] = L::fetch([self.shifts], &lot.shift);
             apart = apart + L::Vector::new(x, y, z);
         }

@@ -29,8 +29,8 @@ pub use transfer::{CarriedContact, ContactKey};
 pub use crate::neighbours::CHUNK;
 
 use crate::walls::SurfaceContact;
-use coupling::{Coupled, Scratch};
 use bytemuck::{Pod, Zeroable};
+use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -166,6 +166,8 @@ pub struct ContactChunk {
     pub i: Vec<u32>,
     /// Index of the second grain, or of the wall.
     pub j: Vec<u32>,
+    /// Code of the shift across periodic sides, where there are any; found from the candidates when needed.
+    shift: Vec<u8>,
     /// What every contact does to both bodies: nothing at first, then that of each contact.
     pub(crate) load: Vec<Load>,
     /// Torque of the rolling laws on the first body [N m], in the same places; empty where no law resists rolling.
@@ -185,6 +187,7 @@ impl ContactChunk {
         self.before.clear();
         self.i.clear();
         self.j.clear();
+        self.shift.clear();
         self.load.clear();
         self.load.push(Load::default());
         self.rolling.clear();

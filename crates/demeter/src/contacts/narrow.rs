@@ -129,8 +129,14 @@ impl ContactChunk {
                 std::mem::swap(before, &mut self.before);
             });
         }
+        if !scene.comm.shifts().is_empty() && self.shift.len() != self.len() {
+            self.shift.clear();
+            let candidates = self.now.candidate.iter();
+            self.shift
+                .extend(candidates.map(|&candidate| pairs[candidate as usize].shift));
+        }
         found_all();
-        self.meet_pairs(pairs, scene);
+        self.meet_pairs(scene);
     }
 
     /// Finds the contacts of a chunk of pairs of grains that feel each other.
@@ -165,6 +171,7 @@ impl ContactChunk {
         self.now.clear();
         self.i.clear();
         self.j.clear();
+        self.shift.clear();
         let mut old = 0;
         for (k, &candidate) in found.candidates.iter().enumerate() {
             while self.before.candidate.get(old).is_some_and(|&c| c < candidate) {

@@ -12,9 +12,11 @@ use serde::{Deserialize, Serialize};
 /// The table shall serve for so many steps.
 const STEPS: f64 = 16.0;
 
-/// The least and the most that the reach goes beyond what acts in one step, as shares of the mean radius: the more, the more
-/// pairs are in the table that do not touch.
-const ROOM: (f64, f64) = (1e-4, 1e-2);
+/// Looking for contacts costs as much as this share of the pairs that come into the table with a reach of the mean radius.
+const SEARCH: f64 = 0.44;
+
+/// The least and the most that the reach goes beyond what acts in one step, as shares of the mean radius.
+const ROOM: (f64, f64) = (1e-5, 0.1);
 
 /// How far the table of contacts reaches.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
@@ -36,8 +38,10 @@ impl NearTable {
         if self.approached + window <= self.reach {
             return None;
         }
-        let room = (2.0 * STEPS * moved).clamp(ROOM.0 * self.mean_radius, ROOM.1 * self.mean_radius);
-        self.reach = window + room;
+        // a step costs `SEARCH nearer/room + room/mean_radius`: least where both are the same
+        let nearer = 2.0 * moved;
+        let room = (STEPS * nearer).min((SEARCH * nearer * self.mean_radius).sqrt());
+        self.reach = window + room.clamp(ROOM.0 * self.mean_radius, ROOM.1 * self.mean_radius);
         self.approached = 0.0;
         Some(self.reach)
     }

@@ -72,25 +72,23 @@ pub(crate) struct Sums {
 }
 
 impl Sums {
-    /// Everything that is summed up; `is_new` tells that the contacts are found anew. Their places are not part of a checkpoint.
-    pub(crate) fn all<'a>(
-        &'a mut self,
-        chunks: &'a mut [ContactChunk],
-        neighbours: &Neighbours,
-        is_new: bool,
-    ) -> Stretch<'a> {
-        self.loads.resize(neighbours.reference.len(), GrainLoad::UNKNOWN);
-        let is_new = is_new || self.places.len() != neighbours.entries();
+    /// Whether the places of contacts among these candidates are here: they are not part of a checkpoint.
+    pub(crate) fn has_places(&self, neighbours: &Neighbours) -> bool {
+        self.places.len() == neighbours.entries()
+    }
+
+    /// The sums of all grains, to be found; `are_new` tells that the contacts have new places.
+    pub(crate) fn all(&mut self, neighbours: &Neighbours, are_new: bool) -> GrainSums<'_> {
+        let grains = neighbours.reference.len();
+        self.loads.resize(grains, GrainLoad::UNKNOWN);
         self.places.resize(neighbours.entries(), Place::default());
-        self.counts.resize(neighbours.reference.len(), 0);
-        Stretch {
-            chunks,
-            first_chunk: 0,
-            sums: &mut self.loads,
+        self.counts.resize(grains, 0);
+        GrainSums {
+            first: 0,
+            loads: &mut self.loads,
             places: &mut self.places,
             counts: &mut self.counts,
-            first_grain: 0,
-            is_new,
+            are_new,
         }
     }
 
@@ -99,6 +97,69 @@ impl Sums {
         self.loads.get(first..).unwrap_or_default()
     }
 }
+
+/// The sums of grains that lie behind each other.
+pub(crate) struct GrainSums<'a> {
+    /// Index of the first grain.
+    first: usize,
+    loads: &'a mut [GrainLoad],
+    /// The places of their contacts, how many there are, and whether they have to be found.
+    places: &'a mut [Place],
+    counts: &'a mut [u32],
+    are_new: bool,
+}
+
+impl GrainSums<'_> {
+    /// Those of the first grains, and the others.
+    fn split(self, grains: usize, neighbours: &Neighbours) -> (Self, Self) {
+        let first_entry = |grain: usize| neighbours.first_entry(grain);
+        let entries = first_entry(self.first + grains) - first_entry(self.first);
+        let (loads, other_loads) = self.loads.split_at_mut(grains);
+        let (places, other_places) = self.places.split_at_mut(entries);
+        let (counts, other_counts) = self.counts.split_at_mut(grains);
+        let other = Self {
+            first: self.first + grains,
+            loads: other_loads,
+            places: other_places,
+            counts: other_counts,
+            are_new: self.are_new,
+        };
+        let one = Self {
+            loads,
+            places,
+            counts,
+            ..self
+        };
+        (one, other)
+    }
+
+    /// Sums up, in parallel, the grains that were left because their contacts lie in several stretches.
+    pub(crate) fn finish(self, contacts: &Contacts, neighbours: &Neighbours, instructions: Instructions) {
+        if self.loads.len() <= GRAINS_TO_FINISH {
+            let from = Loads {
+                neighbours,
+                pairs: &contacts.pairs,
+                first_chunk: 0,
+                walls: &contacts.walls,
+            };
+            let sum_up = SumUp {
+                from,
+                sums: self,
+                only_unknown: true,
+            };
+            return lanes::run(instructions, sum_up);
+        }
+        let half = self.loads.len() / 2;
+        let (one, other) = self.split(half, neighbours);
+        rayon::join(
+            || one.finish(contacts, neighbours, instructions),
+            || other.finish(contacts, neighbours, instructions),
+        );
+    }
+}
+
+/// Grains that one task looks through for those that were left.
+const GRAINS_TO_FINISH: usize = 1024;
 
 /// Contacts that grains are summed up over.
 #[derive(Clone, Copy)]
@@ -137,12 +198,9 @@ const AHEAD: usize = 24;
 /// Sums up grains that lie behind each other; those with contacts in chunks before the first are left.
 struct SumUp<'a> {
     from: Loads<'a>,
-    first_grain: usize,
-    sums: &'a mut [GrainLoad],
-    /// The places of their contacts, how many there are, and whether they have to be found.
-    places: &'a mut [Place],
-    counts: &'a mut [u32],
-    are_new: bool,
+    sums: GrainSums<'a>,
+    /// Whether those that are known stay as they are.
+    only_unknown: bool,
 }
 
 impl Kernel for SumUp<'_> {
@@ -152,21 +210,27 @@ impl Kernel for SumUp<'_> {
     fn run<L: Lanes>(self) {
         let Self {
             from,
-            first_grain,
             sums,
+            only_unknown,
+        } = self;
+        let (neighbours, first_chunk) = (from.neighbours, from.first_chunk);
+        let GrainSums {
+            first: first_grain,
+            loads,
             places,
             counts,
             are_new,
-        } = self;
-        let (neighbours, first_chunk) = (from.neighbours, from.first_chunk);
+        } = sums;
         let rolls = from.pairs.first().is_some_and(|chunk| !chunk.rolling.is_empty());
         let mut begin = 0;
-        for (k, (load, held)) in sums.iter_mut().zip(counts).enumerate() {
+        for (k, (load, held)) in loads.iter_mut().zip(counts).enumerate() {
             let grain = first_grain + k;
             let entries = neighbours.entries_of(grain);
             let end = begin + entries.len();
             if neighbours.span_of(grain).0 < first_chunk {
                 *load = GrainLoad::UNKNOWN;
+            }
+            if neighbours.span_of(grain).0 < first_chunk || only_unknown && load.is_known() {
                 begin = end;
                 continue;
             }
@@ -266,16 +330,11 @@ impl<Q: Quad> Sum<Q> {
 /// A stretch of the table of contacts that one task works on, and the grains that are its own.
 ///
 /// Grains lie in memory as their contacts do, so soon after its last contact a grain is summed up while the loads are still
-/// in the cache. A grain with contacts in other stretches is left to the kick.
+/// in the cache. A grain with contacts in other stretches is left to [`GrainSums::finish`].
 pub(crate) struct Stretch<'a> {
-    chunks: &'a mut [ContactChunk],
-    first_chunk: usize,
-    /// Sums of its grains; not known of those that are left.
-    sums: &'a mut [GrainLoad],
-    places: &'a mut [Place],
-    counts: &'a mut [u32],
-    first_grain: usize,
-    is_new: bool,
+    pub(crate) chunks: &'a mut [ContactChunk],
+    pub(crate) first_chunk: usize,
+    pub(crate) sums: GrainSums<'a>,
 }
 
 impl<'a> Stretch<'a> {
@@ -303,32 +362,14 @@ impl<'a> Stretch<'a> {
         let (chunks, other_chunks) = self.chunks.split_at_mut(middle);
         let first = neighbours.chunk(self.first_chunk + middle).0.first();
         let grain = first.map_or(0, |pair| pair.i.min(pair.j) as usize);
-        let grains = grain.saturating_sub(self.first_grain).min(self.sums.len());
-        let (sums, other_sums) = self.sums.split_at_mut(grains);
-        let entries: usize = (self.first_grain..self.first_grain + grains)
-            .next_back()
-            .map_or(0, |last| {
-                neighbours.entries_of(last).end - neighbours.entries_of(self.first_grain).start
-            });
-        let (places, other_places) = self.places.split_at_mut(entries);
-        let (counts, other_counts) = self.counts.split_at_mut(grains);
-        let one = Self {
-            chunks,
-            sums,
-            places,
-            counts,
-            ..self
-        };
+        let grains = grain.saturating_sub(self.sums.first).min(self.sums.loads.len());
+        let (sums, other_sums) = self.sums.split(grains, neighbours);
         let other = Self {
             chunks: other_chunks,
             first_chunk: self.first_chunk + middle,
             sums: other_sums,
-            places: other_places,
-            counts: other_counts,
-            first_grain: self.first_grain + grains,
-            is_new: self.is_new,
         };
-        (one, other)
+        (Self { chunks, sums, ..self }, other)
     }
 
     fn work_alone(
@@ -341,38 +382,27 @@ impl<'a> Stretch<'a> {
         let Self {
             chunks,
             first_chunk,
-            sums,
-            mut places,
-            counts,
-            first_grain,
-            is_new,
+            mut sums,
         } = self;
-        let mut next = 0;
         for c in 0..chunks.len() {
             step(first_chunk + c, &mut chunks[c]);
-            let (begin, mut entries) = (next, 0);
-            while next < sums.len() && neighbours.span_of(first_grain + next).1 <= first_chunk + c {
-                entries += neighbours.entries_of(first_grain + next).len();
-                next += 1;
-            }
+            let ends = |grain: &usize| neighbours.span_of(sums.first + grain).1 <= first_chunk + c;
+            let done = (0..sums.loads.len()).take_while(ends).count();
+            let (these, others) = sums.split(done, neighbours);
             let from = Loads {
                 neighbours,
                 pairs: chunks,
                 first_chunk,
                 walls,
             };
-            let (these, others) = places.split_at_mut(entries);
             let sum_up = SumUp {
                 from,
-                first_grain: first_grain + begin,
-                sums: &mut sums[begin..next],
-                places: these,
-                counts: &mut counts[begin..next],
-                are_new: is_new,
+                sums: these,
+                only_unknown: false,
             };
             lanes::run(instructions, sum_up);
-            places = others;
+            sums = others;
         }
-        sums[next..].fill(GrainLoad::UNKNOWN);
+        sums.loads.fill(GrainLoad::UNKNOWN);
     }
 }

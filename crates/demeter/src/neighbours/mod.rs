@@ -193,6 +193,11 @@ impl Neighbours {
         self.incidence.range_of(grain)
     }
 
+    /// Where the pairs of a grain begin in that list, or its end.
+    pub(crate) fn first_entry(&self, grain: usize) -> usize {
+        self.incidence.first(grain)
+    }
+
     /// Length of that list.
     pub(crate) fn entries(&self) -> usize {
         2 * self.pairs.len()

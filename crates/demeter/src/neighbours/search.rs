@@ -179,8 +179,12 @@ impl Finder<'_> {
             let id = grains.id[g];
             worker.near.clear();
             effort.tests += (self.cells).visit(g as u32, row.vector, row.scalar, &mut worker.near);
+            let is_fixed = grains.is_fixed(g);
             for &h in worker.near.grains() {
                 let other = &rows[h as usize];
+                if is_fixed && grains.is_fixed(h as usize) {
+                    continue;
+                }
                 let mut separation = row.vector - other.vector;
                 let mut shift = Single::UNSHIFTED;
                 if PERIODIC && separation.abs().cmpgt(half).any() {

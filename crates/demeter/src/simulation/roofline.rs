@@ -3,12 +3,11 @@
 
 use crate::contacts::{Contacts, Load};
 use crate::materials::Materials;
-use crate::neighbours::{Neighbours, Pair, WallPair};
+use crate::neighbours::{Neighbours, WallPair};
 use crate::particles::{Grains, HigherDerivatives, Row};
 use demeter_physics::contact::PairLaw;
-use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes::{self, Instructions, Kernel, Lanes};
-use glam::{DQuat, DVec3};
+use glam::DQuat;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::hint::black_box;
@@ -18,7 +17,7 @@ use std::time::Instant;
 /// displacement. Here and below sums, products, quotients, roots and comparisons count as one each.
 const OPERATIONS_PER_GRAIN: f64 = 110.0;
 
-/// Of one candidate: square of the distance and of the sum of the radii with the window.
+/// Of one candidate with a wall: distance and the sum of the radius with the window.
 const OPERATIONS_PER_CANDIDATE: f64 = 12.0;
 
 /// Of one contact whatever its laws: geometry (16), motion of the two surfaces against each other (57), load (15), and what
@@ -92,28 +91,28 @@ impl Work {
     }
 
     /// What the work needs at least: every pass of a step reads and writes each row of its tables once, nothing stays in
-    /// the cache from one pass to the next, and everything does from one use to the next within a pass. Searches are left out.
+    /// the cache from one pass to the next, and everything does from one use to the next within a pass. Searches for
+    /// candidates and for contacts between grains are left out.
     ///
-    /// With `G` grains, `P` candidates, `C` contacts (with grains and walls) and `h` values of history, bytes are
+    /// With `G` grains, `W` candidates with walls, `C` contacts (with grains and walls) and `h` values of history, bytes are
     ///
-    /// `G (drift + contacts + sums) + P (candidate + entries + start) + C (geometry + 2 (h + 1) 8 + bodies + 2 load)`
+    /// `G (drift + contacts + sums) + W (candidate + entry + start) + C (2 (h + 1) 8 + bodies + places + 2 load)`
     ///
     /// | term | bytes | of |
     /// |---|---|---|
-    /// | drift | 328 | position, velocity, spin, orientation (32 each, read and written); force, torque, reference (24 each) |
+    /// | drift | 352 | position, velocity, spin, orientation (32 each, read and written); force, torque, reference (32 each) |
     /// | contacts | 96 | rows of position, velocity, spin |
-    /// | sums | 236 | velocity, spin, force, torque (read and written), mass, begin of the entries |
-    /// | candidate, entries, start | 12 + 8 + 4 | the pair; a number for each grain of it; where its contacts begin |
-    /// | geometry | 48 | normal, overlap, levers, written |
+    /// | sums | 408 | velocity, spin, force, torque (read and written), mass, the sum (written and read), where contacts begin, end and how many there are |
+    /// | candidate, entry, start | 8 + 4 + 4 | grain and wall; its number for the grain; where its contacts begin |
     /// | history, normal force | 16 h + 16 | read and written |
-    /// | bodies | 12 | both grains and the candidate, read |
-    /// | load | 64, twice | written by the laws, read by the sums; 24 more, twice, where some law resists rolling |
+    /// | bodies, places | 8 + 8 | both grains; where each of them finds the contact |
+    /// | load | 64, twice | written by the laws, read by the sums; 32 more, twice, where some law resists rolling |
     ///
     /// Gear's corrector also reads and writes the derivatives in both passes, and place and orientation in the second.
     pub(super) fn needs(&self, stride: usize, rolls: bool, gear: bool) -> Needs {
-        let (row, vector, turn) = (size_of::<Row>(), size_of::<DVec3>(), size_of::<DQuat>());
-        let drift = 2 * (3 * row + turn) + 3 * vector;
-        let sums = 4 * row + 4 * vector + size_of::<f64>() + size_of::<u32>();
+        let (row, turn) = (size_of::<Row>(), size_of::<DQuat>());
+        let drift = 2 * (3 * row + turn) + 3 * row;
+        let sums = 8 * row + size_of::<f64>() + 4 * row + 4 * size_of::<u32>();
         let remembered = if gear {
             4 * size_of::<HigherDerivatives>() + 2 * (row + turn)
         } else {
@@ -121,20 +120,18 @@ impl Work {
         };
         let per_grain = drift + 3 * row + sums + remembered;
         let (entry, start) = (size_of::<u32>(), size_of::<u32>());
-        let per_candidate = size_of::<Pair>() + 2 * entry + start;
         let per_wall_candidate = size_of::<WallPair>() + entry + start;
-        let rolling = if rolls { 2 * vector } else { 0 };
+        let rolling = if rolls { 2 * row } else { 0 };
         let history = 2 * (stride + 1) * size_of::<f64>();
-        let per_contact = size_of::<Contact>() + history + 3 * size_of::<u32>() + 2 * size_of::<Load>() + rolling;
+        let per_contact = history + 4 * size_of::<u32>() + 2 * size_of::<Load>() + rolling;
         let product = |count: u64, each: usize| count as f64 * each as f64;
         Needs {
             bytes: product(self.grains, per_grain)
-                + product(self.candidates, per_candidate)
                 + product(self.wall_candidates, per_wall_candidate)
                 + product(self.contacts + self.wall_contacts, per_contact),
             operations: self.operations
                 + self.grains as f64 * OPERATIONS_PER_GRAIN
-                + (self.candidates + self.wall_candidates) as f64 * OPERATIONS_PER_CANDIDATE,
+                + self.wall_candidates as f64 * OPERATIONS_PER_CANDIDATE,
         }
     }
 }

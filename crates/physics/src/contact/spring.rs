@@ -67,16 +67,16 @@ pub fn carry_along<L: Lanes>(vector: L::Vector, normal: L::Vector, spin_angle: L
     turned * L::select(length2.gt(L::splat(0.0)), factor, L::splat(1.0))
 }
 
+/// Whether a load is larger than the contact can carry.
+#[inline(always)]
+fn slides<L: Lanes>(load: L::Vector, limit: L) -> L::Mask {
+    load.square().gt(limit * limit)
+}
+
 /// A load cut back to the largest that the contact can carry.
 #[inline(always)]
 fn held<L: Lanes>(load: L::Vector, limit: L) -> L::Vector {
-    let square = load.square();
-    let slides = square.gt(limit * limit);
-    if slides.any() {
-        (load * (limit / square.sqrt())).or(slides, load)
-    } else {
-        load
-    }
+    (load * (limit / load.square().sqrt())).or(slides(load, limit), load)
 }
 
 /// Advances the spring by one step.
@@ -97,9 +97,15 @@ pub fn advance_spring<L: Lanes>(input: &SpringInput<L>, history: &mut [L]) -> Sp
     let half = input.rate * (input.stiffness * (0.5 * input.dt));
     // The slider holds the spring at the limit at each of its times. The dashpot's share of the load is cut, too, but
     // it never loads the spring: that would store energy that nobody put in.
-    let middle = held(kept - half, input.limit);
-    let load = held(kept - half - input.rate * input.damping, input.limit);
-    let next = held(middle - half, input.limit);
+    let limit = input.limit;
+    let middle = kept - half;
+    let mut load = middle - input.rate * input.damping;
+    let mut next = middle - half;
+    // one question for all three: what is rare is asked once
+    if (slides(middle, limit) | slides(load, limit) | slides(next, limit)).any() {
+        load = held(load, limit);
+        next = held(held(middle, limit) - half, limit);
+    }
     history[..3].copy_from_slice(&next.components());
     history[3] = input.stiffness;
     let work = -load.inner(input.rate) * input.dt;
