@@ -301,11 +301,11 @@ mod tests {
             set(&mut work);
             work
         };
-        assert_eq!(of(one(|w| w.grains = 1), 4), 328.0 + 96.0 + 236.0);
-        assert_eq!(of(one(|w| w.candidates = 1), 4), 24.0);
+        assert_eq!(of(one(|w| w.grains = 1), 4), 352.0 + 96.0 + 408.0);
+        assert_eq!(of(one(|w| w.wall_candidates = 1), 4), 16.0);
         let contact = one(|w| w.contacts = 1);
-        assert_eq!(of(contact, 4), 48.0 + 16.0 * 4.0 + 16.0 + 12.0 + 128.0);
-        assert_eq!(contact.needs(4, true, false).bytes, of(contact, 4) + 48.0);
+        assert_eq!(of(contact, 4), 16.0 * 4.0 + 16.0 + 8.0 + 8.0 + 128.0);
+        assert_eq!(contact.needs(4, true, false).bytes, of(contact, 4) + 64.0);
     }
 
     #[test]
