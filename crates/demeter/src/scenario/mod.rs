@@ -8,6 +8,7 @@ mod grains;
 mod impact;
 mod materials;
 mod measures;
+mod meshes;
 mod observed;
 mod overrides;
 mod packing_file;
@@ -40,6 +41,7 @@ pub use impact::{
 };
 pub use materials::{ContactSpec, MAX_MATERIALS};
 pub use measures::{MAX_MEASURES, MeasureKind, MeasureSpec};
+pub use meshes::{MeshOrigin, MeshSource};
 pub use observed::{Measured, Observable, Observation, Target, Unknown};
 pub use packing_file::{FitTask, Match, PACKING_FIT_REFERENCE, PackingFile, UnknownNumber};
 pub use prepare::{Prepared, prepare};
