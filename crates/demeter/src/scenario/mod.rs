@@ -27,6 +27,7 @@ mod sizes;
 mod stages;
 mod templates;
 pub mod units;
+mod wall_report;
 mod walls;
 
 #[cfg(test)]
@@ -55,6 +56,7 @@ pub use settings::{
 };
 pub use stages::{MAX_REPEAT, MAX_STAGES};
 pub use templates::{TEMPLATES, template};
+pub use wall_report::{WallReport, inspect_walls};
 pub use walls::{MAX_WALLS, MeshFile, WallShape, WallSpec};
 
 use crate::insertion::Insertion;

@@ -5,6 +5,7 @@
 //! each grain; [`Wall::advance`] moves the wall by one step.
 
 mod error;
+pub mod leak;
 pub mod mesh;
 mod mesh_file;
 mod motion;
