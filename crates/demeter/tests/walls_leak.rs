@@ -70,7 +70,9 @@ fn test(walls: &[Wall], starts: &[DVec3], radius: f64) -> LeakReport {
 
 /// The only opening, a leak.
 fn leak(report: &LeakReport) -> (DVec3, f64) {
-    let [opening] = report.openings[..] else { panic!("{report:?}") };
+    let [opening] = report.openings[..] else {
+        panic!("{report:?}")
+    };
     assert_eq!(opening.kind, OpeningKind::Leak, "{report:?}");
     assert!(!report.more);
     (opening.place, opening.width)
@@ -82,9 +84,15 @@ fn a_closed_box_is_tight_and_one_without_lid_is_open_at_the_top() {
     let closed = cuboid(DVec3::ZERO, DVec3::ONE);
     for radius in [0.3f64, 0.05, 0.02] {
         let report = test(&[mesh(closed.clone())], &[v(0.5, 0.5, radius.max(0.3))], radius);
-        assert!(report.is_tight() && report.openings.is_empty() && !report.open_at_top, "{radius}: {report:?}");
+        assert!(
+            report.is_tight() && report.openings.is_empty() && !report.open_at_top,
+            "{radius}: {report:?}"
+        );
         let report = test(&[mesh(closed[..10].to_vec())], &start, radius.min(0.05));
-        assert!(report.is_tight() && report.openings.is_empty() && report.open_at_top, "{radius}: {report:?}");
+        assert!(
+            report.is_tight() && report.openings.is_empty() && report.open_at_top,
+            "{radius}: {report:?}"
+        );
     }
     // the walls of the engine's own box go on for ever
     let faces = Shape::Box {
@@ -93,7 +101,10 @@ fn a_closed_box_is_tight_and_one_without_lid_is_open_at_the_top() {
         open: [false, false, false, false, false, true],
     };
     let report = test(&[wall(faces)], &start, 0.05);
-    assert!(report.is_tight() && report.openings.is_empty() && report.open_at_top, "{report:?}");
+    assert!(
+        report.is_tight() && report.openings.is_empty() && report.open_at_top,
+        "{report:?}"
+    );
 }
 
 #[test]
@@ -136,11 +147,17 @@ fn a_hole_leaks_when_it_is_wider_than_the_grain_and_only_then() {
 fn every_hole_is_told_the_widest_first() {
     let mut triangles = box_with_hole(0.15);
     // a second hole: the floor without one of its triangles
-    let floor = triangles.iter().position(|t| t.iter().all(|corner| corner.z == 0.0)).unwrap();
+    let floor = triangles
+        .iter()
+        .position(|t| t.iter().all(|corner| corner.z == 0.0))
+        .unwrap();
     triangles.remove(floor);
     let report = test(&[mesh(triangles)], &[v(0.5, 0.5, 0.5)], 0.05);
     assert_eq!(report.openings.len(), 2, "{report:?}");
-    assert!(report.openings[0].width > 0.5 && (report.openings[1].width - 0.15).abs() < 0.01, "{report:?}");
+    assert!(
+        report.openings[0].width > 0.5 && (report.openings[1].width - 0.15).abs() < 0.01,
+        "{report:?}"
+    );
     assert!(report.openings[0].place.z.abs() < 0.05 && report.openings[1].place.x > 0.95);
 }
 
@@ -167,7 +184,10 @@ fn a_hopper_is_told_its_orifice() {
     for orifice in [0.0085, 0.02, 0.04] {
         let report = test(&hopper(orifice), &start, 0.008);
         let (place, width) = leak(&report);
-        assert!(place.truncate().length() < 0.003 && place.z.abs() < 0.01, "{orifice}: {place}");
+        assert!(
+            place.truncate().length() < 0.003 && place.z.abs() < 0.01,
+            "{orifice}: {place}"
+        );
         assert!((width / (2.0 * orifice) - 1.0).abs() < 0.05, "{orifice}: {width}");
         assert!(report.open_at_top);
     }
@@ -191,7 +211,13 @@ fn a_rim_that_is_lower_than_other_walls_is_a_way_upwards_and_no_leak() {
     let start = [v(0.2, 0.2, 0.1), v(0.2, 0.8, 1.5)];
     let report = test(&[mesh(triangles.clone())], &start, 0.06);
     assert!(report.open_at_top && report.is_tight(), "{report:?}");
-    assert!(report.openings.iter().all(|o| o.kind == OpeningKind::OverRim && o.place.z > 0.95), "{report:?}");
+    assert!(
+        report
+            .openings
+            .iter()
+            .all(|o| o.kind == OpeningKind::OverRim && o.place.z > 0.95),
+        "{report:?}"
+    );
     // and a hole below that rim is found all the same
     let mut holed = box_with_hole(0.15);
     holed.extend(cuboid(v(0.45, 0.45, 0.0), v(0.55, 0.55, 2.0)));
@@ -258,7 +284,10 @@ fn a_periodic_channel_has_no_ends() {
     domain.periodic = [false; 3];
     let report = ask(&domain);
     assert!(!report.openings.is_empty() && !report.is_tight(), "{report:?}");
-    assert!(report.openings.iter().all(|o| (o.width - 1.0).abs() < 0.1), "{report:?}");
+    assert!(
+        report.openings.iter().all(|o| (o.width - 1.0).abs() < 0.1),
+        "{report:?}"
+    );
 }
 
 #[test]

@@ -18,12 +18,17 @@ pub struct WallReport {
 /// Looks at the walls of a scenario that is ready to run. It may take seconds.
 pub fn inspect_walls(scenario: &Scenario, prepared: &Prepared) -> WallReport {
     let setup = &prepared.setup;
+    let starts: Vec<_> = (0..setup.grains.len()).map(|g| setup.grains.position[g]).collect();
     let smallest = setup.grains.radii().fold(f64::INFINITY, f64::min);
     WallReport {
-        meshes: setup.walls.iter().map(|wall| wall.mesh().map(|m| m.inspect())).collect(),
+        meshes: setup
+            .walls
+            .iter()
+            .map(|wall| wall.mesh().map(|m| m.inspect()))
+            .collect(),
         leaks: find_openings(&LeakTest {
             walls: &setup.walls,
-            starts: &setup.grains.position,
+            starts: &starts,
             radius: smallest,
             gravity: scenario.simulation.gravity,
             domain: Some(&setup.domain),

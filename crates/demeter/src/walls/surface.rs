@@ -149,7 +149,9 @@ impl Surface {
             Surface::Mesh(_) if limit <= 0.0 => return limit,
             Surface::Mesh(mesh) => mesh.distance(point, limit),
             Surface::Box { faces, .. } => {
-                let distances = faces.iter().map(|(_, plane)| contact_sphere_plane(plane, point).distance);
+                let distances = faces
+                    .iter()
+                    .map(|(_, plane)| contact_sphere_plane(plane, point).distance);
                 distances.fold(limit, f64::min)
             }
             single => single.closest(point).map_or(limit, |closest| match single {

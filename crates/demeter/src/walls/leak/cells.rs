@@ -59,7 +59,9 @@ impl Cells {
         while size * ROOTS * 2.0 < extent.max_element() {
             size *= 2.0;
         }
-        let roots = extent.to_array().map(|e| (e / size).ceil().clamp(1.0, 4.0 * ROOTS) as u32);
+        let roots = extent
+            .to_array()
+            .map(|e| (e / size).ceil().clamp(1.0, 4.0 * ROOTS) as u32);
         let counts = DVec3::from_array(roots.map(f64::from));
         let mut cells = Cells {
             lower,
@@ -165,10 +167,11 @@ impl Cells {
         self.center_of(self.get(index))
     }
 
-    /// Height of the lowest point of a cell [m].
-    pub(super) fn bottom(&self, index: u32, space: &Space<'_>) -> f64 {
-        let size = self.size_at(self.get(index).level);
-        space.height(self.center(index)) - 0.5 * size.dot(space.up.abs())
+    /// Heights of the lowest and of the highest point of a cell [m].
+    pub(super) fn heights(&self, index: u32, space: &Space<'_>) -> (f64, f64) {
+        let middle = space.height(self.center(index));
+        let half = 0.5 * self.size_at(self.get(index).level).dot(space.up.abs());
+        (middle - half, middle + half)
     }
 
     /// Halves a cell along all three axes; cells that are halved already stay as they are.

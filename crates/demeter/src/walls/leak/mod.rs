@@ -268,7 +268,11 @@ impl<'a> Hunt<'a> {
                     }
                     let is_open = matches!(passage.verdict, Verdict::Open(_));
                     self.report.openings.push(Opening {
-                        kind: if is_open { OpeningKind::Leak } else { OpeningKind::AboutGrainSize },
+                        kind: if is_open {
+                            OpeningKind::Leak
+                        } else {
+                            OpeningKind::AboutGrainSize
+                        },
                         place: narrow.place,
                         width: 2.0 * narrow.clearance,
                     });
@@ -299,10 +303,11 @@ impl<'a> Hunt<'a> {
         let goal = self.search.goal_marks();
         let is_goal = |cell: u32| goal[cell as usize];
         if self.top.is_some() {
-            let climb = |so_far: f64, cell: u32| surely[cell as usize].then(|| so_far.max(cells.bottom(cell, space)));
+            let climb =
+                |so_far: f64, cell: u32| surely[cell as usize].then(|| so_far.max(cells.heights(cell, space).0));
             let lowest = Ways::new(cells, &starts, climb, is_goal);
             let path = lowest.path();
-            let height = |cell: &u32| cells.bottom(*cell, space);
+            let height = |cell: &u32| cells.heights(*cell, space).0;
             if let Some(crest) = path.iter().copied().max_by(|a, b| height(a).total_cmp(&height(b))) {
                 let place = cells.center(crest);
                 if space.is_above_walls(place) {
@@ -360,7 +365,9 @@ impl<'a> Hunt<'a> {
         };
         let some = starts.iter().step_by(starts.len().div_ceil(64).max(1));
         let found = some.map(|&start| uphill(start));
-        found.max_by(|&a, &b| clearance(a).total_cmp(&clearance(b))).unwrap_or(0)
+        found
+            .max_by(|&a, &b| clearance(a).total_cmp(&clearance(b)))
+            .unwrap_or(0)
     }
 
     /// Whether a grain can rise above all walls, with all openings plugged.
@@ -381,7 +388,9 @@ impl<'a> Hunt<'a> {
 
 fn settle(space: &Space<'_>, places: &[DVec3], ends: (DVec3, DVec3)) -> Vec<DVec3> {
     let places = places.iter();
-    places.filter_map(|&place| search::settled(space, place, ends)).collect()
+    places
+        .filter_map(|&place| search::settled(space, place, ends))
+        .collect()
 }
 
 /// The narrowest place of a way through cells; of no way, nowhere.
@@ -389,11 +398,20 @@ fn narrow_on(search: &Search<'_>, path: &[u32]) -> Option<Narrowest> {
     let Search { space, cells, .. } = search;
     let clearance = |k: usize| cells.get(path[k]).clearance;
     // of equally narrow places the last
-    let least = (0..path.len()).rev().min_by(|&a, &b| clearance(a).total_cmp(&clearance(b)));
+    let least = (0..path.len())
+        .rev()
+        .min_by(|&a, &b| clearance(a).total_cmp(&clearance(b)));
     let at = least?;
     let ends = [path[at.saturating_sub(1)], path[(at + 1).min(path.len() - 1)]];
-    let along = (cells.center(ends[1]) - cells.center(ends[0])).try_normalize().unwrap_or(DVec3::Z);
-    Some(narrowest(space, cells.center(path[at]), along, 1.5 * cells.side(path[at])))
+    let along = (cells.center(ends[1]) - cells.center(ends[0]))
+        .try_normalize()
+        .unwrap_or(DVec3::Z);
+    Some(narrowest(
+        space,
+        cells.center(path[at]),
+        along,
+        1.5 * cells.side(path[at]),
+    ))
 }
 
 /// Whether a cell may be part of a way out.

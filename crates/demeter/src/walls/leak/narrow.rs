@@ -56,7 +56,12 @@ fn widening(space: &Space<'_>, at: &Narrowest) -> DVec3 {
     });
     let all = [at.along, DVec3::X, DVec3::Y, DVec3::Z].into_iter().chain(directions);
     let rated = all.map(|direction| (wide(direction), direction));
-    rated.fold((f64::MIN, at.along), |best, next| if next.0 > best.0 { next } else { best }).1
+    rated
+        .fold(
+            (f64::MIN, at.along),
+            |best, next| if next.0 > best.0 { next } else { best },
+        )
+        .1
 }
 
 fn saddle(space: &Space<'_>, near: DVec3, along: DVec3, reach: f64) -> Narrowest {

@@ -76,7 +76,9 @@ impl Ways {
         };
         let mut waiting = BinaryHeap::new();
         for &index in starts {
-            let Some(cost) = step(f64::NEG_INFINITY, index) else { continue };
+            let Some(cost) = step(f64::NEG_INFINITY, index) else {
+                continue;
+            };
             if cost < ways.cost[index as usize] {
                 ways.cost[index as usize] = cost;
                 waiting.push(Waiting { cost, index });

@@ -58,7 +58,7 @@ impl Search<'_> {
             Goal::Ends => cells.whole().filter(|&cell| cells.is_at_end(cell)).collect(),
             Goal::Above(height) => cells
                 .whole()
-                .filter(|&cell| self.space.height(cells.center(cell)) >= *height)
+                .filter(|&cell| cells.heights(cell, &self.space).1 >= *height)
                 .collect(),
             Goal::Points(points) => points.iter().filter_map(|&point| cells.holding(point)).collect(),
         };
@@ -86,9 +86,7 @@ impl Search<'_> {
             }
             let is_large = |cell: &u32| {
                 let told = cells.get(*cell);
-                reached[*cell as usize]
-                    && told.state == State::Mixed
-                    && cells.half_diagonal(told.level) > half_diagonal
+                reached[*cell as usize] && told.state == State::Mixed && cells.half_diagonal(told.level) > half_diagonal
             };
             let large: Vec<u32> = cells.whole().filter(is_large).collect();
             if large.is_empty() {

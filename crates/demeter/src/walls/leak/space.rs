@@ -108,17 +108,22 @@ impl<'a> Space<'a> {
     /// What the cap leaves of a clearance; nothing above it.
     pub(super) fn below_cap(&self, clearance: f64, point: DVec3) -> f64 {
         let below = self.cap - self.height(point);
-        if below < 0.0 { f64::MIN } else { clearance.min(below + self.radius) }
+        if below < 0.0 {
+            f64::MIN
+        } else {
+            clearance.min(below + self.radius)
+        }
     }
 
     /// The box around the finite walls, the points given, and the planes that stand along an axis; `None` without any.
     pub(super) fn bounds(&self, points: &[DVec3]) -> Option<(DVec3, DVec3)> {
         let finite = self.walls.iter().filter_map(Wall::bounds);
         let around = finite.chain(points.iter().map(|&p| (p - self.radius, p + self.radius)));
-        let (mut lower, mut upper) =
-            around.reduce(|(lower, upper), (l, u)| (lower.min(l), upper.max(u)))?;
+        let (mut lower, mut upper) = around.reduce(|(lower, upper), (l, u)| (lower.min(l), upper.max(u)))?;
         for wall in self.walls {
-            let Surface::Plane(plane) = wall.surface() else { continue };
+            let Surface::Plane(plane) = wall.surface() else {
+                continue;
+            };
             let normal = wall.pose().turn(plane.normal);
             let axis = (0..3).find(|&k| normal[k].abs() > ALONG_AXIS);
             if let Some(axis) = axis {
@@ -134,7 +139,9 @@ impl<'a> Space<'a> {
     ///
     /// The closest point of the hull is approached as by E. G. Gilbert, SIAM J. Control 4 (1966) 61.
     pub(super) fn is_above_walls(&self, point: DVec3) -> bool {
-        let Some(&first) = self.outline.first() else { return false };
+        let Some(&first) = self.outline.first() else {
+            return false;
+        };
         let mut closest = first - point;
         for _ in 0..MOST_STEPS {
             let lowest = self.outline.iter().map(|&corner| corner - point);
