@@ -131,7 +131,7 @@ fn leak_words(leaks: &LeakReport, smallest: f64) -> Vec<String> {
     let mut lines = Vec::new();
     let grain = format!("a grain of diameter {} m", number(2.0 * leaks.radius));
     let top = if leaks.open_at_top {
-        ", and is open at the top"
+        ", and are open at the top"
     } else {
         ""
     };
