@@ -36,8 +36,9 @@ const MOST_OPENINGS: usize = 6;
 const MOST_ROUNDS: usize = 24;
 /// Most cells.
 const MOST_CELLS: usize = 2_000_000;
-/// Cells per area of the walls over the square of the radius: 4.5 layers of cells of 0.72 radii, with their larger ones.
-const CELLS_PER_AREA: f64 = 12.0;
+/// Cells per area of the walls over the square of the radius that are surely needed; 4.5 layers of cells of 0.72 radii on
+/// every wall would be 8.7.
+const CELLS_PER_AREA: f64 = 6.0;
 /// Side of the cells that tell the two sides of a wall apart, in radii: two neighbours on different sides cannot both be
 /// mixed when the side is less than twice what the radius exceeds half of the diagonal by, 0.732.
 const APART: f64 = 0.72;
@@ -133,7 +134,9 @@ pub fn find_openings(test: &LeakTest<'_>) -> Result<LeakReport, Untested> {
     let area = Space::new(test.walls, test.radius, test.gravity).area;
     let mut radius = test.radius.max((CELLS_PER_AREA * area / MOST_CELLS as f64).sqrt());
     for _ in 0..8 {
-        match Hunt::new(test, radius)?.run() {
+        match Hunt::new(test, radius).and_then(Hunt::run) {
+            // it is the larger grain that has no room
+            Err(Untested::NoRoom) if radius > test.radius => return Err(Untested::TooLarge),
             Err(Untested::TooLarge) => radius *= 1.6,
             decided => return decided,
         }

@@ -8,6 +8,8 @@ use glam::DVec3;
 
 /// Room that a grain which touches a wall is given, in radii.
 const NUDGES: [f64; 2] = [0.25, 0.5];
+/// How far below the cap grains start that are above it, in radii.
+const BELOW_CAP: f64 = 0.5;
 /// Most steps of a fall.
 const MOST_FALLS: usize = 10_000;
 
@@ -112,21 +114,21 @@ pub(super) fn settled(space: &Space<'_>, start: DVec3, (lower, upper): (DVec3, D
     let above = if space.cap == f64::INFINITY {
         0.0
     } else {
-        (space.height(start) - space.cap + 0.01 * space.radius).max(0.0)
+        (space.height(start) - space.cap + BELOW_CAP * space.radius).max(0.0)
     };
     let mut at = with_room(space, start - space.up * above)?;
     if space.up == DVec3::ZERO {
         return Some(at);
     }
     for _ in 0..MOST_FALLS {
-        let spare = space.clearance(at) - space.radius;
-        let fall = space.up * spare.max(0.02 * space.radius);
-        let next = at - fall;
-        let inside = next.cmpgt(lower).all() && next.cmplt(upper).all();
-        if !inside || space.clearance(next) < 1.02 * space.radius {
-            break;
+        let inside = |next: &DVec3| next.cmpgt(lower).all() && next.cmplt(upper).all();
+        let spare = (space.clearance(at) - space.radius).max(0.02 * space.radius);
+        // near the end of the box in short steps
+        let falls = [spare, spare.min(0.25 * space.radius)].map(|fall| at - space.up * fall);
+        match falls.into_iter().find(inside) {
+            Some(next) if space.clearance(next) >= 1.02 * space.radius => at = next,
+            _ => break,
         }
-        at = next;
     }
     Some(at)
 }
