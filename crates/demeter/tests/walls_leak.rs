@@ -1,7 +1,11 @@
 //! Where grains get out: containers that are tight, that leak through holes just larger than the grain, and not through
 //! those just smaller; open tops, rims and orifices.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot set itself up must fail")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test that cannot set itself up must fail"
+)]
 
 use demeter::particles::{Domain, Outside};
 use demeter::walls::leak::{LeakReport, LeakTest, OpeningKind, Untested, find_openings};

@@ -35,7 +35,7 @@ const MOST_OPENINGS: usize = 6;
 /// Most rounds of finding and plugging.
 const MOST_ROUNDS: usize = 24;
 /// Most cells.
-const MOST_CELLS: usize = 2_000_000;
+const MOST_CELLS: usize = 4_000_000;
 /// Cells per area of the walls over the square of the radius that are surely needed; 4.5 layers of cells of 0.72 radii on
 /// every wall would be 8.7.
 const CELLS_PER_AREA: f64 = 6.0;
@@ -133,11 +133,11 @@ pub fn find_openings(test: &LeakTest<'_>) -> Result<LeakReport, Untested> {
     }
     let area = Space::new(test.walls, test.radius, test.gravity).area;
     let mut radius = test.radius.max((CELLS_PER_AREA * area / MOST_CELLS as f64).sqrt());
-    for _ in 0..8 {
+    for attempt in 0..6u8 {
         match Hunt::new(test, radius).and_then(Hunt::run) {
             // it is the larger grain that has no room
             Err(Untested::NoRoom) if radius > test.radius => return Err(Untested::TooLarge),
-            Err(Untested::TooLarge) => radius *= 1.6,
+            Err(Untested::TooLarge) => radius *= 1.25 + 0.25 * f64::from(attempt),
             decided => return decided,
         }
     }

@@ -62,9 +62,7 @@ mod tests {
         fan[0].swap(1, 2);
         assert_eq!(orient(&mut fan), 1);
         assert_eq!(fan, right);
-        for k in 1..4 {
-            fan[k].swap(0, 1);
-        }
+        fan[1..].iter_mut().for_each(|triangle| triangle.swap(0, 1));
         assert_eq!(orient(&mut fan), 1);
         let reversed: Vec<[u32; 3]> = right.iter().map(|&[a, b, c]| [a, c, b]).collect();
         let same = |a: &[u32; 3], b: &[u32; 3]| (0..3).any(|k| [b[k], b[(k + 1) % 3], b[(k + 2) % 3]] == *a);
