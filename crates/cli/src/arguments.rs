@@ -332,7 +332,7 @@ pub struct NewArguments {
 /// Of `demeter info`.
 #[derive(Debug, Args)]
 pub struct InfoArguments {
-    /// A scenario, the folder of a run, a checkpoint, a file of grains, an STL surface, or a series of a run
+    /// A scenario, the folder of a run, a checkpoint, a file of grains, a surface (STL, OBJ, PLY), or a series of a run
     pub file: PathBuf,
     /// Write one JSON object to standard output
     #[arg(long)]

@@ -2,10 +2,11 @@
 
 use crate::answer::{Rows, answer, answer_json, note};
 use crate::arguments::CheckArguments;
+use crate::check_walls;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::readable::{bytes, count, number, things, wait};
-use demeter::scenario::{Prepared, Scenario, prepare};
+use demeter::scenario::{Prepared, Scenario, WallReport, inspect_walls, prepare};
 use serde_json::{Value, json};
 
 /// Most stages that are told.
@@ -15,18 +16,19 @@ const MOST_STAGES: usize = 20;
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Failure> {
     let scenario = Scenario::read(&arguments.file, &arguments.set)?;
     let prepared = prepare(&scenario)?;
+    let walls = inspect_walls(&scenario, &prepared);
     if arguments.json {
-        answer_json(&to_json(&scenario, &prepared))?;
+        answer_json(&to_json(&scenario, &prepared, &walls))?;
     } else {
         for warning in &prepared.warnings {
             note(&format!("warning: {warning}"));
         }
-        answer(&to_text(&scenario, &prepared))?;
+        answer(&to_text(&scenario, &prepared, &walls))?;
     }
     Ok(Exit::Finished)
 }
 
-fn to_text(scenario: &Scenario, prepared: &Prepared) -> String {
+fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> String {
     let setup = &prepared.setup;
     let mut rows = Rows::default();
     rows.add("title", scenario.title.as_str());
@@ -42,6 +44,9 @@ fn to_text(scenario: &Scenario, prepared: &Prepared) -> String {
             names.join(", ")
         },
     );
+    if !scenario.walls.is_empty() {
+        check_walls::add_rows(scenario, prepared, report, &mut rows);
+    }
     for (stage, steps) in scenario.stages.iter().zip(&prepared.stage_steps).take(MOST_STAGES) {
         let early = if stage.stop.len() > 1 {
             ", or until a condition ends it"
@@ -63,7 +68,7 @@ fn to_text(scenario: &Scenario, prepared: &Prepared) -> String {
     format!("{} is right\n{}", scenario.name, rows.lines())
 }
 
-fn to_json(scenario: &Scenario, prepared: &Prepared) -> Value {
+fn to_json(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Value {
     let stages = scenario.stages.iter().zip(&prepared.stage_steps);
     let stages: Vec<Value> = stages
         .map(|(stage, steps)| json!({ "name": stage.name, "steps": steps, "conditions": stage.stop.len() }))
@@ -78,6 +83,7 @@ fn to_json(scenario: &Scenario, prepared: &Prepared) -> Value {
         "grains": prepared.setup.grains.len(),
         "materials": materials,
         "walls": walls,
+        "wall_report": check_walls::to_json(scenario, prepared, report),
         "stages": stages,
         "steps": prepared.steps,
         "memory": prepared.memory,

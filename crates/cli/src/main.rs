@@ -7,6 +7,7 @@ mod answer;
 mod arguments;
 mod bug_report;
 mod check;
+mod check_walls;
 mod collide;
 mod compare;
 mod contact_curve;

@@ -65,6 +65,100 @@ fn check_tells_how_the_run_would_be() {
     assert_eq!(place.names(), ["fall.toml"]);
 }
 
+/// A box of 20 mm without lid, drawn in millimetres, with a hole in the side at x = 20: one of its triangles is missing.
+fn leaky_box() -> String {
+    let mut text = "o box\n".to_string();
+    for k in 0..8 {
+        text.push_str(&format!(
+            "v {} {} {}\n",
+            20 * (k & 1),
+            20 * ((k >> 1) & 1),
+            20 * ((k >> 2) & 1)
+        ));
+    }
+    text + "f 1 3 4 2\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8\nf 2 4 4\n"
+}
+
+#[test]
+fn check_tells_of_meshes_and_where_grains_get_out() {
+    let place = Place::new();
+    place.write("box.obj", &leaky_box());
+    let scenario = r#"
+[simulation]
+gravity = "0 0 -9.81 m/s^2"
+[material.glass]
+young_modulus = "5 MPa"
+poisson_ratio = 0.25
+density = "2500 kg/m^3"
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.8 }
+[[grains]]
+material = "glass"
+source = "list"
+positions = ["10 10 3 mm"]
+diameters = ["2 mm"]
+[[wall]]
+name = "box"
+material = "glass"
+shape = "mesh"
+file = "box.obj"
+[[stage]]
+name = "fall"
+duration = "1 ms"
+"#;
+    place.write("box.toml", scenario);
+    let said = place.expect(0, &["check", "box.toml"]);
+    assert!(
+        said.err.contains("is this file in mm? Then say `unit = \"mm\"`"),
+        "{}",
+        said.err
+    );
+    assert!(said.err.contains("left out 1 triangle without area"), "{}", said.err);
+
+    place.write(
+        "box.toml",
+        &scenario.replace("\"box.obj\"", "\"box.obj\"\nunit = \"mm\""),
+    );
+    let said = place.expect(0, &["check", "box.toml"]);
+    assert!(!said.err.contains("unit"), "{}", said.err);
+    for words in [
+        "wall box",
+        "unit: mm, as told",
+        "holes or open ends",
+        "leak test",
+        "m wide",
+        "upwards: open at the top",
+    ] {
+        assert!(said.out.contains(words), "`{words}` is missing: {}", said.out);
+    }
+    let answer = place.expect(0, &["check", "box.toml", "--json"]).json();
+    let leaks = &answer["wall_report"]["leak_test"];
+    assert_eq!(
+        (&leaks["tight"], &leaks["open_at_top"]),
+        (&false.into(), &true.into()),
+        "{leaks}"
+    );
+    let opening = &leaks["openings"][0];
+    assert!((opening["place"][0].as_f64().unwrap() - 0.02).abs() < 1e-3, "{opening}");
+    let mesh = &answer["wall_report"]["meshes"][0];
+    assert_eq!(
+        (&mesh["wall"], &mesh["repair"]["without_area"]),
+        (&"box".into(), &1.into())
+    );
+
+    // with the missing triangle it is tight
+    place.write("box.obj", &leaky_box().replace("f 2 4 4", "f 2 8 6"));
+    let said = place.expect(0, &["check", "box.toml"]);
+    assert!(
+        said.out
+            .contains("hold a grain of diameter 0.002 m, and are open at the top"),
+        "{}",
+        said.out
+    );
+    let surface = place.expect(0, &["info", "box.obj", "--json"]).json();
+    assert_eq!((&surface["format"], &surface["triangles"]), (&"OBJ".into(), &10.into()));
+}
+
 #[test]
 fn laws_are_listed_and_explained() {
     let place = Place::new();

@@ -2,10 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot set itself up must fail")]
 
-use demeter::walls::{StlError, read_stl};
+use demeter::walls::{MeshFileError, read_mesh};
 use glam::DVec3;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 const TETRAHEDRON: [[[f32; 3]; 3]; 4] = [
@@ -53,9 +53,13 @@ fn write(bytes: &[u8]) -> (TempDir, PathBuf) {
     (folder, path)
 }
 
-fn read(bytes: &[u8]) -> Result<Vec<[DVec3; 3]>, StlError> {
+fn triangles(path: &Path, scale: f64, shift: DVec3) -> Result<Vec<[DVec3; 3]>, MeshFileError> {
+    read_mesh(path, Some(scale), shift).map(|content| content.triangles)
+}
+
+fn read(bytes: &[u8]) -> Result<Vec<[DVec3; 3]>, MeshFileError> {
     let (_folder, path) = write(bytes);
-    read_stl(&path, 1.0, DVec3::ZERO)
+    triangles(&path, 1.0, DVec3::ZERO)
 }
 
 #[test]
@@ -100,7 +104,7 @@ fn reads_ascii_in_any_case_and_line_ending() {
 fn scales_then_shifts() {
     let (_folder, path) = write(&binary("mm"));
     let shift = DVec3::new(0.1, 0.2, -0.3);
-    assert_eq!(read_stl(&path, 1e-3, shift).unwrap(), expected(1e-3, shift));
+    assert_eq!(triangles(&path, 1e-3, shift).unwrap(), expected(1e-3, shift));
 }
 
 #[test]
@@ -168,7 +172,7 @@ fn hostile_files_are_refused_with_the_reason_and_the_path() {
             format!("{text}hello\n").into_bytes(),
             "expected `solid`, found `hello`",
         ),
-        ("some other text", b"ply\nformat ascii 1.0\n".to_vec(), "21 bytes"),
+        ("some other text", b"hello\nformat ascii 1.0\n".to_vec(), "23 bytes"),
         (
             "bytes that are no text",
             [b"solid \xff\xfe\nfacet \xff\n".to_vec(), vec![0xff; 200]].concat(),
@@ -177,7 +181,7 @@ fn hostile_files_are_refused_with_the_reason_and_the_path() {
     ];
     for (name, bytes, message) in cases {
         let (_folder, path) = write(&bytes);
-        let error = read_stl(&path, 1.0, DVec3::ZERO).expect_err(name).to_string();
+        let error = triangles(&path, 1.0, DVec3::ZERO).expect_err(name).to_string();
         assert!(error.contains("shape.stl"), "{name}: {error}");
         assert!(error.contains(message), "{name}: `{error}` lacks `{message}`");
     }
@@ -206,11 +210,11 @@ fn every_cut_of_a_file_is_an_error_or_a_whole_file() {
 fn a_missing_file_and_a_folder_are_told_apart() {
     let folder = tempfile::tempdir().unwrap();
     assert!(matches!(
-        read_stl(&folder.path().join("none.stl"), 1.0, DVec3::ZERO),
-        Err(StlError::Read { .. })
+        triangles(&folder.path().join("none.stl"), 1.0, DVec3::ZERO),
+        Err(MeshFileError::Read { .. })
     ));
     assert!(matches!(
-        read_stl(folder.path(), 1.0, DVec3::ZERO),
-        Err(StlError::NotAFile { .. })
+        triangles(folder.path(), 1.0, DVec3::ZERO),
+        Err(MeshFileError::NotAFile { .. })
     ));
 }

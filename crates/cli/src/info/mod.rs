@@ -81,10 +81,12 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
     Ok(match extension.as_deref() {
         _ if checkpoint::looks_like_one(path) => Kind::Checkpoint,
         _ if series::looks_like_one(&start) => Kind::Series,
-        Some("stl") => Kind::Surface,
+        Some("stl" | "obj" | "ply") => Kind::Surface,
         Some("toml") => Kind::Scenario,
         Some("csv" | "txt" | "dat" | "data" | "lammps" | "liggghts" | "xyz") => Kind::Grains,
-        _ if start.starts_with(b"solid ") => Kind::Surface,
+        _ if start.starts_with(b"solid ") || start.starts_with(b"ply\n") || start.starts_with(b"ply\r") => {
+            Kind::Surface
+        }
         _ => Kind::Unknown,
     })
 }
@@ -92,7 +94,7 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
 fn unknown(path: &Path) -> Failure {
     Failure::wrong(format!(
         "`{}` is none of the files that Demeter reads: a scenario (.toml), the folder of a run, a checkpoint, a file of \
-         grains (.csv, .txt, .dat, .data), a surface (.stl), or a series (series.csv of a run). Frames (.vtp, .pvd) open \
+         grains (.csv, .txt, .dat, .data), a surface (.stl, .obj, .ply), or a series (series.csv of a run). Frames (.vtp, .pvd) open \
          in ParaView, PyVista and OVITO.",
         path.display()
     ))

@@ -1,17 +1,18 @@
-//! What is in an STL file.
+//! What is in a mesh file.
 
 use super::Info;
 use crate::answer::Rows;
 use crate::failure::Failure;
 use crate::readable::{count, number, vector};
-use demeter::walls::{Mesh, MeshError, read_stl};
+use demeter::walls::{Mesh, MeshError, read_mesh};
 use demeter_physics::DVec3;
 use serde_json::json;
 use std::path::Path;
 
-/// Tells what is in an STL file, in the unit of the file.
+/// Tells what is in a mesh file, in the unit of the file.
 pub fn surface(path: &Path) -> Result<Info, Failure> {
-    let triangles = read_stl(path, 1.0, DVec3::ZERO).map_err(|error| Failure::wrong(error.to_string()))?;
+    let content = read_mesh(path, Some(1.0), DVec3::ZERO).map_err(|error| Failure::wrong(error.to_string()))?;
+    let triangles = content.triangles;
     let area: f64 = triangles
         .iter()
         .map(|[a, b, c]| 0.5 * (*b - *a).cross(*c - *a).length())
@@ -21,6 +22,7 @@ pub fn surface(path: &Path) -> Result<Info, Failure> {
     let upper = corners().fold(DVec3::NEG_INFINITY, |high, corner| high.max(*corner));
     let state = state(&triangles);
     let mut rows = Rows::default();
+    rows.add("format", content.format.name());
     rows.add("triangles", count(triangles.len() as u64));
     rows.add("lower corner", vector(lower.to_array()));
     rows.add("upper corner", vector(upper.to_array()));
@@ -28,9 +30,10 @@ pub fn surface(path: &Path) -> Result<Info, Failure> {
     rows.add("as a wall", state.words.as_str());
     rows.add(
         "unit",
-        "that of the file; `scale` of a wall turns it into metres, 1e-3 when it is drawn in mm",
+        "that of the file; `unit` of a wall tells it, as `unit = \"mm\"`",
     );
     let value = json!({
+        "format": content.format.name(),
         "triangles": triangles.len(),
         "lower": lower.to_array(),
         "upper": upper.to_array(),
@@ -41,7 +44,7 @@ pub fn surface(path: &Path) -> Result<Info, Failure> {
         "remark": state.words,
     });
     Ok(Info {
-        kind: "surface (STL)",
+        kind: "surface",
         rows,
         value,
     })

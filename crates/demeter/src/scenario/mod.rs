@@ -8,6 +8,7 @@ mod grains;
 mod impact;
 mod materials;
 mod measures;
+mod meshes;
 mod observed;
 mod overrides;
 mod packing_file;
@@ -26,6 +27,7 @@ mod sizes;
 mod stages;
 mod templates;
 pub mod units;
+mod wall_report;
 mod walls;
 
 #[cfg(test)]
@@ -40,6 +42,7 @@ pub use impact::{
 };
 pub use materials::{ContactSpec, MAX_MATERIALS};
 pub use measures::{MAX_MEASURES, MeasureKind, MeasureSpec};
+pub use meshes::{MeshOrigin, MeshSource};
 pub use observed::{Measured, Observable, Observation, Target, Unknown};
 pub use packing_file::{FitTask, Match, PACKING_FIT_REFERENCE, PackingFile, UnknownNumber};
 pub use prepare::{Prepared, prepare};
@@ -53,6 +56,7 @@ pub use settings::{
 };
 pub use stages::{MAX_REPEAT, MAX_STAGES};
 pub use templates::{TEMPLATES, template};
+pub use wall_report::{WallReport, inspect_walls};
 pub use walls::{MAX_WALLS, MeshFile, WallShape, WallSpec};
 
 use crate::insertion::Insertion;

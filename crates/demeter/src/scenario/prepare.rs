@@ -1,12 +1,13 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
 use super::checks::{BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_wall_speeds};
-use super::{Diagnostics, Scenario, TimeStep, WallShape, WallSpec};
+use super::meshes::{self, MeshOrigin};
+use super::{Diagnostics, Scenario, TimeStep, WallSpec};
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains};
 use crate::simulation::{SAFE_SHARE, Setup, Skin, TimeScale, refusals, shortest_time_scale, unsafe_share};
-use crate::walls::{Mesh, Shape, Wall, read_stl};
+use crate::walls::Wall;
 use demeter_physics::contact::LawError;
 use glam::DVec3;
 
@@ -27,6 +28,8 @@ pub struct Prepared {
     pub time_step_reason: String,
     /// What the user should know, though it is no fault.
     pub warnings: Vec<String>,
+    /// Where the triangles of each wall come from and what was repaired; `None` for walls that are no meshes.
+    pub meshes: Vec<Option<MeshOrigin>>,
     /// Steps of every stage when no condition ends it early.
     pub stage_steps: Vec<u64>,
     /// Steps of the whole protocol when no condition ends a stage early.
@@ -43,7 +46,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let mut warnings = Vec::new();
     super::plots::check(scenario, &mut faults);
     let materials = materials(scenario, &mut faults);
-    let walls = walls(scenario, &mut faults);
+    let (walls, meshes) = walls(scenario, &mut faults);
     check_stage_motions(scenario, &mut faults);
     check_memory(scenario, &mut faults);
     if !faults.is_empty() {
@@ -54,6 +57,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         return Err(faults);
     };
     let domain = domain(scenario, &grains, &walls, &mut faults);
+    meshes::check(scenario, &walls, &meshes, &grains, &mut warnings);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
     if grains.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));
@@ -90,6 +94,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         time_scale: scale,
         time_step_reason: reason,
         warnings,
+        meshes,
         stage_steps,
         steps,
         setup: Setup {
@@ -112,7 +117,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
 pub(super) fn prepare_to_resume(scenario: &Scenario, domain: Domain) -> Result<Setup, Diagnostics> {
     let mut faults = scenario.diagnostics();
     let materials = materials(scenario, &mut faults);
-    let walls = walls(scenario, &mut faults);
+    let (walls, _) = walls(scenario, &mut faults);
     let (Some(materials), true) = (materials, faults.is_empty()) else {
         return Err(faults);
     };
@@ -148,11 +153,14 @@ fn materials(scenario: &Scenario, faults: &mut Diagnostics) -> Option<Materials>
     }
 }
 
-fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> Vec<Wall> {
-    let mut walls = Vec::new();
+fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> (Vec<Wall>, Vec<Option<MeshOrigin>>) {
+    let (mut walls, mut origins) = (Vec::new(), Vec::new());
     for (k, spec) in scenario.walls.iter().enumerate() {
         match wall(spec) {
-            Ok(wall) => walls.push(wall),
+            Ok((wall, origin)) => {
+                walls.push(wall);
+                origins.push(origin);
+            }
             Err((key, message)) => {
                 faults.push(
                     &format!("wall[{k}]{key}"),
@@ -162,7 +170,7 @@ fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> Vec<Wall> {
             }
         }
     }
-    walls
+    (walls, origins)
 }
 
 /// Refuses motions that a wall cannot make before any stage has run.
@@ -187,20 +195,10 @@ fn check_stage_motions(scenario: &Scenario, faults: &mut Diagnostics) {
 }
 
 /// Builds a wall, or tells the key at fault and why.
-fn wall(spec: &WallSpec) -> Result<Wall, (&'static str, String)> {
-    let shape = match &spec.shape {
-        WallShape::Given(shape) => shape.clone(),
-        WallShape::File(file) => {
-            let triangles =
-                read_stl(&file.path, file.scale, file.shift).map_err(|error| (".file", error.to_string()))?;
-            Shape::Mesh { triangles }
-        }
-    };
-    if let (Shape::Mesh { triangles }, true) = (&shape, spec.closed) {
-        let mesh = Mesh::new(triangles).map_err(|error| ("", error.to_string()))?;
-        mesh.require_closed().map_err(|error| (".closed", error.to_string()))?;
-    }
-    Wall::new(&spec.name, spec.material, shape, spec.motion.clone()).map_err(|error| ("", error.to_string()))
+fn wall(spec: &WallSpec) -> Result<(Wall, Option<MeshOrigin>), (&'static str, String)> {
+    let (shape, origin) = meshes::shape(spec)?;
+    let wall = Wall::new(&spec.name, spec.material, shape, spec.motion.clone());
+    Ok((wall.map_err(|error| ("", error.to_string()))?, origin))
 }
 
 fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> Grains {

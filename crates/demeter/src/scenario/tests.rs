@@ -172,7 +172,7 @@ fn walls_and_motions_are_read_as_told() {
     assert!(matches!(given("ramp"), Shape::Mesh { triangles } if triangles.len() == 1 && triangles[0][0] == corner));
     match shape("mesh") {
         WallShape::File(file) => {
-            assert_eq!((file.scale, file.shift), (0.001, dvec3(0.0, 0.0, -0.002)));
+            assert_eq!((file.scale, file.shift), (Some(0.001), dvec3(0.0, 0.0, -0.002)));
             assert!(file.path.ends_with("plate.stl") && file.path.is_file());
         }
         WallShape::Given(shape) => panic!("{shape:?}"),

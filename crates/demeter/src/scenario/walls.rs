@@ -5,6 +5,7 @@ use super::grains::{Surroundings, axis_ends, existing_file};
 use super::materials::material_index;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
+use super::units;
 use crate::walls::{Motion, Shape, Side};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -29,6 +30,8 @@ pub struct WallSpec {
     pub shape: WallShape,
     /// Whether the mesh is told to be closed: a hole in it is then an error.
     pub closed: bool,
+    /// Largest distance of corners of a mesh that are joined [m]; `None`: the rounding of single precision.
+    pub weld: Option<f64>,
     /// Motion from the start of the run.
     pub motion: Motion,
 }
@@ -38,17 +41,19 @@ pub struct WallSpec {
 pub enum WallShape {
     /// Told in the scenario.
     Given(Shape),
-    /// Told by an STL file.
+    /// Told by a mesh file.
     File(MeshFile),
 }
 
-/// An STL file.
+/// A mesh file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshFile {
     /// The file.
     pub path: PathBuf,
-    /// Factor on all coordinates of the file, which then count metres.
-    pub scale: f64,
+    /// Factor on all coordinates of the file, which then count metres; `None` when neither `unit` nor `scale` is told.
+    pub scale: Option<f64>,
+    /// The unit as written.
+    pub unit: Option<String>,
     /// Shift after scaling [m].
     pub shift: DVec3,
 }
@@ -89,6 +94,7 @@ fn wall(table: TableReader<'_>, around: &Surroundings<'_>) -> WallSpec {
         material: material.map_or(0, |i| material_index(&i, around.materials)),
         shape: WallShape::Given(Shape::Mesh { triangles: Vec::new() }),
         closed: false,
+        weld: None,
         motion: table.optional("motion").map_or(Motion::Rest, |i| motion(&i)),
     };
     let meaning = "\"plane\", \"box\", \"cylinder\", \"cone\", \"sphere\", \"rectangle\", \"disc\" or \"mesh\"";
@@ -118,6 +124,7 @@ fn wall(table: TableReader<'_>, around: &Surroundings<'_>) -> WallSpec {
         }),
         _ => {
             wall.closed = table.optional("closed").is_some_and(|i| i.boolean());
+            wall.weld = table.optional_quantity("weld", LENGTH, Range::POSITIVE);
             mesh(&table, around)
         }
     };
@@ -228,13 +235,20 @@ fn mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> WallShape {
     let file = table.optional("file");
     let triangles = table.optional("triangles");
     match (file, triangles) {
-        (Some(file), None) => WallShape::File(MeshFile {
-            path: existing_file(&file, around.base),
-            scale: table
-                .optional_quantity("scale", Kind::Number, Range::POSITIVE)
-                .unwrap_or(1.0),
-            shift: table.vector_or_zero("shift", LENGTH),
-        }),
+        (Some(file), None) => {
+            let path = existing_file(&file, around.base);
+            let scale = table.optional_quantity("scale", Kind::Number, Range::POSITIVE);
+            let unit = table.optional("unit");
+            if scale.is_some() && unit.is_some() {
+                table.fault_at("scale", "`unit` and `scale` exclude each other; give one of them");
+            }
+            WallShape::File(MeshFile {
+                path,
+                scale: scale.or(unit.as_ref().map(length_unit)),
+                unit: unit.map(|item| item.text()),
+                shift: table.vector_or_zero("shift", LENGTH),
+            })
+        }
         (None, Some(item)) => {
             let items = item.items();
             if matches!(item.node.value, Value::Array(_)) && (items.is_empty() || items.len() > MAX_TRIANGLES) {
@@ -244,7 +258,7 @@ fn mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> WallShape {
             WallShape::Given(Shape::Mesh { triangles })
         }
         (None, None) => {
-            let help = "give `file`, the path of an STL file, or `triangles`";
+            let help = "give `file`, the path of an STL, OBJ or PLY file or a list of triangles, or `triangles`";
             table.fault("the triangles of the mesh are missing", Some(help.to_string()));
             nothing
         }
@@ -254,6 +268,26 @@ fn mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> WallShape {
                 "`file` and `triangles` exclude each other; give one of them",
             );
             nothing
+        }
+    }
+}
+
+/// Metres in a unit of length, as `"mm"`.
+fn length_unit(item: &Item<'_>) -> f64 {
+    let text = item.text();
+    if !matches!(item.node.value, Value::String(_)) {
+        return f64::NAN;
+    }
+    let begins_with_number = text.trim_start().starts_with(|c: char| c.is_ascii_digit());
+    let read = units::parse(&format!("1 {}", text.trim()));
+    match read {
+        Ok(unit) if unit.has_unit && unit.dimension == Dimension::LENGTH && unit.angle == 0 && !begins_with_number => {
+            unit.value
+        }
+        _ => {
+            let help = "write \"m\", \"mm\", \"cm\", \"um\", \"in\" or \"ft\"; a factor is told by `scale`";
+            item.fault(format!("`{text}` is no unit of length"), Some(help.to_string()));
+            f64::NAN
         }
     }
 }

@@ -5,21 +5,22 @@
 //! each grain; [`Wall::advance`] moves the wall by one step.
 
 mod error;
+pub mod leak;
 pub mod mesh;
+mod mesh_file;
 mod motion;
 mod motor;
 mod outline;
 mod pose;
 mod servo;
 mod shape;
-mod stl;
 mod surface;
 mod wall;
 
 pub use error::WallError;
 pub use mesh::{Mesh, MeshError};
+pub use mesh_file::{MeshFileContent, MeshFileError, MeshFormat, read_mesh};
 pub use motion::Motion;
 pub use pose::Pose;
 pub use shape::{Shape, Side};
-pub use stl::{StlError, read_stl};
 pub use wall::{SurfaceContact, Wall, WallState};

@@ -142,6 +142,26 @@ impl Surface {
         }
     }
 
+    /// Radius of the largest grain at a point that touches nothing, or `limit` when that is less. Beyond the side of a
+    /// cylinder or cone, whose ends are open, a grain that has wholly passed is free again.
+    pub(super) fn clearance(&self, point: DVec3, limit: f64) -> f64 {
+        let found = match self {
+            Surface::Mesh(_) if limit <= 0.0 => return limit,
+            Surface::Mesh(mesh) => mesh.distance(point, limit),
+            Surface::Box { faces, .. } => {
+                let distances = faces
+                    .iter()
+                    .map(|(_, plane)| contact_sphere_plane(plane, point).distance);
+                distances.fold(limit, f64::min)
+            }
+            single => single.closest(point).map_or(limit, |closest| match single {
+                Surface::Cylinder(_) | Surface::Cone(_) => closest.distance.abs(),
+                _ => closest.distance,
+            }),
+        };
+        found.min(limit)
+    }
+
     /// The one closest point of a shape that touches a sphere at most once; `None` for boxes and meshes.
     #[inline]
     fn closest(&self, centre: DVec3) -> Option<SurfacePoint> {

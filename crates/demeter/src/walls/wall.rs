@@ -1,6 +1,7 @@
 //! A wall of a run.
 
 use super::error::WallError;
+use super::mesh::Mesh;
 use super::motion::Motion;
 use super::motor::Motor;
 use super::outline;
@@ -83,6 +84,26 @@ impl Wall {
     #[inline]
     pub fn near(&self, centre: DVec3, reach: f64) -> bool {
         self.surface.near(self.motor.pose.unplace(self.origin, centre), reach)
+    }
+
+    /// Radius of the largest grain that, with its centre at a point, does not touch the wall, or `limit` when that is less
+    /// [m]; negative behind a one-sided surface.
+    pub fn clearance(&self, point: DVec3, limit: f64) -> f64 {
+        self.surface
+            .clearance(self.motor.pose.unplace(self.origin, point), limit)
+    }
+
+    /// The mesh that the wall is made of, in the wall frame; `None` when it is another shape.
+    pub fn mesh(&self) -> Option<&Mesh> {
+        match &self.surface {
+            Surface::Mesh(mesh) => Some(mesh),
+            _ => None,
+        }
+    }
+
+    /// The surface in the wall frame.
+    pub(super) fn surface(&self) -> &Surface {
+        &self.surface
     }
 
     /// Velocity of the wall, as a rigid body, at a point of the world [m/s].

@@ -125,6 +125,59 @@ impl Hierarchy {
     }
 }
 
+impl Hierarchy {
+    /// Calls `visit` with every triangle of a leaf whose box meets the box given.
+    pub(super) fn visit_box(&self, lower: DVec3, upper: DVec3, mut visit: impl FnMut(u32)) {
+        let mut waiting = [0u32; DEEPEST];
+        let mut depth = 1;
+        while depth > 0 {
+            depth -= 1;
+            let index = waiting[depth];
+            let node = &self.nodes[index as usize];
+            if node.lower.cmpgt(upper).any() || node.upper.cmplt(lower).any() {
+                continue;
+            }
+            if node.count == 0 {
+                waiting[depth] = node.start;
+                waiting[depth + 1] = index + 1;
+                depth += 2;
+                continue;
+            }
+            let leaf = node.start as usize..(node.start + node.count) as usize;
+            self.order[leaf].iter().for_each(|&triangle| visit(triangle));
+        }
+    }
+
+    /// The least of the distances that `distance` tells of the triangles, no more than `limit`; it is asked only of
+    /// triangles that may be closer than all before.
+    pub(super) fn least_distance(&self, point: DVec3, limit: f64, mut distance: impl FnMut(u32) -> f64) -> f64 {
+        let mut least = limit;
+        let mut waiting = [(0.0, 0u32); DEEPEST];
+        let mut depth = 1;
+        while depth > 0 {
+            depth -= 1;
+            let (squared, index) = waiting[depth];
+            if squared > least * least {
+                continue;
+            }
+            let node = &self.nodes[index as usize];
+            if node.count == 0 {
+                let children = [index + 1, node.start];
+                let [near, far] = children.map(|child| (self.nodes[child as usize].distance_squared(point), child));
+                let (near, far) = if far.0 < near.0 { (far, near) } else { (near, far) };
+                (waiting[depth], waiting[depth + 1]) = (far, near);
+                depth += 2;
+                continue;
+            }
+            let leaf = node.start as usize..(node.start + node.count) as usize;
+            for &triangle in &self.order[leaf] {
+                least = least.min(distance(triangle));
+            }
+        }
+        least
+    }
+}
+
 fn longest_axis(size: DVec3) -> usize {
     if size.x >= size.y && size.x >= size.z {
         0

@@ -3,13 +3,22 @@
 //! * `weld` joins corners that are the same point, `topology` finds edges, neighbours and flat patches
 //! * `hierarchy` finds the triangles near a grain
 //! * `contacts` decides which of their closest points are contacts
+//! * `repair` makes a mesh as it comes usable, with `orientation`; `inspection` tells what is remarkable, with `crossings`
 
 mod contacts;
+mod crossings;
 mod hierarchy;
+mod inspection;
+mod orientation;
+mod repair;
 mod topology;
 mod weld;
 
-use demeter_physics::geometry::contact_sphere_triangle::Triangle;
+pub use crossings::Crossings;
+pub use inspection::{Inspection, Places, Rim};
+pub use repair::{LeftOut, Repair};
+
+use demeter_physics::geometry::contact_sphere_triangle::{Triangle, contact_sphere_triangle};
 use glam::DVec3;
 use hierarchy::Hierarchy;
 use thiserror::Error;
@@ -86,23 +95,11 @@ impl Mesh {
     /// Corners that differ by no more than the rounding of single precision (in which STL files are written) are joined.
     /// Edges with one, two or more triangles are all allowed, and the order of the corners does not matter.
     pub fn new(corners: &[[DVec3; 3]]) -> Result<Self, MeshError> {
-        if corners.is_empty() {
-            return Err(MeshError::Empty);
-        }
-        if corners.len() > Self::MOST_TRIANGLES {
-            return Err(MeshError::TooMany { count: corners.len() });
-        }
+        repair::check_corners(corners)?;
         for (index, triangle) in corners.iter().enumerate() {
-            let usable = |corner: &DVec3| corner.is_finite() && corner.abs().max_element() <= Self::LARGEST;
-            if let Some(&corner) = triangle.iter().find(|corner| !usable(corner)) {
-                return Err(MeshError::NotFinite {
-                    triangle: index + 1,
-                    corner,
-                });
-            }
             make_triangle(index, *triangle)?;
         }
-        let welded = weld::weld(corners);
+        let welded = weld::weld(corners, None);
         let mut triangles = Vec::with_capacity(corners.len());
         for (index, ids) in welded.triangles.iter().enumerate() {
             triangles.push(make_triangle(index, ids.map(|id| welded.points[id as usize]))?);
@@ -132,6 +129,13 @@ impl Mesh {
                 })
             }
         }
+    }
+
+    /// Distance of a point from the surface, or `limit` when that is less [m].
+    pub fn distance(&self, point: DVec3, limit: f64) -> f64 {
+        self.hierarchy.least_distance(point, limit, |triangle| {
+            contact_sphere_triangle(&self.triangles[triangle as usize], point).distance
+        })
     }
 
     /// Triangles, with joined corners, in the order given.

@@ -28,13 +28,13 @@ pub(super) struct Topology {
 
 /// A list of triangles for every edge or vertex.
 #[derive(Clone, Debug)]
-struct Incidence {
+pub(super) struct Incidence {
     starts: Vec<u32>,
     triangles: Vec<u32>,
 }
 
 impl Incidence {
-    fn new(count: usize, of_triangles: &[[u32; 3]]) -> Self {
+    pub(super) fn new(count: usize, of_triangles: &[[u32; 3]]) -> Self {
         let mut starts = vec![0u32; count + 1];
         for &id in of_triangles.iter().flatten() {
             starts[id as usize + 1] += 1;
@@ -53,7 +53,7 @@ impl Incidence {
         Incidence { starts, triangles }
     }
 
-    fn of(&self, id: u32) -> &[u32] {
+    pub(super) fn of(&self, id: u32) -> &[u32] {
         let id = id as usize;
         &self.triangles[self.starts[id] as usize..self.starts[id + 1] as usize]
     }
@@ -124,6 +124,24 @@ impl Topology {
         }
     }
 
+    /// Number of edges.
+    pub(super) fn edge_count(&self) -> u32 {
+        self.at_edge.len() as u32
+    }
+
+    /// Triangles at an edge, each with the side on which the edge lies.
+    pub(super) fn sides_of(&self, edge: u32) -> Vec<(u32, usize)> {
+        let side = |triangle: u32| self.edges[triangle as usize].iter().position(|&e| e == edge);
+        (self.at_edge.of(edge).iter())
+            .map(|&triangle| (triangle, side(triangle).unwrap_or(0)))
+            .collect()
+    }
+
+    /// Corners of a triangle.
+    pub(super) fn corners_of(&self, triangle: u32) -> &[u32; 3] {
+        &self.corners[triangle as usize]
+    }
+
     /// Edges with an odd number of triangles: the first triangle of each and the side on which the edge lies.
     pub(super) fn odd_edges(&self) -> Vec<(u32, u8)> {
         let mut odd = Vec::new();
@@ -150,7 +168,7 @@ pub(super) struct Junction<'a> {
 }
 
 /// Numbers the edges in the order of their vertices.
-fn number_edges(corners: &[[u32; 3]]) -> (Vec<[u32; 3]>, usize) {
+pub(super) fn number_edges(corners: &[[u32; 3]]) -> (Vec<[u32; 3]>, usize) {
     let mut sides = Vec::with_capacity(3 * corners.len());
     for (triangle, ids) in corners.iter().enumerate() {
         for k in 0..3 {

@@ -4,7 +4,9 @@ use glam::DVec3;
 use std::collections::HashMap;
 
 /// Rounding of a coordinate in single precision, in which STL files are written, as a share of the largest coordinate.
-const ROUNDING: f64 = 2e-7;
+pub(super) const ROUNDING: f64 = 2e-7;
+/// Least distance of two corners that are joined, as a share of the largest coordinate: it keeps the cells countable.
+const LEAST: f64 = 1e-15;
 /// Largest distance of two corners that are joined, as a share of the shortest edge.
 const SAFE_SHARE: f64 = 0.01;
 const NONE: u32 = u32::MAX;
@@ -15,11 +17,13 @@ pub(super) struct Welded {
     pub(super) points: Vec<DVec3>,
     /// Indices of the corners of every triangle.
     pub(super) triangles: Vec<[u32; 3]>,
+    /// Largest distance of two corners that were joined [m].
+    pub(super) tolerance: f64,
 }
 
-/// Joins every corner to the earliest point within the tolerance.
-pub(super) fn weld(corners: &[[DVec3; 3]]) -> Welded {
-    let tolerance = tolerance(corners);
+/// Joins every corner to the earliest point within a tolerance [m]; without one, within rounding.
+pub(super) fn weld(corners: &[[DVec3; 3]], tolerance: Option<f64>) -> Welded {
+    let tolerance = chosen_tolerance(corners, tolerance);
     let mut grid = Grid {
         tolerance,
         first: HashMap::new(),
@@ -33,10 +37,11 @@ pub(super) fn weld(corners: &[[DVec3; 3]]) -> Welded {
     Welded {
         points: grid.points,
         triangles,
+        tolerance,
     }
 }
 
-fn tolerance(corners: &[[DVec3; 3]]) -> f64 {
+fn chosen_tolerance(corners: &[[DVec3; 3]], told: Option<f64>) -> f64 {
     let (mut largest, mut shortest) = (0.0f64, f64::MAX);
     for [a, b, c] in corners {
         for (from, to) in [(a, b), (b, c), (c, a)] {
@@ -44,7 +49,9 @@ fn tolerance(corners: &[[DVec3; 3]]) -> f64 {
             shortest = shortest.min(from.distance(*to));
         }
     }
-    (ROUNDING * largest).min(SAFE_SHARE * shortest)
+    told.unwrap_or((ROUNDING * largest).min(SAFE_SHARE * shortest))
+        .max(LEAST * largest)
+        .max(f64::MIN_POSITIVE)
 }
 
 struct Grid {
@@ -99,14 +106,17 @@ mod tests {
     fn joins_what_single_precision_tore_apart_and_nothing_else() {
         let p = |x: f64, y: f64| DVec3::new(x, y, 10.0);
         let torn = 1e-6;
-        let welded = weld(&[
-            [p(0.0, 0.0), p(1.0, 0.0), p(0.0, 1.0)],
-            [p(1.0, torn), p(1.0, 1.0), p(-torn, 1.0)],
-        ]);
+        let welded = weld(
+            &[
+                [p(0.0, 0.0), p(1.0, 0.0), p(0.0, 1.0)],
+                [p(1.0, torn), p(1.0, 1.0), p(-torn, 1.0)],
+            ],
+            None,
+        );
         assert_eq!(welded.triangles, vec![[0, 1, 2], [1, 3, 2]]);
         assert_eq!(welded.points.len(), 4);
         let small = 1e-6;
-        let fine = weld(&[[p(0.0, 0.0), p(small, 0.0), p(0.0, small)]]);
+        let fine = weld(&[[p(0.0, 0.0), p(small, 0.0), p(0.0, small)]], None);
         assert_eq!(fine.triangles, vec![[0, 1, 2]]);
     }
 }

@@ -1,0 +1,182 @@
+//! Meshes of walls: from the file to triangles that can be used, and what to tell of them.
+
+use super::{Scenario, WallShape, WallSpec};
+use crate::particles::Grains;
+use crate::walls::mesh::Repair;
+use crate::walls::{Mesh, MeshFormat, Shape, Wall, read_mesh};
+use glam::DVec3;
+
+/// Largest and smallest size of a mesh, as a multiple of the size of all grains together, that is no reason to doubt its
+/// unit. A container is rarely more than 200 times as large as what is in it at the start, and a part of it (a blade, a
+/// sieve wire) rarely 1/200; millimetres that are taken for metres are off by 1000.
+const PLAUSIBLE: (f64, f64) = (1.0 / 200.0, 200.0);
+
+/// Units in which surfaces are drawn, the most usual first.
+const DRAWN_IN: [(&str, f64); 4] = [("mm", 1e-3), ("cm", 1e-2), ("in", 0.0254), ("um", 1e-6)];
+
+/// Where the triangles of a wall come from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshOrigin {
+    /// The file; `None` when the scenario itself tells the triangles.
+    pub source: Option<MeshSource>,
+    /// Triangles before the repair.
+    pub triangles: usize,
+    /// What was repaired.
+    pub repair: Repair,
+}
+
+/// The file of a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshSource {
+    /// Its format.
+    pub format: MeshFormat,
+    /// In words: what a coordinate of the file counts, and who says so.
+    pub unit: String,
+    /// Whether the scenario or the file tells the unit.
+    pub unit_is_told: bool,
+    /// Faces of more than three corners, which were cut into triangles.
+    pub polygons: usize,
+    /// Those of them whose outline crosses itself, or which are far from flat.
+    pub twisted: usize,
+}
+
+/// The shape of a wall; on error the key at fault and why.
+pub(super) fn shape(spec: &WallSpec) -> Result<(Shape, Option<MeshOrigin>), (&'static str, String)> {
+    let (given, source) = match &spec.shape {
+        WallShape::Given(Shape::Mesh { triangles }) => (triangles.clone(), None),
+        WallShape::Given(shape) => return Ok((shape.clone(), None)),
+        WallShape::File(file) => {
+            let content =
+                read_mesh(&file.path, file.scale, file.shift).map_err(|error| (".file", error.to_string()))?;
+            let (unit, unit_is_told) = match (&file.unit, file.scale, content.told_unit) {
+                (Some(unit), ..) => (format!("{unit}, as told"), true),
+                (None, Some(scale), _) => (format!("{scale} m, as `scale` tells"), true),
+                (None, None, Some((unit, _))) => {
+                    (format!("{}, as the file tells", unit.trim_matches(['[', ']'])), true)
+                }
+                (None, None, None) => ("m, for no `unit` is told".to_string(), false),
+            };
+            let source = MeshSource {
+                format: content.format,
+                unit,
+                unit_is_told,
+                polygons: content.polygons,
+                twisted: content.twisted,
+            };
+            (content.triangles, Some(source))
+        }
+    };
+    let (triangles, repair) = Mesh::repair(&given, spec.weld).map_err(|error| ("", error.to_string()))?;
+    if spec.closed {
+        let mesh = Mesh::new(&triangles).map_err(|error| ("", error.to_string()))?;
+        mesh.require_closed().map_err(|error| (".closed", error.to_string()))?;
+    }
+    let origin = MeshOrigin {
+        source,
+        triangles: given.len(),
+        repair,
+    };
+    Ok((Shape::Mesh { triangles }, Some(origin)))
+}
+
+/// Tells what was repaired, and doubts units that nobody told.
+pub(super) fn check(
+    scenario: &Scenario,
+    walls: &[Wall],
+    origins: &[Option<MeshOrigin>],
+    grains: &Grains,
+    warnings: &mut Vec<String>,
+) {
+    for ((spec, wall), origin) in scenario.walls.iter().zip(walls).zip(origins) {
+        let Some(origin) = origin else { continue };
+        if let Some(repairs) = repairs(&origin.repair) {
+            warnings.push(format!("wall `{}`: {repairs}", spec.name));
+        }
+        let Some(source) = &origin.source else { continue };
+        if source.twisted > 0 {
+            warnings.push(format!(
+                "wall `{}`: {} faces of the file cross themselves or are far from flat, their triangles are a guess; \
+                 export triangles",
+                spec.name, source.twisted
+            ));
+        }
+        let doubt = wall.bounds().zip(bounds(grains)).and_then(|(of_wall, of_grains)| {
+            let size = |(lower, upper): (DVec3, DVec3)| (upper - lower).length();
+            doubt_unit(size(of_wall), size(of_grains))
+        });
+        if let Some(doubt) = doubt.filter(|_| !source.unit_is_told) {
+            warnings.push(format!("wall `{}`: {doubt}", spec.name));
+        }
+    }
+}
+
+/// What was repaired, in words.
+fn repairs(repair: &Repair) -> Option<String> {
+    let mut parts = Vec::new();
+    let of = |count: usize| format!("{count} triangle{}", if count == 1 { "" } else { "s" });
+    if repair.flat.count > 0 {
+        let (count, first, place) = (of(repair.flat.count), repair.flat.first, repair.flat.place);
+        parts.push(format!(
+            "left out {count} without area (the first is triangle {first} at {place})"
+        ));
+    }
+    if repair.twice.count > 0 {
+        let (count, first, place) = (of(repair.twice.count), repair.twice.first, repair.twice.place);
+        parts.push(format!(
+            "left out {count} that came before (the first is triangle {first} at {place})"
+        ));
+    }
+    if repair.turned > 0 {
+        parts.push(format!(
+            "turned {} around, so that neighbours agree on their front",
+            of(repair.turned)
+        ));
+    }
+    (!parts.is_empty()).then(|| format!("the mesh was repaired: {}", parts.join("; ")))
+}
+
+/// The box around all grains; `None` without any.
+fn bounds(grains: &Grains) -> Option<(DVec3, DVec3)> {
+    let places = || grains.position.iter().zip(grains.radii());
+    places().next()?;
+    Some(places().fold(
+        (DVec3::INFINITY, DVec3::NEG_INFINITY),
+        |(lower, upper), (&at, radius)| (lower.min(at - radius), upper.max(at + radius)),
+    ))
+}
+
+/// Why the unit of a mesh is to be doubted, from its size and that of all grains [m].
+fn doubt_unit(mesh: f64, grains: f64) -> Option<String> {
+    let ratio = mesh / grains;
+    if ratio >= PLAUSIBLE.0 && ratio <= PLAUSIBLE.1 {
+        return None;
+    }
+    let fits = |(_, size): &&(&str, f64)| ratio * size >= PLAUSIBLE.0 && ratio * size <= PLAUSIBLE.1;
+    let hint = match DRAWN_IN.iter().find(fits) {
+        Some((unit, size)) => {
+            let drawn = mesh * size;
+            format!("is this file in {unit}? Then say `unit = \"{unit}\"`, and it is {drawn:.4} m")
+        }
+        None => "is the file in another unit? Then say so with `unit`".to_string(),
+    };
+    Some(format!(
+        "no `unit` of its file is told, so its numbers count metres; it is {mesh:.4} m from corner to corner, and all grains \
+         together {grains:.4} m. {hint}; if it is right, say `unit = \"m\"`"
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn millimetres_taken_for_metres_are_told_and_containers_are_not() {
+        for (mesh, grains) in [(0.4, 0.1), (2.0, 0.02), (0.005, 0.5), (100.0, 60.0)] {
+            assert_eq!(doubt_unit(mesh, grains), None);
+        }
+        let doubt = doubt_unit(400.0, 0.1).unwrap();
+        assert!(doubt.contains("unit = \"mm\"") && doubt.contains("0.4000 m"), "{doubt}");
+        assert!(doubt_unit(4e-4, 0.1).unwrap().contains("another unit"));
+        assert!(doubt_unit(4e5, 0.1).unwrap().contains("\"um\""));
+    }
+}

@@ -1,0 +1,428 @@
+//! Where a grain would get out of the container that all walls make together.
+//!
+//! The centre of a grain may be where the clearance, the distance to the nearest wall, is no less than its radius. Cells
+//! of the space (`cells`) are free, blocked or mixed, with proof; the mixed ones are halved until the question is decided:
+//!
+//! * no way from the grains to the outside through free and mixed cells: the container is tight;
+//! * a way through free cells alone: a grain gets out, and the narrowest place of the widest way (`narrow`) is told;
+//! * a way that needs mixed cells: its mixed part is looked at alone, more closely (`passage`), until it is one or the
+//!   other, or its width is that of the grain to a hundredth.
+//!
+//! What was found is plugged, and the search goes on. Outside is beyond the box around the walls; above their highest
+//! point nothing is looked for: a container may be open at the top. Where a lower rim is left upwards, the search goes on
+//! below that rim. Walls stand as at the start of the run, and grains are hard.
+
+mod cells;
+mod narrow;
+mod passage;
+mod paths;
+mod search;
+mod space;
+
+use super::Wall;
+use crate::particles::Domain;
+use cells::{Cells, State};
+use glam::DVec3;
+use narrow::{Narrowest, narrowest};
+use passage::{Verdict, passages};
+use paths::{Ways, flood};
+use search::{Coarse, Goal, Search};
+use space::{Plug, Space};
+use thiserror::Error;
+
+/// Most openings that are told.
+const MOST_OPENINGS: usize = 6;
+/// Most rounds of finding and plugging.
+const MOST_ROUNDS: usize = 24;
+/// Most cells.
+const MOST_CELLS: usize = 4_000_000;
+/// Cells per area of the walls over the square of the radius that are surely needed; 4.5 layers of cells of 0.72 radii on
+/// every wall would be 8.7.
+const CELLS_PER_AREA: f64 = 6.0;
+/// Side of the cells that tell the two sides of a wall apart, in radii: two neighbours on different sides cannot both be
+/// mixed when the side is less than twice what the radius exceeds half of the diagonal by, 0.732.
+const APART: f64 = 0.72;
+/// Free space around the walls, in radii.
+const MARGIN: f64 = 3.0;
+/// Radius of a plug in clearances of the opening: the corners of a triangle are that far from the middle.
+const PLUG: f64 = 4.0;
+/// Most starting points.
+const MOST_STARTS: usize = 4000;
+
+/// What is asked.
+#[derive(Clone, Copy, Debug)]
+pub struct LeakTest<'a> {
+    /// All walls, where they stand.
+    pub walls: &'a [Wall],
+    /// Where grains are, or are inserted [m].
+    pub starts: &'a [DVec3],
+    /// Radius of the smallest grain [m].
+    pub radius: f64,
+    /// Gravity [m/s^2]; zero when there is none.
+    pub gravity: DVec3,
+    /// The domain, when it is periodic.
+    pub domain: Option<&'a Domain>,
+}
+
+/// How a grain gets out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OpeningKind {
+    /// Through an opening wider than the grain.
+    Leak,
+    /// Through an opening as wide as the grain, to a hundredth of its radius, or one too intricate to tell.
+    AboutGrainSize,
+    /// Upwards over a rim.
+    OverRim,
+}
+
+/// A place where a grain gets out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Opening {
+    /// How.
+    pub kind: OpeningKind,
+    /// The narrowest place on the way out; for a rim, where the grain passes over it [m].
+    pub place: DVec3,
+    /// Diameter of the largest grain that passes, where the walls alone decide; for a rim 0 [m].
+    pub width: f64,
+}
+
+/// What was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeakReport {
+    /// Radius of the grain that was tried [m]: larger than the smallest when the walls are too large for it.
+    pub radius: f64,
+    /// Where it gets out, the widest first.
+    pub openings: Vec<Opening>,
+    /// Whether the search ended before all openings were found.
+    pub more: bool,
+    /// Whether the container is open at the top.
+    pub open_at_top: bool,
+}
+
+impl LeakReport {
+    /// Whether no grain gets out but upwards.
+    pub fn is_tight(&self) -> bool {
+        !self.more && self.openings.iter().all(|o| o.kind == OpeningKind::OverRim)
+    }
+}
+
+/// Why the test could not be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum Untested {
+    /// There is no wall.
+    #[error("there is no wall")]
+    NoWall,
+    /// No grain is there at the start.
+    #[error("no grain is there at the start, so there is no inside")]
+    NoStart,
+    /// Every grain at the start touches a wall on all sides.
+    #[error("no grain has room to move at the start, so there is no way out to look for")]
+    NoRoom,
+    /// Walls that reach too far for their grains.
+    #[error("the walls are too large against the grains")]
+    TooLarge,
+}
+
+/// Looks for ways out of the container.
+pub fn find_openings(test: &LeakTest<'_>) -> Result<LeakReport, Untested> {
+    if test.walls.is_empty() {
+        return Err(Untested::NoWall);
+    }
+    if test.starts.is_empty() {
+        return Err(Untested::NoStart);
+    }
+    let area = Space::new(test.walls, test.radius, test.gravity).area;
+    let mut radius = test.radius.max((CELLS_PER_AREA * area / MOST_CELLS as f64).sqrt());
+    for attempt in 0..6u8 {
+        match Hunt::new(test, radius).and_then(Hunt::run) {
+            // it is the larger grain that has no room
+            Err(Untested::NoRoom) if radius > test.radius => return Err(Untested::TooLarge),
+            Err(Untested::TooLarge) => radius *= 1.25 + 0.25 * f64::from(attempt),
+            decided => return decided,
+        }
+    }
+    Err(Untested::TooLarge)
+}
+
+/// The search for all openings.
+struct Hunt<'a> {
+    search: Search<'a>,
+    /// Where grains are; the search starts from where they come to rest [m].
+    places: Vec<DVec3>,
+    ends: (DVec3, DVec3),
+    bounds: (DVec3, DVec3),
+    /// Height of the highest point of the walls [m].
+    top: Option<f64>,
+    report: LeakReport,
+}
+
+/// What one round gave.
+enum Round {
+    /// An opening, or a place that was none.
+    Found,
+    /// There is no way out.
+    Closed,
+    /// There is one that could not be followed.
+    Lost,
+}
+
+impl<'a> Hunt<'a> {
+    fn new(test: &LeakTest<'a>, radius: f64) -> Result<Self, Untested> {
+        let mut space = Space::new(test.walls, radius, test.gravity);
+        let top = space.top();
+        space.cap = top.unwrap_or(f64::INFINITY);
+        let some: Vec<DVec3> = {
+            let every = test.starts.len().div_ceil(MOST_STARTS);
+            test.starts.iter().copied().step_by(every).collect()
+        };
+        let (lower, upper) = space.bounds(&some).ok_or(Untested::NoWall)?;
+        let margin = DVec3::splat(MARGIN * radius);
+        let (mut from, mut to) = (lower - margin, upper + margin);
+        let mut periodic = [false; 3];
+        if let Some(domain) = test.domain {
+            periodic = domain.periodic;
+            for k in (0..3).filter(|&k| periodic[k]) {
+                (from[k], to[k]) = (domain.lower[k], domain.upper[k]);
+            }
+        }
+        let starts = settle(&space, &some, (from, to));
+        if starts.is_empty() {
+            return Err(Untested::NoRoom);
+        }
+        let cells = Cells::new(&space, from, to, periodic, APART * radius);
+        Ok(Hunt {
+            search: Search {
+                space,
+                cells,
+                starts,
+                goal: Goal::Ends,
+            },
+            places: some,
+            ends: (from, to),
+            bounds: (lower, upper),
+            top,
+            report: LeakReport {
+                radius,
+                openings: Vec::new(),
+                more: true,
+                open_at_top: false,
+            },
+        })
+    }
+
+    fn run(mut self) -> Result<LeakReport, Untested> {
+        for _ in 0..MOST_ROUNDS {
+            if self.told() > MOST_OPENINGS {
+                break;
+            }
+            match self.round()? {
+                Round::Found => self.renew(),
+                Round::Lost => break,
+                Round::Closed => {
+                    self.report.more = false;
+                    break;
+                }
+            }
+        }
+        self.report.open_at_top |= self.is_open_at_top()?;
+        let openings = &mut self.report.openings;
+        openings.sort_by(|a, b| b.width.total_cmp(&a.width));
+        self.report.more |= openings.len() > MOST_OPENINGS;
+        openings.truncate(MOST_OPENINGS);
+        Ok(self.report)
+    }
+
+    /// Looks at everything anew after plugs were added or the cap was changed.
+    fn renew(&mut self) {
+        self.search.cells.renew(&self.search.space);
+        self.search.starts = settle(&self.search.space, &self.places, self.ends);
+    }
+
+    fn told(&self) -> usize {
+        self.report.openings.len()
+    }
+
+    fn round(&mut self) -> Result<Round, Untested> {
+        let coarsest = 0.5 * 3f64.sqrt() * APART * 1.02 * self.search.space.radius;
+        match self.search.coarse(coarsest, MOST_CELLS) {
+            Coarse::Closed => return Ok(Round::Closed),
+            Coarse::TooMany => return Err(Untested::TooLarge),
+            Coarse::Open => {}
+        }
+        let surely = self.search.surely_reached();
+        let goal = self.search.goal_cells();
+        if goal.iter().any(|&cell| surely[cell as usize]) {
+            return Ok(self.wide_opening(&surely).map_or(Round::Lost, |opening| {
+                self.report.openings.push(opening);
+                Round::Found
+            }));
+        }
+        let mut found = false;
+        for passage in passages(&self.search, &surely) {
+            match passage.verdict {
+                Verdict::Closed => passage.cells.iter().for_each(|&cell| self.search.cells.close(cell)),
+                Verdict::Open(narrow) | Verdict::Undecided(narrow) => {
+                    passage.cells.iter().for_each(|&cell| self.search.cells.close(cell));
+                    if self.top.is_some() && self.search.space.is_above_walls(narrow.place) {
+                        self.search.space.cap -= 0.5 * self.search.space.radius;
+                        self.report.open_at_top = true;
+                        found = true;
+                        break;
+                    }
+                    let is_open = matches!(passage.verdict, Verdict::Open(_));
+                    self.report.openings.push(Opening {
+                        kind: if is_open {
+                            OpeningKind::Leak
+                        } else {
+                            OpeningKind::AboutGrainSize
+                        },
+                        place: narrow.place,
+                        width: 2.0 * narrow.clearance,
+                    });
+                    self.plug(&narrow);
+                }
+            }
+            found = true;
+            if self.told() > MOST_OPENINGS {
+                break;
+            }
+        }
+        Ok(if found { Round::Found } else { Round::Closed })
+    }
+
+    /// Closes an opening and what is near it in its plane.
+    fn plug(&mut self, narrow: &Narrowest) {
+        self.search.space.plugs.push(Plug {
+            center: narrow.place,
+            normal: narrow.along,
+            radius: PLUG * narrow.clearance.max(0.0) + 2.0 * self.search.space.radius,
+        });
+    }
+
+    /// An opening through which free cells lead: over a rim, or where the widest way is narrowest.
+    fn wide_opening(&mut self, surely: &[bool]) -> Option<Opening> {
+        let Search { space, cells, .. } = &self.search;
+        let starts = self.search.start_cells();
+        let goal = self.search.goal_marks();
+        let is_goal = |cell: u32| goal[cell as usize];
+        if self.top.is_some() {
+            let climb =
+                |so_far: f64, cell: u32| surely[cell as usize].then(|| so_far.max(cells.heights(cell, space).0));
+            let lowest = Ways::new(cells, &starts, climb, is_goal);
+            let path = lowest.path();
+            let height = |cell: &u32| cells.heights(*cell, space).0;
+            if let Some(crest) = path.iter().copied().max_by(|a, b| height(a).total_cmp(&height(b))) {
+                let place = cells.center(crest);
+                if space.is_above_walls(place) {
+                    // the rim is one radius below the centre of a grain that passes over it
+                    let cap = (height(&crest) - space.radius).min(space.cap - 0.25 * space.radius);
+                    self.search.space.cap = cap;
+                    self.report.open_at_top = true;
+                    return Some(Opening {
+                        kind: OpeningKind::OverRim,
+                        place,
+                        width: 0.0,
+                    });
+                }
+            }
+        }
+        let deep = self.deepest(&starts, surely);
+        let widen = |so_far: f64, cell: u32| surely[cell as usize].then(|| so_far.max(-cells.get(cell).clearance));
+        let way = |from: &[u32]| Ways::new(cells, from, widen, is_goal).path();
+        // the roomiest place may be in another compartment than the opening
+        let found = narrow_on(&self.search, &way(&[deep])).or_else(|| narrow_on(&self.search, &way(&starts)))?;
+        self.plug(&found);
+        Some(Opening {
+            kind: OpeningKind::Leak,
+            place: found.place,
+            width: 2.0 * found.clearance,
+        })
+    }
+
+    /// From some of the starts uphill in clearance, within the box of the walls: the roomiest place that is found. So the
+    /// narrow place where a grain happens to lie is not taken for the narrowest on its way out.
+    fn deepest(&self, starts: &[u32], surely: &[bool]) -> u32 {
+        let cells = &self.search.cells;
+        let clearance = |cell: u32| cells.get(cell).clearance;
+        let inside = |cell: u32| {
+            let center = cells.center(cell);
+            center.cmpge(self.bounds.0).all() && center.cmple(self.bounds.1).all()
+        };
+        let uphill = |mut cell: u32| {
+            loop {
+                let mut best = cell;
+                cells.neighbours(cell, |beyond| {
+                    if let cells::Beyond::Cell(next) = beyond
+                        && surely[next as usize]
+                        && inside(next)
+                        && clearance(next) > clearance(best)
+                    {
+                        best = next;
+                    }
+                });
+                if best == cell {
+                    return cell;
+                }
+                cell = best;
+            }
+        };
+        let some = starts.iter().step_by(starts.len().div_ceil(64).max(1));
+        let found = some.map(|&start| uphill(start));
+        found
+            .max_by(|&a, &b| clearance(a).total_cmp(&clearance(b)))
+            .unwrap_or(0)
+    }
+
+    /// Whether a grain can rise above all walls, with all openings plugged.
+    fn is_open_at_top(&mut self) -> Result<bool, Untested> {
+        let Some(top) = self.top else { return Ok(false) };
+        self.search.space.cap = f64::INFINITY;
+        self.search.goal = Goal::Above(top + 1.2 * self.search.space.radius);
+        self.renew();
+        let coarsest = 0.5 * 3f64.sqrt() * APART * 1.02 * self.search.space.radius;
+        match self.search.coarse(coarsest, 2 * MOST_CELLS) {
+            Coarse::Closed | Coarse::TooMany => return Ok(false),
+            Coarse::Open => {}
+        }
+        let surely = self.search.surely_reached();
+        Ok(self.search.goal_cells().iter().any(|&cell| surely[cell as usize]))
+    }
+}
+
+fn settle(space: &Space<'_>, places: &[DVec3], ends: (DVec3, DVec3)) -> Vec<DVec3> {
+    let places = places.iter();
+    places
+        .filter_map(|&place| search::settled(space, place, ends))
+        .collect()
+}
+
+/// The narrowest place of a way through cells; of no way, nowhere.
+fn narrow_on(search: &Search<'_>, path: &[u32]) -> Option<Narrowest> {
+    let Search { space, cells, .. } = search;
+    let clearance = |k: usize| cells.get(path[k]).clearance;
+    // of equally narrow places the last
+    let least = (0..path.len())
+        .rev()
+        .min_by(|&a, &b| clearance(a).total_cmp(&clearance(b)));
+    let at = least?;
+    let ends = [path[at.saturating_sub(1)], path[(at + 1).min(path.len() - 1)]];
+    let along = (cells.center(ends[1]) - cells.center(ends[0]))
+        .try_normalize()
+        .unwrap_or(DVec3::Z);
+    Some(narrowest(
+        space,
+        cells.center(path[at]),
+        along,
+        1.5 * cells.side(path[at]),
+    ))
+}
+
+/// Whether a cell may be part of a way out.
+fn is_open(cells: &Cells, cell: u32) -> bool {
+    cells.get(cell).state != State::Blocked
+}
+
+/// Marks the cells that are free and connected, through free cells, with some.
+fn freely_reached(cells: &Cells, starts: &[u32]) -> Vec<bool> {
+    flood(cells, starts, |cell| cells.get(cell).state == State::Free)
+}

@@ -1,0 +1,150 @@
+//! A way from somewhere to somewhere, decided by halving cells.
+
+use super::cells::{Cells, State};
+use super::paths::flood;
+use super::space::Space;
+use super::{freely_reached, is_open};
+use glam::DVec3;
+
+/// Room that a grain which touches a wall is given, in radii.
+const NUDGES: [f64; 2] = [0.25, 0.5];
+/// How far below the cap grains start that are above it, in radii.
+const BELOW_CAP: f64 = 0.5;
+/// Most steps of a fall.
+const MOST_FALLS: usize = 10_000;
+
+/// Where a way may end.
+pub(super) enum Goal {
+    /// At the ends of the box.
+    Ends,
+    /// Above a height.
+    Above(f64),
+    /// At some points.
+    Points(Vec<DVec3>),
+}
+
+/// What coarse cells tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Coarse {
+    /// There is no way.
+    Closed,
+    /// There may be one.
+    Open,
+    /// More cells are needed than allowed.
+    TooMany,
+}
+
+pub(super) struct Search<'a> {
+    pub(super) space: Space<'a>,
+    pub(super) cells: Cells,
+    pub(super) starts: Vec<DVec3>,
+    pub(super) goal: Goal,
+}
+
+impl Search<'_> {
+    /// Cells of the starts that are not blocked, each once.
+    pub(super) fn start_cells(&self) -> Vec<u32> {
+        let mut found: Vec<u32> = (self.starts.iter())
+            .filter_map(|&start| self.cells.holding(start))
+            .filter(|&cell| is_open(&self.cells, cell))
+            .collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// Cells of the goal that are not blocked, each once.
+    pub(super) fn goal_cells(&self) -> Vec<u32> {
+        let cells = &self.cells;
+        let mut found: Vec<u32> = match &self.goal {
+            Goal::Ends => cells.whole().filter(|&cell| cells.is_at_end(cell)).collect(),
+            Goal::Above(height) => cells
+                .whole()
+                .filter(|&cell| cells.heights(cell, &self.space).1 >= *height)
+                .collect(),
+            Goal::Points(points) => points.iter().filter_map(|&point| cells.holding(point)).collect(),
+        };
+        found.retain(|&cell| is_open(cells, cell));
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    pub(super) fn goal_marks(&self) -> Vec<bool> {
+        let mut marks = vec![false; self.cells.len()];
+        for cell in self.goal_cells() {
+            marks[cell as usize] = true;
+        }
+        marks
+    }
+
+    /// Halves mixed cells that can be reached until none is larger than told (half of its diagonal) [m].
+    pub(super) fn coarse(&mut self, half_diagonal: f64, most_cells: usize) -> Coarse {
+        loop {
+            let cells = &self.cells;
+            let reached = flood(cells, &self.start_cells(), |cell| is_open(cells, cell));
+            if !self.goal_cells().iter().any(|&cell| reached[cell as usize]) {
+                return Coarse::Closed;
+            }
+            let is_large = |cell: &u32| {
+                let told = cells.get(*cell);
+                reached[*cell as usize] && told.state == State::Mixed && cells.half_diagonal(told.level) > half_diagonal
+            };
+            let large: Vec<u32> = cells.whole().filter(is_large).collect();
+            if large.is_empty() {
+                return Coarse::Open;
+            }
+            if cells.len() + 8 * large.len() > most_cells {
+                return Coarse::TooMany;
+            }
+            large.iter().for_each(|&cell| self.cells.halve(cell, &self.space));
+        }
+    }
+
+    /// Marks the cells to which a grain surely gets from a start. The cell of a start counts even if it is mixed: a grain
+    /// is there, and the cell is too small to hold both sides of a wall.
+    pub(super) fn surely_reached(&self) -> Vec<bool> {
+        freely_reached(&self.cells, &self.start_cells())
+    }
+}
+
+/// Where a grain from a start comes to rest when it falls straight down: what is above the cap starts there, and what
+/// touches a wall is given some room. `None` when there is no room.
+pub(super) fn settled(space: &Space<'_>, start: DVec3, (lower, upper): (DVec3, DVec3)) -> Option<DVec3> {
+    let above = if space.cap == f64::INFINITY {
+        0.0
+    } else {
+        (space.height(start) - space.cap + BELOW_CAP * space.radius).max(0.0)
+    };
+    let mut at = with_room(space, start - space.up * above)?;
+    if space.up == DVec3::ZERO {
+        return Some(at);
+    }
+    for _ in 0..MOST_FALLS {
+        let inside = |next: &DVec3| next.cmpgt(lower).all() && next.cmplt(upper).all();
+        let spare = (space.clearance(at) - space.radius).max(0.02 * space.radius);
+        // near the end of the box in short steps
+        let falls = [spare, spare.min(0.25 * space.radius)].map(|fall| at - space.up * fall);
+        match falls.into_iter().find(inside) {
+            Some(next) if space.clearance(next) >= 1.02 * space.radius => at = next,
+            _ => break,
+        }
+    }
+    Some(at)
+}
+
+/// The point, or one near it where the grain touches nothing.
+fn with_room(space: &Space<'_>, point: DVec3) -> Option<DVec3> {
+    let has_room = |at: &DVec3| space.clearance(*at) >= 1.02 * space.radius;
+    if has_room(&point) {
+        return Some(point);
+    }
+    let directions = (0..27).filter(|&k| k != 13).map(|k| {
+        let part = |digit: i32| f64::from(digit % 3 - 1);
+        DVec3::new(part(k), part(k / 3), part(k / 9)).normalize()
+    });
+    let nudged = directions.flat_map(|direction| NUDGES.map(|share| point + direction * (share * space.radius)));
+    let clearance = |at: &DVec3| space.clearance(*at);
+    let best = nudged.max_by(|a, b| clearance(a).total_cmp(&clearance(b)));
+    best.filter(|at| has_room(at) && clearance(&point) > 0.0)
+}

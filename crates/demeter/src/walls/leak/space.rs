@@ -1,0 +1,163 @@
+//! The space in which the centre of a grain may be: how far it is from walls, from openings that were found before, and
+//! from the height above which nothing is looked for.
+
+use super::super::surface::Surface;
+use super::super::wall::Wall;
+use glam::{DVec2, DVec3};
+
+/// Share of a direction along `up` from which on it points upwards: 14 degrees above the horizontal.
+const UPWARDS: f64 = 0.25;
+/// Most steps towards the point of a hull that is closest to another.
+const MOST_STEPS: usize = 100;
+/// Cosine from which on a plane counts as one of the axes.
+const ALONG_AXIS: f64 = 0.999_999;
+
+/// A disc that closes an opening that was found.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plug {
+    pub(super) center: DVec3,
+    /// Unit vector across the opening.
+    pub(super) normal: DVec3,
+    pub(super) radius: f64,
+}
+
+impl Plug {
+    /// Distance of a point [m].
+    pub(super) fn distance(&self, point: DVec3) -> f64 {
+        let from_center = point - self.center;
+        let height = from_center.dot(self.normal);
+        let beside = (from_center - self.normal * height).length() - self.radius;
+        DVec2::new(height, beside.max(0.0)).length()
+    }
+}
+
+/// Walls as obstacles for the centre of a grain.
+pub(super) struct Space<'a> {
+    walls: &'a [Wall],
+    /// Radius of the grain [m].
+    pub(super) radius: f64,
+    /// Against gravity; zero without gravity.
+    pub(super) up: DVec3,
+    /// Highest centre that is looked at, along `up` [m].
+    pub(super) cap: f64,
+    pub(super) plugs: Vec<Plug>,
+    /// Corners of triangles that draw the finite walls [m].
+    outline: Vec<DVec3>,
+    /// Their area [m^2].
+    pub(super) area: f64,
+}
+
+impl<'a> Space<'a> {
+    pub(super) fn new(walls: &'a [Wall], radius: f64, gravity: DVec3) -> Self {
+        let mut outline = Vec::new();
+        let mut area = 0.0;
+        for wall in walls {
+            let Some((lower, upper)) = wall.bounds() else { continue };
+            for [a, b, c] in wall.triangles(lower, upper) {
+                area += 0.5 * (b - a).cross(c - a).length();
+                outline.extend([a, b, c]);
+            }
+        }
+        Space {
+            walls,
+            radius,
+            up: -gravity.normalize_or_zero(),
+            cap: f64::INFINITY,
+            plugs: Vec::new(),
+            outline,
+            area,
+        }
+    }
+
+    /// The same walls and plugs, for a closer look.
+    pub(super) fn again(&self) -> Space<'a> {
+        Space {
+            walls: self.walls,
+            radius: self.radius,
+            up: self.up,
+            cap: self.cap,
+            plugs: self.plugs.clone(),
+            outline: Vec::new(),
+            area: 0.0,
+        }
+    }
+
+    /// Height of a point [m].
+    pub(super) fn height(&self, point: DVec3) -> f64 {
+        point.dot(self.up)
+    }
+
+    /// Height of the highest point of the finite walls; `None` without such walls or without gravity.
+    pub(super) fn top(&self) -> Option<f64> {
+        let heights = self.outline.iter().map(|&point| self.height(point));
+        heights.reduce(f64::max).filter(|_| self.up != DVec3::ZERO)
+    }
+
+    /// Radius of the largest grain that touches nothing at a point; negative behind a one-sided wall [m].
+    pub(super) fn clearance(&self, point: DVec3) -> f64 {
+        let mut least = f64::MAX;
+        for wall in self.walls {
+            least = wall.clearance(point, least).min(least);
+        }
+        for plug in &self.plugs {
+            least = least.min(plug.distance(point));
+        }
+        least
+    }
+
+    /// What the cap leaves of a clearance; nothing above it.
+    pub(super) fn below_cap(&self, clearance: f64, point: DVec3) -> f64 {
+        let below = self.cap - self.height(point);
+        if below < 0.0 {
+            f64::MIN
+        } else {
+            clearance.min(below + self.radius)
+        }
+    }
+
+    /// The box around the finite walls, the points given, and the planes that stand along an axis; `None` without any.
+    pub(super) fn bounds(&self, points: &[DVec3]) -> Option<(DVec3, DVec3)> {
+        let finite = self.walls.iter().filter_map(Wall::bounds);
+        let around = finite.chain(points.iter().map(|&p| (p - self.radius, p + self.radius)));
+        let (mut lower, mut upper) = around.reduce(|(lower, upper), (l, u)| (lower.min(l), upper.max(u)))?;
+        for wall in self.walls {
+            let Surface::Plane(plane) = wall.surface() else {
+                continue;
+            };
+            let normal = wall.pose().turn(plane.normal);
+            let axis = (0..3).find(|&k| normal[k].abs() > ALONG_AXIS);
+            if let Some(axis) = axis {
+                let at = wall.origin()[axis];
+                lower[axis] = lower[axis].min(at);
+                upper[axis] = upper[axis].max(at);
+            }
+        }
+        Some((lower, upper))
+    }
+
+    /// Whether a point is above the convex hull of the finite walls: a grain there left upwards.
+    ///
+    /// The closest point of the hull is approached as by E. G. Gilbert, SIAM J. Control 4 (1966) 61.
+    pub(super) fn is_above_walls(&self, point: DVec3) -> bool {
+        let Some(&first) = self.outline.first() else {
+            return false;
+        };
+        let mut closest = first - point;
+        for _ in 0..MOST_STEPS {
+            let lowest = self.outline.iter().map(|&corner| corner - point);
+            let least = lowest.min_by(|a, b| a.dot(closest).total_cmp(&b.dot(closest)));
+            let Some(support) = least else { return false };
+            let gap = closest.length_squared() - support.dot(closest);
+            if support.dot(closest) > 0.0 && -self.height(closest) >= UPWARDS * closest.length() {
+                return true;
+            }
+            if gap <= 1e-9 * closest.length_squared() {
+                return false;
+            }
+            let towards = support - closest;
+            let share = (gap / towards.length_squared()).clamp(0.0, 1.0);
+            closest += towards * share;
+        }
+        false
+    }
+}

@@ -1,0 +1,162 @@
+//! What is remarkable about a mesh: holes, edges of many triangles, fronts that do not agree, triangles that cross.
+
+use super::Mesh;
+use super::crossings::{Crossings, crossings};
+use super::orientation::is_forward;
+use glam::DVec3;
+
+/// Area of a boundary over the square of its length below which it is a crack without width: a hundredth of a part in a
+/// million; a rim as wide as a hundredth of its length has 4000 times more.
+const CRACK: f64 = 1e-8;
+
+/// A closed line of edges that belong to one triangle only: the rim of a hole or the end of an open surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rim {
+    /// Number of its edges.
+    pub edges: usize,
+    /// Length around [m].
+    pub length: f64,
+    /// Area of the hole, of the surface across it that is seen largest [m^2].
+    pub area: f64,
+    /// Its middle [m].
+    pub centre: DVec3,
+    /// A triangle at it, counted from 1.
+    pub triangle: usize,
+}
+
+impl Rim {
+    /// Whether it is a crack without width, as triangles without area leave when they are left out.
+    pub fn is_crack(&self) -> bool {
+        self.area <= CRACK * self.length * self.length
+    }
+}
+
+/// A number of places and the first of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Places {
+    /// How many.
+    pub count: usize,
+    /// The first [m].
+    pub first: DVec3,
+}
+
+impl Places {
+    fn add(&mut self, place: DVec3) {
+        if self.count == 0 {
+            self.first = place;
+        }
+        self.count += 1;
+    }
+}
+
+/// What was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inspection {
+    /// Rims of holes and of open ends, the longest first.
+    pub rims: Vec<Rim>,
+    /// Middles of edges that belong to more than two triangles.
+    pub crowded_edges: Places,
+    /// Middles of edges whose two triangles have their fronts on different sides.
+    pub disagreeing_edges: Places,
+    /// Triangles that pass through or lie on one another.
+    pub crossings: Crossings,
+}
+
+impl Mesh {
+    /// Looks for holes, edges of more than two triangles, disagreeing fronts and triangles that cross.
+    pub fn inspect(&self) -> Inspection {
+        let mut crowded_edges = Places::default();
+        let mut disagreeing_edges = Places::default();
+        let mut open = Vec::new();
+        for edge in 0..self.topology.edge_count() {
+            let sides = self.topology.sides_of(edge);
+            let (triangle, side) = sides[0];
+            match sides.len() {
+                1 => open.push((triangle, side)),
+                2 => {
+                    let front = |(t, s): (u32, usize)| is_forward(self.topology.corners_of(t), s);
+                    if front(sides[0]) == front(sides[1]) {
+                        disagreeing_edges.add(self.middle(triangle, side));
+                    }
+                }
+                _ => crowded_edges.add(self.middle(triangle, side)),
+            }
+        }
+        Inspection {
+            rims: self.rims(&open),
+            crowded_edges,
+            disagreeing_edges,
+            crossings: crossings(&self.triangles, &self.hierarchy),
+        }
+    }
+
+    fn ends(&self, triangle: u32, side: usize) -> [DVec3; 2] {
+        let corners = self.triangles[triangle as usize].corners();
+        [corners[side], corners[(side + 1) % 3]]
+    }
+
+    fn middle(&self, triangle: u32, side: usize) -> DVec3 {
+        let [a, b] = self.ends(triangle, side);
+        0.5 * (a + b)
+    }
+
+    /// Joins open edges to rims. Where rims touch at a vertex it does not matter which of them goes on.
+    fn rims(&self, open: &[(u32, usize)]) -> Vec<Rim> {
+        let mut at_vertex: Vec<(u32, usize)> = Vec::with_capacity(2 * open.len());
+        let vertices: Vec<[u32; 2]> = open
+            .iter()
+            .map(|&(triangle, side)| {
+                let ids = self.topology.corners_of(triangle);
+                [ids[side], ids[(side + 1) % 3]]
+            })
+            .collect();
+        for (k, ids) in vertices.iter().enumerate() {
+            at_vertex.extend(ids.map(|id| (id, k)));
+        }
+        at_vertex.sort_unstable();
+        let mut used = vec![false; open.len()];
+        let mut rims = Vec::new();
+        for start in 0..open.len() {
+            if used[start] {
+                continue;
+            }
+            used[start] = true;
+            let mut line = vec![(start, false)];
+            let mut end = vertices[start][1];
+            while end != vertices[start][0] {
+                let from = at_vertex.partition_point(|&(id, _)| id < end);
+                let here = at_vertex[from..].iter().take_while(|(id, _)| *id == end);
+                let Some(next) = here.map(|&(_, k)| k).find(|&k| !used[k]) else {
+                    break;
+                };
+                used[next] = true;
+                let reversed = vertices[next][0] != end;
+                end = vertices[next][usize::from(!reversed)];
+                line.push((next, reversed));
+            }
+            rims.push(self.rim(open, &line));
+        }
+        rims.sort_by(|a, b| b.length.total_cmp(&a.length).then(a.triangle.cmp(&b.triangle)));
+        rims
+    }
+
+    fn rim(&self, open: &[(u32, usize)], line: &[(usize, bool)]) -> Rim {
+        let origin = self.ends(open[line[0].0].0, open[line[0].0].1)[0];
+        let (mut length, mut moment, mut area) = (0.0, DVec3::ZERO, DVec3::ZERO);
+        for &(k, reversed) in line {
+            let [a, b] = self.ends(open[k].0, open[k].1);
+            let (a, b) = if reversed { (b, a) } else { (a, b) };
+            let size = a.distance(b);
+            length += size;
+            moment += 0.5 * ((a - origin) + (b - origin)) * size;
+            area += 0.5 * (a - origin).cross(b - origin);
+        }
+        Rim {
+            edges: line.len(),
+            length,
+            area: area.length(),
+            centre: origin + moment / length,
+            triangle: open[line[0].0].0 as usize + 1,
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! Harmless repairs of a mesh as it comes: what they change no grain can feel.
+
+use super::orientation::orient;
+use super::weld::weld;
+use super::{Mesh, MeshError};
+use demeter_physics::geometry::contact_sphere_triangle::Triangle;
+use glam::DVec3;
+
+/// Triangles that were left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LeftOut {
+    /// How many.
+    pub count: usize,
+    /// The first of them, counted from 1 in the order of the file; 0 when there is none.
+    pub first: usize,
+    /// A corner of the first [m].
+    pub place: DVec3,
+}
+
+impl LeftOut {
+    fn add(&mut self, index: usize, place: DVec3) {
+        if self.count == 0 {
+            (self.first, self.place) = (index + 1, place);
+        }
+        self.count += 1;
+    }
+}
+
+/// What was repaired.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Repair {
+    /// Corners closer than this were joined [m].
+    pub tolerance: f64,
+    /// Corners that were moved, by more than nothing, onto another.
+    pub moved: usize,
+    /// Farthest move [m].
+    pub farthest: f64,
+    /// Triangles without area.
+    pub flat: LeftOut,
+    /// Triangles that came before with the same corners, in any order.
+    pub twice: LeftOut,
+    /// Triangles that were turned around so that neighbours agree on their front.
+    pub turned: usize,
+}
+
+impl Repair {
+    /// Whether the mesh is as it came.
+    pub fn is_nothing(&self) -> bool {
+        self.moved == 0 && self.flat.count == 0 && self.twice.count == 0 && self.turned == 0
+    }
+}
+
+impl Mesh {
+    /// Joins corners within a tolerance [m], leaves out triangles without area and those that come twice, and turns
+    /// triangles so that neighbours agree on their front. Without a tolerance corners are joined that differ by no more
+    /// than the rounding of single precision. Gives the triangles that are left, in their order.
+    pub fn repair(corners: &[[DVec3; 3]], tolerance: Option<f64>) -> Result<(Vec<[DVec3; 3]>, Repair), MeshError> {
+        check_corners(corners)?;
+        let mut repair = Repair::default();
+        let mut indices = Vec::with_capacity(corners.len());
+        let mut solid = Vec::with_capacity(corners.len());
+        for (index, triangle) in corners.iter().enumerate() {
+            if Triangle::new(*triangle).is_some() {
+                indices.push(index);
+                solid.push(*triangle);
+            } else {
+                repair.flat.add(index, triangle[0]);
+            }
+        }
+        let welded = weld(&solid, tolerance);
+        repair.tolerance = welded.tolerance;
+        let place = |ids: [u32; 3]| ids.map(|id| welded.points[id as usize]);
+        let mut seen = Vec::with_capacity(solid.len());
+        for (k, ids) in welded.triangles.iter().enumerate() {
+            for (from, to) in solid[k].iter().zip(place(*ids)) {
+                let move_by = from.distance(to);
+                repair.moved += usize::from(move_by > 0.0);
+                repair.farthest = repair.farthest.max(move_by);
+            }
+            let mut sorted = *ids;
+            sorted.sort_unstable();
+            if Triangle::new(place(*ids)).is_some() {
+                seen.push((sorted, k));
+            } else {
+                repair.flat.add(indices[k], solid[k][0]);
+            }
+        }
+        seen.sort_unstable();
+        let mut kept = Vec::with_capacity(seen.len());
+        for (n, &(ids, k)) in seen.iter().enumerate() {
+            if n > 0 && seen[n - 1].0 == ids {
+                repair.twice.add(indices[k], solid[k][0]);
+            } else {
+                kept.push(k);
+            }
+        }
+        if kept.is_empty() {
+            let index = repair.flat.first - 1;
+            return Err(MeshError::ZeroArea {
+                triangle: index + 1,
+                corners: corners[index],
+            });
+        }
+        kept.sort_unstable();
+        let mut triangles: Vec<[u32; 3]> = kept.iter().map(|&k| welded.triangles[k]).collect();
+        repair.turned = orient(&mut triangles);
+        Ok((triangles.into_iter().map(place).collect(), repair))
+    }
+}
+
+/// Refuses what can be neither repaired nor computed with.
+pub(super) fn check_corners(corners: &[[DVec3; 3]]) -> Result<(), MeshError> {
+    if corners.is_empty() {
+        return Err(MeshError::Empty);
+    }
+    if corners.len() > Mesh::MOST_TRIANGLES {
+        return Err(MeshError::TooMany { count: corners.len() });
+    }
+    let usable = |corner: &DVec3| corner.is_finite() && corner.abs().max_element() <= Mesh::LARGEST;
+    for (index, triangle) in corners.iter().enumerate() {
+        if let Some(&corner) = triangle.iter().find(|corner| !usable(corner)) {
+            return Err(MeshError::NotFinite {
+                triangle: index + 1,
+                corner,
+            });
+        }
+    }
+    Ok(())
+}
