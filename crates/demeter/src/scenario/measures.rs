@@ -3,9 +3,12 @@
 use super::document::join;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
-use crate::measure::{BinsError, ContactNetwork, ForceDistribution};
+use super::walls::rectangle;
+use super::zones::{Named, region, selection};
+use crate::measure::{BinsError, ContactNetwork, ForceDistribution, Gate, GrainTrace, MassFlow, RegionCount};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
+use glam::DVec3;
 
 /// Most measures.
 pub const MAX_MEASURES: usize = 100;
@@ -28,13 +31,19 @@ pub enum MeasureKind {
     ContactNetwork(ContactNetwork),
     /// A file of its own.
     ForceDistribution(ForceDistribution),
+    /// Columns of the series.
+    RegionCount(RegionCount),
+    /// Columns of the series.
+    GrainTrace(GrainTrace),
+    /// Columns of the series.
+    MassFlow(MassFlow),
 }
 
 /// The contact networks of a list of measures, with their names.
 pub(super) fn networks(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &ContactNetwork)> {
     measures.iter().filter_map(|measure| match &measure.kind {
         MeasureKind::ContactNetwork(network) => Some((measure.name.as_str(), network)),
-        MeasureKind::ForceDistribution(_) => None,
+        _ => None,
     })
 }
 
@@ -42,15 +51,29 @@ pub(super) fn networks(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, 
 pub(super) fn distributions(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &ForceDistribution)> {
     measures.iter().filter_map(|measure| match &measure.kind {
         MeasureKind::ForceDistribution(bins) => Some((measure.name.as_str(), bins)),
-        MeasureKind::ContactNetwork(_) => None,
+        _ => None,
+    })
+}
+
+/// The flows through gates of a list of measures, with their names.
+pub(super) fn flows(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &MassFlow)> {
+    measures.iter().filter_map(|measure| match &measure.kind {
+        MeasureKind::MassFlow(flow) => Some((measure.name.as_str(), flow)),
+        _ => None,
     })
 }
 
 const FORCE: Kind = Kind::Physical(Dimension::FORCE);
 
-const KINDS: [&str; 2] = ["contact-network", "force-distribution"];
+const KINDS: [&str; 5] = [
+    "contact-network",
+    "force-distribution",
+    "region-count",
+    "grain-trace",
+    "mass-flow",
+];
 
-pub(super) fn measures(root: &TableReader<'_>) -> Vec<MeasureSpec> {
+pub(super) fn measures(root: &TableReader<'_>, named: &Named<'_>) -> Vec<MeasureSpec> {
     let Some(item) = root.optional("measure") else {
         return Vec::new();
     };
@@ -77,7 +100,7 @@ pub(super) fn measures(root: &TableReader<'_>) -> Vec<MeasureSpec> {
             item.context.fault(&path, message, None);
         }
         names.push(name.clone());
-        if let Some(kind) = kind(table) {
+        if let Some(kind) = kind(table, named) {
             measures.push(MeasureSpec { name, kind });
         }
     }
@@ -107,8 +130,8 @@ fn word(item: &Item<'_>) -> String {
     String::new()
 }
 
-fn kind(table: TableReader<'_>) -> Option<MeasureKind> {
-    let meaning = "what is measured, \"contact-network\" or \"force-distribution\"";
+fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
+    let meaning = "what is measured, as \"region-count\" or \"contact-network\"";
     let index = table.required("kind", meaning).and_then(|item| item.choice(&KINDS));
     let Some(index) = index else {
         table.abandon();
@@ -116,10 +139,65 @@ fn kind(table: TableReader<'_>) -> Option<MeasureKind> {
     };
     let kind = match KINDS[index] {
         "contact-network" => Some(MeasureKind::ContactNetwork(contact_network(&table))),
-        _ => force_distribution(&table).map(MeasureKind::ForceDistribution),
+        "force-distribution" => force_distribution(&table).map(MeasureKind::ForceDistribution),
+        "region-count" => Some(MeasureKind::RegionCount(RegionCount {
+            zone: table.optional("region").map(|i| region(&i)).unwrap_or_default(),
+            selection: selection(&table, named),
+        })),
+        "grain-trace" => Some(MeasureKind::GrainTrace(GrainTrace {
+            selection: selection(&table, named),
+        })),
+        _ => Some(MeasureKind::MassFlow(mass_flow(&table, named))),
     };
     table.finish(&format!("a measure of kind `{}`", KINDS[index]));
     kind
+}
+
+/// A gate: a disc, a rectangle, or a whole plane.
+fn mass_flow(table: &TableReader<'_>, named: &Named<'_>) -> MassFlow {
+    let mut flow = MassFlow {
+        point: DVec3::NAN,
+        normal: DVec3::NAN,
+        gate: Gate::Plane,
+        selection: selection(table, named),
+    };
+    let meaning = "where it passes, as { shape = \"disc\", center = ..., normal = ..., radius = ... }";
+    let Some(gate) = table.required("gate", meaning).and_then(|i| i.table()) else {
+        return flow;
+    };
+    const SHAPES: [&str; 3] = ["plane", "disc", "rectangle"];
+    let shape = gate.required("shape", "\"plane\", \"disc\" or \"rectangle\"");
+    let Some(shape) = shape.and_then(|i| i.choice(&SHAPES)) else {
+        gate.abandon();
+        return flow;
+    };
+    match SHAPES[shape] {
+        "plane" => flow.point = gate.point("point", "a point of the plane"),
+        "disc" => {
+            flow.point = gate.point("center", "the centre of the disc");
+            flow.gate = Gate::Disc(gate.length("radius", "the radius of the disc"));
+        }
+        _ => {
+            let (center, half_u, half_v) = rectangle(&gate);
+            flow.point = center;
+            flow.gate = Gate::Rectangle(half_u, half_v);
+            // forward is the side from which half_u turns to half_v against the clock, unless it is told
+            flow.normal = half_u.cross(half_v).normalize_or_zero();
+        }
+    }
+    if SHAPES[shape] == "rectangle" {
+        if let Some(item) = gate.optional("normal") {
+            let along = item.direction().dot(flow.normal);
+            if along.abs() < 1.0 - 1e-9 {
+                item.fault("`normal` must be perpendicular to `half_u` and `half_v`", None);
+            }
+            flow.normal *= along.signum();
+        }
+    } else {
+        flow.normal = gate.direction("normal", "the direction that counts as forward, as \"-z\"");
+    }
+    gate.finish(&format!("a gate of shape \"{}\"", SHAPES[shape]));
+    flow
 }
 
 fn contact_network(table: &TableReader<'_>) -> ContactNetwork {

@@ -1,6 +1,7 @@
 //! What a run writes row by row: the series, and a distribution for every measure that asks for one.
 
 use super::measures::{distributions, networks};
+use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{ContactNetwork, ForceDistribution, Measures, Moment, measure};
 use crate::output::{DistributionWriter, OutputError, RunFolder, SeriesWriter};
@@ -52,9 +53,15 @@ impl<'a> Rows<'a> {
     }
 
     /// Measures the present state and adds it to all files.
-    pub fn write(&mut self, sim: &mut Simulation, moment: Moment) -> Result<Measures, OutputError> {
+    pub fn write(
+        &mut self,
+        sim: &mut Simulation,
+        traffic: &mut Traffic<'_>,
+        moment: Moment,
+    ) -> Result<Measures, OutputError> {
         let mut row = measure(sim, moment, self.scenario.output.strain.as_ref());
         row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
+        row.told = traffic.values(sim);
         self.series.write(&row)?;
         for (bins, writer) in &mut self.distributions {
             writer.write(&row, &bins.measure(sim))?;

@@ -31,6 +31,7 @@ pub struct SimulationState {
     tuner: SkinTuner,
     bounds: (DVec3, DVec3),
     max_reach: f64,
+    latest_id: u32,
     /// Nothing where contacts are independent.
     coupling: Option<CouplingMemory>,
 }
@@ -125,6 +126,7 @@ impl Simulation {
             tuner: self.tuner,
             bounds: self.bounds,
             max_reach: self.max_reach,
+            latest_id: self.latest_id,
             coupling: self.coupling.as_ref().map(|c| c.memory.clone()),
         }
     }
@@ -149,6 +151,7 @@ impl Simulation {
         (sim.skin, sim.tuner) = (state.skin, state.tuner);
         sim.bounds = state.bounds;
         sim.max_reach = state.max_reach;
+        sim.latest_id = sim.latest_id.max(state.latest_id);
         match (&mut sim.coupling, state.coupling) {
             (Some(coupling), Some(memory)) => coupling.memory = memory,
             (None, None) => {}
