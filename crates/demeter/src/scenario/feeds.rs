@@ -138,9 +138,9 @@ fn feed(table: TableReader<'_>, name: String, default_seed: u64, around: &Surrou
     let mass_rate = table.optional_quantity("mass_rate", Kind::MassRate, Range::POSITIVE);
     let number_rate = table.optional_quantity("number_rate", Kind::NumberRate, Range::POSITIVE);
     let rate = match (mass_rate, number_rate) {
-        (Some(_), Some(_)) => {
+        (Some(rate), Some(_)) => {
             table.fault_at("number_rate", "`mass_rate` and `number_rate` exclude each other; give one of them");
-            FeedRate::AsRoomAllows
+            FeedRate::Mass(rate)
         }
         (Some(rate), None) => FeedRate::Mass(rate),
         (None, Some(rate)) => FeedRate::Number(rate),

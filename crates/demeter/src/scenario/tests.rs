@@ -50,7 +50,7 @@ fn place_in_reference(path: &str) -> Option<(String, String)> {
     let path = path
         .replace("stop[]", "stop")
         .replace("region[]", "region")
-        .replace("feed[].diameter", "grains[].diameter")
+        .replace("feed[].diameter.", "grains[].diameter.")
         .replace("wall[].motion.", "motion.")
         .replace("stage[].motion.*.", "motion.");
     let (section, key) = path.rsplit_once('.').unwrap_or(("", &path));
