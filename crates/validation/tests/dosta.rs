@@ -172,6 +172,8 @@ fn a_ball_falls_freely_then_gives_its_energy_to_the_bed() {
         "viscous dissipation [J]",
         "friction dissipation [J]",
         "kinetic energy [J]",
+        "rotational energy [J]",
+        "tangential energy [J]",
         "gravitational energy [J]",
         "elastic energy [J]",
     ];
@@ -181,7 +183,7 @@ fn a_ball_falls_freely_then_gives_its_energy_to_the_bed() {
     };
     let sum: f64 = lost.iter().map(|title| change(title)).sum();
     let whole = 0.5 * 7200.0 * PI / 6.0 * 8e-3f64.powi(3);
-    assert!(sum.abs() < 0.02 * whole, "{sum} of {whole}");
+    assert!(sum.abs() < 1e-3 * whole, "{sum} of {whole}");
     // and a second call takes the run that is there
     let again = run_case(&experiment, case, &place.path().join("out"), &|text| assert!(text.contains("taken from")));
     assert_eq!(again.unwrap(), folder);
@@ -205,7 +207,9 @@ fn a_drum_lifts_its_grains_on_the_side_to_which_its_floor_moves() {
     let case = find_case("drum").unwrap();
     let set = [
         "simulation.time_step=\"8e-6 s\"",
-        "material.m2.young_modulus=\"5 MPa\"",
+        "material.m1.young_modulus=\"3 MPa\"",
+        "material.m2.young_modulus=\"2 MPa\"",
+        "material.steel.young_modulus=\"20 MPa\"",
         "wall.drum.motion={ rotation = { point = \"0 0 0 m\", axis = \"-y\", angular_velocity = \"10 rad/s\" } }",
         "output.series=\"10 ms\"",
     ];
@@ -222,8 +226,10 @@ fn a_drum_lifts_its_grains_on_the_side_to_which_its_floor_moves() {
     let steady = &outcome.rows[outcome.rows.len() - 10..];
     let mean = |k: usize| steady.iter().map(|row| row[k]).sum::<f64>() / steady.len() as f64;
     // the floor moves to +x: grains rise there and leave the other side
-    assert!(mean(1) + mean(2) > 0.04 * (small + large) as f64, "{} and {}", mean(1), mean(2));
-    assert!(mean(3) + mean(4) < 0.40 * (small + large) as f64, "{} and {}", mean(3), mean(4));
+    let share = (mean(3) + mean(4)) / (small + large) as f64;
+    assert!((0.05..0.35).contains(&share), "{share} of the grains are left in zone 2");
+    let scatter = steady.iter().map(|row| (row[3] - mean(3)).abs()).fold(0.0, f64::max);
+    assert!(scatter < 0.1 * small as f64, "{scatter} around {}", mean(3));
 }
 
 #[test]
@@ -238,6 +244,8 @@ fn a_silo_empties_at_a_steady_rate_near_that_of_beverloo() {
     let grains = 900;
     let set = [
         "simulation.time_step=\"8e-6 s\"",
+        "material.m1.young_modulus=\"3 MPa\"",
+        "material.steel.young_modulus=\"20 MPa\"",
         "feed.filling.count=900",
         "feed.filling.diameter=\"2 mm\"",
         "feed.filling.from={ shape = \"disc\", center = \"0 0 60 mm\", normal = \"-z\", radius = \"9 mm\" }",
