@@ -114,6 +114,10 @@ fn what_comes_and_goes_is_counted_and_booked() {
     let by_material = count("removal outlet seed grains") + count("removal outlet gel grains");
     assert_eq!(by_material, count("removal outlet grains"));
     assert_eq!(count("ball traced"), 1.0);
+    // 0.1 s of fall from 40 to -10 mm
+    let residence = count("removal outlet mean residence [s]");
+    assert!((0.03..0.16).contains(&residence), "{residence}");
+    assert!(series["removal outlet mean residence [s]"][0].is_nan(), "none is gone");
     assert!(count("down grains forward") >= count("mouth grains forward"));
     assert_eq!(count("mouth grains forward"), 3.0);
     let slot = (count("slot grains forward"), count("slot grains backward"));
@@ -352,4 +356,168 @@ stop = {{ grains_at_most = 1 }}
     let fastest = series["top velocity z [m/s]"].iter().copied().fold(0.0, f64::min);
     assert!((-0.2..-0.15).contains(&fastest), "{fastest}");
     assert!(report.summary.energies.max_residual < 1e-3, "{:?}", report.summary.energies);
+}
+
+#[test]
+fn profiles_and_counts_agree_and_are_the_same_bytes_after_a_restart() {
+    let text = format!(
+        r#"{HEAD}
+[domain]
+lower = "0 0 -1 mm"
+upper = "20 20 60 mm"
+periodic = ["x", "y"]
+[[grains]]
+name = "low"
+material = "seed"
+source = "random"
+region = {{ shape = "box", lower = "0 0 0 mm", upper = "20 20 15 mm" }}
+diameter = "2 mm"
+count = 300
+[[grains]]
+name = "high"
+material = "seed"
+source = "random"
+region = {{ shape = "box", lower = "0 0 15 mm", upper = "20 20 30 mm" }}
+diameter = "2 mm"
+count = 300
+[[wall]]
+name = "floor"
+material = "seed"
+shape = "plane"
+point = "0 0 0 mm"
+normal = "z"
+[[measure]]
+name = "slices"
+kind = "profile"
+lower = "0 0 0 mm"
+upper = "20 20 60 mm"
+axis = "z"
+slices = 12
+[[measure]]
+name = "mix"
+kind = "mixing"
+lower = "0 0 0 mm"
+upper = "20 20 60 mm"
+cells = [1, 1, 4]
+batch = "low"
+[[measure]]
+name = "bed"
+kind = "surface-slope"
+point = "0 0 0 mm"
+along = "x"
+between = ["0 mm", "20 mm"]
+bins = 5
+[[stage]]
+duration = "0.1 s"
+"#
+    );
+    let place = tempfile::tempdir().unwrap();
+    run_in(&parse(&text), place.path(), 2, &mut watcher());
+    let file = place.path().join("distributions/slices.csv");
+    let bytes = fs::read(&file).unwrap();
+    let mut reader = csv::Reader::from_path(&file).unwrap();
+    let header: Vec<String> = reader.headers().unwrap().iter().map(String::from).collect();
+    let at = |title: &str| header.iter().position(|name| name == title).unwrap();
+    let rows: Vec<Vec<f64>> = (reader.records())
+        .map(|row| row.unwrap().iter().map(|cell| cell.parse().unwrap_or(f64::NAN)).collect())
+        .collect();
+    let ball = std::f64::consts::PI / 6.0 * 2e-3f64.powi(3);
+    let slice = 0.02 * 0.02 * 0.005;
+    for moment in rows.chunks(12) {
+        let sum = |title: &str| moment.iter().map(|row| row[at(title)]).sum::<f64>();
+        assert_eq!(sum("grains"), 600.0);
+        assert!((sum("mass [kg]") / (600.0 * 1000.0 * ball) - 1.0).abs() < 1e-12);
+        // the grains are whole in the box in z, and cut where they reach across its periodic sides
+        let filled = sum("packing fraction") * slice / (600.0 * ball);
+        assert!((0.85..=1.0).contains(&filled), "{filled}");
+    }
+    let last_moment = &rows[rows.len() - 12..];
+    let bed = last_moment[1][at("packing fraction")];
+    assert!((0.45..0.7).contains(&bed), "{bed}");
+    let series = series(place.path());
+    assert!(series["mix Lacey index"][0].abs() < 0.05, "apart at the start");
+    assert_eq!(last(&series, "mix share"), 0.5);
+    assert!(last(&series, "bed angle [deg]").abs() < 8.0, "{}", last(&series, "bed angle [deg]"));
+
+    let previous = fs::read(place.path().join("checkpoint.previous")).unwrap();
+    fs::write(place.path().join("checkpoint.latest"), previous).unwrap();
+    resume(place.path(), RunOptions::default(), &mut watcher()).unwrap();
+    assert!(fs::read(&file).unwrap() == bytes);
+}
+
+#[test]
+fn grains_come_into_runs_of_every_integrator_and_of_coupled_and_attracting_contacts() {
+    let case = |simulation: &str, contact: &str| {
+        format!(
+            r#"
+title = "case"
+[simulation]
+gravity = "0 0 -9.81 m/s^2"
+max_overlap = 0.3
+{simulation}
+[material.seed]
+young_modulus = "500 kPa"
+poisson_ratio = 0.3
+density = "1000 kg/m^3"
+[contact]
+{contact}
+[domain]
+lower = "-20 -20 -5 mm"
+upper = "20 20 80 mm"
+[[grains]]
+material = "seed"
+source = "list"
+positions = ["0 0 1 mm", "3 0 1 mm"]
+diameter = "2 mm"
+[[wall]]
+name = "floor"
+material = "seed"
+shape = "plane"
+point = "0 0 0 mm"
+normal = "z"
+[[feed]]
+name = "large"
+material = "seed"
+diameter = {{ distribution = "uniform", lower = "1 mm", upper = "4 mm" }}
+from = {{ shape = "box", lower = "-8 -8 4 mm", upper = "8 8 16 mm" }}
+count = 25
+every = "4 ms"
+[[removal]]
+name = "pick"
+region = {{ shape = "half-space", point = "5 0 0 mm", normal = "x" }}
+every = "7 ms"
+[[stage]]
+duration = "40 ms"
+[output]
+picture = false
+frames = "never"
+series = "2 ms"
+checkpoints = "10 ms"
+"#
+        )
+    };
+    let hertz = "normal = { law = \"hertz-tsuji\", restitution = 0.5 }";
+    let cases = [
+        ("integrator = \"gear\"", hertz.to_owned()),
+        ("", format!("{hertz}\nmulti_contact = {{ law = \"half-space\", prefactor = 1.0 }}")),
+        ("", "normal = { law = \"dmt\", work_of_adhesion = \"0.05 J/m^2\", alpha = 0.3, separation = \"1 um\", cutoff = \"50 um\" }".to_owned()),
+    ];
+    for (simulation, contact) in cases {
+        let scenario = parse(&case(simulation, &contact));
+        let place = tempfile::tempdir().unwrap();
+        let report = run_in(&scenario, place.path(), 2, &mut watcher());
+        assert_eq!(report.end, RunEnd::Finished, "{simulation}{contact}");
+        let series = series(place.path());
+        assert_eq!(last(&series, "feed large grains"), 25.0, "{simulation}{contact}");
+        let gone = last(&series, "removal pick grains");
+        assert!(gone > 0.0);
+        assert_eq!(last(&series, "grains"), 27.0 - gone);
+        let residual = report.summary.energies.max_residual;
+        assert!(residual < 1e-3, "{simulation}{contact}: {residual}");
+        let rows = fs::read(place.path().join("series.csv")).unwrap();
+        let previous = fs::read(place.path().join("checkpoint.previous")).unwrap();
+        fs::write(place.path().join("checkpoint.latest"), previous).unwrap();
+        resume(place.path(), RunOptions::default(), &mut watcher()).unwrap();
+        assert!(fs::read(place.path().join("series.csv")).unwrap() == rows, "{simulation}{contact}");
+    }
 }

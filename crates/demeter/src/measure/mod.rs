@@ -5,10 +5,13 @@
 
 mod flow;
 mod forces;
+mod mixing;
 mod network;
+mod profile;
 mod records;
 mod region;
 mod selection;
+mod slope;
 mod sphere_in_box;
 mod told;
 mod trace;
@@ -16,10 +19,13 @@ mod trace;
 pub use crate::simulation::Energies;
 pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
 pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
+pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing};
 pub use network::{ContactNetwork, NetworkMeasures};
+pub use profile::{MAX_SLICES, Profile, Slice};
 pub use records::{contact_records, wall_surfaces};
 pub use region::{OF_MATERIAL_COLUMNS, REGION_COLUMNS, RegionCount};
 pub use selection::Selection;
+pub use slope::{SLOPE_COLUMNS, Slope};
 pub use sphere_in_box::sphere_in_box;
 pub use told::{FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
 pub use trace::{GrainTrace, TRACE_COLUMNS};

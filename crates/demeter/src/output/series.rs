@@ -3,8 +3,8 @@
 use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
-    FEED_COLUMNS, FLOW_COLUMNS, Measures, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS,
-    TRACE_COLUMNS, ToldColumn, Value, WallLoad,
+    FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS,
+    REMOVAL_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WallLoad,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -274,11 +274,13 @@ fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
 }
 
 /// Columns behind all others, with what their titles begin with.
-const TOLD: [(&str, &[ToldColumn]); 7] = [
+const TOLD: [(&str, &[ToldColumn]); 9] = [
     ("MEASURE", REGION_COLUMNS),
     ("MEASURE MATERIAL", OF_MATERIAL_COLUMNS),
     ("MEASURE", TRACE_COLUMNS),
     ("MEASURE", FLOW_COLUMNS),
+    ("MEASURE", MIXING_COLUMNS),
+    ("MEASURE", SLOPE_COLUMNS),
     ("feed NAME", FEED_COLUMNS),
     ("removal NAME", REMOVAL_COLUMNS),
     ("removal NAME MATERIAL", OF_MATERIAL_COLUMNS),

@@ -3,12 +3,13 @@
 use super::document::join;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
-use super::walls::rectangle;
+use super::region_measures::{mass_flow, mixing, profile, slope};
 use super::zones::{Named, region, selection};
-use crate::measure::{BinsError, ContactNetwork, ForceDistribution, Gate, GrainTrace, MassFlow, RegionCount};
+use crate::measure::{
+    BinsError, ContactNetwork, ForceDistribution, GrainTrace, MassFlow, Mixing, Profile, RegionCount, Slope,
+};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
-use glam::DVec3;
 
 /// Most measures.
 pub const MAX_MEASURES: usize = 100;
@@ -37,6 +38,12 @@ pub enum MeasureKind {
     GrainTrace(GrainTrace),
     /// Columns of the series.
     MassFlow(MassFlow),
+    /// Columns of the series.
+    Mixing(Mixing),
+    /// Columns of the series.
+    Slope(Slope),
+    /// A file of its own.
+    Profile(Profile),
 }
 
 /// The contact networks of a list of measures, with their names.
@@ -55,6 +62,14 @@ pub(super) fn distributions(measures: &[MeasureSpec]) -> impl Iterator<Item = (&
     })
 }
 
+/// The profiles of a list of measures, with their names.
+pub(super) fn profiles(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &Profile)> {
+    measures.iter().filter_map(|measure| match &measure.kind {
+        MeasureKind::Profile(profile) => Some((measure.name.as_str(), profile)),
+        _ => None,
+    })
+}
+
 /// The flows through gates of a list of measures, with their names.
 pub(super) fn flows(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &MassFlow)> {
     measures.iter().filter_map(|measure| match &measure.kind {
@@ -65,12 +80,15 @@ pub(super) fn flows(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &Ma
 
 const FORCE: Kind = Kind::Physical(Dimension::FORCE);
 
-const KINDS: [&str; 5] = [
+const KINDS: [&str; 8] = [
     "contact-network",
     "force-distribution",
     "region-count",
     "grain-trace",
     "mass-flow",
+    "mixing",
+    "surface-slope",
+    "profile",
 ];
 
 pub(super) fn measures(root: &TableReader<'_>, named: &Named<'_>) -> Vec<MeasureSpec> {
@@ -147,57 +165,13 @@ fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
         "grain-trace" => Some(MeasureKind::GrainTrace(GrainTrace {
             selection: selection(&table, named),
         })),
-        _ => Some(MeasureKind::MassFlow(mass_flow(&table, named))),
+        "mass-flow" => Some(MeasureKind::MassFlow(mass_flow(&table, named))),
+        "mixing" => Some(MeasureKind::Mixing(mixing(&table, named))),
+        "surface-slope" => Some(MeasureKind::Slope(slope(&table, named))),
+        _ => Some(MeasureKind::Profile(profile(&table, named))),
     };
     table.finish(&format!("a measure of kind `{}`", KINDS[index]));
     kind
-}
-
-/// A gate: a disc, a rectangle, or a whole plane.
-fn mass_flow(table: &TableReader<'_>, named: &Named<'_>) -> MassFlow {
-    let mut flow = MassFlow {
-        point: DVec3::NAN,
-        normal: DVec3::NAN,
-        gate: Gate::Plane,
-        selection: selection(table, named),
-    };
-    let meaning = "where it passes, as { shape = \"disc\", center = ..., normal = ..., radius = ... }";
-    let Some(gate) = table.required("gate", meaning).and_then(|i| i.table()) else {
-        return flow;
-    };
-    const SHAPES: [&str; 3] = ["plane", "disc", "rectangle"];
-    let shape = gate.required("shape", "\"plane\", \"disc\" or \"rectangle\"");
-    let Some(shape) = shape.and_then(|i| i.choice(&SHAPES)) else {
-        gate.abandon();
-        return flow;
-    };
-    match SHAPES[shape] {
-        "plane" => flow.point = gate.point("point", "a point of the plane"),
-        "disc" => {
-            flow.point = gate.point("center", "the centre of the disc");
-            flow.gate = Gate::Disc(gate.length("radius", "the radius of the disc"));
-        }
-        _ => {
-            let (center, half_u, half_v) = rectangle(&gate);
-            flow.point = center;
-            flow.gate = Gate::Rectangle(half_u, half_v);
-            // forward is the side from which half_u turns to half_v against the clock, unless it is told
-            flow.normal = half_u.cross(half_v).normalize_or_zero();
-        }
-    }
-    if SHAPES[shape] == "rectangle" {
-        if let Some(item) = gate.optional("normal") {
-            let along = item.direction().dot(flow.normal);
-            if along.abs() < 1.0 - 1e-9 {
-                item.fault("`normal` must be perpendicular to `half_u` and `half_v`", None);
-            }
-            flow.normal *= along.signum();
-        }
-    } else {
-        flow.normal = gate.direction("normal", "the direction that counts as forward, as \"-z\"");
-    }
-    gate.finish(&format!("a gate of shape \"{}\"", SHAPES[shape]));
-    flow
 }
 
 fn contact_network(table: &TableReader<'_>) -> ContactNetwork {

@@ -16,6 +16,7 @@ mod plots;
 mod prepare;
 mod quantity;
 mod reader;
+mod region_measures;
 mod report;
 mod resolved;
 mod rows;
@@ -167,6 +168,7 @@ impl Scenario {
         let batches = grains.iter().map(|b| b.name.as_str());
         let named = zones::Named {
             materials: &materials,
+            gravity: simulation.gravity,
             sources: batches.chain(feeds.iter().map(|f| f.name.as_str())).collect(),
         };
         let removals = feeds::removals(&table, &named);

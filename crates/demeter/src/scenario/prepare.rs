@@ -243,7 +243,7 @@ fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
             }
             next_id = next_id.max(id.saturating_add(1));
             grains.push(id, grain);
-            origins.add(id, k as u16);
+            origins.add(id, k as u16, 0);
             occupied.push((grain.position, grain.radius));
         }
     }

@@ -51,6 +51,8 @@ struct RemovalState {
     active: bool,
     /// Grains and their mass [kg], by material.
     gone: Vec<(u64, f64)>,
+    /// Sum of the times that they were in the run [s].
+    stay: f64,
 }
 
 /// Feeds, removals and flows of a run.
@@ -76,6 +78,7 @@ impl<'a> Traffic<'a> {
         let removal = |_: &RemovalSpec| RemovalState {
             active: true,
             gone: vec![(0, 0.0); scenario.materials.len()],
+            stay: 0.0,
         };
         let state = TrafficState {
             origins,
@@ -146,6 +149,11 @@ impl<'a> Traffic<'a> {
         }
     }
 
+    /// Which batch or feed every grain came from.
+    pub fn origins(&self) -> &Origins {
+        &self.state.origins
+    }
+
     /// Lets grains go and come that are due between the latest step and the next; answers with what a user wants to read.
     pub fn exchange(&mut self, sim: &mut Simulation) -> Result<Vec<String>, RunError> {
         let mut messages = Vec::new();
@@ -158,7 +166,7 @@ impl<'a> Traffic<'a> {
         self.look(sim);
         let ids = sim.exchange(&leaving, &come)?;
         for (id, source) in ids.zip(from) {
-            self.state.origins.add(id, source);
+            self.state.origins.add(id, source, sim.step);
         }
         self.look(sim);
         Ok(messages)
@@ -182,9 +190,12 @@ impl<'a> Traffic<'a> {
             };
             if let Some(&k) = due.iter().find(goes) {
                 leaving.push(g);
-                let gone = &mut self.state.removals[k].gone[usize::from(grains.material[g])];
+                let removal = &mut self.state.removals[k];
+                let gone = &mut removal.gone[usize::from(grains.material[g])];
                 gone.0 += 1;
                 gone.1 += grains.mass[g];
+                let born = self.state.origins.born(grains.id[g]);
+                removal.stay += sim.step.saturating_sub(born) as f64 * sim.dt;
             }
         }
         leaving
@@ -217,7 +228,9 @@ impl<'a> Traffic<'a> {
                 MeasureKind::RegionCount(count) => titles.extend(count.titles(&measure.name, &materials)),
                 MeasureKind::GrainTrace(trace) => titles.extend(trace.titles(&measure.name)),
                 MeasureKind::MassFlow(flow) => titles.extend(flow.titles(&measure.name)),
-                MeasureKind::ContactNetwork(_) | MeasureKind::ForceDistribution(_) => {}
+                MeasureKind::Mixing(mixing) => titles.extend(mixing.titles(&measure.name)),
+                MeasureKind::Slope(slope) => titles.extend(slope.titles(&measure.name)),
+                MeasureKind::ContactNetwork(_) | MeasureKind::ForceDistribution(_) | MeasureKind::Profile(_) => {}
             }
         }
         for feed in &scenario.feeds {
@@ -239,15 +252,18 @@ impl<'a> Traffic<'a> {
     pub fn values(&mut self, sim: &Simulation) -> Vec<Value> {
         self.look(sim);
         let mut values = Vec::new();
+        let origins = &self.state.origins;
         let mut flows = self.state.flows.iter_mut();
         for measure in &self.scenario.measures {
             match &measure.kind {
-                MeasureKind::RegionCount(count) => values.extend(count.measure(sim, &self.state.origins)),
-                MeasureKind::GrainTrace(trace) => values.extend(trace.measure(sim, &self.state.origins)),
+                MeasureKind::RegionCount(count) => values.extend(count.measure(sim, origins)),
+                MeasureKind::GrainTrace(trace) => values.extend(trace.measure(sim, origins)),
                 MeasureKind::MassFlow(flow) => {
                     values.extend(flows.next().into_iter().flat_map(|state| flow.measure(sim, state)));
                 }
-                MeasureKind::ContactNetwork(_) | MeasureKind::ForceDistribution(_) => {}
+                MeasureKind::Mixing(mixing) => values.extend(mixing.measure(sim, origins)),
+                MeasureKind::Slope(slope) => values.extend(slope.measure(sim, origins)),
+                MeasureKind::ContactNetwork(_) | MeasureKind::ForceDistribution(_) | MeasureKind::Profile(_) => {}
             }
         }
         for ((spec, feed), source) in self.scenario.feeds.iter().zip(&self.state.feeds).zip(&self.sources) {
@@ -256,7 +272,9 @@ impl<'a> Traffic<'a> {
         }
         for removal in &self.state.removals {
             let all = removal.gone.iter().fold((0, 0.0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
-            for (grains, mass) in std::iter::once(&all).chain(&removal.gone) {
+            values.extend([Value::Count(all.0), Value::Number(all.1)]);
+            values.push(Value::Number(removal.stay / all.0 as f64));
+            for (grains, mass) in &removal.gone {
                 values.extend([Value::Count(*grains), Value::Number(*mass)]);
             }
         }

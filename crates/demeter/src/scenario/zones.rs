@@ -21,6 +21,8 @@ const FACES: [&str; 6] = ["-x", "+x", "-y", "+y", "-z", "+z"];
 /// What grains may be selected by.
 pub(super) struct Named<'a> {
     pub materials: &'a [Material],
+    /// Acceleration of gravity [m/s^2].
+    pub gravity: DVec3,
     /// Names of the batches, then of the feeds.
     pub sources: Vec<&'a str>,
 }
