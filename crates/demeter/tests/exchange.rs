@@ -1,6 +1,6 @@
 //! Grains that come and go while a run goes on: what is counted, booked, and kept over threads and restarts.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use demeter::scenario::{Observer, Progress, Report, RunEnd, RunOptions, Scenario, resume, run};
 use std::collections::BTreeMap;
@@ -100,14 +100,21 @@ fn what_comes_and_goes_is_counted_and_booked() {
     assert!(watcher.messages.iter().any(|m| m.starts_with("feed `shower` is done")));
     assert_eq!(count("feed shower behind [kg]"), 0.0);
     // 300 per second for 60 ms, counted at the steps at which grains come
-    assert!((17.0..=18.0).contains(&count("feed side grains")), "{}", count("feed side grains"));
+    assert!(
+        (17.0..=18.0).contains(&count("feed side grains")),
+        "{}",
+        count("feed side grains")
+    );
     // the mass that came is nearest to the one that was asked for: 0.2 g of grains of 5.0265e-6 kg
     assert_eq!(count("feed lot grains"), 40.0);
     let fed: f64 = ["shower", "side", "lot", "fill"]
         .map(|f| count(&format!("feed {f} grains")))
         .iter()
         .sum();
-    let gone: f64 = ["outlet", "sieve"].map(|r| count(&format!("removal {r} grains"))).iter().sum();
+    let gone: f64 = ["outlet", "sieve"]
+        .map(|r| count(&format!("removal {r} grains")))
+        .iter()
+        .sum();
     let fallen = count("removal outlet grains");
     assert!(fallen > 10.0, "{fallen} fell off the tray by {} s", count("time [s]"));
     assert_eq!(count("grains"), 1.0 + fed - gone);
@@ -123,7 +130,11 @@ fn what_comes_and_goes_is_counted_and_booked() {
     let slot = (count("slot grains forward"), count("slot grains backward"));
     assert_eq!(slot.0, 0.0);
     assert!((15.0..=18.0).contains(&slot.1), "{slot:?}");
-    assert!(report.summary.energies.max_residual < 1e-3, "{}", report.summary.energies.max_residual);
+    assert!(
+        report.summary.energies.max_residual < 1e-3,
+        "{}",
+        report.summary.energies.max_residual
+    );
     assert!(series["inserted energy [J]"].windows(2).any(|w| w[1] != w[0]));
     assert!(series["removed energy [J]"].windows(2).any(|w| w[1] != w[0]));
 }
@@ -217,7 +228,10 @@ duration = "0.15 s"
     for (time, mass) in series["time [s]"].iter().zip(&series["feed stream mass [kg]"]) {
         let due = 6e-3 * time;
         // less than a grain below, and what came due since grains came last
-        assert!(*mass <= due && *mass > due - largest - 6e-3 * 2e-4 * 100.0, "{time}: {mass} of {due}");
+        assert!(
+            *mass <= due && *mass > due - largest - 6e-3 * 2e-4 * 100.0,
+            "{time}: {mass} of {due}"
+        );
     }
     assert_eq!(last(&series, "in grains"), last(&series, "feed stream grains"));
     assert_eq!(last(&series, "in grains"), last(&series, "grains"));
@@ -226,7 +240,11 @@ duration = "0.15 s"
     let expected = 6e-3 * (0.15 - fall);
     let passed = last(&series, "through mass forward [kg]");
     assert!((passed - expected).abs() < 0.05 * expected, "{passed} of {expected}");
-    assert!(report.summary.energies.max_residual < 1e-3, "{:?}", report.summary.energies);
+    assert!(
+        report.summary.energies.max_residual < 1e-3,
+        "{:?}",
+        report.summary.energies
+    );
 }
 
 #[test]
@@ -261,7 +279,11 @@ duration = "60 ms"
     let mut watcher = watcher();
     let report = run_in(&parse(&text), place.path(), 1, &mut watcher);
     assert_eq!(report.end, RunEnd::Finished, "no grain overlaps another when it comes");
-    assert!(watcher.messages.iter().any(|m| m.contains("feed `stream` is behind")), "{:?}", watcher.messages);
+    assert!(
+        watcher.messages.iter().any(|m| m.contains("feed `stream` is behind")),
+        "{:?}",
+        watcher.messages
+    );
     let series = series(place.path());
     let behind = last(&series, "feed stream behind [kg]");
     let came = last(&series, "feed stream mass [kg]");
@@ -355,7 +377,11 @@ stop = {{ grains_at_most = 1 }}
     // it falls by 2 mm: about 0.2 m/s, then less
     let fastest = series["top velocity z [m/s]"].iter().copied().fold(0.0, f64::min);
     assert!((-0.2..-0.15).contains(&fastest), "{fastest}");
-    assert!(report.summary.energies.max_residual < 1e-3, "{:?}", report.summary.energies);
+    assert!(
+        report.summary.energies.max_residual < 1e-3,
+        "{:?}",
+        report.summary.energies
+    );
 }
 
 #[test]
@@ -419,7 +445,12 @@ duration = "0.1 s"
     let header: Vec<String> = reader.headers().unwrap().iter().map(String::from).collect();
     let at = |title: &str| header.iter().position(|name| name == title).unwrap();
     let rows: Vec<Vec<f64>> = (reader.records())
-        .map(|row| row.unwrap().iter().map(|cell| cell.parse().unwrap_or(f64::NAN)).collect())
+        .map(|row| {
+            row.unwrap()
+                .iter()
+                .map(|cell| cell.parse().unwrap_or(f64::NAN))
+                .collect()
+        })
         .collect();
     let ball = std::f64::consts::PI / 6.0 * 2e-3f64.powi(3);
     let slice = 0.02 * 0.02 * 0.005;
@@ -437,7 +468,11 @@ duration = "0.1 s"
     let series = series(place.path());
     assert!(series["mix Lacey index"][0].abs() < 0.05, "apart at the start");
     assert_eq!(last(&series, "mix share"), 0.5);
-    assert!(last(&series, "bed angle [deg]").abs() < 8.0, "{}", last(&series, "bed angle [deg]"));
+    assert!(
+        last(&series, "bed angle [deg]").abs() < 8.0,
+        "{}",
+        last(&series, "bed angle [deg]")
+    );
 
     let previous = fs::read(place.path().join("checkpoint.previous")).unwrap();
     fs::write(place.path().join("checkpoint.latest"), previous).unwrap();
@@ -518,6 +553,9 @@ checkpoints = "10 ms"
         let previous = fs::read(place.path().join("checkpoint.previous")).unwrap();
         fs::write(place.path().join("checkpoint.latest"), previous).unwrap();
         resume(place.path(), RunOptions::default(), &mut watcher()).unwrap();
-        assert!(fs::read(place.path().join("series.csv")).unwrap() == rows, "{simulation}{contact}");
+        assert!(
+            fs::read(place.path().join("series.csv")).unwrap() == rows,
+            "{simulation}{contact}"
+        );
     }
 }

@@ -4,6 +4,7 @@
 
 #![allow(
     clippy::unwrap_used,
+    clippy::panic,
     clippy::print_stdout,
     reason = "a test tells what it measured, and may panic"
 )]
@@ -139,7 +140,12 @@ fn a_ball_falls_freely_then_gives_its_energy_to_the_bed() {
     };
     walls.quad([0, 1, 2, 3].map(|k| corner(k, floor)));
     for k in 0..4 {
-        walls.quad([corner(k, floor), corner(k + 1, floor), corner(k + 1, top), corner(k, top)]);
+        walls.quad([
+            corner(k, floor),
+            corner(k + 1, floor),
+            corner(k + 1, top),
+            corner(k, top),
+        ]);
     }
     let bed = lattice(1e-3, [-0.0109, -0.0109, -0.019], [0.0109, 0.0109, -0.0115], |_| true);
     write(place.path(), "penetration/walls.txt", &walls.0);
@@ -154,7 +160,11 @@ fn a_ball_falls_freely_then_gives_its_energy_to_the_bed() {
     let experiment = experiment(place.path(), 0.03, &set);
     let (outcome, folder) = run(case, &experiment, &place.path().join("out"));
     assert_eq!(outcome.rows.len(), 31, "a row every 1 ms");
-    assert_eq!(outcome.grains, bed.len() as f64 + 1.0, "the lines behind the grains are none");
+    assert_eq!(
+        outcome.grains,
+        bed.len() as f64 + 1.0,
+        "the lines behind the grains are none"
+    );
     let falls = |t: f64| -0.005 - t - 0.5 * 9.81 * t * t;
     // the bed begins 2 mm below the ball
     for row in &outcome.rows[..2] {
@@ -185,7 +195,9 @@ fn a_ball_falls_freely_then_gives_its_energy_to_the_bed() {
     let whole = 0.5 * 7200.0 * PI / 6.0 * 8e-3f64.powi(3);
     assert!(sum.abs() < 1e-3 * whole, "{sum} of {whole}");
     // and a second call takes the run that is there
-    let again = run_case(&experiment, case, &place.path().join("out"), &|text| assert!(text.contains("taken from")));
+    let again = run_case(&experiment, case, &place.path().join("out"), &|text| {
+        assert!(text.contains("taken from"))
+    });
     assert_eq!(again.unwrap(), folder);
 }
 
@@ -197,10 +209,21 @@ fn a_drum_lifts_its_grains_on_the_side_to_which_its_floor_moves() {
     walls.ring([radius, -half], [radius, half], true);
     walls.ring([1e-5, -half], [radius, -half], true);
     walls.ring([1e-5, half], [radius, half], true);
-    let inside = |reach: f64| move |p: Point| libm::hypot(p[0], p[2]) < radius - reach && p[1].abs() + reach * 0.9 < half;
-    let mut grains = lattice(2e-3, [-0.0162, -0.0035, -0.017], [0.0162, 0.0035, -0.009], inside(2.3e-3));
+    let inside =
+        |reach: f64| move |p: Point| libm::hypot(p[0], p[2]) < radius - reach && p[1].abs() + reach * 0.9 < half;
+    let mut grains = lattice(
+        2e-3,
+        [-0.0162, -0.0035, -0.017],
+        [0.0162, 0.0035, -0.009],
+        inside(2.3e-3),
+    );
     let large = grains.len();
-    grains.extend(lattice(1e-3, [-0.018, -0.0045, -0.0058], [0.018, 0.0045, -0.001], inside(1.3e-3)));
+    grains.extend(lattice(
+        1e-3,
+        [-0.018, -0.0045, -0.0058],
+        [0.018, 0.0045, -0.001],
+        inside(1.3e-3),
+    ));
     let small = grains.len() - large;
     write(place.path(), "drum/walls.txt", &walls.0);
     write(place.path(), "drum/particles.txt", &particles(&grains));
@@ -219,15 +242,24 @@ fn a_drum_lifts_its_grains_on_the_side_to_which_its_floor_moves() {
     let first = &outcome.rows[0];
     // at the start the bed is symmetric and below the axis
     assert_eq!([first[1], first[2]], [0.0; 2]);
-    assert!((first[3] / small as f64 - 0.5).abs() < 0.1 && (first[4] / large as f64 - 0.5).abs() < 0.15, "{first:?}");
+    assert!(
+        (first[3] / small as f64 - 0.5).abs() < 0.1 && (first[4] / large as f64 - 0.5).abs() < 0.15,
+        "{first:?}"
+    );
     for row in &outcome.rows {
-        assert!(row[1] + row[3] <= small as f64 && row[2] + row[4] <= large as f64, "{row:?}");
+        assert!(
+            row[1] + row[3] <= small as f64 && row[2] + row[4] <= large as f64,
+            "{row:?}"
+        );
     }
     let steady = &outcome.rows[outcome.rows.len() - 10..];
     let mean = |k: usize| steady.iter().map(|row| row[k]).sum::<f64>() / steady.len() as f64;
     // the floor moves to +x: grains rise there and leave the other side
     let share = (mean(3) + mean(4)) / (small + large) as f64;
-    assert!((0.05..0.35).contains(&share), "{share} of the grains are left in zone 2");
+    assert!(
+        (0.05..0.35).contains(&share),
+        "{share} of the grains are left in zone 2"
+    );
     let scatter = steady.iter().map(|row| (row[3] - mean(3)).abs()).fold(0.0, f64::max);
     assert!(scatter < 0.1 * small as f64, "{scatter} around {}", mean(3));
 }
@@ -264,10 +296,16 @@ fn a_silo_empties_at_a_steady_rate_near_that_of_beverloo() {
     assert_eq!(last("feed filling grains"), f64::from(grains));
     let (removed, left) = (last("removal below grains"), outcome.rows.last().unwrap()[1]);
     assert_eq!(removed + last("grains"), f64::from(grains));
-    assert_eq!(last("orifice grains forward") - last("orifice grains backward"), f64::from(grains) - left);
+    assert_eq!(
+        last("orifice grains forward") - last("orifice grains backward"),
+        f64::from(grains) - left
+    );
     // grains between the orifice and the place where they are removed: 20 mm of free fall
     let falling = f64::from(grains) - left - removed;
-    assert!(removed > 200.0 && (1.0..100.0).contains(&falling), "{removed} and {falling}");
+    assert!(
+        removed > 200.0 && (1.0..100.0).contains(&falling),
+        "{removed} and {falling}"
+    );
     let rate = |from: f64, to: f64| {
         let within: Vec<f64> = (outcome.rows.iter())
             .filter(|row| row[0] > from && row[0] <= to + 1e-9)
@@ -296,7 +334,11 @@ fn files_and_cases_that_are_none_are_told() {
         prepare(case, place.path(), &place.path().join("input")).map_err(|e| e.to_string())
     };
     assert!(told("header\n1 2 3 4 5 6 7 8 9\n").is_ok());
-    assert!(told("header\n1 2 3 4 5 6 7 8\n").unwrap_err().contains("no line of 9 numbers"));
+    assert!(
+        told("header\n1 2 3 4 5 6 7 8\n")
+            .unwrap_err()
+            .contains("no line of 9 numbers")
+    );
     let error = told("header\n1 2 3 4 5 6 7 8 9\n\n1 2 3 4 5 6 7 8 x\n").unwrap_err();
     assert!(error.contains("in line 4"), "{error}");
     fs::remove_file(place.path().join("silo/walls-large.txt")).unwrap();

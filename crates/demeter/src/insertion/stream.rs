@@ -118,11 +118,7 @@ impl Streaming {
     fn check_inlet(&self) -> Result<(), InsertionProblem> {
         let room = match self.stream.inlet {
             Inlet::Rectangle { center, half_u, half_v } => {
-                for (what, value) in [
-                    ("the centre", center),
-                    ("an edge", half_u),
-                    ("an edge", half_v),
-                ] {
+                for (what, value) in [("the centre", center), ("an edge", half_u), ("an edge", half_v)] {
                     check_place(what, value)?;
                 }
                 2.0 * half_u.length().min(half_v.length())
@@ -214,7 +210,9 @@ impl Streaming {
         let classes = std::iter::successors(Some(most), |radius| Some(0.5 * radius))
             .take(CLASSES)
             .filter(|radius| 2.0 * radius >= smallest && 0.5 * radius <= largest);
-        let number = usize::try_from(expected.min(MAX_AT_ONCE)).unwrap_or(1).clamp(1, 100_000);
+        let number = usize::try_from(expected.min(MAX_AT_ONCE))
+            .unwrap_or(1)
+            .clamp(1, 100_000);
         let to_come = classes.flat_map(|radius| std::iter::repeat_n(radius, number));
         let radii = near.iter().map(|g| g.1).chain(to_come);
         let mut grid = PlaceGrid::new(Some(&self.domain), lower, upper, radii);

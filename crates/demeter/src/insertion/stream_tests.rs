@@ -81,14 +81,20 @@ fn grains_that_come_lie_in_the_inlet_and_touch_nothing() {
         assert_eq!(first_overlap(&grown, None), None, "{inlet:?}: the gap is kept");
         for &(place, radius) in &all[there.len()..] {
             let inside = match inlet {
-                Inlet::Disc { center, normal, radius: outer } => {
+                Inlet::Disc {
+                    center,
+                    normal,
+                    radius: outer,
+                } => {
                     let away = place - center;
                     away.dot(normal).abs() < 1e-15 && away.length() + radius < outer * (1.0 + 1e-12)
                 }
                 Inlet::Rectangle { .. } => {
                     let diagonal = (place.x + place.z) * std::f64::consts::FRAC_1_SQRT_2;
                     let edge = 0.2 * std::f64::consts::SQRT_2;
-                    (place.x - place.z).abs() < 1e-15 && place.y.abs() + radius < 0.3 + 1e-12 && diagonal.abs() + radius < edge + 1e-12
+                    (place.x - place.z).abs() < 1e-15
+                        && place.y.abs() + radius < 0.3 + 1e-12
+                        && diagonal.abs() + radius < edge + 1e-12
                 }
                 Inlet::Region(_) => place.abs().max_element() + radius < 0.2 * (1.0 + 1e-12),
             };

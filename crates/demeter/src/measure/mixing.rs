@@ -115,7 +115,9 @@ mod tests {
     fn numbers(seed: u64) -> impl FnMut() -> f64 {
         let mut x = seed;
         move || {
-            x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            x = x
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (x >> 11) as f64 / (1u64 << 53) as f64
         }
     }
@@ -140,8 +142,18 @@ mod tests {
     #[test]
     fn without_two_kinds_or_with_a_cell_for_every_grain_there_is_no_index() {
         let places = [0.1, 0.3, 0.6, 0.9].map(DVec3::splat);
-        assert!(box_of([1, 1, 2]).index(places.map(|p| (p, true)).into_iter()).0.is_nan());
-        assert!(box_of([9, 9, 9]).index(places.map(|p| (p, p.x > 0.5)).into_iter()).0.is_nan());
+        assert!(
+            box_of([1, 1, 2])
+                .index(places.map(|p| (p, true)).into_iter())
+                .0
+                .is_nan()
+        );
+        assert!(
+            box_of([9, 9, 9])
+                .index(places.map(|p| (p, p.x > 0.5)).into_iter())
+                .0
+                .is_nan()
+        );
         let (index, share, cells) = box_of([1, 1, 2]).index(places.map(|p| (p, p.x > 0.5)).into_iter());
         assert_eq!((index, share, cells), (0.0, 0.5, 2));
         let outside = [DVec3::splat(2.0), DVec3::NEG_ONE].map(|p| (p, true));

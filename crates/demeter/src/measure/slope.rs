@@ -16,7 +16,11 @@ pub const SLOPE_COLUMNS: &[ToldColumn] = &[
         "deg",
         "angle between the surface and the horizontal, positive where it falls along the direction or away from the axis",
     ),
-    ToldColumn::new("deviation", "m", "root of the mean square of the heights' distance from the straight line"),
+    ToldColumn::new(
+        "deviation",
+        "m",
+        "root of the mean square of the heights' distance from the straight line",
+    ),
     ToldColumn::new("bins", "", "bins that hold grains; the angle needs two"),
 ];
 
@@ -133,7 +137,10 @@ mod tests {
         assert!(deviation < 0.003 && bins == 19, "{deviation}, {bins}");
         let plane = || below(|x, _| 0.3 * x).into_iter();
         let (angle, deviation, _) = slope(Some(DVec3::X)).fit(plane());
-        assert!((angle + 16.699).abs() < 0.05 && deviation < 1e-3, "{angle}, {deviation}");
+        assert!(
+            (angle + 16.699).abs() < 0.05 && deviation < 1e-3,
+            "{angle}, {deviation}"
+        );
         assert!((slope(Some(DVec3::Y)).fit(plane()).0).abs() < 1e-9);
     }
 

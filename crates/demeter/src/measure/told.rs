@@ -45,5 +45,9 @@ pub const FEED_COLUMNS: &[ToldColumn] = &[
 pub const REMOVAL_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new("grains", "", "grains that were removed since the start of the run"),
     ToldColumn::new("mass", "kg", "their mass"),
-    ToldColumn::new("mean residence", "s", "mean time that they were in the run; NaN without any"),
+    ToldColumn::new(
+        "mean residence",
+        "s",
+        "mean time that they were in the run; NaN without any",
+    ),
 ];

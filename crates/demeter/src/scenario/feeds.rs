@@ -91,7 +91,10 @@ fn named_tables<'a, T>(
     };
     let tables = item.tables(key);
     if tables.len() > MAX_FEEDS {
-        item.fault(format!("{} tables [[{key}]] are too many; at most {MAX_FEEDS}", tables.len()), None);
+        item.fault(
+            format!("{} tables [[{key}]] are too many; at most {MAX_FEEDS}", tables.len()),
+            None,
+        );
     }
     let mut names: Vec<String> = others.iter().map(ToString::to_string).collect();
     let mut all = Vec::new();
@@ -139,7 +142,10 @@ fn feed(table: TableReader<'_>, name: String, default_seed: u64, around: &Surrou
     let number_rate = table.optional_quantity("number_rate", Kind::NumberRate, Range::POSITIVE);
     let rate = match (mass_rate, number_rate) {
         (Some(rate), Some(_)) => {
-            table.fault_at("number_rate", "`mass_rate` and `number_rate` exclude each other; give one of them");
+            table.fault_at(
+                "number_rate",
+                "`mass_rate` and `number_rate` exclude each other; give one of them",
+            );
             FeedRate::Mass(rate)
         }
         (Some(rate), None) => FeedRate::Mass(rate),
@@ -219,7 +225,10 @@ pub(super) fn removals(root: &TableReader<'_>, named: &Named<'_>) -> Vec<Removal
         let meaning = "where grains are removed, as { shape = \"half-space\", point = ..., normal = \"-z\" }";
         let removal = RemovalSpec {
             name,
-            zone: table.required("region", meaning).map(|i| region(&i)).unwrap_or_default(),
+            zone: table
+                .required("region", meaning)
+                .map(|i| region(&i))
+                .unwrap_or_default(),
             selection: selection(&table, named),
             every: table.optional_quantity("every", TIME, Range::POSITIVE),
         };
@@ -231,7 +240,14 @@ pub(super) fn removals(root: &TableReader<'_>, named: &Named<'_>) -> Vec<Removal
 /// A list of names of feeds or removals in a stage, as indices.
 pub(super) fn chosen<'n>(item: &Item<'_>, what: &str, names: impl Iterator<Item = &'n str> + Clone) -> Vec<usize> {
     if !matches!(item.node.value, Value::Array(_)) {
-        item.fault(format!("`{}` must be a list of names, found {}", item.name, item.node.value.kind()), None);
+        item.fault(
+            format!(
+                "`{}` must be a list of names, found {}",
+                item.name,
+                item.node.value.kind()
+            ),
+            None,
+        );
         return Vec::new();
     }
     let one = |item: &Item<'_>| index_of(item, what, names.clone());
@@ -243,7 +259,10 @@ pub(super) fn index_of<'n>(item: &Item<'_>, what: &str, names: impl Iterator<Ite
     let name = item.text();
     let index = names.clone().position(|known| known == name);
     if index.is_none() && matches!(item.node.value, Value::String(_)) {
-        item.fault(format!("there is no {what} named `{name}`"), suggest_or_list(&name, names));
+        item.fault(
+            format!("there is no {what} named `{name}`"),
+            suggest_or_list(&name, names),
+        );
     }
     index
 }

@@ -1,7 +1,9 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
+use super::checks::{
+    BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_wall_speeds, expected_of_feed,
+};
 use super::traffic::sources;
-use super::checks::{BYTES_PER_GRAIN, expected_of_feed, check_memory, check_overlaps, check_periodic_size, check_wall_speeds};
 use super::{Diagnostics, Scenario, TimeStep, WallShape, WallSpec};
 use crate::insertion::insert;
 use crate::materials::Materials;

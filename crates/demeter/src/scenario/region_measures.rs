@@ -75,7 +75,10 @@ pub(super) fn mixing(table: &TableReader<'_>, named: &Named<'_>) -> Mixing {
                 cells = [1; 3];
             }
         } else if matches!(&item.node.value, super::document::Value::Array(_)) {
-            item.fault(format!("`cells` must be three whole numbers, found {}", items.len()), None);
+            item.fault(
+                format!("`cells` must be three whole numbers, found {}", items.len()),
+                None,
+            );
         }
     }
     let chosen = ["material", "batch", "ids"].iter().any(|key| table.has(key));
@@ -94,7 +97,10 @@ pub(super) fn mixing(table: &TableReader<'_>, named: &Named<'_>) -> Mixing {
 
 /// The surface of a packing along a direction, or around an axis.
 pub(super) fn slope(table: &TableReader<'_>, named: &Named<'_>) -> Slope {
-    let point = table.point("point", "where distances are counted from; of a heap, a point of its axis");
+    let point = table.point(
+        "point",
+        "where distances are counted from; of a heap, a point of its axis",
+    );
     let along = table.optional("along").map(|item| (item.direction(), item));
     let up = match table.optional("up") {
         Some(item) => item.direction(),

@@ -181,9 +181,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     let feed_names = cast.feeds.iter().map(|f| f.name.as_str());
     let feeds = table.optional("feeds").map(|i| chosen(&i, "feed", feed_names));
     let removal_names = cast.removals.iter().map(|r| r.name.as_str());
-    let removals = table
-        .optional("removals")
-        .map(|i| chosen(&i, "removal", removal_names));
+    let removals = table.optional("removals").map(|i| chosen(&i, "removal", removal_names));
     let output = table.optional("output").and_then(|i| i.table());
     let intervals = output.map_or([None; 3], |output| {
         let read = intervals(&output);

@@ -249,7 +249,15 @@ fn measures_are_read_as_told() {
     let scenario = read_good("every_measure.toml");
     let names: Vec<&str> = scenario.measures.iter().map(|m| m.name.as_str()).collect();
     let expected = [
-        "all", "strong_4-mN", "forces", "low-half", "kind", "bed", "heap", "slices", "pull",
+        "all",
+        "strong_4-mN",
+        "forces",
+        "low-half",
+        "kind",
+        "bed",
+        "heap",
+        "slices",
+        "pull",
     ];
     assert_eq!(names, expected);
     let kind = |k: usize| scenario.measures[k].kind.clone();
@@ -271,10 +279,18 @@ fn measures_are_read_as_told() {
         MeasureKind::Slope(slope) => (slope.along, slope.up, slope.between, slope.bins),
         other => panic!("{other:?}"),
     });
-    assert_eq!(slopes[0], (Some(dvec3(1.0, 0.0, 0.0)), dvec3(0.0, 0.0, 1.0), (0.0, 0.02), 8));
+    assert_eq!(
+        slopes[0],
+        (Some(dvec3(1.0, 0.0, 0.0)), dvec3(0.0, 0.0, 1.0), (0.0, 0.02), 8)
+    );
     assert_eq!(slopes[1], (None, dvec3(0.0, 0.0, 1.0), (0.0, 0.009), 4));
-    let MeasureKind::Profile(profile) = kind(7) else { panic!() };
-    assert_eq!((profile.axis, profile.slices, profile.upper), (2, 10, dvec3(0.02, 0.02, 0.05)));
+    let MeasureKind::Profile(profile) = kind(7) else {
+        panic!()
+    };
+    assert_eq!(
+        (profile.axis, profile.slices, profile.upper),
+        (2, 10, dvec3(0.02, 0.02, 0.05))
+    );
     assert!(read_good("free_fall.toml").measures.is_empty());
 }
 

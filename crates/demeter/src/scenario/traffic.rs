@@ -8,9 +8,7 @@ use super::feeds::{EXCHANGE_EVERY, FeedRate, FeedSpec, RemovalSpec};
 use super::measures::{MeasureKind, flows};
 use super::run_error::RunError;
 use crate::insertion::{InsertionProblem, MAX_AT_ONCE, Streaming};
-use crate::measure::{
-    FEED_COLUMNS, FlowState, LOOK_EVERY, MassFlow, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value,
-};
+use crate::measure::{FEED_COLUMNS, FlowState, LOOK_EVERY, MassFlow, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value};
 use crate::particles::{Domain, NewGrain, Origins};
 use crate::simulation::{Simulation, Stage};
 use glam::DVec3;
@@ -268,10 +266,17 @@ impl<'a> Traffic<'a> {
         }
         for ((spec, feed), source) in self.scenario.feeds.iter().zip(&self.state.feeds).zip(&self.sources) {
             let behind = feed.behind(spec, source, sim.dt);
-            values.extend([Value::Count(feed.grains), Value::Number(feed.mass), Value::Number(behind)]);
+            values.extend([
+                Value::Count(feed.grains),
+                Value::Number(feed.mass),
+                Value::Number(behind),
+            ]);
         }
         for removal in &self.state.removals {
-            let all = removal.gone.iter().fold((0, 0.0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
+            let all = removal
+                .gone
+                .iter()
+                .fold((0, 0.0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
             values.extend([Value::Count(all.0), Value::Number(all.1)]);
             values.push(Value::Number(removal.stay / all.0 as f64));
             for (grains, mass) in &removal.gone {
@@ -319,7 +324,9 @@ impl Feeding<'_> {
         let sim = self.sim;
         let end = &self.spec.end;
         state.done = end.until.is_some_and(|until| sim.time() >= until)
-            || end.level.is_some_and(|(point, normal)| is_piled_beyond(sim, point, normal));
+            || end
+                .level
+                .is_some_and(|(point, normal)| is_piled_beyond(sim, point, normal));
         if self.next(state).is_none() {
             return;
         }
@@ -342,7 +349,10 @@ impl Feeding<'_> {
         };
         for _ in 0..MAX_AT_ONCE {
             let Some(radius) = self.next(state) else { return };
-            let Some(grain) = self.source.grain((state.grains, sim.step), radius, &mut occupied, is_blocked) else {
+            let Some(grain) = self
+                .source
+                .grain((state.grains, sim.step), radius, &mut occupied, is_blocked)
+            else {
                 return;
             };
             state.grains += 1;
@@ -441,5 +451,8 @@ fn is_piled_beyond(sim: &Simulation, point: DVec3, normal: DVec3) -> bool {
             }
         }
     }
-    beyond.iter().zip(&contacts).any(|(beyond, n)| *beyond && *n >= CONTACTS_AT_REST)
+    beyond
+        .iter()
+        .zip(&contacts)
+        .any(|(beyond, n)| *beyond && *n >= CONTACTS_AT_REST)
 }

@@ -13,7 +13,10 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ExchangeError {
     /// No id is left.
-    #[error("{asked} grains cannot come: ids end at {}, and the latest is {latest}; number the grains of files from 1", u32::MAX)]
+    #[error(
+        "{asked} grains cannot come: ids end at {}, and the latest is {latest}; number the grains of files from 1",
+        u32::MAX
+    )]
     IdsUsedUp {
         /// Number of grains that were to come.
         asked: usize,
@@ -45,7 +48,9 @@ impl Simulation {
     /// the ids of those that came.
     pub fn exchange(&mut self, leave: &[usize], come: &[NewGrain]) -> Result<Range<u32>, ExchangeError> {
         let first = self.next_id();
-        let end = u32::try_from(come.len()).ok().and_then(|count| first.checked_add(count));
+        let end = u32::try_from(come.len())
+            .ok()
+            .and_then(|count| first.checked_add(count));
         let Some(end) = end else {
             return Err(ExchangeError::IdsUsedUp {
                 asked: come.len(),
@@ -73,7 +78,9 @@ impl Simulation {
             self.grains.push(id, grain);
         }
         if self.integrator == Integrator::Gear {
-            self.grains.higher.resize(self.grains.len(), HigherDerivatives::default());
+            self.grains
+                .higher
+                .resize(self.grains.len(), HigherDerivatives::default());
         }
         for g in before..self.grains.len() {
             // the first half kick is that of gravity alone

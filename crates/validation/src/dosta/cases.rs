@@ -58,7 +58,12 @@ const fn penetration(name: &'static str, files: &'static [&'static str]) -> Case
     }
 }
 
-const fn silo(name: &'static str, orifice: Orifice, files: &'static [&'static str], set: &'static [&'static str]) -> Case {
+const fn silo(
+    name: &'static str,
+    orifice: Orifice,
+    files: &'static [&'static str],
+    set: &'static [&'static str],
+) -> Case {
     Case {
         name,
         kind: Kind::Silo(orifice),
@@ -71,8 +76,14 @@ const fn silo(name: &'static str, orifice: Orifice, files: &'static [&'static st
 
 /// All cases.
 pub const CASES: [Case; 7] = [
-    penetration("penetration-25k", &["penetration/walls.txt", "penetration/particles-25k.txt"]),
-    penetration("penetration-50k", &["penetration/walls.txt", "penetration/particles-50k.txt"]),
+    penetration(
+        "penetration-25k",
+        &["penetration/walls.txt", "penetration/particles-25k.txt"],
+    ),
+    penetration(
+        "penetration-50k",
+        &["penetration/walls.txt", "penetration/particles-50k.txt"],
+    ),
     Case {
         name: "drum",
         kind: Kind::Drum,
@@ -82,7 +93,12 @@ pub const CASES: [Case; 7] = [
         last_stage: (0, 0.0),
     },
     silo("silo-small-m1", Orifice::Small, &["silo/walls-small.txt"], &[]),
-    silo("silo-small-m2", Orifice::Small, &["silo/walls-small.txt"], &[M2, STEP_M2]),
+    silo(
+        "silo-small-m2",
+        Orifice::Small,
+        &["silo/walls-small.txt"],
+        &[M2, STEP_M2],
+    ),
     silo(
         "silo-large-m1",
         Orifice::Large,

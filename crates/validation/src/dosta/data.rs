@@ -82,7 +82,11 @@ fn numbers(line: &str) -> Option<Vec<f64>> {
 /// All lines behind the header that are so many numbers.
 fn rows<const N: usize>(path: &Path) -> Result<Vec<[f64; N]>, DostaError> {
     let text = read(path)?;
-    let rows: Vec<[f64; N]> = text.lines().skip(1).filter_map(|line| numbers(line)?.try_into().ok()).collect();
+    let rows: Vec<[f64; N]> = text
+        .lines()
+        .skip(1)
+        .filter_map(|line| numbers(line)?.try_into().ok())
+        .collect();
     if rows.is_empty() {
         return Err(DostaError::Data {
             path: path.to_owned(),

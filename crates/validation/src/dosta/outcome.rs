@@ -89,7 +89,10 @@ impl Outcome {
         match kind {
             Kind::Penetration => {
                 let lowest = column(1).fold((f64::NAN, f64::INFINITY), |low, at| if at.1 < low.1 { at } else { low });
-                let highest_after = column(1).filter(|at| at.0 >= lowest.0).map(|at| at.1).fold(lowest.1, f64::max);
+                let highest_after = column(1)
+                    .filter(|at| at.0 >= lowest.0)
+                    .map(|at| at.1)
+                    .fold(lowest.1, f64::max);
                 format!(
                     "lowest z {:.6} m at {:.4} s, highest after it {:.6} m, z {:.6} m at {time:.4} s",
                     lowest.1,
@@ -138,7 +141,10 @@ fn rows(case: &Case, folder: &Path) -> Result<Table, DostaError> {
         header.iter().position(|name| name == title).ok_or_else(missing)
     };
     let wanted = columns(case.kind);
-    let places = wanted.iter().map(|(_, title)| place(title)).collect::<Result<Vec<_>, _>>()?;
+    let places = wanted
+        .iter()
+        .map(|(_, title)| place(title))
+        .collect::<Result<Vec<_>, _>>()?;
     let stage = place("stage")?;
     let mut opened = match case.kind {
         Kind::Silo(_) => None,

@@ -42,7 +42,12 @@ impl Experiment {
 
 /// Runs a case in a folder; a finished run of the same scenario is used again, an interrupted one goes on. Answers with the folder
 /// of the run.
-pub fn run_case(experiment: &Experiment, case: &Case, out: &Path, tell: &(dyn Fn(&str) + Sync)) -> Result<PathBuf, DostaError> {
+pub fn run_case(
+    experiment: &Experiment,
+    case: &Case,
+    out: &Path,
+    tell: &(dyn Fn(&str) + Sync),
+) -> Result<PathBuf, DostaError> {
     let files = prepare(case, &experiment.data, &out.join("input"))?;
     let scenario = experiment.scenario_of(case, &files)?;
     let folder = out.join("run");
@@ -101,7 +106,9 @@ impl Observer for Watcher<'_> {
     fn progress(&mut self, progress: &Progress) -> bool {
         if progress.elapsed - self.told >= REPORT_EVERY {
             self.told = progress.elapsed;
-            let Progress { stage, time, grains, .. } = progress;
+            let Progress {
+                stage, time, grains, ..
+            } = progress;
             let rate = progress.steps_here as f64 / progress.elapsed;
             let line = format!("stage {stage}, {time:.5} s, {grains} grains, {rate:.0} steps/s");
             (self.tell)(&format!("{}: {line}", self.case.name));

@@ -163,10 +163,6 @@ fn the_table_names_every_column_once() {
     names.dedup();
     assert_eq!(
         names.len(),
-        COLUMNS.len()
-            + 1
-            + WALL_COLUMNS.len()
-            + NETWORK_COLUMNS.len()
-            + TOLD.iter().map(|t| t.1.len()).sum::<usize>()
+        COLUMNS.len() + 1 + WALL_COLUMNS.len() + NETWORK_COLUMNS.len() + TOLD.iter().map(|t| t.1.len()).sum::<usize>()
     );
 }
