@@ -439,7 +439,7 @@ duration = "0.1 s"
     );
     let place = tempfile::tempdir().unwrap();
     run_in(&parse(&text), place.path(), 2, &mut watcher());
-    let file = place.path().join("distributions/slices.csv");
+    let file = place.path().join("profiles/slices.csv");
     let bytes = fs::read(&file).unwrap();
     let mut reader = csv::Reader::from_path(&file).unwrap();
     let header: Vec<String> = reader.headers().unwrap().iter().map(String::from).collect();

@@ -25,7 +25,7 @@ impl<'a> Rows<'a> {
             folder,
             series,
             |name, bins, stages| DistributionWriter::create(&folder.distribution(name), bins, stages),
-            |name, stages| ProfileWriter::create(&folder.distribution(name), stages),
+            |name, stages| ProfileWriter::create(&folder.profile(name), stages),
         )
     }
 
@@ -37,7 +37,7 @@ impl<'a> Rows<'a> {
             folder,
             series,
             |name, bins, stages| DistributionWriter::resume(&folder.distribution(name), bins, stages, step),
-            |name, stages| ProfileWriter::resume(&folder.distribution(name), stages, step),
+            |name, stages| ProfileWriter::resume(&folder.profile(name), stages, step),
         )
     }
 
@@ -49,8 +49,11 @@ impl<'a> Rows<'a> {
         open_profile: impl Fn(&str, Vec<String>) -> Result<ProfileWriter, OutputError>,
     ) -> Result<Self, OutputError> {
         let measures = &scenario.measures;
-        if distributions(measures).next().is_some() || profiles(measures).next().is_some() {
+        if distributions(measures).next().is_some() {
             folder.make_distributions()?;
+        }
+        if profiles(measures).next().is_some() {
+            folder.make_profiles()?;
         }
         let stages = labels(scenario).stages;
         let opened =
