@@ -7,7 +7,6 @@ mod velocity_verlet;
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
-use crate::contacts::sum::Stretch;
 use crate::contacts::{Contacts, Fault, Scene};
 use crate::particles::Outside;
 use crate::simulation::profile::{Part, Profile};
@@ -40,7 +39,7 @@ impl Simulation {
             self.foresee_bulges();
         }
         self.took(Phase::Search);
-        self.find_contacts(motion.max_speed)?;
+        self.find_contacts(&motion)?;
         self.took(self.phase_of_contacts());
         self.sum_and_correct(Moment::Step)?;
         self.took(Phase::Sums);
@@ -55,13 +54,14 @@ impl Simulation {
     /// Forces at the very start, before any step.
     pub(crate) fn find_first_forces(&mut self) -> Result<(), Fault> {
         let max_speed = self.grains.velocity.iter().map(|v| v.length()).fold(0.0, f64::max);
-        self.check_places(&Motion {
+        let motion = Motion {
             max_speed,
             ..Motion::default()
-        })?;
+        };
+        self.check_places(&motion)?;
         self.find_candidates();
         self.foresee_bulges();
-        self.find_contacts(max_speed)?;
+        self.find_contacts(&motion)?;
         self.sum_and_correct(Moment::Start)?;
         self.load_walls();
         Ok(())
@@ -95,7 +95,8 @@ impl Simulation {
         };
         let (id, position, velocity) = (self.grains.id[g], self.grains.position[g], self.grains.velocity[g]);
         if let Some(&g) = outside.iter().find(|&&g| !self.grains.position[g].is_finite()) {
-            let position = self.neighbours.reference.get(g).copied().unwrap_or(DVec3::NAN);
+            let reference = &self.neighbours.reference;
+            let position = if g < reference.len() { reference[g] } else { DVec3::NAN };
             return Err(Fault::NotFinite {
                 step: self.step,
                 id: self.grains.id[g],
@@ -144,12 +145,12 @@ impl Simulation {
     }
 
     /// Narrow phase and contact laws, chunk by chunk.
-    fn find_contacts(&mut self, max_grain_speed: f64) -> Result<(), Fault> {
-        let max_speed = max_grain_speed.max(self.wall_speed());
+    fn find_contacts(&mut self, motion: &Motion) -> Result<(), Fault> {
+        let max_speed = motion.max_speed.max(self.wall_speed());
         if self.coupling.is_some() {
             return self.find_coupled_contacts(max_speed);
         }
-        let scene = Scene {
+        let mut scene = Scene {
             grains: &self.grains,
             walls: &self.walls,
             materials: &self.materials,
@@ -162,9 +163,12 @@ impl Simulation {
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
             resists_rolling: self.resists_rolling,
+            near: None,
             instructions: self.instructions,
             bulge: &[],
         };
+        let window = scene.widest_window();
+        scene.near = (self.near).advance(motion.max_step, window);
         let (neighbours, profile) = (&self.neighbours, self.profile.as_deref());
         let Contacts { pairs, walls, .. } = &mut self.contacts;
         walls.par_iter_mut().enumerate().for_each(|(c, chunk)| {
@@ -173,16 +177,10 @@ impl Simulation {
             chunk.evaluate_walls(&scene);
             clock.took(Part::Walls);
         });
-        self.sums.resize(self.grains.len(), None);
-        let all = Stretch {
-            chunks: pairs,
-            first_chunk: 0,
-            sums: &mut self.sums,
-            first_grain: 0,
-        };
+        let all = self.sums.all(pairs, neighbours, scene.near.is_some());
         let threads = rayon::current_num_threads();
         let parts = if threads > 1 { PARTS_PER_THREAD * threads } else { 1 };
-        all.work(parts, neighbours, walls, &|c, chunk| {
+        all.work(parts, neighbours, walls, self.instructions, &|c, chunk| {
             let mut clock = Profile::chunk(profile);
             chunk.step_pairs(neighbours.chunk(c), &scene, || clock.took(Part::Narrow));
             clock.took(Part::Laws);
@@ -250,6 +248,9 @@ enum Moment {
 #[derive(Clone, Debug, Default)]
 struct Motion {
     max_speed: f64,
+    /// Largest displacement in this step [m].
+    max_step: f64,
+    /// Largest displacement since the candidates were found [m].
     max_displacement: f64,
     /// Some grain outside the domain or not at a finite place.
     misplaced: Option<usize>,
@@ -259,6 +260,7 @@ impl Motion {
     fn merge(self, other: Self) -> Self {
         Self {
             max_speed: self.max_speed.max(other.max_speed),
+            max_step: self.max_step.max(other.max_step),
             max_displacement: self.max_displacement.max(other.max_displacement),
             misplaced: self.misplaced.or(other.misplaced),
         }

@@ -31,9 +31,9 @@ impl Single {
         self.shifts[code as usize].vector
     }
 
-    /// All shifts by their codes, four numbers each; none where no side is periodic.
+    /// All shifts by their codes; none where no side is periodic.
     #[inline(always)]
-    pub fn shifts(&self) -> &[f64] {
+    pub fn shifts(&self) -> &[[f64; 4]] {
         if self.domain.periodic.contains(&true) {
             bytemuck::cast_slice(&self.shifts)
         } else {

@@ -4,17 +4,18 @@
 //! of one material pair (one dispatch per run), and writes forces and torques.
 
 use super::kinematics::{
-    BLOCK, Block, Column, Gather, Partners, Surfaces, Write, places_in_turn, put_vectors, shift, vectors,
+    Approach, BLOCK, Block, Column, Gather, Partners, Surfaces, Write, first_bits, put_vectors, shift, vectors,
 };
 use super::laws::{normal_history, tangential_history};
+use super::meetings::lanes_below;
 use super::{ContactChunk, Load, Scene, Tally};
+use crate::neighbours::Pair;
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor, centred_force};
 use demeter_physics::contact::rolling::{Rolling, RollingInput, RollingVisitor};
 use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialVisitor};
 use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::integrator::Integrator;
-use demeter_physics::lanes::{self, Instructions, Kernel, Lanes, MOST_LANES};
-use glam::DVec3;
+use demeter_physics::lanes::{self, Instructions, Kernel, Lanes, MOST_LANES, Mask, Vector};
 use std::ops::Range;
 
 /// The most values that a law which works on all lanes remembers.
@@ -63,21 +64,36 @@ impl Memory<'_> {
         &mut self.values[first..first + self.length]
     }
 
-    /// What the contacts from `k` on remember, as lanes; lanes beyond `count` repeat the last contact.
+    /// What the contacts from `k` on remember, as lanes; those that do not act repeat one that does, so that no law takes
+    /// them for new.
     #[inline(always)]
-    fn load<L: Lanes>(&self, k: usize, count: usize) -> [L; MOST_WIDE_HISTORY] {
+    fn load<L: Lanes>(&self, k: usize, acting: u32) -> [L; MOST_WIDE_HISTORY] {
         let mut lanes = [L::splat(0.0); MOST_WIDE_HISTORY];
-        let mut places = places_in_turn::<L>(count, k, self.stride);
-        shift(&mut places, self.first);
+        let first = self.stride * k + self.first;
+        let one = first + self.stride * acting.trailing_zeros() as usize;
+        let is_acting = L::Mask::of_bits(acting);
         let mut value = 0;
-        while value + 4 <= self.length {
-            let [a, b, c, d] = L::columns(self.values, &places);
-            lanes[value] = a;
-            lanes[value + 1] = b;
-            lanes[value + 2] = c;
-            lanes[value + 3] = d;
-            shift(&mut places, 4);
-            value += 4;
+        if self.holds::<L>(k) {
+            while value + 4 <= self.length {
+                let mut columns = L::strided(self.values, first + value, self.stride);
+                if acting != lanes_below(L::COUNT) {
+                    let mut column = 0;
+                    while column < 4 {
+                        let other = L::splat(self.values[one + value + column]);
+                        columns[column] = L::select(is_acting, columns[column], other);
+                        column += 1;
+                    }
+                }
+                lanes[value..value + 4].copy_from_slice(&columns);
+                value += 4;
+            }
+        }
+        let mut places = [0; MOST_LANES];
+        let mut lane = 0;
+        while lane < L::COUNT {
+            let here = first + self.stride * lane;
+            places[lane] = value + if acting >> lane & 1 != 0 { here } else { one };
+            lane += 1;
         }
         while value < self.length {
             lanes[value] = L::gather(self.values, &places);
@@ -87,23 +103,36 @@ impl Memory<'_> {
         lanes
     }
 
-    /// Puts back what the contacts from `k` on remember.
+    /// Whether there are as many contacts from `k` on as lanes.
     #[inline(always)]
-    fn store<L: Lanes>(&mut self, lanes: &[L; MOST_WIDE_HISTORY], k: usize, count: usize) {
-        let used = L::COUNT.min(count - k);
+    fn holds<L: Lanes>(&self, k: usize) -> bool {
+        (k + L::COUNT) * self.stride <= self.values.len()
+    }
+
+    /// Puts back what the contacts from `k` on that act remember; the others remember nothing.
+    #[inline(always)]
+    fn store<L: Lanes>(&mut self, lanes: &[L; MOST_WIDE_HISTORY], k: usize, acting: u32) {
+        let first = self.stride * k + self.first;
+        let is_acting = L::Mask::of_bits(acting);
         let mut value = 0;
-        while value + 4 <= self.length {
-            let rows = L::rows([lanes[value], lanes[value + 1], lanes[value + 2], lanes[value + 3]]);
-            for (lane, row) in rows.as_ref().iter().enumerate().take(used) {
-                let first = (k + lane) * self.stride + self.first + value;
-                self.values[first..first + 4].copy_from_slice(row);
+        if self.holds::<L>(k) {
+            while value + 4 <= self.length {
+                let columns = [
+                    lanes[value].keep(is_acting),
+                    lanes[value + 1].keep(is_acting),
+                    lanes[value + 2].keep(is_acting),
+                    lanes[value + 3].keep(is_acting),
+                ];
+                L::put_strided(columns, self.values, first + value, self.stride);
+                value += 4;
             }
-            value += 4;
         }
         while value < self.length {
             let numbers = lanes[value].to_array();
-            for (lane, number) in numbers.into_iter().enumerate().take(used) {
-                self.values[(k + lane) * self.stride + self.first + value] = number;
+            for (lane, number) in numbers.into_iter().enumerate() {
+                if acting >> lane & 1 != 0 {
+                    self.values[first + self.stride * lane + value] = number;
+                }
             }
             value += 1;
         }
@@ -135,6 +164,10 @@ impl<P: Pass> Over<'_, P> {
         let mut history = [0.0; MOST_HISTORY];
         let history = &mut history[..self.memory.length];
         for k in 0..self.count {
+            if self.block.acts >> k & 1 == 0 {
+                self.block.silence(k);
+                continue;
+            }
             history.copy_from_slice(self.memory.of(k));
             self.pass.ask::<f64>(self.block, k, history);
             self.memory.of(k).copy_from_slice(history);
@@ -148,9 +181,15 @@ impl<P: Pass> Kernel for Over<'_, P> {
     #[inline(always)]
     fn run<L: Lanes>(mut self) {
         for k in (0..self.count).step_by(L::COUNT) {
-            let mut history = self.memory.load::<L>(k, self.count);
+            assert!(k <= BLOCK - L::COUNT);
+            let acting = self.block.acting::<L>(k);
+            if acting == 0 {
+                (k..k + L::COUNT).for_each(|k| self.block.silence(k));
+                continue;
+            }
+            let mut history = self.memory.load::<L>(k, acting);
             self.pass.ask(self.block, k, &mut history[..self.memory.length]);
-            self.memory.store(&history, k, self.count);
+            self.memory.store(&history, k, acting);
         }
     }
 }
@@ -199,6 +238,7 @@ impl<N: Normal> Pass for NormalForces<'_, N> {
     #[inline(always)]
     fn ask<L: Lanes>(&self, block: &mut Block, k: usize, history: &mut [L]) {
         let (law, dt) = (self.law, self.dt);
+        let acting = L::Mask::of_bits(block.acting::<L>(k));
         let size = sizes::<L>(block, k);
         let (overlap, rate) = (L::load(&block.overlap[k..]), L::load(&block.rate[k..]));
         let input = NormalInput {
@@ -213,16 +253,17 @@ impl<N: Normal> Pass for NormalForces<'_, N> {
             // the predicted rate is of high order already
             Integrator::Gear => ((response.elastic + response.damping * rate).max(response.least), rate),
         };
-        force.store(&mut block.force[k..]);
-        response.elastic.store(&mut block.elastic[k..]);
+        force.keep(acting).store(&mut block.force[k..]);
+        response.elastic.keep(acting).store(&mut block.elastic[k..]);
         (force + response.adhesion)
             .max(L::splat(0.0))
             .store(&mut block.friction_load[k..]);
         law.bearing_overlap_wide(size, overlap, history)
             .store(&mut block.bearing_overlap[k..]);
         // where the force is cut at its least, the spring relaxes into the dashpot without pulling
-        ((force - response.elastic) * rate * dt).store(&mut block.loss[0][k..]);
-        response.lost.store(&mut block.loss[1][k..]);
+        let viscous = (force - response.elastic) * rate * dt;
+        viscous.keep(acting).store(&mut block.loss[0][k..]);
+        response.lost.keep(acting).store(&mut block.loss[1][k..]);
     }
 }
 
@@ -261,8 +302,9 @@ impl<T: Tangential> Pass for Friction<'_, T> {
             removable_share: self.removable_share,
         };
         let response = self.law.respond_wide(&input, history);
-        put_vectors::<L>(response.force, &mut block.tangential, k);
-        response.dissipated.store(&mut block.loss[0][k..]);
+        let acting = L::Mask::of_bits(block.acting::<L>(k));
+        put_vectors::<L>(response.force.or(acting, L::Vector::null()), &mut block.tangential, k);
+        response.dissipated.keep(acting).store(&mut block.loss[0][k..]);
     }
 }
 
@@ -306,8 +348,9 @@ impl<R: Rolling> Pass for Resistance<'_, R> {
             removable_share: self.removable_share,
         };
         let response = self.law.respond_wide(&input, history);
-        put_vectors::<L>(response.torque, &mut block.torque, k);
-        response.dissipated.store(&mut block.loss[0][k..]);
+        let acting = L::Mask::of_bits(block.acting::<L>(k));
+        put_vectors::<L>(response.torque.or(acting, L::Vector::null()), &mut block.torque, k);
+        response.dissipated.keep(acting).store(&mut block.loss[0][k..]);
     }
 }
 
@@ -338,6 +381,9 @@ impl NormalVisitor for StiffnessPass<'_, '_> {
         let mut stiffness = [0.0; BLOCK];
         let (run, remembered) = (self.0, law.history());
         for (k, out) in stiffness.iter_mut().enumerate().take(run.count) {
+            if run.block.acts >> k & 1 == 0 {
+                continue;
+            }
             let history = &run.history[k * run.stride..][..remembered];
             let size = PairSize {
                 radius: run.block.radius[k],
@@ -383,7 +429,31 @@ fn run_laws(mut run: Run, tally: &mut Tally) {
 }
 
 impl ContactChunk {
-    /// Evaluates the laws of all contacts between grains.
+    /// Finds which contacts between grains act in this step, and evaluates their laws.
+    pub(crate) fn meet_pairs(&mut self, pairs: &[Pair], scene: &Scene) {
+        self.evaluate(scene, |chunk, contacts, block| {
+            let approach = Approach {
+                block,
+                scene,
+                count: contacts.len(),
+                i: &chunk.i[contacts.start..],
+                j: &chunk.j[contacts.start..],
+                pairs,
+                candidate: &chunk.now.candidate[contacts.clone()],
+            };
+            let too_deep = lanes::run(scene.instructions, approach);
+            if let Some(k) = too_deep {
+                chunk.note_overlap(contacts.start + k, block.overlap[k], scene);
+            }
+            let mut idle = !block.acts & first_bits(contacts.len());
+            while idle != 0 {
+                chunk.end(contacts.start + idle.trailing_zeros() as usize, scene);
+                idle &= idle - 1;
+            }
+        });
+    }
+
+    /// Evaluates the laws of all contacts between grains whose geometry is known.
     pub(crate) fn evaluate_pairs(&mut self, scene: &Scene) {
         self.evaluate(scene, |chunk, contacts, block| {
             let partners = Partners::grains(scene.grains, &chunk.j[contacts.clone()]);
@@ -425,12 +495,12 @@ impl ContactChunk {
         lanes::run(scene.instructions, gather);
     }
 
-    fn evaluate(&mut self, scene: &Scene, gather: impl Fn(&Self, Range<usize>, &mut Block)) {
+    fn evaluate(&mut self, scene: &Scene, gather: impl Fn(&mut Self, Range<usize>, &mut Block)) {
         let count = self.len();
         self.load.resize(count + 1, Load::default());
         self.load[0] = Load::default();
         if scene.resists_rolling {
-            self.rolling.resize(count + 1, DVec3::ZERO);
+            self.rolling.resize(count + 1, [0.0; 4]);
         }
         let mut block = Block::EMPTY;
         let mut first = 0;
@@ -453,7 +523,6 @@ impl ContactChunk {
             self.now.normal_force[contacts.clone()].copy_from_slice(&block.force[..length]);
             let write = Write {
                 block: &block,
-                contacts: &self.now.geometry[contacts.clone()],
                 loads: &mut self.load[contacts.start + 1..contacts.end + 1],
             };
             lanes::run(scene.instructions, write);
@@ -463,7 +532,7 @@ impl ContactChunk {
                     .iter_mut()
                     .enumerate()
                 {
-                    *torque = DVec3::new(x[k], y[k], z[k]);
+                    *torque = [x[k], y[k], z[k], 0.0];
                 }
             }
             if scene.is_coupled() {

@@ -1,46 +1,24 @@
-//! Which pairs of grains act on each other in this step: wide distance tests.
+//! How grains meet, and which of them act on each other in this step: several pairs at a time.
 
 use super::Scene;
+use super::near::FindNear;
 use crate::neighbours::Pair;
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere_wide};
-use demeter_physics::lanes::{Kernel, Lanes, MOST_LANES, Mask, Places, Vector};
+use demeter_physics::lanes::{self, Index, Kernel, Lanes, MOST_LANES, Mask, Vector};
 use glam::DVec3;
 
-/// What looking for contacts fills.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Found {
-    /// Candidates near enough that their rate matters.
-    near: Vec<u32>,
-    /// Candidates that act, in their order.
-    pub(super) candidates: Vec<u32>,
-    /// How they meet.
-    pub(super) geometry: Vec<Contact>,
-    /// The first contact with too much overlap.
-    pub(super) too_deep: Option<usize>,
-}
-
-/// Finds the contacts of a chunk of pairs.
-pub(super) struct FindPairs<'a> {
-    pub(super) pairs: &'a [Pair],
-    pub(super) scene: &'a Scene<'a>,
-    /// Shifts of positions across periodic sides, four numbers per code; empty where there are none.
-    pub(super) shifts: &'a [f64],
-    pub(super) found: &'a mut Found,
-}
-
 /// Pairs of grains, one per lane.
-struct Lot {
-    /// Places of the rows of both grains.
-    first: Places,
-    second: Places,
-    /// Places of the rows of the shifts.
-    shift: Places,
+pub(super) struct Lot {
+    pub(super) first: Index,
+    pub(super) second: Index,
+    /// Codes of the shifts across periodic sides.
+    pub(super) shift: Index,
 }
 
 impl Lot {
     #[inline(always)]
-    fn empty() -> Self {
+    pub(super) fn empty() -> Self {
         Self {
             first: [0; MOST_LANES],
             second: [0; MOST_LANES],
@@ -49,23 +27,89 @@ impl Lot {
     }
 
     #[inline(always)]
-    fn put(&mut self, lane: usize, pair: &Pair) {
-        self.first[lane] = 4 * pair.i as usize;
-        self.second[lane] = 4 * pair.j as usize;
-        self.shift[lane] = 4 * usize::from(pair.shift);
+    pub(super) fn put(&mut self, lane: usize, pair: &Pair) {
+        self.first[lane] = pair.i;
+        self.second[lane] = pair.j;
+        self.shift[lane] = u32::from(pair.shift);
     }
 }
 
-impl FindPairs<'_> {
+/// How two grains meet, one pair per lane.
+pub(super) struct Met<L: Lanes> {
+    /// Unit vector from the second to the first.
+    pub(super) normal: L::Vector,
+    /// Overlap [m].
+    pub(super) overlap: L,
+    /// Distances of the contact point from both centres [m].
+    pub(super) levers: [L; 2],
+    /// Radii [m].
+    pub(super) radii: [L; 2],
+    /// Velocity of the first centre relative to the second [m/s].
+    pub(super) velocity: L::Vector,
+    /// Inverse masses [1/kg].
+    pub(super) inverse_masses: [L; 2],
+    /// Angular velocities [1/s], with the inverse moments of inertia.
+    pub(super) spins: [[L; 4]; 2],
+    /// Rate of approach [m/s].
+    pub(super) rate: L,
+    /// Lanes that act in this step.
+    pub(super) acts: u32,
+    /// Those of them with too much overlap.
+    pub(super) too_deep: u32,
+}
+
+/// What is needed to tell how grains meet.
+#[derive(Clone, Copy)]
+pub(super) struct Meeting<'a> {
+    scene: &'a Scene<'a>,
+    position: &'a [[f64; 4]],
+    /// Positions, velocities and angular velocities.
+    tables: [&'a [[f64; 4]]; 3],
+    /// Shifts of positions across periodic sides; empty where there are none.
+    pub(super) shifts: &'a [[f64; 4]],
+}
+
+impl<'a> Meeting<'a> {
+    pub(super) fn new(scene: &'a Scene<'a>) -> Self {
+        Self {
+            scene,
+            position: scene.grains.position.table(),
+            tables: [
+                scene.grains.position.table(),
+                scene.grains.velocity.table(),
+                scene.grains.angular_velocity.table(),
+            ],
+            shifts: scene.comm.shifts(),
+        }
+    }
+
+    /// Has the rows of some grains fetched that will be looked at soon.
+    #[inline(always)]
+    pub(super) fn prefetch<L: Lanes>(&self, grains: &[u32]) {
+        let [position, velocity, spin] = self.tables;
+        let mut lane = 0;
+        while lane < L::COUNT {
+            let grain = grains[lane] as usize;
+            lanes::prefetch(&position[grain]);
+            lanes::prefetch(&velocity[grain]);
+            lanes::prefetch(&spin[grain]);
+            lane += 1;
+        }
+    }
+
     /// Difference of the positions of some pairs, and their radii.
     #[inline(always)]
-    fn apart<L: Lanes>(&self, lot: &Lot) -> (L::Vector, L, L) {
-        let position = self.scene.grains.position.numbers();
-        let [xi, yi, zi, ri] = L::columns(position, &lot.first);
-        let [xj, yj, zj, rj] = L::columns(position, &lot.second);
+    pub(super) fn apart<L: Lanes>(&self, lot: &Lot) -> (L::Vector, L, L) {
+        let [first] = L::fetch([self.position], &lot.first);
+        let [second] = L::fetch([self.position], &lot.second);
+        self.difference(first, second, lot)
+    }
+
+    #[inline(always)]
+    fn difference<L: Lanes>(&self, [xi, yi, zi, ri]: [L; 4], [xj, yj, zj, rj]: [L; 4], lot: &Lot) -> (L::Vector, L, L) {
         let mut apart = L::Vector::new(xi - xj, yi - yj, zi - zj);
         if !self.shifts.is_empty() {
-            let [x, y, z, _] = L::columns(self.shifts, &lot.shift);
+            let [[x, y, z, _]] = L::fetch([self.shifts], &lot.shift);
             apart = apart + L::Vector::new(x, y, z);
         }
         (apart, ri, rj)
@@ -73,49 +117,61 @@ impl FindPairs<'_> {
 
     /// How far the surfaces of both grains may bulge [m].
     #[inline(always)]
-    fn bulges<L: Lanes>(&self, lot: &Lot) -> L {
+    pub(super) fn bulges<L: Lanes>(&self, lot: &Lot) -> L {
         if !self.scene.is_coupled() {
             return L::splat(0.0);
         }
         let mut bulges = [0.0; MOST_LANES];
         let mut lane = 0;
         while lane < L::COUNT {
-            bulges[lane] = self.scene.bulge(lot.first[lane] / 4) + self.scene.bulge(lot.second[lane] / 4);
+            bulges[lane] = self.scene.bulge(lot.first[lane] as usize) + self.scene.bulge(lot.second[lane] as usize);
             lane += 1;
         }
         L::load(&bulges)
     }
 
+    /// How some pairs meet; those that are not `here` do not act.
     #[inline(always)]
-    fn find_near<L: Lanes>(&mut self) {
-        let (count, window) = (self.pairs.len(), self.scene.widest_window());
-        let mut found = 0;
-        self.found.near.resize(count + L::COUNT, 0);
-        let mut lot = Lot::empty();
-        for c in (0..count).step_by(L::COUNT) {
-            let mut lane = 0;
-            while lane < L::COUNT {
-                lot.put(lane, &self.pairs[(c + lane).min(count - 1)]);
-                lane += 1;
-            }
-            let (apart, ri, rj) = self.apart::<L>(&lot);
-            let reach = ri + rj + self.bulges::<L>(&lot) + window;
-            let bits = apart.square().lt(reach * reach).bits() & lanes_below(count - c);
-            // every lane is written, and counted only where it is near: which are cannot be foretold
-            let mut lane = 0;
-            while lane < L::COUNT {
-                self.found.near[found] = (c + lane) as u32;
-                found += (bits >> lane & 1) as usize;
-                lane += 1;
+    pub(super) fn meet<L: Lanes>(&self, lot: &Lot, here: u32) -> Met<L> {
+        let [place_i, [vx, vy, vz, inverse_mass], spin_i] = L::fetch(self.tables, &lot.first);
+        let [place_j, [ux, uy, uz, other_mass], spin_j] = L::fetch(self.tables, &lot.second);
+        let (apart, ri, rj) = self.difference(place_i, place_j, lot);
+        let [x, y, z, overlap, lever_i, lever_j] = contact_sphere_sphere_wide::<L>(apart, ri, rj);
+        let normal = L::Vector::new(x, y, z);
+        let velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
+        let rate = -velocity.inner(normal);
+        let bulged = overlap + self.bulges::<L>(lot);
+        let half_window = rate.abs() * (0.5 * self.scene.dt);
+        let mut acts = (bulged + half_window).gt(L::splat(0.0)).bits() & here;
+        if self.scene.max_reach > 0.0 && acts != here {
+            let (bulged, rate) = (bulged.to_array(), rate.to_array());
+            let mut apart = here & !acts;
+            while apart != 0 {
+                let lane = apart.trailing_zeros() as usize;
+                let bodies = (lot.first[lane], lot.second[lane]);
+                acts |= u32::from(self.attract(bodies, bulged[lane], rate[lane])) << lane;
+                apart &= apart - 1;
             }
         }
-        self.found.near.truncate(found);
+        let allowed = L::select(ri.lt(rj), ri, rj) * self.scene.max_overlap;
+        Met {
+            normal,
+            overlap,
+            levers: [lever_i, lever_j],
+            radii: [ri, rj],
+            velocity,
+            inverse_masses: [inverse_mass, other_mass],
+            spins: [spin_i, spin_j],
+            rate,
+            acts,
+            too_deep: (!allowed.ge(overlap)).bits() & acts,
+        }
     }
 
-    /// Whether a law that attracts across a gap acts on a pair that does not touch.
-    fn attracts(&self, pair: &Pair, overlap: f64, rate: f64) -> bool {
+    /// Whether a law that attracts across a gap acts on two grains that do not touch.
+    fn attract(&self, (i, j): (u32, u32), overlap: f64, rate: f64) -> bool {
         let (grains, materials) = (self.scene.grains, self.scene.materials);
-        let (i, j) = (pair.i as usize, pair.j as usize);
+        let (i, j) = (i as usize, j as usize);
         let size = || PairSize {
             radius: 1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
             mass: 1.0 / (grains.inverse_mass(i) + grains.inverse_mass(j)),
@@ -123,50 +179,79 @@ impl FindPairs<'_> {
         let law = materials.pair(grains.material[i], grains.material[j]);
         self.scene.acts(law, size, overlap, rate)
     }
+}
+
+/// Bits of the lanes below a number.
+#[inline(always)]
+pub(super) fn lanes_below(count: usize) -> u32 {
+    if count >= 32 { u32::MAX } else { (1 << count) - 1 }
+}
+
+/// What looking for contacts fills.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Found {
+    /// Candidates near enough that their rate matters.
+    pub(super) near: Vec<u32>,
+    /// Candidates that act, in their order.
+    pub(super) candidates: Vec<u32>,
+    /// How they meet.
+    pub(super) geometry: Vec<Contact>,
+    /// The first contact with too much overlap.
+    pub(super) too_deep: Option<usize>,
+}
+
+/// Finds the pairs of a chunk that act on each other, where contacts feel each other.
+pub(super) struct FindPairs<'a> {
+    pub(super) pairs: &'a [Pair],
+    pub(super) scene: &'a Scene<'a>,
+    pub(super) found: &'a mut Found,
+}
+
+impl Kernel for FindPairs<'_> {
+    type Output = ();
 
     #[inline(always)]
-    fn meet<L: Lanes>(&mut self) {
-        let velocity = self.scene.grains.velocity.numbers();
-        let near = std::mem::take(&mut self.found.near);
+    fn run<L: Lanes>(self) {
+        let Self { pairs, scene, found } = self;
+        let Found {
+            near,
+            candidates,
+            geometry,
+            too_deep,
+        } = found;
+        candidates.clear();
+        geometry.clear();
+        *too_deep = None;
+        let find = FindNear {
+            pairs,
+            scene,
+            reach: scene.widest_window(),
+            near,
+        };
+        find.run::<L>();
+        let meeting = Meeting::new(scene);
         let mut lot = Lot::empty();
         for n in (0..near.len()).step_by(L::COUNT) {
             let mut lane = 0;
             while lane < L::COUNT {
-                lot.put(lane, &self.pairs[near[(n + lane).min(near.len() - 1)] as usize]);
+                lot.put(lane, &pairs[near[(n + lane).min(near.len() - 1)] as usize]);
                 lane += 1;
             }
-            let (apart, ri, rj) = self.apart::<L>(&lot);
-            let [x, y, z, overlap, lever_i, lever_j] = contact_sphere_sphere_wide::<L>(apart, ri, rj);
-            let [vx, vy, vz, _] = L::columns(velocity, &lot.first);
-            let [ux, uy, uz, _] = L::columns(velocity, &lot.second);
-            let rate = L::Vector::new(ux - vx, uy - vy, uz - vz).inner(L::Vector::new(x, y, z));
-            let bulged = overlap + self.bulges::<L>(&lot);
-            let half_window = rate.abs() * (0.5 * self.scene.dt);
-            let here = lanes_below((near.len() - n).min(L::COUNT));
-            let mut bits = (bulged + half_window).gt(L::splat(0.0)).bits() & here;
-            if self.scene.max_reach > 0.0 && bits != here {
-                let (bulged, rate) = (bulged.to_array(), rate.to_array());
-                let mut apart = here & !bits;
-                while apart != 0 {
-                    let lane = apart.trailing_zeros() as usize;
-                    let pair = &self.pairs[near[n + lane] as usize];
-                    bits |= u32::from(self.attracts(pair, bulged[lane], rate[lane])) << lane;
-                    apart &= apart - 1;
-                }
+            let met = meeting.meet::<L>(&lot, lanes_below((near.len() - n).min(L::COUNT)));
+            let mut bits = met.acts;
+            if met.too_deep != 0 && too_deep.is_none() {
+                let before = bits & ((1 << met.too_deep.trailing_zeros()) - 1);
+                *too_deep = Some(geometry.len() + before.count_ones() as usize);
             }
-            let allowed = L::select(ri.lt(rj), ri, rj) * self.scene.max_overlap;
-            let too_deep = (!allowed.ge(overlap)).bits() & bits;
-            if too_deep != 0 && self.found.too_deep.is_none() {
-                let before = bits & ((1 << too_deep.trailing_zeros()) - 1);
-                self.found.too_deep = Some(self.found.geometry.len() + before.count_ones() as usize);
-            }
-            let planes = L::rows([x, y, z, overlap]);
+            let [x, y, z] = met.normal.components();
+            let planes = L::rows([x, y, z, met.overlap]);
+            let [lever_i, lever_j] = met.levers;
             let (lever_i, lever_j) = (lever_i.to_array(), lever_j.to_array());
             while bits != 0 {
                 let lane = bits.trailing_zeros() as usize;
                 let [x, y, z, overlap] = planes.as_ref()[lane];
-                self.found.candidates.push(near[n + lane]);
-                self.found.geometry.push(Contact {
+                candidates.push(near[n + lane]);
+                geometry.push(Contact {
                     normal: DVec3::new(x, y, z),
                     overlap,
                     lever_i: lever_i[lane],
@@ -174,28 +259,6 @@ impl FindPairs<'_> {
                 });
                 bits &= bits - 1;
             }
-        }
-        self.found.near = near;
-    }
-}
-
-/// Bits of the lanes below a number.
-#[inline(always)]
-fn lanes_below(count: usize) -> u32 {
-    if count >= 32 { u32::MAX } else { (1 << count) - 1 }
-}
-
-impl Kernel for FindPairs<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(mut self) {
-        self.found.candidates.clear();
-        self.found.too_deep = None;
-        self.found.geometry.clear();
-        if !self.pairs.is_empty() {
-            self.find_near::<L>();
-            self.meet::<L>();
         }
     }
 }

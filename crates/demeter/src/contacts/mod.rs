@@ -3,9 +3,9 @@
 //! Candidates are cut into chunks of one law. A chunk owns its contacts (struct of arrays), is handled by one task
 //! and keeps its own sums, so nothing depends on the number of threads. Within a step a chunk goes through
 //!
-//! 1. [`narrow`]: candidates -> contacts that touch during this step, with the history of the step before
+//! 1. [`narrow`]: candidates -> contacts that may act; every few steps, or in every step where contacts feel each other
 //! 2. [`coupling`], where contacts feel each other: displacements of the surfaces
-//! 3. [`block`]: contact laws, family by family, in blocks that stay in the cache
+//! 3. [`block`]: which contacts act, and their laws, family by family, in blocks that stay in the cache
 //!
 //! and [`sum`] then adds up per grain, in the order of the partner's id.
 
@@ -16,12 +16,14 @@ mod kinematics;
 pub mod laws;
 mod meetings;
 pub mod narrow;
+mod near;
 pub mod sum;
 mod transfer;
 
 pub use coupling::Coupling;
 pub use fault::Fault;
 pub use narrow::Scene;
+pub use near::NearTable;
 pub use transfer::{CarriedContact, ContactKey};
 
 pub use crate::neighbours::CHUNK;
@@ -160,7 +162,7 @@ pub struct ContactChunk {
     /// What every contact does to both bodies: nothing at first, then that of each contact.
     pub(crate) load: Vec<Load>,
     /// Torque of the rolling laws on the first body [N m], in the same places; empty where no law resists rolling.
-    pub(crate) rolling: Vec<DVec3>,
+    pub(crate) rolling: Vec<[f64; 4]>,
     /// Work of this step.
     pub tally: Tally,
     /// Force and torque on every wall (torque about its origin), for chunks of wall contacts.
@@ -203,7 +205,7 @@ impl ContactChunk {
     }
 
     fn rolling_torque(&self, contact: usize) -> DVec3 {
-        self.rolling.get(contact + 1).copied().unwrap_or(DVec3::ZERO)
+        (self.rolling.get(contact + 1)).map_or(DVec3::ZERO, |&[x, y, z, _]| DVec3::new(x, y, z))
     }
 
     /// Where the load of a candidate between grains lies: at 0, where none is, when it is no contact.

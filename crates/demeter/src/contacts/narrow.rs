@@ -6,13 +6,14 @@
 
 use super::laws::largest_reach;
 use super::meetings::{FindPairs, Found};
-use super::{ContactChunk, Fault, Kept};
+use super::near::FindNear;
+use super::{ContactChunk, Fault, Kept, Tally};
 use crate::comm::Single;
 use crate::materials::Materials;
 use crate::neighbours::{Pair, WallPair};
 use crate::particles::Grains;
 use crate::walls::{SurfaceContact, Wall};
-use demeter_physics::contact::PairSize;
+use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::{self, Instructions};
@@ -46,6 +47,8 @@ pub struct Scene<'a> {
     pub stride: usize,
     /// Whether some law resists rolling.
     pub resists_rolling: bool,
+    /// How far beyond touching pairs of grains that may act are looked for in this step, where they are [m].
+    pub near: Option<f64>,
     /// Instructions to use.
     pub instructions: Instructions,
     /// How far the surface of every grain may bulge towards others [m]; empty where contacts are independent.
@@ -54,7 +57,7 @@ pub struct Scene<'a> {
 
 impl Scene<'_> {
     /// Distance beyond touching at which bodies may act on each other in this step [m].
-    pub(super) fn widest_window(&self) -> f64 {
+    pub(crate) fn widest_window(&self) -> f64 {
         let window = self.max_speed * self.dt;
         if self.max_reach > 0.0 {
             self.max_reach + 2.0 * window
@@ -97,60 +100,73 @@ impl Scene<'_> {
 }
 
 thread_local! {
-    /// What a thread needs while it finds the contacts of a chunk.
+    /// What a thread needs while it looks for the contacts of a chunk.
     static WORKSPACE: RefCell<(Found, Kept)> = RefCell::default();
 }
 
 impl ContactChunk {
-    /// Finds the contacts of a chunk of pairs of grains that do not feel each other, and their forces.
-    ///
-    /// What is needed in between lies in memory of the thread, which stays in its caches from chunk to chunk. `found_all` is
-    /// called when the contacts are found.
-    pub(crate) fn step_pairs(&mut self, candidates: (&[Pair], u32), scene: &Scene, found_all: impl FnOnce()) {
-        WORKSPACE.with_borrow_mut(|(found, before)| {
-            std::mem::swap(found, &mut self.found);
-            std::mem::swap(before, &mut self.before);
-            self.find_pairs(candidates, scene);
-            found_all();
-            self.evaluate_pairs(scene);
-            std::mem::swap(&mut self.now.geometry, &mut self.found.geometry);
-            std::mem::swap(found, &mut self.found);
-            std::mem::swap(before, &mut self.before);
-        });
+    /// Finds the forces between grains of the pairs of a chunk that do not feel each other; those that may act are looked for
+    /// where the scene tells so. `found_all` is called when they are known.
+    pub(crate) fn step_pairs(&mut self, (pairs, law): (&[Pair], u32), scene: &Scene, found_all: impl FnOnce()) {
+        self.begin(0, law);
+        if let Some(reach) = scene.near {
+            // what is needed in between lies in memory of the thread, which stays in its caches from chunk to chunk
+            WORKSPACE.with_borrow_mut(|(found, before)| {
+                std::mem::swap(before, &mut self.before);
+                let near = &mut found.candidates;
+                lanes::run(
+                    scene.instructions,
+                    FindNear {
+                        pairs,
+                        scene,
+                        reach,
+                        near,
+                    },
+                );
+                if found.candidates != self.now.candidate {
+                    self.renew(pairs, found, scene);
+                }
+                std::mem::swap(before, &mut self.before);
+            });
+        }
+        found_all();
+        self.meet_pairs(pairs, scene);
     }
 
-    /// Finds the contacts of a chunk of pairs of grains of one material pair.
+    /// Finds the contacts of a chunk of pairs of grains that feel each other.
     pub(crate) fn find_pairs(&mut self, (pairs, law): (&[Pair], u32), scene: &Scene) {
         self.begin(0, law);
+        let mut found = std::mem::take(&mut self.found);
         let find = FindPairs {
             pairs,
             scene,
-            shifts: scene.comm.shifts(),
-            found: &mut self.found,
+            found: &mut found,
         };
         lanes::run(scene.instructions, find);
-        if scene.is_coupled() || self.found.candidates != self.now.candidate {
-            self.renew(pairs, scene);
+        self.renew(pairs, &found, scene);
+        std::mem::swap(&mut self.now.geometry, &mut found.geometry);
+        if let Some(k) = found.too_deep {
+            self.note_overlap(k, self.now.geometry[k].overlap, scene);
         }
-        std::mem::swap(&mut self.now.geometry, &mut self.found.geometry);
-        if let Some(k) = self.found.too_deep {
-            let (i, j) = (self.i[k] as usize, self.j[k] as usize);
-            let smaller = scene.grains.radius(i).min(scene.grains.radius(j));
-            let share = self.now.geometry[k].overlap / smaller;
-            self.watch_overlap(scene, i, share, || format!("grain {}", scene.grains.id[j]));
-        }
+        self.found = found;
+    }
+
+    /// Notes that a contact between grains has too much overlap.
+    pub(super) fn note_overlap(&mut self, contact: usize, overlap: f64, scene: &Scene) {
+        let (i, j) = (self.i[contact] as usize, self.j[contact] as usize);
+        let smaller = scene.grains.radius(i).min(scene.grains.radius(j));
+        self.watch_overlap(scene, i, overlap / smaller, || format!("grain {}", scene.grains.id[j]));
     }
 
     /// Takes over what the contacts of the step before remember, where not all of them are still the same.
-    fn renew(&mut self, pairs: &[Pair], scene: &Scene) {
+    fn renew(&mut self, pairs: &[Pair], found: &Found, scene: &Scene) {
         let (grains, stride) = (scene.grains, scene.stride);
         std::mem::swap(&mut self.now, &mut self.before);
         self.now.clear();
         self.i.clear();
         self.j.clear();
-        let candidates = std::mem::take(&mut self.found.candidates);
         let mut old = 0;
-        for (k, &candidate) in candidates.iter().enumerate() {
+        for (k, &candidate) in found.candidates.iter().enumerate() {
             while self.before.candidate.get(old).is_some_and(|&c| c < candidate) {
                 self.book_end(old, scene);
                 old += 1;
@@ -169,7 +185,7 @@ impl ContactChunk {
                 self.now.history.resize(self.now.history.len() + stride, 0.0);
             }
             if scene.is_coupled() {
-                let normal = self.found.geometry[k].normal;
+                let normal = found.geometry[k].normal;
                 let rate = (grains.velocity[j] - grains.velocity[i]).dot(normal);
                 let size = PairSize {
                     radius: 1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
@@ -182,8 +198,7 @@ impl ContactChunk {
         for old in old..self.before.candidate.len() {
             self.book_end(old, scene);
         }
-        self.now.set_candidates(&candidates, pairs.len());
-        self.found.candidates = candidates;
+        self.now.set_candidates(&found.candidates, pairs.len());
     }
 
     /// Finds the contacts of a chunk of pairs of grain and wall.
@@ -242,7 +257,7 @@ impl ContactChunk {
         self.law = law;
         self.coupling.clear();
         self.fault = None;
-        self.tally = super::Tally::default();
+        self.tally = Tally::default();
         self.wall_load.clear();
         self.wall_load.resize(walls, (DVec3::ZERO, DVec3::ZERO));
     }
@@ -297,14 +312,29 @@ impl ContactChunk {
 
     /// Books the energy that the springs of a contact of the step before still held when it ended.
     fn book_end(&mut self, old: usize, scene: &Scene) {
-        if scene.stride == 0 {
-            return;
-        }
         let history = &self.before.history[old * scene.stride..(old + 1) * scene.stride];
-        let law = scene.materials.law(self.law);
-        let (tangential, rolling) = super::laws::spring_energies(law, history);
-        self.tally.friction += tangential;
-        self.tally.rolling += rolling;
+        self.tally.book_end(history, scene.materials.law(self.law));
+    }
+
+    /// Has a contact that does not act forget what it did, if it acted before.
+    pub(super) fn end(&mut self, contact: usize, scene: &Scene) {
+        self.now.normal_force[contact] = 0.0;
+        let history = &mut self.now.history[contact * scene.stride..(contact + 1) * scene.stride];
+        if history.iter().any(|&value| value != 0.0) {
+            self.tally.book_end(history, scene.materials.law(self.law));
+            history.fill(0.0);
+        }
+    }
+}
+
+impl Tally {
+    /// Books the energy that the springs of a contact still held when it ended.
+    fn book_end(&mut self, history: &[f64], law: &PairLaw) {
+        if !history.is_empty() {
+            let (tangential, rolling) = super::laws::spring_energies(law, history);
+            self.friction += tangential;
+            self.rolling += rolling;
+        }
     }
 }
 

@@ -5,7 +5,6 @@ use super::{CHUNK, ContactChunk, Contacts, Load};
 use crate::neighbours::{GONE, Neighbours};
 use crate::particles::Grains;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
-use glam::DVec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -35,7 +34,7 @@ pub struct CarriedContact {
     /// What it does to both bodies.
     pub load: Load,
     /// Torque of the rolling law on the first body [N m].
-    pub rolling: Option<DVec3>,
+    pub rolling: Option<[f64; 4]>,
     /// History of its laws.
     pub history: Vec<f64>,
     /// What it remembers of the displacements by the other contacts, where contacts feel each other.
@@ -261,7 +260,7 @@ impl ContactChunk {
         self.j.push(j);
         self.load.push(old.load[contact + 1]);
         if !old.rolling.is_empty() {
-            self.rolling.resize(self.load.len() - 1, DVec3::ZERO);
+            self.rolling.resize(self.load.len() - 1, [0.0; 4]);
             self.rolling.push(old.rolling[contact + 1]);
         }
         let (now, before) = (&mut self.now, &old.now);
@@ -278,7 +277,7 @@ impl ContactChunk {
         self.j.push(j);
         self.load.push(contact.load);
         if let Some(rolling) = contact.rolling {
-            self.rolling.resize(self.load.len() - 1, DVec3::ZERO);
+            self.rolling.resize(self.load.len() - 1, [0.0; 4]);
             self.rolling.push(rolling);
         }
         let now = &mut self.now;

@@ -3,6 +3,7 @@
 use super::ranges::{for_ranges, scatter, sums};
 use super::table::{Entry, Segment, Table};
 use super::{Pair, WallPair};
+use std::ops::Range;
 
 /// Grains with so few candidates are sorted by counting, for every entry, those that go before it.
 const FEW: usize = 16;
@@ -50,8 +51,21 @@ impl Incidence {
     /// Entries of a grain, in the order of the partner's id.
     #[inline(always)]
     pub(super) fn of(&self, grain: usize) -> impl ExactSizeIterator<Item = Entry> + '_ {
-        let range = self.start[grain] as usize..self.start[grain + 1] as usize;
-        self.entries[range].iter().map(|&bits| Entry::of_bits(bits))
+        self.entries[self.range_of(grain)]
+            .iter()
+            .map(|&bits| Entry::of_bits(bits))
+    }
+
+    /// Where the entries of a grain stand.
+    #[inline(always)]
+    pub(super) fn range_of(&self, grain: usize) -> Range<usize> {
+        self.start[grain] as usize..self.start[grain + 1] as usize
+    }
+
+    /// The entry at a place.
+    #[inline(always)]
+    pub(super) fn entry(&self, place: usize) -> Entry {
+        Entry::of_bits(self.entries[place])
     }
 
     /// Finds the entries of all grains anew.

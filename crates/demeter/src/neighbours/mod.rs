@@ -23,13 +23,13 @@ pub use table::CHUNK;
 
 use crate::comm::Single;
 use crate::materials::Materials;
-use crate::particles::Grains;
+use crate::particles::{Grains, Rows};
 use crate::walls::{Pose, Wall};
-use glam::DVec3;
 use incidence::Incidence;
 use rayon::prelude::*;
 use search::Search;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 use table::Table;
 
 /// A candidate pair of grains; `i` has the lower id.
@@ -76,7 +76,7 @@ pub struct Neighbours {
     search: Search,
     effort: SearchEffort,
     /// Where the grains were when the pairs were found [m].
-    pub reference: Vec<DVec3>,
+    pub reference: Rows,
     /// Where the walls were.
     pub wall_reference: Vec<Pose>,
 }
@@ -101,8 +101,7 @@ impl Neighbours {
         self.effort = self.search.pairs(&mut self.pairs, grains, (materials, comm), skin);
         self.search.walls(&mut self.walls, grains, (walls, materials), skin);
         self.find_incidence(grains);
-        self.reference.clear();
-        self.reference.extend(grains.position.iter());
+        self.reference.copy(&grains.position);
         self.wall_reference.clear();
         self.wall_reference.extend(walls.iter().map(Wall::pose));
     }
@@ -188,6 +187,24 @@ impl Neighbours {
         (self.incidence.of(grain)).map(|entry| (entry.chunk(), entry.slot(), entry.is_first()))
     }
 
+    /// Where the pairs that a grain is in stand in the list of those of all grains, in the order of the partner's id.
+    #[inline(always)]
+    pub(crate) fn entries_of(&self, grain: usize) -> Range<usize> {
+        self.incidence.range_of(grain)
+    }
+
+    /// Length of that list.
+    pub(crate) fn entries(&self) -> usize {
+        2 * self.pairs.len()
+    }
+
+    /// A pair of that list: chunk, place in it, and whether the grain is its `i`.
+    #[inline(always)]
+    pub(crate) fn entry(&self, place: usize) -> (usize, usize, bool) {
+        let entry = self.incidence.entry(place);
+        (entry.chunk(), entry.slot(), entry.is_first())
+    }
+
     /// Pairs of a grain with walls, in the order of the walls: chunk, and place in it.
     #[inline(always)]
     pub fn wall_pairs_of(&self, grain: usize) -> impl ExactSizeIterator<Item = (usize, usize)> + '_ {
@@ -239,8 +256,7 @@ impl Neighbours {
 
     /// Bytes in use: of the table, and of what a search needs.
     pub fn bytes(&self) -> (usize, usize) {
-        let reference = self.reference.capacity() * size_of::<DVec3>();
         let table = self.pairs.bytes() + self.walls.bytes() + self.incidence.bytes() + self.wall_incidence.bytes();
-        (table + reference, self.search.bytes())
+        (table + self.reference.bytes(), self.search.bytes())
     }
 }

@@ -52,10 +52,10 @@ pub struct Grains {
     pub angular_velocity: Rows,
     /// Orientation.
     pub orientation: Vec<DQuat>,
-    /// Total force of the latest step [N].
-    pub force: Vec<DVec3>,
-    /// Total torque of the latest step [N m].
-    pub torque: Vec<DVec3>,
+    /// Total force of the latest step [N]; beside it 0.
+    pub force: Rows,
+    /// Total torque of the latest step [N m]; beside it 0.
+    pub torque: Rows,
     /// What the predictor-corrector remembers beyond forces and torques; empty with velocity Verlet.
     pub higher: Vec<HigherDerivatives>,
 }
@@ -142,8 +142,8 @@ impl Grains {
         self.velocity.push(grain.velocity, inverse_mass);
         self.angular_velocity.push(grain.angular_velocity, inverse_inertia);
         self.orientation.push(DQuat::IDENTITY);
-        self.force.push(DVec3::ZERO);
-        self.torque.push(DVec3::ZERO);
+        self.force.push(DVec3::ZERO, 0.0);
+        self.torque.push(DVec3::ZERO, 0.0);
         if !self.higher.is_empty() {
             self.higher.push(HigherDerivatives::default());
         }
@@ -179,8 +179,8 @@ impl Grains {
         self.velocity.pick(order);
         self.angular_velocity.pick(order);
         pick(&mut self.orientation, order);
-        pick(&mut self.force, order);
-        pick(&mut self.torque, order);
+        self.force.pick(order);
+        self.torque.pick(order);
         if !self.higher.is_empty() {
             pick(&mut self.higher, order);
         }

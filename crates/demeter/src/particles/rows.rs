@@ -71,9 +71,9 @@ impl Rows {
         self.iter_mut().for_each(|v| *v = vector);
     }
 
-    /// The rows as plain numbers, four each.
+    /// The rows as plain numbers.
     #[inline(always)]
-    pub fn numbers(&self) -> &[f64] {
+    pub fn table(&self) -> &[[f64; 4]] {
         bytemuck::cast_slice(&self.0)
     }
 
@@ -83,10 +83,26 @@ impl Rows {
         &self.0
     }
 
+    /// The rows as plain numbers, to be changed.
+    #[inline(always)]
+    pub fn table_mut(&mut self) -> &mut [[f64; 4]] {
+        bytemuck::cast_slice_mut(&mut self.0)
+    }
+
     /// The rows, to be changed.
     #[inline(always)]
     pub fn rows_mut(&mut self) -> &mut [Row] {
         &mut self.0
+    }
+
+    /// Takes the rows of another table, in memory that is here already where it is enough.
+    pub(crate) fn copy(&mut self, other: &Self) {
+        self.0.clone_from(&other.0);
+    }
+
+    /// Bytes in use.
+    pub(crate) fn bytes(&self) -> usize {
+        self.0.capacity() * size_of::<Row>()
     }
 
     pub(super) fn pick(&mut self, order: &[u32]) {

@@ -26,8 +26,8 @@ pub(crate) use skin::{Counts, ROOM_FOR_BULGES};
 use time_step::largest_reach;
 
 use crate::comm::Single;
-use crate::contacts::sum::GrainLoad;
-use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, laws};
+use crate::contacts::sum::Sums;
+use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTable, laws};
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, SpatialOrder};
 use crate::particles::{Domain, Grains, HigherDerivatives};
@@ -91,13 +91,13 @@ pub struct Simulation {
     pub(crate) neighbours: Neighbours,
     pub(crate) skin: f64,
     pub(crate) tuner: SkinTuner,
+    pub(crate) near: NearTable,
     /// Largest gap across which any law acts [m]; candidates are found that much farther away.
     pub(crate) max_reach: f64,
     pub(crate) max_overlap: f64,
     /// `None` where all contacts are independent.
     pub(crate) coupling: Option<CouplingState>,
-    /// Sums of the contact loads of this step, of the grains that have them already.
-    pub(crate) sums: Vec<Option<GrainLoad>>,
+    pub(crate) sums: Sums,
     pub(crate) resists_rolling: bool,
     pub(crate) instructions: Instructions,
     /// `None` where nobody asked where the time goes.
@@ -153,10 +153,11 @@ impl Simulation {
             books: Books::default(),
             neighbours: Neighbours::default(),
             skin: setup.skin.first(),
+            near: NearTable::default(),
             max_reach,
             max_overlap: setup.max_overlap,
             coupling,
-            sums: Vec::new(),
+            sums: Sums::default(),
             resists_rolling,
             instructions: Instructions::widest(),
             profile: None,
@@ -250,6 +251,8 @@ impl Simulation {
         let moved_to = is_moved.then(|| self.order.moved_to());
         self.contacts.hand_over(&self.neighbours, moved_to);
         self.tuner.note_rebuild(self.step);
+        self.near
+            .forget(self.grains.radii().sum::<f64>() / self.grains.len().max(1) as f64);
         self.note_bounds();
     }
 

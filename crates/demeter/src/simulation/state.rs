@@ -2,7 +2,7 @@
 
 use super::skin::SkinTuner;
 use super::{Books, Setup, Simulation};
-use crate::contacts::CarriedContact;
+use crate::contacts::{CarriedContact, NearTable};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
 use crate::step::CouplingMemory;
@@ -29,6 +29,7 @@ pub struct SimulationState {
     scattered_in_order: f64,
     skin: f64,
     tuner: SkinTuner,
+    near: NearTable,
     bounds: (DVec3, DVec3),
     max_reach: f64,
     latest_id: u32,
@@ -101,6 +102,8 @@ impl SimulationState {
             Err(StateError::Inconsistent("a grain's material"))
         } else if !self.tuner.fits(self.skin, self.step) {
             Err(StateError::Inconsistent("the skin"))
+        } else if !self.near.is_sound() {
+            Err(StateError::Inconsistent("the reach of the table of contacts"))
         } else if !self.contacts.is_sorted_by_key(|c| c.key) {
             Err(StateError::Inconsistent("contacts"))
         } else {
@@ -124,6 +127,7 @@ impl Simulation {
             scattered_in_order: self.scattered_in_order,
             skin: self.skin,
             tuner: self.tuner,
+            near: self.near,
             bounds: self.bounds,
             max_reach: self.max_reach,
             latest_id: self.latest_id,
@@ -148,7 +152,7 @@ impl Simulation {
         sim.books = state.books;
         sim.rebuilds = state.rebuilds;
         sim.scattered_in_order = state.scattered_in_order;
-        (sim.skin, sim.tuner) = (state.skin, state.tuner);
+        (sim.skin, sim.tuner, sim.near) = (state.skin, state.tuner, state.near);
         sim.bounds = state.bounds;
         sim.max_reach = state.max_reach;
         sim.latest_id = sim.latest_id.max(state.latest_id);

@@ -26,10 +26,13 @@ impl Simulation {
                 grains.orientation.par_chunks_mut(n),
                 grains.angular_velocity.rows_mut().par_chunks_mut(n),
             ),
-            (grains.force.par_chunks_mut(n), grains.torque.par_chunks_mut(n)),
+            (
+                grains.force.rows_mut().par_chunks_mut(n),
+                grains.torque.rows_mut().par_chunks_mut(n),
+            ),
             grains.higher.par_chunks_mut(n),
             grains.mass.par_chunks(n),
-            self.neighbours.reference.par_chunks(n),
+            self.neighbours.reference.rows().par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
@@ -41,27 +44,29 @@ impl Simulation {
                         let mut moving = gear::Motion {
                             place: position[k].vector,
                             rate: velocity[k].vector,
-                            acceleration: force[k] * velocity[k].scalar,
+                            acceleration: force[k].vector * velocity[k].scalar,
                         };
                         method.predict(&mut moving, &mut higher[k].translation);
                         (position[k].vector, velocity[k].vector) = (moving.place, moving.rate);
-                        force[k] = moving.acceleration * mass[k];
+                        force[k].vector = moving.acceleration * mass[k];
                         let inverse_inertia = spin[k].scalar;
-                        let mut twist = torque[k] * inverse_inertia;
+                        let mut twist = torque[k].vector * inverse_inertia;
                         let derivatives = &mut higher[k].rotation;
                         method.predict_rotation(&mut orientation[k], &mut spin[k].vector, &mut twist, derivatives);
-                        torque[k] = if inverse_inertia > 0.0 {
+                        torque[k].vector = if inverse_inertia > 0.0 {
                             twist / inverse_inertia
                         } else {
                             DVec3::ZERO
                         };
                         speed2 = speed2.max(velocity[k].vector.length_squared());
-                        displacement2 = displacement2.max((position[k].vector - reference[k]).length_squared());
+                        displacement2 = displacement2.max((position[k].vector - reference[k].vector).length_squared());
                         if motion.misplaced.is_none() && !domain.contains(position[k].vector) {
                             motion.misplaced = Some(task * n + k);
                         }
                     }
                     motion.max_speed = speed2.sqrt();
+                    // the corrector moves grains, too: contacts are looked for in every step
+                    motion.max_step = f64::INFINITY;
                     motion.max_displacement = displacement2.sqrt();
                     motion
                 },
@@ -85,7 +90,10 @@ impl Simulation {
                 grains.orientation.par_chunks_mut(n),
                 grains.angular_velocity.rows_mut().par_chunks_mut(n),
             ),
-            (grains.force.par_chunks_mut(n), grains.torque.par_chunks_mut(n)),
+            (
+                grains.force.rows_mut().par_chunks_mut(n),
+                grains.torque.rows_mut().par_chunks_mut(n),
+            ),
             grains.higher.par_chunks_mut(n),
             grains.mass.par_chunks(n),
         )
@@ -95,24 +103,24 @@ impl Simulation {
                 |(task, ((position, velocity), (orientation, spin), (force, torque), higher, mass))| {
                     let mut bad = None;
                     for k in 0..velocity.len() {
-                        let (contact_force, new_torque) = contact_load(task * n + k, neighbours, contacts);
+                        let (contact_force, new_torque) = contact_load(task * n + k, neighbours, contacts).vectors();
                         let new_force = contact_force + gravity * mass[k];
-                        let error = (new_force - force[k]) * velocity[k].scalar;
+                        let error = (new_force - force[k].vector) * velocity[k].scalar;
                         method.correct(
                             &mut position[k].vector,
                             &mut velocity[k].vector,
                             &mut higher[k].translation,
                             error,
                         );
-                        let error = (new_torque - torque[k]) * spin[k].scalar;
+                        let error = (new_torque - torque[k].vector) * spin[k].scalar;
                         method.correct_rotation(
                             &mut orientation[k],
                             &mut spin[k].vector,
                             &mut higher[k].rotation,
                             error,
                         );
-                        force[k] = new_force;
-                        torque[k] = new_torque;
+                        force[k].vector = new_force;
+                        torque[k].vector = new_torque;
                         if !(velocity[k].vector.is_finite()
                             && spin[k].vector.is_finite()
                             && new_force.is_finite()

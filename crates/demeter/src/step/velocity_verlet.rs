@@ -1,11 +1,13 @@
 //! Velocity Verlet.
 
 use super::{GRAINS_PER_TASK, Motion, first_by_id};
-use crate::contacts::sum::contact_load;
-use crate::particles::{Domain, Row};
+use crate::contacts::Contacts;
+use crate::contacts::sum::{GrainLoad, contact_load};
+use crate::neighbours::Neighbours;
+use crate::particles::Domain;
 use crate::simulation::Simulation;
 use demeter_physics::integrator::rotate_wide;
-use demeter_physics::lanes::{self, Kernel, Lanes, MOST_LANES, Mask, Places, Vector};
+use demeter_physics::lanes::{self, Kernel, Lanes, MOST_LANES, Quad, Vector};
 use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 
@@ -18,12 +20,12 @@ impl Simulation {
         let grains = &mut self.grains;
         let n = GRAINS_PER_TASK;
         (
-            grains.position.rows_mut().par_chunks_mut(n),
-            grains.velocity.rows_mut().par_chunks_mut(n),
-            grains.angular_velocity.rows_mut().par_chunks_mut(n),
+            grains.position.table_mut().par_chunks_mut(n),
+            grains.velocity.table_mut().par_chunks_mut(n),
+            grains.angular_velocity.table_mut().par_chunks_mut(n),
             grains.orientation.par_chunks_mut(n),
-            (grains.force.par_chunks(n), grains.torque.par_chunks(n)),
-            self.neighbours.reference.par_chunks(n),
+            (grains.force.table().par_chunks(n), grains.torque.table().par_chunks(n)),
+            self.neighbours.reference.table().par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
@@ -51,97 +53,58 @@ impl Simulation {
     /// grain, by its id, with a value that is not a number.
     pub(super) fn kick(&mut self, correction: f64) -> Option<usize> {
         let (neighbours, contacts, gravity) = (&self.neighbours, &self.contacts, self.gravity);
-        let sums = &self.sums;
+        let (sums, instructions) = (&self.sums, self.instructions);
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
         (
-            grains.velocity.rows_mut().par_chunks_mut(n),
-            grains.angular_velocity.rows_mut().par_chunks_mut(n),
-            grains.force.par_chunks_mut(n),
-            grains.torque.par_chunks_mut(n),
+            grains.velocity.table_mut().par_chunks_mut(n),
+            grains.angular_velocity.table_mut().par_chunks_mut(n),
+            grains.force.table_mut().par_chunks_mut(n),
+            grains.torque.table_mut().par_chunks_mut(n),
             grains.mass.par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
             .map(|(task, (velocity, spin, force, torque, mass))| {
-                let mut bad = None;
-                for k in 0..velocity.len() {
-                    let known = sums.get(task * n + k).copied().flatten();
-                    let (contact_force, new_torque) =
-                        known.unwrap_or_else(|| contact_load(task * n + k, neighbours, contacts));
-                    let new_force = contact_force + gravity * mass[k];
-                    let (velocity, spin) = (&mut velocity[k], &mut spin[k]);
-                    velocity.vector += (new_force - force[k]) * (correction * velocity.scalar);
-                    spin.vector += (new_torque - torque[k]) * (correction * spin.scalar);
-                    force[k] = new_force;
-                    torque[k] = new_torque;
-                    if !(velocity.vector.is_finite()
-                        && spin.vector.is_finite()
-                        && new_force.is_finite()
-                        && new_torque.is_finite())
-                    {
-                        bad = first_by_id(ids, bad, Some(task * n + k));
-                    }
-                }
-                bad
+                let kick = Kick {
+                    first: task * n,
+                    ids,
+                    velocity,
+                    spin,
+                    force,
+                    torque,
+                    mass,
+                    sums: sums.from(task * n),
+                    neighbours,
+                    contacts,
+                    gravity,
+                    correction,
+                };
+                lanes::run(instructions, kick)
             })
             .reduce(|| None, |one, other| first_by_id(ids, one, other))
     }
 }
 
-/// The first half of a step of some grains, several at a time.
+/// The first half of a step of some grains.
 struct Drift<'a> {
     /// Index of the first of them.
     first: usize,
-    position: &'a mut [Row],
-    velocity: &'a mut [Row],
-    spin: &'a mut [Row],
+    position: &'a mut [[f64; 4]],
+    velocity: &'a mut [[f64; 4]],
+    spin: &'a mut [[f64; 4]],
     orientation: &'a mut [DQuat],
-    force: &'a [DVec3],
-    torque: &'a [DVec3],
-    reference: &'a [DVec3],
+    force: &'a [[f64; 4]],
+    torque: &'a [[f64; 4]],
+    reference: &'a [[f64; 4]],
     dt: f64,
     domain: &'a Domain,
 }
 
-/// Places of the lanes from grain `k` on, `width` numbers each; lanes beyond the end repeat the last grain.
+/// A vector and what stands beside it.
 #[inline(always)]
-fn places<L: Lanes>(count: usize, k: usize, width: usize) -> Places {
-    let mut places = [0; MOST_LANES];
-    let mut lane = 0;
-    while lane < L::COUNT {
-        places[lane] = width * (k + lane).min(count - 1);
-        lane += 1;
-    }
-    places
-}
-
-/// A vector per lane out of plain numbers.
-#[inline(always)]
-fn gather<L: Lanes>(values: &[f64], mut places: Places) -> L::Vector {
-    let x = L::gather(values, &places);
-    let mut lane = 0;
-    while lane < L::COUNT {
-        places[lane] += 1;
-        lane += 1;
-    }
-    let y = L::gather(values, &places);
-    lane = 0;
-    while lane < L::COUNT {
-        places[lane] += 1;
-        lane += 1;
-    }
-    L::Vector::new(x, y, L::gather(values, &places))
-}
-
-/// Puts rows of vectors with a number into a slice.
-#[inline(always)]
-fn put<L: Lanes>(rows: &mut [Row], vector: L::Vector, scalar: L) {
-    let [x, y, z] = vector.components();
-    let columns = L::rows([x, y, z, scalar]);
-    for (row, new) in rows.iter_mut().zip(columns.as_ref()) {
-        *row = bytemuck::cast(*new);
-    }
+fn row<Q: Quad>(vector: DVec3, beside: f64) -> Q {
+    Q::load(&[vector.x, vector.y, vector.z, beside])
 }
 
 impl Kernel for Drift<'_> {
@@ -151,51 +114,117 @@ impl Kernel for Drift<'_> {
     fn run<L: Lanes>(self) -> Motion {
         let (dt, half) = (self.dt, 0.5 * self.dt);
         let (lower, upper) = self.domain.allowed();
+        let (lower, upper): (L::Quad, L::Quad) = (row(lower, f64::NEG_INFINITY), row(upper, f64::INFINITY));
+        // what stands beside a vector stays
+        let time = L::Quad::load(&[dt, dt, dt, 0.0]);
         let count = self.position.len();
-        let (force, torque) = (bytemuck::cast_slice(self.force), bytemuck::cast_slice(self.torque));
-        let reference = bytemuck::cast_slice(self.reference);
-        let (mut speed2, mut displacement2) = (L::splat(0.0), L::splat(0.0));
+        let (mut speed, mut middle_speed) = (L::Quad::all(0.0), L::Quad::all(0.0));
+        let mut displacement2 = 0.0;
         let mut misplaced = None;
         for k in (0..count).step_by(L::COUNT) {
-            let (rows, vectors) = (places::<L>(count, k, 4), places::<L>(count, k, 3));
             let here = k..(k + L::COUNT).min(count);
-            let [x, y, z, radius] = L::columns(bytemuck::cast_slice(self.position), &rows);
-            let [vx, vy, vz, inverse_mass] = L::columns(bytemuck::cast_slice(self.velocity), &rows);
-            let [wx, wy, wz, inverse_inertia] = L::columns(bytemuck::cast_slice(self.spin), &rows);
-            let orientation = L::columns(bytemuck::cast_slice(self.orientation), &rows);
-            let kick = gather::<L>(force, vectors) * (inverse_mass * half);
-            let middle = L::Vector::new(vx, vy, vz) + kick;
-            let place = L::Vector::new(x, y, z) + middle * L::splat(dt);
-            let velocity = middle + kick;
-            let twist = gather::<L>(torque, vectors) * (inverse_inertia * half);
-            let middle_spin = L::Vector::new(wx, wy, wz) + twist;
-            let turned = L::rows(rotate_wide::<L>(orientation, middle_spin, dt));
-            put::<L>(&mut self.position[here.clone()], place, radius);
-            put::<L>(&mut self.velocity[here.clone()], velocity, inverse_mass);
-            put::<L>(&mut self.spin[here.clone()], middle_spin + twist, inverse_inertia);
-            for (orientation, turned) in self.orientation[here].iter_mut().zip(turned.as_ref()) {
-                *orientation = DQuat::from_array(*turned);
+            let mut spins = [[0.0; 4]; MOST_LANES];
+            for (g, turning) in here.clone().zip(&mut spins) {
+                let (velocity, spin) = (&mut self.velocity[g], &mut self.spin[g]);
+                let kick = L::Quad::load(&self.force[g]) * L::Quad::all(half * velocity[3]);
+                let twist = L::Quad::load(&self.torque[g]) * L::Quad::all(half * spin[3]);
+                let middle = L::Quad::load(velocity) + kick;
+                let middle_spin = L::Quad::load(spin) + twist;
+                let place = L::Quad::load(&self.position[g]) + middle * time;
+                let ahead = middle + kick;
+                self.position[g] = place.store();
+                *velocity = ahead.store();
+                *spin = (middle_spin + twist).store();
+                *turning = middle_spin.store();
+                speed = speed.largest(ahead);
+                middle_speed = middle_speed.largest(middle);
+                let square = (place - L::Quad::load(&self.reference[g])).square();
+                displacement2 = if square > displacement2 { square } else { displacement2 };
+                if !place.lies_within(lower, upper) && misplaced.is_none() {
+                    misplaced = Some(self.first + g);
+                }
             }
-            speed2 = velocity.square().max(speed2);
-            displacement2 = (place - gather::<L>(reference, vectors)).square().max(displacement2);
-            let [x, y, z] = place.components();
-            let inside = x.ge(L::splat(lower.x)) & y.ge(L::splat(lower.y)) & z.ge(L::splat(lower.z));
-            let inside = inside & L::splat(upper.x).ge(x) & L::splat(upper.y).ge(y) & L::splat(upper.z).ge(z);
-            if (!inside).any() && misplaced.is_none() {
-                let lane = (!inside).bits().trailing_zeros() as usize;
-                misplaced = Some(self.first + (k + lane).min(count - 1));
-            }
+            turn::<L>(&mut self.orientation[here], &spins, dt);
         }
         Motion {
-            max_speed: largest(speed2).sqrt(),
-            max_displacement: largest(displacement2).sqrt(),
+            max_speed: length(speed.store()),
+            max_step: length(middle_speed.store()) * dt,
+            max_displacement: displacement2.sqrt(),
             misplaced,
         }
     }
 }
 
-/// The largest of all lanes, which are not negative.
+/// Turns grains at these angular velocities.
 #[inline(always)]
-fn largest<L: Lanes>(lanes: L) -> f64 {
-    lanes.to_array().into_iter().fold(0.0, f64::max)
+fn turn<L: Lanes>(orientation: &mut [DQuat], spins: &[[f64; 4]; MOST_LANES], dt: f64) {
+    let mut now = [[0.0; 4]; MOST_LANES];
+    for (now, orientation) in now.iter_mut().zip(&*orientation) {
+        *now = orientation.to_array();
+    }
+    let orientations = L::strided(now.as_flattened(), 0, 4);
+    let [x, y, z, _] = L::strided(spins.as_flattened(), 0, 4);
+    let turned = L::rows(rotate_wide::<L>(orientations, L::Vector::new(x, y, z), dt));
+    for (orientation, turned) in orientation.iter_mut().zip(turned.as_ref()) {
+        *orientation = DQuat::from_array(*turned);
+    }
+}
+
+/// A length that none exceeds whose components do not exceed these.
+fn length([x, y, z, _]: [f64; 4]) -> f64 {
+    DVec3::new(x, y, z).length()
+}
+
+/// The second half of a step of some grains.
+struct Kick<'a> {
+    /// Index of the first of them.
+    first: usize,
+    ids: &'a [u32],
+    velocity: &'a mut [[f64; 4]],
+    spin: &'a mut [[f64; 4]],
+    force: &'a mut [[f64; 4]],
+    torque: &'a mut [[f64; 4]],
+    mass: &'a [f64],
+    sums: &'a [GrainLoad],
+    neighbours: &'a Neighbours,
+    contacts: &'a Contacts,
+    gravity: DVec3,
+    correction: f64,
+}
+
+impl Kernel for Kick<'_> {
+    type Output = Option<usize>;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> Option<usize> {
+        let gravity: L::Quad = row(self.gravity, 0.0);
+        let finite = (L::Quad::all(f64::MIN), L::Quad::all(f64::MAX));
+        let mut bad = None;
+        for (k, &mass) in self.mass.iter().enumerate() {
+            let grain = self.first + k;
+            let load = match self.sums.get(k) {
+                Some(load) if load.is_known() => *load,
+                _ => contact_load(grain, self.neighbours, self.contacts),
+            };
+            let new_force = L::Quad::load(&load.force) + gravity * L::Quad::all(mass);
+            let new_torque = L::Quad::load(&load.torque);
+            let (velocity, spin) = (&mut self.velocity[k], &mut self.spin[k]);
+            let change = (new_force - L::Quad::load(&self.force[k])) * L::Quad::all(self.correction * velocity[3]);
+            let twist = (new_torque - L::Quad::load(&self.torque[k])) * L::Quad::all(self.correction * spin[3]);
+            let (new_velocity, new_spin) = (L::Quad::load(velocity) + change, L::Quad::load(spin) + twist);
+            *velocity = new_velocity.store();
+            *spin = new_spin.store();
+            self.force[k] = new_force.store();
+            self.torque[k] = new_torque.store();
+            // a sum is finite only where all are
+            let all = (new_velocity + new_spin) + (new_force + new_torque);
+            if !all.lies_within(finite.0, finite.1) {
+                let values = [&*velocity, &*spin, &self.force[k], &self.torque[k]];
+                if values.into_iter().flatten().any(|value| !value.is_finite()) {
+                    bad = first_by_id(self.ids, bad, Some(grain));
+                }
+            }
+        }
+        bad
+    }
 }

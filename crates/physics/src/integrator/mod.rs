@@ -70,8 +70,8 @@ pub fn rotate_wide<L: Lanes>([x, y, z, w]: [L; 4], omega: L::Vector, dt: f64) ->
     let half = omega * L::splat(0.5 * dt);
     let square = half.square();
     let one = L::splat(1.0);
-    let mut sine_share = one - square / 6.0 * (one - square / 20.0 * (one - square / 42.0));
-    let mut cosine = one - square / 2.0 * (one - square / 12.0 * (one - square / 30.0));
+    let mut sine_share = one - square * (1.0 / 6.0) * (one - square * (1.0 / 20.0) * (one - square * (1.0 / 42.0)));
+    let mut cosine = one - square * 0.5 * (one - square * (1.0 / 12.0) * (one - square * (1.0 / 30.0)));
     let large = square.ge(L::splat(SMALL_SQUARE));
     if large.any() {
         let (mut sines, mut cosines, squares) = (sine_share.to_array(), cosine.to_array(), square.to_array());

@@ -8,6 +8,7 @@
 
 #[cfg(target_arch = "aarch64")]
 mod neon;
+mod quad;
 mod scalar;
 #[cfg(test)]
 mod tests;
@@ -15,6 +16,7 @@ mod vector;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
+pub use quad::{Four, Quad};
 pub use vector::{Vector, Vector3};
 
 use std::fmt::Debug;
@@ -45,6 +47,8 @@ pub trait Lanes:
     type Vector: Vector<Self>;
     /// Four numbers per lane.
     type Rows: AsRef<[[f64; 4]]>;
+    /// One row.
+    type Quad: Quad;
 
     /// The same number in every lane.
     fn splat(value: f64) -> Self;
@@ -68,8 +72,52 @@ pub trait Lanes:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// The columns of rows of four numbers, one row per lane: those of `values` from `starts` on.
     fn columns(values: &[f64], starts: &Places) -> [Self; 4];
+    /// The columns of four numbers per lane, wherever they lie.
+    fn of_rows(rows: &[&[f64; 4]; MOST_LANES]) -> [Self; 4];
     /// The rows of a table of four columns, one per lane.
     fn rows(columns: [Self; 4]) -> Self::Rows;
+
+    /// The columns of rows of some tables, one row per lane, the same in each.
+    #[inline(always)]
+    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &Index) -> [[Self; 4]; N] {
+        let mut columns = [[Self::splat(0.0); 4]; N];
+        let mut table = 0;
+        while table < N {
+            let mut rows = [&[0.0; 4]; MOST_LANES];
+            let mut lane = 0;
+            while lane < Self::COUNT {
+                rows[lane] = &tables[table][index[lane] as usize];
+                lane += 1;
+            }
+            columns[table] = Self::of_rows(&rows);
+            table += 1;
+        }
+        columns
+    }
+
+    /// The columns of rows that follow each other at a distance of `stride` numbers, one per lane.
+    #[inline(always)]
+    fn strided(values: &[f64], start: usize, stride: usize) -> [Self; 4] {
+        let mut places = [0; MOST_LANES];
+        let mut lane = 0;
+        while lane < Self::COUNT {
+            places[lane] = start + stride * lane;
+            lane += 1;
+        }
+        Self::columns(values, &places)
+    }
+
+    /// Puts the rows of four columns at a distance of `stride` numbers, one per lane.
+    #[inline(always)]
+    fn put_strided(columns: [Self; 4], values: &mut [f64], start: usize, stride: usize) {
+        let rows = Self::rows(columns);
+        let mut lane = 0;
+        while lane < Self::COUNT {
+            let first = start + stride * lane;
+            values[first..first + 4].copy_from_slice(&rows.as_ref()[lane]);
+            lane += 1;
+        }
+    }
 
     /// One number of `values` per lane.
     fn gather(values: &[f64], places: &Places) -> Self;
@@ -128,6 +176,8 @@ fn first_lanes(count: usize, mut lane: impl FnMut(usize) -> f64) -> [f64; MOST_L
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
     /// The answers as bits: lane `k` is bit `k`.
     fn bits(self) -> u32;
+    /// Answers out of bits; those beyond the lanes do not matter.
+    fn of_bits(bits: u32) -> Self;
 
     /// Whether it holds in some lane.
     #[inline(always)]
@@ -138,6 +188,9 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
 
 /// A place in a slice per lane.
 pub type Places = [usize; MOST_LANES];
+
+/// A row of a table per lane.
+pub type Index = [u32; MOST_LANES];
 
 /// The largest number of lanes.
 pub const MOST_LANES: usize = 8;
@@ -226,6 +279,15 @@ pub struct NoSuchInstructions {
 fn listed(instructions: &[Instructions]) -> String {
     let names: Vec<String> = instructions.iter().map(|i| format!("`{}`", i.name())).collect();
     names.join(", ")
+}
+
+/// Has the processor fetch the first 64 bytes of what will be read soon, where it can be told so.
+#[inline(always)]
+pub fn prefetch<T>(soon: &T) {
+    #[cfg(target_arch = "x86_64")]
+    x86::prefetch(soon);
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = soon;
 }
 
 /// Runs a kernel with instructions that this processor has ([`Instructions::available`]); with others it runs portably.

@@ -3,7 +3,7 @@
 //! Unsafe because the instructions are reached through intrinsics.
 #![allow(unsafe_code)]
 
-use super::{Lanes, Mask, Places, Vector3};
+use super::{Four, Lanes, MOST_LANES, Mask, Places, Vector3};
 use std::arch::aarch64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -57,6 +57,16 @@ impl Mask for Mask2 {
         let lanes = unsafe { [vgetq_lane_u64::<0>(self.0), vgetq_lane_u64::<1>(self.0)] };
         (lanes[0] & 1) as u32 | ((lanes[1] & 1) << 1) as u32
     }
+
+    #[inline(always)]
+    fn of_bits(bits: u32) -> Self {
+        let lanes = [
+            0u64.wrapping_sub(u64::from(bits & 1)),
+            0u64.wrapping_sub(u64::from(bits >> 1 & 1)),
+        ];
+        // SAFETY: every ARMv8 processor has it; two numbers are there
+        Self(unsafe { vld1q_u64(lanes.as_ptr()) })
+    }
 }
 
 impl BitAnd for Mask2 {
@@ -91,6 +101,7 @@ impl Lanes for F64x2 {
     type Mask = Mask2;
     type Vector = Vector3<Self>;
     type Rows = [[f64; 4]; 2];
+    type Quad = Four;
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -163,12 +174,12 @@ impl Lanes for F64x2 {
     fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
         let first = &values[starts[0]..starts[0] + 4];
         let second = &values[starts[1]..starts[1] + 4];
-        [
-            Self::load(&[first[0], second[0]]),
-            Self::load(&[first[1], second[1]]),
-            Self::load(&[first[2], second[2]]),
-            Self::load(&[first[3], second[3]]),
-        ]
+        two_rows(first, second)
+    }
+
+    #[inline(always)]
+    fn of_rows(rows: &[&[f64; 4]; MOST_LANES]) -> [Self; 4] {
+        two_rows(rows[0], rows[1])
     }
 
     #[inline(always)]
@@ -184,4 +195,15 @@ impl Lanes for F64x2 {
         }
         rows
     }
+}
+
+/// The columns of two rows.
+#[inline(always)]
+fn two_rows(first: &[f64], second: &[f64]) -> [F64x2; 4] {
+    [
+        F64x2::load(&[first[0], second[0]]),
+        F64x2::load(&[first[1], second[1]]),
+        F64x2::load(&[first[2], second[2]]),
+        F64x2::load(&[first[3], second[3]]),
+    ]
 }

@@ -1,12 +1,17 @@
 //! One lane.
 
-use super::{Lanes, Mask, Places};
+use super::{Four, Lanes, MOST_LANES, Mask, Places};
 use glam::DVec3;
 
 impl Mask for bool {
     #[inline(always)]
     fn bits(self) -> u32 {
         u32::from(self)
+    }
+
+    #[inline(always)]
+    fn of_bits(bits: u32) -> Self {
+        bits & 1 != 0
     }
 }
 
@@ -15,6 +20,7 @@ impl Lanes for f64 {
     type Mask = bool;
     type Vector = DVec3;
     type Rows = [[f64; 4]; 1];
+    type Quad = Four;
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -70,6 +76,11 @@ impl Lanes for f64 {
     fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
         let start = starts[0];
         [values[start], values[start + 1], values[start + 2], values[start + 3]]
+    }
+
+    #[inline(always)]
+    fn of_rows(rows: &[&[f64; 4]; MOST_LANES]) -> [Self; 4] {
+        *rows[0]
     }
 
     #[inline(always)]

@@ -24,7 +24,7 @@ impl Kernel for Everything<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> Vec<Vec<u64>> {
-        let mut found = vec![Vec::new(); 20];
+        let mut found = vec![Vec::new(); 39];
         for (a, b) in self.0.chunks(L::COUNT).zip(self.1.chunks(L::COUNT)) {
             let (a, b) = (L::load(a), L::load(b));
             let as_number = |mask: L::Mask| L::select(mask, L::splat(1.0), L::splat(2.0));
@@ -34,6 +34,36 @@ impl Kernel for Everything<'_> {
                 let rows = [a, b, a - b, a * 3.0];
                 let back = L::rows(rows);
                 L::columns(back.as_ref().as_flattened(), &std::array::from_fn(|lane| 4 * lane))
+            };
+            let anywhere = {
+                let back = L::rows([b, a, a + b, a * 5.0]);
+                let last = L::COUNT - 1;
+                L::of_rows(&std::array::from_fn(|lane| &back.as_ref()[lane.min(last)]))
+            };
+            let fetched = {
+                let back = L::rows([a, b, b - a, a + 2.0]);
+                let index = std::array::from_fn(|lane| (lane % L::COUNT) as u32);
+                let [first, [x, y, z, w]] = L::fetch([back.as_ref(), back.as_ref()], &index);
+                let mut put = vec![0.0; 7 * L::COUNT];
+                L::put_strided([w, z, y, x], &mut put, 1, 6);
+                (first, L::strided(&put, 1, 6))
+            };
+            let quads = {
+                let mut quads = [[0.0; MOST_LANES]; 6];
+                for lane in 0..L::COUNT {
+                    let (a, b) = (a.as_slice()[lane], b.as_slice()[lane]);
+                    let one = L::Quad::load(&[a, b, a, 1.0]);
+                    let other = L::Quad::load(&[b, a, -a, -2.0]);
+                    let within = one.lies_within(other, L::Quad::all(b));
+                    let computed = (one * L::Quad::all(a) + other - one).store();
+                    let each = [computed[0], computed[1], one.largest(other).store()[0], one.square()];
+                    for (quad, value) in quads.iter_mut().zip(each) {
+                        quad[lane] = value;
+                    }
+                    quads[4][lane] = f64::from(u8::from(within));
+                    quads[5][lane] = one.largest(other).store()[3];
+                }
+                quads
             };
             let results = [
                 a + b,
@@ -56,6 +86,25 @@ impl Kernel for Everything<'_> {
                 of_rows[1],
                 of_rows[2],
                 of_rows[3],
+                anywhere[0],
+                anywhere[1],
+                anywhere[2],
+                anywhere[3],
+                as_number(L::Mask::of_bits(a.gt(b).bits())),
+                fetched.0[0],
+                fetched.0[1],
+                fetched.0[2],
+                fetched.0[3],
+                fetched.1[0],
+                fetched.1[1],
+                fetched.1[2],
+                fetched.1[3],
+                L::load(&quads[0]),
+                L::load(&quads[1]),
+                L::load(&quads[2]),
+                L::load(&quads[3]),
+                L::load(&quads[4]),
+                L::load(&quads[5]),
             ];
             for (found, result) in found.iter_mut().zip(results) {
                 // which of the quiet numbers that are none comes out is not told by IEEE 754
@@ -102,6 +151,38 @@ fn one_lane_is_plain_arithmetic() {
         same(7, if a > b { a } else { b });
         same(8, if a < b { a } else { b });
         same(12, a * b + b * (a * 2.0) + (a + 1.0) * (b - 0.3));
+    }
+}
+
+/// Fetches rows of which one is not there.
+struct Beyond(Index);
+
+impl Kernel for Beyond {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> f64 {
+        let [[x, ..], _] = L::fetch([&[[0.0; 4]; 9], &[[0.0; 4]; 8]], &self.0);
+        x.to_array()[0]
+    }
+}
+
+#[test]
+fn rows_that_are_not_there_are_never_read() {
+    for instructions in Instructions::available() {
+        assert_eq!(run(instructions, Beyond([7; MOST_LANES])), 0.0);
+        let lanes = match instructions {
+            Instructions::Portable => 1,
+            Instructions::Neon => 2,
+            Instructions::Avx2 => 4,
+            Instructions::Avx512 => 8,
+        };
+        for lane in 0..lanes {
+            let mut index = [0; MOST_LANES];
+            index[lane] = 8;
+            let read = std::panic::catch_unwind(|| run(instructions, Beyond(index)));
+            assert!(read.is_err(), "{} lane {lane}", instructions.name());
+        }
     }
 }
 

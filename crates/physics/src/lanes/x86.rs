@@ -4,7 +4,7 @@
 //! [`run_avx512`] alone, which [`super::run`] calls only where the processor has them.
 #![allow(unsafe_code)]
 
-use super::{Kernel, Lanes, Mask, Places, Vector3};
+use super::{Index, Kernel, Lanes, MOST_LANES, Mask, Places, Quad, Vector3};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -38,6 +38,13 @@ pub(super) fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     }
     // SAFETY: the caller has asked the processor
     unsafe { inner(kernel) }
+}
+
+/// Fetches a line of the cache.
+#[inline(always)]
+pub(super) fn prefetch<T>(soon: &T) {
+    // SAFETY: every processor of this kind has it, and it changes nothing that a program can see
+    unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(soon).cast()) }
 }
 
 macro_rules! arithmetic {
@@ -102,6 +109,11 @@ impl Mask for Mask8 {
     fn bits(self) -> u32 {
         u32::from(self.0)
     }
+
+    #[inline(always)]
+    fn of_bits(bits: u32) -> Self {
+        Self(bits as u8)
+    }
 }
 
 impl BitAnd for Mask8 {
@@ -137,6 +149,16 @@ impl Mask for Mask4 {
     fn bits(self) -> u32 {
         // SAFETY: see the top of this file
         (unsafe { _mm256_movemask_pd(self.0) }) as u32
+    }
+
+    #[inline(always)]
+    fn of_bits(bits: u32) -> Self {
+        // SAFETY: see the top of this file
+        unsafe {
+            let lanes = _mm256_setr_epi64x(1, 2, 4, 8);
+            let chosen = _mm256_and_si256(_mm256_set1_epi64x(i64::from(bits)), lanes);
+            Self(_mm256_castsi256_pd(_mm256_cmpeq_epi64(chosen, lanes)))
+        }
     }
 }
 
@@ -211,6 +233,7 @@ impl Lanes for F64x8 {
     type Mask = Mask8;
     type Vector = Vector3<Self>;
     type Rows = [[f64; 4]; 8];
+    type Quad = F64x4;
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -290,28 +313,76 @@ impl Lanes for F64x8 {
     #[inline(always)]
     fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
         check(values, starts, 8, 4);
-        // no closures here: they would be compiled without the instructions
-        // SAFETY: see the top of this file; the numbers are there
+        // SAFETY: the numbers are there
         unsafe {
-            let r04 = _mm512_castpd256_pd512(row(values, starts[0]));
-            let r04 = _mm512_insertf64x4::<1>(r04, row(values, starts[4]));
-            let r15 = _mm512_castpd256_pd512(row(values, starts[1]));
-            let r15 = _mm512_insertf64x4::<1>(r15, row(values, starts[5]));
-            let r26 = _mm512_castpd256_pd512(row(values, starts[2]));
-            let r26 = _mm512_insertf64x4::<1>(r26, row(values, starts[6]));
-            let r37 = _mm512_castpd256_pd512(row(values, starts[3]));
-            let r37 = _mm512_insertf64x4::<1>(r37, row(values, starts[7]));
-            let (low01, high01) = (_mm512_unpacklo_pd(r04, r15), _mm512_unpackhi_pd(r04, r15));
-            let (low23, high23) = (_mm512_unpacklo_pd(r26, r37), _mm512_unpackhi_pd(r26, r37));
-            let even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
-            let odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-            [
-                Self(_mm512_permutex2var_pd(low01, even, low23)),
-                Self(_mm512_permutex2var_pd(high01, even, high23)),
-                Self(_mm512_permutex2var_pd(low01, odd, low23)),
-                Self(_mm512_permutex2var_pd(high01, odd, high23)),
-            ]
+            eight_rows([
+                row(values, starts[0]),
+                row(values, starts[1]),
+                row(values, starts[2]),
+                row(values, starts[3]),
+                row(values, starts[4]),
+                row(values, starts[5]),
+                row(values, starts[6]),
+                row(values, starts[7]),
+            ])
         }
+    }
+
+    #[inline(always)]
+    fn of_rows(rows: &[&[f64; 4]; MOST_LANES]) -> [Self; 4] {
+        eight_rows([
+            whole(rows[0]),
+            whole(rows[1]),
+            whole(rows[2]),
+            whole(rows[3]),
+            whole(rows[4]),
+            whole(rows[5]),
+            whole(rows[6]),
+            whole(rows[7]),
+        ])
+    }
+
+    #[inline(always)]
+    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &Index) -> [[Self; 4]; N] {
+        check_rows(&tables, largest_of_eight(index));
+        let mut columns = [[Self::splat(0.0); 4]; N];
+        let mut table = 0;
+        while table < N {
+            let rows = tables[table];
+            // SAFETY: all these rows are there
+            columns[table] = eight_rows(unsafe {
+                [
+                    at(rows, index[0]),
+                    at(rows, index[1]),
+                    at(rows, index[2]),
+                    at(rows, index[3]),
+                    at(rows, index[4]),
+                    at(rows, index[5]),
+                    at(rows, index[6]),
+                    at(rows, index[7]),
+                ]
+            });
+            table += 1;
+        }
+        columns
+    }
+
+    #[inline(always)]
+    fn strided(values: &[f64], start: usize, stride: usize) -> [Self; 4] {
+        let values = &values[start..start + 7 * stride + 4];
+        // SAFETY: all these rows are there
+        eight_rows(unsafe {
+            [
+                row(values, 0),
+                row(values, stride),
+                row(values, 2 * stride),
+                row(values, 3 * stride),
+                row(values, 4 * stride),
+                row(values, 5 * stride),
+                row(values, 6 * stride),
+                row(values, 7 * stride),
+            ]
+        })
     }
 
     #[inline(always)]
@@ -345,6 +416,7 @@ impl Lanes for F64x4 {
     type Mask = Mask4;
     type Vector = Vector3<Self>;
     type Rows = [[f64; 4]; 4];
+    type Quad = F64x4;
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -436,9 +508,130 @@ impl Lanes for F64x4 {
     }
 
     #[inline(always)]
+    fn of_rows(rows: &[&[f64; 4]; MOST_LANES]) -> [Self; 4] {
+        let [a, b, c, d] = transposed([whole(rows[0]), whole(rows[1]), whole(rows[2]), whole(rows[3])]);
+        [Self(a), Self(b), Self(c), Self(d)]
+    }
+
+    #[inline(always)]
+    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &Index) -> [[Self; 4]; N] {
+        let most = index[0].max(index[1]).max(index[2].max(index[3]));
+        check_rows(&tables, most);
+        let mut columns = [[Self::splat(0.0); 4]; N];
+        let mut table = 0;
+        while table < N {
+            let rows = tables[table];
+            // SAFETY: all these rows are there
+            let rows = unsafe {
+                [
+                    at(rows, index[0]),
+                    at(rows, index[1]),
+                    at(rows, index[2]),
+                    at(rows, index[3]),
+                ]
+            };
+            let [a, b, c, d] = transposed(rows);
+            columns[table] = [Self(a), Self(b), Self(c), Self(d)];
+            table += 1;
+        }
+        columns
+    }
+
+    #[inline(always)]
     fn rows([a, b, c, d]: [Self; 4]) -> [[f64; 4]; 4] {
         let [first, second, third, fourth] = transposed([a.0, b.0, c.0, d.0]);
         [put(first), put(second), put(third), put(fourth)]
+    }
+}
+
+impl Quad for F64x4 {
+    #[inline(always)]
+    fn load(from: &[f64; 4]) -> Self {
+        Self(whole(from))
+    }
+
+    #[inline(always)]
+    fn store(self) -> [f64; 4] {
+        put(self.0)
+    }
+
+    #[inline(always)]
+    fn all(value: f64) -> Self {
+        Self::splat(value)
+    }
+
+    #[inline(always)]
+    fn largest(self, other: Self) -> Self {
+        // SAFETY: see the top of this file
+        Self(unsafe { _mm256_max_pd(other.abs().0, self.abs().0) })
+    }
+
+    #[inline(always)]
+    fn lies_within(self, lower: Self, upper: Self) -> bool {
+        (self.ge(lower) & upper.ge(self)).bits() == 0b1111
+    }
+}
+
+/// Asserts that every table has a row of this index.
+#[inline(always)]
+fn check_rows<const N: usize>(tables: &[&[[f64; 4]]; N], index: u32) {
+    let mut table = 0;
+    while table < N {
+        assert!((index as usize) < tables[table].len());
+        table += 1;
+    }
+}
+
+/// The largest of eight numbers.
+#[inline(always)]
+fn largest_of_eight(index: &Index) -> u32 {
+    // SAFETY: see the top of this file; eight numbers are there
+    unsafe {
+        let all = _mm256_loadu_si256(index.as_ptr().cast());
+        let four = _mm_max_epu32(_mm256_castsi256_si128(all), _mm256_extracti128_si256::<1>(all));
+        let two = _mm_max_epu32(four, _mm_shuffle_epi32::<0b01_00_11_10>(four));
+        let one = _mm_max_epu32(two, _mm_shuffle_epi32::<0b10_11_00_01>(two));
+        _mm_cvtsi128_si32(one) as u32
+    }
+}
+
+/// A row of a table in a register.
+///
+/// # Safety
+/// It must be there.
+#[inline(always)]
+unsafe fn at(table: &[[f64; 4]], index: u32) -> __m256d {
+    // SAFETY: as the caller promises
+    unsafe { _mm256_loadu_pd(table.as_ptr().add(index as usize).cast()) }
+}
+
+/// A row in a register.
+#[inline(always)]
+fn whole(row: &[f64; 4]) -> __m256d {
+    // SAFETY: see the top of this file; four numbers are there
+    unsafe { _mm256_loadu_pd(row.as_ptr()) }
+}
+
+/// Columns of eight rows of four.
+#[inline(always)]
+fn eight_rows(rows: [__m256d; 8]) -> [F64x8; 4] {
+    // no closures here: they would be compiled without the instructions
+    // SAFETY: see the top of this file
+    unsafe {
+        let r04 = _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(rows[0]), rows[4]);
+        let r15 = _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(rows[1]), rows[5]);
+        let r26 = _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(rows[2]), rows[6]);
+        let r37 = _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(rows[3]), rows[7]);
+        let (low01, high01) = (_mm512_unpacklo_pd(r04, r15), _mm512_unpackhi_pd(r04, r15));
+        let (low23, high23) = (_mm512_unpacklo_pd(r26, r37), _mm512_unpackhi_pd(r26, r37));
+        let even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+        let odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+        [
+            F64x8(_mm512_permutex2var_pd(low01, even, low23)),
+            F64x8(_mm512_permutex2var_pd(high01, even, high23)),
+            F64x8(_mm512_permutex2var_pd(low01, odd, low23)),
+            F64x8(_mm512_permutex2var_pd(high01, odd, high23)),
+        ]
     }
 }
 

@@ -1,0 +1,77 @@
+//! Four numbers of one thing side by side: a row of a table as it lies in memory.
+
+use std::ops::{Add, Mul, Sub};
+
+/// Four numbers on which one operation acts at once: a vector with a number that is used together with it. As with
+/// [`super::Lanes`], every operation is that of IEEE 754.
+pub trait Quad: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// From numbers.
+    fn load(from: &[f64; 4]) -> Self;
+    /// As numbers.
+    fn store(self) -> [f64; 4];
+    /// The same number four times.
+    fn all(value: f64) -> Self;
+    /// The larger magnitude in each place; that of `self` where `other` is not a number.
+    fn largest(self, other: Self) -> Self;
+    /// Whether every number is at least `lower` and at most `upper`.
+    fn lies_within(self, lower: Self, upper: Self) -> bool;
+
+    /// Square of the length of the first three.
+    #[inline(always)]
+    fn square(self) -> f64 {
+        let [x, y, z, _] = (self * self).store();
+        x + y + z
+    }
+}
+
+/// Four numbers without instructions of their own.
+#[derive(Clone, Copy, Debug)]
+pub struct Four([f64; 4]);
+
+macro_rules! by_place {
+    ($($operator:ident $method:ident $sign:tt;)*) => {
+        $(
+            impl $operator for Four {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, Self([e, f, g, h]): Self) -> Self {
+                    let Self([a, b, c, d]) = self;
+                    Self([a $sign e, b $sign f, c $sign g, d $sign h])
+                }
+            }
+        )*
+    };
+}
+
+by_place! { Add add +; Sub sub -; Mul mul *; }
+
+impl Quad for Four {
+    #[inline(always)]
+    fn load(from: &[f64; 4]) -> Self {
+        Self(*from)
+    }
+
+    #[inline(always)]
+    fn store(self) -> [f64; 4] {
+        self.0
+    }
+
+    #[inline(always)]
+    fn all(value: f64) -> Self {
+        Self([value; 4])
+    }
+
+    #[inline(always)]
+    fn largest(self, other: Self) -> Self {
+        let larger = |k: usize| {
+            let (one, other) = (self.0[k].abs(), other.0[k].abs());
+            if other > one { other } else { one }
+        };
+        Self([larger(0), larger(1), larger(2), larger(3)])
+    }
+
+    #[inline(always)]
+    fn lies_within(self, lower: Self, upper: Self) -> bool {
+        (0..4).all(|k| lower.0[k] <= self.0[k] && self.0[k] <= upper.0[k])
+    }
+}
