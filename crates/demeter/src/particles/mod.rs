@@ -159,8 +159,8 @@ impl Grains {
         self.velocity.append(&other.velocity);
         self.angular_velocity.append(&other.angular_velocity);
         self.orientation.extend_from_slice(&other.orientation);
-        self.force.extend_from_slice(&other.force);
-        self.torque.extend_from_slice(&other.torque);
+        self.force.append(&other.force);
+        self.torque.append(&other.torque);
         if !self.higher.is_empty() {
             self.higher.resize(self.id.len(), HigherDerivatives::default());
         }
