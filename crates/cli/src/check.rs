@@ -37,7 +37,10 @@ fn to_text(scenario: &Scenario, prepared: &Prepared) -> String {
         rows.add("feeds", names(&scenario.feeds, |feed| &feed.name).join(", "));
     }
     if !scenario.removals.is_empty() {
-        rows.add("removals", names(&scenario.removals, |removal| &removal.name).join(", "));
+        rows.add(
+            "removals",
+            names(&scenario.removals, |removal| &removal.name).join(", "),
+        );
     }
     let names: Vec<&str> = names(&scenario.walls, |wall| &wall.name);
     rows.add(
