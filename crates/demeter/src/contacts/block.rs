@@ -495,6 +495,13 @@ impl ContactChunk {
         lanes::run(scene.instructions, gather);
     }
 
+    /// Has what will be known of some contacts fetched, as memory is slow.
+    fn prefetch(&self, contacts: Range<usize>, stride: usize) {
+        lanes::prefetch_all(&self.now.history[contacts.start * stride..contacts.end * stride]);
+        lanes::prefetch_all(&self.now.normal_force[contacts.clone()]);
+        lanes::prefetch_all(&self.load[contacts.start + 1..contacts.end + 1]);
+    }
+
     fn evaluate(&mut self, scene: &Scene, gather: impl Fn(&mut Self, Range<usize>, &mut Block)) {
         let count = self.len();
         self.load.resize(count + 1, Load::default());
@@ -506,6 +513,7 @@ impl ContactChunk {
         let mut first = 0;
         while first < count {
             let contacts = first..(first + BLOCK).min(count);
+            self.prefetch(contacts.end..(contacts.end + BLOCK).min(count), scene.stride);
             gather(self, contacts.clone(), &mut block);
             let length = contacts.len();
             block.force[..length].copy_from_slice(&self.now.normal_force[contacts.clone()]);

@@ -30,6 +30,7 @@ pub use crate::neighbours::CHUNK;
 
 use crate::walls::SurfaceContact;
 use coupling::{Coupled, Scratch};
+use bytemuck::{Pod, Zeroable};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -65,7 +66,7 @@ impl Tally {
 }
 
 /// What a contact does to both bodies.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub struct Load {
     /// Force on the first body [N], and the distance of the contact point from its centre [m].
@@ -75,6 +76,12 @@ pub struct Load {
 }
 
 impl Load {
+    /// Distance of the contact point from the centre of the first body (0) or the second (1) [m].
+    #[inline(always)]
+    pub(crate) fn lever(&self, side: usize) -> f64 {
+        bytemuck::cast_ref::<Self, [f64; 8]>(self)[(3 + 4 * side) % 8]
+    }
+
     fn arm(&self) -> DVec3 {
         let [x, y, z, _] = self.arm;
         DVec3::new(x, y, z)

@@ -66,9 +66,9 @@ impl Place {
 #[derive(Debug, Default)]
 pub(crate) struct Sums {
     loads: Vec<GrainLoad>,
-    /// Contacts of every grain, in the order of the partner's id; the first of a chunk, which is none, for candidates that are
-    /// no contacts.
+    /// Contacts of every grain, in the order of the partner's id, where its candidates stand in their list; and how many.
     places: Vec<Place>,
+    counts: Vec<u32>,
 }
 
 impl Sums {
@@ -82,11 +82,13 @@ impl Sums {
         self.loads.resize(neighbours.reference.len(), GrainLoad::UNKNOWN);
         let is_new = is_new || self.places.len() != neighbours.entries();
         self.places.resize(neighbours.entries(), Place::default());
+        self.counts.resize(neighbours.reference.len(), 0);
         Stretch {
             chunks,
             first_chunk: 0,
             sums: &mut self.loads,
             places: &mut self.places,
+            counts: &mut self.counts,
             first_grain: 0,
             is_new,
         }
@@ -137,8 +139,9 @@ struct SumUp<'a> {
     from: Loads<'a>,
     first_grain: usize,
     sums: &'a mut [GrainLoad],
-    /// The places of their contacts, and whether they have to be found.
+    /// The places of their contacts, how many there are, and whether they have to be found.
     places: &'a mut [Place],
+    counts: &'a mut [u32],
     are_new: bool,
 }
 
@@ -152,12 +155,13 @@ impl Kernel for SumUp<'_> {
             first_grain,
             sums,
             places,
+            counts,
             are_new,
         } = self;
         let (neighbours, first_chunk) = (from.neighbours, from.first_chunk);
         let rolls = from.pairs.first().is_some_and(|chunk| !chunk.rolling.is_empty());
         let mut begin = 0;
-        for (k, load) in sums.iter_mut().enumerate() {
+        for (k, (load, held)) in sums.iter_mut().zip(counts).enumerate() {
             let grain = first_grain + k;
             let entries = neighbours.entries_of(grain);
             let end = begin + entries.len();
@@ -167,13 +171,18 @@ impl Kernel for SumUp<'_> {
                 continue;
             }
             if are_new {
-                for (place, entry) in places[begin..end].iter_mut().zip(entries) {
+                let mut found = begin;
+                for entry in entries {
                     let (chunk, slot, is_first) = neighbours.entry(entry);
-                    *place = Place::new(chunk, from.pairs[chunk - first_chunk].load_place(slot), is_first);
+                    let load = from.pairs[chunk - first_chunk].load_place(slot);
+                    // put in any case, and kept where it is a contact: which are cannot be foretold
+                    places[found] = Place::new(chunk, load, is_first);
+                    found += usize::from(load > 0);
                 }
+                *held = (found - begin) as u32;
             }
             let mut sum = Sum::<L::Quad>::default();
-            for n in begin..end {
+            for n in begin..begin + *held as usize {
                 if let Some(soon) = places.get(n + AHEAD)
                     && let Some(chunk) = from.pairs.get(soon.chunk().wrapping_sub(first_chunk))
                     && let Some(load) = chunk.load.get(soon.load())
@@ -232,7 +241,7 @@ impl<Q: Quad> Sum<Q> {
     /// Adds what a contact does to its first body (0) or its second (1).
     #[inline(always)]
     fn add(&mut self, load: &Load, side: usize) {
-        let (sign, lever) = ([1.0, -1.0][side], [load.force[3], load.arm[3]][side]);
+        let (sign, lever) = ([1.0, -1.0][side], load.lever(side));
         self.force = self.force + Q::load(&load.force) * Q::all(sign);
         self.arms = self.arms + Q::load(&load.arm) * Q::all(lever);
     }
@@ -264,6 +273,7 @@ pub(crate) struct Stretch<'a> {
     /// Sums of its grains; not known of those that are left.
     sums: &'a mut [GrainLoad],
     places: &'a mut [Place],
+    counts: &'a mut [u32],
     first_grain: usize,
     is_new: bool,
 }
@@ -301,10 +311,12 @@ impl<'a> Stretch<'a> {
                 neighbours.entries_of(last).end - neighbours.entries_of(self.first_grain).start
             });
         let (places, other_places) = self.places.split_at_mut(entries);
+        let (counts, other_counts) = self.counts.split_at_mut(grains);
         let one = Self {
             chunks,
             sums,
             places,
+            counts,
             ..self
         };
         let other = Self {
@@ -312,6 +324,7 @@ impl<'a> Stretch<'a> {
             first_chunk: self.first_chunk + middle,
             sums: other_sums,
             places: other_places,
+            counts: other_counts,
             first_grain: self.first_grain + grains,
             is_new: self.is_new,
         };
@@ -330,6 +343,7 @@ impl<'a> Stretch<'a> {
             first_chunk,
             sums,
             mut places,
+            counts,
             first_grain,
             is_new,
         } = self;
@@ -353,6 +367,7 @@ impl<'a> Stretch<'a> {
                 first_grain: first_grain + begin,
                 sums: &mut sums[begin..next],
                 places: these,
+                counts: &mut counts[begin..next],
                 are_new: is_new,
             };
             lanes::run(instructions, sum_up);

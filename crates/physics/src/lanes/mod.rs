@@ -290,6 +290,15 @@ pub fn prefetch<T>(soon: &T) {
     let _ = soon;
 }
 
+/// The same for all that lies in a slice.
+#[inline(always)]
+pub fn prefetch_all<T>(soon: &[T]) {
+    const LINE: usize = 64;
+    for part in soon.chunks((LINE / size_of::<T>()).max(1)) {
+        prefetch(&part[0]);
+    }
+}
+
 /// Runs a kernel with instructions that this processor has ([`Instructions::available`]); with others it runs portably.
 #[inline]
 pub fn run<K: Kernel>(instructions: Instructions, kernel: K) -> K::Output {
