@@ -35,7 +35,16 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
     rows.add("time step", prepared.time_step_reason.as_str());
     let batches = things(scenario.grains.len() as u64, "batch").replace("batchs", "batches");
     rows.add("grains", format!("{} in {batches}", count(setup.grains.len() as u64)));
-    let names: Vec<&str> = scenario.walls.iter().map(|w| w.name.as_str()).collect();
+    if !scenario.feeds.is_empty() {
+        rows.add("feeds", names(&scenario.feeds, |feed| &feed.name).join(", "));
+    }
+    if !scenario.removals.is_empty() {
+        rows.add(
+            "removals",
+            names(&scenario.removals, |removal| &removal.name).join(", "),
+        );
+    }
+    let names: Vec<&str> = names(&scenario.walls, |wall| &wall.name);
     rows.add(
         "walls",
         if names.is_empty() {
@@ -68,12 +77,17 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
     format!("{} is right\n{}", scenario.name, rows.lines())
 }
 
+/// Names of things.
+fn names<T>(things: &[T], name: impl Fn(&T) -> &String) -> Vec<&str> {
+    things.iter().map(|thing| name(thing).as_str()).collect()
+}
+
 fn to_json(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Value {
     let stages = scenario.stages.iter().zip(&prepared.stage_steps);
     let stages: Vec<Value> = stages
         .map(|(stage, steps)| json!({ "name": stage.name, "steps": steps, "conditions": stage.stop.len() }))
         .collect();
-    let walls: Vec<&str> = scenario.walls.iter().map(|w| w.name.as_str()).collect();
+    let walls = names(&scenario.walls, |wall| &wall.name);
     let materials: Vec<&str> = scenario.materials.iter().map(|m| m.name.as_str()).collect();
     json!({
         "scenario": scenario.name,
@@ -82,6 +96,8 @@ fn to_json(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Val
         "time_step_reason": prepared.time_step_reason,
         "grains": prepared.setup.grains.len(),
         "materials": materials,
+        "feeds": names(&scenario.feeds, |feed| &feed.name),
+        "removals": names(&scenario.removals, |removal| &removal.name),
         "walls": walls,
         "wall_report": check_walls::to_json(scenario, prepared, report),
         "stages": stages,

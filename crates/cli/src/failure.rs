@@ -126,6 +126,9 @@ impl From<RunError> for Failure {
             RunError::Finished { .. }
             | RunError::State(_)
             | RunError::Motion { .. }
+            | RunError::OtherTraffic
+            | RunError::Feed { .. }
+            | RunError::Exchange(_)
             | RunError::Instructions(_)
             | RunError::Threads { .. } => true,
         };

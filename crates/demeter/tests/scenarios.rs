@@ -68,7 +68,7 @@ fn a_resolved_scenario_means_the_same() {
             );
             let body = (
                 s.contact.clone(),
-                s.grains.clone(),
+                (s.grains.clone(), s.feeds.clone(), s.removals.clone()),
                 s.walls.clone(),
                 s.stages.clone(),
                 s.measures.clone(),

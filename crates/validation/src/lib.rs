@@ -2,5 +2,10 @@
 //!
 //! [`hydrogel`]: 514 hydrogel grains that a plate squeezes (Brodu, Dijksman and Behringer, Phys. Rev. E 91, 032201, 2015),
 //! with each of the five contact models of the paper. `validation/hydrogel/README.md` tells the results.
+//!
+//! [`dosta`]: the cross-code benchmark of Dosta et al. (Computer Physics Communications 296, 109066, 2024): a ball that falls
+//! into a bed, a turning drum, a silo. `validation/dosta/README.md` tells the results.
 
+pub mod dosta;
+mod folder;
 pub mod hydrogel;

@@ -7,6 +7,7 @@
 )]
 
 use clap::{Parser, Subcommand};
+use demeter_validation::dosta;
 use demeter_validation::hydrogel::{
     Experiment, Results, Standards, TOP_FORCE, ValidationError, find_models, run_models, write_figures, write_table,
 };
@@ -28,6 +29,36 @@ enum Which {
     /// 514 hydrogel grains that a plate squeezes, with five contact models: Table I and figures 3 to 6 of Brodu, Dijksman
     /// and Behringer (2015)
     Hydrogel(Hydrogel),
+    /// A ball that falls into a bed, a turning drum, a silo: the cross-code benchmark of Dosta et al. (2024)
+    Dosta(Dosta),
+}
+
+#[derive(clap::Args)]
+struct Dosta {
+    /// Case: penetration-25k, penetration-50k, drum, silo-small-m1, silo-small-m2, silo-large-m1 or silo-large-m2
+    #[arg(long)]
+    case: String,
+    /// Folder of the published files, with the folders `penetration`, `drum` and `silo`
+    #[arg(long)]
+    data: PathBuf,
+    /// Simulated time [s], of a silo from when it is opened; otherwise the published one
+    #[arg(long)]
+    until: Option<f64>,
+    /// Threads; otherwise all cores
+    #[arg(long)]
+    threads: Option<usize>,
+    /// Folder of the scenarios
+    #[arg(long, default_value = "validation/dosta")]
+    scenarios: PathBuf,
+    /// Changes of the scenario, as `demeter run --set`
+    #[arg(long)]
+    set: Vec<String>,
+    /// Folder of the results; every case has a folder below it
+    #[arg(long, default_value = "runs/validate-dosta")]
+    out: PathBuf,
+    /// Replace another run in the folder
+    #[arg(long)]
+    overwrite: bool,
 }
 
 #[derive(clap::Args)]
@@ -125,9 +156,28 @@ fn hydrogel(arguments: &Hydrogel) -> Result<(), ValidationError> {
     Ok(())
 }
 
+fn dosta(arguments: &Dosta) -> Result<(), dosta::DostaError> {
+    let case = dosta::find_case(&arguments.case)?;
+    let experiment = dosta::Experiment {
+        data: arguments.data.clone(),
+        scenarios: arguments.scenarios.clone(),
+        until: arguments.until,
+        set: arguments.set.clone(),
+        threads: arguments.threads,
+        overwrite: arguments.overwrite,
+    };
+    let out = arguments.out.join(case.name);
+    let folder = dosta::run_case(&experiment, case, &out, &|text| eprintln!("{text}"))?;
+    let outcome = dosta::Outcome::read(case, &folder)?;
+    let (line, table) = dosta::write_outcome(&outcome, case, &out)?;
+    println!("{line}\n{}", table.display());
+    Ok(())
+}
+
 fn main() -> ExitCode {
-    let result = match Arguments::parse().experiment {
-        Which::Hydrogel(arguments) => hydrogel(&arguments),
+    let result: Result<(), Box<dyn std::error::Error>> = match Arguments::parse().experiment {
+        Which::Hydrogel(arguments) => hydrogel(&arguments).map_err(Into::into),
+        Which::Dosta(arguments) => dosta(&arguments).map_err(Into::into),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

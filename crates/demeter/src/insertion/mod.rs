@@ -17,6 +17,7 @@ mod rosin_rammler;
 mod sequential_addition;
 mod size_distribution;
 mod spec;
+mod stream;
 
 pub use grain_file::{FileError, FileProblem, GrainTable, Location, MAX_FILE_BYTES, TypeOfGrain, read_grain_file};
 pub use lattice::LatticeError;
@@ -25,6 +26,7 @@ pub use random_packing::{MAX_FRACTION, PackingError};
 pub use region::RegionError;
 pub use size_distribution::{SizeError, SizeSampler};
 pub use spec::{Amount, Basis, Insertion, LatticeKind, Region, SizeDistribution, Source};
+pub use stream::{Inlet, MAX_AT_ONCE, Occupied, Stream, Streaming};
 
 use crate::materials::Material;
 use crate::particles::{Domain, NewGrain};
@@ -91,6 +93,13 @@ pub enum InsertionProblem {
         value: f64,
         allowed: &'static str,
     },
+    #[error(
+        "the inlet reaches from ({}, {}, {}) to ({}, {}, {}), beyond the domain; widen the domain or move the inlet",
+        lower.x, lower.y, lower.z, upper.x, upper.y, upper.z
+    )]
+    InletOutside { lower: DVec3, upper: DVec3 },
+    #[error("the inlet has room for grains of {room} m; the largest that comes has a diameter of {largest} m")]
+    InletTooSmall { room: f64, largest: f64 },
     #[error("{what} is {value}; {allowed}")]
     FileSetting {
         what: &'static str,

@@ -1,18 +1,34 @@
 //! What is measured of a state: energies, contact statistics, stress, wall loads, and what a scenario asks for beside:
-//! networks of contacts and distributions of forces.
+//! networks of contacts, distributions of forces, grains in regions, their ways, and flows through gates.
 //!
 //! A contact counts when it acts, that is, when its normal force is not zero: [`ContactChunk::acts`].
 
+mod flow;
 mod forces;
+mod mixing;
 mod network;
+mod profile;
 mod records;
+mod region;
+mod selection;
+mod slope;
 mod sphere_in_box;
+mod told;
+mod trace;
 
 pub use crate::simulation::Energies;
+pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
 pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
+pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing};
 pub use network::{ContactNetwork, NetworkMeasures};
+pub use profile::{MAX_SLICES, Profile, Slice};
 pub use records::{contact_records, wall_surfaces};
+pub use region::{OF_MATERIAL_COLUMNS, REGION_COLUMNS, RegionCount};
+pub use selection::Selection;
+pub use slope::{SLOPE_COLUMNS, Slope};
 pub use sphere_in_box::sphere_in_box;
+pub use told::{FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
+pub use trace::{GrainTrace, TRACE_COLUMNS};
 
 use crate::contacts::ContactChunk;
 use crate::particles::Grains;
@@ -71,6 +87,9 @@ pub struct Measures {
     pub walls: Vec<WallLoad>,
     /// One entry per [`ContactNetwork`] that was asked for; [`measure`] leaves it empty.
     pub networks: Vec<NetworkMeasures>,
+    /// Values of the columns of all other measures that were asked for, and of feeds and removals; [`measure`] leaves it
+    /// empty.
+    pub told: Vec<Value>,
 }
 
 /// A wall whose displacement tells the strain of the packing: `strain = (displacement . direction - from) / length`.
@@ -130,6 +149,7 @@ pub fn measure(sim: &mut Simulation, moment: Moment, gauge: Option<&StrainGauge>
         momentum,
         walls: wall_loads(sim),
         networks: Vec::new(),
+        told: Vec::new(),
         energies,
     }
 }

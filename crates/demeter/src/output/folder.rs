@@ -96,14 +96,16 @@ impl RunFolder {
             (self.frames(), is_frame as fn(&str) -> bool),
             (self.plots(), is_plot),
             (self.pictures(), is_picture),
-            (self.distributions(), is_distribution),
+            (self.distributions(), is_table),
+            (self.profiles(), is_table),
         ] {
             for name in names_in(&sub)?.into_iter().filter(|name| ours(name)) {
                 remove_if_there(&sub.join(name))?;
             }
         }
-        // made by those runs only that measure distributions; it stays when it holds other files
+        // made by those runs only that measure them; they stay when they hold other files
         let _ = fs::remove_dir(self.distributions());
+        let _ = fs::remove_dir(self.profiles());
         Ok(())
     }
 
@@ -188,6 +190,22 @@ impl RunFolder {
         self.distributions().join(format!("{measure}.csv"))
     }
 
+    /// Folder of the profiles; [`RunFolder::make_profiles`] makes it.
+    pub fn profiles(&self) -> PathBuf {
+        self.root.join("profiles")
+    }
+
+    /// Makes the folder of the profiles.
+    pub fn make_profiles(&self) -> Result<(), OutputError> {
+        let sub = self.profiles();
+        fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
+    }
+
+    /// The profile that a measure writes, by the name of the measure.
+    pub fn profile(&self, measure: &str) -> PathBuf {
+        self.profiles().join(format!("{measure}.csv"))
+    }
+
     /// A plot, by name without extension.
     pub fn plot(&self, name: &str) -> PathBuf {
         self.plots().join(format!("{}.svg", file_stem(name)))
@@ -221,7 +239,7 @@ fn is_plot(name: &str) -> bool {
     name.strip_suffix(".part").unwrap_or(name).ends_with(".svg")
 }
 
-fn is_distribution(name: &str) -> bool {
+fn is_table(name: &str) -> bool {
     name.ends_with(".csv")
 }
 
@@ -270,6 +288,8 @@ mod tests {
             .unwrap();
         folder.make_distributions().unwrap();
         fs::write(folder.distribution("forces"), b"step\n").unwrap();
+        folder.make_profiles().unwrap();
+        fs::write(folder.profile("slices"), b"step\n").unwrap();
         fs::write(place.path().join("notes.txt"), "mine").unwrap();
         let error = RunFolder::create(place.path(), false).unwrap_err();
         assert!(matches!(error, OutputError::HoldsARun { .. }));
@@ -278,7 +298,7 @@ mod tests {
         RunFolder::create(place.path(), true).unwrap();
         assert!(!folder.series().exists());
         assert!(!folder.frames().join("grains_0000000001.vtp").exists());
-        assert!(!folder.distributions().exists());
+        assert!(!folder.distributions().exists() && !folder.profiles().exists());
         assert_eq!(fs::read(place.path().join("notes.txt")).unwrap(), b"mine");
     }
 

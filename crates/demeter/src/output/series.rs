@@ -2,7 +2,10 @@
 
 use super::error::OutputError;
 use super::rows::RowFile;
-use crate::measure::{Measures, NetworkMeasures, WallLoad};
+use crate::measure::{
+    FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS,
+    REMOVAL_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WallLoad,
+};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -270,6 +273,19 @@ fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
     format!("{network} {}", column.title())
 }
 
+/// Columns behind all others, with what their titles begin with.
+const TOLD: [(&str, &[ToldColumn]); 9] = [
+    ("MEASURE", REGION_COLUMNS),
+    ("MEASURE MATERIAL", OF_MATERIAL_COLUMNS),
+    ("MEASURE", TRACE_COLUMNS),
+    ("MEASURE", FLOW_COLUMNS),
+    ("MEASURE", MIXING_COLUMNS),
+    ("MEASURE", SLOPE_COLUMNS),
+    ("feed NAME", FEED_COLUMNS),
+    ("removal NAME", REMOVAL_COLUMNS),
+    ("removal NAME MATERIAL", OF_MATERIAL_COLUMNS),
+];
+
 /// The table of all columns in Markdown, for the book.
 pub fn columns_table() -> String {
     let mut text = String::from("| column | unit | meaning |\n|---|---|---|\n");
@@ -279,7 +295,8 @@ pub fn columns_table() -> String {
         .map(|c| (c.title(), c.unit, c.meaning));
     let walls = WALL_COLUMNS.iter().map(|c| (wall_title("NAME", c), c.unit, c.meaning));
     let networks = (NETWORK_COLUMNS.iter()).map(|c| (network_title("MEASURE", c), c.unit, c.meaning));
-    for (title, unit, meaning) in plain.chain(walls).chain(networks) {
+    let told = (TOLD.iter()).flat_map(|(name, columns)| columns.iter().map(|c| (c.title(name), c.unit, c.meaning)));
+    for (title, unit, meaning) in plain.chain(walls).chain(networks).chain(told) {
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
@@ -301,6 +318,8 @@ pub struct SeriesLabels {
     pub strain: bool,
     /// Names of the contact networks, by index.
     pub networks: Vec<String>,
+    /// Titles of the columns behind all others.
+    pub told: Vec<String>,
 }
 
 impl SeriesLabels {
@@ -318,6 +337,7 @@ impl SeriesLabels {
         for network in &self.networks {
             names.extend(NETWORK_COLUMNS.iter().map(|c| network_title(network, c)));
         }
+        names.extend(self.told.iter().cloned());
         names
     }
 }
@@ -348,6 +368,7 @@ impl SeriesWriter {
         let sizes = [
             ("walls", self.labels.walls.len(), row.walls.len()),
             ("contact networks", self.labels.networks.len(), row.networks.len()),
+            ("further columns", self.labels.told.len(), row.told.len()),
         ];
         for (what, expected, found) in sizes {
             if found != expected {
@@ -366,6 +387,10 @@ impl SeriesWriter {
         for network in &row.networks {
             cells.extend(NETWORK_COLUMNS.iter().map(|c| self.text(&(c.value)(network))));
         }
+        cells.extend(row.told.iter().map(|value| match *value {
+            Value::Count(n) => n.to_string(),
+            Value::Number(x) => number(x),
+        }));
         self.file.add(&[cells])
     }
 

@@ -49,6 +49,19 @@ impl Domain {
         d
     }
 
+    /// A point with its coordinates in periodic directions put back into the box, across one side at most.
+    pub fn wrapped(&self, p: DVec3) -> DVec3 {
+        let (mut p, size) = (p, self.size());
+        for axis in (0..3).filter(|&k| self.periodic[k]) {
+            if p[axis] >= self.upper[axis] {
+                p[axis] -= size[axis];
+            } else if p[axis] < self.lower[axis] {
+                p[axis] += size[axis];
+            }
+        }
+        p
+    }
+
     /// Whether a point lies inside. Beyond a periodic side it does, too, up to one box: a grain is put back whenever the
     /// candidates are found, so farther away it was thrown by one step over more than a box. A point that is not finite
     /// lies nowhere.

@@ -1,10 +1,14 @@
 //! Grains as a struct of arrays, and the domain that they live in.
 
 mod domain;
+mod origins;
 mod rows;
+mod zone;
 
 pub use domain::{Domain, Outside};
+pub use origins::Origins;
 pub use rows::{Row, Rows};
+pub use zone::{Zone, ZonePart, ZoneShape};
 
 use demeter_physics::integrator::gear::Derivatives;
 use glam::{DQuat, DVec3};
@@ -142,6 +146,23 @@ impl Grains {
         self.torque.push(DVec3::ZERO, 0.0);
         if !self.higher.is_empty() {
             self.higher.push(HigherDerivatives::default());
+        }
+    }
+
+    /// Adds copies of all grains of another table, with their ids.
+    pub fn append(&mut self, other: &Self) {
+        self.id.extend_from_slice(&other.id);
+        self.material.extend_from_slice(&other.material);
+        self.mass.extend_from_slice(&other.mass);
+        self.position.append(&other.position);
+        self.image.extend_from_slice(&other.image);
+        self.velocity.append(&other.velocity);
+        self.angular_velocity.append(&other.angular_velocity);
+        self.orientation.extend_from_slice(&other.orientation);
+        self.force.append(&other.force);
+        self.torque.append(&other.torque);
+        if !self.higher.is_empty() {
+            self.higher.resize(self.id.len(), HigherDerivatives::default());
         }
     }
 

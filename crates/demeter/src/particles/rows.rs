@@ -35,6 +35,11 @@ impl Rows {
         self.0.push(Row { vector, scalar });
     }
 
+    /// Adds copies of all rows of another table.
+    pub(super) fn append(&mut self, other: &Self) {
+        self.0.extend_from_slice(&other.0);
+    }
+
     /// The number of a row.
     #[inline(always)]
     pub fn scalar(&self, index: usize) -> f64 {

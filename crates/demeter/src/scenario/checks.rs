@@ -1,6 +1,6 @@
 //! What can be wrong with a scenario beyond its text: memory, overlaps, motions.
 
-use super::{Diagnostics, Scenario};
+use super::{Diagnostics, FeedRate, FeedSpec, Scenario};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
 use crate::particles::{Domain, Grains};
 use crate::walls::{Motion, SurfaceContact, Wall};
@@ -13,7 +13,8 @@ pub(super) const BYTES_PER_GRAIN: f64 = 8400.0;
 
 /// Refuses grains that cannot fit into memory before any is made.
 pub(super) fn check_memory(scenario: &Scenario, faults: &mut Diagnostics) {
-    let expected: f64 = scenario.grains.iter().map(expected_count).sum();
+    let at_start: f64 = scenario.grains.iter().map(expected_count).sum();
+    let expected = at_start + scenario.feeds.iter().map(expected_of_feed).sum::<f64>();
     let Some(available) = available_memory() else { return };
     let needed = expected * BYTES_PER_GRAIN;
     if needed > available {
@@ -32,6 +33,16 @@ pub(super) fn check_memory(scenario: &Scenario, faults: &mut Diagnostics) {
 }
 
 const GIBIBYTE: f64 = (1u64 << 30) as f64;
+
+/// Number of grains that a feed lets come, as far as its ends tell.
+pub(super) fn expected_of_feed(feed: &FeedSpec) -> f64 {
+    let count = feed.end.count.map_or(f64::INFINITY, |count| count as f64);
+    let expected = match feed.rate {
+        FeedRate::Number(rate) => feed.end.until.map_or(count, |seconds| count.min(rate * seconds)),
+        _ => count,
+    };
+    if expected.is_finite() { expected } else { 0.0 }
+}
 
 /// Number of grains that an insertion will make, as far as its description tells.
 fn expected_count(insertion: &Insertion) -> f64 {

@@ -32,7 +32,12 @@ pub(super) struct Surroundings<'a> {
 
 pub(super) fn grains(root: &TableReader<'_>, around: &Surroundings<'_>) -> Vec<Insertion> {
     let meaning = "at least one table [[grains]] that says where grains come from";
-    let Some(item) = root.required("grains", meaning) else {
+    let found = match root.has("feed") {
+        // a run may begin empty when grains come later
+        true => root.optional("grains"),
+        false => root.required("grains", meaning),
+    };
+    let Some(item) = found else {
         return Vec::new();
     };
     let tables = item.tables("grains");
@@ -256,9 +261,15 @@ fn region(table: &TableReader<'_>) -> Region {
         table.finish("a region of shape \"box\"");
         return Region::Box { lower, upper };
     }
-    let (start, end) = axis_ends(&table);
-    let radius = table.length("radius", "the radius of the cylinder");
+    let region = cylinder(&table);
     table.finish("a region of shape \"cylinder\"");
+    region
+}
+
+/// The keys of a cylinder.
+pub(super) fn cylinder(table: &TableReader<'_>) -> Region {
+    let (start, end) = axis_ends(table);
+    let radius = table.length("radius", "the radius of the cylinder");
     Region::Cylinder { start, end, radius }
 }
 

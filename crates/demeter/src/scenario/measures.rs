@@ -3,7 +3,11 @@
 use super::document::join;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
-use crate::measure::{BinsError, ContactNetwork, ForceDistribution};
+use super::region_measures::{mass_flow, mixing, profile, slope};
+use super::zones::{Named, region, selection};
+use crate::measure::{
+    BinsError, ContactNetwork, ForceDistribution, GrainTrace, MassFlow, Mixing, Profile, RegionCount, Slope,
+};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 
@@ -28,13 +32,25 @@ pub enum MeasureKind {
     ContactNetwork(ContactNetwork),
     /// A file of its own.
     ForceDistribution(ForceDistribution),
+    /// Columns of the series.
+    RegionCount(RegionCount),
+    /// Columns of the series.
+    GrainTrace(GrainTrace),
+    /// Columns of the series.
+    MassFlow(MassFlow),
+    /// Columns of the series.
+    Mixing(Mixing),
+    /// Columns of the series.
+    Slope(Slope),
+    /// A file of its own.
+    Profile(Profile),
 }
 
 /// The contact networks of a list of measures, with their names.
 pub(super) fn networks(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &ContactNetwork)> {
     measures.iter().filter_map(|measure| match &measure.kind {
         MeasureKind::ContactNetwork(network) => Some((measure.name.as_str(), network)),
-        MeasureKind::ForceDistribution(_) => None,
+        _ => None,
     })
 }
 
@@ -42,15 +58,40 @@ pub(super) fn networks(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, 
 pub(super) fn distributions(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &ForceDistribution)> {
     measures.iter().filter_map(|measure| match &measure.kind {
         MeasureKind::ForceDistribution(bins) => Some((measure.name.as_str(), bins)),
-        MeasureKind::ContactNetwork(_) => None,
+        _ => None,
+    })
+}
+
+/// The profiles of a list of measures, with their names.
+pub(super) fn profiles(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &Profile)> {
+    measures.iter().filter_map(|measure| match &measure.kind {
+        MeasureKind::Profile(profile) => Some((measure.name.as_str(), profile)),
+        _ => None,
+    })
+}
+
+/// The flows through gates of a list of measures, with their names.
+pub(super) fn flows(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &MassFlow)> {
+    measures.iter().filter_map(|measure| match &measure.kind {
+        MeasureKind::MassFlow(flow) => Some((measure.name.as_str(), flow)),
+        _ => None,
     })
 }
 
 const FORCE: Kind = Kind::Physical(Dimension::FORCE);
 
-const KINDS: [&str; 2] = ["contact-network", "force-distribution"];
+const KINDS: [&str; 8] = [
+    "contact-network",
+    "force-distribution",
+    "region-count",
+    "grain-trace",
+    "mass-flow",
+    "mixing",
+    "surface-slope",
+    "profile",
+];
 
-pub(super) fn measures(root: &TableReader<'_>) -> Vec<MeasureSpec> {
+pub(super) fn measures(root: &TableReader<'_>, named: &Named<'_>) -> Vec<MeasureSpec> {
     let Some(item) = root.optional("measure") else {
         return Vec::new();
     };
@@ -77,7 +118,7 @@ pub(super) fn measures(root: &TableReader<'_>) -> Vec<MeasureSpec> {
             item.context.fault(&path, message, None);
         }
         names.push(name.clone());
-        if let Some(kind) = kind(table) {
+        if let Some(kind) = kind(table, named) {
             measures.push(MeasureSpec { name, kind });
         }
     }
@@ -107,8 +148,8 @@ fn word(item: &Item<'_>) -> String {
     String::new()
 }
 
-fn kind(table: TableReader<'_>) -> Option<MeasureKind> {
-    let meaning = "what is measured, \"contact-network\" or \"force-distribution\"";
+fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
+    let meaning = "what is measured, as \"region-count\" or \"contact-network\"";
     let index = table.required("kind", meaning).and_then(|item| item.choice(&KINDS));
     let Some(index) = index else {
         table.abandon();
@@ -116,7 +157,18 @@ fn kind(table: TableReader<'_>) -> Option<MeasureKind> {
     };
     let kind = match KINDS[index] {
         "contact-network" => Some(MeasureKind::ContactNetwork(contact_network(&table))),
-        _ => force_distribution(&table).map(MeasureKind::ForceDistribution),
+        "force-distribution" => force_distribution(&table).map(MeasureKind::ForceDistribution),
+        "region-count" => Some(MeasureKind::RegionCount(RegionCount {
+            zone: table.optional("region").map(|i| region(&i)).unwrap_or_default(),
+            selection: selection(&table, named),
+        })),
+        "grain-trace" => Some(MeasureKind::GrainTrace(GrainTrace {
+            selection: selection(&table, named),
+        })),
+        "mass-flow" => Some(MeasureKind::MassFlow(mass_flow(&table, named))),
+        "mixing" => Some(MeasureKind::Mixing(mixing(&table, named))),
+        "surface-slope" => Some(MeasureKind::Slope(slope(&table, named))),
+        _ => Some(MeasureKind::Profile(profile(&table, named))),
     };
     table.finish(&format!("a measure of kind `{}`", KINDS[index]));
     kind

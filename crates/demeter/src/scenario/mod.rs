@@ -3,6 +3,7 @@
 mod checks;
 mod diagnostics;
 mod document;
+mod feeds;
 mod fit_file;
 mod grains;
 mod impact;
@@ -16,6 +17,7 @@ mod plots;
 mod prepare;
 mod quantity;
 mod reader;
+mod region_measures;
 mod report;
 mod resolved;
 mod rows;
@@ -26,15 +28,18 @@ mod settings;
 mod sizes;
 mod stages;
 mod templates;
+mod traffic;
 pub mod units;
 mod wall_report;
 mod walls;
+mod zones;
 
 #[cfg(test)]
 mod tests;
 
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use document::{Document, SourceText, Span};
+pub use feeds::{EXCHANGE_EVERY, FeedEnd, FeedRate, FeedSpec, MAX_FEEDS, RemovalSpec};
 pub use fit_file::{DEFAULT_ERROR, FIT_REFERENCE, FitFile, MAX_OBSERVATIONS, MAX_UNKNOWNS};
 pub use grains::{MAX_BATCHES, MAX_GRAINS};
 pub use impact::{
@@ -93,6 +98,10 @@ pub struct Scenario {
     pub contact: ContactSpec,
     /// Batches of grains; the path of the first is `grains[0]`.
     pub grains: Vec<Insertion>,
+    /// Grains that come while the run goes on; the path of the first is `feed[0]`.
+    pub feeds: Vec<FeedSpec>,
+    /// Where grains go while the run goes on; the path of the first is `removal[0]`.
+    pub removals: Vec<RemovalSpec>,
     /// Walls; the path of the first is `wall[0]`.
     pub walls: Vec<WallSpec>,
     /// Stages with repeats unrolled.
@@ -159,8 +168,21 @@ impl Scenario {
         let walls = walls::walls(&table, &around);
         let grains = grains::grains(&table, &around);
         let told = settings::output(&table, &walls);
-        let measures = measures::measures(&table);
-        let protocol = stages::protocol(&table, &walls, told.intervals);
+        let feeds = feeds::feeds(&table, &around, &grains);
+        let batches = grains.iter().map(|b| b.name.as_str());
+        let named = zones::Named {
+            materials: &materials,
+            gravity: simulation.gravity,
+            sources: batches.chain(feeds.iter().map(|f| f.name.as_str())).collect(),
+        };
+        let removals = feeds::removals(&table, &named);
+        let measures = measures::measures(&table, &named);
+        let cast = stages::Cast {
+            walls: &walls,
+            feeds: &feeds,
+            removals: &removals,
+        };
+        let protocol = stages::protocol(&table, cast, told.intervals);
         table.finish("the scenario");
         Self {
             title,
@@ -170,6 +192,8 @@ impl Scenario {
             materials,
             contact,
             grains,
+            feeds,
+            removals,
             walls,
             stages: protocol.stages,
             stage_paths: protocol.paths,

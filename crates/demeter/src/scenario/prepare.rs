@@ -1,11 +1,14 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
-use super::checks::{BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_wall_speeds};
+use super::checks::{
+    BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_wall_speeds, expected_of_feed,
+};
 use super::meshes::{self, MeshOrigin};
+use super::traffic::sources;
 use super::{Diagnostics, Scenario, TimeStep, WallSpec};
 use crate::insertion::insert;
 use crate::materials::Materials;
-use crate::particles::{Domain, Grains};
+use crate::particles::{Domain, Grains, NewGrain, Origins, Outside};
 use crate::simulation::{SAFE_SHARE, Setup, Skin, TimeScale, refusals, shortest_time_scale, unsafe_share};
 use crate::walls::Wall;
 use demeter_physics::contact::LawError;
@@ -22,6 +25,10 @@ const SKIN_SHARE: f64 = 0.2;
 pub struct Prepared {
     /// What the simulation is made of.
     pub setup: Setup,
+    /// Which batch every grain is of.
+    pub origins: Origins,
+    /// Grains of the sizes and materials that feeds will let come, at their inlets.
+    pub to_come: Grains,
     /// Shortest time scale of the laws in use.
     pub time_scale: TimeScale,
     /// The time step in words: its value, its share of the shortest time scale, and where that comes from.
@@ -52,25 +59,29 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    let grains = grains(scenario, &mut faults);
+    let (grains, origins) = grains(scenario, &mut faults);
+    let to_come = to_come(scenario, &mut faults);
     let (Some(materials), true) = (materials, faults.is_empty()) else {
         return Err(faults);
     };
-    let domain = domain(scenario, &grains, &walls, &mut faults);
-    meshes::check(scenario, &walls, &meshes, &grains, &mut warnings);
+    let mut all = grains.clone();
+    all.append(&to_come);
+    let domain = domain(scenario, &all, &walls, &mut faults);
+    check_feeds(scenario, &domain, &mut faults);
+    meshes::check(scenario, &walls, &meshes, &all, &mut warnings);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
-    if grains.is_empty() {
+    if all.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));
     }
-    let skin = (scenario.simulation.skin).map_or_else(|| Skin::Tuned(SKIN_SHARE * mean_radius(&grains)), Skin::Fixed);
-    check_periodic_size(&grains, &domain, skin.first(), materials.are_coupled(), &mut faults);
+    let skin = (scenario.simulation.skin).map_or_else(|| Skin::Tuned(SKIN_SHARE * mean_radius(&all)), Skin::Fixed);
+    check_periodic_size(&all, &domain, skin.first(), materials.are_coupled(), &mut faults);
     let wall_materials: Vec<u16> = walls.iter().map(|w| w.material).collect();
-    for (a, b, why) in refusals(&grains, &wall_materials, &materials) {
+    for (a, b, why) in refusals(&all, &wall_materials, &materials) {
         let path = scenario.contact.path(a.into(), b.into());
         faults.push(&format!("{path}.normal"), why, None);
     }
     let max_overlap = scenario.simulation.max_overlap;
-    let scale = shortest_time_scale(&grains, &wall_materials, &materials, max_overlap);
+    let scale = shortest_time_scale(&all, &wall_materials, &materials, max_overlap);
     let scale = match scale {
         Ok(scale) if faults.is_empty() => scale,
         Ok(_) => return Err(faults),
@@ -82,15 +93,18 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         }
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
-    check_wall_speeds(scenario, &grains, dt, &mut faults);
+    check_wall_speeds(scenario, &all, dt, &mut faults);
     if !faults.is_empty() {
         return Err(faults);
     }
     let stage_steps: Vec<u64> = scenario.stages.iter().map(|s| super::run::longest(s, dt)).collect();
     let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
+    let most = grains.len() as f64 + scenario.feeds.iter().map(expected_of_feed).sum::<f64>();
     Ok(Prepared {
-        memory: (grains.len() as f64 * BYTES_PER_GRAIN) as u64,
-        run_time: grains.len() as f64 * steps as f64 / ASSUMED_SPEED,
+        memory: (most * BYTES_PER_GRAIN) as u64,
+        run_time: most * steps as f64 / ASSUMED_SPEED,
+        origins,
+        to_come,
         time_scale: scale,
         time_step_reason: reason,
         warnings,
@@ -201,8 +215,9 @@ fn wall(spec: &WallSpec) -> Result<(Wall, Option<MeshOrigin>), (&'static str, St
     Ok((wall.map_err(|error| ("", error.to_string()))?, origin))
 }
 
-fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> Grains {
-    let mut grains = Grains::default();
+/// The grains of all batches, and which batch each is of.
+fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
+    let (mut grains, mut origins) = (Grains::default(), Origins::default());
     let mut occupied: Vec<(DVec3, f64)> = Vec::new();
     let periodic = periodic_domain(scenario);
     let mut next_id = 1u32;
@@ -224,14 +239,56 @@ fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> Grains {
                     format!("grain id {id} of `{}` is taken by an earlier batch", insertion.name),
                     Some("put the batch with ids of its own first, or renumber the file".to_string()),
                 );
-                return grains;
+                return (grains, origins);
             }
             next_id = next_id.max(id.saturating_add(1));
             grains.push(id, grain);
+            origins.add(id, k as u16, 0);
             occupied.push((grain.position, grain.radius));
         }
     }
+    (grains, origins)
+}
+
+/// Grains of the extreme sizes of every feed, at the ends of its inlet: they stand for those that will come.
+fn to_come(scenario: &Scenario, faults: &mut Diagnostics) -> Grains {
+    let mut grains = Grains::default();
+    let open = Domain {
+        lower: DVec3::NEG_INFINITY,
+        upper: DVec3::INFINITY,
+        periodic: [false; 3],
+        outside: Outside::Stop,
+    };
+    let sources = match sources(scenario, &periodic_domain(scenario).unwrap_or(open)) {
+        Ok(sources) => sources,
+        Err((feed, problem)) => {
+            faults.push(&format!("feed[{feed}]"), problem.to_string(), None);
+            return grains;
+        }
+    };
+    for (feed, source) in scenario.feeds.iter().zip(sources) {
+        let (lower, upper) = source.bounds();
+        for (position, radius) in [lower, upper].into_iter().zip(source.radii()) {
+            let grain = NewGrain {
+                material: feed.stream.material,
+                radius,
+                density: scenario.materials[usize::from(feed.stream.material)].density,
+                position,
+                velocity: feed.stream.velocity,
+                angular_velocity: DVec3::ZERO,
+                fixed: false,
+            };
+            grains.push(u32::MAX, &grain);
+        }
+    }
     grains
+}
+
+/// Tells feeds that cannot serve in the domain.
+fn check_feeds(scenario: &Scenario, domain: &Domain, faults: &mut Diagnostics) {
+    if let Err((feed, problem)) = sources(scenario, domain) {
+        faults.push(&format!("feed[{feed}]"), problem.to_string(), None);
+    }
 }
 
 /// The domain as far as it is periodic, before the grains are known.

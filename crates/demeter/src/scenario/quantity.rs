@@ -18,6 +18,10 @@ pub(super) enum Kind {
     AngularVelocity,
     /// A plain number, or a percentage.
     Number,
+    /// Mass per time: `"0.5 kg/s"`.
+    MassRate,
+    /// Things per time: `"200 1/s"`.
+    NumberRate,
 }
 
 impl Kind {
@@ -36,6 +40,8 @@ impl Kind {
             Self::Angle => quantity.dimension == Dimension::NONE && quantity.angle <= 1,
             Self::AngularVelocity => quantity.dimension == Dimension::FREQUENCY && quantity.angle == 1,
             Self::Number => quantity.dimension == Dimension::NONE && quantity.angle == 0,
+            Self::MassRate => quantity.dimension == Dimension::DAMPING && quantity.angle == 0,
+            Self::NumberRate => quantity.dimension == Dimension::FREQUENCY && quantity.angle == 0,
         }
     }
 
@@ -47,6 +53,8 @@ impl Kind {
             Self::Angle => "an angle".to_string(),
             Self::AngularVelocity => "an angular velocity".to_string(),
             Self::Number => "a pure number".to_string(),
+            Self::MassRate => "a mass per time".to_string(),
+            Self::NumberRate => "a number per time".to_string(),
         }
     }
 
@@ -59,6 +67,8 @@ impl Kind {
             Self::Angle => "\"30 deg\"".to_string(),
             Self::AngularVelocity => "\"60 rpm\" or \"2 rad/s\"".to_string(),
             Self::Number => "0.5".to_string(),
+            Self::MassRate => "\"0.5 kg/s\"".to_string(),
+            Self::NumberRate => "\"200 1/s\"".to_string(),
         }
     }
 }
@@ -114,7 +124,7 @@ impl Item<'_> {
         }
         match kind {
             Kind::Number | Kind::Angle => Some((value, written)),
-            Kind::Physical(_) | Kind::AngularVelocity => {
+            Kind::Physical(_) | Kind::AngularVelocity | Kind::MassRate | Kind::NumberRate => {
                 let message = format!(
                     "`{}` must be {} with a unit, found {written}",
                     self.name,
@@ -192,7 +202,7 @@ impl Item<'_> {
         let part = match kind {
             Kind::Physical(d) => format!("\"1 {}\"", d.unit()),
             Kind::AngularVelocity => "\"1 rad/s\"".to_string(),
-            Kind::Angle | Kind::Number => "1".to_string(),
+            Kind::Angle | Kind::Number | Kind::MassRate | Kind::NumberRate => "1".to_string(),
         };
         self.fault(
             format!("`{}` must be a vector of three components, {found}", self.name),

@@ -5,6 +5,7 @@ use super::report::{Report, RunEnd};
 use super::rows::Rows;
 use super::run_error::RunError;
 use super::run_options::RunOptions;
+use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::checkpoint::{self, Header};
 use crate::contacts::Fault;
@@ -76,6 +77,7 @@ pub struct RunState {
     simulation: SimulationState,
     place: Place,
     domain: Domain,
+    traffic: TrafficState,
 }
 
 impl RunState {
@@ -165,6 +167,7 @@ pub(super) struct Runner<'a> {
     pub(super) particle_steps: u64,
     /// What the latest row told.
     pub(super) latest: Option<Measures>,
+    traffic: Traffic<'a>,
     steps: u64,
     rows: Rows<'a>,
     frames: FrameWriter,
@@ -202,8 +205,13 @@ impl<'a> Runner<'a> {
         };
         let rows = Rows::create(scenario, &folder)?;
         let frames = FrameWriter::create(&folder)?;
-        let sim = Simulation::new(prepared.setup);
-        let mut runner = Self::new(scenario, sim, folder, place, (rows, frames), observer);
+        let (skin, coupling) = (prepared.setup.skin, prepared.setup.coupling);
+        let mut sim = Simulation::new(prepared.setup);
+        if !scenario.feeds.is_empty() {
+            sim.expect_grains(&prepared.to_come, skin, coupling);
+        }
+        let traffic = Traffic::begin(scenario, sim.domain(), prepared.origins)?;
+        let mut runner = Self::new(scenario, (sim, traffic), folder, place, (rows, frames), observer);
         runner.begin_stage()?;
         Ok(runner)
     }
@@ -218,17 +226,19 @@ impl<'a> Runner<'a> {
         setup.dt = state.simulation.dt;
         let step = state.simulation.step;
         let sim = Simulation::resume(setup, state.simulation)?;
+        let traffic = Traffic::resume(scenario, sim.domain(), state.traffic)?;
         let rows = Rows::resume(scenario, &folder, step)?;
         let frames = FrameWriter::resume(&folder, step)?;
         let text = format!("going on from step {step}, time {:.4e} s", sim.time());
         observer.message(&text);
         folder.log_line(&text)?;
-        Ok(Self::new(scenario, sim, folder, state.place, (rows, frames), observer))
+        let runner = Self::new(scenario, (sim, traffic), folder, state.place, (rows, frames), observer);
+        Ok(runner)
     }
 
     fn new(
         scenario: &'a Scenario,
-        sim: Simulation,
+        (sim, traffic): (Simulation, Traffic<'a>),
         folder: RunFolder,
         place: Place,
         (rows, frames): (Rows<'a>, FrameWriter),
@@ -248,6 +258,7 @@ impl<'a> Runner<'a> {
             folder,
             place,
             latest: None,
+            traffic,
             steps,
             rows,
             frames,
@@ -299,9 +310,13 @@ impl<'a> Runner<'a> {
             if self.sim.step > self.first_step && self.is_due(self.stage().cadence.checkpoints) {
                 self.write_checkpoint()?;
             }
+            for text in self.traffic.exchange(&mut self.sim)? {
+                self.say(&text)?;
+            }
             if let Err(fault) = self.sim.step() {
                 return Ok(Err(fault));
             }
+            self.traffic.watch(&self.sim);
             self.particle_steps += self.sim.grains.len() as u64;
             let cadence = self.stage().cadence;
             if self.is_due(cadence.series) {
@@ -331,6 +346,7 @@ impl<'a> Runner<'a> {
         let Some(stage) = self.scenario.stages.get(self.place.stage) else {
             return Ok(());
         };
+        self.traffic.begin_stage(stage, self.sim.step);
         for (wall, motion) in &stage.motions {
             self.sim.walls[*wall]
                 .set_motion(motion.clone())
@@ -406,6 +422,14 @@ impl<'a> Runner<'a> {
                 let reached = self.travel(*wall) / length;
                 (reached >= *strain * (1.0 - 1e-12)).then(|| format!("the strain is {reached:.6}"))
             }
+            StopCondition::FeedDone(feed) => {
+                let name = self.scenario.feeds.get(*feed).map_or("", |f| f.name.as_str());
+                self.traffic.is_done(*feed).then(|| format!("feed `{name}` is done"))
+            }
+            StopCondition::GrainsAtMost(count) => {
+                let left = self.sim.grains.len();
+                (elapsed > 0 && left as u64 <= *count).then(|| format!("{left} grains are left"))
+            }
         })
     }
 
@@ -424,7 +448,7 @@ impl<'a> Runner<'a> {
             stage: self.place.stage,
             stage_time,
         };
-        let row = self.rows.write(&mut self.sim, moment)?;
+        let row = self.rows.write(&mut self.sim, &mut self.traffic, moment)?;
         self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
         self.place.last_row = Some(self.sim.step);
         self.latest = Some(row);
@@ -475,6 +499,7 @@ impl<'a> Runner<'a> {
             simulation,
             place,
             domain: *self.sim.domain(),
+            traffic: self.traffic.state(),
         };
         checkpoint::write_latest(self.folder.root(), &header, &state)?;
         self.sim.took(Phase::Output);
@@ -507,5 +532,6 @@ pub(super) fn labels(scenario: &Scenario) -> SeriesLabels {
         walls: scenario.walls.iter().map(|w| w.name.clone()).collect(),
         strain: scenario.output.strain.is_some(),
         networks: networks(&scenario.measures).map(|(name, _)| name.to_owned()).collect(),
+        told: Traffic::titles(scenario),
     }
 }

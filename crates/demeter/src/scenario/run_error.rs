@@ -2,8 +2,9 @@
 
 use super::Diagnostics;
 use crate::checkpoint::CheckpointError;
+use crate::insertion::InsertionProblem;
 use crate::output::OutputError;
-use crate::simulation::StateError;
+use crate::simulation::{ExchangeError, StateError};
 use crate::walls::WallError;
 use demeter_physics::lanes::NoSuchInstructions;
 use std::path::PathBuf;
@@ -37,6 +38,23 @@ pub enum RunError {
         /// Why.
         source: WallError,
     },
+    /// The checkpoint holds other feeds, removals or flows than the scenario tells.
+    #[error(
+        "the checkpoint holds other feeds, removals or flows through gates than the scenario tells: it belongs to another \
+         scenario"
+    )]
+    OtherTraffic,
+    /// A feed cannot serve.
+    #[error("feed `{feed}`: {problem}")]
+    Feed {
+        /// Its name.
+        feed: String,
+        /// Why.
+        problem: Box<InsertionProblem>,
+    },
+    /// Grains cannot come.
+    #[error(transparent)]
+    Exchange(#[from] ExchangeError),
     /// This processor lacks the instructions that were asked for.
     #[error(transparent)]
     Instructions(#[from] NoSuchInstructions),

@@ -1,6 +1,7 @@
 //! Tables `[[stage]]`: the protocol, with repeats unrolled.
 
 use super::document::{Value, join};
+use super::feeds::{FeedSpec, RemovalSpec, chosen, index_of};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::settings::{Intervals, cadence, intervals};
@@ -33,8 +34,18 @@ enum Content {
     Single {
         stop: Vec<StopCondition>,
         motions: Vec<(usize, Motion)>,
+        feeds: Option<Vec<usize>>,
+        removals: Option<Vec<usize>>,
         intervals: Intervals,
     },
+}
+
+/// What stages may name.
+#[derive(Clone, Copy)]
+pub(super) struct Cast<'a> {
+    pub walls: &'a [WallSpec],
+    pub feeds: &'a [FeedSpec],
+    pub removals: &'a [RemovalSpec],
 }
 
 /// The stages in order, each with the path of the table that told it, and the resolved cadence of the whole run.
@@ -44,7 +55,7 @@ pub(super) struct Protocol {
     pub cadence: Cadence,
 }
 
-pub(super) fn protocol(root: &TableReader<'_>, walls: &[WallSpec], told: Intervals) -> Protocol {
+pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) -> Protocol {
     let mut protocol = Protocol {
         stages: Vec::new(),
         paths: Vec::new(),
@@ -54,7 +65,7 @@ pub(super) fn protocol(root: &TableReader<'_>, walls: &[WallSpec], told: Interva
     let Some(item) = root.required("stage", meaning) else {
         return protocol;
     };
-    let stages = group(&item, "stage", "stage", walls, 1);
+    let stages = group(&item, "stage", "stage", cast, 1);
     let count = unrolled(&stages);
     if count > MAX_STAGES {
         item.fault(
@@ -70,6 +81,8 @@ pub(super) fn protocol(root: &TableReader<'_>, walls: &[WallSpec], told: Interva
         let Content::Single {
             stop,
             motions,
+            feeds,
+            removals,
             intervals,
         } = &single.content
         else {
@@ -81,6 +94,8 @@ pub(super) fn protocol(root: &TableReader<'_>, walls: &[WallSpec], told: Interva
             name,
             stop: stop.clone(),
             motions: motions.clone(),
+            feeds: feeds.clone(),
+            removals: removals.clone(),
             cadence: cadence(own, duration),
         });
     });
@@ -97,7 +112,7 @@ pub(super) fn protocol(root: &TableReader<'_>, walls: &[WallSpec], told: Interva
 }
 
 /// Reads a list of stages.
-fn group(item: &Item<'_>, header: &str, label: &str, walls: &[WallSpec], depth: usize) -> Vec<Told> {
+fn group(item: &Item<'_>, header: &str, label: &str, cast: Cast<'_>, depth: usize) -> Vec<Told> {
     if depth > MAX_NESTING {
         item.fault(format!("stages are nested more than {MAX_NESTING} deep"), None);
         return Vec::new();
@@ -114,11 +129,11 @@ fn group(item: &Item<'_>, header: &str, label: &str, walls: &[WallSpec], depth: 
     }
     let numbered = tables.into_iter().take(MAX_STAGES).enumerate();
     numbered
-        .map(|(index, table)| stage(table, header, &format!("{label} {}", index + 1), walls, depth))
+        .map(|(index, table)| stage(table, header, &format!("{label} {}", index + 1), cast, depth))
         .collect()
 }
 
-fn stage(table: TableReader<'_>, header: &str, default_name: &str, walls: &[WallSpec], depth: usize) -> Told {
+fn stage(table: TableReader<'_>, header: &str, default_name: &str, cast: Cast<'_>, depth: usize) -> Told {
     let path = table.path.clone();
     let name = table
         .optional("name")
@@ -126,11 +141,11 @@ fn stage(table: TableReader<'_>, header: &str, default_name: &str, walls: &[Wall
     let repeat = table.optional("repeat").map_or(1, |i| i.integer(1, MAX_REPEAT)) as usize;
     let content = match table.optional("stage") {
         Some(nested) => {
-            let stages = group(&nested, &format!("{header}.stage"), &name, walls, depth + 1);
+            let stages = group(&nested, &format!("{header}.stage"), &name, cast, depth + 1);
             table.finish("a stage that holds stages; wall motion, output and ends belong to the stages in it");
             Content::Group(stages)
         }
-        None => single(table, walls),
+        None => single(table, cast),
     };
     Told {
         name,
@@ -140,7 +155,7 @@ fn stage(table: TableReader<'_>, header: &str, default_name: &str, walls: &[Wall
     }
 }
 
-fn single(table: TableReader<'_>, walls: &[WallSpec]) -> Content {
+fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     let mut stop = Vec::new();
     let duration = table.optional_quantity("duration", Kind::Physical(Dimension::TIME), Range::POSITIVE);
     stop.extend(duration.map(StopCondition::Duration));
@@ -152,17 +167,21 @@ fn single(table: TableReader<'_>, walls: &[WallSpec]) -> Content {
     }
     if let Some(item) = table.optional("stop") {
         match &item.node.value {
-            Value::Array(_) => item.items().iter().for_each(|i| conditions(i, walls, &mut stop)),
-            _ => conditions(&item, walls, &mut stop),
+            Value::Array(_) => item.items().iter().for_each(|i| conditions(i, cast, &mut stop)),
+            _ => conditions(&item, cast, &mut stop),
         }
     }
     let mut motions = Vec::new();
     if let Some(told) = table.optional("motion").and_then(|i| i.table()) {
         for item in told.named() {
-            motions.push((wall_index(&item, &item.name, walls), motion(&item)));
+            motions.push((wall_index(&item, &item.name, cast.walls), motion(&item)));
         }
         told.finish("the motion of a stage");
     }
+    let feed_names = cast.feeds.iter().map(|f| f.name.as_str());
+    let feeds = table.optional("feeds").map(|i| chosen(&i, "feed", feed_names));
+    let removal_names = cast.removals.iter().map(|r| r.name.as_str());
+    let removals = table.optional("removals").map(|i| chosen(&i, "removal", removal_names));
     let output = table.optional("output").and_then(|i| i.table());
     let intervals = output.map_or([None; 3], |output| {
         let read = intervals(&output);
@@ -173,12 +192,15 @@ fn single(table: TableReader<'_>, walls: &[WallSpec]) -> Content {
     Content::Single {
         stop,
         motions,
+        feeds,
+        removals,
         intervals,
     }
 }
 
 /// Reads the conditions of a table `stop`.
-fn conditions(item: &Item<'_>, walls: &[WallSpec], stop: &mut Vec<StopCondition>) {
+fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
+    let walls = cast.walls;
     let Some(table) = item.table() else {
         return;
     };
@@ -220,6 +242,13 @@ fn conditions(item: &Item<'_>, walls: &[WallSpec], stop: &mut Vec<StopCondition>
             ),
         });
         told.finish("the condition strain");
+    }
+    if let Some(item) = table.optional("feed_done") {
+        let names = cast.feeds.iter().map(|f| f.name.as_str());
+        stop.extend(index_of(&item, "feed", names).map(StopCondition::FeedDone));
+    }
+    if let Some(item) = table.optional("grains_at_most") {
+        stop.push(StopCondition::GrainsAtMost(item.integer(0, MAX_STEPS) as u64));
     }
     table.finish("the stop conditions");
     if stop.len() == before && matches!(&item.node.value, Value::Table(entries) if entries.is_empty()) {

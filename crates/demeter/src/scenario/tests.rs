@@ -49,6 +49,8 @@ fn place_in_reference(path: &str) -> Option<(String, String)> {
     }
     let path = path
         .replace("stop[]", "stop")
+        .replace("region[]", "region")
+        .replace("feed[].diameter.", "grains[].diameter.")
         .replace("wall[].motion.", "motion.")
         .replace("stage[].motion.*.", "motion.");
     let (section, key) = path.rsplit_once('.').unwrap_or(("", &path));
@@ -246,7 +248,18 @@ fn settings_are_read_as_told() {
 fn measures_are_read_as_told() {
     let scenario = read_good("every_measure.toml");
     let names: Vec<&str> = scenario.measures.iter().map(|m| m.name.as_str()).collect();
-    assert_eq!(names, ["all", "strong_4-mN", "forces", "pull"]);
+    let expected = [
+        "all",
+        "strong_4-mN",
+        "forces",
+        "low-half",
+        "kind",
+        "bed",
+        "heap",
+        "slices",
+        "pull",
+    ];
+    assert_eq!(names, expected);
     let kind = |k: usize| scenario.measures[k].kind.clone();
     assert_eq!(kind(0), MeasureKind::ContactNetwork(ContactNetwork::default()));
     let strong = ContactNetwork {
@@ -257,7 +270,27 @@ fn measures_are_read_as_told() {
     assert_eq!(kind(1), MeasureKind::ContactNetwork(strong));
     let bins = |lower, upper, bin| MeasureKind::ForceDistribution(ForceDistribution::new(lower, upper, bin).unwrap());
     assert_eq!(kind(2), bins(0.0, 0.3, 0.0005));
-    assert_eq!(kind(3), bins(-0.001, 0.0, 0.0001));
+    assert_eq!(kind(8), bins(-0.001, 0.0, 0.0001));
+    let MeasureKind::Mixing(mixing) = kind(3) else { panic!() };
+    assert_eq!((mixing.cells, mixing.selection.ids.len()), ([4, 4, 5], 10));
+    let MeasureKind::Mixing(mixing) = kind(4) else { panic!() };
+    assert_eq!((mixing.selection.material, mixing.selection.source), (Some(0), Some(0)));
+    let slopes = [kind(5), kind(6)].map(|kind| match kind {
+        MeasureKind::Slope(slope) => (slope.along, slope.up, slope.between, slope.bins),
+        other => panic!("{other:?}"),
+    });
+    assert_eq!(
+        slopes[0],
+        (Some(dvec3(1.0, 0.0, 0.0)), dvec3(0.0, 0.0, 1.0), (0.0, 0.02), 8)
+    );
+    assert_eq!(slopes[1], (None, dvec3(0.0, 0.0, 1.0), (0.0, 0.009), 4));
+    let MeasureKind::Profile(profile) = kind(7) else {
+        panic!()
+    };
+    assert_eq!(
+        (profile.axis, profile.slices, profile.upper),
+        (2, 10, dvec3(0.02, 0.02, 0.05))
+    );
     assert!(read_good("free_fall.toml").measures.is_empty());
 }
 

@@ -116,7 +116,10 @@ fn wall(table: TableReader<'_>, around: &Surroundings<'_>) -> WallSpec {
             radius: table.length("radius", "the radius of the sphere"),
             side: side(&table),
         }),
-        "rectangle" => WallShape::Given(rectangle(&table)),
+        "rectangle" => {
+            let (center, half_u, half_v) = rectangle(&table);
+            WallShape::Given(Shape::Rectangle { center, half_u, half_v })
+        }
         "disc" => WallShape::Given(Shape::Disc {
             center: table.point("center", "the centre of the disc"),
             normal: table.direction("normal", "the direction across the disc, as \"z\""),
@@ -211,7 +214,8 @@ fn cone(table: &TableReader<'_>) -> Shape {
     }
 }
 
-fn rectangle(table: &TableReader<'_>) -> Shape {
+/// Centre of a rectangle, and from there to the middles of two edges.
+pub(super) fn rectangle(table: &TableReader<'_>) -> (DVec3, DVec3, DVec3) {
     let center = table.point("center", "the centre of the rectangle");
     let half_u = table.point("half_u", "from the centre to the middle of one edge");
     let half_v = table.point("half_v", "from the centre to the middle of the next edge");
@@ -227,7 +231,7 @@ fn rectangle(table: &TableReader<'_>) -> Shape {
         let message = "`half_u` and `half_v` must be perpendicular";
         table.fault_at("half_v", message);
     }
-    Shape::Rectangle { center, half_u, half_v }
+    (center, half_u, half_v)
 }
 
 fn mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> WallShape {

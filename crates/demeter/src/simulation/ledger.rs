@@ -77,6 +77,11 @@ pub struct Books {
     removed: f64,
     /// Number of grains removed since the start.
     pub removed_grains: u64,
+    inserted: f64,
+    /// Energy that came with grains without the gravitational part, whose zero is arbitrary [J].
+    inserted_throughput: f64,
+    /// Number of grains inserted since the start.
+    pub inserted_grains: u64,
 }
 
 impl Books {
@@ -118,6 +123,16 @@ impl Books {
         self.initial_gravitational -= gone.gravitational;
     }
 
+    /// Books the insertion of grains that carry these energies.
+    pub(crate) fn insert(&mut self, grains: u64, gained: &Energies) {
+        self.inserted_grains += grains;
+        self.inserted += gained.present();
+        self.inserted_throughput += gained.present() - gained.gravitational;
+        // what they bring along must not look like a rise of the others
+        self.lowest_gravitational += gained.gravitational;
+        self.initial_gravitational += gained.gravitational;
+    }
+
     /// Completes the energies of this moment with what happened since the start, and the residual.
     pub(crate) fn close(&mut self, mut now: Energies) -> Energies {
         now.viscous_dissipated = self.done.viscous;
@@ -126,6 +141,7 @@ impl Books {
         now.rolling_dissipated = self.done.rolling;
         now.wall_work = self.done.wall_work;
         now.multi_contact_input = self.done.multi_contact;
+        now.inserted = self.inserted;
         now.removed = self.removed;
         self.lowest_gravitational = self.lowest_gravitational.min(now.gravitational);
         self.lowest_elastic = self.lowest_elastic.min(now.elastic);
@@ -134,7 +150,7 @@ impl Books {
         let passed =
             self.initial_throughput + self.wall_throughput + (self.initial_gravitational - self.lowest_gravitational)
                 - self.lowest_elastic
-                + now.inserted;
+                + self.inserted_throughput;
         now.residual = if passed > 0.0 {
             (now.present() - explained) / passed
         } else {

@@ -1,5 +1,6 @@
 //! The state of a run and its protocol.
 
+mod exchange;
 mod ledger;
 pub(crate) mod profile;
 mod protocol;
@@ -11,6 +12,7 @@ mod tests;
 mod time_step;
 
 pub use crate::step::Effort;
+pub use exchange::ExchangeError;
 pub use ledger::{Books, Energies};
 pub use profile::{Phase, PhaseTime, ProfileReport};
 pub use protocol::{Cadence, Stage, StopCondition};
@@ -100,6 +102,8 @@ pub struct Simulation {
     pub(crate) instructions: Instructions,
     /// `None` where nobody asked where the time goes.
     pub(crate) profile: Option<Box<profile::Profile>>,
+    /// The highest id that was ever given.
+    latest_id: u32,
     order: SpatialOrder,
     /// Share of the candidates that were scattered in memory when the grains were put in order.
     scattered_in_order: f64,
@@ -134,6 +138,7 @@ impl Simulation {
             tuner,
             integrator: setup.integrator,
             comm: Single::new(setup.domain),
+            latest_id: setup.grains.id.iter().copied().max().unwrap_or(0),
             walls_before: setup.walls.iter().map(Wall::pose).collect(),
             grains: setup.grains,
             walls: setup.walls,
@@ -209,6 +214,12 @@ impl Simulation {
     /// The domain.
     pub fn domain(&self) -> &Domain {
         self.comm.domain()
+    }
+
+    /// Place of a grain's centre, counted on across periodic sides [m].
+    pub fn unwrapped(&self, grain: usize) -> DVec3 {
+        self.comm
+            .unwrapped(self.grains.position[grain], self.grains.image[grain])
     }
 
     /// How often the candidates were found anew.

@@ -38,6 +38,10 @@ pub enum StopCondition {
         /// The strain to reach, positive.
         strain: f64,
     },
+    /// A feed, told by its index, has come to its end.
+    FeedDone(usize),
+    /// So many grains are left, or fewer.
+    GrainsAtMost(u64),
 }
 
 /// How often things are written, in seconds of simulated time. `None`: not in this stage.
@@ -60,6 +64,10 @@ pub struct Stage {
     pub stop: Vec<StopCondition>,
     /// Motions told to walls at the start of the stage; walls not named keep theirs.
     pub motions: Vec<(usize, Motion)>,
+    /// Feeds that run from the start of the stage on, by their indices; those of the stage before when absent.
+    pub feeds: Option<Vec<usize>>,
+    /// Removals that act from the start of the stage on, by their indices; those of the stage before when absent.
+    pub removals: Option<Vec<usize>>,
     /// How often things are written.
     pub cadence: Cadence,
 }

@@ -32,6 +32,7 @@ pub struct SimulationState {
     near: NearTable,
     bounds: (DVec3, DVec3),
     max_reach: f64,
+    latest_id: u32,
     /// Nothing where contacts are independent.
     coupling: Option<CouplingMemory>,
 }
@@ -129,6 +130,7 @@ impl Simulation {
             near: self.near,
             bounds: self.bounds,
             max_reach: self.max_reach,
+            latest_id: self.latest_id,
             coupling: self.coupling.as_ref().map(|c| c.memory.clone()),
         }
     }
@@ -153,6 +155,7 @@ impl Simulation {
         (sim.skin, sim.tuner, sim.near) = (state.skin, state.tuner, state.near);
         sim.bounds = state.bounds;
         sim.max_reach = state.max_reach;
+        sim.latest_id = sim.latest_id.max(state.latest_id);
         match (&mut sim.coupling, state.coupling) {
             (Some(coupling), Some(memory)) => coupling.memory = memory,
             (None, None) => {}

@@ -1,10 +1,8 @@
 //! Runs of the scenario, one per model, some at a time.
 
 use super::{Model, ValidationError};
-use demeter::checkpoint;
-use demeter::output::RunFolder;
+use crate::folder::{State, absolute, state};
 use demeter::scenario::{Observer, Progress, RunEnd, RunError, RunOptions, Scenario, resume, run};
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -51,15 +49,6 @@ impl Experiment {
         scenario.base = absolute(&scenario.base);
         Ok(scenario)
     }
-}
-
-fn absolute(path: &Path) -> PathBuf {
-    let path = if path.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        path
-    };
-    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
 /// Runs the experiment with every model, `jobs` at a time with one thread each. A finished run of the same scenario is used
@@ -148,51 +137,6 @@ fn run_model(experiment: &Experiment, model: &Model, folder: &Path, tell: Tell<'
         folder: folder.to_owned(),
         reason,
     })
-}
-
-/// What a folder holds.
-enum State {
-    Free,
-    Finished,
-    Begun,
-    Other,
-}
-
-fn state(folder: &Path, scenario: &Scenario) -> State {
-    let free = match fs::read_dir(folder) {
-        Ok(mut entries) => entries.next().is_none(),
-        Err(error) => error.kind() == std::io::ErrorKind::NotFound,
-    };
-    if free {
-        return State::Free;
-    }
-    let resolved = RunFolder::find(folder).and_then(|found| {
-        let path = found.scenario();
-        fs::read_to_string(&path).map_err(|source| demeter::output::OutputError::Io {
-            action: "read",
-            path,
-            source,
-        })
-    });
-    let same = resolved.is_ok_and(|text| text == scenario.to_resolved_toml());
-    let version = told(&folder.join("run.json"), "version");
-    if !same || version.is_none_or(|version| version != demeter::VERSION) {
-        return State::Other;
-    }
-    if told(&folder.join("summary.json"), "finished").is_some_and(|finished| finished == true) {
-        State::Finished
-    } else if folder.join(checkpoint::LATEST).is_file() {
-        State::Begun
-    } else {
-        State::Other
-    }
-}
-
-/// A value of a file of JSON in a run folder.
-fn told(path: &Path, key: &str) -> Option<serde_json::Value> {
-    let text = fs::read_to_string(path).ok()?;
-    let value: serde_json::Value = serde_json::from_str(&text).ok()?;
-    value.get(key).cloned()
 }
 
 /// Passes on what a run tells.

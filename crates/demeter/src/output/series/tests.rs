@@ -9,6 +9,7 @@ fn labels() -> SeriesLabels {
         walls: vec!["top".to_owned(), "the \"lid\"".to_owned()],
         strain: true,
         networks: vec!["packing".to_owned()],
+        told: vec!["left mass [kg]".to_owned(), "left grains".to_owned()],
     }
 }
 
@@ -40,6 +41,7 @@ fn row(step: u64) -> Measures {
             centre_distance: 0.25,
             packing_fraction: 0.5,
         }],
+        told: vec![Value::Number(0.1 + 0.2), Value::Count(7)],
         ..Measures::default()
     }
 }
@@ -74,6 +76,8 @@ fn numbers_read_back_to_the_same_bits() {
     );
     assert_eq!(number("packing coordination"), 2.0 * (4.0 / 3.0));
     assert_eq!(number("packing scaling [N m]"), 2.0 * (4.0 / 3.0) * 0.5 * 0.25 * 0.5);
+    assert_eq!(number("left mass [kg]").to_bits(), (0.1_f64 + 0.2).to_bits());
+    assert_eq!(cell(&path, 1, "left grains"), "7");
     assert_eq!(cell(&path, 0, "stage"), "settle");
     assert_eq!(cell(&path, 1, "stage"), "squeeze, slowly");
 }
@@ -147,6 +151,9 @@ fn the_table_names_every_column_once() {
         walls: vec!["NAME".to_owned()],
         strain: true,
         networks: vec!["MEASURE".to_owned()],
+        told: (TOLD.iter())
+            .flat_map(|(name, columns)| columns.iter().map(|c| c.title(name)))
+            .collect(),
     }
     .header();
     let table = columns_table();
@@ -156,6 +163,6 @@ fn the_table_names_every_column_once() {
     names.dedup();
     assert_eq!(
         names.len(),
-        COLUMNS.len() + 1 + WALL_COLUMNS.len() + NETWORK_COLUMNS.len()
+        COLUMNS.len() + 1 + WALL_COLUMNS.len() + NETWORK_COLUMNS.len() + TOLD.iter().map(|t| t.1.len()).sum::<usize>()
     );
 }

@@ -1,0 +1,57 @@
+//! How many grains are in a zone, and their mass.
+
+use super::{Selection, ToldColumn, Value};
+use crate::particles::{Origins, Zone};
+use crate::simulation::Simulation;
+
+/// Columns of a count.
+pub const REGION_COLUMNS: &[ToldColumn] = &[
+    ToldColumn::new("grains", "", "number of grains whose centres lie in the region"),
+    ToldColumn::new("mass", "kg", "their mass"),
+];
+
+/// Columns for every material, behind the others; their names begin with that of the material.
+pub const OF_MATERIAL_COLUMNS: &[ToldColumn] = &[
+    ToldColumn::new("grains", "", "number of grains of the material"),
+    ToldColumn::new("mass", "kg", "their mass"),
+];
+
+/// Grains in a zone, by material.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RegionCount {
+    /// Where they are counted.
+    pub zone: Zone,
+    /// Which of them.
+    pub selection: Selection,
+}
+
+impl RegionCount {
+    /// Titles of its columns.
+    pub fn titles(&self, name: &str, materials: &[&str]) -> Vec<String> {
+        let all = REGION_COLUMNS.iter().map(|c| c.title(name));
+        let of_material = |material: &&str| {
+            let name = format!("{name} {material}");
+            OF_MATERIAL_COLUMNS.iter().map(move |c| c.title(&name))
+        };
+        all.chain(materials.iter().flat_map(of_material)).collect()
+    }
+
+    /// Its values now, in the order of the titles. Masses are summed up in the order of the ids.
+    pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
+        let (grains, domain) = (&sim.grains, sim.domain());
+        let mut inside: Vec<(u32, usize)> = (0..grains.len())
+            .filter(|&g| self.zone.holds(domain, grains.position[g]) && self.selection.holds(grains, origins, g))
+            .map(|g| (grains.id[g], g))
+            .collect();
+        inside.sort_unstable();
+        let mut counts = vec![(0u64, 0.0f64); 1 + sim.materials.list().len()];
+        for (_, g) in inside {
+            for place in [0, 1 + usize::from(grains.material[g])] {
+                counts[place].0 += 1;
+                counts[place].1 += grains.mass[g];
+            }
+        }
+        let values = counts.into_iter().map(|(n, m)| [Value::Count(n), Value::Number(m)]);
+        values.flatten().collect()
+    }
+}

@@ -1,0 +1,153 @@
+//! Slope of the surface of a packing: the angle of repose of a heap, or of the bed in a drum.
+//!
+//! The grains are sorted into bins by their distance along a direction, or from an axis. The surface in a bin is as high as the
+//! highest point of its grains. The straight line that fits these heights best (least squares over the bins that hold
+//! grains) tells the angle, and how far the heights are from it.
+
+use super::{Selection, ToldColumn, Value};
+use crate::particles::{Origins, Zone};
+use crate::simulation::Simulation;
+use glam::DVec3;
+
+/// Columns of a slope.
+pub const SLOPE_COLUMNS: &[ToldColumn] = &[
+    ToldColumn::new(
+        "angle",
+        "deg",
+        "angle between the surface and the horizontal, positive where it falls along the direction or away from the axis",
+    ),
+    ToldColumn::new(
+        "deviation",
+        "m",
+        "root of the mean square of the heights' distance from the straight line",
+    ),
+    ToldColumn::new("bins", "", "bins that hold grains; the angle needs two"),
+];
+
+/// Where the surface is looked at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slope {
+    /// Where distances are counted from; a point of the axis of a heap [m].
+    pub point: DVec3,
+    /// Unit vector, horizontal, along which distances are counted; nothing for a heap, where they are counted from the axis.
+    pub along: Option<DVec3>,
+    /// Unit vector upwards.
+    pub up: DVec3,
+    /// Distances between which the surface is looked at [m].
+    pub between: (f64, f64),
+    /// Number of bins.
+    pub bins: u32,
+    /// Grains elsewhere do not count.
+    pub zone: Zone,
+    /// Which grains count.
+    pub selection: Selection,
+}
+
+impl Slope {
+    /// Titles of its columns.
+    pub fn titles(&self, name: &str) -> Vec<String> {
+        SLOPE_COLUMNS.iter().map(|c| c.title(name)).collect()
+    }
+
+    /// Its values now, in the order of [`SLOPE_COLUMNS`].
+    pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
+        let (grains, domain) = (&sim.grains, sim.domain());
+        let chosen = (0..grains.len())
+            .filter(|&g| self.zone.holds(domain, grains.position[g]) && self.selection.holds(grains, origins, g))
+            .map(|g| (domain.wrapped(grains.position[g]), grains.radius(g)));
+        let (angle, deviation, bins) = self.fit(chosen);
+        vec![Value::Number(angle), Value::Number(deviation), Value::Count(bins)]
+    }
+
+    /// Angle [deg], deviation [m] and number of bins, of spheres.
+    fn fit(&self, spheres: impl Iterator<Item = (DVec3, f64)>) -> (f64, f64, u64) {
+        let mut heights = vec![f64::NEG_INFINITY; self.bins as usize];
+        let (from, to) = self.between;
+        for (centre, radius) in spheres {
+            let away = centre - self.point;
+            let height = away.dot(self.up);
+            let distance = match self.along {
+                Some(along) => away.dot(along),
+                None => (away - self.up * height).length(),
+            };
+            if distance >= from && distance < to {
+                let bin = (distance - from) / (to - from) * f64::from(self.bins);
+                let bin = (bin as usize).min(heights.len() - 1);
+                heights[bin] = heights[bin].max(height + radius);
+            }
+        }
+        let width = (to - from) / f64::from(self.bins);
+        let points: Vec<(f64, f64)> = (heights.iter().enumerate())
+            .filter(|(_, height)| height.is_finite())
+            .map(|(k, height)| (from + (k as f64 + 0.5) * width, *height))
+            .collect();
+        let count = points.len() as f64;
+        if points.len() < 2 {
+            return (f64::NAN, f64::NAN, points.len() as u64);
+        }
+        let mean = |value: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(value).sum::<f64>() / count;
+        let (x, h) = (mean(&|p| p.0), mean(&|p| p.1));
+        let slope = mean(&|p| (p.0 - x) * (p.1 - h)) / mean(&|p| (p.0 - x) * (p.0 - x));
+        let square = mean(&|p| {
+            let off = p.1 - h - slope * (p.0 - x);
+            off * off
+        });
+        let angle = libm::atan(-slope) * (180.0 / std::f64::consts::PI);
+        (angle, square.sqrt(), points.len() as u64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::dvec3;
+
+    fn slope(along: Option<DVec3>) -> Slope {
+        Slope {
+            point: dvec3(0.1, 0.2, 0.0),
+            along,
+            up: DVec3::Z,
+            between: (0.05, 1.0),
+            bins: 19,
+            zone: Zone::default(),
+            selection: Selection::default(),
+        }
+    }
+
+    /// Spheres below a surface.
+    fn below(height: impl Fn(f64, f64) -> f64) -> Vec<(DVec3, f64)> {
+        let mut spheres = Vec::new();
+        for a in -100..=100 {
+            for b in -100..=100 {
+                let (x, y) = (0.1 + 0.01 * f64::from(a), 0.2 + 0.01 * f64::from(b));
+                for depth in [0.01, 0.1] {
+                    spheres.push((dvec3(x, y, height(x, y) - depth), 0.01));
+                }
+            }
+        }
+        spheres
+    }
+
+    #[test]
+    fn a_cone_and_a_plane_have_their_angles() {
+        let cone = below(|x, y| 0.8 - 0.5 * libm::hypot(x - 0.1, y - 0.2));
+        let (angle, deviation, bins) = slope(None).fit(cone.into_iter());
+        // 26.565 degrees; the highest grain of a bin lies at its inner edge, the same in every bin but for the lattice
+        assert!((angle - 26.565).abs() < 0.2, "{angle}");
+        assert!(deviation < 0.003 && bins == 19, "{deviation}, {bins}");
+        let plane = || below(|x, _| 0.3 * x).into_iter();
+        let (angle, deviation, _) = slope(Some(DVec3::X)).fit(plane());
+        assert!(
+            (angle + 16.699).abs() < 0.05 && deviation < 1e-3,
+            "{angle}, {deviation}"
+        );
+        assert!((slope(Some(DVec3::Y)).fit(plane()).0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn without_two_bins_there_is_no_angle() {
+        let (angle, _, bins) = slope(None).fit(std::iter::once((dvec3(0.3, 0.2, 0.0), 0.1)));
+        assert!(angle.is_nan() && bins == 1);
+        assert_eq!(slope(None).fit(std::iter::empty()).2, 0);
+    }
+}

@@ -1,0 +1,156 @@
+//! Measures of flows, mixtures, surfaces and slices: their tables `[[measure]]`.
+
+use super::quantity::Kind;
+use super::reader::TableReader;
+use super::walls::rectangle;
+use super::zones::{Named, region, selection};
+use crate::measure::{Gate, MAX_CELLS, MAX_SLICES, MassFlow, Mixing, Profile, Slope};
+use demeter_physics::dimension::Dimension;
+use demeter_physics::parameters::Range;
+use glam::DVec3;
+
+/// Most bins of a surface.
+const MAX_BINS: i64 = 10_000;
+/// Largest cosine of the angle between the direction of a slope and the horizontal.
+const HORIZONTAL: f64 = 1e-9;
+
+/// A gate: a disc, a rectangle, or a whole plane.
+pub(super) fn mass_flow(table: &TableReader<'_>, named: &Named<'_>) -> MassFlow {
+    let mut flow = MassFlow {
+        point: DVec3::NAN,
+        normal: DVec3::NAN,
+        gate: Gate::Plane,
+        selection: selection(table, named),
+    };
+    let meaning = "where it passes, as { shape = \"disc\", center = ..., normal = ..., radius = ... }";
+    let Some(gate) = table.required("gate", meaning).and_then(|i| i.table()) else {
+        return flow;
+    };
+    const SHAPES: [&str; 3] = ["plane", "disc", "rectangle"];
+    let shape = gate.required("shape", "\"plane\", \"disc\" or \"rectangle\"");
+    let Some(shape) = shape.and_then(|i| i.choice(&SHAPES)) else {
+        gate.abandon();
+        return flow;
+    };
+    match SHAPES[shape] {
+        "plane" => flow.point = gate.point("point", "a point of the plane"),
+        "disc" => {
+            flow.point = gate.point("center", "the centre of the disc");
+            flow.gate = Gate::Disc(gate.length("radius", "the radius of the disc"));
+        }
+        _ => {
+            let (center, half_u, half_v) = rectangle(&gate);
+            flow.point = center;
+            flow.gate = Gate::Rectangle(half_u, half_v);
+            // forward is the side from which half_u turns to half_v against the clock, unless it is told
+            flow.normal = half_u.cross(half_v).normalize_or_zero();
+        }
+    }
+    if SHAPES[shape] == "rectangle" {
+        if let Some(item) = gate.optional("normal") {
+            let along = item.direction().dot(flow.normal);
+            if along.abs() < 1.0 - 1e-9 {
+                item.fault("`normal` must be perpendicular to `half_u` and `half_v`", None);
+            }
+            flow.normal *= along.signum();
+        }
+    } else {
+        flow.normal = gate.direction("normal", "the direction that counts as forward, as \"-z\"");
+    }
+    gate.finish(&format!("a gate of shape \"{}\"", SHAPES[shape]));
+    flow
+}
+
+/// A mixing index: the cells of a box, and the kind whose share is looked at.
+pub(super) fn mixing(table: &TableReader<'_>, named: &Named<'_>) -> Mixing {
+    let (lower, upper) = table.corners();
+    let mut cells = [1; 3];
+    if let Some(item) = table.required("cells", "the number of cells in each direction, as [10, 1, 10]") {
+        let items = item.items();
+        if items.len() == 3 {
+            cells = [0, 1, 2].map(|k| items[k].integer(1, i64::from(u32::MAX)) as u32);
+            let all = cells.iter().fold(1u64, |all, n| all.saturating_mul(u64::from(*n)));
+            if all > MAX_CELLS {
+                item.fault(format!("{all} cells are too many; at most {MAX_CELLS}"), None);
+                cells = [1; 3];
+            }
+        } else if matches!(&item.node.value, super::document::Value::Array(_)) {
+            item.fault(
+                format!("`cells` must be three whole numbers, found {}", items.len()),
+                None,
+            );
+        }
+    }
+    let chosen = ["material", "batch", "ids"].iter().any(|key| table.has(key));
+    let selection = selection(table, named);
+    if !chosen {
+        let help = "name the kind by `material`, `batch` or `ids`";
+        table.fault("which grains are mixed with the others?", Some(help.to_string()));
+    }
+    Mixing {
+        lower,
+        upper,
+        cells,
+        selection,
+    }
+}
+
+/// The surface of a packing along a direction, or around an axis.
+pub(super) fn slope(table: &TableReader<'_>, named: &Named<'_>) -> Slope {
+    let point = table.point(
+        "point",
+        "where distances are counted from; of a heap, a point of its axis",
+    );
+    let along = table.optional("along").map(|item| (item.direction(), item));
+    let up = match table.optional("up") {
+        Some(item) => item.direction(),
+        None if named.gravity == DVec3::ZERO => {
+            let help = "give `up`, a direction, or `simulation.gravity`";
+            table.fault("which way is up, without gravity?", Some(help.to_string()));
+            DVec3::NAN
+        }
+        None => -named.gravity.normalize(),
+    };
+    if let Some((along, item)) = &along
+        && along.dot(up).abs() > HORIZONTAL
+    {
+        item.fault("`along` must be horizontal", None);
+    }
+    let length = Kind::Physical(Dimension::LENGTH);
+    let mut between = (f64::NAN, f64::NAN);
+    if let Some(item) = table.required("between", "the distances of the surface, as [\"0 mm\", \"30 mm\"]") {
+        let items = item.items();
+        if let [from, to] = items.as_slice() {
+            between = (from.quantity(length, Range::FINITE), to.quantity(length, Range::FINITE));
+            if between.1 <= between.0 {
+                item.fault("the second distance must be larger than the first", None);
+            }
+        } else if matches!(&item.node.value, super::document::Value::Array(_)) {
+            item.fault(format!("`between` must be two distances, found {}", items.len()), None);
+        }
+    }
+    let bins = table.required("bins", "the number of bins, as 10");
+    Slope {
+        point,
+        along: along.map(|(along, _)| along),
+        up,
+        between,
+        bins: bins.map_or(2, |i| i.integer(2, MAX_BINS)) as u32,
+        zone: table.optional("region").map(|i| region(&i)).unwrap_or_default(),
+        selection: selection(table, named),
+    }
+}
+
+/// Slices of a box.
+pub(super) fn profile(table: &TableReader<'_>, named: &Named<'_>) -> Profile {
+    let (lower, upper) = table.corners();
+    let axis = table.required("axis", "the axis across the slices, \"x\", \"y\" or \"z\"");
+    let slices = table.required("slices", "the number of slices, as 20");
+    Profile {
+        lower,
+        upper,
+        axis: axis.and_then(|i| i.choice(&["x", "y", "z"])).unwrap_or(0),
+        slices: slices.map_or(1, |i| i.integer(1, i64::from(MAX_SLICES))) as u32,
+        selection: selection(table, named),
+    }
+}

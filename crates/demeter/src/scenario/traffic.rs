@@ -1,0 +1,458 @@
+//! Grains that come and go while a run goes on, and what is counted of them: feeds, removals, flows through gates.
+//!
+//! Everything happens between two steps, at steps that the scenario tells, one grain after the other: the same bits on any
+//! number of threads and after a restart.
+
+use super::Scenario;
+use super::feeds::{EXCHANGE_EVERY, FeedRate, FeedSpec, RemovalSpec};
+use super::measures::{MeasureKind, flows};
+use super::run_error::RunError;
+use crate::insertion::{InsertionProblem, MAX_AT_ONCE, Streaming};
+use crate::measure::{FEED_COLUMNS, FlowState, LOOK_EVERY, MassFlow, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value};
+use crate::particles::{Domain, NewGrain, Origins};
+use crate::simulation::{Simulation, Stage};
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// Contacts that hold a grain on a pile.
+const CONTACTS_AT_REST: u32 = 3;
+
+/// A feed is told to be behind when this share of what is due waits, ...
+const BEHIND: f64 = 0.05;
+/// ... and so many mean grains.
+const BEHIND_GRAINS: f64 = 10.0;
+
+/// What a restart needs to go on.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(super) struct TrafficState {
+    origins: Origins,
+    feeds: Vec<FeedState>,
+    removals: Vec<RemovalState>,
+    flows: Vec<FlowState>,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct FeedState {
+    active: bool,
+    done: bool,
+    /// Step up to which the time was counted.
+    clock: u64,
+    /// Steps during which the feed ran.
+    steps: u64,
+    grains: u64,
+    mass: f64,
+    told_behind: bool,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct RemovalState {
+    active: bool,
+    /// Grains and their mass [kg], by material.
+    gone: Vec<(u64, f64)>,
+    /// Sum of the times that they were in the run [s].
+    stay: f64,
+}
+
+/// Feeds, removals and flows of a run.
+pub(super) struct Traffic<'a> {
+    scenario: &'a Scenario,
+    sources: Vec<Streaming>,
+    flows: Vec<&'a MassFlow>,
+    state: TrafficState,
+}
+
+impl<'a> Traffic<'a> {
+    /// At the start of a run: everything runs until a stage says otherwise.
+    pub fn begin(scenario: &'a Scenario, domain: &Domain, origins: Origins) -> Result<Self, RunError> {
+        let feed = |_: &FeedSpec| FeedState {
+            active: true,
+            done: false,
+            clock: 0,
+            steps: 0,
+            grains: 0,
+            mass: 0.0,
+            told_behind: false,
+        };
+        let removal = |_: &RemovalSpec| RemovalState {
+            active: true,
+            gone: vec![(0, 0.0); scenario.materials.len()],
+            stay: 0.0,
+        };
+        let state = TrafficState {
+            origins,
+            feeds: scenario.feeds.iter().map(feed).collect(),
+            removals: scenario.removals.iter().map(removal).collect(),
+            flows: flows(&scenario.measures).map(|_| FlowState::default()).collect(),
+        };
+        Self::resume(scenario, domain, state)
+    }
+
+    /// Goes on from a state.
+    pub fn resume(scenario: &'a Scenario, domain: &Domain, state: TrafficState) -> Result<Self, RunError> {
+        let flows: Vec<&MassFlow> = flows(&scenario.measures).map(|(_, flow)| flow).collect();
+        let materials = scenario.materials.len();
+        let fits = state.feeds.len() == scenario.feeds.len()
+            && state.removals.len() == scenario.removals.len()
+            && state.removals.iter().all(|r| r.gone.len() == materials)
+            && state.flows.len() == flows.len();
+        if !fits {
+            return Err(RunError::OtherTraffic);
+        }
+        Ok(Self {
+            sources: sources(scenario, domain).map_err(|(feed, problem)| RunError::Feed {
+                feed: scenario.feeds[feed].name.clone(),
+                problem: Box::new(problem),
+            })?,
+            scenario,
+            flows,
+            state,
+        })
+    }
+
+    /// What a checkpoint holds.
+    pub fn state(&self) -> TrafficState {
+        self.state.clone()
+    }
+
+    /// Starts and stops what the stage tells.
+    pub fn begin_stage(&mut self, stage: &Stage, step: u64) {
+        if let Some(running) = &stage.feeds {
+            for (k, feed) in self.state.feeds.iter_mut().enumerate() {
+                feed.count_time(step);
+                feed.active = running.contains(&k);
+            }
+        }
+        if let Some(acting) = &stage.removals {
+            for (k, removal) in self.state.removals.iter_mut().enumerate() {
+                removal.active = acting.contains(&k);
+            }
+        }
+    }
+
+    /// Whether a feed has come to its end.
+    pub fn is_done(&self, feed: usize) -> bool {
+        self.state.feeds.get(feed).is_none_or(|feed| feed.done)
+    }
+
+    /// Looks at the gates when it is time.
+    pub fn watch(&mut self, sim: &Simulation) {
+        if sim.step.is_multiple_of(LOOK_EVERY) {
+            self.look(sim);
+        }
+    }
+
+    fn look(&mut self, sim: &Simulation) {
+        for (flow, state) in self.flows.iter().zip(&mut self.state.flows) {
+            flow.look(sim, &self.state.origins, state);
+        }
+    }
+
+    /// Which batch or feed every grain came from.
+    pub fn origins(&self) -> &Origins {
+        &self.state.origins
+    }
+
+    /// Lets grains go and come that are due between the latest step and the next; answers with what a user wants to read.
+    pub fn exchange(&mut self, sim: &mut Simulation) -> Result<Vec<String>, RunError> {
+        let mut messages = Vec::new();
+        let leaving = self.leaving(sim);
+        let (come, from) = self.coming(sim, &leaving, &mut messages);
+        if leaving.is_empty() && come.is_empty() {
+            return Ok(messages);
+        }
+        // a grain that leaves may have passed a gate since the latest look
+        self.look(sim);
+        let ids = sim.exchange(&leaving, &come)?;
+        for (id, source) in ids.zip(from) {
+            self.state.origins.add(id, source, sim.step);
+        }
+        self.look(sim);
+        Ok(messages)
+    }
+
+    /// Indices of the grains that go now, rising; they are counted.
+    fn leaving(&mut self, sim: &Simulation) -> Vec<usize> {
+        let due: Vec<usize> = (0..self.state.removals.len())
+            .filter(|&k| self.state.removals[k].active && is_due(sim, self.scenario.removals[k].every))
+            .collect();
+        if due.is_empty() {
+            return Vec::new();
+        }
+        let (grains, domain) = (&sim.grains, sim.domain());
+        let mut leaving = Vec::new();
+        for g in 0..grains.len() {
+            let goes = |k: &&usize| {
+                let removal = &self.scenario.removals[**k];
+                removal.zone.holds(domain, grains.position[g])
+                    && removal.selection.holds(grains, &self.state.origins, g)
+            };
+            if let Some(&k) = due.iter().find(goes) {
+                leaving.push(g);
+                let removal = &mut self.state.removals[k];
+                let gone = &mut removal.gone[usize::from(grains.material[g])];
+                gone.0 += 1;
+                gone.1 += grains.mass[g];
+                let born = self.state.origins.born(grains.id[g]);
+                removal.stay += sim.step.saturating_sub(born) as f64 * sim.dt;
+            }
+        }
+        leaving
+    }
+
+    /// The grains that come now, and the source of each.
+    fn coming(&mut self, sim: &Simulation, leaving: &[usize], messages: &mut Vec<String>) -> (Vec<NewGrain>, Vec<u16>) {
+        let (mut come, mut from): (Vec<NewGrain>, Vec<u16>) = (Vec::new(), Vec::new());
+        let batches = self.scenario.grains.len();
+        for (k, spec) in self.scenario.feeds.iter().enumerate() {
+            let (state, source) = (&mut self.state.feeds[k], &self.sources[k]);
+            if !state.active || state.done || !is_due(sim, spec.every) {
+                continue;
+            }
+            state.count_time(sim.step);
+            let feeding = Feeding { spec, source, sim };
+            feeding.feed(state, leaving, &mut come);
+            from.resize(come.len(), (batches + k) as u16);
+            messages.extend(feeding.say(state));
+        }
+        (come, from)
+    }
+
+    /// Titles of the columns of measures, feeds and removals.
+    pub fn titles(scenario: &Scenario) -> Vec<String> {
+        let materials: Vec<&str> = scenario.materials.iter().map(|m| m.name.as_str()).collect();
+        let mut titles = Vec::new();
+        for measure in &scenario.measures {
+            match &measure.kind {
+                MeasureKind::RegionCount(count) => titles.extend(count.titles(&measure.name, &materials)),
+                MeasureKind::GrainTrace(trace) => titles.extend(trace.titles(&measure.name)),
+                MeasureKind::MassFlow(flow) => titles.extend(flow.titles(&measure.name)),
+                MeasureKind::Mixing(mixing) => titles.extend(mixing.titles(&measure.name)),
+                MeasureKind::Slope(slope) => titles.extend(slope.titles(&measure.name)),
+                MeasureKind::ContactNetwork(_) | MeasureKind::ForceDistribution(_) | MeasureKind::Profile(_) => {}
+            }
+        }
+        for feed in &scenario.feeds {
+            let name = format!("feed {}", feed.name);
+            titles.extend(FEED_COLUMNS.iter().map(|c| c.title(&name)));
+        }
+        for removal in &scenario.removals {
+            let name = format!("removal {}", removal.name);
+            titles.extend(REMOVAL_COLUMNS.iter().map(|c| c.title(&name)));
+            for material in &materials {
+                let name = format!("{name} {material}");
+                titles.extend(OF_MATERIAL_COLUMNS.iter().map(|c| c.title(&name)));
+            }
+        }
+        titles
+    }
+
+    /// Values of a row, in the order of the titles.
+    pub fn values(&mut self, sim: &Simulation) -> Vec<Value> {
+        self.look(sim);
+        let mut values = Vec::new();
+        let origins = &self.state.origins;
+        let mut flows = self.state.flows.iter_mut();
+        for measure in &self.scenario.measures {
+            match &measure.kind {
+                MeasureKind::RegionCount(count) => values.extend(count.measure(sim, origins)),
+                MeasureKind::GrainTrace(trace) => values.extend(trace.measure(sim, origins)),
+                MeasureKind::MassFlow(flow) => {
+                    values.extend(flows.next().into_iter().flat_map(|state| flow.measure(sim, state)));
+                }
+                MeasureKind::Mixing(mixing) => values.extend(mixing.measure(sim, origins)),
+                MeasureKind::Slope(slope) => values.extend(slope.measure(sim, origins)),
+                MeasureKind::ContactNetwork(_) | MeasureKind::ForceDistribution(_) | MeasureKind::Profile(_) => {}
+            }
+        }
+        for ((spec, feed), source) in self.scenario.feeds.iter().zip(&self.state.feeds).zip(&self.sources) {
+            let behind = feed.behind(spec, source, sim.dt);
+            values.extend([
+                Value::Count(feed.grains),
+                Value::Number(feed.mass),
+                Value::Number(behind),
+            ]);
+        }
+        for removal in &self.state.removals {
+            let all = removal
+                .gone
+                .iter()
+                .fold((0, 0.0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
+            values.extend([Value::Count(all.0), Value::Number(all.1)]);
+            values.push(Value::Number(removal.stay / all.0 as f64));
+            for (grains, mass) in &removal.gone {
+                values.extend([Value::Count(*grains), Value::Number(*mass)]);
+            }
+        }
+        values
+    }
+}
+
+/// The checked streams of all feeds, or the first that cannot be and why.
+pub(super) fn sources(scenario: &Scenario, domain: &Domain) -> Result<Vec<Streaming>, (usize, InsertionProblem)> {
+    let source = |(k, feed): (usize, &FeedSpec)| {
+        Streaming::new(&feed.stream, &scenario.materials, domain).map_err(|problem| (k, problem))
+    };
+    scenario.feeds.iter().enumerate().map(source).collect()
+}
+
+/// Whether grains come or go between the latest step and the next.
+fn is_due(sim: &Simulation, every: Option<f64>) -> bool {
+    let steps = every.map_or(EXCHANGE_EVERY, |seconds| (seconds / sim.dt).round().max(1.0) as u64);
+    sim.step.is_multiple_of(steps)
+}
+
+impl FeedState {
+    /// Counts the time up to a step.
+    fn count_time(&mut self, step: u64) {
+        if self.active {
+            self.steps += step.saturating_sub(self.clock);
+        }
+        self.clock = step;
+    }
+}
+
+/// A feed at a moment.
+struct Feeding<'a> {
+    spec: &'a FeedSpec,
+    source: &'a Streaming,
+    sim: &'a Simulation,
+}
+
+impl Feeding<'_> {
+    /// Lets all grains come that are due and find room.
+    fn feed(&self, state: &mut FeedState, leaving: &[usize], come: &mut Vec<NewGrain>) {
+        let sim = self.sim;
+        let end = &self.spec.end;
+        state.done = end.until.is_some_and(|until| sim.time() >= until)
+            || end
+                .level
+                .is_some_and(|(point, normal)| is_piled_beyond(sim, point, normal));
+        if self.next(state).is_none() {
+            return;
+        }
+        let stays = |g: &usize| leaving.binary_search(g).is_err();
+        let there = (0..sim.grains.len())
+            .filter(stays)
+            .map(|g| (sim.grains.position[g], sim.grains.radius(g)));
+        let there = there.chain(come.iter().map(|grain| (grain.position, grain.radius)));
+        let there: Vec<(DVec3, f64)> = there.collect();
+        let expected = (self.due(state) / self.source.mean_mass()).min(MAX_AT_ONCE as f64) as u64 + 1;
+        let mut occupied = self.source.occupied(there.into_iter(), sim.largest_reach(), expected);
+        let is_blocked = |place: DVec3, reach: f64| {
+            let mut touched = Vec::new();
+            sim.walls.iter().any(|wall| {
+                if wall.near(place, reach) {
+                    wall.contacts(place, reach, &mut touched);
+                }
+                !touched.is_empty()
+            })
+        };
+        for _ in 0..MAX_AT_ONCE {
+            let Some(radius) = self.next(state) else { return };
+            let Some(grain) = self
+                .source
+                .grain((state.grains, sim.step), radius, &mut occupied, is_blocked)
+            else {
+                return;
+            };
+            state.grains += 1;
+            state.mass += self.source.mass(radius);
+            come.push(grain);
+        }
+    }
+
+    /// Radius of the next grain, when one is due [m]. Notes the end of the feed.
+    fn next(&self, state: &mut FeedState) -> Option<f64> {
+        let end = &self.spec.end;
+        state.done |= end.count.is_some_and(|count| state.grains >= count);
+        if state.done {
+            return None;
+        }
+        let radius = self.source.radius(state.grains);
+        let mass = self.source.mass(radius);
+        // the mass that comes is nearest to the one that was asked for
+        state.done = end.mass.is_some_and(|most| state.mass + 0.5 * mass > most);
+        let seconds = state.steps as f64 * self.sim.dt;
+        let is_due = match self.spec.rate {
+            FeedRate::AsRoomAllows => true,
+            FeedRate::Mass(rate) => state.mass + mass <= rate * seconds,
+            FeedRate::Number(rate) => (state.grains + 1) as f64 <= rate * seconds,
+        };
+        (is_due && !state.done).then_some(radius)
+    }
+
+    /// Mass that is due and has not come [kg]; without a rate, the most that finds room.
+    fn due(&self, state: &FeedState) -> f64 {
+        let mean = self.source.mean_mass();
+        let left = |count: u64| count.saturating_sub(state.grains) as f64 * mean;
+        let limits = [
+            self.spec.end.count.map(left),
+            self.spec.end.mass.map(|mass| mass - state.mass),
+        ];
+        let due = match self.spec.rate {
+            FeedRate::AsRoomAllows => self.source.capacity() * mean,
+            _ => state.behind(self.spec, self.source, self.sim.dt),
+        };
+        limits.into_iter().flatten().fold(due, f64::min).max(0.0)
+    }
+
+    /// What a user wants to read of the feed.
+    fn say(&self, state: &mut FeedState) -> Option<String> {
+        let FeedState { grains, mass, .. } = *state;
+        let name = &self.spec.name;
+        if state.done {
+            return Some(format!("feed `{name}` is done: {grains} grains, {mass:.6} kg came"));
+        }
+        let behind = state.behind(self.spec, self.source, self.sim.dt);
+        let much = behind > BEHIND * (mass + behind) && behind > BEHIND_GRAINS * self.source.mean_mass();
+        if !much || state.told_behind {
+            return None;
+        }
+        state.told_behind = true;
+        Some(format!(
+            "warning: feed `{name}` is behind: {mass:.6} kg of {:.6} kg came, as grains wait for room; a larger inlet, faster \
+             grains or a lower rate let all come",
+            mass + behind
+        ))
+    }
+}
+
+impl FeedState {
+    /// Mass that is due by the rate and has not come [kg].
+    fn behind(&self, spec: &FeedSpec, source: &Streaming, dt: f64) -> f64 {
+        let seconds = self.steps as f64 * dt;
+        let behind = match spec.rate {
+            _ if self.done => 0.0,
+            FeedRate::AsRoomAllows => 0.0,
+            FeedRate::Mass(rate) => rate * seconds - self.mass,
+            FeedRate::Number(rate) => (rate * seconds - self.grains as f64).floor() * source.mean_mass(),
+        };
+        behind.max(0.0)
+    }
+}
+
+/// Whether a grain beyond a plane rests on others or on walls.
+fn is_piled_beyond(sim: &Simulation, point: DVec3, normal: DVec3) -> bool {
+    let grains = &sim.grains;
+    let beyond: Vec<bool> = (grains.position.iter())
+        .map(|p| (*p - point).dot(normal) > 0.0)
+        .collect();
+    if !beyond.contains(&true) {
+        return false;
+    }
+    let mut contacts = vec![0u32; grains.len()];
+    for (is_wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
+        for chunk in chunks {
+            for k in (0..chunk.len()).filter(|&k| chunk.acts(k)) {
+                contacts[chunk.i[k] as usize] += 1;
+                if !is_wall {
+                    contacts[chunk.j[k] as usize] += 1;
+                }
+            }
+        }
+    }
+    beyond
+        .iter()
+        .zip(&contacts)
+        .any(|(beyond, n)| *beyond && *n >= CONTACTS_AT_REST)
+}
