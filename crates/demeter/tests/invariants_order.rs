@@ -9,8 +9,8 @@ use demeter::contacts::ContactKey;
 use demeter::simulation::{Setup, Simulation, Skin};
 use demeter_physics::integrator::Integrator;
 
-/// Position, velocity, angular velocity, orientation and image of every grain by id, and the contacts that act or remember
-/// something, as bytes.
+/// Position, velocity, angular velocity, orientation and image of every grain by id, and the engaged contacts with what
+/// they remember, as bytes.
 fn trajectories(setup: Setup, steps: u64) -> (Vec<Vec<u8>>, u64) {
     let mut sim = Simulation::new(setup);
     let mut seen = vec![];
@@ -47,7 +47,7 @@ fn snapshot(sim: &Simulation) -> Vec<u8> {
         .collect();
     // pairs that are merely near come and go with the candidates
     let contacts: Vec<(ContactKey, f64, Vec<f64>)> = (sim.contacts.carry(g).into_iter())
-        .filter(|c| c.normal_force != 0.0 || c.history.iter().any(|&h| h != 0.0))
+        .filter(|c| c.is_engaged)
         .map(|c| (c.key, c.normal_force, c.history))
         .collect();
     postcard::to_stdvec(&(grains, contacts)).unwrap()

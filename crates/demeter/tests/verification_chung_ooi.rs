@@ -100,7 +100,7 @@ fn collide(solid: Solid, radius: f64, speed: f64, plane: bool, restitution: f64)
     for _ in 0..100_000 {
         sim.step().unwrap();
         let chunks = || sim.contacts.pairs.iter().chain(&sim.contacts.walls);
-        let touching = chunks().find(|chunk| !chunk.is_empty());
+        let touching = chunks().find(|chunk| chunk.engaged() > 0);
         if let Some(chunk) = touching {
             course.push([sim.time(), sim.contact(chunk, 0).overlap, chunk.normal_force()[0]]);
         } else if !course.is_empty() {

@@ -91,7 +91,7 @@ fn collide(choice: &LawChoice, target: Target, speed: f64, phase: f64) -> Seen {
     for _ in 0..200_000 {
         sim.step().unwrap();
         let chunks = || sim.contacts.pairs.iter().chain(&sim.contacts.walls);
-        if let Some(chunk) = chunks().find(|chunk| !chunk.is_empty()) {
+        if let Some(chunk) = chunks().find(|chunk| chunk.engaged() > 0) {
             let (overlap, force) = (sim.contact(chunk, 0).overlap, chunk.normal_force()[0]);
             seen.max_overlap = seen.max_overlap.max(overlap);
             seen.least_force = seen.least_force.min(force);

@@ -443,6 +443,8 @@ impl ContactChunk {
             if let Some(k) = too_deep {
                 chunk.note_overlap(contacts.start + k, block.overlap[k], scene);
             }
+            chunk.engaged.resize(contacts.start / BLOCK + 1, 0);
+            chunk.engaged[contacts.start / BLOCK] = block.acts;
             let mut idle = !block.acts & first_bits(contacts.len());
             while idle != 0 {
                 chunk.end(contacts.start + idle.trailing_zeros() as usize, scene);

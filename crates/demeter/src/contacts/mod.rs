@@ -33,6 +33,7 @@ use bytemuck::{Pod, Zeroable};
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
+use kinematics::BLOCK;
 use serde::{Deserialize, Serialize};
 
 /// Work of the contact forces in one step [J], and what is needed to watch a run.
@@ -168,6 +169,8 @@ pub struct ContactChunk {
     pub j: Vec<u32>,
     /// Code of the shift across periodic sides, where there are any; found from the candidates when needed.
     shift: Vec<u8>,
+    /// Bits of the contacts between grains that are engaged, a word for each block; empty where all are.
+    engaged: Vec<u64>,
     /// What every contact does to both bodies: nothing at first, then that of each contact.
     pub(crate) load: Vec<Load>,
     /// Torque of the rolling laws on the first body [N m], in the same places; empty where no law resists rolling.
@@ -188,6 +191,7 @@ impl ContactChunk {
         self.i.clear();
         self.j.clear();
         self.shift.clear();
+        self.engaged.clear();
         self.load.clear();
         self.load.push(Load::default());
         self.rolling.clear();
@@ -239,10 +243,33 @@ impl ContactChunk {
         &self.now.normal_force
     }
 
+    /// Whether the laws were asked about a contact in the latest step: the bodies touch, feel each other across a gap, or do so
+    /// within half a step. The others in the table are merely near; they have no force and remember nothing.
+    #[inline]
+    pub fn is_engaged(&self, contact: usize) -> bool {
+        (self.engaged.get(contact / BLOCK)).is_none_or(|word| word >> (contact % BLOCK) & 1 != 0)
+    }
+
+    /// Number of contacts that are engaged.
+    pub fn engaged(&self) -> usize {
+        if self.engaged.is_empty() {
+            self.len()
+        } else {
+            self.engaged.iter().map(|word| word.count_ones() as usize).sum()
+        }
+    }
+
+    /// Notes whether the latest contact of the table is engaged.
+    fn note_engaged(&mut self, is_engaged: bool) {
+        let contact = self.len() - 1;
+        self.engaged.resize(contact / BLOCK + 1, 0);
+        self.engaged[contact / BLOCK] |= u64::from(is_engaged) << (contact % BLOCK);
+    }
+
     /// Whether a contact acts: its normal force is not zero.
     ///
     /// The table also holds bodies that are merely near: across a gap within the reach of an attraction or of a bulge,
-    /// or about to touch within half a step; and bodies that touch without force, in the dent of a plastic contact or
+    /// or about to touch; and bodies that touch without force, in the dent of a plastic contact or
     /// while they part faster than they relax. None of these carries load, and how many of them are in the table
     /// depends on the time step and on the law. What is counted, written or averaged is therefore what acts.
     #[inline(always)]
@@ -306,12 +333,12 @@ impl Contacts {
         self.walls.iter().map(ContactChunk::acting).sum()
     }
 
-    /// Number of contacts between grains in the table, those without force counted.
+    /// Number of contacts between grains that are engaged, those without force counted; see [`ContactChunk::is_engaged`].
     pub fn pair_count(&self) -> usize {
-        self.pairs.iter().map(ContactChunk::len).sum()
+        self.pairs.iter().map(ContactChunk::engaged).sum()
     }
 
-    /// Number of contacts with walls in the table, those without force counted.
+    /// Number of contacts with walls, those without force counted.
     pub fn wall_count(&self) -> usize {
         self.walls.iter().map(ContactChunk::len).sum()
     }

@@ -172,6 +172,7 @@ impl ContactChunk {
         self.i.clear();
         self.j.clear();
         self.shift.clear();
+        self.engaged.clear();
         let mut old = 0;
         for (k, &candidate) in found.candidates.iter().enumerate() {
             while self.before.candidate.get(old).is_some_and(|&c| c < candidate) {

@@ -29,6 +29,8 @@ pub struct CarriedContact {
     pub key: ContactKey,
     /// Geometry, where it is not found from the places of the grains again.
     pub geometry: Option<Contact>,
+    /// Whether it is engaged, and not merely near.
+    pub is_engaged: bool,
     /// Normal force [N].
     pub normal_force: f64,
     /// What it does to both bodies.
@@ -269,6 +271,9 @@ impl ContactChunk {
         now.normal_force.push(before.normal_force[contact]);
         now.history.extend_from_slice(old.history(contact, stride));
         now.coupling.extend(before.coupling.get(contact));
+        if !old.engaged.is_empty() {
+            self.note_engaged(old.is_engaged(contact));
+        }
     }
 
     /// Appends a contact of a checkpoint.
@@ -289,6 +294,9 @@ impl ContactChunk {
         let history = contact.history.iter().copied();
         now.history.extend(history.chain(std::iter::repeat(0.0)).take(stride));
         now.coupling.extend(contact.coupling);
+        if !contact.key.wall && contact.geometry.is_none() {
+            self.note_engaged(contact.is_engaged);
+        }
     }
 }
 
@@ -321,6 +329,7 @@ impl Contacts {
                             element: chunk.element(k),
                         },
                         geometry: chunk.now.geometry.get(k).copied(),
+                        is_engaged: chunk.is_engaged(k),
                         normal_force: chunk.now.normal_force[k],
                         load: chunk.load[k + 1],
                         rolling: chunk.rolling.get(k + 1).copied(),

@@ -11,15 +11,19 @@ pub struct WallReport {
     pub meshes: Vec<Option<Inspection>>,
     /// Where the smallest grain gets out, with the walls as they stand at the start.
     pub leaks: Result<LeakReport, Untested>,
-    /// Radius of the smallest grain at the start [m]; infinite without grains.
+    /// Radius of the smallest grain at the start or of a feed [m]; infinite without grains.
     pub smallest: f64,
 }
 
 /// Looks at the walls of a scenario that is ready to run. It may take seconds.
 pub fn inspect_walls(scenario: &Scenario, prepared: &Prepared) -> WallReport {
     let setup = &prepared.setup;
-    let starts: Vec<_> = (0..setup.grains.len()).map(|g| setup.grains.position[g]).collect();
-    let smallest = setup.grains.radii().fold(f64::INFINITY, f64::min);
+    let all = [&setup.grains, &prepared.to_come];
+    let starts: Vec<_> = all.iter().flat_map(|grains| grains.position.iter().copied()).collect();
+    let smallest = all
+        .iter()
+        .flat_map(|grains| grains.radii())
+        .fold(f64::INFINITY, f64::min);
     WallReport {
         meshes: setup
             .walls

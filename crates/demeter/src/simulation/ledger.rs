@@ -220,7 +220,7 @@ impl Simulation {
     /// Energies stored in the contacts of a chunk.
     fn stored(&self, chunk: &ContactChunk, wall: bool, counts: &impl Fn(usize) -> bool) -> Stored {
         let mut sum = Stored::default();
-        for k in 0..chunk.len() {
+        for k in (0..chunk.len()).filter(|&k| chunk.is_engaged(k)) {
             if !counts(chunk.i[k] as usize) && (wall || !counts(chunk.j[k] as usize)) {
                 continue;
             }

@@ -96,10 +96,10 @@ fn squeezed() -> Simulation {
     sim
 }
 
-/// All contacts that act or remember something: pairs that are merely near come and go with the candidates.
+/// All engaged contacts: pairs that are merely near come and go with the candidates.
 fn carried(sim: &Simulation) -> Vec<CarriedContact> {
     let mut carried = sim.contacts.carry(&sim.grains);
-    carried.retain(|c| c.normal_force != 0.0 || c.history.iter().any(|&h| h != 0.0));
+    carried.retain(|c| c.is_engaged);
     carried
 }
 

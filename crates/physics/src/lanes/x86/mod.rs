@@ -1,0 +1,139 @@
+//! Four and eight lanes of x86-64.
+//!
+//! Unsafe because instructions are used that not every processor has. The types here are made by [`run_avx2`] and
+//! [`run_avx512`] alone, which [`super::run`] calls only where the processor has them.
+#![allow(unsafe_code)]
+
+macro_rules! arithmetic {
+    ($lanes:ident, $($operator:ident $method:ident $instruction:ident;)*) => {
+        $(
+            impl $operator for $lanes {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: Self) -> Self {
+                    // SAFETY: see above
+                    Self(unsafe { $instruction(self.0, other.0) })
+                }
+            }
+
+            impl $operator<f64> for $lanes {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: f64) -> Self {
+                    self.$method(Self::splat(other))
+                }
+            }
+        )*
+
+        impl Neg for $lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                self.flip_sign()
+            }
+        }
+    };
+}
+
+mod avx2;
+mod avx512;
+
+use super::{Kernel, Places};
+use avx2::F64x4;
+use avx512::F64x8;
+use std::arch::x86_64::*;
+
+/// Runs a kernel with AVX-512, which the processor must have.
+#[inline]
+pub(super) fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
+    #[target_feature(enable = "avx512f,avx2")]
+    fn inner<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<F64x8>()
+    }
+    // SAFETY: the caller has asked the processor
+    unsafe { inner(kernel) }
+}
+
+/// Runs a kernel with AVX2, which the processor must have.
+#[inline]
+pub(super) fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
+    #[target_feature(enable = "avx2")]
+    fn inner<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<F64x4>()
+    }
+    // SAFETY: the caller has asked the processor
+    unsafe { inner(kernel) }
+}
+
+/// Fetches a line of the cache.
+#[inline(always)]
+pub(super) fn prefetch<T>(soon: &T) {
+    // SAFETY: every processor of this kind has it, and it changes nothing that a program can see
+    unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(soon).cast()) }
+}
+
+/// Asserts that `width` numbers are there from all of the first places on.
+#[inline(always)]
+fn check(values: &[f64], places: &Places, lanes: usize, width: usize) {
+    let mut last = places[0];
+    let mut lane = 1;
+    while lane < lanes {
+        last = if places[lane] > last { places[lane] } else { last };
+        lane += 1;
+    }
+    assert!(values.len() >= width && last <= values.len() - width);
+}
+
+/// Four numbers in a register.
+///
+/// # Safety
+/// They must be there.
+#[inline(always)]
+unsafe fn row(values: &[f64], start: usize) -> __m256d {
+    // SAFETY: as the caller promises
+    unsafe { _mm256_loadu_pd(values.as_ptr().add(start)) }
+}
+
+/// One number.
+///
+/// # Safety
+/// It must be there.
+#[inline(always)]
+unsafe fn one(values: &[f64], place: usize) -> f64 {
+    // SAFETY: as the caller promises
+    unsafe { *values.get_unchecked(place) }
+}
+
+/// Four numbers out of a register.
+#[inline(always)]
+fn put(row: __m256d) -> [f64; 4] {
+    // SAFETY: both are 32 bytes of four numbers
+    unsafe { std::mem::transmute(row) }
+}
+
+/// Asserts that every table has a row of this index.
+#[inline(always)]
+fn check_rows<const N: usize>(tables: &[&[[f64; 4]]; N], index: u32) {
+    let mut table = 0;
+    while table < N {
+        assert!((index as usize) < tables[table].len());
+        table += 1;
+    }
+}
+
+/// A row of a table in a register.
+///
+/// # Safety
+/// It must be there.
+#[inline(always)]
+unsafe fn at(table: &[[f64; 4]], index: u32) -> __m256d {
+    // SAFETY: as the caller promises
+    unsafe { _mm256_loadu_pd(table.as_ptr().add(index as usize).cast()) }
+}
+
+/// A row in a register.
+#[inline(always)]
+fn whole(row: &[f64; 4]) -> __m256d {
+    // SAFETY: see above; four numbers are there
+    unsafe { _mm256_loadu_pd(row.as_ptr()) }
+}
