@@ -240,7 +240,7 @@ fn group_near_walls(of: std::ops::Range<usize>, grains: &Grains, walls: &[Wall],
             continue;
         }
         for (g, row) in of.clone().zip(rows) {
-            if wall.near(row.vector, row.scalar + skin) {
+            if !grains.is_fixed(g) && wall.near(row.vector, row.scalar + skin) {
                 let (grain, wall) = (g as u32, w as u32);
                 near.push(WallPair { grain, wall });
             }

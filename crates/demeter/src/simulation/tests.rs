@@ -158,3 +158,68 @@ fn a_packing_at_rest_comes_to_a_narrow_skin() {
     assert!(sim.skin() < 0.2 * first, "{} of {first}", sim.skin());
     assert!(sim.rebuilds() < 10);
 }
+
+/// Pairs of grains that overlap, by all distances, as indices.
+fn overlapping(sim: &Simulation) -> Vec<(u32, u32)> {
+    let (grains, count) = (&sim.grains, sim.grains.len() as u32);
+    let all = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
+    let touch = |&(a, b): &(u32, u32)| {
+        let (a, b) = (a as usize, b as usize);
+        let apart = grains.position[a] - grains.position[b];
+        let apart = apart + sim.comm.shift(sim.comm.nearest_image(apart));
+        apart.length() < grains.radius(a) + grains.radius(b)
+    };
+    all.filter(touch).collect()
+}
+
+#[test]
+fn grains_that_overlap_are_always_engaged() {
+    let (mut begun, mut ended, mut kept) = (0, 0, 0);
+    for (radius, speed) in [(0.45, 0.5), (0.49, 0.02), (0.46, 2.0)] {
+        let mut sim = Simulation::new(lattice(radius, speed, Skin::Tuned(0.05)));
+        let mut before: Vec<(u32, u32)> = Vec::new();
+        let mut table = 0;
+        for step in 0..250 {
+            sim.step().unwrap();
+            let size: usize = sim.contacts.pairs.iter().map(ContactChunk::len).sum();
+            kept += usize::from(size == table);
+            table = size;
+            // all distances take long
+            if step % 4 != 0 {
+                continue;
+            }
+            let chunks = sim.contacts.pairs.iter();
+            let engaged = chunks.flat_map(|chunk| {
+                let engaged = (0..chunk.len()).filter(|&k| chunk.is_engaged(k));
+                engaged.map(|k| (chunk.i[k].min(chunk.j[k]), chunk.i[k].max(chunk.j[k])))
+            });
+            let engaged: std::collections::BTreeSet<(u32, u32)> = engaged.collect();
+            assert_eq!(engaged.len(), sim.contacts.pair_count());
+            let now = overlapping(&sim);
+            for pair in &now {
+                assert!(engaged.contains(pair), "{pair:?} in step {step} at speed {speed}");
+            }
+            begun += now.iter().filter(|pair| !before.contains(pair)).count();
+            ended += before.iter().filter(|pair| !now.contains(pair)).count();
+            before = now;
+        }
+    }
+    assert!(begun > 500 && ended > 100, "{begun} contacts began, {ended} ended");
+    assert!(kept > 300, "the table was kept in {kept} steps only");
+}
+
+#[test]
+fn fixed_grains_are_no_candidates_of_each_other_or_of_walls() {
+    let mut setup = lattice(0.51, 0.0, Skin::Fixed(0.05));
+    for g in 0..setup.grains.len() {
+        setup.grains.velocity.set_scalar(g, 0.0);
+        setup.grains.angular_velocity.set_scalar(g, 0.0);
+    }
+    let mut sim = Simulation::new(setup);
+    sim.start().unwrap();
+    let places: Vec<DVec3> = sim.grains.position.iter().copied().collect();
+    sim.step().unwrap();
+    assert_eq!((sim.candidates(), sim.contacts.pair_count()), (0, 0));
+    assert_eq!(sim.contacts.wall_count(), 0);
+    assert!(sim.grains.position.iter().eq(&places));
+}
