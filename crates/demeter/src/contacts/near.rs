@@ -40,7 +40,9 @@ impl NearTable {
         }
         // a step costs `SEARCH nearer/room + room/mean_radius`: least where both are the same
         let nearer = 2.0 * moved;
-        let room = (STEPS * nearer).min((SEARCH * nearer * self.mean_radius).sqrt());
+        let best = (STEPS * nearer).min((SEARCH * nearer * self.mean_radius).sqrt());
+        // where motion is not bounded, the table serves for one step
+        let room = if best.is_finite() { best } else { 0.0 };
         self.reach = window + room.clamp(ROOM.0 * self.mean_radius, ROOM.1 * self.mean_radius);
         self.approached = 0.0;
         Some(self.reach)
