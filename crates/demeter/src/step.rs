@@ -17,11 +17,14 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 /// Grains handled by one task.
-const GRAINS_PER_TASK: usize = 512;
+const GRAINS_PER_TASK: usize = 1024;
 
 /// Stretches of the table of contacts per thread: more share the work out better, fewer leave fewer grains to be summed up
 /// afterwards.
 const PARTS_PER_THREAD: usize = 4;
+
+/// Grains that a stretch has at least.
+const LEAST_GRAINS_OF_A_PART: usize = 400;
 
 impl Simulation {
     /// Advances the run by one time step (see [`demeter_physics::integrator`]).
@@ -185,7 +188,13 @@ impl Simulation {
             sums: self.sums.all(neighbours, are_new),
         };
         let threads = rayon::current_num_threads();
-        let parts = if threads > 1 { PARTS_PER_THREAD * threads } else { 1 };
+        // so few grains are done before another thread has begun
+        let most = self.grains.len() / LEAST_GRAINS_OF_A_PART;
+        let parts = if threads > 1 {
+            (PARTS_PER_THREAD * threads).min(most)
+        } else {
+            1
+        };
         all.work(parts, neighbours, walls, self.instructions, &|c, chunk| {
             let mut clock = Profile::chunk(profile);
             chunk.step_pairs(neighbours.chunk(c), &scene, || clock.took(Part::Narrow));
