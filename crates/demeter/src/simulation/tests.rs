@@ -223,3 +223,23 @@ fn fixed_grains_are_no_candidates_of_each_other_or_of_walls() {
     assert_eq!(sim.contacts.wall_count(), 0);
     assert!(sim.grains.position.iter().eq(&places));
 }
+
+#[test]
+fn stretches_of_several_threads_change_no_bit() {
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let mut sim = Simulation::new(lattice(0.5, 0.1, Skin::Tuned(0.05)));
+            for _ in 0..60 {
+                sim.step().unwrap();
+            }
+            (sim.grains, sim.books)
+        })
+    };
+    let (grains, books) = run(1);
+    for threads in [2, 5] {
+        let (found, found_books) = run(threads);
+        assert!(found == grains, "{threads} threads");
+        assert_eq!(format!("{found_books:?}"), format!("{books:?}"));
+    }
+}
