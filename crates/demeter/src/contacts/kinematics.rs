@@ -359,11 +359,7 @@ impl Kernel for Gather<'_> {
             ..
         } = self;
         let contacts = Contact::numbers(self.contacts);
-        let tables = [
-            grains.position.table(),
-            grains.velocity.table(),
-            grains.angular_velocity.table(),
-        ];
+        let tables = grains.tables();
         block.acts = first_bits(self.contacts.len());
         for k in (0..self.contacts.len()).step_by(L::COUNT) {
             let mut here = places_in_turn::<L>(self.contacts.len(), k, Contact::NUMBERS);

@@ -79,23 +79,17 @@ pub(super) struct Met<L: Lanes> {
 #[derive(Clone, Copy)]
 pub(super) struct Meeting<'a> {
     scene: &'a Scene<'a>,
-    position: &'a [[f64; 4]],
     /// Positions, velocities and angular velocities.
     tables: [&'a [[f64; 4]]; 3],
     /// Shifts of positions across periodic sides; empty where there are none.
-    pub(super) shifts: &'a [[f64; 4]],
+    shifts: &'a [[f64; 4]],
 }
 
 impl<'a> Meeting<'a> {
     pub(super) fn new(scene: &'a Scene<'a>) -> Self {
         Self {
             scene,
-            position: scene.grains.position.table(),
-            tables: [
-                scene.grains.position.table(),
-                scene.grains.velocity.table(),
-                scene.grains.angular_velocity.table(),
-            ],
+            tables: scene.grains.tables(),
             shifts: scene.comm.shifts(),
         }
     }
@@ -117,8 +111,8 @@ impl<'a> Meeting<'a> {
     /// Difference of the positions of some pairs, and their radii.
     #[inline(always)]
     pub(super) fn apart<L: Lanes>(&self, lot: &Lot) -> (L::Vector, L, L) {
-        let [first] = L::fetch([self.position], &lot.first);
-        let [second] = L::fetch([self.position], &lot.second);
+        let [first] = L::fetch([self.tables[0]], &lot.first);
+        let [second] = L::fetch([self.tables[0]], &lot.second);
         self.difference(first, second, lot)
     }
 

@@ -91,6 +91,16 @@ impl Grains {
         self.position.scalars()
     }
 
+    /// Rows of positions, velocities and angular velocities.
+    #[inline(always)]
+    pub(crate) fn tables(&self) -> [&[[f64; 4]]; 3] {
+        [
+            self.position.table(),
+            self.velocity.table(),
+            self.angular_velocity.table(),
+        ]
+    }
+
     /// Moment of inertia of a grain, `2/5 m r^2` [kg m^2].
     #[inline(always)]
     pub fn inertia(&self, grain: usize) -> f64 {
