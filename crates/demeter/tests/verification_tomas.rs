@@ -313,6 +313,7 @@ fn cloud(count: u32) -> Simulation {
         velocity: DVec3::ZERO,
         velocity_deviation: 0.5,
         angular_velocity: DVec3::ZERO,
+        tag: 0,
         seed: 3,
     };
     let inserted = insert(&insertion, case.materials.list(), &[], Some(&case.domain)).unwrap();

@@ -187,6 +187,8 @@ pub struct Insertion {
     pub velocity_deviation: f64,
     /// Angular velocity of every grain [1/s].
     pub angular_velocity: DVec3,
+    /// Tag of every grain.
+    pub tag: i32,
     /// Seed of this batch.
     pub seed: u64,
 }

@@ -3,6 +3,7 @@
 //!
 //! A contact counts when it acts, that is, when its normal force is not zero: [`ContactChunk::acts`].
 
+mod field;
 mod flow;
 mod forces;
 mod mixing;
@@ -17,6 +18,10 @@ mod told;
 mod trace;
 
 pub use crate::simulation::Energies;
+pub use field::{
+    CellValues, Field, FieldSums, FieldValues, Kernel, KernelIn, KernelShape, LARGEST_CUT, LEAST_CUT, MAX_FIELD_CELLS,
+    SUMS,
+};
 pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
 pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
 pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing};
@@ -31,9 +36,15 @@ pub use told::{FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
 pub use trace::{GrainTrace, TRACE_COLUMNS};
 
 use crate::contacts::ContactChunk;
-use crate::particles::Grains;
+use crate::particles::{Grains, Zone};
 use crate::simulation::Simulation;
 use glam::DVec3;
+
+/// Whether a grain lies in a zone, whose parts go with walls.
+pub(crate) fn holds(sim: &Simulation, zone: &Zone, grain: usize) -> bool {
+    let brought_back = |wall: usize, p: DVec3| sim.walls.get(wall).map_or(p, |wall| wall.brought_back(p));
+    zone.holds(sim.domain(), sim.grains.position[grain], brought_back)
+}
 
 /// What a wall feels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -11,6 +11,8 @@ pub struct Selection {
     pub source: Option<u16>,
     /// With one of these ids, sorted; any, when there is none.
     pub ids: Vec<u32>,
+    /// With this tag.
+    pub tag: Option<i32>,
 }
 
 impl Selection {
@@ -20,5 +22,6 @@ impl Selection {
         self.material.is_none_or(|material| grains.material[grain] == material)
             && (self.ids.is_empty() || self.ids.binary_search(&id).is_ok())
             && self.source.is_none_or(|source| origins.of(id) == Some(source))
+            && self.tag.is_none_or(|tag| origins.tag(id) == tag)
     }
 }

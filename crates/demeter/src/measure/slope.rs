@@ -4,7 +4,7 @@
 //! highest point of its grains. The straight line that fits these heights best (least squares over the bins that hold
 //! grains) tells the angle, and how far the heights are from it.
 
-use super::{Selection, ToldColumn, Value};
+use super::{Selection, ToldColumn, Value, holds};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
 use glam::DVec3;
@@ -53,7 +53,7 @@ impl Slope {
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
         let (grains, domain) = (&sim.grains, sim.domain());
         let chosen = (0..grains.len())
-            .filter(|&g| self.zone.holds(domain, grains.position[g]) && self.selection.holds(grains, origins, g))
+            .filter(|&g| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g))
             .map(|g| (domain.wrapped(grains.position[g]), grains.radius(g)));
         let (angle, deviation, bins) = self.fit(chosen);
         vec![Value::Number(angle), Value::Number(deviation), Value::Count(bins)]

@@ -227,7 +227,7 @@ pub(super) fn removals(root: &TableReader<'_>, named: &Named<'_>) -> Vec<Removal
             name,
             zone: table
                 .required("region", meaning)
-                .map(|i| region(&i))
+                .map(|i| region(&i, named))
                 .unwrap_or_default(),
             selection: selection(&table, named),
             every: table.optional_quantity("every", TIME, Range::POSITIVE),

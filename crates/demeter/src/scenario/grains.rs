@@ -1,5 +1,6 @@
 //! Tables `[[grains]]`: where grains come from.
 
+use super::zones::tag_value;
 use super::document::Value;
 use super::materials::material_index;
 use super::quantity::Kind;
@@ -75,6 +76,7 @@ fn insertion(table: TableReader<'_>, index: usize, around: &Surroundings<'_>) ->
             .optional_quantity("velocity_deviation", velocity, Range::NOT_NEGATIVE)
             .unwrap_or(0.0),
         angular_velocity: table.vector_or_zero("angular_velocity", Kind::AngularVelocity),
+        tag: table.optional("tag").map_or(0, |i| tag_value(&i)),
         seed: match table.optional("seed") {
             Some(item) => item.integer(0, i64::MAX) as u64,
             None => around.seed.wrapping_add(index as u64),

@@ -159,7 +159,7 @@ fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
         "contact-network" => Some(MeasureKind::ContactNetwork(contact_network(&table))),
         "force-distribution" => force_distribution(&table).map(MeasureKind::ForceDistribution),
         "region-count" => Some(MeasureKind::RegionCount(RegionCount {
-            zone: table.optional("region").map(|i| region(&i)).unwrap_or_default(),
+            zone: table.optional("region").map(|i| region(&i, named)).unwrap_or_default(),
             selection: selection(&table, named),
         })),
         "grain-trace" => Some(MeasureKind::GrainTrace(GrainTrace {

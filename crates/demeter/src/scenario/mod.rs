@@ -7,6 +7,7 @@ mod feeds;
 mod fit_file;
 mod grains;
 mod impact;
+mod interiors;
 mod materials;
 mod measures;
 mod meshes;
@@ -171,7 +172,8 @@ impl Scenario {
         let feeds = feeds::feeds(&table, &around, &grains);
         let batches = grains.iter().map(|b| b.name.as_str());
         let named = zones::Named {
-            materials: &materials,
+            around: &around,
+            walls: &walls,
             gravity: simulation.gravity,
             sources: batches.chain(feeds.iter().map(|f| f.name.as_str())).collect(),
         };

@@ -81,10 +81,10 @@ pub(super) fn mixing(table: &TableReader<'_>, named: &Named<'_>) -> Mixing {
             );
         }
     }
-    let chosen = ["material", "batch", "ids"].iter().any(|key| table.has(key));
+    let chosen = ["material", "batch", "ids", "tag"].iter().any(|key| table.has(key));
     let selection = selection(table, named);
     if !chosen {
-        let help = "name the kind by `material`, `batch` or `ids`";
+        let help = "name the kind by `material`, `batch`, `ids` or `tag`";
         table.fault("which grains are mixed with the others?", Some(help.to_string()));
     }
     Mixing {
@@ -136,7 +136,7 @@ pub(super) fn slope(table: &TableReader<'_>, named: &Named<'_>) -> Slope {
         up,
         between,
         bins: bins.map_or(2, |i| i.integer(2, MAX_BINS)) as u32,
-        zone: table.optional("region").map(|i| region(&i)).unwrap_or_default(),
+        zone: table.optional("region").map(|i| region(&i, named)).unwrap_or_default(),
         selection: selection(table, named),
     }
 }

@@ -28,11 +28,36 @@ fn is_section(path: &str, entry: &Entry) -> bool {
     has_header(&entry.node.value) && (path.is_empty() || below_material || nested)
 }
 
+/// A value with the paths of files in the tables inside of it made absolute.
+fn with_files_of(value: &Value, base: &Path) -> Value {
+    match value {
+        Value::Array(items) => {
+            let item = |node: &Node| Node {
+                value: with_files_of(&node.value, base),
+                ..node.clone()
+            };
+            Value::Array(items.iter().map(item).collect())
+        }
+        Value::Table(entries) => {
+            let entry = |entry: &Entry| {
+                let mut entry = entry.clone();
+                entry.node.value = match &entry.node.value {
+                    Value::String(file) if entry.key == "file" => Value::String(base.join(file).display().to_string()),
+                    other => with_files_of(other, base),
+                };
+                entry
+            };
+            Value::Table(entries.iter().map(entry).collect())
+        }
+        other => other.clone(),
+    }
+}
+
 fn write_table(path: &str, entries: &[Entry], base: &Path, text: &mut String) {
     for entry in entries.iter().filter(|e| !is_section(path, e)) {
         let value = match &entry.node.value {
             Value::String(file) if entry.key == "file" => Value::String(base.join(file).display().to_string()).inline(),
-            other => other.inline(),
+            other => with_files_of(other, base).inline(),
         };
         text.push_str(&format!("{} = {value}\n", written_key(&entry.key)));
     }

@@ -8,7 +8,7 @@ use super::feeds::{EXCHANGE_EVERY, FeedRate, FeedSpec, RemovalSpec};
 use super::measures::{MeasureKind, flows};
 use super::run_error::RunError;
 use crate::insertion::{InsertionProblem, MAX_AT_ONCE, Streaming};
-use crate::measure::{FEED_COLUMNS, FlowState, LOOK_EVERY, MassFlow, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value};
+use crate::measure::{FEED_COLUMNS, FlowState, LOOK_EVERY, MassFlow, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, holds};
 use crate::particles::{Domain, NewGrain, Origins};
 use crate::simulation::{Simulation, Stage};
 use glam::DVec3;
@@ -178,12 +178,12 @@ impl<'a> Traffic<'a> {
         if due.is_empty() {
             return Vec::new();
         }
-        let (grains, domain) = (&sim.grains, sim.domain());
+        let grains = &sim.grains;
         let mut leaving = Vec::new();
         for g in 0..grains.len() {
             let goes = |k: &&usize| {
                 let removal = &self.scenario.removals[**k];
-                removal.zone.holds(domain, grains.position[g])
+                holds(sim, &removal.zone, g)
                     && removal.selection.holds(grains, &self.state.origins, g)
             };
             if let Some(&k) = due.iter().find(goes) {
