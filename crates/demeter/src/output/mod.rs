@@ -7,6 +7,7 @@
 mod collection;
 pub(crate) mod distribution;
 mod error;
+mod fields;
 mod folder;
 mod frame;
 pub mod picture;
@@ -15,16 +16,22 @@ mod profile;
 mod rows;
 pub mod series;
 mod summary;
+mod tables;
 mod ticks;
+mod vti;
 mod vtk;
 mod vtp;
 
 pub use distribution::DistributionWriter;
 pub use error::OutputError;
+pub use fields::FieldWriter;
 pub use folder::RunFolder;
 pub use frame::{ContactRecord, Frame, WallSurface};
 pub use plot::{AxisSpec, Look, Plot, Series, Sheet};
 pub use profile::ProfileWriter;
 pub use series::{COLUMNS, Column, NETWORK_COLUMNS, SeriesLabels, SeriesWriter, WALL_COLUMNS};
 pub use summary::{EnergySummary, StageSummary, Summary, WallSummary, wall_summaries};
+pub use tables::{
+    MomentTable, path_lines, path_row, path_titles, residence_row, residence_titles, rose_rows, rose_titles,
+};
 pub use vtk::FrameWriter;

@@ -231,7 +231,14 @@ mod tests {
             let pick = |bit: usize, axis: usize| if k >> bit & 1 == 1 { upper[axis] } else { lower[axis] };
             dvec3(pick(0, 0), pick(1, 1), pick(2, 2))
         };
-        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let faces = [
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ];
         let cut = |[a, b, c, d]: [usize; 4]| [[a, b, c], [a, c, d]];
         faces.into_iter().flat_map(cut).map(|t| t.map(corner)).collect()
     }
@@ -239,7 +246,9 @@ mod tests {
     fn random() -> impl FnMut() -> f64 {
         let mut x = 9u64;
         move || {
-            x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            x = x
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (x >> 11) as f64 / (1u64 << 53) as f64
         }
     }

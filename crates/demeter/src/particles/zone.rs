@@ -151,7 +151,9 @@ mod tests {
         };
         let zones = [cut(f64::NEG_INFINITY, 0.0), cut(0.0, 0.5), cut(0.5, f64::INFINITY)];
         for x in [-7.0, -1e-300, 0.0, 0.25, 0.5, 9.0] {
-            let holding = zones.iter().filter(|z| z.holds(&open_space(), dvec3(x, 1e9, 0.5), at_rest));
+            let holding = zones
+                .iter()
+                .filter(|z| z.holds(&open_space(), dvec3(x, 1e9, 0.5), at_rest));
             assert_eq!(holding.count(), 1, "{x}");
         }
         assert!(!zones[0].holds(&open_space(), dvec3(f64::NAN, 0.0, 0.5), at_rest));
@@ -166,7 +168,10 @@ mod tests {
         let quarter = zone(&[half(DVec3::X), half(DVec3::Z)]);
         assert!(quarter.holds(&open_space(), dvec3(0.1, -5.0, 0.1), at_rest));
         assert!(!quarter.holds(&open_space(), dvec3(0.1, -5.0, -0.1), at_rest));
-        assert!(!quarter.holds(&open_space(), dvec3(0.0, 0.0, 1.0), at_rest), "the plane itself");
+        assert!(
+            !quarter.holds(&open_space(), dvec3(0.0, 0.0, 1.0), at_rest),
+            "the plane itself"
+        );
         let mut ring = zone(&[ZoneShape::Cylinder {
             start: DVec3::ZERO,
             end: dvec3(0.0, 0.0, 2.0),
@@ -212,7 +217,12 @@ mod tests {
             start_radius: 0.5,
             end_radius: 1.5,
         }]);
-        for (r, z, inside) in [(0.49, 0.0, true), (0.51, 0.0, false), (0.99, 1.0, true), (1.01, 1.0, false)] {
+        for (r, z, inside) in [
+            (0.49, 0.0, true),
+            (0.51, 0.0, false),
+            (0.99, 1.0, true),
+            (1.01, 1.0, false),
+        ] {
             assert_eq!(hopper.holds(&open_space(), dvec3(0.0, r, z), at_rest), inside);
         }
         assert!(!hopper.holds(&open_space(), dvec3(0.0, 0.0, 2.0), at_rest), "the end");

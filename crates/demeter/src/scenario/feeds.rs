@@ -7,7 +7,7 @@ use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
 use super::sizes::diameter;
 use super::walls::rectangle;
-use super::zones::{Named, region, selection};
+use super::zones::{Named, region, selection, tag_value};
 use crate::insertion::{Inlet, Insertion, Region, Stream};
 use crate::measure::Selection;
 use crate::particles::Zone;
@@ -61,6 +61,8 @@ pub struct FeedSpec {
     pub end: FeedEnd,
     /// Time between two times at which grains come [s]; [`EXCHANGE_EVERY`] steps when absent.
     pub every: Option<f64>,
+    /// Tag of the grains.
+    pub tag: i32,
 }
 
 /// A table `[[removal]]`.
@@ -163,6 +165,7 @@ fn feed(table: TableReader<'_>, name: String, default_seed: u64, around: &Surrou
         table.fault("the feed has neither a rate nor an end", Some(help.to_string()));
     }
     let every = table.optional_quantity("every", TIME, Range::POSITIVE);
+    let tag = table.optional("tag").map_or(0, |i| tag_value(&i));
     table.finish("a feed");
     FeedSpec {
         name,
@@ -170,6 +173,7 @@ fn feed(table: TableReader<'_>, name: String, default_seed: u64, around: &Surrou
         rate,
         end,
         every,
+        tag,
     }
 }
 

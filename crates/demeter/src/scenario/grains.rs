@@ -1,11 +1,11 @@
 //! Tables `[[grains]]`: where grains come from.
 
-use super::zones::tag_value;
 use super::document::Value;
 use super::materials::material_index;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::sizes::{diameter, positive_lengths};
+use super::zones::tag_value;
 use crate::insertion::{Amount, Insertion, LatticeKind, Region, Source};
 use crate::materials::Material;
 use demeter_physics::dimension::Dimension;

@@ -1,12 +1,14 @@
 //! Tables `[[measure]]`: what is measured beside what every run measures.
 
 use super::document::join;
+use super::field_measures::{contact_angles, displacement, fabric, field, paths, residence};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::region_measures::{mass_flow, mixing, profile, slope};
 use super::zones::{Named, region, selection};
 use crate::measure::{
-    BinsError, ContactNetwork, ForceDistribution, GrainTrace, MassFlow, Mixing, Profile, RegionCount, Slope,
+    BinsError, ContactAngles, ContactNetwork, Displacement, Fabric, Field, ForceDistribution, GrainTrace, MassFlow,
+    Mixing, Paths, Profile, RegionCount, Residence, Slope,
 };
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -44,6 +46,18 @@ pub enum MeasureKind {
     Slope(Slope),
     /// A file of its own.
     Profile(Profile),
+    /// Files of their own, with every frame.
+    Field(Field),
+    /// Columns of the series.
+    Fabric(Fabric),
+    /// A file of its own.
+    ContactAngles(ContactAngles),
+    /// Columns of the series, and a file of its own.
+    Residence(Residence),
+    /// Columns of the series.
+    Displacement(Displacement),
+    /// Files of their own.
+    Paths(Paths),
 }
 
 /// The contact networks of a list of measures, with their names.
@@ -70,17 +84,9 @@ pub(super) fn profiles(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, 
     })
 }
 
-/// The flows through gates of a list of measures, with their names.
-pub(super) fn flows(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &MassFlow)> {
-    measures.iter().filter_map(|measure| match &measure.kind {
-        MeasureKind::MassFlow(flow) => Some((measure.name.as_str(), flow)),
-        _ => None,
-    })
-}
-
 const FORCE: Kind = Kind::Physical(Dimension::FORCE);
 
-const KINDS: [&str; 8] = [
+const KINDS: [&str; 14] = [
     "contact-network",
     "force-distribution",
     "region-count",
@@ -89,6 +95,12 @@ const KINDS: [&str; 8] = [
     "mixing",
     "surface-slope",
     "profile",
+    "field",
+    "fabric",
+    "contact-angles",
+    "residence",
+    "displacement",
+    "paths",
 ];
 
 pub(super) fn measures(root: &TableReader<'_>, named: &Named<'_>) -> Vec<MeasureSpec> {
@@ -168,7 +180,13 @@ fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
         "mass-flow" => Some(MeasureKind::MassFlow(mass_flow(&table, named))),
         "mixing" => Some(MeasureKind::Mixing(mixing(&table, named))),
         "surface-slope" => Some(MeasureKind::Slope(slope(&table, named))),
-        _ => Some(MeasureKind::Profile(profile(&table, named))),
+        "profile" => Some(MeasureKind::Profile(profile(&table, named))),
+        "field" => Some(MeasureKind::Field(field(&table, named))),
+        "fabric" => Some(MeasureKind::Fabric(fabric(&table, named))),
+        "contact-angles" => Some(MeasureKind::ContactAngles(contact_angles(&table, named))),
+        "residence" => Some(MeasureKind::Residence(residence(&table, named))),
+        "displacement" => Some(MeasureKind::Displacement(displacement(&table, named))),
+        _ => Some(MeasureKind::Paths(paths(&table, named))),
     };
     table.finish(&format!("a measure of kind `{}`", KINDS[index]));
     kind

@@ -4,7 +4,10 @@ mod checks;
 mod diagnostics;
 mod document;
 mod feeds;
+mod field_files;
+mod field_measures;
 mod fit_file;
+mod followed;
 mod grains;
 mod impact;
 mod interiors;
@@ -28,6 +31,7 @@ mod run_options;
 mod settings;
 mod sizes;
 mod stages;
+mod tags;
 mod templates;
 mod traffic;
 pub mod units;
@@ -61,6 +65,7 @@ pub use settings::{
     SimulationSpec, TimeStep,
 };
 pub use stages::{MAX_REPEAT, MAX_STAGES};
+pub use tags::{MAX_TAGS, TagSpec};
 pub use templates::{TEMPLATES, template};
 pub use wall_report::{WallReport, inspect_walls};
 pub use walls::{MAX_WALLS, MeshFile, WallShape, WallSpec};
@@ -103,6 +108,8 @@ pub struct Scenario {
     pub feeds: Vec<FeedSpec>,
     /// Where grains go while the run goes on; the path of the first is `removal[0]`.
     pub removals: Vec<RemovalSpec>,
+    /// Tags that grains are given while the run goes on; the path of the first is `tag[0]`.
+    pub tags: Vec<TagSpec>,
     /// Walls; the path of the first is `wall[0]`.
     pub walls: Vec<WallSpec>,
     /// Stages with repeats unrolled.
@@ -174,10 +181,12 @@ impl Scenario {
         let named = zones::Named {
             around: &around,
             walls: &walls,
+            has_domain: domain.bounds.is_some(),
             gravity: simulation.gravity,
             sources: batches.chain(feeds.iter().map(|f| f.name.as_str())).collect(),
         };
         let removals = feeds::removals(&table, &named);
+        let tags = tags::tags(&table, &named);
         let measures = measures::measures(&table, &named);
         let cast = stages::Cast {
             walls: &walls,
@@ -196,6 +205,7 @@ impl Scenario {
             grains,
             feeds,
             removals,
+            tags,
             walls,
             stages: protocol.stages,
             stage_paths: protocol.paths,

@@ -23,6 +23,8 @@ const FACES: [&str; 6] = ["-x", "+x", "-y", "+y", "-z", "+z"];
 pub(super) struct Named<'a> {
     pub around: &'a Surroundings<'a>,
     pub walls: &'a [WallSpec],
+    /// Whether the corners of the domain are told.
+    pub has_domain: bool,
     /// Acceleration of gravity [m/s^2].
     pub gravity: DVec3,
     /// Names of the batches, then of the feeds.
@@ -122,7 +124,9 @@ fn open_box(table: &TableReader<'_>) -> ZoneShape {
 
 /// Keys `material`, `batch`, `ids` and `tag` of a measure or a removal.
 pub(super) fn selection(table: &TableReader<'_>, named: &Named<'_>) -> Selection {
-    let material = table.optional("material").map(|i| material_index(&i, named.around.materials));
+    let material = table
+        .optional("material")
+        .map(|i| material_index(&i, named.around.materials));
     let source = table.optional("batch").map(|item| {
         let name = item.text();
         let index = named.sources.iter().position(|source| *source == name);

@@ -1,7 +1,6 @@
 //! What is spread over a grid, and how: some layers of cells are one task, which takes all that reaches it in a fixed order.
 
 use super::kernel::KernelIn;
-use crate::particles::Domain;
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -24,15 +23,58 @@ pub(super) const FLUX: usize = 7;
 pub(super) const STRESS: usize = 13;
 pub(super) const TRACTION: usize = 22;
 
-/// A grain, or the end of a force on what is not counted.
+/// What is spread from a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Load {
+    /// A grain.
+    Grain {
+        mass: f64,
+        solid: f64,
+        contacts: f64,
+        velocity: DVec3,
+    },
+    /// A force from what is not counted [N].
+    Force(DVec3),
+}
+
+/// A grain, or the end of a force from what is not counted.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point {
     pub place: DVec3,
-    /// Place of the first of the sums that it adds to.
-    pub first: usize,
-    /// How many, and what it adds to them.
-    pub count: usize,
-    pub adds: [f64; STRESS],
+    pub load: Load,
+}
+
+impl Load {
+    /// What it adds to the sums, with the velocity of the image added; and the first of these sums.
+    fn adds(&self, image: DVec3) -> (usize, [f64; STRESS]) {
+        let mut adds = [0.0; STRESS];
+        match *self {
+            Self::Grain {
+                mass,
+                solid,
+                contacts,
+                velocity,
+            } => {
+                let v = velocity + image;
+                let flux = [v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.x * v.z, v.y * v.z];
+                adds[..MOMENTUM].copy_from_slice(&[1.0, mass, solid, contacts]);
+                adds[MOMENTUM..FLUX].copy_from_slice(&(v * mass).to_array());
+                adds[FLUX..].copy_from_slice(&flux.map(|vv| mass * vv));
+                (NUMBER, adds)
+            }
+            Self::Force(force) => {
+                adds[..3].copy_from_slice(&force.to_array());
+                (TRACTION, adds)
+            }
+        }
+    }
+}
+
+/// How the world repeats itself: what leads to the next image along each direction [m], and how fast that changes [m/s].
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Periods {
+    pub edges: [Option<DVec3>; 3],
+    pub velocities: [DVec3; 3],
 }
 
 /// A force along a branch.
@@ -49,6 +91,7 @@ pub(super) struct Branch {
 /// What a state spreads.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Spread {
+    pub periods: Periods,
     pub points: Vec<Point>,
     pub branches: Vec<Branch>,
 }
@@ -75,6 +118,7 @@ struct Block {
 struct Piece {
     index: u32,
     shift: DVec3,
+    velocity: DVec3,
     /// Share of a branch between these ends lies in the averaged directions.
     ends: [f64; 2],
 }
@@ -123,78 +167,92 @@ impl Grid {
     }
 
     /// Adds all that is spread to the sums, the same bits on any number of threads.
-    pub fn spread(&self, spread: &Spread, kernel: &KernelIn, domain: &Domain, sums: &mut [[f64; SUMS]]) {
+    pub fn spread(&self, spread: &Spread, kernel: &KernelIn, sums: &mut [[f64; SUMS]]) {
         let axis = self.layer_axis();
         let layers = self.cells[axis];
         let stride = self.len() / layers;
         let points: Vec<(Piece, [usize; 2])> = (spread.points.iter().enumerate())
-            .flat_map(|(k, point)| self.pieces(k, point.place, DVec3::ZERO, kernel, domain))
+            .flat_map(|(k, point)| self.pieces(k, (point.place, DVec3::ZERO), kernel, &spread.periods))
             .collect();
         let branches: Vec<(Piece, [usize; 2])> = (spread.branches.iter().enumerate())
-            .flat_map(|(k, b)| self.pieces(k, b.from, b.branch, kernel, domain))
+            .flat_map(|(k, b)| self.pieces(k, (b.from, b.branch), kernel, &spread.periods))
             .collect();
         let thick = layers.div_ceil(MOST_BLOCKS);
         let (of_points, of_branches) = (by_block(&points, layers, thick), by_block(&branches, layers, thick));
         let share = 1.0 / self.averaged_size();
-        sums.par_chunks_mut(stride * thick).enumerate().for_each(|(block, cells)| {
-            let layers = [block * thick, ((block + 1) * thick).min(layers)];
-            let block_of_cells = Block { axis, layers, first: block * thick * stride };
-            for &k in &of_points[block] {
-                self.add_point(spread, &points[k as usize].0, (kernel, share), block_of_cells, cells);
-            }
-            for &k in &of_branches[block] {
-                self.add_branch(spread, &branches[k as usize].0, (kernel, share), block_of_cells, cells);
-            }
-        });
+        sums.par_chunks_mut(stride * thick)
+            .enumerate()
+            .for_each(|(block, cells)| {
+                let layers = [block * thick, ((block + 1) * thick).min(layers)];
+                let block_of_cells = Block {
+                    axis,
+                    layers,
+                    first: block * thick * stride,
+                };
+                for &k in &of_points[block] {
+                    self.add_point(spread, &points[k as usize].0, (kernel, share), block_of_cells, cells);
+                }
+                for &k in &of_branches[block] {
+                    self.add_branch(spread, &branches[k as usize].0, (kernel, share), block_of_cells, cells);
+                }
+            });
     }
 
     /// The images of a branch (a point has no length) that reach cells, with the range of layers that they reach.
     fn pieces(
         &self,
         index: usize,
-        from: DVec3,
-        branch: DVec3,
+        (from, branch): (DVec3, DVec3),
         kernel: &KernelIn,
-        domain: &Domain,
+        periods: &Periods,
     ) -> Vec<(Piece, [usize; 2])> {
-        let fine = self.fine();
         let (low, high) = (from.min(from + branch), from.max(from + branch));
-        let size = domain.size();
-        let mut shifts = [const { Vec::new() }; 3];
-        for axis in 0..3 {
-            let reach = if fine[axis] { kernel.reach() } else { 0.0 };
-            if !domain.periodic[axis] {
-                shifts[axis].push(0.0);
-                continue;
-            }
-            let first = ((self.lower[axis] - reach - high[axis]) / size[axis]).ceil();
-            let last = ((self.upper[axis] + reach - low[axis]) / size[axis]).floor();
-            let mut n = first.max(-MOST_PERIODS);
-            while n <= last.min(MOST_PERIODS) {
-                shifts[axis].push(n * size[axis]);
-                n += 1.0;
-            }
-        }
+        let axis = self.layer_axis();
         let mut pieces = Vec::new();
-        for &x in &shifts[0] {
-            for &y in &shifts[1] {
-                for &z in &shifts[2] {
-                    let shift = DVec3::new(x, y, z);
-                    let Some(ends) = self.clipped(from + shift, branch) else {
-                        continue;
-                    };
-                    let axis = self.layer_axis();
-                    let reach = kernel.reach();
-                    let (first, end) =
-                        self.range(axis, low[axis] + shift[axis] - reach, high[axis] + shift[axis] + reach);
-                    if first < end {
-                        let index = index as u32;
-                        pieces.push((Piece { index, shift, ends }, [first, end]));
-                    }
-                }
+        for (shift, velocity) in self.images(low, high, kernel.reach(), periods) {
+            let Some(ends) = self.clipped(from + shift, branch) else {
+                continue;
+            };
+            let reach = kernel.reach();
+            let (first, end) = self.range(axis, low[axis] + shift[axis] - reach, high[axis] + shift[axis] + reach);
+            if first < end {
+                let piece = Piece {
+                    index: index as u32,
+                    shift,
+                    velocity,
+                    ends,
+                };
+                pieces.push((piece, [first, end]));
             }
         }
         pieces
+    }
+
+    /// Shifts to the images of a box that come within reach of the grid, and their velocities.
+    fn images(&self, low: DVec3, high: DVec3, reach: f64, periods: &Periods) -> Vec<(DVec3, DVec3)> {
+        let fine = self.fine();
+        let mut images = vec![(DVec3::ZERO, DVec3::ZERO)];
+        // an edge that is not along its axis moves images along others, so it comes first
+        let is_oblique = |axis: &usize| periods.edges[*axis].is_some_and(|edge| edge[*axis].abs() < edge.length());
+        let oblique = (0..3).filter(is_oblique);
+        let order = oblique.chain((0..3).filter(|axis| !is_oblique(axis)));
+        for axis in order {
+            let Some(edge) = periods.edges[axis] else { continue };
+            let reach = if fine[axis] { reach } else { 0.0 };
+            let mut next = Vec::new();
+            for (shift, velocity) in images {
+                let (low, high) = (low[axis] + shift[axis], high[axis] + shift[axis]);
+                let first = ((self.lower[axis] - reach - high) / edge[axis]).ceil();
+                let last = ((self.upper[axis] + reach - low) / edge[axis]).floor();
+                let mut n = first.max(-MOST_PERIODS);
+                while n <= last.min(MOST_PERIODS) {
+                    next.push((shift + edge * n, velocity + periods.velocities[axis] * n));
+                    n += 1.0;
+                }
+            }
+            images = next;
+        }
+        images
     }
 
     /// The part of a branch inside of the box in the averaged directions, as shares of it; for a point all or nothing. The
@@ -248,14 +306,14 @@ impl Grid {
         block: Block,
         cells: &mut [[f64; SUMS]],
     ) {
-        let point = &spread.points[piece.index as usize];
-        let place = point.place + piece.shift;
+        let Point { place, load } = spread.points[piece.index as usize];
+        let place = place + piece.shift;
+        let (first, adds) = load.adds(piece.velocity);
         let reach = DVec3::splat(kernel.reach());
         self.each_cell(place - reach, place + reach, block, |at, centre| {
             let weight = kernel.at(self.across(centre - place).length_squared()) * share;
             if weight > 0.0 {
-                let sums = &mut cells[at][point.first..point.first + point.count];
-                for (sum, add) in sums.iter_mut().zip(&point.adds) {
+                for (sum, add) in cells[at][first..].iter_mut().zip(&adds) {
                     *sum += add * weight;
                 }
             }

@@ -35,7 +35,9 @@ use super::{Selection, holds};
 use crate::contacts::ContactChunk;
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
-use deposit::{Branch, CONTACTS, FLUX, Grid, MASS, MOMENTUM, NUMBER, Point, SOLID, STRESS, Spread, TRACTION};
+use deposit::{
+    Branch, CONTACTS, FLUX, Grid, Load, MASS, MOMENTUM, NUMBER, Periods, Point, SOLID, STRESS, Spread, TRACTION,
+};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -155,7 +157,7 @@ impl Field {
         let grid = self.grid(sim);
         let mut cells = vec![[0.0; SUMS]; grid.len()];
         let kernel = self.kernel.in_dimensions(grid.dimensions());
-        grid.spread(&self.spread(sim, origins), &kernel, sim.domain(), &mut cells);
+        grid.spread(&self.spread(sim, origins), &kernel, &mut cells);
         state.sums.resize(grid.len() * SUMS, 0.0);
         state.samples += 1;
         for (sum, add) in state.sums.iter_mut().zip(cells.as_flattened()) {
@@ -195,7 +197,10 @@ impl Field {
             .map(|g| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g))
             .collect();
         let mut contacts = vec![0u32; grains.len()];
-        let mut spread = Spread::default();
+        let mut spread = Spread {
+            periods: periods(sim),
+            ..Spread::default()
+        };
         for chunk in &sim.contacts.pairs {
             for k in (0..chunk.len()).filter(|&k| chunk.acts(k)) {
                 let (i, j) = (chunk.i[k] as usize, chunk.j[k] as usize);
@@ -214,19 +219,15 @@ impl Field {
             }
         }
         for g in (0..grains.len()).filter(|&g| counts[g]) {
-            let (m, r, v) = (grains.mass[g], grains.radius(g), grains.velocity[g]);
-            let solid = 4.0 / 3.0 * std::f64::consts::PI * r * r * r;
-            let count = f64::from(contacts[g]);
-            let flux = [v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.x * v.z, v.y * v.z].map(|vv| m * vv);
-            let mut adds = [0.0; STRESS];
-            adds[..MOMENTUM].copy_from_slice(&[1.0, m, solid, count]);
-            adds[MOMENTUM..FLUX].copy_from_slice(&(v * m).to_array());
-            adds[FLUX..].copy_from_slice(&flux);
+            let r = grains.radius(g);
             spread.points.push(Point {
                 place: grains.position[g],
-                first: NUMBER,
-                count: STRESS,
-                adds,
+                load: Load::Grain {
+                    mass: grains.mass[g],
+                    solid: 4.0 / 3.0 * std::f64::consts::PI * r * r * r,
+                    contacts: f64::from(contacts[g]),
+                    velocity: grains.velocity[g],
+                },
             });
         }
         spread
@@ -261,14 +262,20 @@ fn add_half(sim: &Simulation, chunk: &ContactChunk, k: usize, side: f64, spread:
         branch: contact.normal * (side * lever),
         force,
     });
-    let mut adds = [0.0; STRESS];
-    adds[..3].copy_from_slice(&force.to_array());
     spread.points.push(Point {
         place: from,
-        first: TRACTION,
-        count: 3,
-        adds,
+        load: Load::Force(force),
     });
+}
+
+/// How the world of a simulation repeats itself.
+fn periods(sim: &Simulation) -> Periods {
+    let domain = sim.domain();
+    let size = domain.size();
+    Periods {
+        edges: [0, 1, 2].map(|k| domain.periodic[k].then(|| DVec3::AXES[k] * size[k])),
+        velocities: [DVec3::ZERO; 3],
+    }
 }
 
 #[cfg(test)]
