@@ -96,6 +96,7 @@ fn grains_that_come_lie_in_the_inlet_and_touch_nothing() {
                         && place.y.abs() + radius < 0.3 + 1e-12
                         && diagonal.abs() + radius < edge + 1e-12
                 }
+                Inlet::Mesh(_) => unreachable!("no mesh is among them"),
                 Inlet::Region(_) => place.abs().max_element() + radius < 0.2 * (1.0 + 1e-12),
             };
             assert!(inside, "{inlet:?}: {place}, {radius}");

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// Columns of displacements; means by number, not a number without grains.
 pub const DISPLACEMENT_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new(
-        "grains",
+        "displaced grains",
         "",
         "grains that count and were there at the start of the count",
     ),

@@ -27,15 +27,15 @@ const HOLD: u32 = 4;
 
 /// Columns of a fabric.
 pub const FABRIC_COLUMNS: &[ToldColumn] = &[
-    ToldColumn::new("contacts", "", "contacts of which a grain counts"),
+    ToldColumn::new("counted contacts", "", "contacts of which a grain counts"),
     ToldColumn::new(
-        "coordination",
+        "contacts per grain",
         "",
         "mean number of contacts of the grains, those with walls counted",
     ),
     ToldColumn::new("rattlers", "", "share of the grains that less than four contacts hold"),
     ToldColumn::new(
-        "coordination without rattlers",
+        "contacts per grain without rattlers",
         "",
         "mean number of contacts among the other grains and with walls",
     ),

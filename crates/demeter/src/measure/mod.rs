@@ -4,12 +4,14 @@
 //! A contact counts when it acts, that is, when its normal force is not zero: [`ContactChunk::acts`].
 
 mod angles;
+mod cylinder_profile;
 mod displacement;
 mod fabric;
 mod field;
 mod flow;
 mod forces;
 mod mixing;
+mod neighbour_mixing;
 mod network;
 mod paths;
 mod profile;
@@ -24,6 +26,7 @@ mod trace;
 
 pub use crate::simulation::Energies;
 pub use angles::{ContactAngles, MAX_ANGLES, Rose};
+pub use cylinder_profile::{Along, CylinderProfile, Ring};
 pub use displacement::{DISPLACEMENT_COLUMNS, Displacement, DisplacementState};
 pub use fabric::{FABRIC_COLUMNS, Fabric};
 pub use field::{
@@ -32,7 +35,8 @@ pub use field::{
 };
 pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
 pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
-pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing};
+pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing, MixingSpace};
+pub use neighbour_mixing::{MAX_NEAREST, NEIGHBOUR_COLUMNS, NeighbourMixing};
 pub use network::{ContactNetwork, NetworkMeasures};
 pub use paths::{MAX_PATHS, PathPoint, Paths};
 pub use profile::{MAX_SLICES, Profile, Slice};

@@ -4,7 +4,7 @@ use super::error::OutputError;
 use super::rows::RowFile;
 use super::series::{number, stage_name};
 use super::vtp::{Array, Cells, PolyData, Values};
-use crate::measure::{Measures, PathPoint, Rose};
+use crate::measure::{Measures, PathPoint, Ring, Rose};
 use glam::DVec3;
 use std::path::Path;
 
@@ -81,6 +81,35 @@ pub fn rose_rows(rose: &Rose) -> [Vec<String>; 2] {
         cells.extend(bins.iter().map(|value| number(*value)));
         cells
     })
+}
+
+/// Columns of a profile in a cylinder behind the moment.
+const RING_COLUMNS: [&str; 10] = [
+    "bin",
+    "place [m]",
+    "grains",
+    "mass [kg]",
+    "share",
+    "packing fraction",
+    "velocity outwards [m/s]",
+    "velocity around [m/s]",
+    "velocity along [m/s]",
+    "fluctuation [m/s]",
+];
+
+/// Titles of a profile in a cylinder.
+pub fn ring_titles() -> Vec<String> {
+    RING_COLUMNS.map(str::to_owned).to_vec()
+}
+
+/// The row of a ring or slice.
+pub fn ring_row(number_of_bin: usize, ring: &Ring) -> Vec<String> {
+    let mut cells = vec![number_of_bin.to_string(), number(ring.place), ring.grains.to_string()];
+    let numbers = [ring.mass, ring.share, ring.packing_fraction];
+    let velocity = ring.velocity.to_array();
+    let rest = numbers.into_iter().chain(velocity).chain([ring.fluctuation]);
+    cells.extend(rest.map(number));
+    cells
 }
 
 /// Columns of paths behind the moment.

@@ -4,11 +4,11 @@ use super::document::join;
 use super::field_measures::{contact_angles, displacement, fabric, field, paths, residence};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
-use super::region_measures::{mass_flow, mixing, profile, slope};
+use super::region_measures::{cylinder_profile, mass_flow, mixing, neighbour_mixing, profile, slope};
 use super::zones::{Named, region, selection};
 use crate::measure::{
-    BinsError, ContactAngles, ContactNetwork, Displacement, Fabric, Field, ForceDistribution, GrainTrace, MassFlow,
-    Mixing, Paths, Profile, RegionCount, Residence, Slope,
+    BinsError, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceDistribution, GrainTrace, MassFlow,
+    Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence, Slope,
 };
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -58,6 +58,10 @@ pub enum MeasureKind {
     Displacement(Displacement),
     /// Files of their own.
     Paths(Paths),
+    /// Columns of the series.
+    NeighbourMixing(NeighbourMixing),
+    /// A file of its own.
+    CylinderProfile(CylinderProfile),
 }
 
 /// The contact networks of a list of measures, with their names.
@@ -86,7 +90,7 @@ pub(super) fn profiles(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, 
 
 const FORCE: Kind = Kind::Physical(Dimension::FORCE);
 
-const KINDS: [&str; 14] = [
+const KINDS: [&str; 16] = [
     "contact-network",
     "force-distribution",
     "region-count",
@@ -101,6 +105,8 @@ const KINDS: [&str; 14] = [
     "residence",
     "displacement",
     "paths",
+    "neighbour-mixing",
+    "cylinder-profile",
 ];
 
 pub(super) fn measures(root: &TableReader<'_>, named: &Named<'_>) -> Vec<MeasureSpec> {
@@ -186,7 +192,9 @@ fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
         "contact-angles" => Some(MeasureKind::ContactAngles(contact_angles(&table, named))),
         "residence" => Some(MeasureKind::Residence(residence(&table, named))),
         "displacement" => Some(MeasureKind::Displacement(displacement(&table, named))),
-        _ => Some(MeasureKind::Paths(paths(&table, named))),
+        "paths" => Some(MeasureKind::Paths(paths(&table, named))),
+        "neighbour-mixing" => Some(MeasureKind::NeighbourMixing(neighbour_mixing(&table, named))),
+        _ => Some(MeasureKind::CylinderProfile(cylinder_profile(&table, named))),
     };
     table.finish(&format!("a measure of kind `{}`", KINDS[index]));
     kind

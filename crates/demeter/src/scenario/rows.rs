@@ -3,10 +3,10 @@
 use super::measures::{MeasureKind, distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
-use crate::measure::{ContactAngles, ContactNetwork, ForceDistribution, Measures, Moment, Paths, Profile, measure};
+use crate::measure::{ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, measure};
 use crate::output::{
     DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesWriter, path_row, path_titles,
-    residence_row, residence_titles, rose_rows, rose_titles,
+    residence_row, residence_titles, ring_row, ring_titles, rose_rows, rose_titles,
 };
 use crate::simulation::Simulation;
 
@@ -26,6 +26,7 @@ enum Told<'a> {
     Residence(usize),
     Angles(&'a ContactAngles),
     Paths(&'a Paths),
+    Rings(&'a CylinderProfile),
 }
 
 impl<'a> Rows<'a> {
@@ -103,6 +104,10 @@ impl<'a> Rows<'a> {
             match told {
                 Told::Residence(index) => table.add(&row, [residence_row(&traffic.residence_distribution(*index))])?,
                 Told::Angles(angles) => table.add(&row, rose_rows(&angles.measure(sim, traffic.origins())))?,
+                Told::Rings(profile) => {
+                    let rings = profile.measure(sim, traffic.origins());
+                    table.add(&row, rings.iter().enumerate().map(|(k, ring)| ring_row(k, ring)))?;
+                }
                 Told::Paths(paths) => {
                     let points = paths.measure(sim, traffic.origins());
                     table.add(&row, points.iter().map(path_row))?;
@@ -139,6 +144,10 @@ fn tables<'a>(
                     folder.distribution(name),
                     rose_titles(&angles.edges()),
                 )
+            }
+            MeasureKind::CylinderProfile(profile) => {
+                folder.make_profiles()?;
+                (Told::Rings(profile), folder.profile(name), ring_titles())
             }
             MeasureKind::Paths(paths) => {
                 folder.make_paths()?;

@@ -266,12 +266,14 @@ impl<'a> Traffic<'a> {
                 MeasureKind::Fabric(fabric) => titles.extend(fabric.titles(&measure.name)),
                 MeasureKind::Residence(residence) => titles.extend(residence.titles(&measure.name)),
                 MeasureKind::Displacement(displacement) => titles.extend(displacement.titles(&measure.name)),
+                MeasureKind::NeighbourMixing(mixing) => titles.extend(mixing.titles(&measure.name)),
                 MeasureKind::ContactNetwork(_)
                 | MeasureKind::ForceDistribution(_)
                 | MeasureKind::Profile(_)
                 | MeasureKind::Field(_)
                 | MeasureKind::ContactAngles(_)
-                | MeasureKind::Paths(_) => {}
+                | MeasureKind::Paths(_)
+                | MeasureKind::CylinderProfile(_) => {}
             }
         }
         for feed in &scenario.feeds {
@@ -303,6 +305,7 @@ impl<'a> Traffic<'a> {
                 MeasureKind::Residence(_) => values.extend(followed.residences.next().into_iter().flatten()),
                 MeasureKind::Displacement(_) => values.extend(followed.displacements.next().into_iter().flatten()),
                 MeasureKind::Fabric(fabric) => values.extend(fabric.measure(sim, origins)),
+                MeasureKind::NeighbourMixing(mixing) => values.extend(mixing.measure(sim, origins)),
                 MeasureKind::Mixing(mixing) => values.extend(mixing.measure(sim, origins)),
                 MeasureKind::Slope(slope) => values.extend(slope.measure(sim, origins)),
                 MeasureKind::ContactNetwork(_)
@@ -310,7 +313,8 @@ impl<'a> Traffic<'a> {
                 | MeasureKind::Profile(_)
                 | MeasureKind::Field(_)
                 | MeasureKind::ContactAngles(_)
-                | MeasureKind::Paths(_) => {}
+                | MeasureKind::Paths(_)
+                | MeasureKind::CylinderProfile(_) => {}
             }
         }
         for ((spec, feed), source) in self.scenario.feeds.iter().zip(&self.state.feeds).zip(&self.sources) {

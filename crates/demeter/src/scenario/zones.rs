@@ -10,6 +10,7 @@ use super::walls::{WallSpec, cone_radii, wall_index};
 use crate::measure::Selection;
 use crate::particles::{Zone, ZonePart, ZoneShape};
 use demeter_physics::dimension::Dimension;
+use demeter_physics::parameters::Range;
 use glam::DVec3;
 
 /// Most parts of a region.
@@ -84,7 +85,7 @@ fn part(table: TableReader<'_>, named: &Named<'_>) -> ZonePart {
                 end_radius,
             }
         }
-        "mesh" => closed_mesh(&table, wall, named).map_or(nowhere.shape, |mesh| ZoneShape::Mesh(mesh.interior)),
+        "mesh" => closed_mesh(&table, wall.and_then(|wall| named.walls.get(wall)), named.around).map_or(nowhere.shape, |mesh| ZoneShape::Mesh(mesh.interior)),
         "sphere" => ZoneShape::Sphere {
             center: table.point("center", "the centre of the sphere"),
             radius: table.length("radius", "the radius of the sphere"),
@@ -122,7 +123,7 @@ fn open_box(table: &TableReader<'_>) -> ZoneShape {
     ZoneShape::Box { lower, upper }
 }
 
-/// Keys `material`, `batch`, `ids` and `tag` of a measure or a removal.
+/// Keys `material`, `batch`, `ids`, `tag`, `finer_than` and `coarser_than` of a measure or a removal.
 pub(super) fn selection(table: &TableReader<'_>, named: &Named<'_>) -> Selection {
     let material = table
         .optional("material")
@@ -147,11 +148,17 @@ pub(super) fn selection(table: &TableReader<'_>, named: &Named<'_>) -> Selection
     ids.sort_unstable();
     ids.dedup();
     let tag = table.optional("tag").map(|i| tag_value(&i));
+    let diameter = |key: &str| {
+        let item = table.optional(key)?;
+        Some(item.quantity(Kind::Physical(Dimension::LENGTH), Range::POSITIVE))
+    };
     Selection {
         material,
         source,
         ids,
         tag,
+        finer_than: diameter("finer_than"),
+        coarser_than: diameter("coarser_than"),
     }
 }
 

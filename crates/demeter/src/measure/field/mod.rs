@@ -268,12 +268,16 @@ fn add_half(sim: &Simulation, chunk: &ContactChunk, k: usize, side: f64, spread:
     });
 }
 
+/// What leads to the next image along a periodic direction [m].
+pub(super) fn period(sim: &Simulation, axis: usize) -> Option<DVec3> {
+    let domain = sim.domain();
+    domain.periodic[axis].then(|| DVec3::AXES[axis] * domain.size()[axis])
+}
+
 /// How the world of a simulation repeats itself.
 fn periods(sim: &Simulation) -> Periods {
-    let domain = sim.domain();
-    let size = domain.size();
     Periods {
-        edges: [0, 1, 2].map(|k| domain.periodic[k].then(|| DVec3::AXES[k] * size[k])),
+        edges: [0, 1, 2].map(|axis| period(sim, axis)),
         velocities: [DVec3::ZERO; 3],
     }
 }
