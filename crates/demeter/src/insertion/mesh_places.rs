@@ -72,7 +72,11 @@ impl MeshPlaces {
         let mut size = (upper - lower).to_array();
         size.sort_by(f64::total_cmp);
         // a face has no thickness, and a grain fits when it does along both others
-        if self.inlet.interior.is_some() { size[0] } else { size[1] }
+        if self.inlet.interior.is_some() {
+            size[0]
+        } else {
+            size[1]
+        }
     }
 
     /// How many grains of a radius find room at most, roughly.
@@ -114,7 +118,10 @@ impl MeshPlaces {
     fn on_face(&self, random: &mut RandomNumbers) -> DVec3 {
         let whole = self.areas.last().copied().unwrap_or(0.0);
         let drawn = random.uniform() * whole;
-        let at = self.areas.partition_point(|area| *area <= drawn).min(self.areas.len() - 1);
+        let at = self
+            .areas
+            .partition_point(|area| *area <= drawn)
+            .min(self.areas.len() - 1);
         let [a, b, c] = self.surface.triangles()[at].corners();
         let (mut u, mut v) = (random.uniform(), random.uniform());
         if u + v > 1.0 {

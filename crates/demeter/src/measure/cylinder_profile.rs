@@ -104,7 +104,11 @@ impl CylinderProfile {
                 }
             }
             if let Some(bin) = bin {
-                let out = if distance > 0.0 { outwards / distance } else { DVec3::ZERO };
+                let out = if distance > 0.0 {
+                    outwards / distance
+                } else {
+                    DVec3::ZERO
+                };
                 let v = grains.velocity[g];
                 let velocity = DVec3::new(v.dot(out), v.dot(axis.cross(out)), v.dot(axis));
                 let ring = &mut rings[bin];
@@ -193,7 +197,15 @@ mod tests {
         // rings beside each other lose nothing
         for distance in [0.0, 0.4, 1.7, 3.0] {
             let rings: f64 = (0..8)
-                .map(|k| sphere_in_ring(distance, 0.0, 1.0, [0.5 * f64::from(k), 0.5 * f64::from(k + 1)], [-2.0, 2.0]))
+                .map(|k| {
+                    sphere_in_ring(
+                        distance,
+                        0.0,
+                        1.0,
+                        [0.5 * f64::from(k), 0.5 * f64::from(k + 1)],
+                        [-2.0, 2.0],
+                    )
+                })
                 .sum();
             assert!((rings / ball - 1.0).abs() < 1e-12, "{rings}");
         }

@@ -127,7 +127,9 @@ impl Mixing {
     fn index(&self, places: impl Iterator<Item = (DVec3, bool)>) -> Mixedness {
         let mut counts = vec![[0u32; 2]; self.cells.iter().map(|n| *n as usize).product()];
         for (place, is_kind) in places {
-            let Some(shares) = self.space.shares(place) else { continue };
+            let Some(shares) = self.space.shares(place) else {
+                continue;
+            };
             let cell = |k: usize| ((shares[k] * f64::from(self.cells[k])) as usize).min(self.cells[k] as usize - 1);
             let at = (cell(2) * self.cells[1] as usize + cell(1)) * self.cells[0] as usize + cell(0);
             counts[at][0] += 1;
@@ -204,7 +206,10 @@ mod tests {
         for _ in 0..runs {
             let places: Vec<DVec3> = (0..300).map(|_| DVec3::new(next() * next(), next(), next())).collect();
             let apart = mixing.index(places.iter().map(|p| (*p, p.x < 0.25)));
-            assert!(apart.lacey.abs() < 1e-12 && (apart.intensity - 1.0).abs() < 1e-12, "{apart:?}");
+            assert!(
+                apart.lacey.abs() < 1e-12 && (apart.intensity - 1.0).abs() < 1e-12,
+                "{apart:?}"
+            );
             let labels: Vec<bool> = places.iter().map(|_| next() < 0.3).collect();
             sum += mixing.index(places.iter().copied().zip(labels)).lacey;
         }
@@ -259,7 +264,11 @@ mod tests {
         let core = |p: &DVec3| p.y * p.y + p.z * p.z < 0.5;
         let told = mixing.index(places.iter().map(|p| (*p, core(p))));
         assert!(told.lacey.abs() < 1e-12 && (told.share - 0.5).abs() < 0.03, "{told:?}");
-        let sliced = Mixing { cells: [1, 8, 4], ..mixing }.index(places.iter().map(|p| (*p, core(p))));
+        let sliced = Mixing {
+            cells: [1, 8, 4],
+            ..mixing
+        }
+        .index(places.iter().map(|p| (*p, core(p))));
         assert!(sliced.lacey > 0.8, "{sliced:?}");
     }
 }

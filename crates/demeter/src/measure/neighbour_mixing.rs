@@ -29,7 +29,11 @@ pub const NEIGHBOUR_COLUMNS: &[ToldColumn] = &[
         "",
         "0 when the kinds are apart, 1 in the mean when chance alone mixed them; NaN without both",
     ),
-    ToldColumn::new("unlike neighbours", "", "share of the nearest neighbours that are of the other kind"),
+    ToldColumn::new(
+        "unlike neighbours",
+        "",
+        "share of the nearest neighbours that are of the other kind",
+    ),
     ToldColumn::new("nearest index", "", "the same index of the nearest neighbours"),
 ];
 
@@ -164,8 +168,12 @@ impl Tree {
         count: usize,
         found: &mut Vec<(f64, usize)>,
     ) {
-        let Some((before, rest)) = range.split_at_checked(range.len() / 2) else { return };
-        let Some((&middle, behind)) = rest.split_first() else { return };
+        let Some((before, rest)) = range.split_at_checked(range.len() / 2) else {
+            return;
+        };
+        let Some((&middle, behind)) = rest.split_first() else {
+            return;
+        };
         let middle = middle as usize;
         if own != Some(middle) {
             let entry = ((self.places[middle] - place).length_squared(), middle);
@@ -176,7 +184,11 @@ impl Tree {
             }
         }
         let away = place[axis] - self.places[middle][axis];
-        let (first, second) = if away <= 0.0 { (before, behind) } else { (behind, before) };
+        let (first, second) = if away <= 0.0 {
+            (before, behind)
+        } else {
+            (behind, before)
+        };
         let next = (axis + 1) % 3;
         self.visit(first, next, place, own, count, found);
         if found.len() < count || away * away <= found[count - 1].0 {
@@ -207,7 +219,9 @@ mod tests {
     fn numbers() -> impl FnMut() -> f64 {
         let mut x = 77u64;
         move || {
-            x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            x = x
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (x >> 11) as f64 / (1u64 << 53) as f64
         }
     }

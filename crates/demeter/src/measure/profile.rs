@@ -79,7 +79,9 @@ impl Profile {
                 whole[k] += grains.mass[g];
             }
         }
-        let chosen = order.into_iter().filter(|&(_, g)| self.selection.holds(grains, origins, g));
+        let chosen = order
+            .into_iter()
+            .filter(|&(_, g)| self.selection.holds(grains, origins, g));
         let mut slices = vec![Slice::default(); self.slices as usize];
         let mut squares = vec![0.0; slices.len()];
         for (_, g) in chosen {

@@ -28,6 +28,8 @@ impl Selection {
             && self.source.is_none_or(|source| origins.of(id) == Some(source))
             && self.tag.is_none_or(|tag| origins.tag(id) == tag)
             && self.finer_than.is_none_or(|most| 2.0 * grains.radius(grain) < most)
-            && self.coarser_than.is_none_or(|least| 2.0 * grains.radius(grain) >= least)
+            && self
+                .coarser_than
+                .is_none_or(|least| 2.0 * grains.radius(grain) >= least)
     }
 }

@@ -32,6 +32,7 @@ pub use profile::ProfileWriter;
 pub use series::{COLUMNS, Column, NETWORK_COLUMNS, SeriesLabels, SeriesWriter, WALL_COLUMNS};
 pub use summary::{EnergySummary, StageSummary, Summary, WallSummary, wall_summaries};
 pub use tables::{
-    MomentTable, path_lines, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows, rose_titles,
+    MomentTable, path_lines, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows,
+    rose_titles,
 };
 pub use vtk::FrameWriter;

@@ -201,7 +201,10 @@ fn inlet(table: &TableReader<'_>, around: &Surroundings<'_>) -> Inlet {
     let Some(from) = item.table() else {
         return nowhere;
     };
-    let shape = from.required("shape", "\"rectangle\", \"disc\", \"mesh-face\", \"box\", \"cylinder\" or \"mesh\"");
+    let shape = from.required(
+        "shape",
+        "\"rectangle\", \"disc\", \"mesh-face\", \"box\", \"cylinder\" or \"mesh\"",
+    );
     let Some(shape) = shape.and_then(|i| i.choice(&SHAPES)) else {
         from.abandon();
         return nowhere;

@@ -7,8 +7,8 @@ use super::reader::{Item, TableReader};
 use super::region_measures::{cylinder_profile, mass_flow, mixing, neighbour_mixing, profile, slope};
 use super::zones::{Named, region, selection};
 use crate::measure::{
-    BinsError, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceDistribution, GrainTrace, MassFlow,
-    Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence, Slope,
+    BinsError, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceDistribution,
+    GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence, Slope,
 };
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;

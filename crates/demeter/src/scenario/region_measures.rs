@@ -7,8 +7,8 @@ use super::reader::TableReader;
 use super::walls::rectangle;
 use super::zones::{Named, region, selection};
 use crate::measure::{
-    Along, CylinderProfile, Gate, MAX_CELLS, MAX_NEAREST, MAX_SLICES, MassFlow, Mixing, MixingSpace, NeighbourMixing, Profile,
-    Selection, Slope,
+    Along, CylinderProfile, Gate, MAX_CELLS, MAX_NEAREST, MAX_SLICES, MassFlow, Mixing, MixingSpace, NeighbourMixing,
+    Profile, Selection, Slope,
 };
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -111,7 +111,9 @@ fn cylinder(table: &TableReader<'_>) -> (DVec3, DVec3, f64) {
 
 /// The kind that is mixed with all others.
 fn kind(table: &TableReader<'_>, named: &Named<'_>) -> Selection {
-    let chosen = ["material", "batch", "ids", "tag", "finer_than", "coarser_than"].iter().any(|key| table.has(key));
+    let chosen = ["material", "batch", "ids", "tag", "finer_than", "coarser_than"]
+        .iter()
+        .any(|key| table.has(key));
     let selection = selection(table, named);
     if !chosen {
         let help = "name the kind by `material`, `batch`, `ids`, `tag`, `finer_than` or `coarser_than`";

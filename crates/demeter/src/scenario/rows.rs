@@ -3,7 +3,9 @@
 use super::measures::{MeasureKind, distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
-use crate::measure::{ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, measure};
+use crate::measure::{
+    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, measure,
+};
 use crate::output::{
     DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesWriter, path_row, path_titles,
     residence_row, residence_titles, ring_row, ring_titles, rose_rows, rose_titles,

@@ -85,7 +85,8 @@ fn part(table: TableReader<'_>, named: &Named<'_>) -> ZonePart {
                 end_radius,
             }
         }
-        "mesh" => closed_mesh(&table, wall.and_then(|wall| named.walls.get(wall)), named.around).map_or(nowhere.shape, |mesh| ZoneShape::Mesh(mesh.interior)),
+        "mesh" => closed_mesh(&table, wall.and_then(|wall| named.walls.get(wall)), named.around)
+            .map_or(nowhere.shape, |mesh| ZoneShape::Mesh(mesh.interior)),
         "sphere" => ZoneShape::Sphere {
             center: table.point("center", "the centre of the sphere"),
             radius: table.length("radius", "the radius of the sphere"),
