@@ -4,6 +4,7 @@
 //! A contact counts when it acts, that is, when its normal force is not zero: [`ContactChunk::acts`].
 
 mod angles;
+mod chains;
 mod cylinder_profile;
 mod displacement;
 mod fabric;
@@ -26,6 +27,7 @@ mod trace;
 
 pub use crate::simulation::Energies;
 pub use angles::{ContactAngles, MAX_ANGLES, Rose};
+pub use chains::{ChainLink, ForceChains};
 pub use cylinder_profile::{Along, CylinderProfile, Ring};
 pub use displacement::{DISPLACEMENT_COLUMNS, Displacement, DisplacementState};
 pub use fabric::{FABRIC_COLUMNS, Fabric};

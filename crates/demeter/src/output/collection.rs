@@ -32,6 +32,11 @@ impl Collection {
         Self::of(folder.fields(), "", measure, ".vti")
     }
 
+    /// An empty collection of force chains.
+    pub fn of_chains(folder: &RunFolder, measure: &str) -> Self {
+        Self::of(folder.chains(), "", measure, ".vtp")
+    }
+
     fn of(root: PathBuf, below: &'static str, kind: &str, ending: &'static str) -> Self {
         Self {
             path: root.join(format!("{kind}.pvd")),

@@ -58,31 +58,28 @@ pub struct FieldWriter {
 }
 
 impl FieldWriter {
-    /// Starts without files; `is_row` tells whether a table is written, `stages` are the names of the stages, by index.
-    pub fn create(folder: &RunFolder, measure: &str, is_row: bool, stages: Vec<String>) -> Result<Self, OutputError> {
-        let collection = Collection::of_fields(folder, measure);
-        collection.save(folder)?;
-        let table = is_row.then(|| RowFile::create(&folder.field_table(measure), &header()));
-        Ok(Self {
-            folder: folder.clone(),
-            collection,
-            table: table.transpose()?,
-            stages,
-        })
-    }
-
-    /// Goes on after a step: what is later is removed.
-    pub fn resume(
+    /// Starts without files, or goes on after a step. `is_row` tells whether a table is written, `stages` are the names of the
+    /// stages, by index.
+    pub fn open(
         folder: &RunFolder,
         measure: &str,
         is_row: bool,
         stages: Vec<String>,
-        step: u64,
+        after: Option<u64>,
     ) -> Result<Self, OutputError> {
         let mut collection = Collection::of_fields(folder, measure);
-        collection.load()?;
-        collection.cut(folder, step)?;
-        let table = is_row.then(|| RowFile::resume(&folder.field_table(measure), &header(), step));
+        let path = folder.field_table(measure);
+        let table = match after {
+            None => {
+                collection.save(folder)?;
+                is_row.then(|| RowFile::create(&path, &header()))
+            }
+            Some(step) => {
+                collection.load()?;
+                collection.cut(folder, step)?;
+                is_row.then(|| RowFile::resume(&path, &header(), step))
+            }
+        };
         Ok(Self {
             folder: folder.clone(),
             collection,

@@ -100,6 +100,7 @@ impl RunFolder {
             (self.profiles(), is_table),
             (self.fields(), is_field),
             (self.paths(), is_path),
+            (self.chains(), is_chain),
         ] {
             for name in names_in(&sub)?.into_iter().filter(|name| ours(name)) {
                 remove_if_there(&sub.join(name))?;
@@ -110,6 +111,7 @@ impl RunFolder {
         let _ = fs::remove_dir(self.profiles());
         let _ = fs::remove_dir(self.fields());
         let _ = fs::remove_dir(self.paths());
+        let _ = fs::remove_dir(self.chains());
         Ok(())
     }
 
@@ -226,6 +228,17 @@ impl RunFolder {
         self.fields().join(format!("{measure}.csv"))
     }
 
+    /// Folder of the force chains; [`RunFolder::make_chains`] makes it.
+    pub fn chains(&self) -> PathBuf {
+        self.root.join("chains")
+    }
+
+    /// Makes the folder of the force chains.
+    pub fn make_chains(&self) -> Result<(), OutputError> {
+        let sub = self.chains();
+        fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
+    }
+
     /// Folder of the paths of grains; [`RunFolder::make_paths`] makes it.
     pub fn paths(&self) -> PathBuf {
         self.root.join("paths")
@@ -283,6 +296,11 @@ fn is_plot(name: &str) -> bool {
 fn is_field(name: &str) -> bool {
     let name = name.strip_suffix(".part").unwrap_or(name);
     [".vti", ".pvd", ".csv"].iter().any(|ending| name.ends_with(ending))
+}
+
+fn is_chain(name: &str) -> bool {
+    let name = name.strip_suffix(".part").unwrap_or(name);
+    name.ends_with(".vtp") || name.ends_with(".pvd")
 }
 
 fn is_path(name: &str) -> bool {

@@ -4,6 +4,7 @@
 //! Every file but the log and those of rows gets its name only when it is whole; the rows of a moment are written in one
 //! piece. So an error of the disk or a kill never costs anything that was written before.
 
+mod chains;
 mod collection;
 pub(crate) mod distribution;
 mod error;
@@ -22,6 +23,7 @@ mod vti;
 mod vtk;
 mod vtp;
 
+pub use chains::ChainWriter;
 pub use distribution::DistributionWriter;
 pub use error::OutputError;
 pub use fields::FieldWriter;

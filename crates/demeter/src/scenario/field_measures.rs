@@ -4,7 +4,7 @@ use super::quantity::Kind;
 use super::reader::TableReader;
 use super::zones::{Named, region, selection};
 use crate::measure::{
-    ContactAngles, Displacement, Fabric, Field, Kernel, KernelShape, LARGEST_CUT, LEAST_CUT, MAX_ANGLES,
+    ContactAngles, Displacement, Fabric, Field, ForceChains, Kernel, KernelShape, LARGEST_CUT, LEAST_CUT, MAX_ANGLES,
     MAX_FIELD_CELLS, MAX_PATHS, MAX_RESIDENCE_BINS, Paths, Residence,
 };
 use demeter_physics::dimension::Dimension;
@@ -74,7 +74,7 @@ pub(super) fn field(table: &TableReader<'_>, named: &Named<'_>) -> Field {
         Some(1) => KernelShape::Gaussian {
             cut: cut.map_or(DEFAULT_CUT, |item| {
                 let cut = item.quantity(Kind::Number, Range::POSITIVE);
-                if cut < LEAST_CUT || cut > LARGEST_CUT {
+                if cut.is_finite() && !(LEAST_CUT..=LARGEST_CUT).contains(&cut) {
                     let message = format!("`cut` is {cut}; a Gaussian is cut at {LEAST_CUT} to {LARGEST_CUT} widths");
                     item.fault(message, None);
                 }
@@ -115,6 +115,19 @@ pub(super) fn fabric(table: &TableReader<'_>, named: &Named<'_>) -> Fabric {
             .optional_quantity("threshold", force, Range::NOT_NEGATIVE)
             .unwrap_or(0.0),
         with_walls: table.optional("with_walls").is_some_and(|i| i.boolean()),
+    }
+}
+
+/// Force chains.
+pub(super) fn force_chains(table: &TableReader<'_>, named: &Named<'_>) -> ForceChains {
+    let force = Kind::Physical(Dimension::FORCE);
+    ForceChains {
+        zone: zone(table, named),
+        selection: selection(table, named),
+        threshold: table
+            .optional_quantity("threshold", force, Range::NOT_NEGATIVE)
+            .unwrap_or(0.0),
+        strong_only: table.optional("strong_only").is_some_and(|i| i.boolean()),
     }
 }
 

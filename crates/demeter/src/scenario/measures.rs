@@ -1,14 +1,14 @@
 //! Tables `[[measure]]`: what is measured beside what every run measures.
 
 use super::document::join;
-use super::field_measures::{contact_angles, displacement, fabric, field, paths, residence};
+use super::field_measures::{contact_angles, displacement, fabric, field, force_chains, paths, residence};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::region_measures::{cylinder_profile, mass_flow, mixing, neighbour_mixing, profile, slope};
 use super::zones::{Named, region, selection};
 use crate::measure::{
-    BinsError, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceDistribution,
-    GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence, Slope,
+    BinsError, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceChains,
+    ForceDistribution, GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence, Slope,
 };
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -58,6 +58,8 @@ pub enum MeasureKind {
     Displacement(Displacement),
     /// Files of their own.
     Paths(Paths),
+    /// Files of their own, with every frame.
+    ForceChains(ForceChains),
     /// Columns of the series.
     NeighbourMixing(NeighbourMixing),
     /// A file of its own.
@@ -90,7 +92,7 @@ pub(super) fn profiles(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, 
 
 const FORCE: Kind = Kind::Physical(Dimension::FORCE);
 
-const KINDS: [&str; 16] = [
+const KINDS: [&str; 17] = [
     "contact-network",
     "force-distribution",
     "region-count",
@@ -105,6 +107,7 @@ const KINDS: [&str; 16] = [
     "residence",
     "displacement",
     "paths",
+    "force-chains",
     "neighbour-mixing",
     "cylinder-profile",
 ];
@@ -193,6 +196,7 @@ fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
         "residence" => Some(MeasureKind::Residence(residence(&table, named))),
         "displacement" => Some(MeasureKind::Displacement(displacement(&table, named))),
         "paths" => Some(MeasureKind::Paths(paths(&table, named))),
+        "force-chains" => Some(MeasureKind::ForceChains(force_chains(&table, named))),
         "neighbour-mixing" => Some(MeasureKind::NeighbourMixing(neighbour_mixing(&table, named))),
         _ => Some(MeasureKind::CylinderProfile(cylinder_profile(&table, named))),
     };

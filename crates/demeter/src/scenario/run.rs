@@ -172,7 +172,7 @@ pub(super) struct Runner<'a> {
     steps: u64,
     rows: Rows<'a>,
     frames: FrameWriter,
-    fields: FieldFiles,
+    fields: FieldFiles<'a>,
     observer: &'a mut dyn Observer,
     told: f64,
     cancelled: bool,
@@ -249,7 +249,7 @@ impl<'a> Runner<'a> {
         (sim, traffic): (Simulation, Traffic<'a>),
         folder: RunFolder,
         place: Place,
-        (rows, (frames, fields)): (Rows<'a>, (FrameWriter, FieldFiles)),
+        (rows, (frames, fields)): (Rows<'a>, (FrameWriter, FieldFiles<'a>)),
         observer: &'a mut dyn Observer,
     ) -> Self {
         let steps = scenario

@@ -272,6 +272,7 @@ impl<'a> Traffic<'a> {
                 | MeasureKind::Profile(_)
                 | MeasureKind::Field(_)
                 | MeasureKind::ContactAngles(_)
+                | MeasureKind::ForceChains(_)
                 | MeasureKind::Paths(_)
                 | MeasureKind::CylinderProfile(_) => {}
             }
@@ -313,6 +314,7 @@ impl<'a> Traffic<'a> {
                 | MeasureKind::Profile(_)
                 | MeasureKind::Field(_)
                 | MeasureKind::ContactAngles(_)
+                | MeasureKind::ForceChains(_)
                 | MeasureKind::Paths(_)
                 | MeasureKind::CylinderProfile(_) => {}
             }
