@@ -3,6 +3,7 @@
 mod coupled;
 mod gear;
 mod velocity_verlet;
+mod walls;
 
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
@@ -76,12 +77,6 @@ impl Simulation {
         match self.integrator {
             Integrator::VelocityVerlet => self.drift(),
             Integrator::Gear => self.predict(),
-        }
-    }
-
-    fn move_walls(&mut self) {
-        for wall in &mut self.walls {
-            wall.advance(self.dt);
         }
     }
 
@@ -238,13 +233,6 @@ impl Simulation {
             "velocity"
         } else {
             "angular velocity"
-        }
-    }
-
-    fn load_walls(&mut self) {
-        for (index, wall) in self.walls.iter_mut().enumerate() {
-            let (force, torque) = self.contacts.wall_load(index);
-            wall.set_load(force, torque);
         }
     }
 }

@@ -42,6 +42,8 @@ pub struct WallLoad {
     pub force: DVec3,
     /// Torque of the grains on the wall about the origin of its pose [N m].
     pub torque: DVec3,
+    /// Rate of the work of the wall on the grains [W].
+    pub power: f64,
     /// Displacement of the wall since the start of the run [m].
     pub displacement: DVec3,
     /// Number of contacts with grains that act.
@@ -242,6 +244,7 @@ fn wall_loads(sim: &Simulation) -> Vec<WallLoad> {
             WallLoad {
                 force,
                 torque,
+                power: wall.power(),
                 displacement: wall.displacement(),
                 contacts: 0,
             }

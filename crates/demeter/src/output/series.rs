@@ -136,9 +136,21 @@ pub const COLUMNS: &[Column<Measures>] = {
             |m| Number(m.energies.rolling_dissipated),
         ),
         column(
+            "wall dissipation",
+            "J",
+            "lost in dampers and at the stops of freely moving walls since the start",
+            |m| Number(m.energies.wall_dissipated),
+        ),
+        column(
+            "free wall energy",
+            "J",
+            "kinetic energy of freely moving walls, with that of their weight and springs since they were set free",
+            |m| Number(m.energies.free_walls),
+        ),
+        column(
             "wall work",
             "J",
-            "work done on the grains by moving walls since the start",
+            "work done by the drives of moving walls since the start: on grains, and on free walls that they catch",
             |m| Number(m.energies.wall_work),
         ),
         column(
@@ -194,6 +206,9 @@ pub const WALL_COLUMNS: &[Column<WallLoad>] = {
         ),
         column("torque y", "N m", "see torque x", |w| Number(w.torque.y)),
         column("torque z", "N m", "see torque x", |w| Number(w.torque.z)),
+        column("power", "W", "rate of the work of the wall on the grains", |w| {
+            Number(w.power)
+        }),
         column("displacement x", "m", "displacement since the start of the run", |w| {
             Number(w.displacement.x)
         }),

@@ -348,14 +348,19 @@ impl<'a> Runner<'a> {
         };
         self.traffic.begin_stage(stage, self.sim.step);
         for (wall, motion) in &stage.motions {
-            self.sim.walls[*wall]
-                .set_motion(motion.clone())
+            (self.sim)
+                .set_wall_motion(*wall, motion.clone())
                 .map_err(|source| RunError::Motion {
                     stage: stage.name.clone(),
                     source,
                 })?;
         }
-        Ok(())
+        let Some(absent) = &stage.absent else { return Ok(()) };
+        let come_and_go = self.sim.set_absent(|wall| absent.contains(&wall));
+        come_and_go.map_err(|source| RunError::WallInTheWay {
+            stage: stage.name.clone(),
+            source: Box::new(source),
+        })
     }
 
     fn end_stage(&mut self, reason: &str) -> Result<(), RunError> {
@@ -421,6 +426,10 @@ impl<'a> Runner<'a> {
             StopCondition::Strain { wall, length, strain } => {
                 let reached = self.travel(*wall) / length;
                 (reached >= *strain * (1.0 - 1e-12)).then(|| format!("the strain is {reached:.6}"))
+            }
+            StopCondition::MotionDone(wall) => {
+                let wall = &self.sim.walls[*wall];
+                (elapsed > 0 && wall.motion_is_done()).then(|| format!("the motion of wall `{}` is done", wall.name))
             }
             StopCondition::FeedDone(feed) => {
                 let name = self.scenario.feeds.get(*feed).map_or("", |f| f.name.as_str());

@@ -2,12 +2,13 @@
 
 use super::error::WallError;
 use super::mesh::Mesh;
-use super::motion::Motion;
-use super::motor::Motor;
+use super::motion::Motions;
+use super::motion_checks::check_motions;
+use super::motor::{FreeStep, Motor};
 use super::outline;
 use super::pose::Pose;
 use super::shape::Shape;
-use super::surface::{Surface, check_motion};
+use super::surface::Surface;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -36,6 +37,7 @@ pub struct Wall {
     motor: Motor,
     force: DVec3,
     torque: DVec3,
+    is_present: bool,
 }
 
 /// All that a restart needs to continue with the same bits, given a wall built from the same shape.
@@ -44,14 +46,15 @@ pub struct WallState {
     motor: Motor,
     force: DVec3,
     torque: DVec3,
+    is_present: bool,
 }
 
 impl Wall {
     /// Builds a wall at its start, or tells what is wrong with its description.
-    pub fn new(name: &str, material: u16, shape: Shape, motion: Motion) -> Result<Self, WallError> {
+    pub fn new(name: &str, material: u16, shape: Shape, motion: impl Into<Motions>) -> Result<Self, WallError> {
         let surface = Surface::new(shape)?;
         let origin = surface.centroid();
-        let motor = Motor::new(check_motion(motion)?, Pose::START, origin);
+        let motor = Motor::new(check_motions(motion.into())?, Pose::START, Pose::START, origin);
         let (force, torque) = (DVec3::ZERO, DVec3::ZERO);
         Ok(Wall {
             name: name.to_owned(),
@@ -61,13 +64,26 @@ impl Wall {
             motor,
             force,
             torque,
+            is_present: true,
         })
+    }
+
+    /// Whether the wall is there. One that is absent touches nothing, but goes on moving as told.
+    #[inline]
+    pub fn is_present(&self) -> bool {
+        self.is_present
+    }
+
+    /// Takes the wall away or puts it back, where its motion has carried it. Candidates must be found anew then.
+    pub fn set_present(&mut self, is_present: bool) {
+        self.is_present = is_present;
+        self.set_load(DVec3::ZERO, DVec3::ZERO);
     }
 
     /// Appends to `out` all contacts of a sphere centre with `distance < reach` [m], in the world frame, sorted by element.
     /// No element comes twice. Behind a plane, a box face or a sphere the distance may be negative without limit; behind
     /// the side of a cylinder or cone, whose ends are open, a contact ends at `-reach`, when a grain of that radius has
-    /// wholly passed.
+    /// wholly passed. Asked of walls that are present only: those that are not are [`near`](Self::near) nothing.
     #[inline]
     pub fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
         let first = out.len();
@@ -83,12 +99,15 @@ impl Wall {
     /// Whether any part of the surface is within `reach` [m] of a point, or the point behind a one-sided one and so in contact.
     #[inline]
     pub fn near(&self, centre: DVec3, reach: f64) -> bool {
-        self.surface.near(self.motor.pose.unplace(self.origin, centre), reach)
+        self.is_present && self.surface.near(self.motor.pose.unplace(self.origin, centre), reach)
     }
 
     /// Radius of the largest grain that, with its centre at a point, does not touch the wall, or `limit` when that is less
     /// [m]; negative behind a one-sided surface.
     pub fn clearance(&self, point: DVec3, limit: f64) -> f64 {
+        if !self.is_present {
+            return limit;
+        }
         self.surface
             .clearance(self.motor.pose.unplace(self.origin, point), limit)
     }
@@ -122,25 +141,72 @@ impl Wall {
         self.motor.angular_velocity
     }
 
-    /// Tells what is wrong with a motion, if anything, before a run needs it.
-    pub fn check_motion(motion: &Motion) -> Result<(), WallError> {
-        check_motion(motion.clone()).map(drop)
+    /// Tells what is wrong with motions, if anything, before a run needs them.
+    pub fn check_motion<M: Clone + Into<Motions>>(motion: &M) -> Result<(), WallError> {
+        check_motions(motion.clone().into()).map(drop)
     }
 
-    /// Starts another motion from where the wall stands. On error the wall keeps the motion it has.
-    pub fn set_motion(&mut self, motion: Motion) -> Result<(), WallError> {
-        self.motor = Motor::new(check_motion(motion)?, self.motor.pose, self.origin);
+    /// Starts other motions from where the wall stands. On error the wall keeps those it has.
+    pub fn set_motion(&mut self, motion: impl Into<Motions>) -> Result<(), WallError> {
+        self.set_motion_behind(motion, Pose::START)
+    }
+
+    /// Starts other motions from where the wall stands; `leader` is where the wall stands that this one moves with, if any.
+    pub fn set_motion_behind(&mut self, motion: impl Into<Motions>, leader: Pose) -> Result<(), WallError> {
+        let load = self.motor.load();
+        self.motor = Motor::new(check_motions(motion.into())?, self.motor.pose, leader, self.origin);
+        self.motor.bear(load);
         Ok(())
     }
 
-    /// Moves the wall by one step of `dt` [s]; a servo answers to the load of the last step.
+    /// The wall that this one moves with as one body, if any; then [`follow`](Self::follow) moves it.
+    pub fn leader(&self) -> Option<usize> {
+        self.motor.leader()
+    }
+
+    /// Moves the wall by one step of `dt` [s]; servos and free walls answer to the load of the last step.
     pub fn advance(&mut self, dt: f64) {
-        self.motor.advance(dt, self.force, self.origin);
+        self.motor.advance(dt, self.origin);
+    }
+
+    /// Moves the wall to where the one stands that it moves with.
+    pub fn follow(&mut self, leader: &Wall) {
+        self.motor.follow(&leader.motor, leader.origin, self.origin);
     }
 
     /// Tells the wall the force [N] of the grains on it and their torque about its [`origin`](Self::origin) [N m].
     pub fn set_load(&mut self, force: DVec3, torque: DVec3) {
         (self.force, self.torque) = (force, torque);
+        self.motor.bear((force, torque));
+    }
+
+    /// Adds the load of a wall that moves with this one: its force [N], and its torque [N m] about its origin, which is at
+    /// `place` [m]. It counts for the motion alone, not in [`load`](Self::load).
+    pub fn bear(&mut self, force: DVec3, torque: DVec3, place: DVec3) {
+        let (own_force, own_torque) = self.motor.load();
+        let moved = torque + (place - self.origin()).cross(force);
+        self.motor.bear((own_force + force, own_torque + moved));
+    }
+
+    /// Completes a step when its load is known; tells what the wall did when it moves freely.
+    pub fn settle(&mut self) -> Option<FreeStep> {
+        self.motor.settle(self.origin)
+    }
+
+    /// Kinetic energy of a freely moving wall, with that of its weight and spring, 0 where it stood when the motion was told,
+    /// but for a speed that it was given [J].
+    pub fn energy(&self) -> f64 {
+        self.motor.energy()
+    }
+
+    /// Whether all motions of the wall have stopped for good, or tables have come to their ends.
+    pub fn motion_is_done(&self) -> bool {
+        self.motor.is_done()
+    }
+
+    /// Rate of the work of the wall on the grains [W].
+    pub fn power(&self) -> f64 {
+        -(self.force.dot(self.motor.velocity) + self.torque.dot(self.motor.angular_velocity))
     }
 
     /// Force of the grains on the wall [N] and their torque about its [`origin`](Self::origin) [N m].
@@ -166,6 +232,9 @@ impl Wall {
     /// Upper bound of how far the surface inside a box has moved since an earlier pose [m]. A surface of revolution that
     /// turns about its own axis stays where it is.
     pub fn surface_displacement(&self, since: &Pose, lower: DVec3, upper: DVec3) -> f64 {
+        if !self.is_present {
+            return 0.0;
+        }
         outline::displacement(&self.surface, self.origin, since, &self.motor.pose, lower, upper)
     }
 
@@ -174,8 +243,12 @@ impl Wall {
         outline::bounds(&self.surface, self.origin, &self.motor.pose)
     }
 
-    /// Triangles that draw the surface in the world frame [m]; an infinite plane is cut by the box given.
+    /// Triangles that draw the surface in the world frame [m]; an infinite plane is cut by the box given. None of a wall that
+    /// is absent.
     pub fn triangles(&self, lower: DVec3, upper: DVec3) -> Vec<[DVec3; 3]> {
+        if !self.is_present {
+            return Vec::new();
+        }
         outline::triangles(&self.surface, self.origin, &self.motor.pose, lower, upper)
     }
 
@@ -185,6 +258,7 @@ impl Wall {
             motor: self.motor.clone(),
             force: self.force,
             torque: self.torque,
+            is_present: self.is_present,
         }
     }
 
@@ -192,5 +266,6 @@ impl Wall {
     pub fn restore(&mut self, state: &WallState) {
         self.motor = state.motor.clone();
         (self.force, self.torque) = (state.force, state.torque);
+        self.is_present = state.is_present;
     }
 }
