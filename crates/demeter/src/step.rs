@@ -48,7 +48,7 @@ impl Simulation {
         self.took(self.phase_of_contacts());
         self.sum_and_correct(Moment::Step)?;
         self.took(Phase::Sums);
-        self.load_walls();
+        self.load_walls(self.dt);
         self.took(Phase::Walls);
         self.book_step();
         self.took(Phase::Books);
@@ -68,7 +68,7 @@ impl Simulation {
         self.foresee_bulges();
         self.find_contacts(&motion)?;
         self.sum_and_correct(Moment::Start)?;
-        self.load_walls();
+        self.load_walls(0.0);
         Ok(())
     }
 
@@ -162,6 +162,7 @@ impl Simulation {
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
             resists_rolling: self.resists_rolling,
+            records_walls: self.records_walls,
             near: None,
             instructions: self.instructions,
             bulge: &[],

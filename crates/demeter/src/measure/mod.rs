@@ -15,6 +15,7 @@ mod slope;
 mod sphere_in_box;
 mod told;
 mod trace;
+mod wear;
 
 pub use crate::simulation::Energies;
 pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
@@ -29,6 +30,7 @@ pub use slope::{SLOPE_COLUMNS, Slope};
 pub use sphere_in_box::sphere_in_box;
 pub use told::{FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
 pub use trace::{GrainTrace, TRACE_COLUMNS};
+pub use wear::{WEAR_COLUMNS, wear_values};
 
 use crate::contacts::ContactChunk;
 use crate::particles::Grains;

@@ -174,6 +174,7 @@ fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> (Vec<Wall>, Vec<Optio
         match wall(spec) {
             Ok((mut wall, origin)) => {
                 let absent = scenario.stages.first().and_then(|stage| stage.absent.as_ref());
+                wall.record(scenario.walls[k].recording);
                 wall.set_present(!absent.is_some_and(|absent| absent.contains(&k)));
                 walls.push(wall);
                 origins.push(origin);

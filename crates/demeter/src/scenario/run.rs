@@ -9,10 +9,11 @@ use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::checkpoint::{self, Header};
 use crate::contacts::Fault;
-use crate::measure::{Measures, Moment, contact_records, kinetic_over_elastic, wall_surfaces};
+use crate::measure::{Measures, Moment, WEAR_COLUMNS, contact_records, kinetic_over_elastic, wall_surfaces};
 use crate::output::{Frame, FrameWriter, RunFolder, SeriesLabels, StageSummary, wall_summaries};
 use crate::particles::Domain;
 use crate::simulation::{Phase, Setup, Simulation, SimulationState, Stage, StopCondition};
+use crate::walls::Wall;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -471,6 +472,7 @@ impl<'a> Runner<'a> {
         }
         self.sim.took(Phase::Other);
         self.with_frame(|frames, frame| frames.write(frame))?;
+        self.sim.walls.iter_mut().for_each(Wall::begin_interval);
         self.place.last_frame = Some(self.sim.step);
         self.sim.took(Phase::Output);
         Ok(())
@@ -541,6 +543,15 @@ pub(super) fn labels(scenario: &Scenario) -> SeriesLabels {
         walls: scenario.walls.iter().map(|w| w.name.clone()).collect(),
         strain: scenario.output.strain.is_some(),
         networks: networks(&scenario.measures).map(|(name, _)| name.to_owned()).collect(),
-        told: Traffic::titles(scenario),
+        told: Traffic::titles(scenario).into_iter().chain(wear_titles(scenario)).collect(),
     }
+}
+
+/// Titles of the columns of walls that record their wear.
+fn wear_titles(scenario: &Scenario) -> impl Iterator<Item = String> {
+    let worn = scenario.walls.iter().filter(|wall| wall.recording.wear.is_some());
+    worn.flat_map(|wall| {
+        let name = format!("wall {}", wall.name);
+        WEAR_COLUMNS.iter().map(move |column| column.title(&name))
+    })
 }

@@ -7,7 +7,7 @@ use super::motions::{Frame, motions};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
 use super::units;
-use crate::walls::{Motions, Shape, Side};
+use crate::walls::{Motions, Recording, Shape, Side, WearCoefficients};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
@@ -35,6 +35,8 @@ pub struct WallSpec {
     pub weld: Option<f64>,
     /// Motions from the start of the run.
     pub motion: Motions,
+    /// What is recorded on every element.
+    pub recording: Recording,
 }
 
 /// Shape of a wall, or the file it is in.
@@ -103,6 +105,7 @@ fn wall(table: TableReader<'_>, around: &Surroundings<'_>, frame: &Frame<'_>) ->
         closed: false,
         weld: None,
         motion: table.optional("motion").map_or_else(Motions::rest, |i| motions(&i, frame)),
+        recording: recording(&table),
     };
     let meaning = "\"plane\", \"box\", \"cylinder\", \"cone\", \"sphere\", \"rectangle\", \"disc\" or \"mesh\"";
     let shape = table.required("shape", meaning);
@@ -140,6 +143,23 @@ fn wall(table: TableReader<'_>, around: &Surroundings<'_>, frame: &Frame<'_>) ->
     };
     table.finish(&format!("a wall of shape \"{}\"", SHAPES[index]));
     wall
+}
+
+fn recording(table: &TableReader<'_>) -> Recording {
+    let per_pressure = Kind::Physical(Dimension::new(-1, 1, 2));
+    let wear = table.optional("wear").and_then(|i| i.table());
+    Recording {
+        stress: table.optional("stress").is_some_and(|i| i.boolean()),
+        wear: wear.map(|wear| {
+            let coefficient = |key| wear.optional_quantity(key, per_pressure, Range::NOT_NEGATIVE);
+            let read = WearCoefficients {
+                sliding: coefficient("sliding").unwrap_or(0.0),
+                impact: coefficient("impact").unwrap_or(0.0),
+            };
+            wear.finish("the wear of a wall");
+            read
+        }),
+    }
 }
 
 const SHAPES: [&str; 8] = [

@@ -101,6 +101,8 @@ pub struct Simulation {
     pub(crate) coupling: Option<CouplingState>,
     pub(crate) sums: Sums,
     pub(crate) resists_rolling: bool,
+    /// Whether some wall records what contacts do to it.
+    pub(crate) records_walls: bool,
     pub(crate) instructions: Instructions,
     /// `None` where nobody asked where the time goes.
     pub(crate) profile: Option<Box<profile::Profile>>,
@@ -124,6 +126,7 @@ impl Simulation {
     pub fn new(mut setup: Setup) -> Self {
         let stride = laws::stride(&setup.materials);
         let resists_rolling = laws::resists_rolling(&setup.materials);
+        let records_walls = setup.walls.iter().any(Wall::is_recorded);
         let remembered = match setup.integrator {
             Integrator::VelocityVerlet => 0,
             Integrator::Gear => setup.grains.len(),
@@ -163,6 +166,7 @@ impl Simulation {
             coupling,
             sums: Sums::default(),
             resists_rolling,
+            records_walls,
             instructions: Instructions::widest(),
             profile: None,
             order: SpatialOrder::default(),

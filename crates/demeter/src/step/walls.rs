@@ -1,6 +1,7 @@
 //! Walls in a step: they move, and then take the load of the grains.
 
 use crate::simulation::Simulation;
+use crate::walls::FreeStep;
 
 impl Simulation {
     /// Moves all walls by one step; those that move with others after these.
@@ -18,8 +19,8 @@ impl Simulation {
         }
     }
 
-    /// Tells all walls their loads; freely moving ones complete their step.
-    pub(super) fn load_walls(&mut self) {
+    /// Tells all walls their loads; freely moving ones complete their step. What is recorded counts for `dt` [s].
+    pub(super) fn load_walls(&mut self, dt: f64) {
         for (index, wall) in self.walls.iter_mut().enumerate() {
             let (force, torque) = self.contacts.wall_load(index);
             wall.set_load(force, torque);
@@ -34,7 +35,10 @@ impl Simulation {
                 leader.bear(force, torque, place);
             }
         }
-        self.free_walls = Default::default();
+        if self.records_walls {
+            self.record_walls(dt);
+        }
+        self.free_walls = FreeStep::default();
         for wall in &mut self.walls {
             if let Some(step) = wall.settle() {
                 self.free_walls.power += step.power;
@@ -42,5 +46,15 @@ impl Simulation {
                 self.free_walls.kinetic += step.kinetic;
             }
         }
+    }
+
+    fn record_walls(&mut self, dt: f64) {
+        if dt == 0.0 {
+            return;
+        }
+        for mark in self.contacts.walls.iter().flat_map(|chunk| &chunk.marks) {
+            self.walls[mark.wall as usize].mark(mark, dt);
+        }
+        self.walls.iter_mut().for_each(|wall| wall.pass_recorded(dt));
     }
 }

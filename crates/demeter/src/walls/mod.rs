@@ -4,6 +4,7 @@
 //! in which it was described, and a [`Pose`] carries it through the world. [`Wall::contacts`] is what the engine asks for
 //! each grain; [`Wall::advance`] moves the wall by one step.
 
+mod elements;
 mod error;
 mod free;
 pub mod leak;
@@ -19,6 +20,7 @@ mod movement;
 mod outline;
 mod pace;
 mod pose;
+mod record;
 mod servo;
 mod shape;
 mod surface;
@@ -34,5 +36,7 @@ pub use motion_table::{AtEnd, Interpolation, MAX_TABLE_ROWS, MotionTable, TableR
 pub use motor::FreeStep;
 pub use pace::Pace;
 pub use pose::Pose;
+pub(crate) use record::Mark;
+pub use record::{ElementRecord, Recording, WearCoefficients};
 pub use shape::{Shape, Side};
 pub use wall::{SurfaceContact, Wall, WallState};

@@ -1,5 +1,6 @@
 //! A wall of a run.
 
+use super::elements;
 use super::error::WallError;
 use super::mesh::Mesh;
 use super::motion::Motions;
@@ -7,6 +8,7 @@ use super::motion_checks::check_motions;
 use super::motor::{FreeStep, Motor};
 use super::outline;
 use super::pose::Pose;
+use super::record::{ElementRecord, Mark, Record, Recording};
 use super::shape::Shape;
 use super::surface::Surface;
 use glam::DVec3;
@@ -38,6 +40,7 @@ pub struct Wall {
     force: DVec3,
     torque: DVec3,
     is_present: bool,
+    record: Option<Record>,
 }
 
 /// All that a restart needs to continue with the same bits, given a wall built from the same shape.
@@ -47,6 +50,7 @@ pub struct WallState {
     force: DVec3,
     torque: DVec3,
     is_present: bool,
+    record: Option<Record>,
 }
 
 impl Wall {
@@ -65,6 +69,7 @@ impl Wall {
             force,
             torque,
             is_present: true,
+            record: None,
         })
     }
 
@@ -259,13 +264,84 @@ impl Wall {
             force: self.force,
             torque: self.torque,
             is_present: self.is_present,
+            record: self.record.clone(),
         }
     }
 
-    /// Continues from a checkpoint.
-    pub fn restore(&mut self, state: &WallState) {
+    /// Continues from a checkpoint; tells whether its record fits this wall, as it does unless a file was tampered with.
+    pub fn restore(&mut self, state: &WallState) -> bool {
+        let told = |record: &Option<Record>| record.as_ref().map(|r| (r.len(), r.recording));
+        if told(&state.record) != told(&self.record) {
+            return false;
+        }
         self.motor = state.motor.clone();
         (self.force, self.torque) = (state.force, state.torque);
         self.is_present = state.is_present;
+        self.record.clone_from(&state.record);
+        true
+    }
+
+    /// Has loads or wear recorded on every element, from now on.
+    pub fn record(&mut self, recording: Recording) {
+        let elements = elements::count(&self.surface);
+        self.record = recording.is_on().then(|| Record::new(recording, elements));
+    }
+
+    /// What is recorded; nothing by default.
+    #[inline]
+    pub fn recording(&self) -> Recording {
+        self.record.as_ref().map_or_else(Recording::default, |r| r.recording)
+    }
+
+    /// Whether anything is recorded.
+    #[inline]
+    pub(crate) fn is_recorded(&self) -> bool {
+        self.record.is_some()
+    }
+
+    /// The element of a contact with a key at a point of the world; the point is on the surface but for `reach` [m].
+    pub(crate) fn element_at(&self, key: u32, point: DVec3, reach: f64) -> u32 {
+        let point = self.motor.pose.unplace(self.origin, point);
+        elements::at(&self.surface, key, point, reach)
+    }
+
+    /// Records what a contact did in a step of `dt` [s].
+    pub(crate) fn mark(&mut self, mark: &Mark, dt: f64) {
+        let back = self.motor.pose.rotation.conjugate();
+        let is_unrotated = self.motor.pose.is_unrotated();
+        if let Some(record) = &mut self.record {
+            record.add(mark, dt, |v| if is_unrotated { v } else { back * v });
+        }
+    }
+
+    /// Notes that loads were recorded for `dt` [s] longer.
+    pub(crate) fn pass_recorded(&mut self, dt: f64) {
+        if let Some(record) = &mut self.record {
+            record.pass(dt);
+        }
+    }
+
+    /// Begins to average loads anew, as after a frame.
+    pub fn begin_interval(&mut self) {
+        if let Some(record) = &mut self.record {
+            record.begin_interval();
+        }
+    }
+
+    /// What was recorded on every element; nothing where nothing is recorded.
+    pub fn element_records(&self) -> Vec<ElementRecord> {
+        let Some(record) = &self.record else { return Vec::new() };
+        let of = |k| record.of(k, elements::area(&self.surface, k), |v| self.motor.pose.turn(v));
+        (0..record.len()).map(of).collect()
+    }
+
+    /// The element of every one of so many triangles that draw the wall.
+    pub fn elements_drawn(&self, triangles: usize) -> Vec<usize> {
+        elements::drawn(&self.surface, triangles)
+    }
+
+    /// Energies lost in impacts and by friction [J] and volume worn [m^3] since the start; 0 where nothing is recorded.
+    pub fn wear(&self) -> [f64; 3] {
+        self.record.as_ref().map_or([0.0; 3], Record::totals)
     }
 }
