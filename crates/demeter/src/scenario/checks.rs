@@ -253,10 +253,15 @@ fn check_leaders(
             (Some(_), Some(follower)) => (follower, *wall),
             _ => continue,
         };
-        let [follower, middle] = [follower, middle].map(|w| scenario.walls[w].name.as_str());
+        let names = [follower, middle].map(|w| scenario.walls[w].name.as_str());
+        let words = if follower == middle {
+            format!("wall `{}` moves with itself", names[0])
+        } else {
+            format!("wall `{}` moves with `{}`, which itself moves with another wall", names[0], names[1])
+        };
         faults.push(
             path,
-            format!("wall `{follower}` moves with `{middle}`, which itself moves with another wall"),
+            words,
             Some("let all of them move with the one that has a motion of its own".to_string()),
         );
     }
