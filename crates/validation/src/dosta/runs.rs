@@ -31,8 +31,7 @@ impl Experiment {
         let text = fs::read_to_string(&path).map_err(DostaError::io("read", &path))?;
         let mut set: Vec<String> = case.set.iter().map(ToString::to_string).collect();
         if let Some(until) = self.until {
-            let (stage, begins) = case.last_stage;
-            set.push(format!("stage[{stage}].duration=\"{} s\"", (until - begins).max(0.0)));
+            set.push(format!("stage[{}].duration=\"{until} s\"", case.last_stage));
         }
         set.extend(self.set.iter().cloned());
         let name = path.display().to_string();
