@@ -3,6 +3,7 @@
 mod coupled;
 mod gear;
 mod velocity_verlet;
+mod walls;
 
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
@@ -47,7 +48,7 @@ impl Simulation {
         self.took(self.phase_of_contacts());
         self.sum_and_correct(Moment::Step)?;
         self.took(Phase::Sums);
-        self.load_walls();
+        self.load_walls(self.dt);
         self.took(Phase::Walls);
         self.book_step();
         self.took(Phase::Books);
@@ -67,7 +68,7 @@ impl Simulation {
         self.foresee_bulges();
         self.find_contacts(&motion)?;
         self.sum_and_correct(Moment::Start)?;
-        self.load_walls();
+        self.load_walls(0.0);
         Ok(())
     }
 
@@ -76,12 +77,6 @@ impl Simulation {
         match self.integrator {
             Integrator::VelocityVerlet => self.drift(),
             Integrator::Gear => self.predict(),
-        }
-    }
-
-    fn move_walls(&mut self) {
-        for wall in &mut self.walls {
-            wall.advance(self.dt);
         }
     }
 
@@ -167,6 +162,7 @@ impl Simulation {
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
             resists_rolling: self.resists_rolling,
+            records_walls: self.records_walls,
             near: None,
             instructions: self.instructions,
             bulge: &[],
@@ -238,13 +234,6 @@ impl Simulation {
             "velocity"
         } else {
             "angular velocity"
-        }
-    }
-
-    fn load_walls(&mut self) {
-        for (index, wall) in self.walls.iter_mut().enumerate() {
-            let (force, torque) = self.contacts.wall_load(index);
-            wall.set_load(force, torque);
         }
     }
 }

@@ -189,6 +189,8 @@ pub struct Insertion {
     pub angular_velocity: DVec3,
     /// Tag of every grain.
     pub tag: i32,
+    /// Whether the grains stay where they are, whatever acts on them: a rough floor. They start at rest.
+    pub fixed: bool,
     /// Seed of this batch.
     pub seed: u64,
 }

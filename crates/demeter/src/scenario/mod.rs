@@ -14,6 +14,7 @@ mod interiors;
 mod materials;
 mod measures;
 mod meshes;
+mod motions;
 mod observed;
 mod overrides;
 mod packing_file;
@@ -173,7 +174,7 @@ impl Scenario {
             base,
             seed,
         };
-        let walls = walls::walls(&table, &around);
+        let walls = walls::walls(&table, &around, simulation.gravity);
         let grains = grains::grains(&table, &around);
         let told = settings::output(&table, &walls);
         let feeds = feeds::feeds(&table, &around, &grains);
@@ -192,6 +193,8 @@ impl Scenario {
             walls: &walls,
             feeds: &feeds,
             removals: &removals,
+            base,
+            gravity: simulation.gravity,
         };
         let protocol = stages::protocol(&table, cast, told.intervals);
         table.finish("the scenario");

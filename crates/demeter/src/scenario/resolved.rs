@@ -28,26 +28,23 @@ fn is_section(path: &str, entry: &Entry) -> bool {
     has_header(&entry.node.value) && (path.is_empty() || below_material || nested)
 }
 
-/// A value with the paths of files in the tables inside of it made absolute.
-fn with_files_of(value: &Value, base: &Path) -> Value {
+/// A value with the paths of files in it made absolute.
+fn absolute(key: &str, value: &Value, base: &Path) -> Value {
     match value {
-        Value::Array(items) => {
-            let item = |node: &Node| Node {
-                value: with_files_of(&node.value, base),
-                ..node.clone()
-            };
-            Value::Array(items.iter().map(item).collect())
-        }
+        Value::String(file) if key == "file" => Value::String(base.join(file).display().to_string()),
         Value::Table(entries) => {
-            let entry = |entry: &Entry| {
-                let mut entry = entry.clone();
-                entry.node.value = match &entry.node.value {
-                    Value::String(file) if entry.key == "file" => Value::String(base.join(file).display().to_string()),
-                    other => with_files_of(other, base),
-                };
-                entry
-            };
-            Value::Table(entries.iter().map(entry).collect())
+            let mut entries = entries.clone();
+            for entry in &mut entries {
+                entry.node.value = absolute(&entry.key, &entry.node.value, base);
+            }
+            Value::Table(entries)
+        }
+        Value::Array(items) => {
+            let mut items = items.clone();
+            for item in &mut items {
+                item.value = absolute("", &item.value, base);
+            }
+            Value::Array(items)
         }
         other => other.clone(),
     }
@@ -55,10 +52,7 @@ fn with_files_of(value: &Value, base: &Path) -> Value {
 
 fn write_table(path: &str, entries: &[Entry], base: &Path, text: &mut String) {
     for entry in entries.iter().filter(|e| !is_section(path, e)) {
-        let value = match &entry.node.value {
-            Value::String(file) if entry.key == "file" => Value::String(base.join(file).display().to_string()).inline(),
-            other => with_files_of(other, base).inline(),
-        };
+        let value = absolute(&entry.key, &entry.node.value, base).inline();
         text.push_str(&format!("{} = {value}\n", written_key(&entry.key)));
     }
     for entry in entries.iter().filter(|e| is_section(path, e)) {

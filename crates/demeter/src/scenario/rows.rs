@@ -5,6 +5,7 @@ use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{
     ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, measure,
+    wear_values,
 };
 use crate::output::{
     DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesWriter, path_row, path_titles,
@@ -95,6 +96,7 @@ impl<'a> Rows<'a> {
         let mut row = measure(sim, moment, self.scenario.output.strain.as_ref());
         row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
         row.told = traffic.values(sim);
+        row.told.extend(wear_values(sim));
         self.series.write(&row)?;
         for (bins, writer) in &mut self.distributions {
             writer.write(&row, &bins.measure(sim))?;

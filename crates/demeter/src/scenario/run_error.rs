@@ -4,7 +4,7 @@ use super::Diagnostics;
 use crate::checkpoint::CheckpointError;
 use crate::insertion::InsertionProblem;
 use crate::output::OutputError;
-use crate::simulation::{ExchangeError, StateError};
+use crate::simulation::{ExchangeError, StateError, WallInTheWay};
 use crate::walls::WallError;
 use demeter_physics::lanes::NoSuchInstructions;
 use std::path::PathBuf;
@@ -37,6 +37,14 @@ pub enum RunError {
         stage: String,
         /// Why.
         source: WallError,
+    },
+    /// A wall comes where a grain is.
+    #[error("stage `{stage}`: {source}")]
+    WallInTheWay {
+        /// The stage.
+        stage: String,
+        /// What is in the way.
+        source: Box<WallInTheWay>,
     },
     /// The checkpoint holds other feeds, removals or flows than the scenario tells.
     #[error(

@@ -1,5 +1,6 @@
 //! The state of a run and its protocol.
 
+mod equipment;
 mod exchange;
 mod ledger;
 pub(crate) mod profile;
@@ -12,6 +13,7 @@ mod tests;
 mod time_step;
 
 pub use crate::step::Effort;
+pub use equipment::WallInTheWay;
 pub use exchange::ExchangeError;
 pub use ledger::{Books, Energies};
 pub use profile::{Phase, PhaseTime, ProfileReport};
@@ -32,7 +34,7 @@ use crate::materials::Materials;
 use crate::neighbours::{Neighbours, SpatialOrder};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::CouplingState;
-use crate::walls::{Pose, Wall};
+use crate::walls::{FreeStep, Pose, Wall};
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::Instructions;
@@ -99,6 +101,8 @@ pub struct Simulation {
     pub(crate) coupling: Option<CouplingState>,
     pub(crate) sums: Sums,
     pub(crate) resists_rolling: bool,
+    /// Whether some wall records what contacts do to it.
+    pub(crate) records_walls: bool,
     pub(crate) instructions: Instructions,
     /// `None` where nobody asked where the time goes.
     pub(crate) profile: Option<Box<profile::Profile>>,
@@ -112,6 +116,8 @@ pub struct Simulation {
     bounds: (DVec3, DVec3),
     /// Places of the walls one step before.
     walls_before: Vec<Pose>,
+    /// What all freely moving walls did in the latest step.
+    pub(crate) free_walls: FreeStep,
     started: bool,
 }
 
@@ -120,6 +126,7 @@ impl Simulation {
     pub fn new(mut setup: Setup) -> Self {
         let stride = laws::stride(&setup.materials);
         let resists_rolling = laws::resists_rolling(&setup.materials);
+        let records_walls = setup.walls.iter().any(Wall::is_recorded);
         let remembered = match setup.integrator {
             Integrator::VelocityVerlet => 0,
             Integrator::Gear => setup.grains.len(),
@@ -159,12 +166,14 @@ impl Simulation {
             coupling,
             sums: Sums::default(),
             resists_rolling,
+            records_walls,
             instructions: Instructions::widest(),
             profile: None,
             order: SpatialOrder::default(),
             scattered_in_order: 0.0,
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
+            free_walls: FreeStep::default(),
             started: false,
         }
     }
@@ -179,7 +188,8 @@ impl Simulation {
         if !self.started {
             self.find_first_forces()?;
             let energies = self.mechanical_energies();
-            self.books.open(&energies, self.contacts.tally());
+            let tally = self.step_tally();
+            self.books.open(&energies, tally);
             self.started = true;
         }
         Ok(())

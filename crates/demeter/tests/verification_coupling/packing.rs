@@ -98,6 +98,7 @@ fn loose(count: u32) -> Packing {
         velocity_deviation: 0.0,
         angular_velocity: DVec3::ZERO,
         tag: 0,
+        fixed: false,
         seed: 11,
     };
     let mut grains = Grains::default();
