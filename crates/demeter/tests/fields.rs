@@ -141,7 +141,7 @@ fn threads_and_restarts_keep_the_bytes_of_all_that_is_told() {
     );
     assert!(count("stay inside") > 0.0 && count("stay left") > 0.0);
     assert!(count("moved displaced grains") > 5.0);
-    assert!(count("fabric contacts per grain") > 2.0);
+    assert!(count("fabric counted contacts") > 0.0 && count("fabric contacts per grain") > 0.0);
     let chains = fs::read(newest(&folder("one"), "chains", "chains_")).unwrap();
     let head = String::from_utf8_lossy(&chains[..1500]).into_owned();
     assert!(
