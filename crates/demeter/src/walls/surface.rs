@@ -1,8 +1,8 @@
 //! A shape, checked and made ready for queries in the wall frame.
 
 use super::error::WallError;
-use super::mesh::Mesh;
 use super::limits::{UNIT_TOLERANCE, finite, not_negative, positive, unit};
+use super::mesh::Mesh;
 use super::shape::Shape;
 use super::wall::SurfaceContact;
 use demeter_physics::geometry::SurfacePoint;
