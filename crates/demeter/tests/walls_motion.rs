@@ -111,7 +111,9 @@ fn assert_books_close(what: &str, series: &BTreeMap<String, Vec<f64>>) {
 
 /// The grains of the vessel above its tools.
 fn falling() -> String {
-    VESSEL.replace("0 0 2 mm", "0 0 15 mm").replace("0 0 11 mm", "0 0 24 mm")
+    VESSEL
+        .replace("0 0 2 mm", "0 0 15 mm")
+        .replace("0 0 11 mm", "0 0 24 mm")
 }
 
 const MIXER: &str = r#"
@@ -241,7 +243,9 @@ fn a_pendulum_swings_with_its_period_in_a_run() {
         let mut sim = case.simulation();
         sim.dt = 1e-4;
         // T = 2 pi sqrt(2 L/(3 g)) (1 + start^2/16 + 11 start^4/3072)
-        let period = 2.0 * std::f64::consts::PI * libm::sqrt(2.0 * long / 3.0 / G)
+        let period = 2.0
+            * std::f64::consts::PI
+            * libm::sqrt(2.0 * long / 3.0 / G)
             * (1.0 + start * start / 16.0 + 11.0 * start * start * start * start / 3072.0);
         let (mut before, mut turned) = (f64::NAN, Vec::new());
         for _ in 0..30_000 {
@@ -439,10 +443,14 @@ fn a_cover_vanishes_at_once_and_its_books_close() {
 
 #[test]
 fn a_wall_does_not_come_where_a_grain_is() {
-    let comes = COVER.replace("absent = [\"cover\"]", "").replace("name = \"rest\"", "name = \"rest\"\nabsent = [\"cover\"]");
+    let comes = COVER
+        .replace("absent = [\"cover\"]", "")
+        .replace("name = \"rest\"", "name = \"rest\"\nabsent = [\"cover\"]");
     let fall = comes.replace("duration = \"50 ms\"", "duration = \"1 ms\"") + "absent = []\n";
     let place = tempfile::tempdir().unwrap();
-    let error = try_in(&parse(&fall), &place.path().join("run"), 1, None).unwrap_err().to_string();
+    let error = try_in(&parse(&fall), &place.path().join("run"), 1, None)
+        .unwrap_err()
+        .to_string();
     let named = "stage `open`: wall `cover` cannot come: grain 1 at";
     assert!(error.starts_with(named), "{error}");
     // later both are below it
@@ -508,9 +516,16 @@ fn threads_and_restarts_change_no_bit() {
     let whole = results(&folder("one"));
     let frames = whole.iter().map(|bytes| String::from_utf8_lossy(bytes));
     let recorded = frames.filter(|text| {
-        ["mean_force", "pressure", "shear_stress", "impact_energy", "sliding_energy", "wear_depth"]
-            .iter()
-            .all(|name| text.contains(&format!("Name=\"{name}\"")))
+        [
+            "mean_force",
+            "pressure",
+            "shear_stress",
+            "impact_energy",
+            "sliding_energy",
+            "wear_depth",
+        ]
+        .iter()
+        .all(|name| text.contains(&format!("Name=\"{name}\"")))
     });
     assert!(recorded.count() > 5);
     assert!(whole == results(&folder("three")));

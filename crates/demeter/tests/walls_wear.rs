@@ -29,7 +29,12 @@ fn coulomb(friction: f64) -> demeter_physics::contact::LawChoice {
 fn strip(squares: u32) -> Shape {
     let corner = |k: u32, y: f64| DVec3::new(5e-3 * f64::from(k), y, 0.0);
     let triangles = (0..squares).flat_map(|k| {
-        let [a, b, c, d] = [corner(k, -0.01), corner(k + 1, -0.01), corner(k + 1, 0.01), corner(k, 0.01)];
+        let [a, b, c, d] = [
+            corner(k, -0.01),
+            corner(k + 1, -0.01),
+            corner(k + 1, 0.01),
+            corner(k, 0.01),
+        ];
         [[a, b, c], [a, c, d]]
     });
     Shape::Mesh {
@@ -129,12 +134,17 @@ fn what_walls_record_is_what_the_books_lost() {
                 sim.step().unwrap();
                 assert!(bounces >= 8, "{bounces}");
                 let e = sim.energies();
-                let totals = sim.walls.iter().map(|w| w.wear()).fold([0.0; 3], |a, b| {
-                    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-                });
+                let totals = sim
+                    .walls
+                    .iter()
+                    .map(|w| w.wear())
+                    .fold([0.0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
                 let normal = e.viscous_dissipated + e.plastic_dissipated;
                 assert!((totals[0] / normal - 1.0).abs() < 1e-9, "{totals:?} {e:?}");
-                assert!((totals[1] / e.friction_dissipated - 1.0).abs() < 1e-9, "{totals:?} {e:?}");
+                assert!(
+                    (totals[1] / e.friction_dissipated - 1.0).abs() < 1e-9,
+                    "{totals:?} {e:?}"
+                );
                 assert!(e.friction_dissipated > 0.0 && totals[2] > 0.0);
                 assert!(sim.walls.iter().all(|wall| wall.wear()[0] > 0.0));
             }

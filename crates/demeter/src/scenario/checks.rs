@@ -241,12 +241,7 @@ pub(super) fn check_stage_motions(scenario: &Scenario, faults: &mut Diagnostics)
     }
 }
 
-fn check_leaders(
-    scenario: &Scenario,
-    leaders: &[Option<usize>],
-    paths: &[(usize, String)],
-    faults: &mut Diagnostics,
-) {
+fn check_leaders(scenario: &Scenario, leaders: &[Option<usize>], paths: &[(usize, String)], faults: &mut Diagnostics) {
     let leader_of = |wall: usize| leaders.get(wall).copied().flatten();
     for (wall, path) in paths {
         let follower = (0..leaders.len()).find(|&other| leader_of(other) == Some(*wall));
@@ -259,7 +254,10 @@ fn check_leaders(
         let words = if follower == middle {
             format!("wall `{}` moves with itself", names[0])
         } else {
-            format!("wall `{}` moves with `{}`, which itself moves with another wall", names[0], names[1])
+            format!(
+                "wall `{}` moves with `{}`, which itself moves with another wall",
+                names[0], names[1]
+            )
         };
         faults.push(
             path,

@@ -327,7 +327,10 @@ fn motion_table(table: TableReader<'_>, item: &Item<'_>, frame: &Frame<'_>) -> O
     };
     if read.turns != turns {
         let (message, help) = if turns {
-            ("there is an axis, but the file has no angle", "add a column such as `angle [deg]`")
+            (
+                "there is an axis, but the file has no angle",
+                "add a column such as `angle [deg]`",
+            )
         } else {
             ("the file tells an angle, but no axis", "give `point` and `axis`")
         };

@@ -543,7 +543,10 @@ pub(super) fn labels(scenario: &Scenario) -> SeriesLabels {
         walls: scenario.walls.iter().map(|w| w.name.clone()).collect(),
         strain: scenario.output.strain.is_some(),
         networks: networks(&scenario.measures).map(|(name, _)| name.to_owned()).collect(),
-        told: Traffic::titles(scenario).into_iter().chain(wear_titles(scenario)).collect(),
+        told: Traffic::titles(scenario)
+            .into_iter()
+            .chain(wear_titles(scenario))
+            .collect(),
     }
 }
 

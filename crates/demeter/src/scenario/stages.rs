@@ -2,10 +2,10 @@
 
 use super::document::{Value, join};
 use super::feeds::{FeedSpec, RemovalSpec, chosen, index_of};
+use super::motions::{Frame, motions};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::settings::{Intervals, cadence, intervals};
-use super::motions::{Frame, motions};
 use super::walls::{WallSpec, wall_index};
 use crate::simulation::{Cadence, Stage, StopCondition};
 use crate::walls::Motions;

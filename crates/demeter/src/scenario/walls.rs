@@ -74,7 +74,11 @@ pub(super) fn walls(root: &TableReader<'_>, around: &Surroundings<'_>, gravity: 
             None,
         );
     }
-    let names: Vec<String> = tables.iter().take(MAX_WALLS).map(|table| table.text_of("name")).collect();
+    let names: Vec<String> = tables
+        .iter()
+        .take(MAX_WALLS)
+        .map(|table| table.text_of("name"))
+        .collect();
     let frame = Frame {
         names: &names,
         base: around.base,
@@ -104,7 +108,9 @@ fn wall(table: TableReader<'_>, around: &Surroundings<'_>, frame: &Frame<'_>) ->
         shape: WallShape::Given(Shape::Mesh { triangles: Vec::new() }),
         closed: false,
         weld: None,
-        motion: table.optional("motion").map_or_else(Motions::rest, |i| motions(&i, frame)),
+        motion: table
+            .optional("motion")
+            .map_or_else(Motions::rest, |i| motions(&i, frame)),
         recording: recording(&table),
     };
     let meaning = "\"plane\", \"box\", \"cylinder\", \"cone\", \"sphere\", \"rectangle\", \"disc\" or \"mesh\"";

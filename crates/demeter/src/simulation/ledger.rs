@@ -53,7 +53,8 @@ pub struct Energies {
 impl Energies {
     /// What is there now: kinetic, gravitational and stored [J].
     pub fn present(&self) -> f64 {
-        let grains = self.kinetic + self.rotational + self.gravitational + self.elastic + self.tangential + self.rolling;
+        let grains =
+            self.kinetic + self.rotational + self.gravitational + self.elastic + self.tangential + self.rolling;
         grains + self.free_walls
     }
 
@@ -178,10 +179,12 @@ impl Books {
         self.lowest_elastic = self.lowest_elastic.min(now.elastic);
         let explained =
             self.initial + now.wall_work + now.multi_contact_input + now.inserted - now.removed - now.dissipated();
-        let passed =
-            self.initial_throughput + self.wall_throughput + self.highest_wall_kinetic + (self.initial_gravitational - self.lowest_gravitational)
-                - self.lowest_elastic
-                + self.inserted_throughput;
+        let passed = self.initial_throughput
+            + self.wall_throughput
+            + self.highest_wall_kinetic
+            + (self.initial_gravitational - self.lowest_gravitational)
+            - self.lowest_elastic
+            + self.inserted_throughput;
         now.residual = if passed > 0.0 {
             (now.present() - explained) / passed
         } else {

@@ -66,7 +66,10 @@ pub enum WallError {
     #[error("both radii of the cone are 0; at least one must be positive")]
     NoRadius,
     /// Too many motions of one wall.
-    #[error("{count} motions of one wall are too many; at most {} add up", super::motion_checks::MAX_PARTS)]
+    #[error(
+        "{count} motions of one wall are too many; at most {} add up",
+        super::motion_checks::MAX_PARTS
+    )]
     Parts {
         /// Their number.
         count: usize,
@@ -80,7 +83,9 @@ pub enum WallError {
     #[error("a wall that moves `with` another has no other motion; tell that one to the wall it moves with")]
     WithOthers,
     /// A start or stop of a motion that is not prescribed.
-    #[error("`start_over`, `stop_after` and `stop_over` belong to motions that are prescribed, not to servos and free walls")]
+    #[error(
+        "`start_over`, `stop_after` and `stop_over` belong to motions that are prescribed, not to servos and free walls"
+    )]
     PaceOfForce,
     /// A motion that is to stop before it has its full speed.
     #[error(
@@ -103,7 +108,10 @@ pub enum WallError {
         upper: f64,
     },
     /// A table of motion has too few or too many rows.
-    #[error("the table of motion has {rows} rows; from 2 to {} are allowed", super::motion_table::MAX_TABLE_ROWS)]
+    #[error(
+        "the table of motion has {rows} rows; from 2 to {} are allowed",
+        super::motion_table::MAX_TABLE_ROWS
+    )]
     TableRows {
         /// Their number.
         rows: usize,

@@ -209,7 +209,10 @@ mod tests {
         let (mut body, lost) = run(stopped, 1e-3, 1000);
         assert_eq!((body.coordinate, body.speed), (-0.1, 0.0));
         // the fall through 0.1 m
-        assert!((lost - 2.0).abs() < 1e-12 && (lost + body.energy()).abs() < 1e-12, "{lost}");
+        assert!(
+            (lost - 2.0).abs() < 1e-12 && (lost + body.energy()).abs() < 1e-12,
+            "{lost}"
+        );
         for _ in 0..100 {
             body.settle(30.0);
             body.advance(1e-3);

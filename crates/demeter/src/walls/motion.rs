@@ -180,7 +180,9 @@ mod shared {
         if table.is_whole() {
             Ok(Arc::new(table))
         } else {
-            Err(serde::de::Error::custom("the columns of a table of motion differ in length"))
+            Err(serde::de::Error::custom(
+                "the columns of a table of motion differ in length",
+            ))
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::error::WallError;
 use super::limits::{finite, in_range, not_negative, positive, unit};
-use super::motion::{Freedom, FreeMotion, Motion, MotionPart, Motions};
+use super::motion::{FreeMotion, Freedom, Motion, MotionPart, Motions};
 use super::pace::Pace;
 
 /// Most motions of one wall that add up.

@@ -36,7 +36,11 @@ pub struct MotionFileError {
 }
 
 fn place(line: usize, column: Option<&str>) -> String {
-    let line = if line > 0 { format!(", line {line}") } else { String::new() };
+    let line = if line > 0 {
+        format!(", line {line}")
+    } else {
+        String::new()
+    };
     column.map_or(line.clone(), |title| format!("{line}, column `{title}`"))
 }
 
@@ -167,7 +171,10 @@ fn parse(text: &str) -> Result<MotionFile, Fault> {
     let Some((line, titles)) = lines.next() else {
         return Err((0, None, MotionFileProblem::NoTitles));
     };
-    let separator = [',', ';', '\t'].into_iter().find(|c| titles.contains(*c)).unwrap_or(',');
+    let separator = [',', ';', '\t']
+        .into_iter()
+        .find(|c| titles.contains(*c))
+        .unwrap_or(',');
     let columns = columns(titles, separator).map_err(|(column, problem)| (line, column, problem))?;
     let mut rows = TableRows::default();
     for (line, row) in lines {
@@ -190,7 +197,10 @@ fn shown(text: &str) -> String {
 
 fn columns(titles: &str, separator: char) -> Result<Vec<Column>, (Option<String>, MotionFileProblem)> {
     let mut columns: Vec<Column> = Vec::new();
-    for title in titles.split(separator).map(|title| title.trim().trim_matches('"').trim()) {
+    for title in titles
+        .split(separator)
+        .map(|title| title.trim().trim_matches('"').trim())
+    {
         let (name, unit) = match title.find(['[', '(']) {
             Some(at) => (&title[..at], Some(title[at + 1..].trim_end_matches([']', ')']).trim())),
             None => (title, None),
@@ -292,15 +302,33 @@ mod tests {
             ("", ": there is no line of titles"),
             ("0, 1\n1, 2", ", line 1: `0` is no title"),
             ("time, u\n", ", line 1: `u` is not a known column"),
-            ("time, z [s]\n", ", line 1, column `z [s]`: unit `s` is not known here; allowed: m,"),
-            ("time, z, z [mm]\n", ", line 1, column `z [mm]`: the column is told twice"),
+            (
+                "time, z [s]\n",
+                ", line 1, column `z [s]`: unit `s` is not known here; allowed: m,",
+            ),
+            (
+                "time, z, z [mm]\n",
+                ", line 1, column `z [mm]`: the column is told twice",
+            ),
             ("z\n", ", line 1: there is no column `time`"),
             ("time\n", ", line 1: there is no column beside the time"),
             ("time, z, vz\n", ", line 1: a table tells places"),
-            ("time, z\n0, 0\n1\n", ", line 3: 1 values where the titles name 2 columns"),
-            ("time, z\n0, 0\n1, x\n", ", line 3, column `z`: `x` is not a finite number"),
-            ("time, z\n0, 0\n1, inf\n", ", line 3, column `z`: `inf` is not a finite number"),
-            ("time, z\n0, 0\n0, 1\n", ", line 3, column `time`: the time 0 s does not come after 0 s"),
+            (
+                "time, z\n0, 0\n1\n",
+                ", line 3: 1 values where the titles name 2 columns",
+            ),
+            (
+                "time, z\n0, 0\n1, x\n",
+                ", line 3, column `z`: `x` is not a finite number",
+            ),
+            (
+                "time, z\n0, 0\n1, inf\n",
+                ", line 3, column `z`: `inf` is not a finite number",
+            ),
+            (
+                "time, z\n0, 0\n0, 1\n",
+                ", line 3, column `time`: the time 0 s does not come after 0 s",
+            ),
             ("time, z\n-1, 0\n", ", line 2, column `time`: the time -1 s is negative"),
             ("time, z\n0, 0\n", ": 1 rows are too few"),
         ];
@@ -319,7 +347,9 @@ mod tests {
 
     #[test]
     fn a_file_that_is_not_there_is_told() {
-        let error = read_motion_file(Path::new("no-such-table.csv")).unwrap_err().to_string();
+        let error = read_motion_file(Path::new("no-such-table.csv"))
+            .unwrap_err()
+            .to_string();
         assert!(error.starts_with("no-such-table.csv: cannot be read"), "{error}");
     }
 }

@@ -104,7 +104,11 @@ impl MotionTable {
     /// Whether its columns fit each other, as they do unless a file was tampered with.
     pub(super) fn is_whole(&self) -> bool {
         let rows = self.times.len();
-        let rates = if self.interpolation == Interpolation::Linear { 0 } else { rows };
+        let rates = if self.interpolation == Interpolation::Linear {
+            0
+        } else {
+            rows
+        };
         rows >= 2 && self.places.len() == rows && self.rates.len() == rates
     }
 
@@ -153,7 +157,11 @@ impl MotionTable {
             let h = self.times[row + 1] - self.times[row];
             let chord: [f64; 4] = std::array::from_fn(|k| (self.places[row + 1][k] - self.places[row][k]) / h);
             // a cubic between slopes of one sign is nowhere steeper than this
-            let factor = if self.interpolation == Interpolation::Smooth { 1.5 } else { 1.0 };
+            let factor = if self.interpolation == Interpolation::Smooth {
+                1.5
+            } else {
+                1.0
+            };
             largest = largest.max(factor * length(&chord));
         }
         self.rates.iter().map(length).fold(largest, f64::max)

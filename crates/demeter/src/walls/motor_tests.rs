@@ -101,10 +101,7 @@ fn points(motor: &Motor) -> Vec<(DVec3, DVec3)> {
 #[test]
 fn velocities_are_derivatives_of_the_pose() {
     let planetary = all(&[rotation(DVec3::ZERO, DVec3::Z, 9.0), rotation(ORIGIN, DVec3::Z, -40.0)]);
-    let screw = all(&[
-        Motion::Velocity(DVec3::Y * 0.4),
-        rotation(ORIGIN, DVec3::Y, 30.0),
-    ]);
+    let screw = all(&[Motion::Velocity(DVec3::Y * 0.4), rotation(ORIGIN, DVec3::Y, 30.0)]);
     let shaking_drum = all(&[oscillation(), rotation(DVec3::ONE, DVec3::X, 5.0)]);
     let all_of_them = all(&[
         oscillation(),
@@ -205,12 +202,13 @@ fn a_wall_that_moves_with_another_is_one_body_with_it() {
         rotation: rotation_about(DVec3::Z, 0.4),
     };
     let mut follower = Motor::new(Motion::With(0).into(), began, leader.pose, ORIGIN);
-    let apart = |leader: &Motor, follower: &Motor, x: DVec3| {
-        leader.pose.unplace(its_origin, follower.pose.place(ORIGIN, x))
-    };
+    let apart =
+        |leader: &Motor, follower: &Motor, x: DVec3| leader.pose.unplace(its_origin, follower.pose.place(ORIGIN, x));
     follower.follow(&leader, its_origin, ORIGIN);
     assert_eq!(follower.pose, began);
-    let first: Vec<DVec3> = [DVec3::ZERO, DVec3::ONE, DVec3::Z].map(|x| apart(&leader, &follower, x)).into();
+    let first: Vec<DVec3> = [DVec3::ZERO, DVec3::ONE, DVec3::Z]
+        .map(|x| apart(&leader, &follower, x))
+        .into();
     let before = follower.pose.place(ORIGIN, DVec3::ONE);
     leader.advance(1e-6, its_origin);
     follower.follow(&leader, its_origin, ORIGIN);

@@ -173,7 +173,10 @@ impl Record {
         let mut totals = [0.0; 3];
         for element in 0..self.len() {
             let of = self.of(element, f64::INFINITY, |v| v);
-            for (total, part) in totals.iter_mut().zip([of.impact_energy, of.sliding_energy, of.worn_volume]) {
+            for (total, part) in totals
+                .iter_mut()
+                .zip([of.impact_energy, of.sliding_energy, of.worn_volume])
+            {
                 *total += part;
             }
         }
