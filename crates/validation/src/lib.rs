@@ -5,7 +5,16 @@
 //!
 //! [`dosta`]: the cross-code benchmark of Dosta et al. (Computer Physics Communications 296, 109066, 2024): a ball that falls
 //! into a bed, a turning drum, a silo. `validation/dosta/README.md` tells the results.
+//!
+//! [`bulk`]: laws of bulk solids that every engine must give: Beverloo, Janssen, the angle of repose. `validation/bulk/README.md`
+//! tells the results.
 
+pub mod bulk;
 pub mod dosta;
 mod folder;
 pub mod hydrogel;
+mod runs;
+mod series;
+
+pub use runs::{Job, JobError, Tell, carry_out_all};
+pub use series::{SeriesError, SeriesTable};

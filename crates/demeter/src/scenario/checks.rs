@@ -129,7 +129,9 @@ pub(super) fn check_overlaps(
     let places: Vec<(DVec3, f64)> = grains.position.iter().copied().zip(grains.radii()).collect();
     let advice =
         || Some("move them apart, or raise `simulation.max_overlap` if the packing is meant to be loaded".into());
-    if let Some(pair) = first_overlap(&places, Some(domain)) {
+    // fixed grains that overlap each other are one rough body
+    let may_move = |i: usize, j: usize| !(grains.is_fixed(i) && grains.is_fixed(j));
+    if let Some(pair) = first_overlap(&places, Some(domain), may_move) {
         let (i, j) = (pair.first, pair.second);
         let share = pair.relative;
         let words = format!(
@@ -159,7 +161,7 @@ pub(super) fn check_overlaps(
 fn deepest_in_wall(grains: &Grains, walls: &[Wall]) -> Option<(usize, usize, f64)> {
     let mut deepest: Option<(usize, usize, f64)> = None;
     let mut touched: Vec<SurfaceContact> = Vec::new();
-    for g in 0..grains.len() {
+    for g in (0..grains.len()).filter(|&g| !grains.is_fixed(g)) {
         for (w, wall) in walls.iter().enumerate() {
             touched.clear();
             if wall.near(grains.position[g], grains.radius(g)) {
