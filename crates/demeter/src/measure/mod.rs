@@ -3,6 +3,7 @@
 //!
 //! A contact counts when it acts, that is, when its normal force is not zero: [`ContactChunk::acts`].
 
+mod deforming_box;
 mod flow;
 mod forces;
 mod mixing;
@@ -17,6 +18,8 @@ mod told;
 mod trace;
 
 pub use crate::simulation::Energies;
+pub use deforming_box::BOX_COLUMNS;
+pub(crate) use deforming_box::{box_titles, box_values};
 pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
 pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
 pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing};

@@ -3,7 +3,7 @@
 use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
-    FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS,
+    BOX_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS,
     REMOVAL_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WallLoad,
 };
 use std::fmt::Write as _;
@@ -274,7 +274,7 @@ fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
 }
 
 /// Columns behind all others, with what their titles begin with.
-const TOLD: [(&str, &[ToldColumn]); 9] = [
+const TOLD: [(&str, &[ToldColumn]); 10] = [
     ("MEASURE", REGION_COLUMNS),
     ("MEASURE MATERIAL", OF_MATERIAL_COLUMNS),
     ("MEASURE", TRACE_COLUMNS),
@@ -284,6 +284,7 @@ const TOLD: [(&str, &[ToldColumn]); 9] = [
     ("feed NAME", FEED_COLUMNS),
     ("removal NAME", REMOVAL_COLUMNS),
     ("removal NAME MATERIAL", OF_MATERIAL_COLUMNS),
+    ("box", BOX_COLUMNS),
 ];
 
 /// The table of all columns in Markdown, for the book.

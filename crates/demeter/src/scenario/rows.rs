@@ -3,7 +3,7 @@
 use super::measures::{distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
-use crate::measure::{ContactNetwork, ForceDistribution, Measures, Moment, Profile, measure};
+use crate::measure::{ContactNetwork, ForceDistribution, Measures, Moment, Profile, box_values, measure};
 use crate::output::{DistributionWriter, OutputError, ProfileWriter, RunFolder, SeriesWriter};
 use crate::simulation::Simulation;
 
@@ -79,6 +79,9 @@ impl<'a> Rows<'a> {
         let mut row = measure(sim, moment, self.scenario.output.strain.as_ref());
         row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
         row.told = traffic.values(sim);
+        if self.scenario.deforms() {
+            row.told.extend(box_values(sim, row.energies.boundary_work));
+        }
         self.series.write(&row)?;
         for (bins, writer) in &mut self.distributions {
             writer.write(&row, &bins.measure(sim))?;

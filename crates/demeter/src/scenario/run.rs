@@ -9,10 +9,10 @@ use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::checkpoint::{self, Header};
 use crate::contacts::Fault;
-use crate::measure::{Measures, Moment, contact_records, kinetic_over_elastic, wall_surfaces};
+use crate::measure::{Measures, Moment, box_titles, contact_records, kinetic_over_elastic, wall_surfaces};
 use crate::output::{Frame, FrameWriter, RunFolder, SeriesLabels, StageSummary, wall_summaries};
 use crate::particles::Domain;
-use crate::simulation::{Phase, Setup, Simulation, SimulationState, Stage, StopCondition};
+use crate::simulation::{Phase, Setup, Simulation, SimulationState, Stage, StopCondition, StressOf};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -210,6 +210,13 @@ impl<'a> Runner<'a> {
         if !scenario.feeds.is_empty() {
             sim.expect_grains(&prepared.to_come, skin, coupling);
         }
+        if scenario.deforms() {
+            let plan = scenario.domain.deform.unwrap_or_default();
+            sim.deform(plan).map_err(|source| RunError::Deformation {
+                stage: "start".to_string(),
+                source,
+            })?;
+        }
         let traffic = Traffic::begin(scenario, sim.domain(), prepared.origins)?;
         let mut runner = Self::new(scenario, (sim, traffic), folder, place, (rows, frames), observer);
         runner.begin_stage()?;
@@ -347,6 +354,13 @@ impl<'a> Runner<'a> {
             return Ok(());
         };
         self.traffic.begin_stage(stage, self.sim.step);
+        if let Some(plan) = stage.deformation {
+            self.sim.deform(plan).map_err(|source| RunError::Deformation {
+                stage: stage.name.clone(),
+                source,
+            })?;
+        }
+        self.sim.mark_strain();
         for (wall, motion) in &stage.motions {
             self.sim.walls[*wall]
                 .set_motion(motion.clone())
@@ -421,6 +435,24 @@ impl<'a> Runner<'a> {
             StopCondition::Strain { wall, length, strain } => {
                 let reached = self.travel(*wall) / length;
                 (reached >= *strain * (1.0 - 1e-12)).then(|| format!("the strain is {reached:.6}"))
+            }
+            StopCondition::BoxStress { of, stress, falls } => {
+                let looks = elapsed > 0 && elapsed.is_multiple_of(ENERGY_INTERVAL);
+                let state = looks.then(|| self.sim.box_state())??;
+                let (name, found) = match *of {
+                    StressOf::Axis(axis) => (["x", "y", "z"][axis.min(2)], state.stress[axis.min(2)]),
+                    StressOf::Mean => ("mean", state.pressure()),
+                };
+                let is_reached = if *falls { found <= *stress } else { found >= *stress };
+                is_reached.then(|| format!("the stress of the box ({name}) is {found:.6e} Pa, {stress:e} Pa was asked"))
+            }
+            StopCondition::BoxStrain { axis, strain } => {
+                let found = self.sim.stage_strain()?.0[(*axis).min(2)];
+                (found.abs() >= *strain * (1.0 - 1e-12)).then(|| format!("the strain of the box is {found:.6}"))
+            }
+            StopCondition::ShearStrain(strain) => {
+                let found = self.sim.stage_strain()?.1;
+                (found.abs() >= *strain * (1.0 - 1e-12)).then(|| format!("the shear strain of the box is {found:.6}"))
             }
             StopCondition::FeedDone(feed) => {
                 let name = self.scenario.feeds.get(*feed).map_or("", |f| f.name.as_str());
@@ -532,6 +564,15 @@ pub(super) fn labels(scenario: &Scenario) -> SeriesLabels {
         walls: scenario.walls.iter().map(|w| w.name.clone()).collect(),
         strain: scenario.output.strain.is_some(),
         networks: networks(&scenario.measures).map(|(name, _)| name.to_owned()).collect(),
-        told: Traffic::titles(scenario),
+        told: told_titles(scenario),
     }
+}
+
+/// Titles of the columns behind all others.
+fn told_titles(scenario: &Scenario) -> Vec<String> {
+    let mut titles = Traffic::titles(scenario);
+    if scenario.deforms() {
+        titles.extend(box_titles());
+    }
+    titles
 }

@@ -1,12 +1,13 @@
 //! Tables `[[stage]]`: the protocol, with repeats unrolled.
 
+use super::deformation::{self, deformation};
 use super::document::{Value, join};
 use super::feeds::{FeedSpec, RemovalSpec, chosen, index_of};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::settings::{Intervals, cadence, intervals};
 use super::walls::{WallSpec, motion, wall_index};
-use crate::simulation::{Cadence, Stage, StopCondition};
+use crate::simulation::{Cadence, Deformation, Stage, StopCondition};
 use crate::walls::Motion;
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -36,6 +37,7 @@ enum Content {
         motions: Vec<(usize, Motion)>,
         feeds: Option<Vec<usize>>,
         removals: Option<Vec<usize>>,
+        deformation: Option<Deformation>,
         intervals: Intervals,
     },
 }
@@ -83,6 +85,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             motions,
             feeds,
             removals,
+            deformation,
             intervals,
         } = &single.content
         else {
@@ -96,6 +99,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             motions: motions.clone(),
             feeds: feeds.clone(),
             removals: removals.clone(),
+            deformation: *deformation,
             cadence: cadence(own, duration),
         });
     });
@@ -182,6 +186,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     let feeds = table.optional("feeds").map(|i| chosen(&i, "feed", feed_names));
     let removal_names = cast.removals.iter().map(|r| r.name.as_str());
     let removals = table.optional("removals").map(|i| chosen(&i, "removal", removal_names));
+    let deformation = deformation(&table);
     let output = table.optional("output").and_then(|i| i.table());
     let intervals = output.map_or([None; 3], |output| {
         let read = intervals(&output);
@@ -194,6 +199,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
         motions,
         feeds,
         removals,
+        deformation,
         intervals,
     }
 }
@@ -243,6 +249,7 @@ fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
         });
         told.finish("the condition strain");
     }
+    deformation::conditions(&table, stop);
     if let Some(item) = table.optional("feed_done") {
         let names = cast.feeds.iter().map(|f| f.name.as_str());
         stop.extend(index_of(&item, "feed", names).map(StopCondition::FeedDone));

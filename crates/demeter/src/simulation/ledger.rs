@@ -32,6 +32,9 @@ pub struct Energies {
     pub rolling_dissipated: f64,
     /// Work done on the grains by moving walls since the start.
     pub wall_work: f64,
+    /// Work done on the grains by a box that deforms since the start: by contacts across its sides, by the grains that pass
+    /// them, and by the affine flow.
+    pub boundary_work: f64,
     /// What multi-contact displacements add to the stored energy at this moment: part of `elastic`.
     pub multi_contact: f64,
     /// Put into the stored energy by multi-contact displacements since the start, without work of the contacts: because
@@ -66,6 +69,10 @@ pub struct Books {
     latest: Tally,
     /// Sum of the magnitudes of the wall work of every step [J].
     wall_throughput: f64,
+    /// Work done by a box that deforms [J].
+    boundary: f64,
+    /// Sum of the magnitudes of the work of contacts across its sides [J].
+    boundary_throughput: f64,
     /// Energy at the start [J].
     initial: f64,
     /// Energy at the start without the gravitational part, whose zero is arbitrary [J].
@@ -114,6 +121,17 @@ impl Books {
         self.latest = step;
     }
 
+    /// Books work of contacts across the sides of a box that deforms [J].
+    pub(crate) fn work_across(&mut self, work: f64) {
+        self.boundary += work;
+        self.boundary_throughput += work.abs();
+    }
+
+    /// Books kinetic energy that grains got by passing the sides of a box that deforms, or from its affine flow [J].
+    pub(crate) fn carry_along(&mut self, energy: f64) {
+        self.boundary += energy;
+    }
+
     /// Books the removal of grains that carried these energies.
     pub(crate) fn remove(&mut self, grains: u64, gone: &Energies) {
         self.removed_grains += grains;
@@ -140,15 +158,19 @@ impl Books {
         now.friction_dissipated = self.done.friction;
         now.rolling_dissipated = self.done.rolling;
         now.wall_work = self.done.wall_work;
+        now.boundary_work = self.boundary;
         now.multi_contact_input = self.done.multi_contact;
         now.inserted = self.inserted;
         now.removed = self.removed;
         self.lowest_gravitational = self.lowest_gravitational.min(now.gravitational);
         self.lowest_elastic = self.lowest_elastic.min(now.elastic);
-        let explained =
-            self.initial + now.wall_work + now.multi_contact_input + now.inserted - now.removed - now.dissipated();
-        let passed =
-            self.initial_throughput + self.wall_throughput + (self.initial_gravitational - self.lowest_gravitational)
+        let explained = self.initial + now.wall_work + now.boundary_work + now.multi_contact_input + now.inserted
+            - now.removed
+            - now.dissipated();
+        let passed = self.initial_throughput
+            + self.wall_throughput
+            + self.boundary_throughput
+            + (self.initial_gravitational - self.lowest_gravitational)
                 - self.lowest_elastic
                 + self.inserted_throughput;
         now.residual = if passed > 0.0 {

@@ -22,5 +22,6 @@ pub use mesh::{Mesh, MeshError};
 pub use mesh_file::{MeshFileContent, MeshFileError, MeshFormat, read_mesh};
 pub use motion::Motion;
 pub use pose::Pose;
+pub(crate) use servo::Servo;
 pub use shape::{Shape, Side};
 pub use wall::{SurfaceContact, Wall, WallState};
