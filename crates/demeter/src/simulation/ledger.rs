@@ -71,7 +71,7 @@ pub struct Books {
     wall_throughput: f64,
     /// Work done by a box that deforms [J].
     boundary: f64,
-    /// Sum of the magnitudes of the work of contacts across its sides [J].
+    /// Sum of the magnitudes of the work of contacts across its sides and of the kinetic stress [J].
     boundary_throughput: f64,
     /// Energy at the start [J].
     initial: f64,
@@ -127,9 +127,11 @@ impl Books {
         self.boundary_throughput += work.abs();
     }
 
-    /// Books kinetic energy that grains got by passing the sides of a box that deforms, or from its affine flow [J].
-    pub(crate) fn carry_along(&mut self, energy: f64) {
+    /// Books kinetic energy that grains got by passing the sides of a box that deforms, or from its affine flow, and how much of
+    /// it was work of their stress [J].
+    pub(crate) fn carry_along(&mut self, energy: f64, work: f64) {
         self.boundary += energy;
+        self.boundary_throughput += work.abs();
     }
 
     /// Books the removal of grains that carried these energies.

@@ -257,7 +257,7 @@ impl Simulation {
         // within a step velocities are those predicted for its end
         let ahead = if self.step > 0 { 0.5 * self.dt } else { 0.0 };
         let gained = self.comm.wrap_moving(&mut self.grains, ahead);
-        self.books.carry_along(gained);
+        self.books.carry_along(gained, gained);
     }
 
     /// Finds the candidates of the grains as they are, and hands them the contacts.
