@@ -106,8 +106,8 @@ fn a_contact_across_a_sliding_side_is_that_with_a_moving_partner() {
     let (edge, rate) = (20.0 * RADIUS, 40.0);
     let slides = DVec3::X * (rate * edge);
     let (low, high) = (
-        DVec3::new(9.0, 0.9, 10.2) * RADIUS,
-        DVec3::new(9.6, 19.0, 10.0) * RADIUS,
+        DVec3::new(9.0, 1.5, 10.2) * RADIUS,
+        DVec3::new(10.2, 18.9, 10.0) * RADIUS,
     );
     let (v_low, v_high) = (DVec3::new(0.1, -0.6, 0.0), DVec3::new(-0.2, 0.3, 0.1));
     let spin = DVec3::new(20.0, -30.0, 40.0);
