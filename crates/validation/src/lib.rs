@@ -5,7 +5,11 @@
 //!
 //! [`dosta`]: the cross-code benchmark of Dosta et al. (Computer Physics Communications 296, 109066, 2024): a ball that falls
 //! into a bed, a turning drum, a silo. `validation/dosta/README.md` tells the results.
+//!
+//! [`rheology`]: spheres sheared at a constant pressure, from fast to slow: the friction of dense granular flow (Jop, Forterre and
+//! Pouliquen, Nature 441, 727, 2006). `validation/rheology/README.md` tells the results.
 
 pub mod dosta;
 mod folder;
 pub mod hydrogel;
+pub mod rheology;

@@ -164,6 +164,11 @@ impl Simulation {
         Ok(())
     }
 
+    /// Whether the periodic box deforms, or has deformed.
+    pub fn deforms(&self) -> bool {
+        self.deforming.is_some()
+    }
+
     /// Strains of the stage are counted from here.
     pub(crate) fn mark_strain(&mut self) {
         let size = self.domain().size();
