@@ -7,7 +7,9 @@ use cases::{Case, Laws, full, index, law, on_threads, one_material, report};
 use demeter::comm::ShearAxes;
 use demeter::contacts::{CarriedContact, Fault};
 use demeter::particles::{Domain, Outside};
-use demeter::simulation::{Deformation, DeformationError, Drive, Misfit, Setup, Shear, Simulation, SimulationState, Skin};
+use demeter::simulation::{
+    Deformation, DeformationError, Drive, Misfit, Setup, Shear, Simulation, SimulationState, Skin,
+};
 use demeter_physics::DVec3;
 
 const RADIUS: f64 = 1e-3;
@@ -34,7 +36,10 @@ fn periodic(case: &mut Case, edge: f64) {
 }
 
 fn rough() -> Laws {
-    Laws::linear(STIFFNESS, 0.6).friction(law("linear-history", &[("friction", 0.5), ("stiffness", 0.3 * STIFFNESS)]))
+    Laws::linear(STIFFNESS, 0.6).friction(law(
+        "linear-history",
+        &[("friction", 0.5), ("stiffness", 0.3 * STIFFNESS)],
+    ))
 }
 
 fn smooth(restitution: f64) -> Laws {
@@ -147,7 +152,8 @@ fn a_contact_across_a_sliding_side_is_that_with_a_moving_partner() {
             let boxes = i32::from(id == 2) - sheared.grains.image[b][1];
             let other = sheared.grains.velocity[b] - slides * f64::from(boxes);
             largest = largest.max((open.grains.velocity[a] - other).length());
-            largest = largest.max((open.grains.angular_velocity[a] - sheared.grains.angular_velocity[b]).length() * RADIUS);
+            largest =
+                largest.max((open.grains.angular_velocity[a] - sheared.grains.angular_velocity[b]).length() * RADIUS);
         }
     }
     report("largest difference of velocities [m/s]", largest);
@@ -190,7 +196,10 @@ fn a_collision_across_a_shrinking_side_takes_up_its_speed() {
     report("speed of parting over twice that of the side", parted / expected);
     assert!((parted / expected - 1.0).abs() < 2e-3, "{parted} {expected}");
     let energies = sim.energies();
-    assert!(energies.boundary_work > 0.0 && energies.residual.abs() < 1e-4, "{energies:?}");
+    assert!(
+        energies.boundary_work > 0.0 && energies.residual.abs() < 1e-4,
+        "{energies:?}"
+    );
 }
 
 /// Momentum beyond the affine flow is conserved; total momentum is no such thing where images move.
@@ -215,7 +224,10 @@ fn momentum_beyond_the_flow_is_conserved() {
         }
     }
     report("momentum beyond the flow, as a share", largest);
-    assert!(sim.grains.image.iter().any(|image| image[1] != 0), "no grain passed a sliding side");
+    assert!(
+        sim.grains.image.iter().any(|image| image[1] != 0),
+        "no grain passed a sliding side"
+    );
     assert!(largest < 1e-6, "{largest}");
 }
 
@@ -272,13 +284,22 @@ fn a_sheared_gas_has_a_linear_profile() {
             count[bin] += 1.0;
         }
     }
-    let worst = (0..BINS).map(|b| (sum[b] / count[b]).abs() / (rate * edge)).fold(0.0, f64::max);
-    report("largest deviation of the profile, as a share of the speed across", worst);
+    let worst = (0..BINS)
+        .map(|b| (sum[b] / count[b]).abs() / (rate * edge))
+        .fold(0.0, f64::max);
+    report(
+        "largest deviation of the profile, as a share of the speed across",
+        worst,
+    );
     report("largest residual of the shear", residual);
     assert!(worst < 0.04, "{worst}");
     assert!(residual < 1e-3, "{residual}");
     let state = sim.box_state().unwrap();
-    assert!(state.stress[4] < 0.0, "the stress must resist the shear: {:?}", state.stress);
+    assert!(
+        state.stress[4] < 0.0,
+        "the stress must resist the shear: {:?}",
+        state.stress
+    );
     assert!(sim.energies().boundary_work > 0.0);
 }
 
@@ -326,7 +347,11 @@ fn compare_with_all_pairs(sim: &Simulation, flow: usize, gradient: usize) -> (us
                     found += 1;
                     across += usize::from(boxes[1] != 0.0);
                     let pair = (i as u32, j as u32);
-                    assert!(engaged.contains(&pair), "step {}: {pair:?} by {boxes:?} is missing", sim.step);
+                    assert!(
+                        engaged.contains(&pair),
+                        "step {}: {pair:?} by {boxes:?} is missing",
+                        sim.step
+                    );
                 }
             }
         }
@@ -339,18 +364,18 @@ fn compare_with_all_pairs(sim: &Simulation, flow: usize, gradient: usize) -> (us
 fn a_frictionless_packing_jams_at_random_close_packing() {
     let mut sim = Simulation::new(gas(&smooth(0.3), if full() { 10 } else { 7 }, 0.3, 0.2, 0.0));
     let target = 1e-4 * STIFFNESS / RADIUS;
-    sim.deform(isotropic(Drive::Stress {
-        target,
-        max_rate: 30.0,
-    }))
-    .unwrap();
+    sim.deform(isotropic(Drive::Stress { target, max_rate: 30.0 })).unwrap();
     let steps = (0.2 / sim.dt) as u64;
     let mut residual = run(&mut sim, steps);
     let mut quiet = 0;
     for _ in 0..200 {
         residual = residual.max(run(&mut sim, 500));
         let (energies, state) = (sim.energies(), sim.box_state().unwrap());
-        quiet = if energies.kinetic < 1e-4 * energies.elastic && (state.pressure() / target - 1.0).abs() < 1e-3 { quiet + 1 } else { 0 };
+        quiet = if energies.kinetic < 1e-4 * energies.elastic && (state.pressure() / target - 1.0).abs() < 1e-3 {
+            quiet + 1
+        } else {
+            0
+        };
         if quiet > 3 {
             break;
         }
@@ -359,7 +384,11 @@ fn a_frictionless_packing_jams_at_random_close_packing() {
     report("solid fraction", state.solid_fraction);
     report("stress over its target", state.pressure() / target);
     report("largest residual", residual);
-    assert!((state.pressure() / target - 1.0).abs() < 1e-2, "{}", state.pressure() / target);
+    assert!(
+        (state.pressure() / target - 1.0).abs() < 1e-2,
+        "{}",
+        state.pressure() / target
+    );
     assert!((0.60..0.67).contains(&state.solid_fraction), "{}", state.solid_fraction);
     assert!(residual < 1e-3, "{residual}");
 }
@@ -371,10 +400,18 @@ fn stresses_are_held_while_another_direction_is_strained() {
         let mut sim = Simulation::new(gas(&rough(), 6, 0.5, 0.05, 0.15));
         let target = 1e-3 * STIFFNESS / RADIUS;
         let hold = Drive::Stress { target, max_rate: 20.0 };
-        sim.deform(Deformation { affine, ..isotropic(hold) }).unwrap();
+        sim.deform(Deformation {
+            affine,
+            ..isotropic(hold)
+        })
+        .unwrap();
         let mut residual = run(&mut sim, 30_000);
         let before = sim.box_state().unwrap();
-        assert!((before.pressure() / target - 1.0).abs() < 0.02, "{affine}: {}", before.pressure() / target);
+        assert!(
+            (before.pressure() / target - 1.0).abs() < 0.02,
+            "{affine}: {}",
+            before.pressure() / target
+        );
         let rate = -1.0;
         sim.deform(Deformation {
             directions: [hold, hold, Drive::StrainRate(rate)],
@@ -392,7 +429,10 @@ fn stresses_are_held_while_another_direction_is_strained() {
         }
         let after = sim.box_state().unwrap();
         let strained = after.strain.z - before.strain.z;
-        assert!((strained / (rate * sim.dt * (steps / 50 * 50) as f64) - 1.0).abs() < 1e-6, "{strained}");
+        assert!(
+            (strained / (rate * sim.dt * (steps / 50 * 50) as f64) - 1.0).abs() < 1e-6,
+            "{strained}"
+        );
         let [x, y, z] = sums.map(|s| s / count / target);
         report("mean stress over its target, along x", x);
         report("mean stress over its target, along z", z);
@@ -447,7 +487,10 @@ fn shear_at_constant_stress_has_the_same_bits_on_threads_and_after_a_restart() {
             for _ in from..2400 {
                 sim.step().unwrap();
             }
-            assert!(fingerprint(&mut sim) == expected, "other bits after a restart at step {from}");
+            assert!(
+                fingerprint(&mut sim) == expected,
+                "other bits after a restart at step {from}"
+            );
         }
     });
 }
@@ -468,7 +511,11 @@ fn shear_at_constant_stress_holds_the_stress_and_its_books() {
     report("friction of the flow", shear_stress / normal);
     report("largest residual", residual);
     assert!((normal / target - 1.0).abs() < 0.05, "{}", normal / target);
-    assert!((0.2..0.9).contains(&(shear_stress / normal)), "{}", shear_stress / normal);
+    assert!(
+        (0.2..0.9).contains(&(shear_stress / normal)),
+        "{}",
+        shear_stress / normal
+    );
     assert!(residual < 1e-3, "{residual}");
 }
 
@@ -519,5 +566,11 @@ fn what_does_not_go_with_a_deforming_box_is_refused() {
     let mut sim = Simulation::new(gas(&smooth(0.5), 4, 0.1, 0.0, 0.0));
     sim.deform(shear(0, 1, 1.0)).unwrap();
     let other = sim.deform(shear(0, 2, 1.0));
-    assert_eq!(other, Err(DeformationError::OtherShear { flow: "x", gradient: "y" }));
+    assert_eq!(
+        other,
+        Err(DeformationError::OtherShear {
+            flow: "x",
+            gradient: "y"
+        })
+    );
 }

@@ -58,7 +58,10 @@ fn powder(laws: &Laws, skin: Skin) -> Setup {
             .wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1u64 << 53) as f64
     };
-    let centres = [DVec3::new(0.3 * LARGE, 0.5 * EDGE, 0.5 * EDGE), DVec3::new(0.6 * EDGE, 0.2 * EDGE, 0.6 * EDGE)];
+    let centres = [
+        DVec3::new(0.3 * LARGE, 0.5 * EDGE, 0.5 * EDGE),
+        DVec3::new(0.6 * EDGE, 0.2 * EDGE, 0.6 * EDGE),
+    ];
     let mut placed: Vec<(DVec3, f64)> = centres.iter().map(|&centre| (centre, LARGE)).collect();
     for centre in centres {
         let mut left = 300;
@@ -67,9 +70,9 @@ fn powder(laws: &Laws, skin: Skin) -> Setup {
             let radius = SMALL * libm::pow(12.0, uniform() * uniform());
             let place = centre + direction.normalize_or_zero() * (LARGE + radius * (1.002 + 0.4 * uniform()));
             let place = case.domain.wrapped(place);
-            let is_free = placed.iter().all(|(other, r)| {
-                case.domain.difference(place, *other).length() > 1.001 * (r + radius)
-            });
+            let is_free = placed
+                .iter()
+                .all(|(other, r)| case.domain.difference(place, *other).length() > 1.001 * (r + radius));
             if is_free && direction.length() < 1.0 {
                 placed.push((place, radius));
                 left -= 1;
@@ -111,7 +114,11 @@ fn compare_with_all_pairs(sim: &Simulation, name: &str, reach: f64) -> usize {
             if apart < grains.radius(i) + grains.radius(j) + reach {
                 close += 1;
                 let ids = (grains.id[i].min(grains.id[j]), grains.id[i].max(grains.id[j]));
-                assert!(asked.contains(&ids), "{name}, step {}: {ids:?} at {apart:e} is missing", sim.step);
+                assert!(
+                    asked.contains(&ids),
+                    "{name}, step {}: {ids:?} at {apart:e} is missing",
+                    sim.step
+                );
             }
         }
     }
@@ -120,7 +127,11 @@ fn compare_with_all_pairs(sim: &Simulation, name: &str, reach: f64) -> usize {
 
 fn tomas_reach(name: &str, sim: &Simulation) -> f64 {
     // only this law attracts surfaces that have never touched
-    if name == "tomas" { 0.99 * sim.largest_reach() } else { 0.0 }
+    if name == "tomas" {
+        0.99 * sim.largest_reach()
+    } else {
+        0.0
+    }
 }
 
 #[test]
@@ -143,7 +154,11 @@ fn no_partner_within_reach_is_missed() {
                 }
             }
             report(&format!("{name}: rebuilds"), sim.rebuilds() as f64);
-            assert!(close > 1000 && sim.rebuilds() > 50, "{name}: {close} pairs, {} rebuilds", sim.rebuilds());
+            assert!(
+                close > 1000 && sim.rebuilds() > 50,
+                "{name}: {close} pairs, {} rebuilds",
+                sim.rebuilds()
+            );
         }
     }
 }
@@ -171,7 +186,12 @@ fn rebuilds_change_no_bit() {
         };
         let (often, rarely) = (run(0.002 * SMALL), run(8.0 * SMALL));
         report(&format!("{name}: contacts that remember"), often.2 as f64);
-        assert!(often.3 > 5 * rarely.3 && often.3 > 50, "{name}: {} and {} rebuilds", often.3, rarely.3);
+        assert!(
+            often.3 > 5 * rarely.3 && often.3 > 50,
+            "{name}: {} and {} rebuilds",
+            often.3,
+            rarely.3
+        );
         assert!(often.2 > 30, "{name}: only {} contacts remember something", often.2);
         assert!(often.1 == rarely.1, "{name}: contacts differ");
         assert!(often.0 == rarely.0, "{name}: grains differ");

@@ -8,10 +8,10 @@
 
 use clap::{Parser, Subcommand};
 use demeter_validation::dosta;
-use demeter_validation::rheology;
 use demeter_validation::hydrogel::{
     Experiment, Results, Standards, TOP_FORCE, ValidationError, find_models, run_models, write_figures, write_table,
 };
+use demeter_validation::rheology;
 use std::path::PathBuf;
 use std::process::ExitCode;
 

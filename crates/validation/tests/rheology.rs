@@ -1,6 +1,10 @@
 //! The series of `validation/rheology` on a small packing: its two fastest flows.
 
-#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test tells what it measured, and may panic")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test tells what it measured, and may panic"
+)]
 
 use demeter_validation::rheology::{Experiment, Flow, glass_beads, read_points, run_series, write_tables};
 use std::path::{Path, PathBuf};

@@ -255,7 +255,12 @@ impl Deforming {
     /// Whether its numbers are possible, as they are unless a file was tampered with.
     pub(crate) fn is_sound(&self) -> bool {
         let is_axis = |axes: &ShearAxes| axes.flow < 3 && axes.gradient < 3 && axes.flow != axes.gradient;
-        let vectors = [self.middle, self.rates.stretching, self.now.stretching, self.carry.growth];
+        let vectors = [
+            self.middle,
+            self.rates.stretching,
+            self.now.stretching,
+            self.carry.growth,
+        ];
         self.axes.as_ref().is_none_or(is_axis)
             && self.carry.axes.as_ref().is_none_or(is_axis)
             && vectors.iter().chain(&self.changes).all(|v| v.is_finite())

@@ -8,7 +8,11 @@ pub const BOX_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new("length x", "m", "length of the box"),
     ToldColumn::new("length y", "m", "see box length x"),
     ToldColumn::new("length z", "m", "see box length x"),
-    ToldColumn::new("strain xx", "", "true strain since the start of the run, negative where the box has shrunk"),
+    ToldColumn::new(
+        "strain xx",
+        "",
+        "true strain since the start of the run, negative where the box has shrunk",
+    ),
     ToldColumn::new("strain yy", "", "see box strain xx"),
     ToldColumn::new("strain zz", "", "see box strain xx"),
     ToldColumn::new("shear strain", "", "shear since the start of the run"),
@@ -26,8 +30,16 @@ pub const BOX_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new("stress xy", "Pa", "see box stress xx"),
     ToldColumn::new("stress xz", "Pa", "see box stress xx"),
     ToldColumn::new("stress yz", "Pa", "see box stress xx"),
-    ToldColumn::new("kinetic pressure", "Pa", "mean of the normal stresses of the motion beyond the affine flow"),
-    ToldColumn::new("solid fraction", "", "solid volume over the volume of the box, overlaps not subtracted"),
+    ToldColumn::new(
+        "kinetic pressure",
+        "Pa",
+        "mean of the normal stresses of the motion beyond the affine flow",
+    ),
+    ToldColumn::new(
+        "solid fraction",
+        "",
+        "solid volume over the volume of the box, overlaps not subtracted",
+    ),
     ToldColumn::new(
         "boundary work",
         "J",

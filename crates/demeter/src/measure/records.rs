@@ -46,18 +46,17 @@ pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
     if sim.grains.is_empty() {
         (lower, upper) = (DVec3::ZERO, DVec3::ZERO);
     }
-    let walls = (sim.walls.iter())
-        .map(|wall| {
-            let (force, torque) = wall.load();
-            let velocity = wall.velocity_at(wall.origin());
-            WallSurface {
-                name: &wall.name,
-                triangles: wall.triangles(lower, upper),
-                force,
-                torque,
-                velocity,
-            }
-        });
+    let walls = (sim.walls.iter()).map(|wall| {
+        let (force, torque) = wall.load();
+        let velocity = wall.velocity_at(wall.origin());
+        WallSurface {
+            name: &wall.name,
+            triangles: wall.triangles(lower, upper),
+            force,
+            torque,
+            velocity,
+        }
+    });
     walls.chain(sim.deforms().then(|| box_surface(sim))).collect()
 }
 

@@ -3,8 +3,8 @@
 use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
-    BOX_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS,
-    REMOVAL_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WallLoad,
+    BOX_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NetworkMeasures, OF_MATERIAL_COLUMNS,
+    REGION_COLUMNS, REMOVAL_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WallLoad,
 };
 use std::fmt::Write as _;
 use std::path::Path;

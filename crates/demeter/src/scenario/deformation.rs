@@ -65,7 +65,12 @@ fn shear(table: TableReader<'_>) -> Option<Shear> {
     let axis = |key: &str, meaning: &str| table.required(key, meaning).and_then(|i| i.choice(&AXES));
     let flow = axis("flow", "the direction in which images slide, as \"x\"");
     let gradient = axis("gradient", "the direction across which they slide, as \"y\"");
-    let rate = table.quantity("rate", Kind::NumberRate, Range::FINITE, "the rate of shear, as \"10 1/s\"");
+    let rate = table.quantity(
+        "rate",
+        Kind::NumberRate,
+        Range::FINITE,
+        "the rate of shear, as \"10 1/s\"",
+    );
     table.finish("the shear of the box");
     Some(Shear {
         axes: ShearAxes {
@@ -88,9 +93,20 @@ pub(super) fn conditions(table: &TableReader<'_>, stop: &mut Vec<StopCondition>)
         if above.is_some() == below.is_some() {
             told.fault("give either `above` or `below`", None);
         }
-        let of = of.map_or(StressOf::Mean, |k| if k < 3 { StressOf::Axis(k) } else { StressOf::Mean });
-        stop.extend(above.map(|stress| StopCondition::BoxStress { of, stress, falls: false }));
-        stop.extend(below.map(|stress| StopCondition::BoxStress { of, stress, falls: true }));
+        let of = of.map_or(
+            StressOf::Mean,
+            |k| if k < 3 { StressOf::Axis(k) } else { StressOf::Mean },
+        );
+        stop.extend(above.map(|stress| StopCondition::BoxStress {
+            of,
+            stress,
+            falls: false,
+        }));
+        stop.extend(below.map(|stress| StopCondition::BoxStress {
+            of,
+            stress,
+            falls: true,
+        }));
         told.finish("the condition box_stress");
     }
     if let Some(told) = table.optional("box_strain").and_then(|i| i.table()) {
@@ -109,7 +125,11 @@ pub(super) fn conditions(table: &TableReader<'_>, stop: &mut Vec<StopCondition>)
 impl Scenario {
     /// Deformations of the box with the paths of the tables that tell them.
     pub(super) fn deformations(&self) -> impl Iterator<Item = (String, &Deformation)> {
-        let first = self.domain.deform.iter().map(|plan| ("domain.deform".to_string(), plan));
+        let first = self
+            .domain
+            .deform
+            .iter()
+            .map(|plan| ("domain.deform".to_string(), plan));
         let of_stages = (self.stages.iter().zip(&self.stage_paths))
             .filter_map(|(stage, path)| Some((format!("{path}.deform"), stage.deformation.as_ref()?)));
         first.chain(of_stages)
@@ -146,7 +166,11 @@ pub(super) fn check(
     }
     let misfits = [
         (!scenario.walls.is_empty(), "wall[0]", Misfit::Walls),
-        (scenario.simulation.gravity != DVec3::ZERO, "simulation.gravity", Misfit::Gravity),
+        (
+            scenario.simulation.gravity != DVec3::ZERO,
+            "simulation.gravity",
+            Misfit::Gravity,
+        ),
         (
             scenario.simulation.integrator == Integrator::Gear,
             "simulation.integrator",

@@ -55,9 +55,9 @@ fn place_in_reference(path: &str) -> Option<(String, String)> {
         .replace("stage[].motion.*.", "motion.")
         .replace("stage[].deform.", "deform.")
         .replace("domain.deform.", "deform.");
-    let path = ["x", "y", "z", "isotropic"]
-        .iter()
-        .fold(path, |path, axis| path.replace(&format!("deform.{axis}."), "deform.direction."));
+    let path = ["x", "y", "z", "isotropic"].iter().fold(path, |path, axis| {
+        path.replace(&format!("deform.{axis}."), "deform.direction.")
+    });
     let (section, key) = path.rsplit_once('.').unwrap_or(("", &path));
     let of_a_law = ["normal", "tangential", "rolling"]
         .iter()

@@ -78,7 +78,9 @@ pub enum DeformationError {
         direction: &'static str,
     },
     /// The shear has other directions than before.
-    #[error("the box is sheared along {flow} over {gradient} already; its shear cannot turn to other directions in a run")]
+    #[error(
+        "the box is sheared along {flow} over {gradient} already; its shear cannot turn to other directions in a run"
+    )]
     OtherShear {
         /// Direction of the flow.
         flow: &'static str,
@@ -127,10 +129,14 @@ pub enum Misfit {
     #[error("a box that deforms cannot hold fixed grains: the images of a grain move against it")]
     FixedGrains,
     /// Gravity.
-    #[error("there is no gravity in a box that deforms: without walls everything falls; leave `simulation.gravity` out")]
+    #[error(
+        "there is no gravity in a box that deforms: without walls everything falls; leave `simulation.gravity` out"
+    )]
     Gravity,
     /// The predictor-corrector.
-    #[error("a box that deforms needs `integrator = \"velocity-verlet\"`: a grain that passes a side changes its velocity at once")]
+    #[error(
+        "a box that deforms needs `integrator = \"velocity-verlet\"`: a grain that passes a side changes its velocity at once"
+    )]
     Gear,
     /// Multi-contact laws.
     #[error("`multi_contact` laws do not work in a box that deforms: use `\"independent\"` there")]
@@ -223,7 +229,10 @@ impl Simulation {
             (self.gravity != DVec3::ZERO, Misfit::Gravity),
             (self.integrator == Integrator::Gear, Misfit::Gear),
             (self.coupling.is_some(), Misfit::Coupling),
-            ((0..self.grains.len()).any(|g| self.grains.is_fixed(g)), Misfit::FixedGrains),
+            (
+                (0..self.grains.len()).any(|g| self.grains.is_fixed(g)),
+                Misfit::FixedGrains,
+            ),
         ];
         if let Some((_, misfit)) = misfits.into_iter().find(|(is_there, _)| *is_there) {
             return Err(DeformationError::With(misfit));

@@ -111,7 +111,13 @@ fn total<const N: usize>(parts: Vec<[f64; N]>) -> [f64; N] {
 
 /// `ln(L/L0)` in each direction; 0 where the length is the same, were it infinite.
 fn true_strain(from: DVec3, to: DVec3) -> DVec3 {
-    let along = |k: usize| if to[k] == from[k] { 0.0 } else { libm::log(to[k] / from[k]) };
+    let along = |k: usize| {
+        if to[k] == from[k] {
+            0.0
+        } else {
+            libm::log(to[k] / from[k])
+        }
+    };
     DVec3::new(along(0), along(1), along(2))
 }
 
@@ -190,7 +196,11 @@ impl Simulation {
         let (state, deforming) = (self.deforming.as_deref()?, self.comm.deforming()?);
         let (lengths, rates) = (self.domain().size(), deforming.rates());
         let [kinetic_stress, contacts] = self.box_stresses(state, deforming);
-        let solid: f64 = self.grains.radii().map(|r| 4.0 / 3.0 * std::f64::consts::PI * r * r * r).sum();
+        let solid: f64 = self
+            .grains
+            .radii()
+            .map(|r| 4.0 / 3.0 * std::f64::consts::PI * r * r * r)
+            .sum();
         Some(BoxState {
             lengths,
             strain: true_strain(state.lengths[0], lengths),
@@ -226,7 +236,9 @@ impl Simulation {
                     let place = position.vector - middle;
                     let beyond = velocity.vector - deforming.flow(&rates, place);
                     let terms = [dyad(beyond * *mass, beyond), dyad(force.vector, place)];
-                    sum.iter_mut().zip(terms.as_flattened()).for_each(|(sum, term)| *sum += term);
+                    sum.iter_mut()
+                        .zip(terms.as_flattened())
+                        .for_each(|(sum, term)| *sum += term);
                 }
                 sum
             })
@@ -234,7 +246,10 @@ impl Simulation {
         let mut sum = total(parts);
         for (axis, force) in state.across.iter().enumerate() {
             let edge = self.comm.edge(axis);
-            sum[6..].iter_mut().zip(dyad(*force, edge)).for_each(|(sum, term)| *sum += term);
+            sum[6..]
+                .iter_mut()
+                .zip(dyad(*force, edge))
+                .for_each(|(sum, term)| *sum += term);
         }
         let size = self.domain().size();
         let per_volume = 1.0 / (size.x * size.y * size.z);
@@ -397,7 +412,10 @@ impl Simulation {
             .reduce(|| (0.0, 0.0), |a, b| (a.0.max(b.0), a.1.max(b.1)));
         let speed = speed2.sqrt();
         // two grains farther apart than this approach by no more of their distance than others
-        let apart = 2.0 * state.largest_radius + self.beyond_touch() + self.skin + NEAR * state.largest_radius
+        let apart = 2.0 * state.largest_radius
+            + self.beyond_touch()
+            + self.skin
+            + NEAR * state.largest_radius
             + 4.0 * speed * dt;
         Motion {
             max_speed: SLACK * (speed + 0.5 * deforming.steepness() * apart),

@@ -173,8 +173,8 @@ impl Books {
             + self.wall_throughput
             + self.boundary_throughput
             + (self.initial_gravitational - self.lowest_gravitational)
-                - self.lowest_elastic
-                + self.inserted_throughput;
+            - self.lowest_elastic
+            + self.inserted_throughput;
         now.residual = if passed > 0.0 {
             (now.present() - explained) / passed
         } else {

@@ -92,11 +92,23 @@ pub fn read_points(scenario: &Scenario, flow: Flow, folder: &Path) -> Result<Vec
         rows.push((cell(6).to_string(), values));
     }
     let mut points = Vec::new();
-    for stage in scenario.stages.iter().filter(|s| s.deformation.is_some_and(|d| d.shear.is_some())) {
-        let of_stage: Vec<&[f64; 6]> = rows.iter().filter(|(name, _)| *name == stage.name).map(|(_, v)| v).collect();
+    for stage in scenario
+        .stages
+        .iter()
+        .filter(|s| s.deformation.is_some_and(|d| d.shear.is_some()))
+    {
+        let of_stage: Vec<&[f64; 6]> = rows
+            .iter()
+            .filter(|(name, _)| *name == stage.name)
+            .map(|(_, v)| v)
+            .collect();
         let steady = &of_stage[(of_stage.len() as f64 * TRANSIENT) as usize..];
         if steady.len() < FEWEST_ROWS {
-            return Err(wrong(format!("stage `{}` has {} rows after its beginning, {FEWEST_ROWS} are needed", stage.name, steady.len())));
+            return Err(wrong(format!(
+                "stage `{}` has {} rows after its beginning, {FEWEST_ROWS} are needed",
+                stage.name,
+                steady.len()
+            )));
         }
         let column = |k: usize| -> Vec<f64> { steady.iter().map(|row| row[k]).collect() };
         let (rate, _) = mean(&column(0));

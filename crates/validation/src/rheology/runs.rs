@@ -19,7 +19,11 @@ pub struct Experiment {
 }
 
 /// Runs the series in a folder; a finished run of the same scenario is used again, an interrupted one goes on.
-pub fn run_series(experiment: &Experiment, folder: &Path, tell: &(dyn Fn(&str) + Sync)) -> Result<Scenario, RheologyError> {
+pub fn run_series(
+    experiment: &Experiment,
+    folder: &Path,
+    tell: &(dyn Fn(&str) + Sync),
+) -> Result<Scenario, RheologyError> {
     let wrong = |faults| RheologyError::Scenario(Box::new(faults));
     let path = absolute(&experiment.scenario);
     let scenario = Scenario::read(&path, &experiment.set).map_err(wrong)?;
@@ -68,7 +72,10 @@ impl Observer for Watcher<'_> {
         if progress.elapsed - self.told >= REPORT_EVERY {
             self.told = progress.elapsed;
             let rate = progress.steps_here as f64 / progress.elapsed;
-            (self.tell)(&format!("{}, {:.4} s, {rate:.0} steps/s", progress.stage, progress.time));
+            (self.tell)(&format!(
+                "{}, {:.4} s, {rate:.0} steps/s",
+                progress.stage, progress.time
+            ));
         }
         true
     }
