@@ -127,6 +127,7 @@ impl From<RunError> for Failure {
             | RunError::State(_)
             | RunError::Motion { .. }
             | RunError::Deformation { .. }
+            | RunError::WallInTheWay { .. }
             | RunError::OtherTraffic
             | RunError::Feed { .. }
             | RunError::Exchange(_)

@@ -3,6 +3,7 @@
 mod coupled;
 mod gear;
 mod velocity_verlet;
+mod walls;
 
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
@@ -51,7 +52,7 @@ impl Simulation {
         self.sum_and_correct(Moment::Step)?;
         self.note_across();
         self.took(Phase::Sums);
-        self.load_walls();
+        self.load_walls(self.dt);
         self.took(Phase::Walls);
         self.book_step();
         self.took(Phase::Books);
@@ -72,7 +73,7 @@ impl Simulation {
         self.find_contacts(&motion)?;
         self.sum_and_correct(Moment::Start)?;
         self.note_across();
-        self.load_walls();
+        self.load_walls(0.0);
         Ok(())
     }
 
@@ -81,12 +82,6 @@ impl Simulation {
         match self.integrator {
             Integrator::VelocityVerlet => self.drift(),
             Integrator::Gear => self.predict(),
-        }
-    }
-
-    fn move_walls(&mut self) {
-        for wall in &mut self.walls {
-            wall.advance(self.dt);
         }
     }
 
@@ -172,6 +167,7 @@ impl Simulation {
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
             resists_rolling: self.resists_rolling,
+            records_walls: self.records_walls,
             near: None,
             instructions: self.instructions,
             bulge: &[],
@@ -243,13 +239,6 @@ impl Simulation {
             "velocity"
         } else {
             "angular velocity"
-        }
-    }
-
-    fn load_walls(&mut self) {
-        for (index, wall) in self.walls.iter_mut().enumerate() {
-            let (force, torque) = self.contacts.wall_load(index);
-            wall.set_load(force, torque);
         }
     }
 }

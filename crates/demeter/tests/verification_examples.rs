@@ -134,7 +134,7 @@ fn templates_close_their_books_and_restart() {
                 "stage[0].duration=\"30 ms\"".into(),
                 "stage[1].duration=\"60 ms\"".into(),
             ],
-            "silo" => vec![
+            "hopper" => vec![
                 "stage[0].duration=\"30 ms\"".into(),
                 "stage[2].duration=\"60 ms\"".into(),
             ],

@@ -8,8 +8,17 @@
 //!
 //! [`rheology`]: spheres sheared at a constant pressure, from fast to slow: the friction of dense granular flow (Jop, Forterre and
 //! Pouliquen, Nature 441, 727, 2006). `validation/rheology/README.md` tells the results.
+//!
+//! [`bulk`]: laws of bulk solids that every engine must give: Beverloo, Janssen, the angle of repose. `validation/bulk/README.md`
+//! tells the results.
 
+pub mod bulk;
 pub mod dosta;
 mod folder;
 pub mod hydrogel;
 pub mod rheology;
+mod runs;
+mod series;
+
+pub use runs::{Job, JobError, Tell, carry_out_all};
+pub use series::{SeriesError, SeriesTable};

@@ -7,11 +7,10 @@
 )]
 
 use clap::{Parser, Subcommand};
-use demeter_validation::dosta;
 use demeter_validation::hydrogel::{
     Experiment, Results, Standards, TOP_FORCE, ValidationError, find_models, run_models, write_figures, write_table,
 };
-use demeter_validation::rheology;
+use demeter_validation::{bulk, dosta, rheology};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -34,6 +33,8 @@ enum Which {
     Dosta(Dosta),
     /// Spheres sheared at a constant pressure, from fast to slow: the friction of dense granular flow (Jop et al. 2006)
     Rheology(Rheology),
+    /// Laws of bulk solids: Beverloo's discharge, Janssen's floor, an angle of repose that rises with friction
+    Bulk(Bulk),
 }
 
 #[derive(clap::Args)]
@@ -57,6 +58,31 @@ struct Rheology {
     #[arg(long, default_value = "runs/validate-rheology")]
     out: PathBuf,
     /// Replace another run in the folder
+    #[arg(long)]
+    overwrite: bool,
+}
+
+#[derive(clap::Args)]
+struct Bulk {
+    /// Study: beverloo, janssen or repose; all when absent
+    #[arg(long)]
+    study: Option<String>,
+    /// Points in place of those of the study, with commas between
+    #[arg(long, value_delimiter = ',', requires = "study")]
+    points: Vec<f64>,
+    /// Runs at a time, with one thread each
+    #[arg(long, default_value_t = 2)]
+    jobs: usize,
+    /// Folder of the scenarios
+    #[arg(long, default_value = "validation/bulk")]
+    scenarios: PathBuf,
+    /// Changes of the scenario, as `demeter run --set`
+    #[arg(long)]
+    set: Vec<String>,
+    /// Folder of the results; runs go into folders below it
+    #[arg(long, default_value = "runs/validate-bulk")]
+    out: PathBuf,
+    /// Replace other runs in the folders
     #[arg(long)]
     overwrite: bool,
 }
@@ -220,9 +246,31 @@ fn rheology(arguments: &Rheology) -> Result<(), rheology::RheologyError> {
     Ok(())
 }
 
+fn bulk(arguments: &Bulk) -> Result<(), bulk::BulkError> {
+    let studies = match &arguments.study {
+        Some(name) => vec![bulk::find_study(name)?],
+        None => bulk::STUDIES.iter().collect(),
+    };
+    let experiment = bulk::Experiment {
+        scenarios: arguments.scenarios.clone(),
+        points: arguments.points.clone(),
+        set: arguments.set.clone(),
+        jobs: arguments.jobs,
+        overwrite: arguments.overwrite,
+    };
+    for study in studies {
+        let runs = bulk::run_study(&experiment, study, &arguments.out, &|text| eprintln!("{text}"))?;
+        let findings = bulk::find(study, &runs)?;
+        let words = bulk::write_findings(&findings, study, &arguments.out)?;
+        println!("{}: {words}", study.name);
+    }
+    Ok(())
+}
+
 fn main() -> ExitCode {
     let result: Result<(), Box<dyn std::error::Error>> = match Arguments::parse().experiment {
         Which::Hydrogel(arguments) => hydrogel(&arguments).map_err(Into::into),
+        Which::Bulk(arguments) => bulk(&arguments).map_err(Into::into),
         Which::Dosta(arguments) => dosta(&arguments).map_err(Into::into),
         Which::Rheology(arguments) => rheology(&arguments).map_err(Into::into),
     };

@@ -8,6 +8,7 @@
 )]
 
 use demeter::scenario::{FitTask, Match};
+use demeter_validation::JobError;
 use demeter_validation::hydrogel::{
     Experiment, METRICS, Results, Standards, TOP_FORCE, ValidationError, find_models, ranks, run_models, write_figures,
     write_table,
@@ -165,6 +166,9 @@ fn uses_finished_runs_again(folders: &[PathBuf], out: &Path, models: &[demeter_v
         ..small()
     };
     let error = run_models(&other, models, out, 1, &tell).unwrap_err();
-    assert!(matches!(error, ValidationError::OtherRun { .. }), "{error}");
+    assert!(
+        matches!(error, ValidationError::Run(JobError::OtherRun { .. })),
+        "{error}"
+    );
     assert_eq!(written(), before);
 }

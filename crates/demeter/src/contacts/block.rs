@@ -407,14 +407,22 @@ fn sum(values: &[f64]) -> f64 {
 }
 
 /// Runs the laws over the contacts of a block.
-fn run_laws(mut run: Run, tally: &mut Tally) {
+///
+/// `losses`: where to put what every contact loses, by its normal law and by friction; empty where nobody asks.
+fn run_laws(mut run: Run, tally: &mut Tally, losses: &mut [[f64; 2]]) {
     let (law, count) = (run.law, run.count);
     law.normal.visit(NormalPass(&mut run));
     tally.viscous += sum(&run.block.loss[0][..count]);
     tally.plastic += sum(&run.block.loss[1][..count]);
+    for (k, lost) in losses.iter_mut().enumerate() {
+        *lost = [run.block.loss[0][k] + run.block.loss[1][k], 0.0];
+    }
     if let Some(friction) = &law.tangential {
         friction.visit(TangentialPass(&mut run));
         tally.friction += sum(&run.block.loss[0][..count]);
+        for (k, lost) in losses.iter_mut().enumerate() {
+            lost[1] = run.block.loss[0][k];
+        }
     } else {
         run.block.tangential = [[0.0; BLOCK]; 3];
     }
@@ -463,6 +471,10 @@ impl ContactChunk {
 
     /// Evaluates the laws of all contacts with walls, and sums up what the walls feel.
     pub(crate) fn evaluate_walls(&mut self, scene: &Scene) {
+        if scene.records_walls {
+            self.losses.clear();
+            self.losses.resize(self.len(), [0.0; 2]);
+        }
         self.evaluate(scene, |chunk, contacts, block| {
             let (i, j) = (&chunk.i[contacts.clone()], &chunk.j[contacts.clone()]);
             let geometry = &chunk.now.geometry[contacts.clone()];
@@ -480,6 +492,9 @@ impl ContactChunk {
             let load = &mut self.wall_load[self.j[k] as usize];
             load.0 += force;
             load.1 += (point - wall.origin()).cross(force) + torque;
+        }
+        if scene.records_walls {
+            self.mark_walls(scene);
         }
     }
 
@@ -527,7 +542,8 @@ impl ContactChunk {
                 history: &mut self.now.history[contacts.start * scene.stride..contacts.end * scene.stride],
                 stride: scene.stride,
             };
-            run_laws(laws, &mut self.tally);
+            let losses = self.losses.get_mut(contacts.clone()).unwrap_or_default();
+            run_laws(laws, &mut self.tally, losses);
             self.now.normal_force[contacts.clone()].copy_from_slice(&block.force[..length]);
             let write = Write {
                 block: &block,

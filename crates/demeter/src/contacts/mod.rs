@@ -14,6 +14,7 @@ pub mod coupling;
 mod fault;
 mod kinematics;
 pub mod laws;
+mod marks;
 mod meetings;
 pub mod narrow;
 mod near;
@@ -29,7 +30,7 @@ pub use transfer::{CarriedContact, ContactKey};
 pub use crate::neighbours::CHUNK;
 
 use crate::comm::Single;
-use crate::walls::SurfaceContact;
+use crate::walls::{Mark, SurfaceContact};
 use bytemuck::{Pod, Zeroable};
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
@@ -180,6 +181,10 @@ pub struct ContactChunk {
     pub tally: Tally,
     /// Force and torque on every wall (torque about its origin), for chunks of wall contacts.
     pub wall_load: Vec<(DVec3, DVec3)>,
+    /// What every contact lost in this step, by its normal law and by friction [J], and what that did to the walls: where
+    /// walls record it.
+    losses: Vec<[f64; 2]>,
+    pub(crate) marks: Vec<Mark>,
     /// The fault with the lowest id, if any.
     pub fault: Option<Fault>,
     /// Force of the contacts across periodic sides on their first bodies, times the boxes to the image of the second, by
@@ -201,6 +206,7 @@ impl ContactChunk {
         self.rolling.clear();
         self.tally = Tally::default();
         self.wall_load.clear();
+        self.marks.clear();
         self.fault = None;
         self.across = [DVec3::ZERO; 3];
     }

@@ -47,6 +47,8 @@ pub struct Scene<'a> {
     pub stride: usize,
     /// Whether some law resists rolling.
     pub resists_rolling: bool,
+    /// Whether some wall records what contacts do to it.
+    pub records_walls: bool,
     /// How far beyond touching pairs of grains that may act are looked for in this step, where they are [m].
     pub near: Option<f64>,
     /// Instructions to use.
@@ -257,6 +259,9 @@ impl ContactChunk {
             self.now.start.push(self.now.len() as u32);
         }
         (self.touched, self.taken) = (touched, taken);
+        if scene.records_walls {
+            self.mark_ends(pairs, scene);
+        }
         for k in 0..self.before.len() {
             if !self.goes_on[k] {
                 self.book_end(k, scene);
@@ -269,6 +274,7 @@ impl ContactChunk {
         self.coupling.clear();
         self.fault = None;
         self.tally = Tally::default();
+        self.marks.clear();
         self.wall_load.clear();
         self.wall_load.resize(walls, (DVec3::ZERO, DVec3::ZERO));
     }

@@ -158,6 +158,7 @@ fn materials() -> Vec<Material> {
 
 fn from_file(path: &Path) -> Insertion {
     Insertion {
+        fixed: false,
         name: "measured".to_owned(),
         material: 1,
         types: Vec::new(),

@@ -172,7 +172,10 @@ fn make(
         }
         Source::List { positions, diameters } => grains_at(insertion, materials, &listed(positions, diameters)?),
     };
-    add_velocities(insertion, &mut inserted.grains);
+    match insertion.fixed {
+        true => fix(&mut inserted.grains),
+        false => add_velocities(insertion, &mut inserted.grains),
+    }
     Ok(inserted)
 }
 
@@ -195,6 +198,14 @@ fn check_common(insertion: &Insertion, materials: &[Material]) -> Result<(), Ins
     match value.is_finite() && value >= 0.0 {
         true => Ok(()),
         false => Err(InsertionProblem::VelocityDeviation { value }),
+    }
+}
+
+/// Makes grains stay where they are.
+fn fix(grains: &mut [NewGrain]) {
+    for grain in grains {
+        (grain.velocity, grain.angular_velocity) = (DVec3::ZERO, DVec3::ZERO);
+        grain.fixed = true;
     }
 }
 

@@ -20,15 +20,20 @@ pub struct Overlap {
 
 /// Finds the two grains (centre, radius) with the deepest overlap relative to the smaller radius, in linear time. An
 /// overlap of a whole radius or more ends the search at once, as no start that is meant has one: the pair is then one
-/// of the deepest kind, not the deepest. Distances are the shortest ones across the periodic sides of `domain`.
-pub fn first_overlap(grains: &[(DVec3, f64)], domain: Option<&Domain>) -> Option<Overlap> {
+/// of the deepest kind, not the deepest. Distances are the shortest ones across the periodic sides of `domain`. Pairs that
+/// do not count are passed over.
+pub fn first_overlap(
+    grains: &[(DVec3, f64)],
+    domain: Option<&Domain>,
+    counts: impl Fn(usize, usize) -> bool,
+) -> Option<Overlap> {
     let grid = PlaceGrid::holding(domain, grains);
     let mut deepest: Option<Overlap> = None;
     for (i, (_, radius)) in grains.iter().enumerate() {
         let stop = grid.visit_partners(i, 0.0, |near| {
             let sum = radius + near.radius;
             let square = near.difference.length_squared();
-            if square < sum * sum {
+            if square < sum * sum && counts(i, near.index) {
                 let overlap = sum - square.sqrt();
                 let relative = overlap / radius.min(near.radius);
                 if overlap > 0.0 && deepest.is_none_or(|d| relative > d.relative) {
@@ -57,6 +62,10 @@ mod tests {
     use super::*;
     use crate::insertion::random::{Purpose, RandomNumbers};
     use crate::particles::Outside;
+
+    fn any(_: usize, _: usize) -> bool {
+        true
+    }
 
     fn brute_force(grains: &[(DVec3, f64)], domain: Option<&Domain>) -> Option<(usize, usize, f64)> {
         let mut deepest: Option<(usize, usize, f64)> = None;
@@ -93,7 +102,7 @@ mod tests {
                 .collect();
             for domain in [None, Some(&domain)] {
                 let expected = brute_force(&grains, domain);
-                let found = first_overlap(&grains, domain);
+                let found = first_overlap(&grains, domain, any);
                 match (expected, found) {
                     // At a radius or more the search ends early.
                     (Some((_, _, relative)), Some(o)) if relative >= 1.0 => assert!(o.relative >= 1.0),
@@ -118,21 +127,29 @@ mod tests {
             outside: Outside::Stop,
         };
         let touching = [(DVec3::ZERO, 0.5), (DVec3::X, 0.5)];
-        assert_eq!(first_overlap(&touching, None), None);
+        assert_eq!(first_overlap(&touching, None, any), None);
         let across = [(DVec3::new(0.1, 1.0, 1.0), 0.25), (DVec3::new(3.9, 1.0, 1.0), 0.15)];
-        assert_eq!(first_overlap(&across, None), None);
-        let found = first_overlap(&across, Some(&domain)).unwrap();
+        assert_eq!(first_overlap(&across, None, any), None);
+        let found = first_overlap(&across, Some(&domain), any).unwrap();
         assert!((found.overlap - 0.2).abs() < 1e-12 && (found.relative - 0.2 / 0.15).abs() < 1e-12);
+    }
+
+    #[test]
+    fn pairs_that_do_not_count_are_passed_over() {
+        let grains = [(DVec3::ZERO, 0.5), (0.1 * DVec3::X, 0.5), (0.8 * DVec3::X, 0.5)];
+        let found = first_overlap(&grains, None, |i, j| i.max(j) == 2).unwrap();
+        assert_eq!((found.first, found.second), (1, 2));
+        assert_eq!(first_overlap(&grains, None, |_, _| false), None);
     }
 
     #[test]
     fn many_grains_at_one_place_or_spread_over_the_world_do_not_take_long() {
         // A quadratic search would compare 2e10 pairs.
         let heap = vec![(DVec3::ONE, 0.1); 200_000];
-        assert!(first_overlap(&heap, None).unwrap().relative >= 1.0);
+        assert!(first_overlap(&heap, None, any).unwrap().relative >= 1.0);
         let far: Vec<_> = (0..200_000)
             .map(|k| (DVec3::new(1e9, 1e3, 1e-3) * f64::from(k), 1e-6))
             .collect();
-        assert_eq!(first_overlap(&far, None), None);
+        assert_eq!(first_overlap(&far, None, any), None);
     }
 }

@@ -76,9 +76,13 @@ fn grains_that_come_lie_in_the_inlet_and_touch_nothing() {
         let there = [(DVec3::new(0.1, 0.2, 0.3), 0.15), (DVec3::ZERO, 0.1)];
         let all = fill(&source, &there, 1e-3);
         assert!(all.len() > 10, "{inlet:?}: {}", all.len());
-        assert_eq!(first_overlap(&all, None), None);
+        assert_eq!(first_overlap(&all, None, |_, _| true), None);
         let grown: Vec<_> = all.iter().map(|g| (g.0, g.1 + 0.499e-3)).collect();
-        assert_eq!(first_overlap(&grown, None), None, "{inlet:?}: the gap is kept");
+        assert_eq!(
+            first_overlap(&grown, None, |_, _| true),
+            None,
+            "{inlet:?}: the gap is kept"
+        );
         for &(place, radius) in &all[there.len()..] {
             let inside = match inlet {
                 Inlet::Disc {

@@ -15,6 +15,7 @@ fn materials() -> Vec<Material> {
 
 fn insertion(source: Source) -> Insertion {
     Insertion {
+        fixed: false,
         name: "fill".to_owned(),
         material: 0,
         types: Vec::new(),
@@ -63,7 +64,7 @@ fn volume(grains: &[NewGrain]) -> f64 {
 }
 
 fn assert_packed(grains: &[NewGrain], region: &Region, domain: Option<&Domain>) {
-    assert_eq!(first_overlap(&spheres(grains), domain), None);
+    assert_eq!(first_overlap(&spheres(grains), domain, |_, _| true), None);
     let space = Space::new(region, domain).unwrap();
     for grain in grains {
         assert!(space.holds(grain.position, grain.radius), "{grain:?}");
@@ -572,7 +573,7 @@ proptest! {
         });
         for domain in [None, Some(&domain)] {
             if let Ok(made) = insert(&packing, &materials(), &[], domain) {
-                prop_assert_eq!(first_overlap(&spheres(&made.grains), domain), None);
+                prop_assert_eq!(first_overlap(&spheres(&made.grains), domain, |_, _| true), None);
                 let space = Space::new(&region, domain).unwrap();
                 prop_assert!(made.grains.iter().all(|g| space.holds(g.position, g.radius)));
             }

@@ -16,6 +16,7 @@ mod slope;
 mod sphere_in_box;
 mod told;
 mod trace;
+mod wear;
 
 pub use crate::simulation::Energies;
 pub use deforming_box::BOX_COLUMNS;
@@ -32,6 +33,7 @@ pub use slope::{SLOPE_COLUMNS, Slope};
 pub use sphere_in_box::sphere_in_box;
 pub use told::{FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
 pub use trace::{GrainTrace, TRACE_COLUMNS};
+pub use wear::{WEAR_COLUMNS, wear_values};
 
 use crate::contacts::ContactChunk;
 use crate::particles::Grains;
@@ -45,6 +47,8 @@ pub struct WallLoad {
     pub force: DVec3,
     /// Torque of the grains on the wall about the origin of its pose [N m].
     pub torque: DVec3,
+    /// Rate of the work of the wall on the grains [W].
+    pub power: f64,
     /// Displacement of the wall since the start of the run [m].
     pub displacement: DVec3,
     /// Number of contacts with grains that act.
@@ -245,6 +249,7 @@ fn wall_loads(sim: &Simulation) -> Vec<WallLoad> {
             WallLoad {
                 force,
                 torque,
+                power: wall.power(),
                 displacement: wall.displacement(),
                 contacts: 0,
             }

@@ -49,9 +49,17 @@ pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
     let walls = (sim.walls.iter()).map(|wall| {
         let (force, torque) = wall.load();
         let velocity = wall.velocity_at(wall.origin());
+        let triangles = wall.triangles(lower, upper);
+        let records = wall.element_records();
+        let elements = if records.is_empty() {
+            Vec::new()
+        } else {
+            wall.elements_drawn(triangles.len())
+        };
         WallSurface {
             name: &wall.name,
-            triangles: wall.triangles(lower, upper),
+            records: elements.iter().filter_map(|e| records.get(*e).copied()).collect(),
+            triangles,
             force,
             torque,
             velocity,
@@ -74,6 +82,7 @@ fn box_surface(sim: &Simulation) -> WallSurface<'_> {
     }
     WallSurface {
         name: "periodic box",
+        records: Vec::new(),
         triangles,
         force: DVec3::ZERO,
         torque: DVec3::ZERO,

@@ -2,6 +2,7 @@
 
 use crate::materials::Material;
 use crate::particles::Grains;
+use crate::walls::ElementRecord;
 use glam::DVec3;
 
 /// A contact as it is written.
@@ -42,6 +43,8 @@ pub struct WallSurface<'a> {
     pub torque: DVec3,
     /// Velocity of its origin [m/s].
     pub velocity: DVec3,
+    /// What was recorded on the element that every triangle draws; empty where nothing is recorded.
+    pub records: Vec<ElementRecord>,
 }
 
 /// One moment of a run.

@@ -4,7 +4,7 @@ use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
     BOX_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NetworkMeasures, OF_MATERIAL_COLUMNS,
-    REGION_COLUMNS, REMOVAL_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WallLoad,
+    REGION_COLUMNS, REMOVAL_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WEAR_COLUMNS, WallLoad,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -136,9 +136,21 @@ pub const COLUMNS: &[Column<Measures>] = {
             |m| Number(m.energies.rolling_dissipated),
         ),
         column(
+            "wall dissipation",
+            "J",
+            "lost in dampers and at the stops of freely moving walls since the start",
+            |m| Number(m.energies.wall_dissipated),
+        ),
+        column(
+            "free wall energy",
+            "J",
+            "kinetic energy of freely moving walls, with that of their weight and springs since they were set free",
+            |m| Number(m.energies.free_walls),
+        ),
+        column(
             "wall work",
             "J",
-            "work done on the grains by moving walls since the start",
+            "work done by the drives of moving walls since the start: on grains, and on free walls that they catch",
             |m| Number(m.energies.wall_work),
         ),
         column(
@@ -194,6 +206,9 @@ pub const WALL_COLUMNS: &[Column<WallLoad>] = {
         ),
         column("torque y", "N m", "see torque x", |w| Number(w.torque.y)),
         column("torque z", "N m", "see torque x", |w| Number(w.torque.z)),
+        column("power", "W", "rate of the work of the wall on the grains", |w| {
+            Number(w.power)
+        }),
         column("displacement x", "m", "displacement since the start of the run", |w| {
             Number(w.displacement.x)
         }),
@@ -274,7 +289,7 @@ fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
 }
 
 /// Columns behind all others, with what their titles begin with.
-const TOLD: [(&str, &[ToldColumn]); 10] = [
+const TOLD: [(&str, &[ToldColumn]); 11] = [
     ("MEASURE", REGION_COLUMNS),
     ("MEASURE MATERIAL", OF_MATERIAL_COLUMNS),
     ("MEASURE", TRACE_COLUMNS),
@@ -285,6 +300,7 @@ const TOLD: [(&str, &[ToldColumn]); 10] = [
     ("removal NAME", REMOVAL_COLUMNS),
     ("removal NAME MATERIAL", OF_MATERIAL_COLUMNS),
     ("box", BOX_COLUMNS),
+    ("wall NAME", WEAR_COLUMNS),
 ];
 
 /// The table of all columns in Markdown, for the book.

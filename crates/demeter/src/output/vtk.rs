@@ -5,7 +5,7 @@
 //! |---|---|---|
 //! | `grains` | a point at the centre of a grain | `id`, `material`, `radius` and `diameter` [m], `mass` [kg], `velocity` [m/s], `angular_velocity` [1/s], `orientation` (quaternion x, y, z, w), `force` [N], `torque` [N m], `coordination` (contacts that act, walls counted) |
 //! | `contacts` | a point at the contact, of those that act: their normal force is not 0 | `id_i`, `id_j` (0: wall), `wall` (-1: none), `element`, `normal` (towards i), `overlap` [m], `normal_force`, `tangential_force` and their vector sum `force` [N], all on i, `normal_force_magnitude`, `force_magnitude` [N], `rolling_torque` [N m] |
-//! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s] |
+//! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s]; where a wall records loads or wear, of the element (triangle of a mesh, face of a box, else all of the wall) `mean_force` [N], `pressure` and `shear_stress` [Pa], means since the last frame; `impact_energy` and `sliding_energy` [J] and `wear_depth` [m] since the start |
 //!
 //! Every file carries `TimeValue` [s] and `step`; `grains` the names of the materials, `walls` those of the walls.
 
@@ -14,6 +14,7 @@ use super::error::OutputError;
 use super::folder::RunFolder;
 use super::frame::Frame;
 use super::vtp::{Array, Cells, PolyData, Values};
+use crate::walls::ElementRecord;
 use glam::DVec3;
 
 /// Writes frames into the folder of a run.
@@ -143,6 +144,15 @@ fn walls(frame: &Frame) -> PolyData {
             .zip(frame.walls)
             .flat_map(|(index, wall)| wall.triangles.iter().map(move |t| (index, wall, t)))
     };
+    let mut cell_data = vec![
+        Array::new("wall", 1, Values::Int32(cells().map(|(index, _, _)| index).collect())),
+        Array::vectors("force", cells().map(|(_, wall, _)| &wall.force)),
+        Array::vectors("torque", cells().map(|(_, wall, _)| &wall.torque)),
+        Array::vectors("velocity", cells().map(|(_, wall, _)| &wall.velocity)),
+    ];
+    if frame.walls.iter().any(|wall| !wall.records.is_empty()) {
+        cell_data.extend(records(frame));
+    }
     PolyData {
         step: frame.step,
         time: frame.time,
@@ -150,11 +160,24 @@ fn walls(frame: &Frame) -> PolyData {
         points: cells().flat_map(|(_, _, triangle)| *triangle).collect(),
         cells: Cells::Triangles,
         point_data: Vec::new(),
-        cell_data: vec![
-            Array::new("wall", 1, Values::Int32(cells().map(|(index, _, _)| index).collect())),
-            Array::vectors("force", cells().map(|(_, wall, _)| &wall.force)),
-            Array::vectors("torque", cells().map(|(_, wall, _)| &wall.torque)),
-            Array::vectors("velocity", cells().map(|(_, wall, _)| &wall.velocity)),
-        ],
+        cell_data,
     }
+}
+
+/// What was recorded on the elements of walls; 0 on walls that record nothing.
+fn records(frame: &Frame) -> [Array; 6] {
+    let all: Vec<ElementRecord> = (frame.walls.iter())
+        .flat_map(|wall| {
+            (0..wall.triangles.len()).map(|triangle| wall.records.get(triangle).copied().unwrap_or_default())
+        })
+        .collect();
+    let scalars = |name, value: fn(&ElementRecord) -> f64| Array::scalars(name, all.iter().map(value));
+    [
+        Array::vectors("mean_force", all.iter().map(|r| &r.force)),
+        scalars("pressure", |r| r.pressure),
+        scalars("shear_stress", |r| r.shear_stress),
+        scalars("impact_energy", |r| r.impact_energy),
+        scalars("sliding_energy", |r| r.sliding_energy),
+        scalars("wear_depth", |r| r.wear_depth),
+    ]
 }

@@ -3,7 +3,7 @@
 use super::{Diagnostics, FeedRate, FeedSpec, Scenario};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
 use crate::particles::{Domain, Grains};
-use crate::walls::{Motion, SurfaceContact, Wall};
+use crate::walls::{Motion, Motions, SurfaceContact, Wall};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -129,7 +129,9 @@ pub(super) fn check_overlaps(
     let places: Vec<(DVec3, f64)> = grains.position.iter().copied().zip(grains.radii()).collect();
     let advice =
         || Some("move them apart, or raise `simulation.max_overlap` if the packing is meant to be loaded".into());
-    if let Some(pair) = first_overlap(&places, Some(domain)) {
+    // fixed grains that overlap each other are one rough body
+    let may_move = |i: usize, j: usize| !(grains.is_fixed(i) && grains.is_fixed(j));
+    if let Some(pair) = first_overlap(&places, Some(domain), may_move) {
         let (i, j) = (pair.first, pair.second);
         let share = pair.relative;
         let words = format!(
@@ -159,7 +161,7 @@ pub(super) fn check_overlaps(
 fn deepest_in_wall(grains: &Grains, walls: &[Wall]) -> Option<(usize, usize, f64)> {
     let mut deepest: Option<(usize, usize, f64)> = None;
     let mut touched: Vec<SurfaceContact> = Vec::new();
-    for g in 0..grains.len() {
+    for g in (0..grains.len()).filter(|&g| !grains.is_fixed(g)) {
         for (w, wall) in walls.iter().enumerate() {
             touched.clear();
             if wall.near(grains.position[g], grains.radius(g)) {
@@ -212,14 +214,75 @@ pub(super) fn check_wall_speeds(scenario: &Scenario, grains: &Grains, dt: f64, f
     }
 }
 
-/// Largest speed of a motion, where it does not depend on the place [m/s].
-fn linear_speed(motion: &Motion) -> Option<f64> {
-    match motion {
-        Motion::Rest | Motion::Rotation { .. } => None,
-        Motion::Velocity(velocity) => Some(velocity.length()),
+/// Refuses motions that a wall cannot make before any stage has run, and walls that move with one that itself moves with another.
+pub(super) fn check_stage_motions(scenario: &Scenario, faults: &mut Diagnostics) {
+    let mut told = std::collections::BTreeSet::new();
+    let mut leaders: Vec<Option<usize>> = scenario.walls.iter().map(|wall| wall.motion.leader()).collect();
+    let first = (0..leaders.len()).map(|wall| (wall, format!("wall[{wall}].motion")));
+    check_leaders(scenario, &leaders, &first.collect::<Vec<_>>(), faults);
+    for (stage, path) in scenario.stages.iter().zip(&scenario.stage_paths) {
+        // repeats of a stage have one table
+        let is_new = told.insert(path);
+        let mut paths = Vec::new();
+        for (wall, motions) in &stage.motions {
+            let name = scenario.walls.get(*wall).map_or("", |w| w.name.as_str());
+            let path = format!("{path}.motion.{name}");
+            if let (Err(error), true) = (Wall::check_motion(motions), is_new) {
+                faults.push(&path, format!("wall `{name}`: {error}"), None);
+            }
+            if let Some(leader) = leaders.get_mut(*wall) {
+                *leader = motions.leader();
+            }
+            paths.push((*wall, path));
+        }
+        if is_new {
+            check_leaders(scenario, &leaders, &paths, faults);
+        }
+    }
+}
+
+fn check_leaders(scenario: &Scenario, leaders: &[Option<usize>], paths: &[(usize, String)], faults: &mut Diagnostics) {
+    let leader_of = |wall: usize| leaders.get(wall).copied().flatten();
+    for (wall, path) in paths {
+        let follower = (0..leaders.len()).find(|&other| leader_of(other) == Some(*wall));
+        let (follower, middle) = match (leader_of(*wall), follower) {
+            (Some(leader), _) if leader_of(leader).is_some() => (*wall, leader),
+            (Some(_), Some(follower)) => (follower, *wall),
+            _ => continue,
+        };
+        let names = [follower, middle].map(|w| scenario.walls[w].name.as_str());
+        let words = if follower == middle {
+            format!("wall `{}` moves with itself", names[0])
+        } else {
+            format!(
+                "wall `{}` moves with `{}`, which itself moves with another wall",
+                names[0], names[1]
+            )
+        };
+        faults.push(
+            path,
+            words,
+            Some("let all of them move with the one that has a motion of its own".to_string()),
+        );
+    }
+}
+
+/// Upper bound of the speed of all motions that do not depend on the place or on forces [m/s].
+fn linear_speed(motions: &Motions) -> Option<f64> {
+    let speed = |motion: &Motion| match motion {
+        Motion::Velocity(velocity) => velocity.length(),
         Motion::Oscillation {
             amplitude, frequency, ..
-        } => Some(2.0 * PI * frequency * amplitude.length()),
-        Motion::Servo { max_speed, .. } => Some(*max_speed),
-    }
+        } => 2.0 * PI * frequency * amplitude.length(),
+        Motion::Table(table) => table.largest_speed(),
+        Motion::Servo { max_speed, .. } => *max_speed,
+        Motion::Rest
+        | Motion::Rotation { .. }
+        | Motion::Rocking { .. }
+        | Motion::TorqueServo { .. }
+        | Motion::Free(_)
+        | Motion::With(_) => 0.0,
+    };
+    let sum: f64 = motions.parts.iter().map(|part| speed(&part.motion)).sum();
+    (sum > 0.0).then_some(sum)
 }

@@ -67,6 +67,7 @@ fn insertion(table: TableReader<'_>, index: usize, around: &Surroundings<'_>) ->
         .map_or_else(|| format!("grains {}", index + 1), |i| i.label());
     let material = table.required("material", "the material of the grains");
     let material = material.map_or(0, |i| material_index(&i, around.materials));
+    let fixed = fixed(&table);
     let insertion = Insertion {
         name,
         material,
@@ -75,6 +76,7 @@ fn insertion(table: TableReader<'_>, index: usize, around: &Surroundings<'_>) ->
             .optional_quantity("velocity_deviation", velocity, Range::NOT_NEGATIVE)
             .unwrap_or(0.0),
         angular_velocity: table.vector_or_zero("angular_velocity", Kind::AngularVelocity),
+        fixed,
         seed: match table.optional("seed") {
             Some(item) => item.integer(0, i64::MAX) as u64,
             None => around.seed.wrapping_add(index as u64),
@@ -86,6 +88,17 @@ fn insertion(table: TableReader<'_>, index: usize, around: &Surroundings<'_>) ->
         },
     };
     source(table, insertion, around)
+}
+
+/// Whether the grains stay where they are.
+fn fixed(table: &TableReader<'_>) -> bool {
+    let fixed = table.optional("fixed").is_some_and(|item| item.boolean());
+    for key in ["velocity", "velocity_deviation", "angular_velocity"] {
+        if fixed && table.has(key) {
+            table.fault_at(key, "grains that are `fixed` do not move; leave out one of the two");
+        }
+    }
+    fixed
 }
 
 /// Reads what depends on the source and finishes the table.

@@ -11,6 +11,7 @@ mod impact;
 mod materials;
 mod measures;
 mod meshes;
+mod motions;
 mod observed;
 mod overrides;
 mod packing_file;
@@ -166,7 +167,7 @@ impl Scenario {
             base,
             seed,
         };
-        let walls = walls::walls(&table, &around);
+        let walls = walls::walls(&table, &around, simulation.gravity);
         let grains = grains::grains(&table, &around);
         let told = settings::output(&table, &walls);
         let feeds = feeds::feeds(&table, &around, &grains);
@@ -182,6 +183,8 @@ impl Scenario {
             walls: &walls,
             feeds: &feeds,
             removals: &removals,
+            base,
+            gravity: simulation.gravity,
         };
         let protocol = stages::protocol(&table, cast, told.intervals);
         table.finish("the scenario");

@@ -1,7 +1,8 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
 use super::checks::{
-    BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_wall_speeds, expected_of_feed,
+    BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds,
+    expected_of_feed,
 };
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
@@ -173,7 +174,10 @@ fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> (Vec<Wall>, Vec<Optio
     let (mut walls, mut origins) = (Vec::new(), Vec::new());
     for (k, spec) in scenario.walls.iter().enumerate() {
         match wall(spec) {
-            Ok((wall, origin)) => {
+            Ok((mut wall, origin)) => {
+                let absent = scenario.stages.first().and_then(|stage| stage.absent.as_ref());
+                wall.record(scenario.walls[k].recording);
+                wall.set_present(!absent.is_some_and(|absent| absent.contains(&k)));
                 walls.push(wall);
                 origins.push(origin);
             }
@@ -187,27 +191,6 @@ fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> (Vec<Wall>, Vec<Optio
         }
     }
     (walls, origins)
-}
-
-/// Refuses motions that a wall cannot make before any stage has run.
-fn check_stage_motions(scenario: &Scenario, faults: &mut Diagnostics) {
-    let mut told = std::collections::BTreeSet::new();
-    for (stage, path) in scenario.stages.iter().zip(&scenario.stage_paths) {
-        for (wall, motion) in &stage.motions {
-            let Err(error) = Wall::check_motion(motion) else {
-                continue;
-            };
-            let name = scenario.walls.get(*wall).map_or("", |w| w.name.as_str());
-            // repeats of a stage have one table
-            if told.insert((path, name)) {
-                faults.push(
-                    &format!("{path}.motion.{name}"),
-                    format!("wall `{name}`: {error}"),
-                    None,
-                );
-            }
-        }
-    }
 }
 
 /// Builds a wall, or tells the key at fault and why.

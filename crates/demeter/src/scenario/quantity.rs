@@ -22,6 +22,17 @@ pub(super) enum Kind {
     MassRate,
     /// Things per time: `"200 1/s"`.
     NumberRate,
+    /// A torque: `"5 N m"`.
+    Torque,
+    /// A torque per angle: `"2 N m/rad"`.
+    TorsionalStiffness,
+    /// A torque per angular velocity: `"0.1 N m s/rad"`.
+    TorsionalDamping,
+}
+
+/// Dimension of torques times a power of time.
+const fn torque(time: i8) -> Dimension {
+    Dimension::new(1, 2, time)
 }
 
 impl Kind {
@@ -42,6 +53,9 @@ impl Kind {
             Self::Number => quantity.dimension == Dimension::NONE && quantity.angle == 0,
             Self::MassRate => quantity.dimension == Dimension::DAMPING && quantity.angle == 0,
             Self::NumberRate => quantity.dimension == Dimension::FREQUENCY && quantity.angle == 0,
+            Self::Torque => quantity.dimension == torque(-2) && quantity.angle == 0,
+            Self::TorsionalStiffness => quantity.dimension == torque(-2) && [0, -1].contains(&quantity.angle),
+            Self::TorsionalDamping => quantity.dimension == torque(-1) && [0, -1].contains(&quantity.angle),
         }
     }
 
@@ -55,6 +69,9 @@ impl Kind {
             Self::Number => "a pure number".to_string(),
             Self::MassRate => "a mass per time".to_string(),
             Self::NumberRate => "a number per time".to_string(),
+            Self::Torque => "a torque".to_string(),
+            Self::TorsionalStiffness => "a torque per angle".to_string(),
+            Self::TorsionalDamping => "a torque per angular velocity".to_string(),
         }
     }
 
@@ -69,6 +86,9 @@ impl Kind {
             Self::Number => "0.5".to_string(),
             Self::MassRate => "\"0.5 kg/s\"".to_string(),
             Self::NumberRate => "\"200 1/s\"".to_string(),
+            Self::Torque => "\"5 N m\"".to_string(),
+            Self::TorsionalStiffness => "\"2 N m/rad\"".to_string(),
+            Self::TorsionalDamping => "\"0.1 N m s/rad\"".to_string(),
         }
     }
 }
@@ -124,7 +144,7 @@ impl Item<'_> {
         }
         match kind {
             Kind::Number | Kind::Angle => Some((value, written)),
-            Kind::Physical(_) | Kind::AngularVelocity | Kind::MassRate | Kind::NumberRate => {
+            _ => {
                 let message = format!(
                     "`{}` must be {} with a unit, found {written}",
                     self.name,
@@ -202,7 +222,7 @@ impl Item<'_> {
         let part = match kind {
             Kind::Physical(d) => format!("\"1 {}\"", d.unit()),
             Kind::AngularVelocity => "\"1 rad/s\"".to_string(),
-            Kind::Angle | Kind::Number | Kind::MassRate | Kind::NumberRate => "1".to_string(),
+            _ => "1".to_string(),
         };
         self.fault(
             format!("`{}` must be a vector of three components, {found}", self.name),

@@ -255,6 +255,14 @@ impl<'a> TableReader<'a> {
         self.entries.iter().any(|e| e.key == key)
     }
 
+    /// The text of a key when it is there and a text; asking does not make it known.
+    pub fn text_of(&self, key: &str) -> String {
+        match self.entries.iter().find(|e| e.key == key).map(|e| &e.node.value) {
+            Some(Value::String(text)) => text.clone(),
+            _ => String::new(),
+        }
+    }
+
     /// All entries of a table whose keys are names chosen by the user.
     pub fn named(&self) -> Vec<Item<'a>> {
         let pattern = if self.pattern.is_empty() {
@@ -292,6 +300,11 @@ impl<'a> TableReader<'a> {
 
     /// Refuses every key that was not asked for. `place` says what the table is: "a wall of shape `sphere`".
     pub fn finish(self, place: &str) {
+        self.refuse_others(place);
+    }
+
+    /// Refuses every key that was not asked for so far.
+    pub fn refuse_others(&self, place: &str) {
         let asked = self.asked.borrow();
         for entry in self.entries.iter().filter(|e| !asked.contains(&e.key)) {
             let mut known: Vec<&str> = asked.iter().map(String::as_str).collect();

@@ -28,12 +28,31 @@ fn is_section(path: &str, entry: &Entry) -> bool {
     has_header(&entry.node.value) && (path.is_empty() || below_material || nested)
 }
 
+/// A value with the paths of files in it made absolute.
+fn absolute(key: &str, value: &Value, base: &Path) -> Value {
+    match value {
+        Value::String(file) if key == "file" => Value::String(base.join(file).display().to_string()),
+        Value::Table(entries) => {
+            let mut entries = entries.clone();
+            for entry in &mut entries {
+                entry.node.value = absolute(&entry.key, &entry.node.value, base);
+            }
+            Value::Table(entries)
+        }
+        Value::Array(items) => {
+            let mut items = items.clone();
+            for item in &mut items {
+                item.value = absolute("", &item.value, base);
+            }
+            Value::Array(items)
+        }
+        other => other.clone(),
+    }
+}
+
 fn write_table(path: &str, entries: &[Entry], base: &Path, text: &mut String) {
     for entry in entries.iter().filter(|e| !is_section(path, e)) {
-        let value = match &entry.node.value {
-            Value::String(file) if entry.key == "file" => Value::String(base.join(file).display().to_string()).inline(),
-            other => other.inline(),
-        };
+        let value = absolute(&entry.key, &entry.node.value, base).inline();
         text.push_str(&format!("{} = {value}\n", written_key(&entry.key)));
     }
     for entry in entries.iter().filter(|e| is_section(path, e)) {

@@ -3,7 +3,7 @@
 use super::measures::{distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
-use crate::measure::{ContactNetwork, ForceDistribution, Measures, Moment, Profile, box_values, measure};
+use crate::measure::{ContactNetwork, ForceDistribution, Measures, Moment, Profile, box_values, measure, wear_values};
 use crate::output::{DistributionWriter, OutputError, ProfileWriter, RunFolder, SeriesWriter};
 use crate::simulation::Simulation;
 
@@ -79,6 +79,7 @@ impl<'a> Rows<'a> {
         let mut row = measure(sim, moment, self.scenario.output.strain.as_ref());
         row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
         row.told = traffic.values(sim);
+        row.told.extend(wear_values(sim));
         if self.scenario.deforms() {
             row.told.extend(box_values(sim, row.energies.boundary_work));
         }

@@ -9,10 +9,13 @@ use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::checkpoint::{self, Header};
 use crate::contacts::Fault;
-use crate::measure::{Measures, Moment, box_titles, contact_records, kinetic_over_elastic, wall_surfaces};
+use crate::measure::{
+    Measures, Moment, WEAR_COLUMNS, box_titles, contact_records, kinetic_over_elastic, wall_surfaces,
+};
 use crate::output::{Frame, FrameWriter, RunFolder, SeriesLabels, StageSummary, wall_summaries};
 use crate::particles::Domain;
 use crate::simulation::{Phase, Setup, Simulation, SimulationState, Stage, StopCondition, StressOf};
+use crate::walls::Wall;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -362,14 +365,19 @@ impl<'a> Runner<'a> {
         }
         self.sim.mark_strain();
         for (wall, motion) in &stage.motions {
-            self.sim.walls[*wall]
-                .set_motion(motion.clone())
+            (self.sim)
+                .set_wall_motion(*wall, motion.clone())
                 .map_err(|source| RunError::Motion {
                     stage: stage.name.clone(),
                     source,
                 })?;
         }
-        Ok(())
+        let Some(absent) = &stage.absent else { return Ok(()) };
+        let come_and_go = self.sim.set_absent(|wall| absent.contains(&wall));
+        come_and_go.map_err(|source| RunError::WallInTheWay {
+            stage: stage.name.clone(),
+            source: Box::new(source),
+        })
     }
 
     fn end_stage(&mut self, reason: &str) -> Result<(), RunError> {
@@ -454,6 +462,10 @@ impl<'a> Runner<'a> {
                 let found = self.sim.stage_strain()?.1;
                 (found.abs() >= *strain * (1.0 - 1e-12)).then(|| format!("the shear strain of the box is {found:.6}"))
             }
+            StopCondition::MotionDone(wall) => {
+                let wall = &self.sim.walls[*wall];
+                (elapsed > 0 && wall.motion_is_done()).then(|| format!("the motion of wall `{}` is done", wall.name))
+            }
             StopCondition::FeedDone(feed) => {
                 let name = self.scenario.feeds.get(*feed).map_or("", |f| f.name.as_str());
                 self.traffic.is_done(*feed).then(|| format!("feed `{name}` is done"))
@@ -494,6 +506,7 @@ impl<'a> Runner<'a> {
         }
         self.sim.took(Phase::Other);
         self.with_frame(|frames, frame| frames.write(frame))?;
+        self.sim.walls.iter_mut().for_each(Wall::begin_interval);
         self.place.last_frame = Some(self.sim.step);
         self.sim.took(Phase::Output);
         Ok(())
@@ -571,8 +584,18 @@ pub(super) fn labels(scenario: &Scenario) -> SeriesLabels {
 /// Titles of the columns behind all others.
 fn told_titles(scenario: &Scenario) -> Vec<String> {
     let mut titles = Traffic::titles(scenario);
+    titles.extend(wear_titles(scenario));
     if scenario.deforms() {
         titles.extend(box_titles());
     }
     titles
+}
+
+/// Titles of the columns of walls that record their wear.
+fn wear_titles(scenario: &Scenario) -> impl Iterator<Item = String> {
+    let worn = scenario.walls.iter().filter(|wall| wall.recording.wear.is_some());
+    worn.flat_map(|wall| {
+        let name = format!("wall {}", wall.name);
+        WEAR_COLUMNS.iter().map(move |column| column.title(&name))
+    })
 }

@@ -4,7 +4,7 @@ use super::Diagnostics;
 use crate::checkpoint::CheckpointError;
 use crate::insertion::InsertionProblem;
 use crate::output::OutputError;
-use crate::simulation::{DeformationError, ExchangeError, StateError};
+use crate::simulation::{DeformationError, ExchangeError, StateError, WallInTheWay};
 use crate::walls::WallError;
 use demeter_physics::lanes::NoSuchInstructions;
 use std::path::PathBuf;
@@ -45,6 +45,14 @@ pub enum RunError {
         stage: String,
         /// Why.
         source: DeformationError,
+    },
+    /// A wall comes where a grain is.
+    #[error("stage `{stage}`: {source}")]
+    WallInTheWay {
+        /// The stage.
+        stage: String,
+        /// What is in the way.
+        source: Box<WallInTheWay>,
     },
     /// The checkpoint holds other feeds, removals or flows than the scenario tells.
     #[error(

@@ -3,15 +3,18 @@
 use super::deformation::{self, deformation};
 use super::document::{Value, join};
 use super::feeds::{FeedSpec, RemovalSpec, chosen, index_of};
+use super::motions::{Frame, motions};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::settings::{Intervals, cadence, intervals};
-use super::walls::{WallSpec, motion, wall_index};
+use super::walls::{WallSpec, wall_index};
 use crate::simulation::{Cadence, Deformation, Stage, StopCondition};
-use crate::walls::Motion;
+use crate::walls::Motions;
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
+use glam::DVec3;
 use std::collections::BTreeSet;
+use std::path::Path;
 
 /// Most stages after unrolling.
 pub const MAX_STAGES: usize = 10_000;
@@ -34,7 +37,8 @@ enum Content {
     Group(Vec<Told>),
     Single {
         stop: Vec<StopCondition>,
-        motions: Vec<(usize, Motion)>,
+        motions: Vec<(usize, Motions)>,
+        absent: Option<Vec<usize>>,
         feeds: Option<Vec<usize>>,
         removals: Option<Vec<usize>>,
         deformation: Option<Deformation>,
@@ -48,6 +52,10 @@ pub(super) struct Cast<'a> {
     pub walls: &'a [WallSpec],
     pub feeds: &'a [FeedSpec],
     pub removals: &'a [RemovalSpec],
+    /// Folder that relative paths start from.
+    pub base: &'a Path,
+    /// Acceleration of gravity [m/s^2].
+    pub gravity: DVec3,
 }
 
 /// The stages in order, each with the path of the table that told it, and the resolved cadence of the whole run.
@@ -83,6 +91,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
         let Content::Single {
             stop,
             motions,
+            absent,
             feeds,
             removals,
             deformation,
@@ -97,6 +106,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             name,
             stop: stop.clone(),
             motions: motions.clone(),
+            absent: absent.clone(),
             feeds: feeds.clone(),
             removals: removals.clone(),
             deformation: *deformation,
@@ -175,13 +185,21 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
             _ => conditions(&item, cast, &mut stop),
         }
     }
-    let mut motions = Vec::new();
+    let mut told_motions = Vec::new();
     if let Some(told) = table.optional("motion").and_then(|i| i.table()) {
+        let names: Vec<String> = cast.walls.iter().map(|w| w.name.clone()).collect();
+        let frame = Frame {
+            names: &names,
+            base: cast.base,
+            gravity: cast.gravity,
+        };
         for item in told.named() {
-            motions.push((wall_index(&item, &item.name, cast.walls), motion(&item)));
+            told_motions.push((wall_index(&item, &item.name, cast.walls), motions(&item, &frame)));
         }
         told.finish("the motion of a stage");
     }
+    let wall_names = cast.walls.iter().map(|w| w.name.as_str());
+    let absent = table.optional("absent").map(|i| chosen(&i, "wall", wall_names));
     let feed_names = cast.feeds.iter().map(|f| f.name.as_str());
     let feeds = table.optional("feeds").map(|i| chosen(&i, "feed", feed_names));
     let removal_names = cast.removals.iter().map(|r| r.name.as_str());
@@ -196,7 +214,8 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     table.finish("a stage");
     Content::Single {
         stop,
-        motions,
+        motions: told_motions,
+        absent,
         feeds,
         removals,
         deformation,
@@ -250,6 +269,10 @@ fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
         told.finish("the condition strain");
     }
     deformation::conditions(&table, stop);
+    if let Some(item) = table.optional("motion_done") {
+        let names = walls.iter().map(|w| w.name.as_str());
+        stop.extend(index_of(&item, "wall", names).map(StopCondition::MotionDone));
+    }
     if let Some(item) = table.optional("feed_done") {
         let names = cast.feeds.iter().map(|f| f.name.as_str());
         stop.extend(index_of(&item, "feed", names).map(StopCondition::FeedDone));

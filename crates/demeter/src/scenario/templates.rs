@@ -8,9 +8,9 @@ pub const TEMPLATES: &[(&str, &str, &str)] = &[
         include_str!("templates/settle.toml"),
     ),
     (
-        "compress",
-        "a packing is squeezed by a plate and released",
-        include_str!("templates/compress.toml"),
+        "hopper",
+        "grains flow out of a hopper",
+        include_str!("templates/hopper.toml"),
     ),
     (
         "drum",
@@ -18,9 +18,34 @@ pub const TEMPLATES: &[(&str, &str, &str)] = &[
         include_str!("templates/drum.toml"),
     ),
     (
-        "silo",
-        "grains flow out of a hopper",
-        include_str!("templates/silo.toml"),
+        "heap",
+        "a tube is lifted off a heap: the angle of repose",
+        include_str!("templates/heap.toml"),
+    ),
+    (
+        "chute",
+        "grains flow down a rough chute, in a box without ends",
+        include_str!("templates/chute.toml"),
+    ),
+    (
+        "penetration",
+        "a ball falls into a bed of grains",
+        include_str!("templates/penetration.toml"),
+    ),
+    (
+        "uniaxial-compression",
+        "a packing is squeezed by a plate and released",
+        include_str!("templates/uniaxial-compression.toml"),
+    ),
+    (
+        "tablet-press",
+        "a powder is pressed by two punches, relieved and ejected",
+        include_str!("templates/tablet-press.toml"),
+    ),
+    (
+        "shear-cell",
+        "a loaded packing is sheared: the friction of the bulk",
+        include_str!("templates/shear-cell.toml"),
     ),
     (
         "collide",

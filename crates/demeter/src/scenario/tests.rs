@@ -6,7 +6,7 @@ use crate::insertion::{Amount, Basis, LatticeKind, Region, SizeDistribution, Sou
 use crate::measure::{ContactNetwork, ForceDistribution};
 use crate::particles::Outside;
 use crate::simulation::StopCondition;
-use crate::walls::{Motion, Shape, Side};
+use crate::walls::{Motion, Motions, Shape, Side};
 use glam::dvec3;
 use std::f64::consts::PI;
 
@@ -184,9 +184,9 @@ fn walls_and_motions_are_read_as_told() {
         }
         WallShape::Given(shape) => panic!("{shape:?}"),
     }
-    assert_eq!(motion("floor"), Motion::Rest);
-    assert_eq!(motion("lid"), Motion::Velocity(dvec3(0.0, 0.0, -0.005)));
-    match motion("shell") {
+    assert_eq!(motion("floor"), Motions::rest());
+    assert_eq!(motion("lid"), Motion::Velocity(dvec3(0.0, 0.0, -0.005)).into());
+    match motion("shell").parts[0].motion {
         Motion::Rotation {
             point,
             axis,
@@ -195,20 +195,20 @@ fn walls_and_motions_are_read_as_told() {
             assert_eq!((point, axis), (dvec3(0.01, 0.01, 0.0), dvec3(0.0, 0.0, 1.0)));
             assert!((angular_velocity - 2.0 * PI).abs() < 1e-14);
         }
-        other => panic!("{other:?}"),
+        ref other => panic!("{other:?}"),
     }
     let oscillation = Motion::Oscillation {
         amplitude: dvec3(0.0, 0.0, 0.001),
         frequency: 50.0,
         phase: 90.0 * (PI / 180.0),
     };
-    assert_eq!(motion("ball"), oscillation);
+    assert_eq!(motion("ball"), oscillation.into());
     let servo = Motion::Servo {
         axis: dvec3(0.0, 0.0, -1.0),
         force: 0.01,
         max_speed: 0.05,
     };
-    assert_eq!(motion("plate"), servo);
+    assert_eq!(motion("plate"), servo.into());
 }
 
 #[test]
@@ -408,7 +408,7 @@ fn repeats_are_unrolled_with_names_of_their_own() {
     assert_eq!(scenario.stages[1].stop[1], touch);
     assert_eq!(
         scenario.stages[1].motions,
-        [(1, Motion::Velocity(dvec3(0.0, 0.0, -0.05)))]
+        [(1, Motion::Velocity(dvec3(0.0, 0.0, -0.05)).into())]
     );
     assert_eq!(scenario.stages[2].stop, [StopCondition::Steps(1000)]);
     let strain = StopCondition::Strain {

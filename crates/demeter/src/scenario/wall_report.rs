@@ -24,6 +24,7 @@ pub fn inspect_walls(scenario: &Scenario, prepared: &Prepared) -> WallReport {
         .iter()
         .flat_map(|grains| grains.radii())
         .fold(f64::INFINITY, f64::min);
+    let present: Vec<_> = setup.walls.iter().filter(|wall| wall.is_present()).cloned().collect();
     WallReport {
         meshes: setup
             .walls
@@ -31,7 +32,7 @@ pub fn inspect_walls(scenario: &Scenario, prepared: &Prepared) -> WallReport {
             .map(|wall| wall.mesh().map(|m| m.inspect()))
             .collect(),
         leaks: find_openings(&LeakTest {
-            walls: &setup.walls,
+            walls: &present,
             starts: &starts,
             radius: smallest,
             gravity: scenario.simulation.gravity,

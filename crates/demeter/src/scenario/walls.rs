@@ -3,10 +3,11 @@
 use super::document::{Value, join};
 use super::grains::{Surroundings, axis_ends, existing_file};
 use super::materials::material_index;
+use super::motions::{Frame, motions};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
 use super::units;
-use crate::walls::{Motion, Shape, Side};
+use crate::walls::{Motions, Recording, Shape, Side, WearCoefficients};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
@@ -32,8 +33,10 @@ pub struct WallSpec {
     pub closed: bool,
     /// Largest distance of corners of a mesh that are joined [m]; `None`: the rounding of single precision.
     pub weld: Option<f64>,
-    /// Motion from the start of the run.
-    pub motion: Motion,
+    /// Motions from the start of the run.
+    pub motion: Motions,
+    /// What is recorded on every element.
+    pub recording: Recording,
 }
 
 /// Shape of a wall, or the file it is in.
@@ -60,7 +63,7 @@ pub struct MeshFile {
 
 const LENGTH: Kind = Kind::Physical(Dimension::LENGTH);
 
-pub(super) fn walls(root: &TableReader<'_>, around: &Surroundings<'_>) -> Vec<WallSpec> {
+pub(super) fn walls(root: &TableReader<'_>, around: &Surroundings<'_>, gravity: DVec3) -> Vec<WallSpec> {
     let Some(item) = root.optional("wall") else {
         return Vec::new();
     };
@@ -71,10 +74,20 @@ pub(super) fn walls(root: &TableReader<'_>, around: &Surroundings<'_>) -> Vec<Wa
             None,
         );
     }
+    let names: Vec<String> = tables
+        .iter()
+        .take(MAX_WALLS)
+        .map(|table| table.text_of("name"))
+        .collect();
+    let frame = Frame {
+        names: &names,
+        base: around.base,
+        gravity,
+    };
     let mut walls: Vec<WallSpec> = Vec::new();
     for table in tables.into_iter().take(MAX_WALLS) {
         let path = join(&table.path, "name");
-        let wall = wall(table, around);
+        let wall = wall(table, around, &frame);
         if !wall.name.is_empty() && walls.iter().any(|w| w.name == wall.name) {
             item.context
                 .fault(&path, format!("two walls are named `{}`", wall.name), None);
@@ -84,7 +97,7 @@ pub(super) fn walls(root: &TableReader<'_>, around: &Surroundings<'_>) -> Vec<Wa
     walls
 }
 
-fn wall(table: TableReader<'_>, around: &Surroundings<'_>) -> WallSpec {
+fn wall(table: TableReader<'_>, around: &Surroundings<'_>, frame: &Frame<'_>) -> WallSpec {
     let name = table
         .required("name", "the name of the wall")
         .map_or_else(String::new, |i| i.label());
@@ -95,7 +108,10 @@ fn wall(table: TableReader<'_>, around: &Surroundings<'_>) -> WallSpec {
         shape: WallShape::Given(Shape::Mesh { triangles: Vec::new() }),
         closed: false,
         weld: None,
-        motion: table.optional("motion").map_or(Motion::Rest, |i| motion(&i)),
+        motion: table
+            .optional("motion")
+            .map_or_else(Motions::rest, |i| motions(&i, frame)),
+        recording: recording(&table),
     };
     let meaning = "\"plane\", \"box\", \"cylinder\", \"cone\", \"sphere\", \"rectangle\", \"disc\" or \"mesh\"";
     let shape = table.required("shape", meaning);
@@ -133,6 +149,23 @@ fn wall(table: TableReader<'_>, around: &Surroundings<'_>) -> WallSpec {
     };
     table.finish(&format!("a wall of shape \"{}\"", SHAPES[index]));
     wall
+}
+
+fn recording(table: &TableReader<'_>) -> Recording {
+    let per_pressure = Kind::Physical(Dimension::new(-1, 1, 2));
+    let wear = table.optional("wear").and_then(|i| i.table());
+    Recording {
+        stress: table.optional("stress").is_some_and(|i| i.boolean()),
+        wear: wear.map(|wear| {
+            let coefficient = |key| wear.optional_quantity(key, per_pressure, Range::NOT_NEGATIVE);
+            let read = WearCoefficients {
+                sliding: coefficient("sliding").unwrap_or(0.0),
+                impact: coefficient("impact").unwrap_or(0.0),
+            };
+            wear.finish("the wear of a wall");
+            read
+        }),
+    }
 }
 
 const SHAPES: [&str; 8] = [
@@ -307,94 +340,15 @@ fn triangle(item: &Item<'_>) -> [DVec3; 3] {
     [0, 1, 2].map(|k| corners[k].vector(LENGTH))
 }
 
-/// A motion: `"rest"`, or a table with one key that names the kind of motion.
-pub(super) fn motion(item: &Item<'_>) -> Motion {
-    const KINDS: [&str; 4] = ["velocity", "rotation", "oscillation", "servo"];
-    let form = || {
-        let help = "write \"rest\", { velocity = ... }, { rotation = ... }, { oscillation = ... } or { servo = ... }";
-        Some(help.to_string())
-    };
-    if let Value::String(word) = &item.node.value {
-        if word != "rest" {
-            item.fault(format!("unknown motion `{word}`"), form());
-        }
-        return Motion::Rest;
-    }
-    let Some(table) = item.table() else {
-        return Motion::Rest;
-    };
-    let present = table.present(&KINDS);
-    if present.len() != 1 {
-        let given = if present.is_empty() {
-            "none".to_string()
-        } else {
-            present.join(" and ")
-        };
-        item.fault(format!("a motion is of one kind, found {given}"), form());
-    }
-    let mut read = Motion::Rest;
-    for kind in KINDS {
-        if let Some(told) = table.optional(kind) {
-            read = match kind {
-                "velocity" => Motion::Velocity(told.vector(Kind::Physical(Dimension::VELOCITY))),
-                "rotation" => told.table().map_or(Motion::Rest, rotation),
-                "oscillation" => told.table().map_or(Motion::Rest, oscillation),
-                _ => told.table().map_or(Motion::Rest, servo),
-            };
-        }
-    }
-    table.finish("a motion");
-    read
-}
-
-fn rotation(table: TableReader<'_>) -> Motion {
-    let speed = table.required("angular_velocity", "how fast it turns, as \"60 rpm\"");
-    let motion = Motion::Rotation {
-        point: table.point("point", "a point of the axis"),
-        axis: table.direction("axis", "the direction of the axis, as \"z\""),
-        angular_velocity: speed.map_or(f64::NAN, |i| i.quantity(Kind::AngularVelocity, Range::FINITE)),
-    };
-    table.finish("a rotation");
-    motion
-}
-
-fn oscillation(table: TableReader<'_>) -> Motion {
-    let amplitude = table.point("amplitude", "the largest displacement, as [\"0 m\", \"0 m\", \"1 mm\"]");
-    let frequency = Kind::Physical(Dimension::FREQUENCY);
-    let frequency = table.quantity(
-        "frequency",
-        frequency,
-        Range::POSITIVE,
-        "cycles per second, as \"50 Hz\"",
-    );
-    let phase = table
-        .optional_quantity("phase", Kind::Angle, Range::FINITE)
-        .unwrap_or(0.0);
-    table.finish("an oscillation");
-    Motion::Oscillation {
-        amplitude,
-        frequency,
-        phase,
-    }
-}
-
-fn servo(table: TableReader<'_>) -> Motion {
-    let force = Kind::Physical(Dimension::FORCE);
-    let speed = Kind::Physical(Dimension::VELOCITY);
-    let motion = Motion::Servo {
-        axis: table.direction("axis", "the direction in which the wall pushes the grains, as \"-z\""),
-        force: table.quantity("force", force, Range::NOT_NEGATIVE, "the force to hold, as \"5 N\""),
-        max_speed: table.quantity("max_speed", speed, Range::POSITIVE, "the largest speed, as \"10 mm/s\""),
-    };
-    table.finish("a servo");
-    motion
-}
-
 /// Index of the wall that a name tells; notes a fault when there is none.
 pub(super) fn wall_index(item: &Item<'_>, name: &str, walls: &[WallSpec]) -> usize {
-    walls.iter().position(|w| w.name == name).unwrap_or_else(|| {
-        let known = walls.iter().map(|w| w.name.as_str());
-        item.fault(format!("there is no wall named `{name}`"), suggest_or_list(name, known));
+    index_of_name(item, name, walls.iter().map(|w| w.name.as_str()))
+}
+
+/// Index of the wall of a name among those that there are; notes a fault when there is none.
+pub(super) fn index_of_name<'a>(item: &Item<'_>, name: &str, names: impl Iterator<Item = &'a str> + Clone) -> usize {
+    names.clone().position(|known| known == name).unwrap_or_else(|| {
+        item.fault(format!("there is no wall named `{name}`"), suggest_or_list(name, names));
         0
     })
 }

@@ -3,6 +3,7 @@
 use super::Simulation;
 use crate::contacts::laws::{normal_energy, spring_energies};
 use crate::contacts::{ContactChunk, Tally};
+use crate::walls::{FreeStep, Wall};
 use demeter_physics::contact::PairSize;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -30,7 +31,11 @@ pub struct Energies {
     pub friction_dissipated: f64,
     /// Dissipated by rolling resistance since the start.
     pub rolling_dissipated: f64,
-    /// Work done on the grains by moving walls since the start.
+    /// Kinetic energy of freely moving walls, with that of their weight and springs.
+    pub free_walls: f64,
+    /// Lost in dampers and at the stops of freely moving walls since the start.
+    pub wall_dissipated: f64,
+    /// Work done by the drives of moving walls since the start: on the grains, and on walls that were set free or caught.
     pub wall_work: f64,
     /// Work done on the grains by a box that deforms since the start: by contacts across its sides, by the grains that pass
     /// them, and by the affine flow.
@@ -51,12 +56,16 @@ pub struct Energies {
 impl Energies {
     /// What is there now: kinetic, gravitational and stored [J].
     pub fn present(&self) -> f64 {
-        self.kinetic + self.rotational + self.gravitational + self.elastic + self.tangential + self.rolling
+        let grains =
+            self.kinetic + self.rotational + self.gravitational + self.elastic + self.tangential + self.rolling;
+        grains + self.free_walls
     }
 
     /// What was dissipated since the start [J].
     pub fn dissipated(&self) -> f64 {
-        self.viscous_dissipated + self.plastic_dissipated + self.friction_dissipated + self.rolling_dissipated
+        let contacts =
+            self.viscous_dissipated + self.plastic_dissipated + self.friction_dissipated + self.rolling_dissipated;
+        contacts + self.wall_dissipated
     }
 }
 
@@ -73,6 +82,10 @@ pub struct Books {
     boundary: f64,
     /// Sum of the magnitudes of the work of contacts across its sides and of the kinetic stress [J].
     boundary_throughput: f64,
+    /// Lost in dampers and at the stops of freely moving walls [J].
+    wall_dissipated: f64,
+    /// Largest kinetic energy of the freely moving walls [J].
+    highest_wall_kinetic: f64,
     /// Energy at the start [J].
     initial: f64,
     /// Energy at the start without the gravitational part, whose zero is arbitrary [J].
@@ -134,6 +147,24 @@ impl Books {
         self.boundary_throughput += work.abs();
     }
 
+    /// Books what freely moving walls did in a step of `dt` [s].
+    pub(crate) fn book_free_walls(&mut self, step: &FreeStep, dt: f64) {
+        self.wall_throughput += (step.power * dt).abs();
+        self.wall_dissipated += step.dissipated;
+        self.highest_wall_kinetic = self.highest_wall_kinetic.max(step.kinetic);
+    }
+
+    /// Books what a drive did on walls that were set free or caught.
+    pub(crate) fn drive_walls(&mut self, work: f64) {
+        self.done.wall_work += work;
+        self.wall_throughput += work.abs();
+    }
+
+    /// Books what was stored in contacts with walls that are taken away.
+    pub(crate) fn take_wall_away(&mut self, stored: f64) {
+        self.removed += stored;
+    }
+
     /// Books the removal of grains that carried these energies.
     pub(crate) fn remove(&mut self, grains: u64, gone: &Energies) {
         self.removed_grains += grains;
@@ -161,6 +192,7 @@ impl Books {
         now.rolling_dissipated = self.done.rolling;
         now.wall_work = self.done.wall_work;
         now.boundary_work = self.boundary;
+        now.wall_dissipated = self.wall_dissipated;
         now.multi_contact_input = self.done.multi_contact;
         now.inserted = self.inserted;
         now.removed = self.removed;
@@ -172,6 +204,7 @@ impl Books {
         let passed = self.initial_throughput
             + self.wall_throughput
             + self.boundary_throughput
+            + self.highest_wall_kinetic
             + (self.initial_gravitational - self.lowest_gravitational)
             - self.lowest_elastic
             + self.inserted_throughput;
@@ -196,8 +229,16 @@ struct Stored {
 
 impl Simulation {
     pub(crate) fn book_step(&mut self) {
-        let tally = self.contacts.tally();
+        let tally = self.step_tally();
         self.books.book(tally);
+        self.books.book_free_walls(&self.free_walls, self.dt);
+    }
+
+    /// Work of this step. What the grains do on freely moving walls passes from them to these: no drive does it.
+    pub(crate) fn step_tally(&self) -> Tally {
+        let mut tally = self.contacts.tally();
+        tally.wall_work += self.free_walls.power * self.dt;
+        tally
     }
 
     /// Energies at this moment with the books since the start.
@@ -208,7 +249,11 @@ impl Simulation {
 
     /// Kinetic, gravitational and stored energies at this moment.
     pub(crate) fn mechanical_energies(&self) -> Energies {
-        self.energies_of(|_| true)
+        let free_walls = self.walls.iter().map(Wall::energy).sum();
+        Energies {
+            free_walls,
+            ..self.energies_of(|_| true)
+        }
     }
 
     /// Energies of some grains and of the contacts that they are in.
@@ -248,20 +293,42 @@ impl Simulation {
             if !counts(chunk.i[k] as usize) && (wall || !counts(chunk.j[k] as usize)) {
                 continue;
             }
-            let law = self.materials.law(chunk.law());
-            let size = self.pair_size(chunk.i[k] as usize, (!wall).then(|| chunk.j[k] as usize));
-            let history = chunk.history(k, self.contacts.stride);
-            let overlap = self.contact(chunk, k).overlap;
-            let mut normal = normal_energy(law, size, overlap, history);
-            if let Some(coupled) = chunk.coupling().get(k) {
-                let undisplaced = normal_energy(law, size, overlap - coupled.sum(), history);
-                normal -= 0.5 * coupled.elastic * coupled.sum();
-                sum.multi_contact += normal - undisplaced;
+            let part = self.stored_in(chunk, k, wall);
+            sum.normal += part.normal;
+            sum.tangential += part.tangential;
+            sum.rolling += part.rolling;
+            sum.multi_contact += part.multi_contact;
+        }
+        sum
+    }
+
+    /// Energies stored in one contact.
+    fn stored_in(&self, chunk: &ContactChunk, k: usize, wall: bool) -> Stored {
+        let law = self.materials.law(chunk.law());
+        let size = self.pair_size(chunk.i[k] as usize, (!wall).then(|| chunk.j[k] as usize));
+        let history = chunk.history(k, self.contacts.stride);
+        let overlap = self.contact(chunk, k).overlap;
+        let mut stored = Stored {
+            normal: normal_energy(law, size, overlap, history),
+            ..Stored::default()
+        };
+        if let Some(coupled) = chunk.coupling().get(k) {
+            let undisplaced = normal_energy(law, size, overlap - coupled.sum(), history);
+            stored.normal -= 0.5 * coupled.elastic * coupled.sum();
+            stored.multi_contact = stored.normal - undisplaced;
+        }
+        (stored.tangential, stored.rolling) = spring_energies(law, history);
+        stored
+    }
+
+    /// Energy stored in the contacts with some walls [J].
+    pub(super) fn stored_at_walls(&self, walls: &[usize]) -> f64 {
+        let mut sum = 0.0;
+        for chunk in &self.contacts.walls {
+            for k in (0..chunk.len()).filter(|&k| walls.contains(&(chunk.j[k] as usize))) {
+                let stored = self.stored_in(chunk, k, true);
+                sum += stored.normal + stored.tangential + stored.rolling;
             }
-            sum.normal += normal;
-            let (tangential, rolling) = spring_energies(law, history);
-            sum.tangential += tangential;
-            sum.rolling += rolling;
         }
         sum
     }

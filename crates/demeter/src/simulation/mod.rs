@@ -2,6 +2,7 @@
 
 mod deformation;
 mod deforming_box;
+mod equipment;
 mod exchange;
 mod ledger;
 pub(crate) mod profile;
@@ -16,6 +17,7 @@ mod time_step;
 pub use crate::step::Effort;
 pub use deformation::{Deformation, DeformationError, Drive, Misfit, Shear};
 pub use deforming_box::BoxState;
+pub use equipment::WallInTheWay;
 pub use exchange::ExchangeError;
 pub use ledger::{Books, Energies};
 pub use profile::{Phase, PhaseTime, ProfileReport};
@@ -37,7 +39,7 @@ use crate::materials::Materials;
 use crate::neighbours::{Neighbours, SpatialOrder};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::CouplingState;
-use crate::walls::{Pose, Wall};
+use crate::walls::{FreeStep, Pose, Wall};
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::Instructions;
@@ -106,6 +108,8 @@ pub struct Simulation {
     /// `None` where the box keeps its shape.
     pub(crate) deforming: Option<Box<DeformingBox>>,
     pub(crate) resists_rolling: bool,
+    /// Whether some wall records what contacts do to it.
+    pub(crate) records_walls: bool,
     pub(crate) instructions: Instructions,
     /// `None` where nobody asked where the time goes.
     pub(crate) profile: Option<Box<profile::Profile>>,
@@ -119,6 +123,8 @@ pub struct Simulation {
     bounds: (DVec3, DVec3),
     /// Places of the walls one step before.
     walls_before: Vec<Pose>,
+    /// What all freely moving walls did in the latest step.
+    pub(crate) free_walls: FreeStep,
     started: bool,
 }
 
@@ -127,6 +133,7 @@ impl Simulation {
     pub fn new(mut setup: Setup) -> Self {
         let stride = laws::stride(&setup.materials);
         let resists_rolling = laws::resists_rolling(&setup.materials);
+        let records_walls = setup.walls.iter().any(Wall::is_recorded);
         let remembered = match setup.integrator {
             Integrator::VelocityVerlet => 0,
             Integrator::Gear => setup.grains.len(),
@@ -167,12 +174,14 @@ impl Simulation {
             sums: Sums::default(),
             deforming: None,
             resists_rolling,
+            records_walls,
             instructions: Instructions::widest(),
             profile: None,
             order: SpatialOrder::default(),
             scattered_in_order: 0.0,
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
+            free_walls: FreeStep::default(),
             started: false,
         }
     }
@@ -187,7 +196,8 @@ impl Simulation {
         if !self.started {
             self.find_first_forces()?;
             let energies = self.mechanical_energies();
-            self.books.open(&energies, self.contacts.tally());
+            let tally = self.step_tally();
+            self.books.open(&energies, tally);
             self.started = true;
         }
         Ok(())

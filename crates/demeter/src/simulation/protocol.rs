@@ -1,7 +1,7 @@
 //! The protocol of a run: stages in order, each with its own wall motion, output cadence and end.
 
 use super::deformation::Deformation;
-use crate::walls::Motion;
+use crate::walls::Motions;
 use serde::{Deserialize, Serialize};
 
 /// When a stage ends. A stage ends at the first of its conditions that holds.
@@ -57,6 +57,8 @@ pub enum StopCondition {
     },
     /// The shear of a box since the start of the stage reaches a magnitude.
     ShearStrain(f64),
+    /// All motions of a wall, told by its index, have stopped for good, or their tables have come to their ends.
+    MotionDone(usize),
     /// A feed, told by its index, has come to its end.
     FeedDone(usize),
     /// So many grains are left, or fewer.
@@ -91,7 +93,9 @@ pub struct Stage {
     /// Ends of the stage; the first that holds ends it. At least one is a duration or a number of steps.
     pub stop: Vec<StopCondition>,
     /// Motions told to walls at the start of the stage; walls not named keep theirs.
-    pub motions: Vec<(usize, Motion)>,
+    pub motions: Vec<(usize, Motions)>,
+    /// Walls that are absent from the start of the stage on, by their indices; those of the stage before when absent itself.
+    pub absent: Option<Vec<usize>>,
     /// Feeds that run from the start of the stage on, by their indices; those of the stage before when absent.
     pub feeds: Option<Vec<usize>>,
     /// Removals that act from the start of the stage on, by their indices; those of the stage before when absent.

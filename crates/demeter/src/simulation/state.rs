@@ -150,7 +150,9 @@ impl Simulation {
             ..setup
         });
         for (wall, state) in sim.walls.iter_mut().zip(&state.walls) {
-            wall.restore(state);
+            if !wall.restore(state) {
+                return Err(StateError::Inconsistent("the record of a wall"));
+            }
         }
         sim.started = true;
         sim.step = state.step;

@@ -247,6 +247,7 @@ impl Simulation {
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
             resists_rolling: self.resists_rolling,
+            records_walls: self.records_walls,
             near: None,
             instructions: self.instructions,
             bulge: &state.memory.bulge,

@@ -65,6 +65,60 @@ pub enum WallError {
     /// Both radii of a cone are 0.
     #[error("both radii of the cone are 0; at least one must be positive")]
     NoRadius,
+    /// Too many motions of one wall.
+    #[error(
+        "{count} motions of one wall are too many; at most {} add up",
+        super::motion_checks::MAX_PARTS
+    )]
+    Parts {
+        /// Their number.
+        count: usize,
+    },
+    /// A free motion behind others.
+    #[error(
+        "a motion that is free is not the first of those that add up; tell `free` or `hinge` first: the others are carried by it"
+    )]
+    FreeNotFirst,
+    /// A wall that moves with another one and has motions of its own.
+    #[error("a wall that moves `with` another has no other motion; tell that one to the wall it moves with")]
+    WithOthers,
+    /// A start or stop of a motion that is not prescribed.
+    #[error(
+        "`start_over`, `stop_after` and `stop_over` belong to motions that are prescribed, not to servos and free walls"
+    )]
+    PaceOfForce,
+    /// A motion that is to stop before it has its full speed.
+    #[error(
+        "the motion begins to stop after {stop_after} s, before it has its full speed after {start_over} s; stop it later or start it faster"
+    )]
+    StopsBeforeStart {
+        /// Time after which it begins to stop [s].
+        stop_after: f64,
+        /// Time of starting [s].
+        start_over: f64,
+    },
+    /// The stops of a free wall do not enclose its start.
+    #[error(
+        "the stops of the free wall are at {lower} and {upper}; the first must be lower, and 0, where the wall stands at first, between them"
+    )]
+    Stops {
+        /// Lower stop [m or rad].
+        lower: f64,
+        /// Upper stop [m or rad].
+        upper: f64,
+    },
+    /// A table of motion has too few or too many rows.
+    #[error(
+        "the table of motion has {rows} rows; from 2 to {} are allowed",
+        super::motion_table::MAX_TABLE_ROWS
+    )]
+    TableRows {
+        /// Their number.
+        rows: usize,
+    },
+    /// Times of a table of motion do not rise from 0 on, or a number is not finite.
+    #[error("the times of the table of motion must rise from row to row, from 0 on, and all values must be finite")]
+    TableOrder,
     /// The mesh is not usable.
     #[error(transparent)]
     Mesh(#[from] MeshError),

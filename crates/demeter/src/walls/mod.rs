@@ -1,17 +1,26 @@
 //! Walls: shapes, motion, and what they feel.
 //!
-//! A [`Wall`] is built from a [`Shape`] and a [`Motion`]. Its shape never changes: it stays in the *wall frame*, the frame
+//! A [`Wall`] is built from a [`Shape`] and its [`Motions`]. Its shape never changes: it stays in the *wall frame*, the frame
 //! in which it was described, and a [`Pose`] carries it through the world. [`Wall::contacts`] is what the engine asks for
 //! each grain; [`Wall::advance`] moves the wall by one step.
 
+mod elements;
 mod error;
+mod free;
 pub mod leak;
+mod limits;
 pub mod mesh;
 mod mesh_file;
 mod motion;
+mod motion_checks;
+mod motion_file;
+mod motion_table;
 mod motor;
+mod movement;
 mod outline;
+mod pace;
 mod pose;
+mod record;
 mod servo;
 mod shape;
 mod surface;
@@ -20,8 +29,15 @@ mod wall;
 pub use error::WallError;
 pub use mesh::{Mesh, MeshError};
 pub use mesh_file::{MeshFileContent, MeshFileError, MeshFormat, read_mesh};
-pub use motion::Motion;
+pub use motion::{FreeMotion, Freedom, Motion, MotionPart, Motions};
+pub use motion_checks::MAX_PARTS;
+pub use motion_file::{MotionFile, MotionFileError, MotionFileProblem, read_motion_file};
+pub use motion_table::{AtEnd, Interpolation, MAX_TABLE_ROWS, MotionTable, TableRows};
+pub use motor::FreeStep;
+pub use pace::Pace;
 pub use pose::Pose;
+pub(crate) use record::Mark;
+pub use record::{ElementRecord, Recording, WearCoefficients};
 pub(crate) use servo::Servo;
 pub use shape::{Shape, Side};
 pub use wall::{SurfaceContact, Wall, WallState};

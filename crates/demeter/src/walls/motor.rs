@@ -1,11 +1,12 @@
-//! Moves a wall: evaluates its motion at the time of its own clock.
+//! Moves a wall: evaluates its motions at the time of its own clock.
 
-use super::motion::Motion;
-use super::pose::{Pose, rotation_about};
+use super::free::FreeBody;
+use super::motion::{Freedom, Motion, MotionPart, Motions};
+use super::movement::{Carried, Movement};
+use super::pose::Pose;
 use super::servo::Servo;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::TAU;
 
 /// Time since the motion was told, as a count of equal steps, so that no rounding gathers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -35,183 +36,258 @@ impl Clock {
     }
 }
 
-/// A motion, its clock, where it began and where it has come.
+/// What moves a part.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+enum Drive {
+    /// The clock.
+    Clock,
+    /// A controller of the force or torque; the way or angle since the start and its rate.
+    Servo { servo: Servo, way: f64, speed: f64 },
+    /// The load itself.
+    Free(FreeBody),
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Part {
+    told: MotionPart,
+    drive: Drive,
+}
+
+impl Part {
+    fn new(told: MotionPart) -> Self {
+        let servo = |target, max_speed| Drive::Servo {
+            servo: Servo::new(target, max_speed),
+            way: 0.0,
+            speed: 0.0,
+        };
+        let drive = match told.motion {
+            Motion::Servo { force, max_speed, .. } => servo(force, max_speed),
+            Motion::TorqueServo { torque, max_speed, .. } => servo(torque, max_speed),
+            Motion::Free(free) => Drive::Free(FreeBody::new(free)),
+            _ => Drive::Clock,
+        };
+        Part { told, drive }
+    }
+
+    fn movement(&self, time: f64) -> Movement {
+        let (way, speed) = match &self.drive {
+            Drive::Clock => {
+                let (own, rate) = self.told.pace.own_time(time);
+                return Movement::prescribed(&self.told.motion, own, rate);
+            }
+            Drive::Servo { way, speed, .. } => (*way, *speed),
+            Drive::Free(body) => (body.coordinate, body.speed),
+        };
+        match self.joint() {
+            Some(Joint::Along(axis)) => Movement::along(axis, way, speed),
+            Some(Joint::About(point, axis)) => Movement::about(point, axis, way, speed),
+            None => Movement::default(),
+        }
+    }
+
+    /// The axis of a motion that follows forces.
+    fn joint(&self) -> Option<Joint> {
+        match &self.told.motion {
+            Motion::Servo { axis, .. } => Some(Joint::Along(*axis)),
+            Motion::TorqueServo { point, axis, .. } => Some(Joint::About(*point, *axis)),
+            Motion::Free(free) => Some(match free.freedom {
+                Freedom::Slide { axis } => Joint::Along(axis),
+                Freedom::Hinge { point, axis, .. } => Joint::About(point, axis),
+            }),
+            _ => None,
+        }
+    }
+}
+
+/// Along or about what a wall follows a force or a torque.
+enum Joint {
+    Along(DVec3),
+    About(DVec3, DVec3),
+}
+
+/// What a freely moving wall did in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FreeStep {
+    /// Power of the grains' load on the free motion [W].
+    pub power: f64,
+    /// Lost in its damper and at its stops in the step [J].
+    pub dissipated: f64,
+    /// Kinetic energy [J].
+    pub kinetic: f64,
+}
+
+/// Motions, their clock, where they began and where they have come.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Motor {
-    motion: Motion,
+    parts: Vec<Part>,
     clock: Clock,
     began: Pose,
+    /// Where the wall that this one moves with stood when the motion was told.
+    leader_began: Pose,
     pub(super) pose: Pose,
     /// Velocity of the origin [m/s].
     pub(super) velocity: DVec3,
     /// Angular velocity [1/s].
     pub(super) angular_velocity: DVec3,
-    servo: Option<Servo>,
+    /// Force of the grains on this wall and on those that move with it [N], and torque about its origin [N m].
+    load: (DVec3, DVec3),
 }
 
 impl Motor {
-    /// Begins a motion at a pose. `origin` is the wall's origin in the wall frame.
-    pub(super) fn new(motion: Motion, pose: Pose, origin: DVec3) -> Self {
-        let servo = match motion {
-            Motion::Servo { force, max_speed, .. } => Some(Servo::new(force, max_speed)),
-            _ => None,
-        };
+    /// Begins motions at a pose. `origin` is the wall's origin in the wall frame; `leader` where the wall stands that this
+    /// one moves with, if any.
+    pub(super) fn new(motions: Motions, pose: Pose, leader: Pose, origin: DVec3) -> Self {
         let mut motor = Motor {
-            motion,
+            parts: motions.parts.into_iter().map(Part::new).collect(),
             clock: Clock::default(),
             began: pose,
+            leader_began: leader,
             pose,
             velocity: DVec3::ZERO,
             angular_velocity: DVec3::ZERO,
-            servo,
+            load: (DVec3::ZERO, DVec3::ZERO),
         };
         motor.evaluate(origin);
         motor
     }
 
-    /// Moves by one step; `load` is the force of the grains on the wall in the last step [N].
-    pub(super) fn advance(&mut self, dt: f64, load: DVec3, origin: DVec3) {
-        self.clock.advance(dt);
-        if let (Motion::Servo { axis, .. }, Some(servo)) = (&self.motion, &mut self.servo) {
-            self.velocity = *axis * servo.speed(-load.dot(*axis));
-            self.pose.translation += self.velocity * dt;
-        } else {
-            self.evaluate(origin);
+    /// The wall that this one moves with, if any.
+    pub(super) fn leader(&self) -> Option<usize> {
+        match self.parts.first()?.told.motion {
+            Motion::With(wall) => Some(wall),
+            _ => None,
         }
     }
 
-    /// Pose and velocity of a prescribed motion at the time of the clock.
-    fn evaluate(&mut self, origin: DVec3) {
-        let time = self.clock.time();
-        let began = self.began.translation;
-        match &self.motion {
-            Motion::Rest | Motion::Servo { .. } => {}
-            Motion::Velocity(velocity) => {
-                self.velocity = *velocity;
-                self.pose.translation = began + *velocity * time;
-            }
-            Motion::Oscillation {
-                amplitude,
-                frequency,
-                phase,
-            } => {
-                let pulsation = TAU * frequency;
-                let angle = pulsation * time + phase;
-                self.velocity = *amplitude * (pulsation * libm::cos(angle));
-                self.pose.translation = began + *amplitude * (libm::sin(angle) - libm::sin(*phase));
-            }
-            Motion::Rotation {
-                point,
-                axis,
-                angular_velocity,
-            } => {
-                self.angular_velocity = *axis * *angular_velocity;
-                let arm = origin + began - *point;
-                if *angular_velocity != 0.0 && time != 0.0 {
-                    let turned = rotation_about(*axis, angular_velocity * time);
-                    self.pose.rotation = turned * self.began.rotation;
-                    self.pose.translation = began + (turned * arm - arm);
+    /// Moves by one step, under the load of the last one.
+    pub(super) fn advance(&mut self, dt: f64, origin: DVec3) {
+        for k in 0..self.parts.len() {
+            let effort = self.effort(k, origin);
+            match &mut self.parts[k].drive {
+                Drive::Clock => {}
+                Drive::Servo { servo, way, speed } => {
+                    *speed = servo.speed(-effort);
+                    *way += *speed * dt;
                 }
-                let arm_now = origin + self.pose.translation - *point;
-                self.velocity = self.angular_velocity.cross(arm_now);
+                Drive::Free(body) => body.advance(dt),
             }
         }
+        self.clock.advance(dt);
+        self.evaluate(origin);
+    }
+
+    /// Takes the load of the grains in this step: force [N] and torque about the origin [N m].
+    pub(super) fn bear(&mut self, load: (DVec3, DVec3)) {
+        self.load = load;
+    }
+
+    /// The load that the wall bears.
+    pub(super) fn load(&self) -> (DVec3, DVec3) {
+        self.load
+    }
+
+    /// Completes the step of a freely moving wall; tells what it did.
+    pub(super) fn settle(&mut self, origin: DVec3) -> Option<FreeStep> {
+        // a free motion is always the first
+        let effort = match self.parts.first()?.drive {
+            Drive::Free(_) => self.effort(0, origin),
+            _ => return None,
+        };
+        let Drive::Free(body) = &mut self.parts.first_mut()?.drive else {
+            return None;
+        };
+        let predicted = body.speed;
+        body.settle(effort);
+        let step = FreeStep {
+            power: effort * predicted,
+            dissipated: body.dissipated(),
+            kinetic: body.kinetic(),
+        };
+        self.evaluate(origin);
+        Some(step)
+    }
+
+    /// Energy of a freely moving wall [J].
+    pub(super) fn energy(&self) -> f64 {
+        match self.parts.first().map(|part| &part.drive) {
+            Some(Drive::Free(body)) => body.energy(),
+            _ => 0.0,
+        }
+    }
+
+    /// Whether all motions have stopped for good, or tables have come to their ends.
+    pub(super) fn is_done(&self) -> bool {
+        let time = self.clock.time();
+        self.parts.iter().all(|part| match (&part.told.motion, &part.drive) {
+            (Motion::Table(table), _) => {
+                let (own, rate) = part.told.pace.own_time(time);
+                table.is_over(own) || rate == 0.0 && part.told.pace.is_over(time)
+            }
+            (_, Drive::Clock) => part.told.pace.is_over(time),
+            _ => false,
+        })
+    }
+
+    /// Moves as one body with another wall, whose origin in its frame is `its_origin`.
+    pub(super) fn follow(&mut self, leader: &Motor, its_origin: DVec3, origin: DVec3) {
+        let (then, now) = (self.leader_began, leader.pose);
+        if then == now {
+            self.pose = self.began;
+        } else {
+            let point = origin + self.began.translation - its_origin - then.translation;
+            if then.rotation == now.rotation {
+                self.pose.rotation = self.began.rotation;
+                self.pose.translation = self.began.translation + (now.translation - then.translation);
+            } else {
+                let turned = now.rotation * then.rotation.conjugate();
+                self.pose.rotation = turned * self.began.rotation;
+                self.pose.translation = its_origin + now.translation + turned * point - origin;
+            }
+        }
+        let arm = origin + self.pose.translation - its_origin - now.translation;
+        self.angular_velocity = leader.angular_velocity;
+        self.velocity = leader.velocity + leader.angular_velocity.cross(arm);
+    }
+
+    /// Load along or about the axis of a part that follows forces, as the parts before it carry that axis now.
+    fn effort(&self, part: usize, origin: DVec3) -> f64 {
+        let carried = |axis: (DVec3, DVec3)| {
+            let time = self.clock.time();
+            let before = self.parts[..part].iter().rev();
+            before.fold(axis, |axis, part| part.movement(time).carry_axis(axis))
+        };
+        let (force, torque) = self.load;
+        match self.parts[part].joint() {
+            None => 0.0,
+            Some(Joint::Along(axis)) => force.dot(carried((DVec3::ZERO, axis)).1),
+            Some(Joint::About(point, axis)) => {
+                let (point, axis) = carried((point, axis));
+                let arm = origin + self.pose.translation - point;
+                axis.dot(torque + arm.cross(force))
+            }
+        }
+    }
+
+    /// Pose and velocity at the time of the clock; walls that move with another one are moved by it.
+    fn evaluate(&mut self, origin: DVec3) {
+        if let [part] = self.parts.as_slice()
+            && matches!(part.told.motion, Motion::With(_))
+        {
+            return;
+        }
+        let mut wall = Carried {
+            pose: self.began,
+            velocity: DVec3::ZERO,
+            angular_velocity: DVec3::ZERO,
+        };
+        let time = self.clock.time();
+        for part in self.parts.iter().rev() {
+            part.movement(time).carry(&mut wall, origin);
+        }
+        (self.pose, self.velocity, self.angular_velocity) = (wall.pose, wall.velocity, wall.angular_velocity);
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const ORIGIN: DVec3 = DVec3::new(0.5, -0.25, 2.0);
-
-    fn run(motion: Motion, dt: f64, steps: u32) -> Motor {
-        let mut motor = Motor::new(motion, Pose::START, ORIGIN);
-        for _ in 0..steps {
-            motor.advance(dt, DVec3::ZERO, ORIGIN);
-        }
-        motor
-    }
-
-    #[test]
-    fn constant_velocity_gathers_no_rounding() {
-        let velocity = DVec3::new(0.1, -0.3, 0.7);
-        let motor = run(Motion::Velocity(velocity), 1e-5, 1_000_000);
-        assert_eq!(motor.pose.translation, velocity * (1e-5 * 1e6));
-        assert_eq!((motor.velocity, motor.angular_velocity), (velocity, DVec3::ZERO));
-    }
-
-    #[test]
-    fn a_full_turn_returns_and_the_speed_is_that_of_the_arm() {
-        let axis = DVec3::new(0.0, 0.6, 0.8);
-        let point = DVec3::new(1.0, 1.0, 1.0);
-        let motion = Motion::Rotation {
-            point,
-            axis,
-            angular_velocity: TAU,
-        };
-        let motor = run(motion, 1e-4, 10_000);
-        assert!(motor.pose.translation.length() < 1e-14);
-        assert!((motor.pose.rotation * DVec3::X - DVec3::X).length() < 1e-14);
-        assert!((motor.velocity - (axis * TAU).cross(ORIGIN - point)).length() < 1e-13);
-    }
-
-    #[test]
-    fn velocities_are_derivatives_of_the_pose() {
-        let motions = [
-            Motion::Rotation {
-                point: DVec3::ONE,
-                axis: DVec3::Y,
-                angular_velocity: -3.0,
-            },
-            Motion::Oscillation {
-                amplitude: DVec3::new(0.1, 0.0, -0.2),
-                frequency: 2.0,
-                phase: 0.4,
-            },
-        ];
-        for motion in motions {
-            let dt = 1e-5;
-            let (before, now, after) = (
-                run(motion.clone(), dt, 999),
-                run(motion.clone(), dt, 1000),
-                run(motion, dt, 1001),
-            );
-            let slope = (after.pose.translation - before.pose.translation) / (2.0 * dt);
-            assert!((slope - now.velocity).length() < 1e-6, "{slope} {}", now.velocity);
-            let x = DVec3::new(0.3, 0.1, 0.9);
-            let turning = (after.pose.rotation * x - before.pose.rotation * x) / (2.0 * dt);
-            assert!((turning - now.angular_velocity.cross(now.pose.rotation * x)).length() < 1e-6);
-        }
-    }
-
-    #[test]
-    fn a_new_motion_starts_where_the_last_one_ended() {
-        let mut motor = run(Motion::Velocity(DVec3::X), 0.1, 5);
-        let there = motor.pose;
-        motor = Motor::new(
-            Motion::Oscillation {
-                amplitude: DVec3::Z,
-                frequency: 1.0,
-                phase: 1.0,
-            },
-            there,
-            ORIGIN,
-        );
-        assert_eq!(motor.pose, there);
-        assert!((motor.velocity - DVec3::Z * (TAU * 1f64.cos())).length() < 1e-14);
-        motor.advance(1.0, DVec3::ZERO, ORIGIN);
-        assert!((motor.pose.translation - there.translation).length() < 1e-14);
-    }
-
-    #[test]
-    fn a_change_of_the_step_keeps_the_time() {
-        let mut clock = Clock::default();
-        for _ in 0..10 {
-            clock.advance(0.5);
-        }
-        clock.advance(0.25);
-        clock.advance(0.25);
-        assert_eq!(clock.time(), 5.5);
-    }
-}
+#[path = "motor_tests.rs"]
+mod tests;

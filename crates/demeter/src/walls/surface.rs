@@ -1,8 +1,8 @@
 //! A shape, checked and made ready for queries in the wall frame.
 
 use super::error::WallError;
+use super::limits::{UNIT_TOLERANCE, finite, not_negative, positive, unit};
 use super::mesh::Mesh;
-use super::motion::Motion;
 use super::shape::Shape;
 use super::wall::SurfaceContact;
 use demeter_physics::geometry::SurfacePoint;
@@ -13,11 +13,6 @@ use demeter_physics::geometry::contact_sphere_plane::{Plane, contact_sphere_plan
 use demeter_physics::geometry::contact_sphere_rectangle::{Rectangle, contact_sphere_rectangle};
 use demeter_physics::geometry::contact_sphere_shell::{Shell, contact_sphere_shell};
 use glam::DVec3;
-
-/// Largest coordinate [m]: its square is far from overflow.
-const LARGEST: f64 = 1e100;
-/// Largest deviation from 1 of the length of a unit vector, and from 0 of the cosine of a right angle.
-const UNIT_TOLERANCE: f64 = 1e-6;
 
 /// A surface in the wall frame.
 #[derive(Clone, Debug)]
@@ -257,74 +252,5 @@ fn axis_between(shape: &'static str, start: DVec3, end: DVec3) -> Result<(DVec3,
         Ok((along / length, length))
     } else {
         Err(WallError::NoLength { shape, point: start })
-    }
-}
-
-/// Checks a motion, and makes its directions exact unit vectors.
-pub(super) fn check_motion(motion: Motion) -> Result<Motion, WallError> {
-    Ok(match motion {
-        Motion::Rest => Motion::Rest,
-        Motion::Velocity(velocity) => Motion::Velocity(finite("the velocity", velocity)?),
-        Motion::Rotation {
-            point,
-            axis,
-            angular_velocity,
-        } => Motion::Rotation {
-            point: finite("the point of the axis of rotation", point)?,
-            axis: unit("the axis of rotation", axis)?,
-            angular_velocity: in_range("the angular velocity", angular_velocity, "at most 1e100", |_| true)?,
-        },
-        Motion::Oscillation {
-            amplitude,
-            frequency,
-            phase,
-        } => Motion::Oscillation {
-            amplitude: finite("the amplitude", amplitude)?,
-            frequency: not_negative("the frequency", frequency)?,
-            phase: in_range("the phase", phase, "at most 1e100", |_| true)?,
-        },
-        Motion::Servo { axis, force, max_speed } => Motion::Servo {
-            axis: unit("the axis of the servo", axis)?,
-            force: positive("the force of the servo", force)?,
-            max_speed: positive("max_speed of the servo", max_speed)?,
-        },
-    })
-}
-
-fn finite(field: &'static str, value: DVec3) -> Result<DVec3, WallError> {
-    if value.is_finite() && value.abs().max_element() <= LARGEST {
-        Ok(value)
-    } else {
-        Err(WallError::NotFinite { field, value })
-    }
-}
-
-fn unit(field: &'static str, value: DVec3) -> Result<DVec3, WallError> {
-    let length = finite(field, value)?.length();
-    if (length - 1.0).abs() <= UNIT_TOLERANCE {
-        Ok(value / length)
-    } else {
-        Err(WallError::NotUnit { field, value })
-    }
-}
-
-fn positive(field: &'static str, value: f64) -> Result<f64, WallError> {
-    in_range(field, value, "positive", |value| value > 0.0)
-}
-
-fn not_negative(field: &'static str, value: f64) -> Result<f64, WallError> {
-    in_range(field, value, "0 or positive", |value| value >= 0.0)
-}
-
-fn in_range(
-    field: &'static str,
-    value: f64,
-    allowed: &'static str,
-    fits: impl Fn(f64) -> bool,
-) -> Result<f64, WallError> {
-    if value.abs() <= LARGEST && fits(value) {
-        Ok(value)
-    } else {
-        Err(WallError::OutOfRange { field, value, allowed })
     }
 }

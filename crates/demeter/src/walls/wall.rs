@@ -1,13 +1,16 @@
 //! A wall of a run.
 
+use super::elements;
 use super::error::WallError;
 use super::mesh::Mesh;
-use super::motion::Motion;
-use super::motor::Motor;
+use super::motion::Motions;
+use super::motion_checks::check_motions;
+use super::motor::{FreeStep, Motor};
 use super::outline;
 use super::pose::Pose;
+use super::record::{ElementRecord, Mark, Record, Recording};
 use super::shape::Shape;
-use super::surface::{Surface, check_motion};
+use super::surface::Surface;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -36,6 +39,8 @@ pub struct Wall {
     motor: Motor,
     force: DVec3,
     torque: DVec3,
+    is_present: bool,
+    record: Option<Record>,
 }
 
 /// All that a restart needs to continue with the same bits, given a wall built from the same shape.
@@ -44,14 +49,16 @@ pub struct WallState {
     motor: Motor,
     force: DVec3,
     torque: DVec3,
+    is_present: bool,
+    record: Option<Record>,
 }
 
 impl Wall {
     /// Builds a wall at its start, or tells what is wrong with its description.
-    pub fn new(name: &str, material: u16, shape: Shape, motion: Motion) -> Result<Self, WallError> {
+    pub fn new(name: &str, material: u16, shape: Shape, motion: impl Into<Motions>) -> Result<Self, WallError> {
         let surface = Surface::new(shape)?;
         let origin = surface.centroid();
-        let motor = Motor::new(check_motion(motion)?, Pose::START, origin);
+        let motor = Motor::new(check_motions(motion.into())?, Pose::START, Pose::START, origin);
         let (force, torque) = (DVec3::ZERO, DVec3::ZERO);
         Ok(Wall {
             name: name.to_owned(),
@@ -61,13 +68,27 @@ impl Wall {
             motor,
             force,
             torque,
+            is_present: true,
+            record: None,
         })
+    }
+
+    /// Whether the wall is there. One that is absent touches nothing, but goes on moving as told.
+    #[inline]
+    pub fn is_present(&self) -> bool {
+        self.is_present
+    }
+
+    /// Takes the wall away or puts it back, where its motion has carried it. Candidates must be found anew then.
+    pub fn set_present(&mut self, is_present: bool) {
+        self.is_present = is_present;
+        self.set_load(DVec3::ZERO, DVec3::ZERO);
     }
 
     /// Appends to `out` all contacts of a sphere centre with `distance < reach` [m], in the world frame, sorted by element.
     /// No element comes twice. Behind a plane, a box face or a sphere the distance may be negative without limit; behind
     /// the side of a cylinder or cone, whose ends are open, a contact ends at `-reach`, when a grain of that radius has
-    /// wholly passed.
+    /// wholly passed. Asked of walls that are present only: those that are not are [`near`](Self::near) nothing.
     #[inline]
     pub fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
         let first = out.len();
@@ -83,12 +104,15 @@ impl Wall {
     /// Whether any part of the surface is within `reach` [m] of a point, or the point behind a one-sided one and so in contact.
     #[inline]
     pub fn near(&self, centre: DVec3, reach: f64) -> bool {
-        self.surface.near(self.motor.pose.unplace(self.origin, centre), reach)
+        self.is_present && self.surface.near(self.motor.pose.unplace(self.origin, centre), reach)
     }
 
     /// Radius of the largest grain that, with its centre at a point, does not touch the wall, or `limit` when that is less
     /// [m]; negative behind a one-sided surface.
     pub fn clearance(&self, point: DVec3, limit: f64) -> f64 {
+        if !self.is_present {
+            return limit;
+        }
         self.surface
             .clearance(self.motor.pose.unplace(self.origin, point), limit)
     }
@@ -122,25 +146,72 @@ impl Wall {
         self.motor.angular_velocity
     }
 
-    /// Tells what is wrong with a motion, if anything, before a run needs it.
-    pub fn check_motion(motion: &Motion) -> Result<(), WallError> {
-        check_motion(motion.clone()).map(drop)
+    /// Tells what is wrong with motions, if anything, before a run needs them.
+    pub fn check_motion<M: Clone + Into<Motions>>(motion: &M) -> Result<(), WallError> {
+        check_motions(motion.clone().into()).map(drop)
     }
 
-    /// Starts another motion from where the wall stands. On error the wall keeps the motion it has.
-    pub fn set_motion(&mut self, motion: Motion) -> Result<(), WallError> {
-        self.motor = Motor::new(check_motion(motion)?, self.motor.pose, self.origin);
+    /// Starts other motions from where the wall stands. On error the wall keeps those it has.
+    pub fn set_motion(&mut self, motion: impl Into<Motions>) -> Result<(), WallError> {
+        self.set_motion_behind(motion, Pose::START)
+    }
+
+    /// Starts other motions from where the wall stands; `leader` is where the wall stands that this one moves with, if any.
+    pub fn set_motion_behind(&mut self, motion: impl Into<Motions>, leader: Pose) -> Result<(), WallError> {
+        let load = self.motor.load();
+        self.motor = Motor::new(check_motions(motion.into())?, self.motor.pose, leader, self.origin);
+        self.motor.bear(load);
         Ok(())
     }
 
-    /// Moves the wall by one step of `dt` [s]; a servo answers to the load of the last step.
+    /// The wall that this one moves with as one body, if any; then [`follow`](Self::follow) moves it.
+    pub fn leader(&self) -> Option<usize> {
+        self.motor.leader()
+    }
+
+    /// Moves the wall by one step of `dt` [s]; servos and free walls answer to the load of the last step.
     pub fn advance(&mut self, dt: f64) {
-        self.motor.advance(dt, self.force, self.origin);
+        self.motor.advance(dt, self.origin);
+    }
+
+    /// Moves the wall to where the one stands that it moves with.
+    pub fn follow(&mut self, leader: &Wall) {
+        self.motor.follow(&leader.motor, leader.origin, self.origin);
     }
 
     /// Tells the wall the force [N] of the grains on it and their torque about its [`origin`](Self::origin) [N m].
     pub fn set_load(&mut self, force: DVec3, torque: DVec3) {
         (self.force, self.torque) = (force, torque);
+        self.motor.bear((force, torque));
+    }
+
+    /// Adds the load of a wall that moves with this one: its force [N], and its torque [N m] about its origin, which is at
+    /// `place` [m]. It counts for the motion alone, not in [`load`](Self::load).
+    pub fn bear(&mut self, force: DVec3, torque: DVec3, place: DVec3) {
+        let (own_force, own_torque) = self.motor.load();
+        let moved = torque + (place - self.origin()).cross(force);
+        self.motor.bear((own_force + force, own_torque + moved));
+    }
+
+    /// Completes a step when its load is known; tells what the wall did when it moves freely.
+    pub fn settle(&mut self) -> Option<FreeStep> {
+        self.motor.settle(self.origin)
+    }
+
+    /// Kinetic energy of a freely moving wall, with that of its weight and spring, 0 where it stood when the motion was told,
+    /// but for a speed that it was given [J].
+    pub fn energy(&self) -> f64 {
+        self.motor.energy()
+    }
+
+    /// Whether all motions of the wall have stopped for good, or tables have come to their ends.
+    pub fn motion_is_done(&self) -> bool {
+        self.motor.is_done()
+    }
+
+    /// Rate of the work of the wall on the grains [W].
+    pub fn power(&self) -> f64 {
+        -(self.force.dot(self.motor.velocity) + self.torque.dot(self.motor.angular_velocity))
     }
 
     /// Force of the grains on the wall [N] and their torque about its [`origin`](Self::origin) [N m].
@@ -166,6 +237,9 @@ impl Wall {
     /// Upper bound of how far the surface inside a box has moved since an earlier pose [m]. A surface of revolution that
     /// turns about its own axis stays where it is.
     pub fn surface_displacement(&self, since: &Pose, lower: DVec3, upper: DVec3) -> f64 {
+        if !self.is_present {
+            return 0.0;
+        }
         outline::displacement(&self.surface, self.origin, since, &self.motor.pose, lower, upper)
     }
 
@@ -174,8 +248,12 @@ impl Wall {
         outline::bounds(&self.surface, self.origin, &self.motor.pose)
     }
 
-    /// Triangles that draw the surface in the world frame [m]; an infinite plane is cut by the box given.
+    /// Triangles that draw the surface in the world frame [m]; an infinite plane is cut by the box given. None of a wall that
+    /// is absent.
     pub fn triangles(&self, lower: DVec3, upper: DVec3) -> Vec<[DVec3; 3]> {
+        if !self.is_present {
+            return Vec::new();
+        }
         outline::triangles(&self.surface, self.origin, &self.motor.pose, lower, upper)
     }
 
@@ -185,12 +263,85 @@ impl Wall {
             motor: self.motor.clone(),
             force: self.force,
             torque: self.torque,
+            is_present: self.is_present,
+            record: self.record.clone(),
         }
     }
 
-    /// Continues from a checkpoint.
-    pub fn restore(&mut self, state: &WallState) {
+    /// Continues from a checkpoint; tells whether its record fits this wall, as it does unless a file was tampered with.
+    pub fn restore(&mut self, state: &WallState) -> bool {
+        let told = |record: &Option<Record>| record.as_ref().map(|r| (r.len(), r.recording));
+        if told(&state.record) != told(&self.record) {
+            return false;
+        }
         self.motor = state.motor.clone();
         (self.force, self.torque) = (state.force, state.torque);
+        self.is_present = state.is_present;
+        self.record.clone_from(&state.record);
+        true
+    }
+
+    /// Has loads or wear recorded on every element, from now on.
+    pub fn record(&mut self, recording: Recording) {
+        let elements = elements::count(&self.surface);
+        self.record = recording.is_on().then(|| Record::new(recording, elements));
+    }
+
+    /// What is recorded; nothing by default.
+    #[inline]
+    pub fn recording(&self) -> Recording {
+        self.record.as_ref().map_or_else(Recording::default, |r| r.recording)
+    }
+
+    /// Whether anything is recorded.
+    #[inline]
+    pub(crate) fn is_recorded(&self) -> bool {
+        self.record.is_some()
+    }
+
+    /// The element of a contact with a key at a point of the world; the point is on the surface but for `reach` [m].
+    pub(crate) fn element_at(&self, key: u32, point: DVec3, reach: f64) -> u32 {
+        let point = self.motor.pose.unplace(self.origin, point);
+        elements::at(&self.surface, key, point, reach)
+    }
+
+    /// Records what a contact did in a step of `dt` [s].
+    pub(crate) fn mark(&mut self, mark: &Mark, dt: f64) {
+        let back = self.motor.pose.rotation.conjugate();
+        let is_unrotated = self.motor.pose.is_unrotated();
+        if let Some(record) = &mut self.record {
+            record.add(mark, dt, |v| if is_unrotated { v } else { back * v });
+        }
+    }
+
+    /// Notes that loads were recorded for `dt` [s] longer.
+    pub(crate) fn pass_recorded(&mut self, dt: f64) {
+        if let Some(record) = &mut self.record {
+            record.pass(dt);
+        }
+    }
+
+    /// Begins to average loads anew, as after a frame.
+    pub fn begin_interval(&mut self) {
+        if let Some(record) = &mut self.record {
+            record.begin_interval();
+        }
+    }
+
+    /// What was recorded on every element; nothing where nothing is recorded.
+    pub fn element_records(&self) -> Vec<ElementRecord> {
+        let Some(record) = &self.record else { return Vec::new() };
+        let of = |k| record.of(k, elements::area(&self.surface, k), |v| self.motor.pose.turn(v));
+        (0..record.len()).map(of).collect()
+    }
+
+    /// The element of every one of so many triangles that draw the wall.
+    pub fn elements_drawn(&self, triangles: usize) -> Vec<usize> {
+        elements::drawn(&self.surface, triangles)
+    }
+
+    /// Energies lost in impacts and by friction [J] and volume worn [m^3] since the start; 0 where nothing is recorded.
+    pub fn wear(&self) -> [f64; 3] {
+        self.record.as_ref().map_or([0.0; 3], Record::totals)
     }
 }

@@ -8,7 +8,7 @@ use demeter::contacts::Coupling;
 use demeter::materials::{Material, Materials, PairChoice};
 use demeter::particles::{Domain, Grains, NewGrain, Outside};
 use demeter::simulation::{SAFE_SHARE, Setup, Simulation, Skin, shortest_time_scale};
-use demeter::walls::{Motion, Shape, Wall};
+use demeter::walls::{Motion, Motions, Shape, Wall};
 use demeter_physics::DVec3;
 use demeter_physics::contact::LawChoice;
 use demeter_physics::integrator::Integrator;
@@ -168,7 +168,7 @@ impl Case {
         id
     }
 
-    pub fn wall(&mut self, material: u16, shape: Shape, motion: Motion) {
+    pub fn wall(&mut self, material: u16, shape: Shape, motion: impl Into<Motions>) {
         let name = format!("wall {}", self.walls.len());
         self.walls.push(Wall::new(&name, material, shape, motion).unwrap());
     }

@@ -35,14 +35,14 @@ pub struct Case {
     pub files: &'static [&'static str],
     /// Changes of the scenario.
     pub set: &'static [&'static str],
-    /// Number of the stage whose end is the end of the case, and time in that case when it begins [s].
-    pub last_stage: (usize, f64),
+    /// Number of the stage that the time of the case is counted in: the last.
+    pub last_stage: usize,
 }
 
 const M2: &str = "feed.filling.material=\"m2\"";
 const STEP_M2: &str = "simulation.time_step=\"2e-6 s\"";
-const PLUG: &str = "wall.plug.center=\"0 0 -55.4222 mm\"";
-const PLUG_RADIUS: &str = "wall.plug.radius=\"31 mm\"";
+const COVER: &str = "wall.cover.center=\"0 0 -55.4222 mm\"";
+const COVER_RADIUS: &str = "wall.cover.radius=\"31 mm\"";
 const BELOW: &str = "removal.below.region.point=\"0 0 -75.4222 mm\"";
 const LEFT: &str = "measure.left.region.point=\"0 0 -55.4222 mm\"";
 const GATE: &str = "measure.orifice.gate.point=\"0 0 -55.4222 mm\"";
@@ -54,7 +54,7 @@ const fn penetration(name: &'static str, files: &'static [&'static str]) -> Case
         scenario: "penetration.toml",
         files,
         set: &[],
-        last_stage: (0, 0.0),
+        last_stage: 0,
     }
 }
 
@@ -70,7 +70,7 @@ const fn silo(
         scenario: "silo.toml",
         files,
         set,
-        last_stage: (3, 0.1),
+        last_stage: 2,
     }
 }
 
@@ -90,7 +90,7 @@ pub const CASES: [Case; 7] = [
         scenario: "drum.toml",
         files: &["drum/walls.txt", "drum/particles.txt"],
         set: &[],
-        last_stage: (0, 0.0),
+        last_stage: 0,
     },
     silo("silo-small-m1", Orifice::Small, &["silo/walls-small.txt"], &[]),
     silo(
@@ -103,13 +103,13 @@ pub const CASES: [Case; 7] = [
         "silo-large-m1",
         Orifice::Large,
         &["silo/walls-large.txt"],
-        &[PLUG, PLUG_RADIUS, BELOW, LEFT, GATE],
+        &[COVER, COVER_RADIUS, BELOW, LEFT, GATE],
     ),
     silo(
         "silo-large-m2",
         Orifice::Large,
         &["silo/walls-large.txt"],
-        &[PLUG, PLUG_RADIUS, BELOW, LEFT, GATE, M2, STEP_M2],
+        &[COVER, COVER_RADIUS, BELOW, LEFT, GATE, M2, STEP_M2],
     ),
 ];
 

@@ -1,7 +1,8 @@
 //! What can go wrong with a case of the benchmark.
 
 use super::CASES;
-use demeter::scenario::{Diagnostics, RunError};
+use crate::runs::JobError;
+use crate::series::SeriesError;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -24,37 +25,12 @@ pub enum DostaError {
         /// What should be there.
         expected: &'static str,
     },
-    /// The scenario is wrong.
-    #[error("{0}")]
-    Scenario(Box<Diagnostics>),
-    /// The run could not be carried out.
-    #[error("{case}: {source}")]
-    Run {
-        /// The case.
-        case: &'static str,
-        /// Why.
-        source: Box<RunError>,
-    },
-    /// The run did not come to its end.
-    #[error("{case}: the run in `{}` did not come to its end: {reason}", folder.display())]
-    Unfinished {
-        /// The case.
-        case: &'static str,
-        /// Folder of the run.
-        folder: PathBuf,
-        /// Why.
-        reason: String,
-    },
-    /// The folder of a run holds another one.
-    #[error(
-        "`{}` holds a run of another scenario or version of Demeter; choose another --out, or replace it with \
-         --overwrite",
-        folder.display()
-    )]
-    OtherRun {
-        /// The folder.
-        folder: PathBuf,
-    },
+    /// A run did not come to its end.
+    #[error(transparent)]
+    Run(#[from] JobError),
+    /// A series cannot be read.
+    #[error(transparent)]
+    Series(#[from] SeriesError),
     /// A run tells less than it should.
     #[error("the run in `{}` cannot be read: {problem}", folder.display())]
     Reading {

@@ -2,6 +2,7 @@
 
 use super::{Case, DostaError, Kind};
 use crate::folder::told;
+use crate::series::SeriesTable;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -132,46 +133,32 @@ type Table = (Vec<&'static str>, Vec<Vec<f64>>);
 
 /// The rows that the benchmark asks for. A silo counts the time from when it is opened.
 fn rows(case: &Case, folder: &Path) -> Result<Table, DostaError> {
-    let path = folder.join("series.csv");
-    let fault = |e: csv::Error| reading(folder, e.to_string());
-    let mut reader = csv::Reader::from_path(&path).map_err(fault)?;
-    let header = reader.headers().map_err(fault)?.clone();
-    let place = |title: &str| {
-        let missing = || reading(folder, format!("its series has no column `{title}`"));
-        header.iter().position(|name| name == title).ok_or_else(missing)
-    };
+    let series = SeriesTable::read(folder)?;
     let wanted = columns(case.kind);
-    let places = wanted
+    let columns: Vec<Vec<f64>> = wanted
         .iter()
-        .map(|(_, title)| place(title))
-        .collect::<Result<Vec<_>, _>>()?;
-    let stage = place("stage")?;
-    let mut opened = match case.kind {
-        Kind::Silo(_) => None,
-        Kind::Penetration | Kind::Drum => Some(0.0),
+        .map(|(_, title)| series.column(title))
+        .collect::<Result<_, _>>()?;
+    let stage = series.words("stage")?;
+    let first = match case.kind {
+        // the row before is the state in which it is opened
+        Kind::Silo(_) => stage
+            .iter()
+            .position(|name| *name == OPEN)
+            .map_or(stage.len(), |open| open.saturating_sub(1)),
+        Kind::Penetration | Kind::Drum => 0,
     };
-    let mut rows: Vec<Vec<f64>> = Vec::new();
-    let mut before: Option<Vec<f64>> = None;
-    for record in reader.records() {
-        let record = record.map_err(fault)?;
-        let cell = |k: &usize| record.get(*k).and_then(|cell| cell.parse().ok()).unwrap_or(f64::NAN);
-        let row: Vec<f64> = places.iter().map(cell).collect();
-        if opened.is_none() && record.get(stage) == Some(OPEN) {
-            // the row before is the state in which it is opened
-            let first = before.take();
-            opened = Some(first.as_ref().map_or(row[0], |first| first[0]));
-            rows.extend(first);
-        }
-        match opened {
-            Some(_) => rows.push(row),
-            None => before = Some(row),
-        }
-    }
-    let start = opened.unwrap_or(0.0);
-    for row in &mut rows {
+    let start = match case.kind {
+        Kind::Silo(_) => columns[0].get(first).copied().unwrap_or(0.0),
+        Kind::Penetration | Kind::Drum => 0.0,
+    };
+    let row = |k: usize| {
+        let mut row: Vec<f64> = columns.iter().map(|column| column[k]).collect();
         row[0] -= start;
-    }
-    Ok((wanted.iter().map(|(title, _)| *title).collect(), rows))
+        row
+    };
+    let titles = wanted.iter().map(|(title, _)| *title).collect();
+    Ok((titles, (first..stage.len()).map(row).collect()))
 }
 
 /// Writes the columns of the benchmark as CSV, and a line in words; answers with the line and the file.

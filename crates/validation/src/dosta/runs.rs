@@ -1,8 +1,9 @@
 //! Runs of the cases.
 
 use super::{Case, DostaError, Files, prepare};
-use crate::folder::{State, absolute, state};
-use demeter::scenario::{Observer, Progress, RunEnd, RunError, RunOptions, Scenario, resume, run};
+use crate::folder::absolute;
+use crate::runs::{Job, JobError, Tell};
+use demeter::scenario::Scenario;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -30,93 +31,27 @@ impl Experiment {
         let text = fs::read_to_string(&path).map_err(DostaError::io("read", &path))?;
         let mut set: Vec<String> = case.set.iter().map(ToString::to_string).collect();
         if let Some(until) = self.until {
-            let (stage, begins) = case.last_stage;
-            set.push(format!("stage[{stage}].duration=\"{} s\"", (until - begins).max(0.0)));
+            set.push(format!("stage[{}].duration=\"{until} s\"", case.last_stage));
         }
         set.extend(self.set.iter().cloned());
         let name = path.display().to_string();
         let base = absolute(&files.folder);
-        Scenario::parse(&text, &name, &base, &set).map_err(|faults| DostaError::Scenario(Box::new(faults)))
+        Scenario::parse(&text, &name, &base, &set).map_err(|faults| JobError::Scenario(Box::new(faults)).into())
     }
 }
 
 /// Runs a case in a folder; a finished run of the same scenario is used again, an interrupted one goes on. Answers with the folder
 /// of the run.
-pub fn run_case(
-    experiment: &Experiment,
-    case: &Case,
-    out: &Path,
-    tell: &(dyn Fn(&str) + Sync),
-) -> Result<PathBuf, DostaError> {
+pub fn run_case(experiment: &Experiment, case: &Case, out: &Path, tell: Tell<'_>) -> Result<PathBuf, DostaError> {
     let files = prepare(case, &experiment.data, &out.join("input"))?;
     let scenario = experiment.scenario_of(case, &files)?;
-    let folder = out.join("run");
-    let options = RunOptions {
+    let job = Job {
+        name: case.name.to_owned(),
+        scenario,
+        folder: out.join("run"),
         threads: experiment.threads,
         overwrite: experiment.overwrite,
-        ..RunOptions::default()
     };
-    let mut watcher = Watcher { case, tell, told: 0.0 };
-    let shown = folder.display();
-    let report = match state(&folder, &scenario) {
-        State::Finished => {
-            tell(&format!("{}: taken from {shown}", case.name));
-            return Ok(folder);
-        }
-        State::Begun => {
-            tell(&format!("{}: goes on in {shown}", case.name));
-            resume(&folder, options, &mut watcher)
-        }
-        State::Other if !experiment.overwrite => return Err(DostaError::OtherRun { folder }),
-        State::Other | State::Free => {
-            tell(&format!("{}: runs in {shown}", case.name));
-            run(&scenario, &folder, options, &mut watcher)
-        }
-    };
-    let report = report.map_err(|error| match error {
-        RunError::Scenario(faults) => DostaError::Scenario(faults),
-        source => DostaError::Run {
-            case: case.name,
-            source: Box::new(source),
-        },
-    })?;
-    let reason = match report.end {
-        RunEnd::Finished => return Ok(folder),
-        RunEnd::Interrupted => "it was interrupted".to_string(),
-        RunEnd::Fault(fault) => fault.to_string(),
-    };
-    Err(DostaError::Unfinished {
-        case: case.name,
-        folder,
-        reason,
-    })
-}
-
-/// Seconds between two reports of progress.
-const REPORT_EVERY: f64 = 60.0;
-
-/// Passes on what a run tells.
-struct Watcher<'a> {
-    case: &'a Case,
-    tell: &'a (dyn Fn(&str) + Sync),
-    told: f64,
-}
-
-impl Observer for Watcher<'_> {
-    fn progress(&mut self, progress: &Progress) -> bool {
-        if progress.elapsed - self.told >= REPORT_EVERY {
-            self.told = progress.elapsed;
-            let Progress {
-                stage, time, grains, ..
-            } = progress;
-            let rate = progress.steps_here as f64 / progress.elapsed;
-            let line = format!("stage {stage}, {time:.5} s, {grains} grains, {rate:.0} steps/s");
-            (self.tell)(&format!("{}: {line}", self.case.name));
-        }
-        true
-    }
-
-    fn message(&mut self, text: &str) {
-        (self.tell)(&format!("{}: {text}", self.case.name));
-    }
+    job.carry_out(tell)?;
+    Ok(job.folder)
 }

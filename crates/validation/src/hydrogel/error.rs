@@ -1,9 +1,9 @@
 //! What can go wrong in a validation.
 
 use super::MODELS;
+use crate::runs::JobError;
 use demeter::compare::CompareError;
 use demeter::output::OutputError;
-use demeter::scenario::{Diagnostics, RunError};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -16,37 +16,9 @@ pub enum ValidationError {
         /// The name.
         name: String,
     },
-    /// The scenario is wrong.
-    #[error("{0}")]
-    Scenario(Box<Diagnostics>),
-    /// A run could not be carried out.
-    #[error("{model}: {source}")]
-    Run {
-        /// The model.
-        model: &'static str,
-        /// Why.
-        source: Box<RunError>,
-    },
     /// A run did not come to its end.
-    #[error("{model}: the run in `{}` did not come to its end: {reason}", folder.display())]
-    Unfinished {
-        /// The model.
-        model: &'static str,
-        /// Folder of the run.
-        folder: PathBuf,
-        /// Why.
-        reason: String,
-    },
-    /// The folder of a run holds another one.
-    #[error(
-        "`{}` holds a run of another scenario or version of Demeter; choose another --out, or replace it with \
-         --overwrite",
-        folder.display()
-    )]
-    OtherRun {
-        /// The folder.
-        folder: PathBuf,
-    },
+    #[error(transparent)]
+    Run(#[from] JobError),
     /// A run or a measured curve cannot be compared.
     #[error(transparent)]
     Compare(#[from] CompareError),

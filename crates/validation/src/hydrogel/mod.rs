@@ -21,7 +21,7 @@ pub use figures::{Check, write_figures};
 pub use models::{MODELS, Model, Published, find_models};
 pub use rank::{METRICS, MetricInfo, ranks};
 pub use results::{ModelResult, Results, Standards};
-pub use runs::{Experiment, Tell, run_models};
+pub use runs::{Experiment, run_models};
 pub use table::write_table;
 
 /// Force on the plate at full compression that Table I and the published forces tell [N].

@@ -138,6 +138,20 @@ impl Mesh {
         })
     }
 
+    /// The triangle closest to a point, among those within `reach` [m]; the lowest where several are as close.
+    pub fn closest_triangle(&self, point: DVec3, reach: f64) -> Option<u32> {
+        let mut closest: Option<(f64, u32)> = None;
+        self.hierarchy.any_near(point, reach, |triangle| {
+            let distance = contact_sphere_triangle(&self.triangles[triangle as usize], point).distance;
+            let is_closer = closest.is_none_or(|(least, lowest)| (distance, triangle) < (least, lowest));
+            if distance <= reach && is_closer {
+                closest = Some((distance, triangle));
+            }
+            false
+        });
+        closest.map(|(_, triangle)| triangle)
+    }
+
     /// Triangles, with joined corners, in the order given.
     pub fn triangles(&self) -> &[Triangle] {
         &self.triangles

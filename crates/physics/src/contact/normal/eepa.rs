@@ -79,12 +79,8 @@ impl Eepa {
     }
 }
 
-fn recalled(history: &[f64]) -> Memory {
-    Memory {
-        peak: history[0],
-        tear: history[1],
-        largest: history[2],
-    }
+fn recalled(spring: &Hysteresis, history: &[f64]) -> Memory {
+    spring.recall(history[0], history[1], history[2])
 }
 
 impl Normal for Eepa {
@@ -119,17 +115,19 @@ impl Normal for Eepa {
         let alpha = self.dashpot.coefficient(size, own, |dashpot| self.with(dashpot));
         let mut spring = self.spring(size);
         spring.damping = alpha * (size.mass * spring.loading).sqrt();
-        let (response, next) = follow(&spring, input, recalled(memory));
+        let (response, next) = follow(&spring, input, recalled(&spring, memory));
         memory.copy_from_slice(&[next.peak, next.tear, next.largest]);
         response
     }
 
     fn energy(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
-        self.spring(size).energy(recalled(history), overlap)
+        let spring = self.spring(size);
+        spring.energy(recalled(&spring, history), overlap)
     }
 
     fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
-        self.spring(size).stiffness(recalled(history), overlap)
+        let spring = self.spring(size);
+        spring.stiffness(recalled(&spring, history), overlap)
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
@@ -141,7 +139,8 @@ impl Normal for Eepa {
     }
 
     fn reach(&self, size: PairSize, history: &[f64]) -> f64 {
-        self.spring(size).reach(recalled(history))
+        let spring = self.spring(size);
+        spring.reach(recalled(&spring, history))
     }
 
     fn check(&self, size: PairSize) -> Result<(), String> {
@@ -262,7 +261,7 @@ mod tests {
         let twin = values(&[
             ("loading_stiffness", spring.loading),
             ("unloading_stiffness", spring.loading / 0.4),
-            ("adhesion_stiffness", spring.pull_off(3e-5)),
+            ("adhesion_stiffness", spring.at_peak(3e-5, 3e-5).pull_off),
             ("plastic_depth", 0.1),
         ]);
         let mut twin = twin;

@@ -146,6 +146,8 @@ pub struct Memory {
     pub tear: f64,
     /// Largest peak so far [m].
     pub largest: f64,
+    /// Stiffness of the pull-off line, which follows from the largest peak.
+    pub pull_off: f64,
 }
 
 /// Steps of Newton's method, which comes down to the root from above.
@@ -185,10 +187,12 @@ impl Hysteresis {
     /// `d^chi`.
     #[inline(always)]
     fn pull_off_power(&self, d: f64) -> f64 {
-        if self.pull_off_power == 1.0 {
-            d
-        } else {
-            libm::pow(d, self.pull_off_power)
+        // the exponents in use need no logarithm, which would be half of the time of the law
+        match self.pull_off_power {
+            1.0 => d,
+            1.5 => d * d.sqrt(),
+            2.0 => d * d,
+            other => libm::pow(d, other),
         }
     }
 
@@ -219,20 +223,32 @@ impl Hysteresis {
         self.power.root(self.power.of(dent) / (1.0 - self.loading / k2))
     }
 
-    /// Stiffness of the pull-off line.
+    /// Stiffness of the pull-off line, and where it meets the unloading line of the deepest dent when that is known at once.
     #[inline(always)]
-    pub fn pull_off(&self, largest: f64) -> f64 {
+    fn pull_off(&self, largest: f64) -> (f64, Option<f64>) {
         match self.pull_off {
-            PullOff::None => 0.0,
-            PullOff::Stiffness(ka) => ka,
+            PullOff::None => (0.0, None),
+            PullOff::Stiffness(ka) => (ka, None),
             PullOff::Dent { share } => {
                 let (pull, place) = self.largest_pull(largest, share);
-                if place > 0.0 {
+                let stiffness = if place > 0.0 {
                     pull / self.pull_off_power(place)
                 } else {
                     0.0
-                }
+                };
+                (stiffness, Some(place))
             }
+        }
+    }
+
+    /// Memory of a contact from what is kept of it.
+    #[inline(always)]
+    pub fn recall(&self, peak: f64, tear: f64, largest: f64) -> Memory {
+        Memory {
+            peak,
+            tear,
+            largest,
+            pull_off: self.pull_off(largest).0,
         }
     }
 
@@ -240,19 +256,19 @@ impl Hysteresis {
     pub fn at_peak(&self, peak: f64, largest: f64) -> Memory {
         let largest = largest.max(peak);
         let k2 = self.unloading(peak);
-        let tear = match self.pull_off {
-            PullOff::None => self.dent(peak),
-            PullOff::Dent { share } if peak == largest => self.largest_pull(peak, share).1,
-            _ => {
-                let ka = self.pull_off(largest);
-                if self.power == Power::Linear && self.pull_off_power == 1.0 {
-                    (k2 - self.loading) * peak / (k2 + ka)
-                } else {
-                    self.crossing(k2, self.dent_power(peak), ka)
-                }
-            }
+        let (ka, place) = self.pull_off(largest);
+        let tear = match place {
+            Some(place) if peak == largest => place,
+            _ if self.pull_off == PullOff::None => self.dent(peak),
+            _ if self.power == Power::Linear && self.pull_off_power == 1.0 => (k2 - self.loading) * peak / (k2 + ka),
+            _ => self.crossing(k2, self.dent_power(peak), ka),
         };
-        Memory { peak, tear, largest }
+        Memory {
+            peak,
+            tear,
+            largest,
+            pull_off: ka,
+        }
     }
 
     /// Where the unloading line meets the pull-off line, `k2 (x^n - p^n) + ka x^chi = 0`.
@@ -372,9 +388,8 @@ impl Branched for Hysteresis {
             }
         } else if to < memory.tear && self.pull_off != PullOff::None {
             let tear = to.max(0.0);
-            let ka = self.pull_off(memory.largest);
             return Memory {
-                peak: self.peak_of_tear(tear, ka).min(memory.peak),
+                peak: self.peak_of_tear(tear, memory.pull_off).min(memory.peak),
                 tear,
                 ..memory
             };
@@ -396,8 +411,7 @@ impl Branched for Hysteresis {
                 ..Point::default()
             };
         }
-        let ka = self.pull_off(memory.largest);
-        let pull = ka * self.pull_off_power(overlap);
+        let pull = memory.pull_off * self.pull_off_power(overlap);
         let spring = if overlap >= memory.tear {
             self.unloading(memory.peak) * (self.power.of(overlap) - self.dent_power(memory.peak))
         } else {
@@ -424,9 +438,8 @@ impl Branched for Hysteresis {
         if overlap <= 0.0 {
             return attracted;
         }
-        let ka = self.pull_off(memory.largest);
         let parted = overlap.min(memory.tear);
-        let pull_off = -ka * self.pull_off_power(parted) * parted / (self.pull_off_power + 1.0);
+        let pull_off = -memory.pull_off * self.pull_off_power(parted) * parted / (self.pull_off_power + 1.0);
         if overlap <= memory.tear {
             return attracted + pull_off;
         }

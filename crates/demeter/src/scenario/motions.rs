@@ -1,0 +1,348 @@
+//! Motions of walls, as `[[wall]]` and `[[stage]]` tell them.
+
+use super::document::Value;
+use super::grains::existing_file;
+use super::quantity::Kind;
+use super::reader::{Item, TableReader};
+use super::walls::index_of_name;
+use crate::walls::{
+    AtEnd, FreeMotion, Freedom, Interpolation, MAX_PARTS, Motion, MotionPart, MotionTable, Motions, Pace,
+    read_motion_file,
+};
+use demeter_physics::dimension::Dimension;
+use demeter_physics::parameters::Range;
+use glam::DVec3;
+use std::path::Path;
+use std::sync::Arc;
+
+/// What motions may need to know.
+#[derive(Clone, Copy)]
+pub(super) struct Frame<'a> {
+    /// Names of all walls.
+    pub names: &'a [String],
+    /// Folder that relative paths start from.
+    pub base: &'a Path,
+    /// Acceleration of gravity [m/s^2].
+    pub gravity: DVec3,
+}
+
+const KINDS: [&str; 10] = [
+    "velocity",
+    "rotation",
+    "oscillation",
+    "rocking",
+    "table",
+    "servo",
+    "torque_servo",
+    "free",
+    "hinge",
+    "with",
+];
+
+const LENGTH: Kind = Kind::Physical(Dimension::LENGTH);
+const VELOCITY: Kind = Kind::Physical(Dimension::VELOCITY);
+const TIME: Kind = Kind::Physical(Dimension::TIME);
+
+fn form() -> Option<String> {
+    let kinds = KINDS.map(|kind| format!("`{kind}`"));
+    Some(format!(
+        "write \"rest\", a table with one of {}, or a list of such tables, which add up",
+        kinds.join(", ")
+    ))
+}
+
+/// Motions: `"rest"`, a table with one key that names the kind of motion, or a list of such tables.
+pub(super) fn motions<'a>(item: &Item<'a>, frame: &Frame<'_>) -> Motions {
+    match &item.node.value {
+        Value::String(word) => {
+            if word != "rest" {
+                item.fault(format!("unknown motion `{word}`"), form());
+            }
+            Motions::rest()
+        }
+        Value::Array(nodes) => {
+            if nodes.is_empty() || nodes.len() > MAX_PARTS {
+                let message = format!("{} motions are listed; 1 to {MAX_PARTS} add up", nodes.len());
+                item.fault(message, form());
+            }
+            // the keys of a part are those of a motion that stands alone
+            let own_keys = |part: Item<'a>| Item {
+                pattern: item.pattern.clone(),
+                ..part
+            };
+            let tables = item.items().into_iter().take(MAX_PARTS);
+            let parts = tables.filter_map(|part| {
+                let part = own_keys(part);
+                motion(&part.table()?, &part, frame)
+            });
+            Motions { parts: parts.collect() }
+        }
+        _ => {
+            let part = item.table().and_then(|table| motion(&table, item, frame));
+            Motions {
+                parts: part.into_iter().collect(),
+            }
+        }
+    }
+}
+
+/// One motion with its pace.
+fn motion(table: &TableReader<'_>, item: &Item<'_>, frame: &Frame<'_>) -> Option<MotionPart> {
+    let present = table.present(&KINDS);
+    if present.len() != 1 {
+        let given = if present.is_empty() {
+            "none".to_string()
+        } else {
+            present.join(" and ")
+        };
+        item.fault(format!("a motion is of one kind, found {given}"), form());
+    }
+    let mut read = None;
+    for kind in KINDS {
+        let Some(told) = table.optional(kind) else { continue };
+        read = match kind {
+            "velocity" => Some(Motion::Velocity(told.vector(VELOCITY))),
+            "rotation" => told.table().map(rotation),
+            "oscillation" => told.table().map(oscillation),
+            "rocking" => told.table().map(rocking),
+            "table" => told.table().and_then(|t| motion_table(t, &told, frame)),
+            "servo" => told.table().map(servo),
+            "torque_servo" => told.table().map(torque_servo),
+            "free" => told.table().map(|t| free(t, frame)),
+            "hinge" => told.table().map(|t| hinge(t, frame)),
+            _ => {
+                let names = frame.names.iter().map(String::as_str);
+                Some(Motion::With(index_of_name(&told, &told.text(), names)))
+            }
+        };
+    }
+    let pace = pace(table);
+    table.refuse_others("a motion");
+    read.map(|motion| MotionPart { motion, pace })
+}
+
+fn pace(table: &TableReader<'_>) -> Pace {
+    let time = |key| table.optional_quantity(key, TIME, Range::NOT_NEGATIVE);
+    let (start_over, stop_after, stop_over) = (time("start_over"), time("stop_after"), time("stop_over"));
+    let start = start_over.unwrap_or(0.0);
+    Pace {
+        start_over: start,
+        stop_after: match (stop_after, stop_over) {
+            (Some(after), _) => after,
+            (None, Some(_)) => start,
+            (None, None) => f64::INFINITY,
+        },
+        stop_over: stop_over.unwrap_or(0.0),
+    }
+}
+
+/// A point of an axis and its direction.
+fn axis(table: &TableReader<'_>) -> (DVec3, DVec3) {
+    let point = table.point("point", "a point of the axis");
+    (point, table.direction("axis", "the direction of the axis, as \"z\""))
+}
+
+fn rotation(table: TableReader<'_>) -> Motion {
+    let speed = table.required("angular_velocity", "how fast it turns, as \"60 rpm\"");
+    let (point, axis) = axis(&table);
+    table.finish("a rotation");
+    Motion::Rotation {
+        point,
+        axis,
+        angular_velocity: speed.map_or(f64::NAN, |i| i.quantity(Kind::AngularVelocity, Range::FINITE)),
+    }
+}
+
+/// Frequency and phase of what swings.
+fn swing(table: &TableReader<'_>) -> (f64, f64) {
+    let frequency = Kind::Physical(Dimension::FREQUENCY);
+    let frequency = table.quantity(
+        "frequency",
+        frequency,
+        Range::POSITIVE,
+        "cycles per second, as \"50 Hz\"",
+    );
+    let phase = table.optional_quantity("phase", Kind::Angle, Range::FINITE);
+    (frequency, phase.unwrap_or(0.0))
+}
+
+fn oscillation(table: TableReader<'_>) -> Motion {
+    let amplitude = table.point("amplitude", "the largest displacement, as [\"0 m\", \"0 m\", \"1 mm\"]");
+    let (frequency, phase) = swing(&table);
+    table.finish("an oscillation");
+    Motion::Oscillation {
+        amplitude,
+        frequency,
+        phase,
+    }
+}
+
+fn rocking(table: TableReader<'_>) -> Motion {
+    let amplitude = table.quantity(
+        "amplitude",
+        Kind::Angle,
+        Range::FINITE,
+        "the largest angle, as \"5 deg\"",
+    );
+    let (point, axis) = axis(&table);
+    let (frequency, phase) = swing(&table);
+    table.finish("a rocking motion");
+    Motion::Rocking {
+        point,
+        axis,
+        amplitude,
+        frequency,
+        phase,
+    }
+}
+
+fn servo(table: TableReader<'_>) -> Motion {
+    let force = Kind::Physical(Dimension::FORCE);
+    let motion = Motion::Servo {
+        axis: table.direction("axis", "the direction in which the wall pushes the grains, as \"-z\""),
+        force: table.quantity("force", force, Range::NOT_NEGATIVE, "the force to hold, as \"5 N\""),
+        max_speed: table.quantity(
+            "max_speed",
+            VELOCITY,
+            Range::POSITIVE,
+            "the largest speed, as \"10 mm/s\"",
+        ),
+    };
+    table.finish("a servo");
+    motion
+}
+
+fn torque_servo(table: TableReader<'_>) -> Motion {
+    let (point, axis) = axis(&table);
+    let meaning = "the torque to hold, as \"5 N m\"";
+    let torque = table.quantity("torque", Kind::Torque, Range::POSITIVE, meaning);
+    let meaning = "the largest angular velocity, as \"60 rpm\"";
+    let max_speed = table.quantity("max_speed", Kind::AngularVelocity, Range::POSITIVE, meaning);
+    table.finish("a torque servo");
+    Motion::TorqueServo {
+        point,
+        axis,
+        torque,
+        max_speed,
+    }
+}
+
+/// Two stops of a quantity of a kind; none when they are not told.
+fn stops(table: &TableReader<'_>, kind: Kind) -> [f64; 2] {
+    let Some(item) = table.optional("stops") else {
+        return [f64::NEG_INFINITY, f64::INFINITY];
+    };
+    let items = item.items();
+    match items.as_slice() {
+        [lower, upper] => [lower, upper].map(|i| i.quantity(kind, Range::FINITE)),
+        _ => {
+            if matches!(item.node.value, Value::Array(_)) {
+                let message = format!("`stops` are two, the lower and the upper, found {}", items.len());
+                item.fault(message, None);
+            }
+            [f64::NAN; 2]
+        }
+    }
+}
+
+fn mass(table: &TableReader<'_>) -> f64 {
+    let kind = Kind::Physical(Dimension::MASS);
+    table.quantity("mass", kind, Range::POSITIVE, "the mass of the wall, as \"2 kg\"")
+}
+
+fn free(table: TableReader<'_>, frame: &Frame<'_>) -> Motion {
+    let mass = mass(&table);
+    let optional = |key, kind, range| table.optional_quantity(key, kind, range).unwrap_or(0.0);
+    let motion = FreeMotion {
+        freedom: Freedom::Slide {
+            axis: table.direction("axis", "the direction along which the wall is free, as \"z\""),
+        },
+        inertia: mass,
+        weight: frame.gravity * mass,
+        stiffness: optional("spring", Kind::Physical(Dimension::STIFFNESS), Range::NOT_NEGATIVE),
+        damping: optional("damper", Kind::Physical(Dimension::DAMPING), Range::NOT_NEGATIVE),
+        speed: optional("speed", VELOCITY, Range::FINITE),
+        stops: stops(&table, LENGTH),
+    };
+    table.finish("a free motion");
+    Motion::Free(motion)
+}
+
+fn hinge(table: TableReader<'_>, frame: &Frame<'_>) -> Motion {
+    let mass = mass(&table);
+    let (point, axis) = axis(&table);
+    let kind = Kind::Physical(Dimension::new(1, 2, 0));
+    let meaning = "the moment of inertia about the hinge, as \"0.01 kg m^2\"";
+    let inertia = table.quantity("inertia", kind, Range::POSITIVE, meaning);
+    let optional = |key, kind, range| table.optional_quantity(key, kind, range).unwrap_or(0.0);
+    let motion = FreeMotion {
+        freedom: Freedom::Hinge {
+            point,
+            axis,
+            center_of_mass: table.point("center_of_mass", "the centre of mass of the wall"),
+        },
+        inertia,
+        weight: frame.gravity * mass,
+        stiffness: optional("spring", Kind::TorsionalStiffness, Range::NOT_NEGATIVE),
+        damping: optional("damper", Kind::TorsionalDamping, Range::NOT_NEGATIVE),
+        speed: optional("angular_velocity", Kind::AngularVelocity, Range::FINITE),
+        stops: stops(&table, Kind::Angle),
+    };
+    table.finish("a hinge");
+    Motion::Free(motion)
+}
+
+fn motion_table(table: TableReader<'_>, item: &Item<'_>, frame: &Frame<'_>) -> Option<Motion> {
+    let file = table.required("file", "the path of a file with columns such as `time [s], z [mm]`");
+    let path = file.as_ref().map(|file| existing_file(file, frame.base));
+    let between = table
+        .optional("between")
+        .map_or(Some(0), |i| i.choice(&["linear", "smooth"]));
+    let at_end = table
+        .optional("at_end")
+        .map_or(Some(0), |i| i.choice(&["hold", "repeat", "go on"]));
+    let turns = table.has("point") || table.has("axis");
+    let about = turns.then(|| axis(&table));
+    table.finish("a table of motion");
+    let (file, path) = (file?, path?);
+    if !path.is_file() {
+        return None;
+    }
+    let read = match read_motion_file(&path) {
+        Ok(read) => read,
+        Err(error) => {
+            file.fault(error.to_string(), None);
+            return None;
+        }
+    };
+    let interpolation = match (between?, read.are_rates) {
+        (0, false) => Interpolation::Linear,
+        (_, false) => Interpolation::Smooth,
+        (0, true) => Interpolation::Rates,
+        (_, true) => {
+            let message = "a table of velocities is linear in between; `smooth` is for tables of places";
+            item.fault(message, Some("leave `between` out".to_string()));
+            return None;
+        }
+    };
+    if read.turns != turns {
+        let (message, help) = if turns {
+            (
+                "there is an axis, but the file has no angle",
+                "add a column such as `angle [deg]`",
+            )
+        } else {
+            ("the file tells an angle, but no axis", "give `point` and `axis`")
+        };
+        item.fault(message, Some(help.to_string()));
+        return None;
+    }
+    let at_end = [AtEnd::Hold, AtEnd::Repeat, AtEnd::GoOn][at_end?];
+    match MotionTable::new(read.rows, interpolation, at_end, about) {
+        Ok(made) => Some(Motion::Table(Arc::new(made))),
+        Err(error) => {
+            item.fault(error.to_string(), None);
+            None
+        }
+    }
+}

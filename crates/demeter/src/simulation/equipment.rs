@@ -1,0 +1,96 @@
+//! Walls that get other motions, come or go between two steps.
+
+use super::Simulation;
+use crate::walls::{Motions, Pose, SurfaceContact, WallError};
+
+/// A wall that cannot come because a grain is in its way.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "wall `{wall}` cannot come: grain {grain} at {position} is in its way, by {share:.3} of its radius; move the grains away \
+     first, or let the wall come elsewhere"
+)]
+pub struct WallInTheWay {
+    /// Name of the wall.
+    pub wall: String,
+    /// Id of the grain; the lowest where several are.
+    pub grain: u32,
+    /// Its place [m].
+    pub position: glam::DVec3,
+    /// Overlap, or what is missing of the reach of an attraction, as a share of the radius.
+    pub share: f64,
+}
+
+impl Simulation {
+    /// Tells a wall other motions, from where it stands. What its drive does at that moment, as when it catches a freely
+    /// moving wall, is booked.
+    pub fn set_wall_motion(&mut self, wall: usize, motions: Motions) -> Result<(), WallError> {
+        let leader = (motions.leader()).and_then(|leader| self.walls.get(leader));
+        let leader = leader.map_or(Pose::START, |leader| leader.pose());
+        let before = self.walls[wall].energy();
+        self.walls[wall].set_motion_behind(motions, leader)?;
+        if self.is_started() {
+            let after = self.walls[wall].energy();
+            self.books.drive_walls(after - before);
+        }
+        Ok(())
+    }
+
+    /// Takes away the walls that are told by `absent`, and puts back the others. What was stored in the contacts of those
+    /// that go is booked; one that comes must touch no grain. Either all of that happens or nothing.
+    pub fn set_absent(&mut self, absent: impl Fn(usize) -> bool) -> Result<(), WallInTheWay> {
+        let comes = |w: usize| !absent(w) && !self.walls[w].is_present();
+        let goes = |w: usize| absent(w) && self.walls[w].is_present();
+        let coming: Vec<usize> = (0..self.walls.len()).filter(|&w| comes(w)).collect();
+        let going: Vec<usize> = (0..self.walls.len()).filter(|&w| goes(w)).collect();
+        if coming.is_empty() && going.is_empty() {
+            return Ok(());
+        }
+        for &wall in &coming {
+            self.check_way(wall)?;
+        }
+        if self.is_started() {
+            let stored = self.stored_at_walls(&going);
+            self.books.take_wall_away(stored);
+        }
+        for (walls, is_present) in [(coming, true), (going, false)] {
+            for wall in walls {
+                self.walls[wall].set_present(is_present);
+            }
+        }
+        if self.is_started() {
+            self.find_candidates();
+            self.foresee_bulges();
+        }
+        Ok(())
+    }
+
+    /// Looks for a grain that a wall which comes would touch, or attract.
+    fn check_way(&mut self, wall: usize) -> Result<(), WallInTheWay> {
+        self.walls[wall].set_present(true);
+        let (shape, grains) = (&self.walls[wall], &self.grains);
+        let mut touched: Vec<SurfaceContact> = Vec::new();
+        let mut first: Option<(usize, f64)> = None;
+        for g in (0..grains.len()).filter(|&g| !grains.is_fixed(g)) {
+            let (place, radius) = (grains.position[g], grains.radius(g));
+            let reach = radius * (1.0 - 1e-9) + self.max_reach;
+            if first.is_some_and(|(f, _)| grains.id[f] < grains.id[g]) || !shape.near(place, reach) {
+                continue;
+            }
+            touched.clear();
+            shape.contacts(place, reach, &mut touched);
+            let nearest = touched.iter().map(|s| s.distance).fold(f64::INFINITY, f64::min);
+            if nearest < reach {
+                first = Some((g, (reach - nearest) / radius));
+            }
+        }
+        self.walls[wall].set_present(false);
+        first.map_or(Ok(()), |(g, share)| {
+            Err(WallInTheWay {
+                wall: self.walls[wall].name.clone(),
+                grain: self.grains.id[g],
+                position: self.grains.position[g],
+                share,
+            })
+        })
+    }
+}

@@ -1,0 +1,60 @@
+//! Walls in a step: they move, and then take the load of the grains.
+
+use crate::simulation::Simulation;
+use crate::walls::FreeStep;
+
+impl Simulation {
+    /// Moves all walls by one step; those that move with others after these.
+    pub(super) fn move_walls(&mut self) {
+        for wall in &mut self.walls {
+            wall.advance(self.dt);
+        }
+        for follower in 0..self.walls.len() {
+            let Some(leader) = self.walls[follower].leader() else {
+                continue;
+            };
+            if let Ok([follower, leader]) = self.walls.get_disjoint_mut([follower, leader]) {
+                follower.follow(leader);
+            }
+        }
+    }
+
+    /// Tells all walls their loads; freely moving ones complete their step. What is recorded counts for `dt` [s].
+    pub(super) fn load_walls(&mut self, dt: f64) {
+        for (index, wall) in self.walls.iter_mut().enumerate() {
+            let (force, torque) = self.contacts.wall_load(index);
+            wall.set_load(force, torque);
+        }
+        for follower in 0..self.walls.len() {
+            let Some(leader) = self.walls[follower].leader() else {
+                continue;
+            };
+            let (force, torque) = self.walls[follower].load();
+            let place = self.walls[follower].origin();
+            if let Some(leader) = self.walls.get_mut(leader) {
+                leader.bear(force, torque, place);
+            }
+        }
+        if self.records_walls {
+            self.record_walls(dt);
+        }
+        self.free_walls = FreeStep::default();
+        for wall in &mut self.walls {
+            if let Some(step) = wall.settle() {
+                self.free_walls.power += step.power;
+                self.free_walls.dissipated += step.dissipated;
+                self.free_walls.kinetic += step.kinetic;
+            }
+        }
+    }
+
+    fn record_walls(&mut self, dt: f64) {
+        if dt == 0.0 {
+            return;
+        }
+        for mark in self.contacts.walls.iter().flat_map(|chunk| &chunk.marks) {
+            self.walls[mark.wall as usize].mark(mark, dt);
+        }
+        self.walls.iter_mut().for_each(|wall| wall.pass_recorded(dt));
+    }
+}

@@ -1,0 +1,142 @@
+//! What motions are refused.
+
+use super::error::WallError;
+use super::limits::{finite, in_range, not_negative, positive, unit};
+use super::motion::{FreeMotion, Freedom, Motion, MotionPart, Motions};
+use super::pace::Pace;
+
+/// Most motions of one wall that add up.
+pub const MAX_PARTS: usize = 16;
+
+/// Checks the motions of a wall, and makes their directions exact unit vectors.
+pub(super) fn check_motions(motions: Motions) -> Result<Motions, WallError> {
+    let count = motions.parts.len();
+    if count > MAX_PARTS {
+        return Err(WallError::Parts { count });
+    }
+    for (place, part) in motions.parts.iter().enumerate() {
+        if matches!(part.motion, Motion::Free(_)) && place > 0 {
+            return Err(WallError::FreeNotFirst);
+        }
+        if matches!(part.motion, Motion::With(_)) && count > 1 {
+            return Err(WallError::WithOthers);
+        }
+    }
+    let parts = motions.parts.into_iter().map(|part| {
+        Ok(MotionPart {
+            pace: check_pace(part.pace, &part.motion)?,
+            motion: check_motion(part.motion)?,
+        })
+    });
+    Ok(Motions {
+        parts: parts.collect::<Result<_, WallError>>()?,
+    })
+}
+
+fn check_pace(pace: Pace, motion: &Motion) -> Result<Pace, WallError> {
+    if pace == Pace::FULL {
+        return Ok(pace);
+    }
+    let is_prescribed = !matches!(
+        motion,
+        Motion::Servo { .. } | Motion::TorqueServo { .. } | Motion::Free(_) | Motion::With(_)
+    );
+    if !is_prescribed {
+        return Err(WallError::PaceOfForce);
+    }
+    not_negative("start_over", pace.start_over)?;
+    not_negative("stop_over", pace.stop_over)?;
+    if pace.stop_after < pace.start_over || pace.stop_after.is_nan() {
+        return Err(WallError::StopsBeforeStart {
+            stop_after: pace.stop_after,
+            start_over: pace.start_over,
+        });
+    }
+    Ok(pace)
+}
+
+fn check_motion(motion: Motion) -> Result<Motion, WallError> {
+    let any = |_: f64| true;
+    Ok(match motion {
+        Motion::Rest | Motion::Table(_) | Motion::With(_) => motion,
+        Motion::Velocity(velocity) => Motion::Velocity(finite("the velocity", velocity)?),
+        Motion::Rotation {
+            point,
+            axis,
+            angular_velocity,
+        } => Motion::Rotation {
+            point: finite("the point of the axis of rotation", point)?,
+            axis: unit("the axis of rotation", axis)?,
+            angular_velocity: in_range("the angular velocity", angular_velocity, "at most 1e100", any)?,
+        },
+        Motion::Oscillation {
+            amplitude,
+            frequency,
+            phase,
+        } => Motion::Oscillation {
+            amplitude: finite("the amplitude", amplitude)?,
+            frequency: not_negative("the frequency", frequency)?,
+            phase: in_range("the phase", phase, "at most 1e100", any)?,
+        },
+        Motion::Rocking {
+            point,
+            axis,
+            amplitude,
+            frequency,
+            phase,
+        } => Motion::Rocking {
+            point: finite("the point of the axis of rocking", point)?,
+            axis: unit("the axis of rocking", axis)?,
+            amplitude: in_range("the amplitude", amplitude, "at most 1e100", any)?,
+            frequency: not_negative("the frequency", frequency)?,
+            phase: in_range("the phase", phase, "at most 1e100", any)?,
+        },
+        Motion::Servo { axis, force, max_speed } => Motion::Servo {
+            axis: unit("the axis of the servo", axis)?,
+            force: positive("the force of the servo", force)?,
+            max_speed: positive("max_speed of the servo", max_speed)?,
+        },
+        Motion::TorqueServo {
+            point,
+            axis,
+            torque,
+            max_speed,
+        } => Motion::TorqueServo {
+            point: finite("the point of the axis of the servo", point)?,
+            axis: unit("the axis of the servo", axis)?,
+            torque: positive("the torque of the servo", torque)?,
+            max_speed: positive("max_speed of the servo", max_speed)?,
+        },
+        Motion::Free(free) => Motion::Free(check_free(free)?),
+    })
+}
+
+fn check_free(free: FreeMotion) -> Result<FreeMotion, WallError> {
+    let freedom = match free.freedom {
+        Freedom::Slide { axis } => Freedom::Slide {
+            axis: unit("the axis of the slide", axis)?,
+        },
+        Freedom::Hinge {
+            point,
+            axis,
+            center_of_mass,
+        } => Freedom::Hinge {
+            point: finite("the point of the hinge", point)?,
+            axis: unit("the axis of the hinge", axis)?,
+            center_of_mass: finite("the centre of mass", center_of_mass)?,
+        },
+    };
+    let [lower, upper] = free.stops;
+    if !(lower <= 0.0 && 0.0 <= upper && lower < upper) {
+        return Err(WallError::Stops { lower, upper });
+    }
+    Ok(FreeMotion {
+        freedom,
+        inertia: positive("the mass or inertia", free.inertia)?,
+        weight: finite("the weight", free.weight)?,
+        stiffness: not_negative("the stiffness", free.stiffness)?,
+        damping: not_negative("the damping", free.damping)?,
+        speed: in_range("the speed at the start", free.speed, "at most 1e100", |_| true)?,
+        stops: free.stops,
+    })
+}
