@@ -6,7 +6,7 @@ mod cases;
 
 use cases::{Case, G, Laws, on_threads, one_material, report};
 use demeter::particles::Outside;
-use demeter::scenario::{Observer, Progress, Report, RunEnd, RunError, RunOptions, Scenario, resume, run};
+use demeter::scenario::{Observer, Progress, Report, RunEnd, RunError, RunOptions, Scenario, prepare, resume, run};
 use demeter::walls::{FreeMotion, Freedom, Motion, Shape};
 use demeter_physics::DVec3;
 use std::collections::BTreeMap;
@@ -184,6 +184,15 @@ fn a_flap_that_grains_fall_on_closes_the_books() {
     assert!(extreme("wall flap displacement z [m]") > 2e-3);
     assert!(extreme("free wall energy [J]") > 1e-5 && extreme("wall dissipation [J]") > 1e-7);
     assert!(extreme("wall work [J]") < 1e-6 * extreme("gravitational energy [J]"));
+}
+
+#[test]
+fn a_free_wall_lighter_than_a_grain_is_told() {
+    let warnings = |text: &str| prepare(&parse(text)).unwrap().warnings;
+    let told = |text: &str| warnings(text).iter().any(|w| w.contains("wall `flap` moves freely"));
+    assert!(!told(FLAP));
+    let light = FLAP.replace("mass = \"5 g\"", "mass = \"5 mg\"");
+    assert!(told(&light.replace("inertia = \"1e-6", "inertia = \"1e-9")));
 }
 
 #[test]

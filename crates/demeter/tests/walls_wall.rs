@@ -175,6 +175,29 @@ fn a_box_has_six_numbered_faces_unless_open() {
 }
 
 #[test]
+fn a_box_ends_at_its_open_faces() {
+    let shape = Shape::Box {
+        lower: DVec3::ZERO,
+        upper: DVec3::ONE,
+        open: [false, false, false, false, false, true],
+    };
+    let tray = wall(shape, Motion::Rest);
+    let at = |x: f64, z: f64| contacts(&tray, v(x, 0.5, z), 0.1);
+    // as high as its rim the side pushes inwards, above it the rim pushes straight away, and higher there is nothing
+    assert_eq!(
+        at(0.05, 0.99).iter().map(|c| c.normal).collect::<Vec<_>>(),
+        vec![DVec3::X]
+    );
+    let rim = at(0.03, 1.04);
+    assert_eq!(rim.len(), 1);
+    assert!((rim[0].distance - 0.05).abs() < 1e-15 && (rim[0].normal - v(0.6, 0.0, 0.8)).length() < 1e-14);
+    assert!(at(0.03, 1.11).is_empty() && !tray.near(v(0.03, 0.5, 1.11), 0.1));
+    assert!(at(-5.0, 1.11).is_empty(), "far beside it, above its rim");
+    // a closed face goes on: a grain whose centre crossed an edge is held by both faces
+    assert_eq!(contacts(&tray, v(-0.01, -0.02, 0.5), 0.1).len(), 2);
+}
+
+#[test]
 fn a_cylinder_lets_go_of_a_grain_that_has_wholly_passed() {
     let shape = Shape::Cylinder {
         start: DVec3::ZERO,

@@ -171,9 +171,12 @@ pub const COLUMNS: &[Column<Measures>] = {
             "energy of grains inserted since the start",
             |m| Number(m.energies.inserted),
         ),
-        column("removed energy", "J", "energy of grains removed since the start", |m| {
-            Number(m.energies.removed)
-        }),
+        column(
+            "removed energy",
+            "J",
+            "energy of grains removed since the start, and of contacts with walls that went",
+            |m| Number(m.energies.removed),
+        ),
         column(
             "energy residual",
             "",

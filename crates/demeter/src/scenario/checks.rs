@@ -3,7 +3,7 @@
 use super::{Diagnostics, FeedRate, FeedSpec, Scenario};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
 use crate::particles::{Domain, Grains};
-use crate::walls::{Motion, Motions, SurfaceContact, Wall};
+use crate::walls::{Freedom, Motion, Motions, SurfaceContact, Wall};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -210,6 +210,39 @@ pub(super) fn check_wall_speeds(scenario: &Scenario, grains: &Grains, dt: f64, f
                 ),
                 Some("slow it down or use a shorter time step".to_string()),
             );
+        }
+    }
+}
+
+/// Tells free walls that are lighter than a grain: the time step follows from the masses of grains, and a contact with a lighter
+/// wall is faster than all between grains.
+pub(super) fn check_free_walls(scenario: &Scenario, walls: &[Wall], grains: &Grains, warnings: &mut Vec<String>) {
+    let largest = grains.mass.iter().copied().fold(0.0, f64::max);
+    let at_start = scenario.walls.iter().map(|wall| &wall.motion).enumerate();
+    let in_stages = scenario.stages.iter().flat_map(|stage| &stage.motions);
+    let mut told = std::collections::BTreeSet::new();
+    for (index, motions) in at_start.chain(in_stages.map(|(wall, motions)| (*wall, motions))) {
+        let free = motions.parts.iter().find_map(|part| match part.motion {
+            Motion::Free(free) => Some(free),
+            _ => None,
+        });
+        let (Some(free), Some(wall)) = (free, walls.get(index)) else {
+            continue;
+        };
+        // at the farthest place from the hinge a wall gives way most easily
+        let mass = match (free.freedom, wall.bounds()) {
+            (Freedom::Hinge { point, .. }, Some((lower, upper))) => {
+                let reach = (upper - point).abs().max((lower - point).abs()).length();
+                free.inertia / (reach * reach)
+            }
+            _ => free.inertia,
+        };
+        if mass < largest && told.insert(index) {
+            warnings.push(format!(
+                "wall `{}` moves freely and is as light as {mass:.3e} kg where grains push it, the heaviest of which has \
+                 {largest:.3e} kg: use a time step below the automatic one by the root of that ratio",
+                wall.name
+            ));
         }
     }
 }

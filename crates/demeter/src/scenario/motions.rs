@@ -274,12 +274,24 @@ fn hinge(table: TableReader<'_>, frame: &Frame<'_>) -> Motion {
     let kind = Kind::Physical(Dimension::new(1, 2, 0));
     let meaning = "the moment of inertia about the hinge, as \"0.01 kg m^2\"";
     let inertia = table.quantity("inertia", kind, Range::POSITIVE, meaning);
+    let center_of_mass = table.point("center_of_mass", "the centre of mass of the wall");
+    let least = mass * axis.cross(center_of_mass - point).length_squared();
+    // room for what a user rounds off
+    if inertia < 0.999 * least {
+        table.fault_at(
+            "inertia",
+            format!(
+                "`inertia` is {inertia} kg m^2, but the mass in its centre alone makes {least:.4e} kg m^2 about the hinge; \
+                 no body has less"
+            ),
+        );
+    }
     let optional = |key, kind, range| table.optional_quantity(key, kind, range).unwrap_or(0.0);
     let motion = FreeMotion {
         freedom: Freedom::Hinge {
             point,
             axis,
-            center_of_mass: table.point("center_of_mass", "the centre of mass of the wall"),
+            center_of_mass,
         },
         inertia,
         weight: frame.gravity * mass,

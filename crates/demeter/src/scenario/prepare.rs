@@ -1,8 +1,8 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
 use super::checks::{
-    BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds,
-    expected_of_feed,
+    BYTES_PER_GRAIN, check_free_walls, check_memory, check_overlaps, check_periodic_size, check_stage_motions,
+    check_wall_speeds, expected_of_feed,
 };
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
@@ -72,6 +72,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::deformation::check(scenario, &materials, &grains, None, &mut faults);
     meshes::check(scenario, &walls, &meshes, &all, &mut warnings);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
+    check_free_walls(scenario, &walls, &all, &mut warnings);
     if all.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));
     }

@@ -47,7 +47,7 @@ pub struct Energies {
     pub multi_contact_input: f64,
     /// Energy of grains inserted since the start.
     pub inserted: f64,
-    /// Energy of grains removed since the start.
+    /// Energy of grains removed since the start, and of contacts with walls that were taken away.
     pub removed: f64,
     /// Share of the energy that passed through the system which the books do not explain.
     pub residual: f64,

@@ -106,7 +106,7 @@ fn velocities_are_derivatives_of_the_pose() {
     let all_of_them = all(&[
         oscillation(),
         rocking(),
-        table(Interpolation::Smooth),
+        table(Interpolation::Rates),
         rotation(DVec3::ONE, DVec3::X, 5.0),
         Motion::Velocity(DVec3::new(1.0, -2.0, 0.5)),
     ]);

@@ -69,8 +69,8 @@ fn rings(surface: &Surface) -> Vec<Ring> {
     }
 }
 
-/// Smallest box around a placed surface; `None` when it is infinite. The faces of a box go on beyond its edges, but it
-/// is meant to hold what is between them.
+/// Smallest box around a placed surface; `None` when it is infinite. The faces of a box go on beyond closed ones, but
+/// it is meant to hold what is between them.
 pub(super) fn bounds(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(DVec3, DVec3)> {
     match surface {
         Surface::Plane(_) => None,
@@ -196,7 +196,9 @@ pub(super) fn triangles(surface: &Surface, origin: DVec3, pose: &Pose, lower: DV
             };
             cut_plane(&placed, lower, upper)
         }
-        Surface::Box { faces, lower, upper } => faces
+        Surface::Box {
+            faces, lower, upper, ..
+        } => faces
             .iter()
             .flat_map(|(face, _)| box_face(*face, *lower, *upper))
             .map(place)

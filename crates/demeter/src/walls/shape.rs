@@ -14,7 +14,7 @@ pub enum Shape {
         /// Unit normal.
         normal: DVec3,
     },
-    /// The six (or fewer) inner faces of a box, each an infinite plane. Faces: -x, +x, -y, +y, -z, +z.
+    /// The six (or fewer) inner faces of a box, which end at the faces that are open. Faces: -x, +x, -y, +y, -z, +z.
     Box {
         /// Lower corner [m].
         lower: DVec3,

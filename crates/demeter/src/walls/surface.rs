@@ -5,24 +5,25 @@ use super::limits::{UNIT_TOLERANCE, finite, not_negative, positive, unit};
 use super::mesh::Mesh;
 use super::shape::Shape;
 use super::wall::SurfaceContact;
-use demeter_physics::geometry::SurfacePoint;
 use demeter_physics::geometry::contact_sphere_cone::{Cone, contact_sphere_cone};
 use demeter_physics::geometry::contact_sphere_cylinder::{Cylinder, contact_sphere_cylinder};
 use demeter_physics::geometry::contact_sphere_disc::{Disc, contact_sphere_disc};
 use demeter_physics::geometry::contact_sphere_plane::{Plane, contact_sphere_plane};
 use demeter_physics::geometry::contact_sphere_rectangle::{Rectangle, contact_sphere_rectangle};
 use demeter_physics::geometry::contact_sphere_shell::{Shell, contact_sphere_shell};
+use demeter_physics::geometry::{Feature, SurfacePoint};
 use glam::DVec3;
 
 /// A surface in the wall frame.
 #[derive(Clone, Debug)]
 pub(super) enum Surface {
     Plane(Plane),
-    /// Faces of a box with their numbers, and its corners.
+    /// Faces of a box with their numbers, its corners, and between which places its faces reach.
     Box {
         faces: Vec<(u32, Plane)>,
         lower: DVec3,
         upper: DVec3,
+        reach: (DVec3, DVec3),
     },
     Cylinder(Cylinder),
     Cone(Cone),
@@ -97,9 +98,9 @@ impl Surface {
     pub(super) fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
         match self {
             Surface::Mesh(mesh) => mesh.contacts(centre, reach, out),
-            Surface::Box { faces, .. } => {
+            Surface::Box { faces, reach: ends, .. } => {
                 for (element, plane) in faces {
-                    push(contact_sphere_plane(plane, centre), *element, reach, out);
+                    push(contact_box_face(plane, *ends, centre), *element, reach, out);
                 }
             }
             single => {
@@ -127,9 +128,9 @@ impl Surface {
     pub(super) fn near(&self, centre: DVec3, reach: f64) -> bool {
         match self {
             Surface::Mesh(mesh) => mesh.near(centre, reach),
-            Surface::Box { faces, .. } => faces
+            Surface::Box { faces, reach: ends, .. } => faces
                 .iter()
-                .any(|(_, plane)| contact_sphere_plane(plane, centre).distance <= reach),
+                .any(|(_, plane)| contact_box_face(plane, *ends, centre).distance <= reach),
             single => {
                 let within = |point: SurfacePoint| point.distance <= reach && !single.is_left_behind(&point, reach);
                 single.closest(centre).is_some_and(within)
@@ -143,10 +144,10 @@ impl Surface {
         let found = match self {
             Surface::Mesh(_) if limit <= 0.0 => return limit,
             Surface::Mesh(mesh) => mesh.distance(point, limit),
-            Surface::Box { faces, .. } => {
+            Surface::Box { faces, reach, .. } => {
                 let distances = faces
                     .iter()
-                    .map(|(_, plane)| contact_sphere_plane(plane, point).distance);
+                    .map(|(_, plane)| contact_box_face(plane, *reach, point).distance);
                 distances.fold(limit, f64::min)
             }
             single => single.closest(point).map_or(limit, |closest| match single {
@@ -201,6 +202,18 @@ fn push(point: SurfacePoint, element: u32, reach: f64, out: &mut Vec<SurfaceCont
     }
 }
 
+/// Closest point of a face of a box. It goes on beyond closed faces, where no grain gets, so that a grain that has crossed an edge
+/// is pushed back by both; beyond an open face its rim is an edge that pushes straight away.
+#[inline]
+fn contact_box_face(plane: &Plane, (from, to): (DVec3, DVec3), centre: DVec3) -> SurfacePoint {
+    let on_plane = contact_sphere_plane(plane, centre);
+    let foot = on_plane.foot.clamp(from, to);
+    if foot == on_plane.foot {
+        return on_plane;
+    }
+    SurfacePoint::away_from(foot, centre, plane.normal, Feature::Edge(0))
+}
+
 fn box_surface(lower: DVec3, upper: DVec3, open: [bool; 6]) -> Result<Surface, WallError> {
     finite("the lower corner", lower)?;
     finite("the upper corner", upper)?;
@@ -224,7 +237,15 @@ fn box_surface(lower: DVec3, upper: DVec3, open: [bool; 6]) -> Result<Surface, W
     if faces.is_empty() {
         return Err(WallError::NoFace);
     }
-    Ok(Surface::Box { faces, lower, upper })
+    let end = |side: usize, corner: DVec3, beyond: f64| {
+        DVec3::from_array([0, 1, 2].map(|k| if open[2 * k + side] { corner[k] } else { beyond }))
+    };
+    Ok(Surface::Box {
+        faces,
+        lower,
+        upper,
+        reach: (end(0, lower, f64::NEG_INFINITY), end(1, upper, f64::INFINITY)),
+    })
 }
 
 fn rectangle_surface(center: DVec3, half_u: DVec3, half_v: DVec3) -> Result<Surface, WallError> {

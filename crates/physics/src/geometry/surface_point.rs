@@ -56,7 +56,7 @@ impl SurfacePoint {
     /// A point on an edge, a corner or a plate, that pushes the centre straight away from the foot.
     /// A centre on the foot itself is pushed along `fallback`.
     #[inline]
-    pub(crate) fn away_from(foot: DVec3, centre: DVec3, fallback: DVec3, feature: Feature) -> Self {
+    pub fn away_from(foot: DVec3, centre: DVec3, fallback: DVec3, feature: Feature) -> Self {
         let (normal, distance) = direction(centre - foot, fallback);
         SurfacePoint {
             normal,
