@@ -6,7 +6,7 @@ use super::{Diagnostics, Scenario};
 use crate::comm::ShearAxes;
 use crate::materials::Materials;
 use crate::particles::Grains;
-use crate::simulation::{Deformation, DeformationError, Drive, Misfit, Shear, StopCondition, StressOf};
+use crate::simulation::{Deformation, DeformationError, Drive, Misfit, Shear, Simulation, StopCondition, StressOf};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::integrator::Integrator;
 use demeter_physics::parameters::Range;
@@ -119,6 +119,31 @@ pub(super) fn conditions(table: &TableReader<'_>, stop: &mut Vec<StopCondition>)
     }
     if let Some(shear) = table.optional_quantity("shear_strain", Kind::Number, Range::POSITIVE) {
         stop.push(StopCondition::ShearStrain(shear));
+    }
+}
+
+/// What a condition on a box that deforms has come to, in words, when it is reached; a stress is found only where it `looks`.
+pub(super) fn reached(stop: &StopCondition, sim: &Simulation, looks: bool) -> Option<String> {
+    let is_reached = |found: f64, asked: f64| found.abs() >= asked * (1.0 - 1e-12);
+    match *stop {
+        StopCondition::BoxStress { of, stress, falls } => {
+            let state = looks.then(|| sim.box_state())??;
+            let (name, found) = match of {
+                StressOf::Axis(axis) => (AXES[axis.min(2)], state.stress[axis.min(2)]),
+                StressOf::Mean => ("mean", state.pressure()),
+            };
+            let is_reached = if falls { found <= stress } else { found >= stress };
+            is_reached.then(|| format!("the stress of the box ({name}) is {found:.6e} Pa, {stress:e} Pa was asked"))
+        }
+        StopCondition::BoxStrain { axis, strain } => {
+            let found = sim.stage_strain()?.0[axis.min(2)];
+            is_reached(found, strain).then(|| format!("the strain of the box is {found:.6}"))
+        }
+        StopCondition::ShearStrain(strain) => {
+            let found = sim.stage_strain()?.1;
+            is_reached(found, strain).then(|| format!("the shear strain of the box is {found:.6}"))
+        }
+        _ => None,
     }
 }
 

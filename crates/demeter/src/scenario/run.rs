@@ -1,5 +1,6 @@
 //! Running a scenario: stages in order, output at its cadence, checkpoints, and how it ends.
 
+use super::deformation::reached;
 use super::prepare::{Prepared, prepare, prepare_to_resume};
 use super::report::{Report, RunEnd};
 use super::rows::Rows;
@@ -14,7 +15,7 @@ use crate::measure::{
 };
 use crate::output::{Frame, FrameWriter, RunFolder, SeriesLabels, StageSummary, wall_summaries};
 use crate::particles::Domain;
-use crate::simulation::{Phase, Setup, Simulation, SimulationState, Stage, StopCondition, StressOf};
+use crate::simulation::{Phase, Setup, Simulation, SimulationState, Stage, StopCondition};
 use crate::walls::Wall;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -444,23 +445,9 @@ impl<'a> Runner<'a> {
                 let reached = self.travel(*wall) / length;
                 (reached >= *strain * (1.0 - 1e-12)).then(|| format!("the strain is {reached:.6}"))
             }
-            StopCondition::BoxStress { of, stress, falls } => {
+            StopCondition::BoxStress { .. } | StopCondition::BoxStrain { .. } | StopCondition::ShearStrain(_) => {
                 let looks = elapsed > 0 && elapsed.is_multiple_of(ENERGY_INTERVAL);
-                let state = looks.then(|| self.sim.box_state())??;
-                let (name, found) = match *of {
-                    StressOf::Axis(axis) => (["x", "y", "z"][axis.min(2)], state.stress[axis.min(2)]),
-                    StressOf::Mean => ("mean", state.pressure()),
-                };
-                let is_reached = if *falls { found <= *stress } else { found >= *stress };
-                is_reached.then(|| format!("the stress of the box ({name}) is {found:.6e} Pa, {stress:e} Pa was asked"))
-            }
-            StopCondition::BoxStrain { axis, strain } => {
-                let found = self.sim.stage_strain()?.0[(*axis).min(2)];
-                (found.abs() >= *strain * (1.0 - 1e-12)).then(|| format!("the strain of the box is {found:.6}"))
-            }
-            StopCondition::ShearStrain(strain) => {
-                let found = self.sim.stage_strain()?.1;
-                (found.abs() >= *strain * (1.0 - 1e-12)).then(|| format!("the shear strain of the box is {found:.6}"))
+                reached(stop, &self.sim, looks)
             }
             StopCondition::MotionDone(wall) => {
                 let wall = &self.sim.walls[*wall];
