@@ -126,6 +126,7 @@ impl From<RunError> for Failure {
             RunError::Finished { .. }
             | RunError::State(_)
             | RunError::Motion { .. }
+            | RunError::Deformation { .. }
             | RunError::WallInTheWay { .. }
             | RunError::OtherTraffic
             | RunError::Feed { .. }

@@ -33,13 +33,16 @@ impl Simulation {
         self.start()?;
         self.step += 1;
         self.took(Phase::Other);
+        self.deform_box();
         let motion = self.move_grains();
+        let motion = self.beyond_affine(motion);
+        self.follow_box();
         self.took(Phase::Motion);
         self.move_walls();
         self.took(Phase::Walls);
         self.check_places(&motion)?;
         if let Some(skin) = self.next_skin(&motion) {
-            self.skin = skin;
+            self.skin = self.skin_that_fits(skin)?;
             self.find_candidates();
             self.foresee_bulges();
         }
@@ -47,6 +50,7 @@ impl Simulation {
         self.find_contacts(&motion)?;
         self.took(self.phase_of_contacts());
         self.sum_and_correct(Moment::Step)?;
+        self.note_across();
         self.took(Phase::Sums);
         self.load_walls(self.dt);
         self.took(Phase::Walls);
@@ -68,6 +72,7 @@ impl Simulation {
         self.foresee_bulges();
         self.find_contacts(&motion)?;
         self.sum_and_correct(Moment::Start)?;
+        self.note_across();
         self.load_walls(0.0);
         Ok(())
     }
@@ -254,14 +259,14 @@ enum Moment {
 
 /// What the motion of the grains came to.
 #[derive(Clone, Debug, Default)]
-struct Motion {
-    max_speed: f64,
+pub(crate) struct Motion {
+    pub(crate) max_speed: f64,
     /// Largest displacement in this step [m].
-    max_step: f64,
+    pub(crate) max_step: f64,
     /// Largest displacement since the candidates were found [m].
-    max_displacement: f64,
+    pub(crate) max_displacement: f64,
     /// Some grain outside the domain or not at a finite place.
-    misplaced: Option<usize>,
+    pub(crate) misplaced: Option<usize>,
 }
 
 impl Motion {

@@ -6,6 +6,9 @@
 //! [`dosta`]: the cross-code benchmark of Dosta et al. (Computer Physics Communications 296, 109066, 2024): a ball that falls
 //! into a bed, a turning drum, a silo. `validation/dosta/README.md` tells the results.
 //!
+//! [`rheology`]: spheres sheared at a constant pressure, from fast to slow: the friction of dense granular flow (Jop, Forterre and
+//! Pouliquen, Nature 441, 727, 2006). `validation/rheology/README.md` tells the results.
+//!
 //! [`bulk`]: laws of bulk solids that every engine must give: Beverloo, Janssen, the angle of repose. `validation/bulk/README.md`
 //! tells the results.
 
@@ -13,6 +16,7 @@ pub mod bulk;
 pub mod dosta;
 mod folder;
 pub mod hydrogel;
+pub mod rheology;
 mod runs;
 mod series;
 

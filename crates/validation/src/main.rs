@@ -10,7 +10,7 @@ use clap::{Parser, Subcommand};
 use demeter_validation::hydrogel::{
     Experiment, Results, Standards, TOP_FORCE, ValidationError, find_models, run_models, write_figures, write_table,
 };
-use demeter_validation::{bulk, dosta};
+use demeter_validation::{bulk, dosta, rheology};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -31,8 +31,35 @@ enum Which {
     Hydrogel(Hydrogel),
     /// A ball that falls into a bed, a turning drum, a silo: the cross-code benchmark of Dosta et al. (2024)
     Dosta(Dosta),
+    /// Spheres sheared at a constant pressure, from fast to slow: the friction of dense granular flow (Jop et al. 2006)
+    Rheology(Rheology),
     /// Laws of bulk solids: Beverloo's discharge, Janssen's floor, an angle of repose that rises with friction
     Bulk(Bulk),
+}
+
+#[derive(clap::Args)]
+struct Rheology {
+    /// Threads; otherwise all cores
+    #[arg(long)]
+    threads: Option<usize>,
+    /// Scenario of the series
+    #[arg(long, default_value = "validation/rheology/scenario.toml")]
+    scenario: PathBuf,
+    /// Changes of the scenario, as `demeter run --set`
+    #[arg(long)]
+    set: Vec<String>,
+    /// Mean diameter of the grains [m]
+    #[arg(long, default_value_t = 1e-3)]
+    diameter: f64,
+    /// Density of their material [kg/m^3]
+    #[arg(long, default_value_t = 2500.0)]
+    density: f64,
+    /// Folder of the results; the run goes into a folder below it
+    #[arg(long, default_value = "runs/validate-rheology")]
+    out: PathBuf,
+    /// Replace another run in the folder
+    #[arg(long)]
+    overwrite: bool,
 }
 
 #[derive(clap::Args)]
@@ -201,6 +228,24 @@ fn dosta(arguments: &Dosta) -> Result<(), dosta::DostaError> {
     Ok(())
 }
 
+fn rheology(arguments: &Rheology) -> Result<(), rheology::RheologyError> {
+    let experiment = rheology::Experiment {
+        scenario: arguments.scenario.clone(),
+        set: arguments.set.clone(),
+        threads: arguments.threads,
+        overwrite: arguments.overwrite,
+    };
+    let folder = arguments.out.join("run");
+    let scenario = rheology::run_series(&experiment, &folder, &|text| eprintln!("{text}"))?;
+    let flow = rheology::Flow {
+        diameter: arguments.diameter,
+        density: arguments.density,
+    };
+    let points = rheology::read_points(&scenario, flow, &folder)?;
+    println!("{}", rheology::write_tables(&points, &arguments.out)?);
+    Ok(())
+}
+
 fn bulk(arguments: &Bulk) -> Result<(), bulk::BulkError> {
     let studies = match &arguments.study {
         Some(name) => vec![bulk::find_study(name)?],
@@ -227,6 +272,7 @@ fn main() -> ExitCode {
         Which::Hydrogel(arguments) => hydrogel(&arguments).map_err(Into::into),
         Which::Bulk(arguments) => bulk(&arguments).map_err(Into::into),
         Which::Dosta(arguments) => dosta(&arguments).map_err(Into::into),
+        Which::Rheology(arguments) => rheology(&arguments).map_err(Into::into),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,5 +1,6 @@
 //! One process: a border is a periodic side.
 
+use super::deforming::{Deforming, Rates, ShearAxes};
 use crate::particles::{Domain, Grains, Row};
 use glam::DVec3;
 
@@ -8,21 +9,45 @@ use glam::DVec3;
 pub struct Single {
     domain: Domain,
     shifts: [Row; 27],
+    moving: Option<Box<Moving>>,
+}
+
+/// A box that deforms, and how fast its images move.
+#[derive(Clone, Debug)]
+struct Moving {
+    deforming: Deforming,
+    velocities: [Row; 27],
+}
+
+/// How many boxes away an image is, by the code of its shift.
+fn digits(code: usize) -> [f64; 3] {
+    [code / 9, code / 3 % 3, code % 3].map(|digit| digit as f64 - 1.0)
+}
+
+/// Sums of box edges for all codes; nothing along directions that are not periodic.
+fn combinations(edges: &[DVec3; 3], periodic: [bool; 3]) -> [Row; 27] {
+    let mut sums = [Row::default(); 27];
+    for (code, sum) in sums.iter_mut().enumerate() {
+        for (axis, digit) in digits(code).into_iter().enumerate() {
+            if periodic[axis] && digit != 0.0 {
+                sum.vector += edges[axis] * digit;
+            }
+        }
+    }
+    sums
 }
 
 impl Single {
     /// The borders of a domain.
     pub fn new(domain: Domain) -> Self {
         let size = domain.size();
-        let mut shifts = [Row::default(); 27];
-        for (code, shift) in shifts.iter_mut().enumerate() {
-            for (axis, digit) in [code / 9, code / 3 % 3, code % 3].into_iter().enumerate() {
-                if domain.periodic[axis] && digit != 1 {
-                    shift.vector[axis] = if digit == 2 { size[axis] } else { -size[axis] };
-                }
-            }
+        let edges = [DVec3::X * size.x, DVec3::Y * size.y, DVec3::Z * size.z];
+        let shifts = combinations(&edges, domain.periodic);
+        Self {
+            domain,
+            shifts,
+            moving: None,
         }
-        Self { domain, shifts }
     }
 
     /// Shift to add to a difference of positions, by its code.
@@ -41,22 +66,42 @@ impl Single {
         }
     }
 
+    /// Velocities of all shifts by their codes, to add to a difference of velocities; none where the box keeps its shape.
+    #[inline(always)]
+    pub fn shift_velocities(&self) -> &[[f64; 4]] {
+        match &self.moving {
+            Some(moving) => bytemuck::cast_slice(&moving.velocities),
+            None => &[],
+        }
+    }
+
+    /// How many boxes away in each direction an image is, by the code of its shift.
+    pub(crate) fn boxes(code: u8) -> DVec3 {
+        DVec3::from_array(digits(usize::from(code)))
+    }
+
     /// Code of the shift that makes the difference of two positions the shortest.
     #[inline]
     pub fn nearest_image(&self, difference: DVec3) -> u8 {
         let size = self.domain.size();
-        let digit = |axis: usize| {
+        let digit = |axis: usize, difference: f64| {
             if !self.domain.periodic[axis] {
                 1
-            } else if difference[axis] > 0.5 * size[axis] {
+            } else if difference > 0.5 * size[axis] {
                 0
-            } else if difference[axis] < -0.5 * size[axis] {
+            } else if difference < -0.5 * size[axis] {
                 2
             } else {
                 1
             }
         };
-        digit(0) * 9 + digit(1) * 3 + digit(2)
+        let mut difference = difference;
+        if let Some(deforming) = self.deforming()
+            && let Some(ShearAxes { flow, gradient }) = deforming.axes()
+        {
+            difference[flow] += (f64::from(digit(gradient, difference[gradient])) - 1.0) * deforming.offset();
+        }
+        digit(0, difference.x) * 9 + digit(1, difference.y) * 3 + digit(2, difference.z)
     }
 
     /// Code of no shift.
@@ -85,6 +130,54 @@ impl Single {
         }
     }
 
+    /// Puts every grain back into a box that deforms: it takes the place and the velocity of its image. Forces act on its
+    /// velocity for `ahead` [s] beyond the middle of the step. Tells what kinetic energy that brought [J].
+    pub(crate) fn wrap_moving(&mut self, grains: &mut Grains, ahead: f64) -> f64 {
+        let Some(moving) = &mut self.moving else {
+            self.wrap(grains);
+            return 0.0;
+        };
+        moving.deforming.unwind(&self.domain);
+        self.renew();
+        let Some(deforming) = self.deforming() else {
+            return 0.0;
+        };
+        let (edges, velocities) = (deforming.edges(&self.domain), deforming.velocities(&self.domain));
+        let sheared = deforming.axes();
+        // images slide along the flow: that direction comes after the one that lets them slide
+        let axes = match sheared {
+            Some(ShearAxes { gradient, .. }) => [gradient, (gradient + 1) % 3, (gradient + 2) % 3],
+            None => [0, 1, 2],
+        };
+        let mut gained = 0.0;
+        for g in 0..grains.len() {
+            let (mut place, mut image, mut change) = (grains.position[g], grains.image[g], DVec3::ZERO);
+            for axis in axes.into_iter().filter(|&k| self.domain.periodic[k]) {
+                let boxes = if place[axis] >= self.domain.upper[axis] {
+                    1
+                } else if place[axis] < self.domain.lower[axis] {
+                    -1
+                } else {
+                    continue;
+                };
+                place -= edges[axis] * f64::from(boxes);
+                change -= velocities[axis] * f64::from(boxes);
+                image[axis] += boxes;
+                if let Some(axes) = sheared.filter(|axes| axes.gradient == axis) {
+                    image[axes.flow] -= boxes * deforming.turns();
+                }
+            }
+            if image != grains.image[g] {
+                let middle = grains.velocity[g] - grains.force[g] * (ahead * grains.inverse_mass(g));
+                gained += grains.mass[g] * (middle + 0.5 * change).dot(change);
+                grains.position[g] = place;
+                grains.velocity[g] += change;
+                grains.image[g] = image;
+            }
+        }
+        gained
+    }
+
     /// Position without the wrapping: where the grain would be in open space.
     #[inline]
     pub fn unwrapped(&self, position: DVec3, image: [i32; 3]) -> DVec3 {
@@ -95,11 +188,81 @@ impl Single {
                 p[axis] += f64::from(image[axis]) * size[axis];
             }
         }
+        if let Some(deforming) = self.deforming()
+            && let Some(ShearAxes { flow, gradient }) = deforming.axes()
+        {
+            let slid = deforming.offset() + f64::from(deforming.turns()) * size[flow];
+            p[flow] += f64::from(image[gradient]) * slid;
+        }
         p
     }
 
     /// The domain.
     pub fn domain(&self) -> &Domain {
         &self.domain
+    }
+
+    /// Periodic directions in which a grain and its image differ by nothing but a length of the box.
+    pub(crate) fn rings(&self) -> [bool; 3] {
+        let mut rings = self.domain.periodic;
+        if let Some(axes) = self.slides() {
+            rings[axes.gradient] = false;
+        }
+        rings
+    }
+
+    /// Directions of the shear, where images slide.
+    pub(crate) fn slides(&self) -> Option<ShearAxes> {
+        self.deforming().and_then(Deforming::axes)
+    }
+
+    /// An edge of the box: what leads to the next image in a direction [m].
+    pub(crate) fn edge(&self, axis: usize) -> DVec3 {
+        self.shifts[[13 + 9, 13 + 3, 13 + 1][axis]].vector
+    }
+
+    /// The box where it deforms.
+    pub(crate) fn deforming(&self) -> Option<&Deforming> {
+        self.moving.as_ref().map(|moving| &moving.deforming)
+    }
+
+    /// Lets the box deform, and its images slide where a shear is told.
+    pub(crate) fn begin_to_deform(&mut self, axes: Option<ShearAxes>) {
+        let domain = &self.domain;
+        let moving = self.moving.get_or_insert_with(|| {
+            Box::new(Moving {
+                deforming: Deforming::new(domain),
+                velocities: [Row::default(); 27],
+            })
+        });
+        if let Some(axes) = axes {
+            moving.deforming.set_axes(axes);
+        }
+    }
+
+    /// Goes on with a box that has deformed.
+    pub(crate) fn restore(&mut self, domain: Domain, deforming: Deforming) {
+        self.domain = domain;
+        self.moving = Some(Box::new(Moving {
+            deforming,
+            velocities: [Row::default(); 27],
+        }));
+        self.renew();
+    }
+
+    /// Deforms the box by one step, with the rates of this one and of the next.
+    pub(crate) fn advance(&mut self, rates: [Rates; 2], dt: f64) {
+        if let Some(moving) = &mut self.moving {
+            moving.deforming.advance(&mut self.domain, rates, dt);
+            self.renew();
+        }
+    }
+
+    fn renew(&mut self) {
+        if let Some(moving) = &mut self.moving {
+            let periodic = self.domain.periodic;
+            self.shifts = combinations(&moving.deforming.edges(&self.domain), periodic);
+            moving.velocities = combinations(&moving.deforming.velocities(&self.domain), periodic);
+        }
     }
 }

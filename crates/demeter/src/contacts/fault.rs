@@ -71,6 +71,25 @@ pub enum Fault {
         /// What the other contacts displace it by, as share of the smaller radius.
         displacement_share: f64,
     },
+    /// A periodic box shrank so far that a grain would meet two images of a partner.
+    #[error(
+        "step {step}: the periodic box has shrunk to {size:.6} m along {direction}; with grain {id}, the largest, it must stay \
+         longer than {least:.6} m, or a grain meets two images of one partner. Cause: compression beyond what the number of \
+         grains allows, or a stress that the grains cannot bear at any volume. Remedy: take more grains or end the \
+         compression earlier"
+    )]
+    BoxTooSmall {
+        /// Step.
+        step: u64,
+        /// Id of the largest grain.
+        id: u32,
+        /// The direction.
+        direction: &'static str,
+        /// Length of the box [m].
+        size: f64,
+        /// Length that it must have [m].
+        least: f64,
+    },
     /// A value is not a finite number.
     #[error(
         "step {step}: the {quantity} of grain {id} (last seen near {}) is not a finite number. Cause: a time step far \
@@ -101,6 +120,7 @@ impl Fault {
             Self::Overlap { id, .. }
             | Self::Outside { id, .. }
             | Self::BeyondFold { id, .. }
+            | Self::BoxTooSmall { id, .. }
             | Self::NotFinite { id, .. } => *id,
         }
     }

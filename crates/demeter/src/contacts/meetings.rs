@@ -83,6 +83,8 @@ pub(super) struct Meeting<'a> {
     tables: [&'a [[f64; 4]]; 3],
     /// Shifts of positions across periodic sides; empty where there are none.
     shifts: &'a [[f64; 4]],
+    /// Velocities of these shifts; empty where the box keeps its shape.
+    shift_velocities: &'a [[f64; 4]],
 }
 
 impl<'a> Meeting<'a> {
@@ -91,6 +93,7 @@ impl<'a> Meeting<'a> {
             scene,
             tables: scene.grains.tables(),
             shifts: scene.comm.shifts(),
+            shift_velocities: scene.comm.shift_velocities(),
         }
     }
 
@@ -149,7 +152,11 @@ impl<'a> Meeting<'a> {
         let (apart, ri, rj) = self.difference(place_i, place_j, lot);
         let [x, y, z, overlap, lever_i, lever_j] = contact_sphere_sphere_wide::<L>(apart, ri, rj);
         let normal = L::Vector::new(x, y, z);
-        let velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
+        let mut velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
+        if lot.is_shifted && !self.shift_velocities.is_empty() {
+            let [[x, y, z, _]] = L::fetch([self.shift_velocities], &lot.shift);
+            velocity = velocity + L::Vector::new(x, y, z);
+        }
         let rate = -velocity.inner(normal);
         let bulged = overlap + self.bulges::<L>(lot);
         let half_window = rate.abs() * (0.5 * self.scene.dt);

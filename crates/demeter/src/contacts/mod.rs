@@ -29,6 +29,7 @@ pub use transfer::{CarriedContact, ContactKey};
 
 pub use crate::neighbours::CHUNK;
 
+use crate::comm::Single;
 use crate::walls::{Mark, SurfaceContact};
 use bytemuck::{Pod, Zeroable};
 use coupling::{Coupled, Scratch};
@@ -186,6 +187,9 @@ pub struct ContactChunk {
     pub(crate) marks: Vec<Mark>,
     /// The fault with the lowest id, if any.
     pub fault: Option<Fault>,
+    /// Force of the contacts across periodic sides on their first bodies, times the boxes to the image of the second, by
+    /// direction [N]; only where the box deforms.
+    across: [DVec3; 3],
 }
 
 impl ContactChunk {
@@ -204,6 +208,21 @@ impl ContactChunk {
         self.wall_load.clear();
         self.marks.clear();
         self.fault = None;
+        self.across = [DVec3::ZERO; 3];
+    }
+
+    /// Sums up the forces across periodic sides.
+    fn sum_across(&mut self) {
+        let mut across = [DVec3::ZERO; 3];
+        for (k, &code) in self.shift.iter().enumerate() {
+            if code != Single::UNSHIFTED && self.is_engaged(k) {
+                let (force, boxes) = (self.force(k), Single::boxes(code));
+                for (axis, sum) in across.iter_mut().enumerate() {
+                    *sum += force * boxes[axis];
+                }
+            }
+        }
+        self.across = across;
     }
 
     /// Force of a contact on its first body [N]; on the second it is the opposite.
@@ -354,6 +373,18 @@ impl Contacts {
         let mut total = Tally::default();
         for chunk in self.pairs.iter().chain(&self.walls) {
             total.add(&chunk.tally);
+        }
+        total
+    }
+
+    /// Forces across the periodic sides of a box that deforms, summed in a fixed order: for each direction, the force of every
+    /// contact on its first body times the boxes that lead to the image of its second [N].
+    pub(crate) fn across(&self) -> [DVec3; 3] {
+        let mut total = [DVec3::ZERO; 3];
+        for chunk in &self.pairs {
+            for (total, across) in total.iter_mut().zip(chunk.across) {
+                *total += across;
+            }
         }
         total
     }

@@ -139,6 +139,9 @@ impl ContactChunk {
         }
         found_all();
         self.meet_pairs(scene);
+        if !scene.comm.shift_velocities().is_empty() {
+            self.sum_across();
+        }
     }
 
     /// Finds the contacts of a chunk of pairs of grains that feel each other.

@@ -9,6 +9,7 @@ mod cylinder_profile;
 mod displacement;
 mod fabric;
 mod field;
+mod deforming_box;
 mod flow;
 mod forces;
 mod mixing;
@@ -36,6 +37,8 @@ pub use field::{
     CellValues, Field, FieldSums, FieldValues, Kernel, KernelIn, KernelShape, LARGEST_CUT, LEAST_CUT, MAX_FIELD_CELLS,
     SUMS,
 };
+pub use deforming_box::BOX_COLUMNS;
+pub(crate) use deforming_box::{box_titles, box_values};
 pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
 pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
 pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing, MixingSpace};

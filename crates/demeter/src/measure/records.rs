@@ -39,14 +39,14 @@ fn record(sim: &Simulation, chunk: &ContactChunk, k: usize, wall: bool) -> Conta
     }
 }
 
-/// All walls with what they feel; infinite ones are cut by the bounds of the grains.
+/// All walls with what they feel; infinite ones are cut by the bounds of the grains. A periodic box that deforms, which holds no
+/// walls, stands in their place.
 pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
     let (mut lower, mut upper) = super::bounds(&sim.grains);
     if sim.grains.is_empty() {
         (lower, upper) = (DVec3::ZERO, DVec3::ZERO);
     }
-    (sim.walls.iter())
-        .map(|wall| {
+    let walls = (sim.walls.iter()).map(|wall| {
             let (force, torque) = wall.load();
             let velocity = wall.velocity_at(wall.origin());
             let triangles = wall.triangles(lower, upper);
@@ -63,6 +63,28 @@ pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
                 torque,
                 velocity,
             }
-        })
-        .collect()
+        });
+    walls.chain(sim.deforms().then(|| box_surface(sim))).collect()
+}
+
+/// The sides of a periodic box.
+fn box_surface(sim: &Simulation) -> WallSurface<'_> {
+    let (lower, size) = (sim.domain().lower, sim.domain().size());
+    let mut triangles = Vec::new();
+    for axis in (0..3).filter(|&k| sim.domain().periodic[k]) {
+        let edge = |k: usize| DVec3::AXES[k] * size[k];
+        let (u, v) = (edge((axis + 1) % 3), edge((axis + 2) % 3));
+        for corner in [lower, lower + edge(axis)] {
+            triangles.push([corner, corner + u, corner + u + v]);
+            triangles.push([corner, corner + u + v, corner + v]);
+        }
+    }
+    WallSurface {
+        name: "periodic box",
+        records: None,
+        triangles,
+        force: DVec3::ZERO,
+        torque: DVec3::ZERO,
+        velocity: DVec3::ZERO,
+    }
 }

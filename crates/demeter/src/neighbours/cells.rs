@@ -4,7 +4,8 @@
 //! The copies are `f32`: a filter. What passes it is looked at again in `f64`, so nothing depends on its rounding.
 
 use super::ranges::{for_ranges, sums};
-use crate::particles::{Domain, Grains};
+use crate::comm::Single;
+use crate::particles::Grains;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -26,6 +27,7 @@ const CLASSES: usize = 20;
 pub(super) struct Frame {
     lower: DVec3,
     pub(super) size: DVec3,
+    /// Directions that are rings: periodic, and images do not slide across.
     pub(super) periodic: [bool; 3],
     /// What rounding to `f32` may add to a distance [m].
     pub(super) slack: f64,
@@ -33,7 +35,8 @@ pub(super) struct Frame {
 
 impl Frame {
     /// Bounding box of the grains; the whole box in periodic directions.
-    fn around(grains: &Grains, domain: &Domain) -> Self {
+    fn around(grains: &Grains, comm: &Single) -> Self {
+        let domain = comm.domain();
         let ends = |(lower, upper): (DVec3, DVec3), other: (DVec3, DVec3)| (lower.min(other.0), upper.max(other.1));
         let nothing = || (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (mut lower, mut upper) = (grains.position.rows().par_chunks(GRAINS_PER_TASK))
@@ -47,7 +50,7 @@ impl Frame {
         Self {
             lower,
             size,
-            periodic: domain.periodic,
+            periodic: comm.rings(),
             slack: ROUNDING * size.max_element(),
         }
     }
@@ -55,7 +58,13 @@ impl Frame {
     /// Place in the frame. A grain that has left a periodic box is put back: it is met where its image is.
     #[inline(always)]
     pub(super) fn local(&self, position: DVec3) -> DVec3 {
-        let mut p = position - self.lower;
+        self.put_back(position - self.lower)
+    }
+
+    /// A place in the frame that may lie one box outside of a ring.
+    #[inline(always)]
+    pub(super) fn put_back(&self, place: DVec3) -> DVec3 {
+        let mut p = place;
         for axis in 0..3 {
             if self.periodic[axis] {
                 if p[axis] >= self.size[axis] {
@@ -183,9 +192,9 @@ pub(super) struct Cells {
 
 impl Cells {
     /// Sorts the grains anew, for a search of all pairs closer than `skin` to touching.
-    pub(super) fn sort(&mut self, grains: &Grains, domain: &Domain, skin: f64) {
+    pub(super) fn sort(&mut self, grains: &Grains, comm: &Single, skin: f64) {
         self.skin = skin;
-        self.frame = Frame::around(grains, domain);
+        self.frame = Frame::around(grains, comm);
         self.find_classes(grains);
         self.choose_directions();
         self.fill(grains);

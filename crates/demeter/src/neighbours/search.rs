@@ -80,7 +80,7 @@ impl Search {
         skin: f64,
     ) -> SearchEffort {
         self.prepare();
-        self.cells.sort(grains, comm.domain(), skin);
+        self.cells.sort(grains, comm, skin);
         let laws = materials.list().len().pow(2);
         let per_task = GRAINS_PER_TASK * laws.div_ceil(FEW_LAWS).clamp(1, 16);
         table
@@ -173,12 +173,16 @@ impl Finder<'_> {
         let rows = grains.position.rows();
         worker.pairs.clear();
         let half = 0.5 * comm.domain().size();
+        let below = comm.slides().map(|axes| (axes.gradient, -comm.edge(axes.gradient)));
         let mut effort = SearchEffort::default();
         for g in of.clone() {
             let row = rows[g];
             let id = grains.id[g];
             worker.near.clear();
             effort.tests += (self.cells).visit(g as u32, row.vector, row.scalar, &mut worker.near);
+            if let Some(to_image) = below {
+                effort.tests += (self.cells).visit_below(row.vector, row.scalar, to_image, &mut worker.near);
+            }
             let is_fixed = grains.is_fixed(g);
             for &h in worker.near.grains() {
                 let other = &rows[h as usize];

@@ -85,18 +85,7 @@ impl Cells {
     /// tests.
     pub(super) fn visit(&self, grain: u32, position: DVec3, radius: f64, near: &mut Near) -> u64 {
         let local = self.frame.local(position);
-        let period = |axis: usize| {
-            if self.frame.periodic[axis] {
-                self.frame.size[axis] as f32
-            } else {
-                f32::INFINITY
-            }
-        };
-        let probe = Probe {
-            at: local.to_array().map(|x| x as f32),
-            reach: ((radius + self.skin) * FILTER + self.frame.slack) as f32,
-            period: [0, 1, 2].map(period),
-        };
+        let probe = self.probe(local, radius);
         let class = self.classes.of(radius);
         let own = &self.grids[class];
         let mut runs = Runs::default();
@@ -116,6 +105,40 @@ impl Cells {
             };
         }
         tests
+    }
+
+    /// Adds every grain that may be close to the image of one that slides along the opposite side of the box: `to_image`
+    /// leads from the grain to its image below the lower side of a direction. Pairs across that side are found from above.
+    /// Tells the number of distance tests.
+    pub(super) fn visit_below(&self, position: DVec3, radius: f64, to_image: (usize, DVec3), near: &mut Near) -> u64 {
+        let (gradient, to_image) = to_image;
+        let place = self.frame.local(position) + to_image;
+        let mut tests = 0;
+        for grid in self.grids.iter().filter(|grid| grid.members > 0) {
+            let reach = radius + grid.largest + self.skin + self.frame.slack;
+            if place[gradient] + reach > 0.0 {
+                let local = self.frame.put_back(place);
+                let probe = self.probe(local, radius);
+                tests += self.visit_other::<true>(grid, local, reach, &probe, near);
+            }
+        }
+        tests
+    }
+
+    #[inline(always)]
+    fn probe(&self, local: DVec3, radius: f64) -> Probe {
+        let period = |axis: usize| {
+            if self.frame.periodic[axis] {
+                self.frame.size[axis] as f32
+            } else {
+                f32::INFINITY
+            }
+        };
+        Probe {
+            at: local.to_array().map(|x| x as f32),
+            reach: ((radius + self.skin) * FILTER + self.frame.slack) as f32,
+            period: [0, 1, 2].map(period),
+        }
     }
 
     /// Whether a search does not reach across a periodic side.

@@ -3,7 +3,7 @@
 use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
-    DISPLACEMENT_COLUMNS, FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NEIGHBOUR_COLUMNS,
+    BOX_COLUMNS, DISPLACEMENT_COLUMNS, FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NEIGHBOUR_COLUMNS,
     NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS, RESIDENCE_COLUMNS, SLOPE_COLUMNS,
     TRACE_COLUMNS, ToldColumn, Value, WEAR_COLUMNS, WallLoad,
 };
@@ -293,7 +293,7 @@ fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
 }
 
 /// Columns behind all others, with what their titles begin with.
-const TOLD: [(&str, &[ToldColumn]); 14] = [
+const TOLD: [(&str, &[ToldColumn]); 15] = [
     ("MEASURE", REGION_COLUMNS),
     ("MEASURE MATERIAL", OF_MATERIAL_COLUMNS),
     ("MEASURE", TRACE_COLUMNS),
@@ -307,6 +307,7 @@ const TOLD: [(&str, &[ToldColumn]); 14] = [
     ("feed NAME", FEED_COLUMNS),
     ("removal NAME", REMOVAL_COLUMNS),
     ("removal NAME MATERIAL", OF_MATERIAL_COLUMNS),
+    ("box", BOX_COLUMNS),
     ("wall NAME", WEAR_COLUMNS),
 ];
 

@@ -1,6 +1,7 @@
 #![doc = include_str!("reference.md")]
 
 mod checks;
+mod deformation;
 mod diagnostics;
 mod document;
 mod feeds;

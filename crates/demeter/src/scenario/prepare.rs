@@ -69,6 +69,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     all.append(&to_come);
     let domain = domain(scenario, &all, &walls, &mut faults);
     check_feeds(scenario, &domain, &mut faults);
+    super::deformation::check(scenario, &materials, &grains, None, &mut faults);
     meshes::check(scenario, &walls, &meshes, &all, &mut warnings);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
     check_free_walls(scenario, &walls, &all, &mut warnings);
@@ -96,6 +97,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
     check_wall_speeds(scenario, &all, dt, &mut faults);
+    super::deformation::check(scenario, &materials, &grains, Some(dt), &mut faults);
     if !faults.is_empty() {
         return Err(faults);
     }

@@ -4,7 +4,7 @@ use super::measures::{MeasureKind, distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{
-    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, measure,
+    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, box_values, measure,
     wear_values,
 };
 use crate::output::{
@@ -97,6 +97,9 @@ impl<'a> Rows<'a> {
         row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
         row.told = traffic.values(sim);
         row.told.extend(wear_values(sim));
+        if self.scenario.deforms() {
+            row.told.extend(box_values(sim, row.energies.boundary_work));
+        }
         self.series.write(&row)?;
         for (bins, writer) in &mut self.distributions {
             writer.write(&row, &bins.measure(sim))?;

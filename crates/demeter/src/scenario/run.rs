@@ -1,6 +1,7 @@
 //! Running a scenario: stages in order, output at its cadence, checkpoints, and how it ends.
 
 use super::field_files::FieldFiles;
+use super::deformation::reached;
 use super::prepare::{Prepared, prepare, prepare_to_resume};
 use super::report::{Report, RunEnd};
 use super::rows::Rows;
@@ -10,7 +11,9 @@ use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::checkpoint::{self, Header};
 use crate::contacts::Fault;
-use crate::measure::{Measures, Moment, WEAR_COLUMNS, contact_records, kinetic_over_elastic, wall_surfaces};
+use crate::measure::{
+    Measures, Moment, WEAR_COLUMNS, box_titles, contact_records, kinetic_over_elastic, wall_surfaces,
+};
 use crate::output::{Frame, FrameWriter, RunFolder, SeriesLabels, StageSummary, wall_summaries};
 use crate::particles::Domain;
 use crate::simulation::{Phase, Setup, Simulation, SimulationState, Stage, StopCondition};
@@ -216,6 +219,13 @@ impl<'a> Runner<'a> {
         if !scenario.feeds.is_empty() {
             sim.expect_grains(&prepared.to_come, skin, coupling);
         }
+        if scenario.deforms() {
+            let plan = scenario.domain.deform.unwrap_or_default();
+            sim.deform(plan).map_err(|source| RunError::Deformation {
+                stage: "start".to_string(),
+                source,
+            })?;
+        }
         let traffic = Traffic::begin(scenario, sim.domain(), prepared.origins)?;
         let mut runner = Self::new(scenario, (sim, traffic), folder, place, (rows, frames), observer);
         runner.begin_stage()?;
@@ -358,6 +368,13 @@ impl<'a> Runner<'a> {
             return Ok(());
         };
         self.traffic.begin_stage(stage, self.sim.step);
+        if let Some(plan) = stage.deformation {
+            self.sim.deform(plan).map_err(|source| RunError::Deformation {
+                stage: stage.name.clone(),
+                source,
+            })?;
+        }
+        self.sim.mark_strain();
         for (wall, motion) in &stage.motions {
             (self.sim)
                 .set_wall_motion(*wall, motion.clone())
@@ -437,6 +454,10 @@ impl<'a> Runner<'a> {
             StopCondition::Strain { wall, length, strain } => {
                 let reached = self.travel(*wall) / length;
                 (reached >= *strain * (1.0 - 1e-12)).then(|| format!("the strain is {reached:.6}"))
+            }
+            StopCondition::BoxStress { .. } | StopCondition::BoxStrain { .. } | StopCondition::ShearStrain(_) => {
+                let looks = elapsed > 0 && elapsed.is_multiple_of(ENERGY_INTERVAL);
+                reached(stop, &self.sim, looks)
             }
             StopCondition::MotionDone(wall) => {
                 let wall = &self.sim.walls[*wall];
@@ -559,11 +580,18 @@ pub(super) fn labels(scenario: &Scenario) -> SeriesLabels {
         walls: scenario.walls.iter().map(|w| w.name.clone()).collect(),
         strain: scenario.output.strain.is_some(),
         networks: networks(&scenario.measures).map(|(name, _)| name.to_owned()).collect(),
-        told: Traffic::titles(scenario)
-            .into_iter()
-            .chain(wear_titles(scenario))
-            .collect(),
+        told: told_titles(scenario),
     }
+}
+
+/// Titles of the columns behind all others.
+fn told_titles(scenario: &Scenario) -> Vec<String> {
+    let mut titles = Traffic::titles(scenario);
+    titles.extend(wear_titles(scenario));
+    if scenario.deforms() {
+        titles.extend(box_titles());
+    }
+    titles
 }
 
 /// Titles of the columns of walls that record their wear.

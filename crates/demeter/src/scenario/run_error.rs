@@ -4,7 +4,7 @@ use super::Diagnostics;
 use crate::checkpoint::CheckpointError;
 use crate::insertion::InsertionProblem;
 use crate::output::OutputError;
-use crate::simulation::{ExchangeError, StateError, WallInTheWay};
+use crate::simulation::{DeformationError, ExchangeError, StateError, WallInTheWay};
 use crate::walls::WallError;
 use demeter_physics::lanes::NoSuchInstructions;
 use std::path::PathBuf;
@@ -37,6 +37,14 @@ pub enum RunError {
         stage: String,
         /// Why.
         source: WallError,
+    },
+    /// A stage tells the box a deformation that it cannot make.
+    #[error("stage `{stage}`: {source}")]
+    Deformation {
+        /// The stage.
+        stage: String,
+        /// Why.
+        source: DeformationError,
     },
     /// A wall comes where a grain is.
     #[error("stage `{stage}`: {source}")]

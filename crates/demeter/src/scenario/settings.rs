@@ -7,7 +7,7 @@ use super::walls::WallSpec;
 use crate::contacts::Coupling;
 use crate::measure::StrainGauge;
 use crate::particles::Outside;
-use crate::simulation::Cadence;
+use crate::simulation::{Cadence, Deformation};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::integrator::Integrator;
 use demeter_physics::parameters::Range;
@@ -130,6 +130,8 @@ pub struct DomainSpec {
     pub periodic: [bool; 3],
     /// What happens to a grain that leaves.
     pub outside: Outside,
+    /// How the periodic box deforms from the start of the run on.
+    pub deform: Option<Deformation>,
 }
 
 impl Default for DomainSpec {
@@ -138,6 +140,7 @@ impl Default for DomainSpec {
             bounds: None,
             periodic: [false; 3],
             outside: Outside::Stop,
+            deform: None,
         }
     }
 }
@@ -169,6 +172,7 @@ pub(super) fn domain(root: &TableReader<'_>) -> DomainSpec {
     {
         spec.outside = [Outside::Stop, Outside::Remove][index];
     }
+    spec.deform = super::deformation::deformation(&table);
     table.finish("[domain]");
     spec
 }

@@ -1,5 +1,6 @@
 //! Tables `[[stage]]`: the protocol, with repeats unrolled.
 
+use super::deformation::{self, deformation};
 use super::document::{Value, join};
 use super::feeds::{FeedSpec, RemovalSpec, chosen, index_of};
 use super::motions::{Frame, motions};
@@ -7,7 +8,7 @@ use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::settings::{Intervals, cadence, intervals};
 use super::walls::{WallSpec, wall_index};
-use crate::simulation::{Cadence, Stage, StopCondition};
+use crate::simulation::{Cadence, Deformation, Stage, StopCondition};
 use crate::walls::Motions;
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -40,6 +41,7 @@ enum Content {
         absent: Option<Vec<usize>>,
         feeds: Option<Vec<usize>>,
         removals: Option<Vec<usize>>,
+        deformation: Option<Deformation>,
         intervals: Intervals,
     },
 }
@@ -92,6 +94,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             absent,
             feeds,
             removals,
+            deformation,
             intervals,
         } = &single.content
         else {
@@ -106,6 +109,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             absent: absent.clone(),
             feeds: feeds.clone(),
             removals: removals.clone(),
+            deformation: *deformation,
             cadence: cadence(own, duration),
         });
     });
@@ -200,6 +204,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     let feeds = table.optional("feeds").map(|i| chosen(&i, "feed", feed_names));
     let removal_names = cast.removals.iter().map(|r| r.name.as_str());
     let removals = table.optional("removals").map(|i| chosen(&i, "removal", removal_names));
+    let deformation = deformation(&table);
     let output = table.optional("output").and_then(|i| i.table());
     let intervals = output.map_or([None; 3], |output| {
         let read = intervals(&output);
@@ -213,6 +218,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
         absent,
         feeds,
         removals,
+        deformation,
         intervals,
     }
 }
@@ -262,6 +268,7 @@ fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
         });
         told.finish("the condition strain");
     }
+    deformation::conditions(&table, stop);
     if let Some(item) = table.optional("motion_done") {
         let names = walls.iter().map(|w| w.name.as_str());
         stop.extend(index_of(&item, "wall", names).map(StopCondition::MotionDone));

@@ -54,7 +54,12 @@ fn place_in_reference(path: &str) -> Option<(String, String)> {
         .replace("tag[].region", "measure[].region")
         .replace("feed[].diameter.", "grains[].diameter.")
         .replace("wall[].motion.", "motion.")
-        .replace("stage[].motion.*.", "motion.");
+        .replace("stage[].motion.*.", "motion.")
+        .replace("stage[].deform.", "deform.")
+        .replace("domain.deform.", "deform.");
+    let path = ["x", "y", "z", "isotropic"].iter().fold(path, |path, axis| {
+        path.replace(&format!("deform.{axis}."), "deform.direction.")
+    });
     let (section, key) = path.rsplit_once('.').unwrap_or(("", &path));
     let of_a_law = ["normal", "tangential", "rolling"]
         .iter()

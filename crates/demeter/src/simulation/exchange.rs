@@ -23,6 +23,9 @@ pub enum ExchangeError {
         /// The highest id given so far.
         latest: u32,
     },
+    /// The box deforms.
+    #[error("no grains can come or go while the periodic box deforms")]
+    Deforms,
 }
 
 impl Simulation {
@@ -47,6 +50,9 @@ impl Simulation {
     /// booked. Contacts of those that stay keep what they remember; the grains that come must touch nothing. Answers with
     /// the ids of those that came.
     pub fn exchange(&mut self, leave: &[usize], come: &[NewGrain]) -> Result<Range<u32>, ExchangeError> {
+        if self.deforms() && !(leave.is_empty() && come.is_empty()) {
+            return Err(ExchangeError::Deforms);
+        }
         let first = self.next_id();
         let end = u32::try_from(come.len())
             .ok()

@@ -37,6 +37,9 @@ pub struct Energies {
     pub wall_dissipated: f64,
     /// Work done by the drives of moving walls since the start: on the grains, and on walls that were set free or caught.
     pub wall_work: f64,
+    /// Work done on the grains by a box that deforms since the start: by contacts across its sides, by the grains that pass
+    /// them, and by the affine flow.
+    pub boundary_work: f64,
     /// What multi-contact displacements add to the stored energy at this moment: part of `elastic`.
     pub multi_contact: f64,
     /// Put into the stored energy by multi-contact displacements since the start, without work of the contacts: because
@@ -75,6 +78,10 @@ pub struct Books {
     latest: Tally,
     /// Sum of the magnitudes of the wall work of every step [J].
     wall_throughput: f64,
+    /// Work done by a box that deforms [J].
+    boundary: f64,
+    /// Sum of the magnitudes of the work of contacts across its sides and of the kinetic stress [J].
+    boundary_throughput: f64,
     /// Lost in dampers and at the stops of freely moving walls [J].
     wall_dissipated: f64,
     /// Largest kinetic energy of the freely moving walls [J].
@@ -127,6 +134,19 @@ impl Books {
         self.latest = step;
     }
 
+    /// Books work of contacts across the sides of a box that deforms [J].
+    pub(crate) fn work_across(&mut self, work: f64) {
+        self.boundary += work;
+        self.boundary_throughput += work.abs();
+    }
+
+    /// Books kinetic energy that grains got by passing the sides of a box that deforms, or from its affine flow, and how much of
+    /// it was work of their stress [J].
+    pub(crate) fn carry_along(&mut self, energy: f64, work: f64) {
+        self.boundary += energy;
+        self.boundary_throughput += work.abs();
+    }
+
     /// Books what freely moving walls did in a step of `dt` [s].
     pub(crate) fn book_free_walls(&mut self, step: &FreeStep, dt: f64) {
         self.wall_throughput += (step.power * dt).abs();
@@ -171,16 +191,19 @@ impl Books {
         now.friction_dissipated = self.done.friction;
         now.rolling_dissipated = self.done.rolling;
         now.wall_work = self.done.wall_work;
+        now.boundary_work = self.boundary;
         now.wall_dissipated = self.wall_dissipated;
         now.multi_contact_input = self.done.multi_contact;
         now.inserted = self.inserted;
         now.removed = self.removed;
         self.lowest_gravitational = self.lowest_gravitational.min(now.gravitational);
         self.lowest_elastic = self.lowest_elastic.min(now.elastic);
-        let explained =
-            self.initial + now.wall_work + now.multi_contact_input + now.inserted - now.removed - now.dissipated();
+        let explained = self.initial + now.wall_work + now.boundary_work + now.multi_contact_input + now.inserted
+            - now.removed
+            - now.dissipated();
         let passed = self.initial_throughput
             + self.wall_throughput
+            + self.boundary_throughput
             + self.highest_wall_kinetic
             + (self.initial_gravitational - self.lowest_gravitational)
             - self.lowest_elastic

@@ -1,5 +1,7 @@
 //! The state of a run and its protocol.
 
+mod deformation;
+mod deforming_box;
 mod equipment;
 mod exchange;
 mod ledger;
@@ -13,16 +15,19 @@ mod tests;
 mod time_step;
 
 pub use crate::step::Effort;
+pub use deformation::{Deformation, DeformationError, Drive, Misfit, Shear};
+pub use deforming_box::BoxState;
 pub use equipment::WallInTheWay;
 pub use exchange::ExchangeError;
 pub use ledger::{Books, Energies};
 pub use profile::{Phase, PhaseTime, ProfileReport};
-pub use protocol::{Cadence, Stage, StopCondition};
+pub use protocol::{Cadence, Stage, StopCondition, StressOf};
 pub use roofline::{Machine, Roofline, Work};
 pub use skin::Skin;
 pub use state::{SimulationState, StateError};
 pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_time_scale, unsafe_share};
 
+use deforming_box::DeformingBox;
 use skin::SkinTuner;
 pub(crate) use skin::{Counts, ROOM_FOR_BULGES};
 use time_step::largest_reach;
@@ -100,6 +105,8 @@ pub struct Simulation {
     /// `None` where all contacts are independent.
     pub(crate) coupling: Option<CouplingState>,
     pub(crate) sums: Sums,
+    /// `None` where the box keeps its shape.
+    pub(crate) deforming: Option<Box<DeformingBox>>,
     pub(crate) resists_rolling: bool,
     /// Whether some wall records what contacts do to it.
     pub(crate) records_walls: bool,
@@ -165,6 +172,7 @@ impl Simulation {
             max_overlap: setup.max_overlap,
             coupling,
             sums: Sums::default(),
+            deforming: None,
             resists_rolling,
             records_walls,
             instructions: Instructions::widest(),
@@ -239,7 +247,7 @@ impl Simulation {
 
     /// Finds all candidates anew; contacts keep what they remember.
     pub fn find_candidates(&mut self) {
-        self.comm.wrap(&mut self.grains);
+        self.wrap_grains();
         let is_moved = self.rebuilds == 0 || self.neighbours.scattered() > self.scattered_in_order + DECAY;
         if is_moved {
             self.order.sort(&mut self.grains);
@@ -249,6 +257,17 @@ impl Simulation {
         if is_moved {
             self.scattered_in_order = self.neighbours.scattered();
         }
+    }
+
+    /// Puts the grains back into the periodic box, within a step or before the first.
+    fn wrap_grains(&mut self) {
+        if self.deforming.is_none() {
+            return self.comm.wrap(&mut self.grains);
+        }
+        // within a step velocities are those predicted for its end
+        let ahead = if self.step > 0 { 0.5 * self.dt } else { 0.0 };
+        let gained = self.comm.wrap_moving(&mut self.grains, ahead);
+        self.books.carry_along(gained, gained);
     }
 
     /// Finds the candidates of the grains as they are, and hands them the contacts.
@@ -263,11 +282,12 @@ impl Simulation {
         self.tuner.note_rebuild(self.step);
         self.near
             .forget(self.grains.radii().sum::<f64>() / self.grains.len().max(1) as f64);
+        self.note_candidates_of_box();
         self.note_bounds();
     }
 
     /// Gap across which bodies may act on each other: the reach of the laws, and the bulges of both [m].
-    fn beyond_touch(&self) -> f64 {
+    pub(crate) fn beyond_touch(&self) -> f64 {
         self.max_reach + self.coupling.as_ref().map_or(0.0, |c| c.memory.margin)
     }
 
@@ -318,7 +338,7 @@ impl Simulation {
         self.books.remove(indices.len() as u64, &gone);
         let stay = (0..self.grains.len() as u32).filter(|&g| !leaves(g as usize));
         self.order.pick(&mut self.grains, stay);
-        self.comm.wrap(&mut self.grains);
+        self.wrap_grains();
         self.continue_with_candidates(true);
         self.foresee_bulges();
     }

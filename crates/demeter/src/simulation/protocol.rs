@@ -1,5 +1,6 @@
 //! The protocol of a run: stages in order, each with its own wall motion, output cadence and end.
 
+use super::deformation::Deformation;
 use crate::walls::Motions;
 use serde::{Deserialize, Serialize};
 
@@ -38,12 +39,39 @@ pub enum StopCondition {
         /// The strain to reach, positive.
         strain: f64,
     },
+    /// A normal stress of a box that deforms reaches a value [Pa].
+    BoxStress {
+        /// Which stress.
+        of: StressOf,
+        /// The value, compression positive [Pa].
+        stress: f64,
+        /// Whether it must fall below the value, not rise above it.
+        falls: bool,
+    },
+    /// The true strain of a box that deforms since the start of the stage reaches a magnitude.
+    BoxStrain {
+        /// Number of the direction.
+        axis: usize,
+        /// Magnitude to reach.
+        strain: f64,
+    },
+    /// The shear of a box since the start of the stage reaches a magnitude.
+    ShearStrain(f64),
     /// All motions of a wall, told by its index, have stopped for good, or their tables have come to their ends.
     MotionDone(usize),
     /// A feed, told by its index, has come to its end.
     FeedDone(usize),
     /// So many grains are left, or fewer.
     GrainsAtMost(u64),
+}
+
+/// A normal stress.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum StressOf {
+    /// Along an axis, by its number.
+    Axis(usize),
+    /// Mean of the three.
+    Mean,
 }
 
 /// How often things are written, in seconds of simulated time. `None`: not in this stage.
@@ -72,6 +100,8 @@ pub struct Stage {
     pub feeds: Option<Vec<usize>>,
     /// Removals that act from the start of the stage on, by their indices; those of the stage before when absent.
     pub removals: Option<Vec<usize>>,
+    /// How the periodic box deforms from the start of the stage on; as in the stage before when absent.
+    pub deformation: Option<Deformation>,
     /// How often things are written.
     pub cadence: Cadence,
 }

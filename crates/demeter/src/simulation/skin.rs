@@ -128,6 +128,11 @@ impl SkinTuner {
         is_length(skin) && limits && self.rebuilt_at <= step
     }
 
+    /// The narrowest skin [m]; nothing where the skin is fixed.
+    pub(crate) fn least(&self) -> Option<f64> {
+        self.limits.map(|(least, _)| least)
+    }
+
     /// Notes that candidates were found.
     pub(crate) fn note_rebuild(&mut self, step: u64) {
         self.rebuilt_at = step;

@@ -1,5 +1,6 @@
 //! Everything that a restart to the same bits needs.
 
+use super::deforming_box::DeformingState;
 use super::skin::SkinTuner;
 use super::{Books, Setup, Simulation};
 use crate::contacts::{CarriedContact, NearTable};
@@ -35,6 +36,8 @@ pub struct SimulationState {
     latest_id: u32,
     /// Nothing where contacts are independent.
     coupling: Option<CouplingMemory>,
+    /// Nothing where the box keeps its shape.
+    deforming: Option<DeformingState>,
 }
 
 /// Why a state does not fit the scenario that it is to continue.
@@ -104,6 +107,8 @@ impl SimulationState {
             Err(StateError::Inconsistent("the skin"))
         } else if !self.near.is_sound() {
             Err(StateError::Inconsistent("the reach of the table of contacts"))
+        } else if !self.deforming.as_ref().is_none_or(|d| d.is_sound(self.dt)) {
+            Err(StateError::Inconsistent("the box that deforms"))
         } else if !self.contacts.is_sorted_by_key(|c| c.key) {
             Err(StateError::Inconsistent("contacts"))
         } else {
@@ -132,6 +137,7 @@ impl Simulation {
             max_reach: self.max_reach,
             latest_id: self.latest_id,
             coupling: self.coupling.as_ref().map(|c| c.memory.clone()),
+            deforming: self.deforming_state(),
         }
     }
 
@@ -162,6 +168,9 @@ impl Simulation {
             (Some(coupling), Some(memory)) => coupling.memory = memory,
             (None, None) => {}
             _ => return Err(StateError::Coupling),
+        }
+        if let Some(deforming) = state.deforming {
+            sim.restore_box(deforming);
         }
         sim.neighbours = state.neighbours;
         let (walls, materials) = (sim.walls.len(), sim.materials.list().len());

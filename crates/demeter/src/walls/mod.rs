@@ -38,5 +38,6 @@ pub use pace::Pace;
 pub use pose::Pose;
 pub(crate) use record::Mark;
 pub use record::{ElementRecord, Recording, WearCoefficients};
+pub(crate) use servo::Servo;
 pub use shape::{Shape, Side};
 pub use wall::{SurfaceContact, Wall, WallState};

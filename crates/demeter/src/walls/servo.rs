@@ -22,7 +22,7 @@ const WEAKEST: f64 = 1.0 / 32.0;
 
 /// State of the controller.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Servo {
+pub(crate) struct Servo {
     target: f64,
     max_speed: f64,
     /// `D` as a multiple of `F / max_speed`.
@@ -35,7 +35,7 @@ pub(super) struct Servo {
 }
 
 impl Servo {
-    pub(super) fn new(target: f64, max_speed: f64) -> Self {
+    pub(crate) fn new(target: f64, max_speed: f64) -> Self {
         Servo {
             target,
             max_speed,
@@ -48,7 +48,7 @@ impl Servo {
     }
 
     /// Speed along the axis for the next step, from the force with which the wall pressed in the last [m/s].
-    pub(super) fn speed(&mut self, pressing: f64) -> f64 {
+    pub(crate) fn speed(&mut self, pressing: f64) -> f64 {
         let error = self.target - pressing;
         self.review(error);
         (self.max_speed * (error / (self.target * self.brake))).clamp(-self.max_speed, self.max_speed)

@@ -1,0 +1,478 @@
+//! A box that deforms while the run goes on.
+//!
+//! Velocities are those in the frame in which the middle of the box rests. A grain that passes a side takes the velocity of
+//! its image. Where the deformation is affine, every grain is also kicked by what the affine flow `G x` at its place
+//! changes in a step, `dG x + G G x dt`, half of it before the forces are found and half after, as these forces act on both
+//! sides of their moment: then `c = v - G x` obeys `dc/dt = F/m - G c`, as if the box deformed slowly whatever
+//! its inertia (Evans and Morriss, Statistical Mechanics of Nonequilibrium Liquids, section 6.3), and no wave runs in from
+//! the sides.
+//!
+//! **Work.** A contact across a side acts on both of its grains, whose images move against each other by `dS` in a step:
+//! `-F dS` of work comes from outside, half of it with the force before the step and half with that after it, as velocity
+//! Verlet does its work. Passing a side and the affine kick change kinetic energy; both are booked as they happen.
+
+use super::deformation::{Deformation, DeformationError, Drive};
+use super::{Fault, Simulation};
+use crate::comm::{Carry, Deforming, Rates};
+use crate::particles::{Domain, Row};
+use crate::step::Motion;
+use crate::walls::Servo;
+use glam::DVec3;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+/// Grains handled by one task; sums are added up by task, so they know no number of threads.
+const GRAINS_PER_TASK: usize = 1024;
+
+/// What rounding may take from a bound of the relative motion.
+const SLACK: f64 = 1.001;
+
+/// Reach of the table of contacts beyond touching, as a share of the largest radius, at most (see `contacts/near.rs`).
+const NEAR: f64 = 0.1;
+
+/// How a box deforms, and what a restart needs of it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct DeformingBox {
+    plan: Deformation,
+    /// Controllers of the single directions, and of all together.
+    servos: [Option<Servo>; 4],
+    /// Lengths at the start of the run and of the stage [m].
+    lengths: [DVec3; 2],
+    /// Shear so far, and at the start of the stage.
+    sheared: [f64; 2],
+    /// What the controllers tell for the next step: a step ahead, so that forces are found at the flow of their moment [1/s].
+    pending: [f64; 4],
+    /// Forces across the sides in the latest step [N].
+    across: [DVec3; 3],
+    /// How the box has deformed since the candidates were found.
+    since: Carry,
+    largest_radius: f64,
+}
+
+/// What a checkpoint holds of a box that deforms.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct DeformingState {
+    domain: Domain,
+    deforming: Deforming,
+    state: DeformingBox,
+}
+
+impl DeformingState {
+    /// Whether its numbers are possible, as they are unless a file was tampered with.
+    pub(super) fn is_sound(&self, dt: f64) -> bool {
+        let size = self.domain.size();
+        let has_length = |k: usize| !self.domain.periodic[k] || (size[k] > 0.0 && size[k].is_finite());
+        self.deforming.is_sound()
+            && (0..3).all(has_length)
+            && self.state.plan.check(self.domain.periodic, dt).is_ok()
+            && self.state.largest_radius > 0.0
+    }
+}
+
+/// What a box that deforms has come to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BoxState {
+    /// Lengths [m].
+    pub lengths: DVec3,
+    /// True strains `ln(L/L0)` since the start of the run, negative where the box has shrunk.
+    pub strain: DVec3,
+    /// The same since the start of the stage.
+    pub stage_strain: DVec3,
+    /// Shear since the start of the run.
+    pub shear_strain: f64,
+    /// Shear since the start of the stage.
+    pub stage_shear_strain: f64,
+    /// Rates of true strain in the latest step [1/s].
+    pub strain_rate: DVec3,
+    /// Rate of shear in the latest step [1/s].
+    pub shear_rate: f64,
+    /// Stress of the box with its kinetic part, compression positive: xx, yy, zz, xy, xz, yz [Pa].
+    pub stress: [f64; 6],
+    /// Kinetic part of the stress: of the motion beyond the affine flow [Pa].
+    pub kinetic_stress: [f64; 6],
+    /// Solid volume over the volume of the box.
+    pub solid_fraction: f64,
+}
+
+impl BoxState {
+    /// Mean normal stress [Pa].
+    pub fn pressure(&self) -> f64 {
+        (self.stress[0] + self.stress[1] + self.stress[2]) / 3.0
+    }
+}
+
+/// Adds up what every task found, in the order of the tasks.
+fn total<const N: usize>(parts: Vec<[f64; N]>) -> [f64; N] {
+    parts.into_iter().fold([0.0; N], |mut sum, part| {
+        sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        sum
+    })
+}
+
+/// `ln(L/L0)` in each direction; 0 where the length is the same, were it infinite.
+fn true_strain(from: DVec3, to: DVec3) -> DVec3 {
+    let along = |k: usize| {
+        if to[k] == from[k] {
+            0.0
+        } else {
+            libm::log(to[k] / from[k])
+        }
+    };
+    DVec3::new(along(0), along(1), along(2))
+}
+
+/// Symmetric part of a dyad: xx, yy, zz, xy, xz, yz.
+fn dyad(a: DVec3, b: DVec3) -> [f64; 6] {
+    [
+        a.x * b.x,
+        a.y * b.y,
+        a.z * b.z,
+        0.5 * (a.x * b.y + a.y * b.x),
+        0.5 * (a.x * b.z + a.z * b.x),
+        0.5 * (a.y * b.z + a.z * b.y),
+    ]
+}
+
+impl Simulation {
+    /// Tells how the periodic box deforms from now on; before the start or between two steps. A box that has deformed keeps its
+    /// shape when the deformation ends.
+    pub fn deform(&mut self, plan: Deformation) -> Result<(), DeformationError> {
+        self.check_deformation(&plan)?;
+        self.comm.begin_to_deform(plan.shear.map(|shear| shear.axes));
+        let size = self.domain().size();
+        let largest_radius = self.grains.radii().fold(0.0, f64::max);
+        let state = self.deforming.get_or_insert_with(|| {
+            Box::new(DeformingBox {
+                plan,
+                servos: [None, None, None, None],
+                lengths: [size; 2],
+                sheared: [0.0; 2],
+                pending: [0.0; 4],
+                across: [DVec3::ZERO; 3],
+                since: Carry::NONE,
+                largest_radius,
+            })
+        });
+        let [x, y, z] = plan.directions;
+        for ((servo, drive), before) in (state.servos.iter_mut())
+            .zip([x, y, z, plan.isotropic])
+            .zip(state.plan.directions.into_iter().chain([state.plan.isotropic]))
+        {
+            match drive {
+                Drive::Stress { target, max_rate } if servo.is_none() || drive != before => {
+                    *servo = Some(Servo::new(target, max_rate));
+                }
+                Drive::Stress { .. } => {}
+                Drive::Fixed | Drive::StrainRate(_) => *servo = None,
+            }
+        }
+        state.plan = plan;
+        Ok(())
+    }
+
+    /// Whether the periodic box deforms, or has deformed.
+    pub fn deforms(&self) -> bool {
+        self.deforming.is_some()
+    }
+
+    /// Strains of the stage are counted from here.
+    pub(crate) fn mark_strain(&mut self) {
+        let size = self.domain().size();
+        if let Some(state) = &mut self.deforming {
+            state.lengths[1] = size;
+            state.sheared[1] = state.sheared[0];
+        }
+    }
+
+    /// True strains and shear of a box that deforms since the start of the stage.
+    pub(crate) fn stage_strain(&self) -> Option<(DVec3, f64)> {
+        let state = self.deforming.as_deref()?;
+        let strain = true_strain(state.lengths[1], self.domain().size());
+        Some((strain, state.sheared[0] - state.sheared[1]))
+    }
+
+    /// What a periodic box that deforms has come to; `None` where the box keeps its shape.
+    pub fn box_state(&self) -> Option<BoxState> {
+        let (state, deforming) = (self.deforming.as_deref()?, self.comm.deforming()?);
+        let (lengths, rates) = (self.domain().size(), deforming.rates());
+        let [kinetic_stress, contacts] = self.box_stresses(state, deforming);
+        let solid: f64 = self
+            .grains
+            .radii()
+            .map(|r| 4.0 / 3.0 * std::f64::consts::PI * r * r * r)
+            .sum();
+        Some(BoxState {
+            lengths,
+            strain: true_strain(state.lengths[0], lengths),
+            stage_strain: true_strain(state.lengths[1], lengths),
+            shear_strain: state.sheared[0],
+            stage_shear_strain: state.sheared[0] - state.sheared[1],
+            strain_rate: rates.stretching,
+            shear_rate: rates.shear,
+            stress: std::array::from_fn(|k| contacts[k] + kinetic_stress[k]),
+            kinetic_stress,
+            solid_fraction: solid / (lengths.x * lengths.y * lengths.z),
+        })
+    }
+
+    /// Stress of the motion beyond the affine flow, and of the contacts [Pa].
+    ///
+    /// The sum of `F l` over all contacts, with the branch vector `l` from the partner's image, is that of `F x` over all
+    /// grains with the force of all their contacts, and of `F S` over the contacts across the sides.
+    fn box_stresses(&self, state: &DeformingBox, deforming: &Deforming) -> [[f64; 6]; 2] {
+        let grains = &self.grains;
+        let n = GRAINS_PER_TASK;
+        let (middle, rates) = (deforming.middle, deforming.now());
+        let parts: Vec<[f64; 12]> = (
+            grains.position.rows().par_chunks(n),
+            grains.velocity.rows().par_chunks(n),
+            grains.force.rows().par_chunks(n),
+            grains.mass.par_chunks(n),
+        )
+            .into_par_iter()
+            .map(|(position, velocity, force, mass)| {
+                let mut sum = [0.0; 12];
+                for (((position, velocity), force), mass) in position.iter().zip(velocity).zip(force).zip(mass) {
+                    let place = position.vector - middle;
+                    let beyond = velocity.vector - deforming.flow(&rates, place);
+                    let terms = [dyad(beyond * *mass, beyond), dyad(force.vector, place)];
+                    sum.iter_mut()
+                        .zip(terms.as_flattened())
+                        .for_each(|(sum, term)| *sum += term);
+                }
+                sum
+            })
+            .collect();
+        let mut sum = total(parts);
+        for (axis, force) in state.across.iter().enumerate() {
+            let edge = self.comm.edge(axis);
+            sum[6..]
+                .iter_mut()
+                .zip(dyad(*force, edge))
+                .for_each(|(sum, term)| *sum += term);
+        }
+        let size = self.domain().size();
+        let per_volume = 1.0 / (size.x * size.y * size.z);
+        [0, 6].map(|first| std::array::from_fn(|k| sum[first + k] * per_volume))
+    }
+
+    /// Deforms the box by one step, before the grains move.
+    pub(crate) fn deform_box(&mut self) {
+        let Some(mut state) = self.deforming.take() else {
+            return;
+        };
+        if let Some(deforming) = self.comm.deforming().copied() {
+            let dt = self.dt;
+            let rates = Self::rates(&state);
+            self.control(&mut state, &deforming);
+            let next = Self::rates(&state);
+            if state.plan.affine && !(rates == deforming.now() && rates.stretching == DVec3::ZERO) {
+                self.push_along(&deforming, &rates, 0.0, |x| deforming.first_half(&rates, dt, x));
+            }
+            self.comm.advance([rates, next], dt);
+            state.sheared[0] += rates.shear * dt;
+            self.book_across(&state);
+            self.carry_reference(&mut state);
+        }
+        self.deforming = Some(state);
+    }
+
+    /// Asks the controllers, which see the stress at this moment, for the step after the next.
+    fn control(&self, state: &mut DeformingBox, deforming: &Deforming) {
+        if !state.plan.follows_stress() {
+            state.pending = [0.0; 4];
+            return;
+        }
+        let [kinetic, contacts] = self.box_stresses(state, deforming);
+        let [x, y, z] = [0, 1, 2].map(|axis: usize| kinetic[axis] + contacts[axis]);
+        let stresses = [x, y, z, (x + y + z) / 3.0];
+        for ((pending, servo), stress) in state.pending.iter_mut().zip(&mut state.servos).zip(stresses) {
+            // a controller tells how fast to press
+            *pending = servo.as_mut().map_or(0.0, |servo| -servo.speed(stress));
+        }
+    }
+
+    /// Velocity gradient of a step.
+    fn rates(state: &DeformingBox) -> Rates {
+        let rate = |drive: Drive, pending: f64| match drive {
+            Drive::Fixed => 0.0,
+            Drive::StrainRate(rate) => rate,
+            Drive::Stress { .. } => pending,
+        };
+        let ([x, y, z], pending) = (state.plan.directions, state.pending);
+        Rates {
+            stretching: DVec3::new(rate(x, pending[0]), rate(y, pending[1]), rate(z, pending[2]))
+                + DVec3::splat(rate(state.plan.isotropic, pending[3])),
+            shear: state.plan.shear.map_or(0.0, |shear| shear.rate),
+        }
+    }
+
+    /// Has all grains follow the second half of what the affine flow changes in a step: after they moved, before the forces.
+    pub(crate) fn follow_box(&mut self) {
+        let is_affine = self.deforming.as_ref().is_some_and(|state| state.plan.affine);
+        if let Some(deforming) = self.comm.deforming().copied().filter(|_| is_affine) {
+            let rates = deforming.rates();
+            if !(rates == deforming.now() && rates.stretching == DVec3::ZERO) {
+                self.push_along(&deforming, &rates, 0.5 * self.dt, |x| deforming.second_half(x));
+            }
+        }
+    }
+
+    /// Changes the velocities of all grains by what is told for their places relative to the middle. Forces have acted on the
+    /// velocities for `ahead` [s] beyond the middle of the step.
+    fn push_along(&mut self, deforming: &Deforming, rates: &Rates, ahead: f64, kick: impl Fn(DVec3) -> DVec3 + Sync) {
+        let (middle, half, n) = (deforming.middle, 0.5 * self.dt, GRAINS_PER_TASK);
+        let grains = &mut self.grains;
+        let parts: Vec<[f64; 2]> = (
+            grains.position.rows().par_chunks(n),
+            grains.velocity.rows_mut().par_chunks_mut(n),
+            grains.force.rows().par_chunks(n),
+            grains.mass.par_chunks(n),
+        )
+            .into_par_iter()
+            .map(|(position, velocity, force, mass)| {
+                let (mut gained, mut work) = (0.0, 0.0);
+                for (((position, velocity), force), mass) in position.iter().zip(velocity).zip(force).zip(mass) {
+                    let place = position.vector - middle;
+                    let kick = kick(place);
+                    let then = velocity.vector - force.vector * (ahead * velocity.scalar);
+                    gained += mass * (then + 0.5 * kick).dot(kick);
+                    velocity.vector += kick;
+                    let beyond = velocity.vector - deforming.flow(rates, place);
+                    work -= mass * half * beyond.dot(deforming.flow(rates, beyond));
+                }
+                [gained, work]
+            })
+            .collect();
+        let [gained, work] = total(parts);
+        self.books.carry_along(gained, work);
+    }
+
+    /// Books half of the work of the contacts across the sides in this step: with the forces before it or after it.
+    fn book_across(&mut self, state: &DeformingBox) {
+        if let Some(deforming) = self.comm.deforming() {
+            let work = state.across.iter().zip(deforming.changes());
+            let work: f64 = work.map(|(force, change)| force.dot(change)).sum();
+            self.books.work_across(-0.5 * work);
+        }
+    }
+
+    /// Notes the forces across the sides at the end of a step, or before the first.
+    pub(crate) fn note_across(&mut self) {
+        let Some(mut state) = self.deforming.take() else {
+            return;
+        };
+        state.across = self.contacts.across();
+        if self.step > 0 {
+            self.book_across(&state);
+        }
+        self.deforming = Some(state);
+    }
+
+    /// The places that motion is counted from deform with the box: what the whole does together brings no grain nearer to
+    /// another than the strain tells.
+    fn carry_reference(&mut self, state: &mut DeformingBox) {
+        let Some(deforming) = self.comm.deforming() else {
+            return;
+        };
+        let (carry, middle) = (deforming.carry, deforming.middle);
+        state.since = state.since.then(&carry);
+        let carry_row = |row: &mut Row| row.vector = middle + carry.apply(row.vector - middle);
+        let rows = self.neighbours.reference.rows_mut().par_chunks_mut(GRAINS_PER_TASK);
+        rows.for_each(|rows| rows.iter_mut().for_each(carry_row));
+    }
+
+    /// How grains can have moved against each other and against images in a box that deforms: by their motion beyond the
+    /// affine flow, and by what the flow does over the distance of two that may meet.
+    pub(crate) fn beyond_affine(&self, motion: Motion) -> Motion {
+        let (Some(state), Some(deforming)) = (self.deforming.as_deref(), self.comm.deforming()) else {
+            return motion;
+        };
+        let grains = &self.grains;
+        let (middle, rates, carry) = (deforming.middle, deforming.rates(), deforming.carry);
+        let (dt, n) = (self.dt, GRAINS_PER_TASK);
+        let (speed2, step2) = (
+            grains.position.rows().par_chunks(n),
+            grains.velocity.rows().par_chunks(n),
+            grains.force.rows().par_chunks(n),
+        )
+            .into_par_iter()
+            .map(|(position, velocity, force)| {
+                let (mut speed2, mut step2) = (0.0f64, 0.0f64);
+                for ((position, velocity), force) in position.iter().zip(velocity).zip(force) {
+                    let middle_velocity = velocity.vector - force.vector * (0.5 * dt * velocity.scalar);
+                    let place = position.vector - middle;
+                    let before = place - middle_velocity * dt;
+                    let beyond = velocity.vector - deforming.flow(&rates, place);
+                    speed2 = speed2.max(beyond.length_squared());
+                    step2 = step2.max((place - carry.apply(before)).length_squared());
+                }
+                (speed2, step2)
+            })
+            .reduce(|| (0.0, 0.0), |a, b| (a.0.max(b.0), a.1.max(b.1)));
+        let speed = speed2.sqrt();
+        // two grains farther apart than this approach by no more of their distance than others
+        let apart = 2.0 * state.largest_radius
+            + self.beyond_touch()
+            + self.skin
+            + NEAR * state.largest_radius
+            + 4.0 * speed * dt;
+        Motion {
+            max_speed: SLACK * (speed + 0.5 * deforming.steepness() * apart),
+            max_step: SLACK * (step2.sqrt() + 0.5 * carry.strain() * apart),
+            max_displacement: SLACK * (motion.max_displacement + 0.5 * state.since.strain() * apart),
+            misplaced: motion.misplaced,
+        }
+    }
+
+    /// Notes that candidates were found.
+    pub(super) fn note_candidates_of_box(&mut self) {
+        if let Some(state) = &mut self.deforming {
+            state.since = Carry::NONE;
+        }
+    }
+
+    /// A skin with which no grain of a box that deforms meets two images of a partner; a fault where there is none.
+    pub(crate) fn skin_that_fits(&self, skin: f64) -> Result<f64, Fault> {
+        let Some(state) = &self.deforming else {
+            return Ok(skin);
+        };
+        let domain = self.domain();
+        let axis = (0..3)
+            .filter(|&k| domain.periodic[k])
+            .min_by(|&a, &b| domain.size()[a].total_cmp(&domain.size()[b]));
+        let Some(axis) = axis else {
+            return Ok(skin);
+        };
+        let size = domain.size()[axis];
+        let room = 0.49 * size - 2.0 * state.largest_radius - self.beyond_touch();
+        let least = self.tuner.least().unwrap_or(skin);
+        // not a number has no room
+        if room >= least {
+            return Ok(skin.min(room));
+        }
+        let largest = (0..self.grains.len()).max_by(|&a, &b| self.grains.radius(a).total_cmp(&self.grains.radius(b)));
+        Err(Fault::BoxTooSmall {
+            step: self.step,
+            id: largest.map_or(0, |g| self.grains.id[g]),
+            direction: ["x", "y", "z"][axis],
+            size,
+            least: (2.0 * state.largest_radius + self.beyond_touch() + least) / 0.49,
+        })
+    }
+
+    /// What a checkpoint holds of the box.
+    pub(super) fn deforming_state(&self) -> Option<DeformingState> {
+        Some(DeformingState {
+            domain: *self.domain(),
+            deforming: *self.comm.deforming()?,
+            state: self.deforming.as_deref()?.clone(),
+        })
+    }
+
+    /// Goes on with a box that has deformed.
+    pub(super) fn restore_box(&mut self, state: DeformingState) {
+        self.comm.restore(state.domain, state.deforming);
+        self.deforming = Some(Box::new(state.state));
+    }
+}
