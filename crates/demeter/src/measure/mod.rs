@@ -6,10 +6,10 @@
 mod angles;
 mod chains;
 mod cylinder_profile;
+mod deforming_box;
 mod displacement;
 mod fabric;
 mod field;
-mod deforming_box;
 mod flow;
 mod forces;
 mod mixing;
@@ -31,14 +31,14 @@ pub use crate::simulation::Energies;
 pub use angles::{ContactAngles, MAX_ANGLES, Rose};
 pub use chains::{ChainLink, ForceChains};
 pub use cylinder_profile::{Along, CylinderProfile, Ring};
+pub use deforming_box::BOX_COLUMNS;
+pub(crate) use deforming_box::{box_titles, box_values};
 pub use displacement::{DISPLACEMENT_COLUMNS, Displacement, DisplacementState};
 pub use fabric::{FABRIC_COLUMNS, Fabric};
 pub use field::{
     CellValues, Field, FieldSums, FieldValues, Kernel, KernelIn, KernelShape, LARGEST_CUT, LEAST_CUT, MAX_FIELD_CELLS,
     SUMS,
 };
-pub use deforming_box::BOX_COLUMNS;
-pub(crate) use deforming_box::{box_titles, box_values};
 pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
 pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
 pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing, MixingSpace};

@@ -47,23 +47,23 @@ pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
         (lower, upper) = (DVec3::ZERO, DVec3::ZERO);
     }
     let walls = (sim.walls.iter()).map(|wall| {
-            let (force, torque) = wall.load();
-            let velocity = wall.velocity_at(wall.origin());
-            let triangles = wall.triangles(lower, upper);
-            let records = wall.element_records();
-            let of_triangles = || {
-                let elements = wall.elements_drawn(triangles.len());
-                elements.iter().filter_map(|e| records.get(*e).copied()).collect()
-            };
-            WallSurface {
-                name: &wall.name,
-                records: wall.is_recorded().then(of_triangles),
-                triangles,
-                force,
-                torque,
-                velocity,
-            }
-        });
+        let (force, torque) = wall.load();
+        let velocity = wall.velocity_at(wall.origin());
+        let triangles = wall.triangles(lower, upper);
+        let records = wall.element_records();
+        let of_triangles = || {
+            let elements = wall.elements_drawn(triangles.len());
+            elements.iter().filter_map(|e| records.get(*e).copied()).collect()
+        };
+        WallSurface {
+            name: &wall.name,
+            records: wall.is_recorded().then(of_triangles),
+            triangles,
+            force,
+            torque,
+            velocity,
+        }
+    });
     walls.chain(sim.deforms().then(|| box_surface(sim))).collect()
 }
 

@@ -1,7 +1,7 @@
 //! Running a scenario: stages in order, output at its cadence, checkpoints, and how it ends.
 
-use super::field_files::FieldFiles;
 use super::deformation::reached;
+use super::field_files::FieldFiles;
 use super::prepare::{Prepared, prepare, prepare_to_resume};
 use super::report::{Report, RunEnd};
 use super::rows::Rows;
