@@ -314,6 +314,8 @@ fn cloud(count: u32) -> Simulation {
         velocity: DVec3::ZERO,
         velocity_deviation: 0.5,
         angular_velocity: DVec3::ZERO,
+        tag: 0,
+        fixed: false,
         seed: 3,
     };
     let inserted = insert(&insertion, case.materials.list(), &[], Some(&case.domain)).unwrap();

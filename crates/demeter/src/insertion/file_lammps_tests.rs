@@ -172,6 +172,7 @@ fn from_file(path: &Path) -> Insertion {
         velocity: DVec3::ZERO,
         velocity_deviation: 0.0,
         angular_velocity: DVec3::ZERO,
+        tag: 0,
         seed: 1,
     }
 }

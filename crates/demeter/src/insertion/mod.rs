@@ -7,6 +7,7 @@ mod file_columns;
 mod file_lammps;
 mod grain_file;
 mod lattice;
+mod mesh_places;
 mod overlap;
 mod overlap_relaxation;
 mod place_grid;
@@ -21,6 +22,7 @@ mod stream;
 
 pub use grain_file::{FileError, FileProblem, GrainTable, Location, MAX_FILE_BYTES, TypeOfGrain, read_grain_file};
 pub use lattice::LatticeError;
+pub use mesh_places::MeshInlet;
 pub use overlap::{Overlap, first_overlap};
 pub use random_packing::{MAX_FRACTION, PackingError};
 pub use region::RegionError;
@@ -100,6 +102,8 @@ pub enum InsertionProblem {
     InletOutside { lower: DVec3, upper: DVec3 },
     #[error("the inlet has room for grains of {room} m; the largest that comes has a diameter of {largest} m")]
     InletTooSmall { room: f64, largest: f64 },
+    #[error(transparent)]
+    Mesh(#[from] crate::walls::MeshError),
     #[error("{what} is {value}; {allowed}")]
     FileSetting {
         what: &'static str,

@@ -4,6 +4,7 @@
 //! same whenever it comes. A grain that finds no room waits, and no smaller one comes in its stead, so that the sizes that
 //! came are always the first of the same sequence: waiting does not shift the distribution.
 
+use super::mesh_places::{MeshInlet, MeshPlaces};
 use super::place_grid::PlaceGrid;
 use super::random::{Purpose, RandomNumbers, mix};
 use super::region::{LARGEST_LENGTH, Space};
@@ -12,7 +13,6 @@ use super::{InsertionProblem, RegionError, SizeSampler};
 use crate::materials::Material;
 use crate::particles::{Domain, NewGrain};
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
@@ -26,7 +26,7 @@ pub const MAX_AT_ONCE: u64 = 1_000_000;
 const CLASSES: usize = 24;
 
 /// Where the grains of a stream come in.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Inlet {
     /// Centres lie on a rectangle; in its plane a grain lies wholly inside.
     Rectangle {
@@ -48,10 +48,12 @@ pub enum Inlet {
     },
     /// Grains lie wholly inside a region.
     Region(Region),
+    /// Grains come in inside of a closed mesh, or on the triangles of any.
+    Mesh(MeshInlet),
 }
 
 /// A stream of grains.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Stream {
     /// Index of the material.
     pub material: u16,
@@ -76,6 +78,7 @@ pub struct Streaming {
     sizes: SizeSampler,
     density: f64,
     domain: Domain,
+    mesh: Option<MeshPlaces>,
 }
 
 /// What is there already where grains come in.
@@ -110,6 +113,10 @@ impl Streaming {
             sizes,
             density: material.density,
             domain: *domain,
+            mesh: match &stream.inlet {
+                Inlet::Mesh(inlet) => Some(MeshPlaces::new(inlet)?),
+                _ => None,
+            },
         };
         source.check_inlet()?;
         Ok(source)
@@ -128,6 +135,7 @@ impl Streaming {
                 2.0 * radius
             }
             Inlet::Region(region) => Space::new(&region, Some(&self.domain))?.largest_diameter(),
+            Inlet::Mesh(_) => self.mesh.as_ref().map_or(0.0, MeshPlaces::room),
         };
         let (lower, upper) = self.bounds();
         let inside = self.domain.contains(lower) && self.domain.contains(upper);
@@ -157,6 +165,7 @@ impl Streaming {
                 Ok(space) => space.bounds(),
                 Err(_) => (DVec3::NAN, DVec3::NAN),
             },
+            Inlet::Mesh(_) => (self.mesh.as_ref()).map_or((DVec3::NAN, DVec3::NAN), MeshPlaces::bounds),
         }
     }
 
@@ -179,6 +188,7 @@ impl Streaming {
             Inlet::Disc { radius, .. } => (radius / least) * (radius / least),
             Inlet::Region(region) => Space::new(&region, Some(&self.domain))
                 .map_or(0.0, |space| space.volume() / (8.0 * least * least * least)),
+            Inlet::Mesh(_) => self.mesh.as_ref().map_or(0.0, |mesh| mesh.capacity(least)),
         }
     }
 
@@ -237,12 +247,13 @@ impl Streaming {
             _ => None,
         };
         let place = (0..TRIES).find_map(|_| {
-            let place = match &space {
-                Some(space) => {
+            let place = match (&space, &self.mesh) {
+                (_, Some(mesh)) => mesh.random_place(radius, &mut random)?,
+                (Some(space), None) => {
                     let place = space.random_place(radius, &mut random);
                     space.holds(place, radius).then_some(place)?
                 }
-                None => self.on_face(radius, &mut random),
+                (None, None) => self.on_face(radius, &mut random),
             };
             let is_free = occupied.is_free(place, radius) && !is_blocked(place, radius + occupied.gap);
             is_free.then_some(place)
@@ -285,7 +296,7 @@ impl Streaming {
                 let (sine, cosine) = libm::sincos(2.0 * PI * random.uniform());
                 center + first * (distance * cosine) + normal.cross(first) * (distance * sine)
             }
-            Inlet::Region(_) => DVec3::NAN,
+            Inlet::Region(_) | Inlet::Mesh(_) => DVec3::NAN,
         }
     }
 

@@ -1,6 +1,7 @@
 use super::*;
 use crate::insertion::first_overlap;
-use crate::particles::Outside;
+use crate::particles::{Interior, Outside};
+use std::sync::Arc;
 
 fn domain() -> Domain {
     Domain {
@@ -35,7 +36,7 @@ fn stream(inlet: Inlet) -> Stream {
     }
 }
 
-fn inlets() -> [Inlet; 3] {
+fn inlets() -> [Inlet; 5] {
     [
         Inlet::Disc {
             center: DVec3::new(0.1, 0.2, 0.3),
@@ -51,7 +52,30 @@ fn inlets() -> [Inlet; 3] {
             lower: DVec3::splat(-0.2),
             upper: DVec3::splat(0.2),
         }),
+        Inlet::Mesh(MeshInlet {
+            interior: Some(Arc::new(Interior::new(&cube()).unwrap())),
+            triangles: Arc::new(cube()),
+        }),
+        Inlet::Mesh(MeshInlet {
+            interior: None,
+            triangles: Arc::new(cube()[2..4].to_vec()),
+        }),
     ]
+}
+
+/// The triangles of a cube from -0.2 to 0.2; the third and fourth are its upper face.
+fn cube() -> Vec<[DVec3; 3]> {
+    let corner = |k: usize| DVec3::from_array([0, 1, 2].map(|bit| if k >> bit & 1 == 1 { 0.2 } else { -0.2 }));
+    let faces = [
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+    ];
+    let cut = |[a, b, c, d]: [usize; 4]| [[a, b, c], [a, c, d]];
+    faces.into_iter().flat_map(cut).map(|t| t.map(corner)).collect()
 }
 
 /// Lets grains come until one finds no room.
@@ -71,7 +95,7 @@ fn fill(source: &Streaming, there: &[(DVec3, f64)], gap: f64) -> Vec<(DVec3, f64
 #[test]
 fn grains_that_come_lie_in_the_inlet_and_touch_nothing() {
     for inlet in inlets() {
-        let source = Streaming::new(&stream(inlet), &materials(), &domain()).unwrap();
+        let source = Streaming::new(&stream(inlet.clone()), &materials(), &domain()).unwrap();
         // a big grain lies in the middle of every inlet
         let there = [(DVec3::new(0.1, 0.2, 0.3), 0.15), (DVec3::ZERO, 0.1)];
         let all = fill(&source, &there, 1e-3);
@@ -84,14 +108,14 @@ fn grains_that_come_lie_in_the_inlet_and_touch_nothing() {
             "{inlet:?}: the gap is kept"
         );
         for &(place, radius) in &all[there.len()..] {
-            let inside = match inlet {
+            let inside = match &inlet {
                 Inlet::Disc {
                     center,
                     normal,
                     radius: outer,
                 } => {
-                    let away = place - center;
-                    away.dot(normal).abs() < 1e-15 && away.length() + radius < outer * (1.0 + 1e-12)
+                    let away = place - *center;
+                    away.dot(*normal).abs() < 1e-15 && away.length() + radius < outer * (1.0 + 1e-12)
                 }
                 Inlet::Rectangle { .. } => {
                     let diagonal = (place.x + place.z) * std::f64::consts::FRAC_1_SQRT_2;
@@ -99,6 +123,13 @@ fn grains_that_come_lie_in_the_inlet_and_touch_nothing() {
                     (place.x - place.z).abs() < 1e-15
                         && place.y.abs() + radius < 0.3 + 1e-12
                         && diagonal.abs() + radius < edge + 1e-12
+                }
+                Inlet::Mesh(MeshInlet { interior: Some(_), .. }) => {
+                    place.abs().max_element() + radius < 0.2 * (1.0 + 1e-9)
+                }
+                Inlet::Mesh(_) => {
+                    let across = place.x.abs().max(place.y.abs()) + radius;
+                    (place.z - 0.2).abs() < 1e-12 && across < 0.2 * (1.0 + 1e-9)
                 }
                 Inlet::Region(_) => place.abs().max_element() + radius < 0.2 * (1.0 + 1e-12),
             };
@@ -109,8 +140,8 @@ fn grains_that_come_lie_in_the_inlet_and_touch_nothing() {
 
 #[test]
 fn sizes_do_not_depend_on_when_grains_come() {
-    let source = Streaming::new(&stream(inlets()[0]), &materials(), &domain()).unwrap();
-    let other = Streaming::new(&stream(inlets()[2]), &materials(), &domain()).unwrap();
+    let source = Streaming::new(&stream(inlets()[0].clone()), &materials(), &domain()).unwrap();
+    let other = Streaming::new(&stream(inlets()[2].clone()), &materials(), &domain()).unwrap();
     let sizes: Vec<f64> = (0..2000).map(|k| source.radius(k)).collect();
     assert!((0..2000).all(|k| other.radius(k).to_bits() == sizes[k as usize].to_bits()));
     // uniform from 0.005 to 0.04: mean 0.0225, standard error 0.0101 / sqrt(2000)
@@ -122,7 +153,7 @@ fn sizes_do_not_depend_on_when_grains_come() {
 
 #[test]
 fn places_change_with_the_time_and_walls_are_in_the_way() {
-    let source = Streaming::new(&stream(inlets()[0]), &materials(), &domain()).unwrap();
+    let source = Streaming::new(&stream(inlets()[0].clone()), &materials(), &domain()).unwrap();
     let radius = source.radius(0);
     let at = |time: u64| {
         let mut occupied = source.occupied(std::iter::empty(), 0.0, 1);

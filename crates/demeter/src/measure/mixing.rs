@@ -11,14 +11,62 @@
 //! to deal the kinds out to the places, for cells of any fill: grains of a cell are drawn without putting back, so
 //! `E (p_i - p)^2 = p (1 - p)/n_i (N - n_i)/(N - 1)`. So `M` is 0 when the kinds are apart, and 1 in the mean when chance alone
 //! mixed them.
+//!
+//! The intensity of segregation is `S^2/S_0^2` (P. V. Danckwerts, Appl. Sci. Res. A 3 (1952) 279), the relative standard deviation
+//! `S/p`. Both count chance as segregation: they fall with the number of grains in a cell.
 
 use super::{Selection, ToldColumn, Value};
 use crate::particles::Origins;
 use crate::simulation::Simulation;
 use glam::DVec3;
+use std::f64::consts::PI;
 
 /// Most cells.
 pub const MAX_CELLS: u64 = 10_000_000;
+
+/// The part of space that is cut into cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MixingSpace {
+    /// A box: cells in x, y and z.
+    Box {
+        /// Lower corner [m].
+        lower: DVec3,
+        /// Upper corner [m].
+        upper: DVec3,
+    },
+    /// A cylinder: cells outwards (rings of equal area), around the axis and along it.
+    Cylinder {
+        /// Start of the axis [m].
+        start: DVec3,
+        /// End of the axis [m].
+        end: DVec3,
+        /// Radius [m].
+        radius: f64,
+    },
+}
+
+impl MixingSpace {
+    /// Where a point lies, each coordinate as a share from 0 to 1 of the way through the cells; nothing outside.
+    fn shares(&self, place: DVec3) -> Option<[f64; 3]> {
+        match *self {
+            Self::Box { lower, upper } => {
+                let inside = place.cmpge(lower).all() && place.cmplt(upper).all();
+                inside.then(|| ((place - lower) / (upper - lower)).to_array())
+            }
+            Self::Cylinder { start, end, radius } => {
+                let (axis, length) = ((end - start).normalize(), (end - start).length());
+                let away = place - start;
+                let height = away.dot(axis);
+                let outwards = away - axis * height;
+                let share = outwards.length_squared() / (radius * radius);
+                let first = axis.any_orthonormal_vector();
+                let angle = libm::atan2(outwards.dot(axis.cross(first)), outwards.dot(first));
+                let inside = share < 1.0 && height >= 0.0 && height < length;
+                inside.then(|| [share, angle / (2.0 * PI) + 0.5, height / length])
+            }
+        }
+    }
+}
 
 /// Columns of a mixing index.
 pub const MIXING_COLUMNS: &[ToldColumn] = &[
@@ -29,15 +77,23 @@ pub const MIXING_COLUMNS: &[ToldColumn] = &[
     ),
     ToldColumn::new("share", "", "share of the kind among all grains in the box, by number"),
     ToldColumn::new("cells", "", "cells that hold grains"),
+    ToldColumn::new(
+        "segregation intensity",
+        "",
+        "variance of the share over its value when the kinds are apart: 1 apart, 0 when all cells are alike",
+    ),
+    ToldColumn::new(
+        "relative standard deviation",
+        "",
+        "standard deviation of the share between the cells, over the share",
+    ),
 ];
 
 /// How well a kind of grains is mixed with all others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mixing {
-    /// Lower corner of the box [m].
-    pub lower: DVec3,
-    /// Upper corner [m].
-    pub upper: DVec3,
+    /// What is cut into cells.
+    pub space: MixingSpace,
     /// Cells in each direction.
     pub cells: [u32; 3],
     /// The kind.
@@ -57,22 +113,24 @@ impl Mixing {
             let place = sim.domain().wrapped(grains.position[g]);
             (place, self.selection.holds(grains, origins, g))
         });
-        let (index, share, cells) = self.index(places);
-        vec![Value::Number(index), Value::Number(share), Value::Count(cells)]
+        let told = self.index(places);
+        vec![
+            Value::Number(told.lacey),
+            Value::Number(told.share),
+            Value::Count(told.cells),
+            Value::Number(told.intensity),
+            Value::Number(told.relative_deviation),
+        ]
     }
 
-    /// Index, share, and number of cells that hold grains, of places that are of the kind or not.
-    fn index(&self, places: impl Iterator<Item = (DVec3, bool)>) -> (f64, f64, u64) {
+    /// Indices of places that are of the kind or not.
+    fn index(&self, places: impl Iterator<Item = (DVec3, bool)>) -> Mixedness {
         let mut counts = vec![[0u32; 2]; self.cells.iter().map(|n| *n as usize).product()];
-        let size = self.upper - self.lower;
         for (place, is_kind) in places {
-            if !(place.cmpge(self.lower).all() && place.cmplt(self.upper).all()) {
+            let Some(shares) = self.space.shares(place) else {
                 continue;
-            }
-            let cell = |k: usize| {
-                let share = (place[k] - self.lower[k]) / size[k];
-                ((share * f64::from(self.cells[k])) as usize).min(self.cells[k] as usize - 1)
             };
+            let cell = |k: usize| ((shares[k] * f64::from(self.cells[k])) as usize).min(self.cells[k] as usize - 1);
             let at = (cell(2) * self.cells[1] as usize + cell(1)) * self.cells[0] as usize + cell(0);
             counts[at][0] += 1;
             counts[at][1] += u32::from(is_kind);
@@ -95,8 +153,24 @@ impl Mixing {
             true => (apart - variance) / (apart - by_chance),
             false => f64::NAN,
         };
-        (index, p, cells)
+        Mixedness {
+            lacey: index,
+            share: p,
+            cells,
+            intensity: if apart > 0.0 { variance / apart } else { f64::NAN },
+            relative_deviation: variance.sqrt() / p,
+        }
     }
+}
+
+/// What is told of cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Mixedness {
+    lacey: f64,
+    share: f64,
+    cells: u64,
+    intensity: f64,
+    relative_deviation: f64,
 }
 
 #[cfg(test)]
@@ -105,8 +179,10 @@ mod tests {
 
     fn box_of(cells: [u32; 3]) -> Mixing {
         Mixing {
-            lower: DVec3::ZERO,
-            upper: DVec3::ONE,
+            space: MixingSpace::Box {
+                lower: DVec3::ZERO,
+                upper: DVec3::ONE,
+            },
             cells,
             selection: Selection::default(),
         }
@@ -130,9 +206,12 @@ mod tests {
         for _ in 0..runs {
             let places: Vec<DVec3> = (0..300).map(|_| DVec3::new(next() * next(), next(), next())).collect();
             let apart = mixing.index(places.iter().map(|p| (*p, p.x < 0.25)));
-            assert!(apart.0.abs() < 1e-12, "{apart:?}");
+            assert!(
+                apart.lacey.abs() < 1e-12 && (apart.intensity - 1.0).abs() < 1e-12,
+                "{apart:?}"
+            );
             let labels: Vec<bool> = places.iter().map(|_| next() < 0.3).collect();
-            sum += mixing.index(places.iter().copied().zip(labels)).0;
+            sum += mixing.index(places.iter().copied().zip(labels)).lacey;
         }
         // the index of one run scatters by about sqrt(2 K)/(N - K), 0.045
         let mean = sum / f64::from(runs);
@@ -145,18 +224,51 @@ mod tests {
         assert!(
             box_of([1, 1, 2])
                 .index(places.map(|p| (p, true)).into_iter())
-                .0
+                .lacey
                 .is_nan()
         );
         assert!(
             box_of([9, 9, 9])
                 .index(places.map(|p| (p, p.x > 0.5)).into_iter())
-                .0
+                .lacey
                 .is_nan()
         );
-        let (index, share, cells) = box_of([1, 1, 2]).index(places.map(|p| (p, p.x > 0.5)).into_iter());
-        assert_eq!((index, share, cells), (0.0, 0.5, 2));
+        let told = box_of([1, 1, 2]).index(places.map(|p| (p, p.x > 0.5)).into_iter());
+        assert_eq!((told.lacey, told.share, told.cells), (0.0, 0.5, 2));
+        assert_eq!((told.intensity, told.relative_deviation), (1.0, 1.0));
         let outside = [DVec3::splat(2.0), DVec3::NEG_ONE].map(|p| (p, true));
-        assert_eq!(box_of([2, 2, 2]).index(outside.into_iter()).2, 0);
+        assert_eq!(box_of([2, 2, 2]).index(outside.into_iter()).cells, 0);
+    }
+
+    #[test]
+    fn cells_of_a_cylinder_are_rings_of_equal_area_sectors_and_slices() {
+        let space = MixingSpace::Cylinder {
+            start: DVec3::ZERO,
+            end: DVec3::X * 2.0,
+            radius: 1.0,
+        };
+        let shares = space.shares(DVec3::new(0.5, 0.0, 0.5)).unwrap();
+        assert!((shares[0] - 0.25).abs() < 1e-15 && (shares[2] - 0.25).abs() < 1e-15);
+        let opposite = space.shares(DVec3::new(0.5, 0.0, -0.5)).unwrap();
+        assert!(((shares[1] - opposite[1]).abs() - 0.5).abs() < 1e-12);
+        assert!(space.shares(DVec3::new(0.5, 0.8, 0.8)).is_none() && space.shares(DVec3::X * 2.0).is_none());
+        let mixing = Mixing {
+            space,
+            cells: [2, 1, 1],
+            selection: Selection::default(),
+        };
+        let mut next = numbers(3);
+        let places: Vec<DVec3> = (0..4000)
+            .map(|_| DVec3::new(2.0 * next(), 2.0 * next() - 1.0, 2.0 * next() - 1.0))
+            .collect();
+        let core = |p: &DVec3| p.y * p.y + p.z * p.z < 0.5;
+        let told = mixing.index(places.iter().map(|p| (*p, core(p))));
+        assert!(told.lacey.abs() < 1e-12 && (told.share - 0.5).abs() < 0.03, "{told:?}");
+        let sliced = Mixing {
+            cells: [1, 8, 4],
+            ..mixing
+        }
+        .index(places.iter().map(|p| (*p, core(p))));
+        assert!(sliced.lacey > 0.8, "{sliced:?}");
     }
 }

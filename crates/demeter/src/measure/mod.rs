@@ -3,14 +3,23 @@
 //!
 //! A contact counts when it acts, that is, when its normal force is not zero: [`ContactChunk::acts`].
 
+mod angles;
+mod chains;
+mod cylinder_profile;
 mod deforming_box;
+mod displacement;
+mod fabric;
+mod field;
 mod flow;
 mod forces;
 mod mixing;
+mod neighbour_mixing;
 mod network;
+mod paths;
 mod profile;
 mod records;
 mod region;
+mod residence;
 mod selection;
 mod slope;
 mod sphere_in_box;
@@ -19,15 +28,27 @@ mod trace;
 mod wear;
 
 pub use crate::simulation::Energies;
+pub use angles::{ContactAngles, MAX_ANGLES, Rose};
+pub use chains::{ChainLink, ForceChains};
+pub use cylinder_profile::{Along, CylinderProfile, Ring};
 pub use deforming_box::BOX_COLUMNS;
 pub(crate) use deforming_box::{box_titles, box_values};
+pub use displacement::{DISPLACEMENT_COLUMNS, Displacement, DisplacementState};
+pub use fabric::{FABRIC_COLUMNS, Fabric};
+pub use field::{
+    CellValues, Field, FieldSums, FieldValues, Kernel, KernelIn, KernelShape, LARGEST_CUT, LEAST_CUT, MAX_FIELD_CELLS,
+    SUMS,
+};
 pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
 pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
-pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing};
+pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing, MixingSpace};
+pub use neighbour_mixing::{MAX_NEAREST, NEIGHBOUR_COLUMNS, NeighbourMixing};
 pub use network::{ContactNetwork, NetworkMeasures};
+pub use paths::{MAX_PATHS, PathPoint, Paths};
 pub use profile::{MAX_SLICES, Profile, Slice};
 pub use records::{contact_records, wall_surfaces};
 pub use region::{OF_MATERIAL_COLUMNS, REGION_COLUMNS, RegionCount};
+pub use residence::{MAX_RESIDENCE_BINS, RESIDENCE_COLUMNS, Residence, ResidenceState};
 pub use selection::Selection;
 pub use slope::{SLOPE_COLUMNS, Slope};
 pub use sphere_in_box::sphere_in_box;
@@ -36,9 +57,31 @@ pub use trace::{GrainTrace, TRACE_COLUMNS};
 pub use wear::{WEAR_COLUMNS, wear_values};
 
 use crate::contacts::ContactChunk;
-use crate::particles::Grains;
+use crate::particles::{Grains, Zone};
 use crate::simulation::Simulation;
 use glam::DVec3;
+
+/// Whether a grain lies in a zone, whose parts go with walls.
+pub(crate) fn holds(sim: &Simulation, zone: &Zone, grain: usize) -> bool {
+    let brought_back = |wall: usize, p: DVec3| sim.walls.get(wall).map_or(p, |wall| wall.brought_back(p));
+    zone.holds(sim.domain(), sim.grains.position[grain], brought_back)
+}
+
+/// Number of contacts of every grain that act, those with walls counted.
+pub(crate) fn contact_counts(sim: &Simulation) -> Vec<u32> {
+    let mut counts = vec![0; sim.grains.len()];
+    for (is_wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
+        for chunk in chunks {
+            for k in (0..chunk.len()).filter(|&k| chunk.acts(k)) {
+                counts[chunk.i[k] as usize] += 1;
+                if !is_wall {
+                    counts[chunk.j[k] as usize] += 1;
+                }
+            }
+        }
+    }
+    counts
+}
 
 /// What a wall feels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

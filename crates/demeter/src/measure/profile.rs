@@ -32,6 +32,8 @@ pub struct Slice {
     pub grains: u64,
     /// Their mass [kg].
     pub mass: f64,
+    /// Their mass as a share of the mass of all grains whose centres lie in it; not a number without any.
+    pub share: f64,
     /// Share of its volume that grains fill; spheres are cut exactly, overlaps not subtracted.
     pub packing_fraction: f64,
     /// Mean velocity by mass [m/s]; not a number without grains.
@@ -58,27 +60,38 @@ impl Profile {
         ((x - from) / (to - from) * f64::from(self.slices)).floor() as i64
     }
 
+    /// The slice that a centre lies in; nothing outside of the box.
+    fn slice_with(&self, centre: DVec3) -> Option<usize> {
+        let inside = centre.cmpge(self.lower).all() && centre.cmplt(self.upper).all();
+        let last = i64::from(self.slices) - 1;
+        inside.then(|| self.slice_of(centre[self.axis]).clamp(0, last) as usize)
+    }
+
     /// Measures all slices. Grains are summed up in the order of their ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Slice> {
         let grains = &sim.grains;
-        let mut chosen: Vec<(u32, usize)> = (0..grains.len())
-            .filter(|&g| self.selection.holds(grains, origins, g))
-            .map(|g| (grains.id[g], g))
-            .collect();
-        chosen.sort_unstable();
+        let mut order: Vec<(u32, usize)> = grains.id.iter().copied().zip(0..).collect();
+        order.sort_unstable();
+        let last = i64::from(self.slices) - 1;
+        let mut whole = vec![0.0; self.slices as usize];
+        for &(_, g) in &order {
+            if let Some(k) = self.slice_with(sim.domain().wrapped(grains.position[g])) {
+                whole[k] += grains.mass[g];
+            }
+        }
+        let chosen = order
+            .into_iter()
+            .filter(|&(_, g)| self.selection.holds(grains, origins, g));
         let mut slices = vec![Slice::default(); self.slices as usize];
         let mut squares = vec![0.0; slices.len()];
         for (_, g) in chosen {
             let (centre, radius) = (sim.domain().wrapped(grains.position[g]), grains.radius(g));
-            let last = i64::from(self.slices) - 1;
             let [first, end] = [-radius, radius].map(|reach| self.slice_of(centre[self.axis] + reach));
             for k in first.max(0)..=end.min(last) {
                 let (lower, upper) = self.corners(k as u32);
                 slices[k as usize].packing_fraction += sphere_in_box(centre, radius, lower, upper);
             }
-            let inside = centre.cmpge(self.lower).all() && centre.cmplt(self.upper).all();
-            if inside {
-                let k = self.slice_of(centre[self.axis]).clamp(0, last) as usize;
+            if let Some(k) = self.slice_with(centre) {
                 let (mass, velocity) = (grains.mass[g], grains.velocity[g]);
                 slices[k].grains += 1;
                 slices[k].mass += mass;
@@ -91,6 +104,7 @@ impl Profile {
             let size = upper - lower;
             slice.place = 0.5 * (lower[self.axis] + upper[self.axis]);
             slice.packing_fraction /= size.x * size.y * size.z;
+            slice.share = slice.mass / whole[k];
             slice.velocity /= slice.mass;
             let mean_square = squares / slice.mass - slice.velocity.length_squared();
             slice.fluctuation = (mean_square.max(0.0) / 3.0).sqrt();

@@ -1,6 +1,6 @@
 //! How many grains are in a zone, and their mass.
 
-use super::{Selection, ToldColumn, Value};
+use super::{Selection, ToldColumn, Value, holds};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
 
@@ -38,9 +38,9 @@ impl RegionCount {
 
     /// Its values now, in the order of the titles. Masses are summed up in the order of the ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
-        let (grains, domain) = (&sim.grains, sim.domain());
+        let grains = &sim.grains;
         let mut inside: Vec<(u32, usize)> = (0..grains.len())
-            .filter(|&g| self.zone.holds(domain, grains.position[g]) && self.selection.holds(grains, origins, g))
+            .filter(|&g| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g))
             .map(|g| (grains.id[g], g))
             .collect();
         inside.sort_unstable();

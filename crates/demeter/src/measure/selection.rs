@@ -3,7 +3,7 @@
 use crate::particles::{Grains, Origins};
 
 /// Grains by what they are; all conditions that are told hold at once.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Selection {
     /// Of this material.
     pub material: Option<u16>,
@@ -11,6 +11,12 @@ pub struct Selection {
     pub source: Option<u16>,
     /// With one of these ids, sorted; any, when there is none.
     pub ids: Vec<u32>,
+    /// With this tag.
+    pub tag: Option<i32>,
+    /// Of a smaller diameter than this [m].
+    pub finer_than: Option<f64>,
+    /// Of this diameter or a larger one [m].
+    pub coarser_than: Option<f64>,
 }
 
 impl Selection {
@@ -20,5 +26,10 @@ impl Selection {
         self.material.is_none_or(|material| grains.material[grain] == material)
             && (self.ids.is_empty() || self.ids.binary_search(&id).is_ok())
             && self.source.is_none_or(|source| origins.of(id) == Some(source))
+            && self.tag.is_none_or(|tag| origins.tag(id) == tag)
+            && self.finer_than.is_none_or(|most| 2.0 * grains.radius(grain) < most)
+            && self
+                .coarser_than
+                .is_none_or(|least| 2.0 * grains.radius(grain) >= least)
     }
 }

@@ -1,13 +1,18 @@
 //! Slope of the surface of a packing: the angle of repose of a heap, or of the bed in a drum.
 //!
-//! The grains are sorted into bins by their distance along a direction, or from an axis. The surface in a bin is as high as the
-//! highest point of its grains. The straight line that fits these heights best (least squares over the bins that hold
+//! The grains are sorted into bins by their distance along a direction, or from an axis, and every bin is cut across into
+//! cells that are as wide as the bin. The surface in a cell is as high as the highest point of its grains, and in a bin as high
+//! as the mean over its cells. So every height is the highest of as many grains, near the axis of a heap and far from it; the highest
+//! of whole rings would lie the higher the longer the ring, and make a heap look flatter. Grains without any contact are in flight
+//! and do not count. The straight line that fits these heights best (least squares over the bins that hold
 //! grains) tells the angle, and how far the heights are from it.
 
-use super::{Selection, ToldColumn, Value};
+use super::{Selection, ToldColumn, Value, contact_counts, holds};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
 use glam::DVec3;
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
 
 /// Columns of a slope.
 pub const SLOPE_COLUMNS: &[ToldColumn] = &[
@@ -52,34 +57,58 @@ impl Slope {
     /// Its values now, in the order of [`SLOPE_COLUMNS`].
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
         let (grains, domain) = (&sim.grains, sim.domain());
+        let contacts = contact_counts(sim);
         let chosen = (0..grains.len())
-            .filter(|&g| self.zone.holds(domain, grains.position[g]) && self.selection.holds(grains, origins, g))
+            .filter(|&g| contacts[g] > 0)
+            .filter(|&g| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g))
             .map(|g| (domain.wrapped(grains.position[g]), grains.radius(g)));
         let (angle, deviation, bins) = self.fit(chosen);
         vec![Value::Number(angle), Value::Number(deviation), Value::Count(bins)]
     }
 
+    /// The cell of a bin across the distance: a strip, or a sector of a ring of a mean radius.
+    fn cell(&self, outwards: DVec3, middle: f64, width: f64) -> i64 {
+        match self.along {
+            Some(along) => (outwards.dot(self.up.cross(along)) / width).floor() as i64,
+            None => {
+                let first = self.up.any_orthonormal_vector();
+                let angle = libm::atan2(outwards.dot(self.up.cross(first)), outwards.dot(first));
+                let sectors = (2.0 * PI * middle / width).round().max(1.0);
+                (((angle / (2.0 * PI) + 0.5) * sectors) as i64).min(sectors as i64 - 1)
+            }
+        }
+    }
+
     /// Angle [deg], deviation [m] and number of bins, of spheres.
     fn fit(&self, spheres: impl Iterator<Item = (DVec3, f64)>) -> (f64, f64, u64) {
-        let mut heights = vec![f64::NEG_INFINITY; self.bins as usize];
         let (from, to) = self.between;
+        let width = (to - from) / f64::from(self.bins);
+        let mut highest: BTreeMap<(u32, i64), f64> = BTreeMap::new();
         for (centre, radius) in spheres {
             let away = centre - self.point;
             let height = away.dot(self.up);
+            let outwards = away - self.up * height;
             let distance = match self.along {
                 Some(along) => away.dot(along),
-                None => (away - self.up * height).length(),
+                None => outwards.length(),
             };
             if distance >= from && distance < to {
-                let bin = (distance - from) / (to - from) * f64::from(self.bins);
-                let bin = (bin as usize).min(heights.len() - 1);
-                heights[bin] = heights[bin].max(height + radius);
+                let bin = (((distance - from) / width) as u32).min(self.bins - 1);
+                let middle = from + (f64::from(bin) + 0.5) * width;
+                let cell = self.cell(outwards, middle, width);
+                let top = highest.entry((bin, cell)).or_insert(f64::NEG_INFINITY);
+                *top = top.max(height + radius);
             }
         }
-        let width = (to - from) / f64::from(self.bins);
-        let points: Vec<(f64, f64)> = (heights.iter().enumerate())
-            .filter(|(_, height)| height.is_finite())
-            .map(|(k, height)| (from + (k as f64 + 0.5) * width, *height))
+        let mut sums = vec![(0.0, 0.0); self.bins as usize];
+        for ((bin, _), height) in highest {
+            let (sum, cells) = &mut sums[bin as usize];
+            *sum += height;
+            *cells += 1.0;
+        }
+        let points: Vec<(f64, f64)> = (sums.iter().enumerate())
+            .filter(|(_, (_, cells))| *cells > 0.0)
+            .map(|(k, (sum, cells))| (from + (k as f64 + 0.5) * width, sum / cells))
             .collect();
         let count = points.len() as f64;
         if points.len() < 2 {
@@ -149,5 +178,43 @@ mod tests {
         let (angle, _, bins) = slope(None).fit(std::iter::once((dvec3(0.3, 0.2, 0.0), 0.1)));
         assert!(angle.is_nan() && bins == 1);
         assert_eq!(slope(None).fit(std::iter::empty()).2, 0);
+    }
+
+    /// Random spheres of two sizes below a surface, 2 m wide.
+    fn poured(height: impl Fn(f64, f64) -> f64) -> Vec<(DVec3, f64)> {
+        let mut x = 5u64;
+        let mut next = move || {
+            x = x
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (x >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let mut spheres = Vec::new();
+        while spheres.len() < 60_000 {
+            let radius = if next() < 0.5 { 0.008 } else { 0.012 };
+            let place = dvec3(2.0 * next() - 0.9, 2.0 * next() - 0.8, next());
+            if place.z + radius < height(place.x, place.y) {
+                spheres.push((place, radius));
+            }
+        }
+        spheres
+    }
+
+    #[test]
+    fn a_poured_heap_and_an_inclined_bed_have_their_angles_to_half_a_degree() {
+        for degrees in [15.0_f64, 25.0, 35.0] {
+            let steep = libm::tan(degrees.to_radians());
+            let heap = poured(|x, y| 0.9 - steep * libm::hypot(x - 0.1, y - 0.2));
+            let mut heap_slope = slope(None);
+            heap_slope.between = (0.1, 0.9);
+            heap_slope.bins = 16;
+            let (angle, deviation, bins) = heap_slope.fit(heap.into_iter());
+            assert!((angle - degrees).abs() < 0.5 && bins == 16, "{degrees}: {angle}");
+            assert!(deviation < 0.02, "{deviation}");
+            let bed = poured(|x, _| 0.5 + 0.5 * steep * (x - 0.1));
+            let told = libm::atan(-0.5 * steep).to_degrees();
+            let (angle, ..) = slope(Some(DVec3::X)).fit(bed.into_iter());
+            assert!((angle - told).abs() < 0.5, "{told}: {angle}");
+        }
     }
 }

@@ -23,7 +23,7 @@ pub const TRACE_COLUMNS: &[ToldColumn] = &[
 ];
 
 /// Grains that are traced.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct GrainTrace {
     /// Which grains.
     pub selection: Selection,

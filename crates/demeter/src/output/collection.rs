@@ -10,7 +10,12 @@ use std::path::PathBuf;
 /// The files of one kind, in the order of their steps.
 #[derive(Debug)]
 pub(super) struct Collection {
-    kind: &'static str,
+    /// Folder of the collection.
+    root: PathBuf,
+    /// Folder of the files, from there; empty when it is the same.
+    below: &'static str,
+    kind: String,
+    ending: &'static str,
     path: PathBuf,
     /// Step and time [s].
     entries: Vec<(u64, f64)>,
@@ -19,11 +24,33 @@ pub(super) struct Collection {
 impl Collection {
     /// An empty collection.
     pub fn new(folder: &RunFolder, kind: &'static str) -> Self {
+        Self::of(folder.root().to_owned(), "frames/", kind, ".vtp")
+    }
+
+    /// An empty collection of fields.
+    pub fn of_fields(folder: &RunFolder, measure: &str) -> Self {
+        Self::of(folder.fields(), "", measure, ".vti")
+    }
+
+    /// An empty collection of force chains.
+    pub fn of_chains(folder: &RunFolder, measure: &str) -> Self {
+        Self::of(folder.chains(), "", measure, ".vtp")
+    }
+
+    fn of(root: PathBuf, below: &'static str, kind: &str, ending: &'static str) -> Self {
         Self {
-            kind,
-            path: folder.root().join(format!("{kind}.pvd")),
+            path: root.join(format!("{kind}.pvd")),
+            root,
+            below,
+            kind: kind.to_owned(),
+            ending,
             entries: Vec::new(),
         }
+    }
+
+    /// The file of a step.
+    pub fn file_path(&self, step: u64) -> PathBuf {
+        self.root.join(self.file(step))
     }
 
     /// Number of files.
@@ -31,9 +58,9 @@ impl Collection {
         self.entries.len()
     }
 
-    /// Name of the file of a step, from the folder of the run. The digits keep names sorted by step.
+    /// Name of the file of a step, from the folder of the collection. The digits keep names sorted by step.
     pub fn file(&self, step: u64) -> String {
-        format!("frames/{}_{step:010}.vtp", self.kind)
+        format!("{}{}_{step:010}{}", self.below, self.kind, self.ending)
     }
 
     /// Adds a file, in place of one of the same step.
@@ -64,7 +91,7 @@ impl Collection {
 
     /// Reads the collection as [`Self::save`] wrote it; lines that it does not know, and files that are not there,
     /// are left out.
-    pub fn load(&mut self, folder: &RunFolder) -> Result<(), OutputError> {
+    pub fn load(&mut self) -> Result<(), OutputError> {
         let text = match fs::read_to_string(&self.path) {
             Err(e) if e.kind() == io::ErrorKind::NotFound => String::new(),
             text => text.map_err(OutputError::io("read", &self.path))?,
@@ -72,7 +99,7 @@ impl Collection {
         self.entries.clear();
         let entries: Vec<(u64, f64)> = text.lines().filter_map(|line| self.parse(line)).collect();
         for (step, time) in entries {
-            if folder.root().join(self.file(step)).is_file() {
+            if self.file_path(step).is_file() {
                 self.add(step, time);
             }
         }
@@ -81,20 +108,20 @@ impl Collection {
 
     fn parse(&self, line: &str) -> Option<(u64, f64)> {
         let time = attribute(line, "timestep")?.parse().ok()?;
-        let step = self.step_of(attribute(line, "file")?.strip_prefix("frames/")?)?;
+        let step = self.step_of(attribute(line, "file")?.strip_prefix(self.below)?)?;
         Some((step, time))
     }
 
     fn step_of(&self, name: &str) -> Option<u64> {
-        let digits = name.strip_prefix(self.kind)?.strip_prefix('_')?;
-        digits.strip_suffix(".vtp")?.parse().ok()
+        let digits = name.strip_prefix(self.kind.as_str())?.strip_prefix('_')?;
+        digits.strip_suffix(self.ending)?.parse().ok()
     }
 
     /// Drops what is later than a step: from the collection first, then the files.
     pub fn cut(&mut self, folder: &RunFolder, step: u64) -> Result<(), OutputError> {
         self.entries.retain(|entry| entry.0 <= step);
         self.save(folder)?;
-        let frames = folder.frames();
+        let frames = self.root.join(self.below);
         for name in names_in(&frames)? {
             if self
                 .step_of(name.strip_suffix(".part").unwrap_or(&name))
@@ -133,7 +160,7 @@ mod tests {
         fs::write(folder.frames().join("contacts_0000000040.vtp"), b"x").unwrap();
 
         let mut again = Collection::new(&folder, "grains");
-        again.load(&folder).unwrap();
+        again.load().unwrap();
         again.cut(&folder, 15).unwrap();
         assert_eq!(again.entries, [(0, 0.0), (10, 10.0 / 3.0)]);
         let left = names_in(&folder.frames()).unwrap();
@@ -154,13 +181,13 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let folder = RunFolder::create(place.path(), false).unwrap();
         let mut collection = Collection::new(&folder, "walls");
-        collection.load(&folder).unwrap();
+        collection.load().unwrap();
         assert_eq!(collection.len(), 0);
         folder.write(&folder.root().join(collection.file(7)), b"x").unwrap();
         let text = "<DataSet timestep=\"1.5\" file=\"frames/walls_0000000007.vtp\"/>\n<DataSet timestep=\"\n\
                     <DataSet timestep=\"2\" file=\"../walls_0000000008.vtp\"/>\n";
         fs::write(&collection.path, text).unwrap();
-        collection.load(&folder).unwrap();
+        collection.load().unwrap();
         assert_eq!(collection.entries, [(7, 1.5)]);
     }
 }

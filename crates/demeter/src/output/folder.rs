@@ -98,6 +98,9 @@ impl RunFolder {
             (self.pictures(), is_picture),
             (self.distributions(), is_table),
             (self.profiles(), is_table),
+            (self.fields(), is_field),
+            (self.paths(), is_path),
+            (self.chains(), is_chain),
         ] {
             for name in names_in(&sub)?.into_iter().filter(|name| ours(name)) {
                 remove_if_there(&sub.join(name))?;
@@ -106,6 +109,9 @@ impl RunFolder {
         // made by those runs only that measure them; they stay when they hold other files
         let _ = fs::remove_dir(self.distributions());
         let _ = fs::remove_dir(self.profiles());
+        let _ = fs::remove_dir(self.fields());
+        let _ = fs::remove_dir(self.paths());
+        let _ = fs::remove_dir(self.chains());
         Ok(())
     }
 
@@ -206,6 +212,54 @@ impl RunFolder {
         self.profiles().join(format!("{measure}.csv"))
     }
 
+    /// Folder of the fields; [`RunFolder::make_fields`] makes it.
+    pub fn fields(&self) -> PathBuf {
+        self.root.join("fields")
+    }
+
+    /// Makes the folder of the fields.
+    pub fn make_fields(&self) -> Result<(), OutputError> {
+        let sub = self.fields();
+        fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
+    }
+
+    /// The table of a field along one direction, by the name of the measure.
+    pub fn field_table(&self, measure: &str) -> PathBuf {
+        self.fields().join(format!("{measure}.csv"))
+    }
+
+    /// Folder of the force chains; [`RunFolder::make_chains`] makes it.
+    pub fn chains(&self) -> PathBuf {
+        self.root.join("chains")
+    }
+
+    /// Makes the folder of the force chains.
+    pub fn make_chains(&self) -> Result<(), OutputError> {
+        let sub = self.chains();
+        fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
+    }
+
+    /// Folder of the paths of grains; [`RunFolder::make_paths`] makes it.
+    pub fn paths(&self) -> PathBuf {
+        self.root.join("paths")
+    }
+
+    /// Makes the folder of the paths.
+    pub fn make_paths(&self) -> Result<(), OutputError> {
+        let sub = self.paths();
+        fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
+    }
+
+    /// The paths that a measure writes as a table, by the name of the measure.
+    pub fn path_table(&self, measure: &str) -> PathBuf {
+        self.paths().join(format!("{measure}.csv"))
+    }
+
+    /// The same paths as lines.
+    pub fn path_lines(&self, measure: &str) -> PathBuf {
+        self.paths().join(format!("{measure}.vtp"))
+    }
+
     /// A plot, by name without extension.
     pub fn plot(&self, name: &str) -> PathBuf {
         self.plots().join(format!("{}.svg", file_stem(name)))
@@ -237,6 +291,21 @@ fn is_picture(name: &str) -> bool {
 
 fn is_plot(name: &str) -> bool {
     name.strip_suffix(".part").unwrap_or(name).ends_with(".svg")
+}
+
+fn is_field(name: &str) -> bool {
+    let name = name.strip_suffix(".part").unwrap_or(name);
+    [".vti", ".pvd", ".csv"].iter().any(|ending| name.ends_with(ending))
+}
+
+fn is_chain(name: &str) -> bool {
+    let name = name.strip_suffix(".part").unwrap_or(name);
+    name.ends_with(".vtp") || name.ends_with(".pvd")
+}
+
+fn is_path(name: &str) -> bool {
+    let name = name.strip_suffix(".part").unwrap_or(name);
+    name.ends_with(".vtp") || name.ends_with(".csv")
 }
 
 fn is_table(name: &str) -> bool {

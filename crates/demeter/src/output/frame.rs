@@ -62,6 +62,8 @@ pub struct Frame<'a> {
     pub contacts: &'a [ContactRecord],
     /// All walls.
     pub walls: &'a [WallSurface<'a>],
+    /// Tags of the grains, by index; nothing where none has a tag.
+    pub tags: Option<Vec<i32>>,
 }
 
 impl Frame<'_> {

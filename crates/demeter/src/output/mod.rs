@@ -4,9 +4,11 @@
 //! Every file but the log and those of rows gets its name only when it is whole; the rows of a moment are written in one
 //! piece. So an error of the disk or a kill never costs anything that was written before.
 
+mod chains;
 mod collection;
 pub(crate) mod distribution;
 mod error;
+mod fields;
 mod folder;
 mod frame;
 pub mod picture;
@@ -15,16 +17,24 @@ mod profile;
 mod rows;
 pub mod series;
 mod summary;
+mod tables;
 mod ticks;
+mod vti;
 mod vtk;
 mod vtp;
 
+pub use chains::ChainWriter;
 pub use distribution::DistributionWriter;
 pub use error::OutputError;
+pub use fields::FieldWriter;
 pub use folder::RunFolder;
 pub use frame::{ContactRecord, Frame, WallSurface};
 pub use plot::{AxisSpec, Look, Plot, Series, Sheet};
 pub use profile::ProfileWriter;
 pub use series::{COLUMNS, Column, NETWORK_COLUMNS, SeriesLabels, SeriesWriter, WALL_COLUMNS};
 pub use summary::{EnergySummary, StageSummary, Summary, WallSummary, wall_summaries};
+pub use tables::{
+    MomentTable, path_lines, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows,
+    rose_titles,
+};
 pub use vtk::FrameWriter;

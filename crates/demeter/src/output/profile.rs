@@ -7,7 +7,7 @@ use crate::measure::{Measures, Slice};
 use std::path::Path;
 
 /// Columns of a profile.
-const COLUMNS: [&str; 13] = [
+const COLUMNS: [&str; 14] = [
     "step",
     "time [s]",
     "stage",
@@ -21,6 +21,7 @@ const COLUMNS: [&str; 13] = [
     "velocity y [m/s]",
     "velocity z [m/s]",
     "fluctuation [m/s]",
+    "share",
 ];
 
 /// Writes a profile: at every moment one row per slice, numbered from 0.
@@ -60,6 +61,7 @@ impl ProfileWriter {
                 number(slice.velocity.y),
                 number(slice.velocity.z),
                 number(slice.fluctuation),
+                number(slice.share),
             ]
         };
         let rows: Vec<Vec<String>> = slices.iter().enumerate().map(row).collect();

@@ -3,8 +3,9 @@
 use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
-    BOX_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NetworkMeasures, OF_MATERIAL_COLUMNS,
-    REGION_COLUMNS, REMOVAL_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WEAR_COLUMNS, WallLoad,
+    BOX_COLUMNS, DISPLACEMENT_COLUMNS, FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures,
+    NEIGHBOUR_COLUMNS, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS, RESIDENCE_COLUMNS,
+    SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WEAR_COLUMNS, WallLoad,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -292,13 +293,17 @@ fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
 }
 
 /// Columns behind all others, with what their titles begin with.
-const TOLD: [(&str, &[ToldColumn]); 11] = [
+const TOLD: [(&str, &[ToldColumn]); 15] = [
     ("MEASURE", REGION_COLUMNS),
     ("MEASURE MATERIAL", OF_MATERIAL_COLUMNS),
     ("MEASURE", TRACE_COLUMNS),
     ("MEASURE", FLOW_COLUMNS),
     ("MEASURE", MIXING_COLUMNS),
     ("MEASURE", SLOPE_COLUMNS),
+    ("MEASURE", FABRIC_COLUMNS),
+    ("MEASURE", RESIDENCE_COLUMNS),
+    ("MEASURE", DISPLACEMENT_COLUMNS),
+    ("MEASURE", NEIGHBOUR_COLUMNS),
     ("feed NAME", FEED_COLUMNS),
     ("removal NAME", REMOVAL_COLUMNS),
     ("removal NAME MATERIAL", OF_MATERIAL_COLUMNS),

@@ -3,7 +3,7 @@
 //!
 //! | file | one element is | arrays |
 //! |---|---|---|
-//! | `grains` | a point at the centre of a grain | `id`, `material`, `radius` and `diameter` [m], `mass` [kg], `velocity` [m/s], `angular_velocity` [1/s], `orientation` (quaternion x, y, z, w), `force` [N], `torque` [N m], `coordination` (contacts that act, walls counted) |
+//! | `grains` | a point at the centre of a grain | `id`, `material`, `radius` and `diameter` [m], `mass` [kg], `velocity` [m/s], `angular_velocity` [1/s], `orientation` (quaternion x, y, z, w), `force` [N], `torque` [N m], `coordination` (contacts that act, walls counted), `tag` where grains have tags |
 //! | `contacts` | a point at the contact, of those that act: their normal force is not 0 | `id_i`, `id_j` (0: wall), `wall` (-1: none), `element`, `normal` (towards i), `overlap` [m], `normal_force`, `tangential_force` and their vector sum `force` [N], all on i, `normal_force_magnitude`, `force_magnitude` [N], `rolling_torque` [N m] |
 //! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s]; where a wall records loads or wear, of the element (triangle of a mesh, face of a box, else all of the wall) `mean_force` [N], `pressure` and `shear_stress` [Pa], means since the last frame; `impact_energy` and `sliding_energy` [J] and `wear_depth` [m] since the start |
 //!
@@ -44,7 +44,7 @@ impl FrameWriter {
     pub fn resume(folder: &RunFolder, step: u64) -> Result<Self, OutputError> {
         let mut collections = KINDS.map(|kind| Collection::new(folder, kind));
         for collection in &mut collections {
-            collection.load(folder)?;
+            collection.load()?;
             collection.cut(folder, step)?;
         }
         Ok(Self {
@@ -57,7 +57,7 @@ impl FrameWriter {
     pub fn write(&mut self, frame: &Frame) -> Result<(), OutputError> {
         let files = [grains(frame), contacts(frame), walls(frame)];
         for (collection, data) in self.collections.iter_mut().zip(files) {
-            let path = self.folder.root().join(collection.file(frame.step));
+            let path = collection.file_path(frame.step);
             let bytes = data.encode().map_err(|e| OutputError::encode(&path, &e))?;
             self.folder.write(&path, &bytes)?;
             collection.add(frame.step, frame.time);
@@ -85,6 +85,22 @@ fn grains(frame: &Frame) -> PolyData {
     let coordination = frame.sum_over_contacts(0_u32, |sum, _| sum + 1);
     let materials = g.material.iter().map(|&m| i32::from(m)).collect();
     let orientations = g.orientation.iter().flat_map(|q| q.to_array()).collect();
+    let mut point_data = vec![
+        Array::new("id", 1, Values::UInt32(g.id.clone())),
+        Array::new("material", 1, Values::Int32(materials)),
+        Array::scalars("radius", g.radii()),
+        Array::scalars("diameter", g.radii().map(|r| 2.0 * r)),
+        Array::scalars("mass", g.mass.iter().copied()),
+        Array::vectors("velocity", g.velocity.iter()),
+        Array::vectors("angular_velocity", g.angular_velocity.iter()),
+        Array::new("orientation", 4, Values::Float64(orientations)),
+        Array::vectors("force", g.force.iter()),
+        Array::vectors("torque", g.torque.iter()),
+        Array::new("coordination", 1, Values::UInt32(coordination)),
+    ];
+    if let Some(tags) = &frame.tags {
+        point_data.push(Array::new("tag", 1, Values::Int32(tags.clone())));
+    }
     PolyData {
         step: frame.step,
         time: frame.time,
@@ -94,19 +110,7 @@ fn grains(frame: &Frame) -> PolyData {
         )],
         points: g.position.iter().copied().collect(),
         cells: Cells::Vertices,
-        point_data: vec![
-            Array::new("id", 1, Values::UInt32(g.id.clone())),
-            Array::new("material", 1, Values::Int32(materials)),
-            Array::scalars("radius", g.radii()),
-            Array::scalars("diameter", g.radii().map(|r| 2.0 * r)),
-            Array::scalars("mass", g.mass.iter().copied()),
-            Array::vectors("velocity", g.velocity.iter()),
-            Array::vectors("angular_velocity", g.angular_velocity.iter()),
-            Array::new("orientation", 4, Values::Float64(orientations)),
-            Array::vectors("force", g.force.iter()),
-            Array::vectors("torque", g.torque.iter()),
-            Array::new("coordination", 1, Values::UInt32(coordination)),
-        ],
+        point_data,
         cell_data: Vec::new(),
     }
 }

@@ -81,6 +81,8 @@ pub(super) enum Cells {
     Vertices,
     /// Triangles that use three points each, in order.
     Triangles,
+    /// Lines through points that follow each other: the number of points of each.
+    Lines(Vec<usize>),
 }
 
 /// A `.vtp` file.
@@ -105,77 +107,85 @@ impl PolyData {
     /// The bytes of the file.
     pub fn encode(&self) -> io::Result<Vec<u8>> {
         let mut file = Writer::default();
-        let corners = match self.cells {
-            Cells::Vertices => 1,
-            Cells::Triangles => 3,
-        };
         let points = self.points.len();
-        let cells = points / corners;
-        let (vertices, triangles) = if corners == 1 { (cells, 0) } else { (0, cells) };
+        let equal = |corners: usize| (1..=points / corners).map(|k| (k * corners) as i64).collect();
+        let (element, offsets): (&str, Vec<i64>) = match &self.cells {
+            Cells::Vertices => ("Verts", equal(1)),
+            Cells::Triangles => ("Polys", equal(3)),
+            Cells::Lines(lengths) => {
+                let mut end = 0;
+                let mut next = |n: &usize| {
+                    end += *n as i64;
+                    end
+                };
+                ("Lines", lengths.iter().map(&mut next).collect())
+            }
+        };
+        let [vertices, lines, triangles] =
+            ["Verts", "Lines", "Polys"].map(|name| if name == element { offsets.len() } else { 0 });
         file.line(
             "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" \
              compressor=\"vtkZLibDataCompressor\">\n<PolyData>",
         );
-        self.field_data(&mut file);
+        field_data(&mut file, self.step, self.time, &self.texts);
         file.line(&format!(
-            "<Piece NumberOfPoints=\"{points}\" NumberOfVerts=\"{vertices}\" NumberOfLines=\"0\" \
+            "<Piece NumberOfPoints=\"{points}\" NumberOfVerts=\"{vertices}\" NumberOfLines=\"{lines}\" \
              NumberOfStrips=\"0\" NumberOfPolys=\"{triangles}\">"
         ));
         file.arrays("PointData", &self.point_data)?;
         file.arrays("CellData", &self.cell_data)?;
         file.arrays("Points", &[Array::vectors("Points", &self.points)])?;
         let connectivity = (0..points as i64).collect();
-        let offsets = (1..=cells as i64).map(|k| k * corners as i64).collect();
         let topology = [
             Array::new("connectivity", 1, Values::Int64(connectivity)),
             Array::new("offsets", 1, Values::Int64(offsets)),
         ];
-        file.arrays(if corners == 1 { "Verts" } else { "Polys" }, &topology)?;
+        file.arrays(element, &topology)?;
         file.line("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">");
         Ok(file.finish())
     }
+}
 
-    /// Time, step and texts, readable in the head of the file.
-    fn field_data(&self, file: &mut Writer) {
-        file.line("<FieldData>");
+/// Time, step and texts, readable in the head of the file.
+pub(super) fn field_data(file: &mut Writer, step: u64, time: f64, texts: &[(&'static str, Vec<String>)]) {
+    file.line("<FieldData>");
+    file.line(&format!(
+        "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:?}</DataArray>",
+        time
+    ));
+    file.line(&format!(
+        "<DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>",
+        step
+    ));
+    for (name, texts) in texts {
         file.line(&format!(
-            "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:?}</DataArray>",
-            self.time
+            "<DataArray type=\"String\" Name=\"{name}\" NumberOfTuples=\"{}\" format=\"ascii\">",
+            texts.len()
         ));
-        file.line(&format!(
-            "<DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>",
-            self.step
-        ));
-        for (name, texts) in &self.texts {
-            file.line(&format!(
-                "<DataArray type=\"String\" Name=\"{name}\" NumberOfTuples=\"{}\" format=\"ascii\">",
-                texts.len()
-            ));
-            // Texts are written as the codes of their bytes, each text closed by a zero.
-            for text in texts {
-                let codes: Vec<String> = text.bytes().chain([0]).map(|byte| byte.to_string()).collect();
-                file.line(&codes.join(" "));
-            }
-            file.line("</DataArray>");
+        // Texts are written as the codes of their bytes, each text closed by a zero.
+        for text in texts {
+            let codes: Vec<String> = text.bytes().chain([0]).map(|byte| byte.to_string()).collect();
+            file.line(&codes.join(" "));
         }
-        file.line("</FieldData>");
+        file.line("</DataArray>");
     }
+    file.line("</FieldData>");
 }
 
 /// The XML and, to be put behind it, the binary data.
 #[derive(Default)]
-struct Writer {
+pub(super) struct Writer {
     xml: String,
     data: Vec<u8>,
 }
 
 impl Writer {
-    fn line(&mut self, text: &str) {
+    pub fn line(&mut self, text: &str) {
         self.xml.push_str(text);
         self.xml.push('\n');
     }
 
-    fn arrays(&mut self, element: &str, arrays: &[Array]) -> io::Result<()> {
+    pub fn arrays(&mut self, element: &str, arrays: &[Array]) -> io::Result<()> {
         self.line(&format!("<{element}>"));
         for array in arrays {
             let offset = self.data.len();
@@ -193,7 +203,7 @@ impl Writer {
         Ok(())
     }
 
-    fn finish(self) -> Vec<u8> {
+    pub fn finish(self) -> Vec<u8> {
         let mut bytes = self.xml.into_bytes();
         bytes.push(b'_');
         bytes.extend_from_slice(&self.data);

@@ -1,11 +1,13 @@
 //! Grains as a struct of arrays, and the domain that they live in.
 
 mod domain;
+mod interior;
 mod origins;
 mod rows;
 mod zone;
 
 pub use domain::{Domain, Outside};
+pub use interior::{Interior, InteriorError};
 pub use origins::Origins;
 pub use rows::{Row, Rows};
 pub use zone::{Zone, ZonePart, ZoneShape};

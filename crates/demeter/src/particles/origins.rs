@@ -1,12 +1,15 @@
-//! Which batch or feed every grain came from, and when.
+//! Which batch or feed every grain came from, and when, and the tags that grains carry.
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
-/// Sources of grains by ranges of their ids.
+/// Sources of grains by ranges of their ids, and their tags.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Origins {
     /// Sorted; no two overlap.
     ranges: Vec<Range>,
+    /// Tags of the grains that carry another than 0.
+    tags: BTreeMap<u32, i32>,
 }
 
 /// Ids that follow each other, of one source and one step.
@@ -50,6 +53,25 @@ impl Origins {
         self.range(id).map_or(0, |range| range.step)
     }
 
+    /// The tag of a grain; 0 unless another was given.
+    pub fn tag(&self, id: u32) -> i32 {
+        self.tags.get(&id).copied().unwrap_or(0)
+    }
+
+    /// Gives a grain a tag in place of the one that it had.
+    pub fn set_tag(&mut self, id: u32, tag: i32) {
+        if tag == 0 {
+            self.tags.remove(&id);
+        } else {
+            self.tags.insert(id, tag);
+        }
+    }
+
+    /// Forgets the tag of a grain that is gone; its id is never used again.
+    pub fn forget_tag(&mut self, id: u32) {
+        self.tags.remove(&id);
+    }
+
     fn range(&self, id: u32) -> Option<&Range> {
         let at = self.ranges.partition_point(|range| range.first <= id);
         let range = self.ranges.get(at.checked_sub(1)?)?;
@@ -76,5 +98,17 @@ mod tests {
         assert_eq!(origins.ranges.len(), 5);
         origins.add(11, 7, 0);
         assert_eq!(origins.of(11), Some(0), "a grain keeps its source");
+    }
+
+    #[test]
+    fn a_tag_stays_until_another_is_given() {
+        let mut origins = Origins::default();
+        origins.set_tag(4, 7);
+        origins.set_tag(5, -2);
+        origins.set_tag(4, 3);
+        assert_eq!([3, 4, 5].map(|id| origins.tag(id)), [0, 3, -2]);
+        origins.set_tag(5, 0);
+        origins.forget_tag(4);
+        assert_eq!(origins, Origins::default());
     }
 }

@@ -2,18 +2,20 @@
 
 use super::document::{Value, join};
 use super::grains::{Surroundings, cylinder};
+use super::interiors::{closed_mesh, open_mesh};
 use super::materials::material_index;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
 use super::sizes::diameter;
 use super::walls::rectangle;
-use super::zones::{Named, region, selection};
-use crate::insertion::{Inlet, Insertion, Region, Stream};
+use super::zones::{Named, region, selection, tag_value};
+use crate::insertion::{Inlet, Insertion, MeshInlet, Region, Stream};
 use crate::measure::Selection;
 use crate::particles::Zone;
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// Most feeds, and most removals.
 pub const MAX_FEEDS: usize = 1000;
@@ -61,6 +63,8 @@ pub struct FeedSpec {
     pub end: FeedEnd,
     /// Time between two times at which grains come [s]; [`EXCHANGE_EVERY`] steps when absent.
     pub every: Option<f64>,
+    /// Tag of the grains.
+    pub tag: i32,
 }
 
 /// A table `[[removal]]`.
@@ -130,7 +134,7 @@ fn feed(table: TableReader<'_>, name: String, default_seed: u64, around: &Surrou
     let stream = Stream {
         material: material.map_or(0, |i| material_index(&i, around.materials)),
         diameter: diameter(&table),
-        inlet: inlet(&table),
+        inlet: inlet(&table, around),
         velocity: table.vector_or_zero("velocity", VELOCITY),
         velocity_deviation: table
             .optional_quantity("velocity_deviation", VELOCITY, Range::NOT_NEGATIVE)
@@ -163,6 +167,7 @@ fn feed(table: TableReader<'_>, name: String, default_seed: u64, around: &Surrou
         table.fault("the feed has neither a rate nor an end", Some(help.to_string()));
     }
     let every = table.optional_quantity("every", TIME, Range::POSITIVE);
+    let tag = table.optional("tag").map_or(0, |i| tag_value(&i));
     table.finish("a feed");
     FeedSpec {
         name,
@@ -170,6 +175,7 @@ fn feed(table: TableReader<'_>, name: String, default_seed: u64, around: &Surrou
         rate,
         end,
         every,
+        tag,
     }
 }
 
@@ -181,8 +187,8 @@ fn level(table: TableReader<'_>) -> (DVec3, DVec3) {
 }
 
 /// Key `from`: a face, or a region.
-fn inlet(table: &TableReader<'_>) -> Inlet {
-    const SHAPES: [&str; 4] = ["rectangle", "disc", "box", "cylinder"];
+fn inlet(table: &TableReader<'_>, around: &Surroundings<'_>) -> Inlet {
+    const SHAPES: [&str; 6] = ["rectangle", "disc", "mesh-face", "box", "cylinder", "mesh"];
     let nowhere = Inlet::Disc {
         center: DVec3::NAN,
         normal: DVec3::NAN,
@@ -195,7 +201,10 @@ fn inlet(table: &TableReader<'_>) -> Inlet {
     let Some(from) = item.table() else {
         return nowhere;
     };
-    let shape = from.required("shape", "\"rectangle\", \"disc\", \"box\" or \"cylinder\"");
+    let shape = from.required(
+        "shape",
+        "\"rectangle\", \"disc\", \"mesh-face\", \"box\", \"cylinder\" or \"mesh\"",
+    );
     let Some(shape) = shape.and_then(|i| i.choice(&SHAPES)) else {
         from.abandon();
         return nowhere;
@@ -214,7 +223,19 @@ fn inlet(table: &TableReader<'_>) -> Inlet {
             let (lower, upper) = from.corners();
             Inlet::Region(Region::Box { lower, upper })
         }
-        _ => Inlet::Region(cylinder(&from)),
+        "cylinder" => Inlet::Region(cylinder(&from)),
+        "mesh-face" => open_mesh(&from, around).map_or(nowhere, |triangles| {
+            Inlet::Mesh(MeshInlet {
+                triangles: Arc::new(triangles),
+                interior: None,
+            })
+        }),
+        _ => closed_mesh(&from, None, around).map_or(nowhere, |mesh| {
+            Inlet::Mesh(MeshInlet {
+                triangles: Arc::new(mesh.triangles),
+                interior: Some(mesh.interior),
+            })
+        }),
     };
     from.finish(&format!("an inlet of shape \"{}\"", SHAPES[shape]));
     inlet
@@ -227,7 +248,7 @@ pub(super) fn removals(root: &TableReader<'_>, named: &Named<'_>) -> Vec<Removal
             name,
             zone: table
                 .required("region", meaning)
-                .map(|i| region(&i))
+                .map(|i| region(&i, named))
                 .unwrap_or_default(),
             selection: selection(&table, named),
             every: table.optional_quantity("every", TIME, Range::POSITIVE),

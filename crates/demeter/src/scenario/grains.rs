@@ -5,6 +5,7 @@ use super::materials::material_index;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::sizes::{diameter, positive_lengths};
+use super::zones::tag_value;
 use crate::insertion::{Amount, Insertion, LatticeKind, Region, Source};
 use crate::materials::Material;
 use demeter_physics::dimension::Dimension;
@@ -76,6 +77,7 @@ fn insertion(table: TableReader<'_>, index: usize, around: &Surroundings<'_>) ->
             .optional_quantity("velocity_deviation", velocity, Range::NOT_NEGATIVE)
             .unwrap_or(0.0),
         angular_velocity: table.vector_or_zero("angular_velocity", Kind::AngularVelocity),
+        tag: table.optional("tag").map_or(0, |i| tag_value(&i)),
         fixed,
         seed: match table.optional("seed") {
             Some(item) => item.integer(0, i64::MAX) as u64,

@@ -1,12 +1,14 @@
 //! Tables `[[measure]]`: what is measured beside what every run measures.
 
 use super::document::join;
+use super::field_measures::{contact_angles, displacement, fabric, field, force_chains, paths, residence};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
-use super::region_measures::{mass_flow, mixing, profile, slope};
+use super::region_measures::{cylinder_profile, mass_flow, mixing, neighbour_mixing, profile, slope};
 use super::zones::{Named, region, selection};
 use crate::measure::{
-    BinsError, ContactNetwork, ForceDistribution, GrainTrace, MassFlow, Mixing, Profile, RegionCount, Slope,
+    BinsError, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceChains,
+    ForceDistribution, GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence, Slope,
 };
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -44,6 +46,24 @@ pub enum MeasureKind {
     Slope(Slope),
     /// A file of its own.
     Profile(Profile),
+    /// Files of their own, with every frame.
+    Field(Field),
+    /// Columns of the series.
+    Fabric(Fabric),
+    /// A file of its own.
+    ContactAngles(ContactAngles),
+    /// Columns of the series, and a file of its own.
+    Residence(Residence),
+    /// Columns of the series.
+    Displacement(Displacement),
+    /// Files of their own.
+    Paths(Paths),
+    /// Files of their own, with every frame.
+    ForceChains(ForceChains),
+    /// Columns of the series.
+    NeighbourMixing(NeighbourMixing),
+    /// A file of its own.
+    CylinderProfile(CylinderProfile),
 }
 
 /// The contact networks of a list of measures, with their names.
@@ -70,17 +90,9 @@ pub(super) fn profiles(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, 
     })
 }
 
-/// The flows through gates of a list of measures, with their names.
-pub(super) fn flows(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &MassFlow)> {
-    measures.iter().filter_map(|measure| match &measure.kind {
-        MeasureKind::MassFlow(flow) => Some((measure.name.as_str(), flow)),
-        _ => None,
-    })
-}
-
 const FORCE: Kind = Kind::Physical(Dimension::FORCE);
 
-const KINDS: [&str; 8] = [
+const KINDS: [&str; 17] = [
     "contact-network",
     "force-distribution",
     "region-count",
@@ -89,6 +101,15 @@ const KINDS: [&str; 8] = [
     "mixing",
     "surface-slope",
     "profile",
+    "field",
+    "fabric",
+    "contact-angles",
+    "residence",
+    "displacement",
+    "paths",
+    "force-chains",
+    "neighbour-mixing",
+    "cylinder-profile",
 ];
 
 pub(super) fn measures(root: &TableReader<'_>, named: &Named<'_>) -> Vec<MeasureSpec> {
@@ -159,7 +180,7 @@ fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
         "contact-network" => Some(MeasureKind::ContactNetwork(contact_network(&table))),
         "force-distribution" => force_distribution(&table).map(MeasureKind::ForceDistribution),
         "region-count" => Some(MeasureKind::RegionCount(RegionCount {
-            zone: table.optional("region").map(|i| region(&i)).unwrap_or_default(),
+            zone: table.optional("region").map(|i| region(&i, named)).unwrap_or_default(),
             selection: selection(&table, named),
         })),
         "grain-trace" => Some(MeasureKind::GrainTrace(GrainTrace {
@@ -168,7 +189,16 @@ fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
         "mass-flow" => Some(MeasureKind::MassFlow(mass_flow(&table, named))),
         "mixing" => Some(MeasureKind::Mixing(mixing(&table, named))),
         "surface-slope" => Some(MeasureKind::Slope(slope(&table, named))),
-        _ => Some(MeasureKind::Profile(profile(&table, named))),
+        "profile" => Some(MeasureKind::Profile(profile(&table, named))),
+        "field" => Some(MeasureKind::Field(field(&table, named))),
+        "fabric" => Some(MeasureKind::Fabric(fabric(&table, named))),
+        "contact-angles" => Some(MeasureKind::ContactAngles(contact_angles(&table, named))),
+        "residence" => Some(MeasureKind::Residence(residence(&table, named))),
+        "displacement" => Some(MeasureKind::Displacement(displacement(&table, named))),
+        "paths" => Some(MeasureKind::Paths(paths(&table, named))),
+        "force-chains" => Some(MeasureKind::ForceChains(force_chains(&table, named))),
+        "neighbour-mixing" => Some(MeasureKind::NeighbourMixing(neighbour_mixing(&table, named))),
+        _ => Some(MeasureKind::CylinderProfile(cylinder_profile(&table, named))),
     };
     table.finish(&format!("a measure of kind `{}`", KINDS[index]));
     kind

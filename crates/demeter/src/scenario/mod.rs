@@ -5,9 +5,13 @@ mod deformation;
 mod diagnostics;
 mod document;
 mod feeds;
+mod field_files;
+mod field_measures;
 mod fit_file;
+mod followed;
 mod grains;
 mod impact;
+mod interiors;
 mod materials;
 mod measures;
 mod meshes;
@@ -29,6 +33,7 @@ mod run_options;
 mod settings;
 mod sizes;
 mod stages;
+mod tags;
 mod templates;
 mod traffic;
 pub mod units;
@@ -62,6 +67,7 @@ pub use settings::{
     SimulationSpec, TimeStep,
 };
 pub use stages::{MAX_REPEAT, MAX_STAGES};
+pub use tags::{MAX_TAGS, TagSpec};
 pub use templates::{TEMPLATES, template};
 pub use wall_report::{WallReport, inspect_walls};
 pub use walls::{MAX_WALLS, MeshFile, WallShape, WallSpec};
@@ -104,6 +110,8 @@ pub struct Scenario {
     pub feeds: Vec<FeedSpec>,
     /// Where grains go while the run goes on; the path of the first is `removal[0]`.
     pub removals: Vec<RemovalSpec>,
+    /// Tags that grains are given while the run goes on; the path of the first is `tag[0]`.
+    pub tags: Vec<TagSpec>,
     /// Walls; the path of the first is `wall[0]`.
     pub walls: Vec<WallSpec>,
     /// Stages with repeats unrolled.
@@ -173,11 +181,14 @@ impl Scenario {
         let feeds = feeds::feeds(&table, &around, &grains);
         let batches = grains.iter().map(|b| b.name.as_str());
         let named = zones::Named {
-            materials: &materials,
+            around: &around,
+            walls: &walls,
+            has_domain: domain.bounds.is_some(),
             gravity: simulation.gravity,
             sources: batches.chain(feeds.iter().map(|f| f.name.as_str())).collect(),
         };
         let removals = feeds::removals(&table, &named);
+        let tags = tags::tags(&table, &named);
         let measures = measures::measures(&table, &named);
         let cast = stages::Cast {
             walls: &walls,
@@ -198,6 +209,7 @@ impl Scenario {
             grains,
             feeds,
             removals,
+            tags,
             walls,
             stages: protocol.stages,
             stage_paths: protocol.paths,

@@ -230,6 +230,9 @@ fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
             next_id = next_id.max(id.saturating_add(1));
             grains.push(id, grain);
             origins.add(id, k as u16, 0);
+            if insertion.tag != 0 {
+                origins.set_tag(id, insertion.tag);
+            }
             occupied.push((grain.position, grain.radius));
         }
     }

@@ -1,16 +1,23 @@
 //! Measures of flows, mixtures, surfaces and slices: their tables `[[measure]]`.
 
+use super::field_measures::cells;
+use super::grains::axis_ends;
 use super::quantity::Kind;
 use super::reader::TableReader;
 use super::walls::rectangle;
 use super::zones::{Named, region, selection};
-use crate::measure::{Gate, MAX_CELLS, MAX_SLICES, MassFlow, Mixing, Profile, Slope};
+use crate::measure::{
+    Along, CylinderProfile, Gate, MAX_CELLS, MAX_NEAREST, MAX_SLICES, MassFlow, Mixing, MixingSpace, NeighbourMixing,
+    Profile, Selection, Slope,
+};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
 
 /// Most bins of a surface.
 const MAX_BINS: i64 = 10_000;
+/// Nearest neighbours that are looked at when nothing is told.
+const DEFAULT_NEAREST: u32 = 6;
 /// Largest cosine of the angle between the direction of a slope and the horizontal.
 const HORIZONTAL: f64 = 1e-9;
 
@@ -61,37 +68,86 @@ pub(super) fn mass_flow(table: &TableReader<'_>, named: &Named<'_>) -> MassFlow 
     flow
 }
 
-/// A mixing index: the cells of a box, and the kind whose share is looked at.
+/// A mixing index: the cells of a box or a cylinder, and the kind whose share is looked at.
 pub(super) fn mixing(table: &TableReader<'_>, named: &Named<'_>) -> Mixing {
-    let (lower, upper) = table.corners();
-    let mut cells = [1; 3];
-    if let Some(item) = table.required("cells", "the number of cells in each direction, as [10, 1, 10]") {
-        let items = item.items();
-        if items.len() == 3 {
-            cells = [0, 1, 2].map(|k| items[k].integer(1, i64::from(u32::MAX)) as u32);
-            let all = cells.iter().fold(1u64, |all, n| all.saturating_mul(u64::from(*n)));
-            if all > MAX_CELLS {
-                item.fault(format!("{all} cells are too many; at most {MAX_CELLS}"), None);
-                cells = [1; 3];
-            }
-        } else if matches!(&item.node.value, super::document::Value::Array(_)) {
-            item.fault(
-                format!("`cells` must be three whole numbers, found {}", items.len()),
-                None,
-            );
+    let is_round = match table.has("start") || table.has("end") || table.has("radius") {
+        true => true,
+        false => {
+            // makes these keys known for the suggestion on a misspelt one
+            ["start", "end", "radius"].into_iter().for_each(|key| {
+                table.optional(key);
+            });
+            false
         }
-    }
-    let chosen = ["material", "batch", "ids"].iter().any(|key| table.has(key));
-    let selection = selection(table, named);
-    if !chosen {
-        let help = "name the kind by `material`, `batch` or `ids`";
-        table.fault("which grains are mixed with the others?", Some(help.to_string()));
-    }
+    };
+    let space = match is_round {
+        true => {
+            let (start, end, radius) = cylinder(table);
+            MixingSpace::Cylinder { start, end, radius }
+        }
+        false => {
+            let (lower, upper) = table.corners();
+            MixingSpace::Box { lower, upper }
+        }
+    };
+    let meaning = match is_round {
+        true => "the number of cells outwards, around and along the axis, as [5, 8, 1]",
+        false => "the number of cells in each direction, as [10, 1, 10]",
+    };
+    let cells = cells(table, meaning, MAX_CELLS);
+    let selection = kind(table, named);
     Mixing {
-        lower,
-        upper,
+        space,
         cells,
         selection,
+    }
+}
+
+/// Axis and radius of a cylinder.
+fn cylinder(table: &TableReader<'_>) -> (DVec3, DVec3, f64) {
+    let (start, end) = axis_ends(table);
+    (start, end, table.length("radius", "the radius of the cylinder"))
+}
+
+/// The kind that is mixed with all others.
+fn kind(table: &TableReader<'_>, named: &Named<'_>) -> Selection {
+    let chosen = ["material", "batch", "ids", "tag", "finer_than", "coarser_than"]
+        .iter()
+        .any(|key| table.has(key));
+    let selection = selection(table, named);
+    if !chosen {
+        let help = "name the kind by `material`, `batch`, `ids`, `tag`, `finer_than` or `coarser_than`";
+        table.fault("which grains are mixed with the others?", Some(help.to_string()));
+    }
+    selection
+}
+
+/// A mixing index of neighbours.
+pub(super) fn neighbour_mixing(table: &TableReader<'_>, named: &Named<'_>) -> NeighbourMixing {
+    NeighbourMixing {
+        zone: table.optional("region").map(|i| region(&i, named)).unwrap_or_default(),
+        nearest: table
+            .optional("nearest")
+            .map_or(DEFAULT_NEAREST, |i| i.integer(1, i64::from(MAX_NEAREST)) as u32),
+        selection: kind(table, named),
+    }
+}
+
+/// Rings or slices of a cylinder.
+pub(super) fn cylinder_profile(table: &TableReader<'_>, named: &Named<'_>) -> CylinderProfile {
+    let (start, end, radius) = cylinder(table);
+    let along = table.required("along", "\"radius\" for rings, \"axis\" for slices");
+    let bins = table.required("bins", "the number of rings or slices, as 20");
+    CylinderProfile {
+        start,
+        end,
+        radius,
+        along: match along.and_then(|i| i.choice(&["radius", "axis"])) {
+            Some(1) => Along::Axis,
+            _ => Along::Radius,
+        },
+        bins: bins.map_or(1, |i| i.integer(1, i64::from(MAX_SLICES))) as u32,
+        selection: selection(table, named),
     }
 }
 
@@ -136,7 +192,7 @@ pub(super) fn slope(table: &TableReader<'_>, named: &Named<'_>) -> Slope {
         up,
         between,
         bins: bins.map_or(2, |i| i.integer(2, MAX_BINS)) as u32,
-        zone: table.optional("region").map(|i| region(&i)).unwrap_or_default(),
+        zone: table.optional("region").map(|i| region(&i, named)).unwrap_or_default(),
         selection: selection(table, named),
     }
 }

@@ -1,11 +1,12 @@
 //! What a run leaves behind at its end: summary, picture, plots.
 
+use super::measures::MeasureKind;
 use super::plots;
 use super::run::{Runner, labels};
 use super::run_error::RunError;
 use crate::contacts::Fault;
 use crate::output::picture::{PictureOptions, render_packing};
-use crate::output::{OutputError, Summary};
+use crate::output::{OutputError, Summary, path_lines};
 use crate::simulation::Phase;
 use std::path::{Path, PathBuf};
 
@@ -64,6 +65,19 @@ impl Runner<'_> {
         warnings
     }
 
+    /// Writes the paths of grains, which are tables so far, as lines.
+    fn write_path_lines(&self) -> Result<(), OutputError> {
+        for measure in &self.scenario.measures {
+            if let MeasureKind::Paths(_) = measure.kind {
+                let lines = self.folder.path_lines(&measure.name);
+                let moment = (self.sim.step, self.sim.time());
+                let bytes = path_lines(&self.folder.path_table(&measure.name), &lines, moment)?;
+                self.folder.write(&lines, &bytes)?;
+            }
+        }
+        Ok(())
+    }
+
     fn draw(&mut self, path: &Path, title: &str) -> Result<(), OutputError> {
         let options = PictureOptions {
             title: title.to_string(),
@@ -113,6 +127,7 @@ impl Runner<'_> {
             self.draw(&self.folder.picture(), &self.scenario.title)?;
         }
         plots::write(&self.folder, &labels(self.scenario), &self.scenario.output.plots)?;
+        self.write_path_lines()?;
         self.sim.took(Phase::Output);
         summary.profile = self.sim.profile();
         summary.write(&self.folder)?;

@@ -1,10 +1,16 @@
 //! What a run writes row by row: the series, and a distribution for every measure that asks for one.
 
-use super::measures::{distributions, networks, profiles};
+use super::measures::{MeasureKind, distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
-use crate::measure::{ContactNetwork, ForceDistribution, Measures, Moment, Profile, box_values, measure, wear_values};
-use crate::output::{DistributionWriter, OutputError, ProfileWriter, RunFolder, SeriesWriter};
+use crate::measure::{
+    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, box_values,
+    measure, wear_values,
+};
+use crate::output::{
+    DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesWriter, path_row, path_titles,
+    residence_row, residence_titles, ring_row, ring_titles, rose_rows, rose_titles,
+};
 use crate::simulation::Simulation;
 
 /// All files of rows, open at their ends.
@@ -14,6 +20,16 @@ pub(super) struct Rows<'a> {
     networks: Vec<&'a ContactNetwork>,
     distributions: Vec<(&'a ForceDistribution, DistributionWriter)>,
     profiles: Vec<(&'a Profile, ProfileWriter)>,
+    tables: Vec<(Told<'a>, MomentTable)>,
+}
+
+/// What is told in a table of its own.
+enum Told<'a> {
+    /// Residence times of the measure of this number among those.
+    Residence(usize),
+    Angles(&'a ContactAngles),
+    Paths(&'a Paths),
+    Rings(&'a CylinderProfile),
 }
 
 impl<'a> Rows<'a> {
@@ -23,7 +39,7 @@ impl<'a> Rows<'a> {
         Self::with(
             scenario,
             folder,
-            series,
+            (series, None),
             |name, bins, stages| DistributionWriter::create(&folder.distribution(name), bins, stages),
             |name, stages| ProfileWriter::create(&folder.profile(name), stages),
         )
@@ -35,7 +51,7 @@ impl<'a> Rows<'a> {
         Self::with(
             scenario,
             folder,
-            series,
+            (series, Some(step)),
             |name, bins, stages| DistributionWriter::resume(&folder.distribution(name), bins, stages, step),
             |name, stages| ProfileWriter::resume(&folder.profile(name), stages, step),
         )
@@ -44,7 +60,7 @@ impl<'a> Rows<'a> {
     fn with(
         scenario: &'a Scenario,
         folder: &RunFolder,
-        series: SeriesWriter,
+        (series, after): (SeriesWriter, Option<u64>),
         open: impl Fn(&str, &ForceDistribution, Vec<String>) -> Result<DistributionWriter, OutputError>,
         open_profile: impl Fn(&str, Vec<String>) -> Result<ProfileWriter, OutputError>,
     ) -> Result<Self, OutputError> {
@@ -66,6 +82,7 @@ impl<'a> Rows<'a> {
                 .map(|(name, profile)| Ok((profile, open_profile(name, stages.clone())?)))
                 .collect::<Result<_, OutputError>>()?,
             distributions: opened.collect::<Result<_, OutputError>>()?,
+            tables: tables(scenario, folder, after)?,
         })
     }
 
@@ -90,6 +107,62 @@ impl<'a> Rows<'a> {
         for (profile, writer) in &mut self.profiles {
             writer.write(&row, &profile.measure(sim, traffic.origins()))?;
         }
+        for (told, table) in &mut self.tables {
+            match told {
+                Told::Residence(index) => table.add(&row, [residence_row(&traffic.residence_distribution(*index))])?,
+                Told::Angles(angles) => table.add(&row, rose_rows(&angles.measure(sim, traffic.origins())))?,
+                Told::Rings(profile) => {
+                    let rings = profile.measure(sim, traffic.origins());
+                    table.add(&row, rings.iter().enumerate().map(|(k, ring)| ring_row(k, ring)))?;
+                }
+                Told::Paths(paths) => {
+                    let points = paths.measure(sim, traffic.origins());
+                    table.add(&row, points.iter().map(path_row))?;
+                }
+            }
+        }
         Ok(row)
     }
+}
+
+/// Opens the tables of measures that have one of their own, after a step when it is told.
+fn tables<'a>(
+    scenario: &'a Scenario,
+    folder: &RunFolder,
+    after: Option<u64>,
+) -> Result<Vec<(Told<'a>, MomentTable)>, OutputError> {
+    let mut tables = Vec::new();
+    let mut residences = 0;
+    let stages = labels(scenario).stages;
+    for measure in &scenario.measures {
+        let name = &measure.name;
+        let (told, path, titles) = match &measure.kind {
+            MeasureKind::Residence(residence) => {
+                residences += 1;
+                let Some((width, bins)) = residence.bins else { continue };
+                folder.make_distributions()?;
+                let titles = residence_titles(width, bins);
+                (Told::Residence(residences - 1), folder.distribution(name), titles)
+            }
+            MeasureKind::ContactAngles(angles) => {
+                folder.make_distributions()?;
+                (
+                    Told::Angles(angles),
+                    folder.distribution(name),
+                    rose_titles(&angles.edges()),
+                )
+            }
+            MeasureKind::CylinderProfile(profile) => {
+                folder.make_profiles()?;
+                (Told::Rings(profile), folder.profile(name), ring_titles())
+            }
+            MeasureKind::Paths(paths) => {
+                folder.make_paths()?;
+                (Told::Paths(paths), folder.path_table(name), path_titles())
+            }
+            _ => continue,
+        };
+        tables.push((told, MomentTable::open(&path, &titles, stages.clone(), after)?));
+    }
+    Ok(tables)
 }

@@ -1,6 +1,7 @@
 //! Running a scenario: stages in order, output at its cadence, checkpoints, and how it ends.
 
 use super::deformation::reached;
+use super::field_files::FieldFiles;
 use super::prepare::{Prepared, prepare, prepare_to_resume};
 use super::report::{Report, RunEnd};
 use super::rows::Rows;
@@ -175,6 +176,7 @@ pub(super) struct Runner<'a> {
     steps: u64,
     rows: Rows<'a>,
     frames: FrameWriter,
+    fields: FieldFiles<'a>,
     observer: &'a mut dyn Observer,
     told: f64,
     cancelled: bool,
@@ -208,7 +210,10 @@ impl<'a> Runner<'a> {
             warnings: prepared.warnings,
         };
         let rows = Rows::create(scenario, &folder)?;
-        let frames = FrameWriter::create(&folder)?;
+        let frames = (
+            FrameWriter::create(&folder)?,
+            FieldFiles::open(scenario, &folder, None)?,
+        );
         let (skin, coupling) = (prepared.setup.skin, prepared.setup.coupling);
         let mut sim = Simulation::new(prepared.setup);
         if !scenario.feeds.is_empty() {
@@ -239,7 +244,10 @@ impl<'a> Runner<'a> {
         let sim = Simulation::resume(setup, state.simulation)?;
         let traffic = Traffic::resume(scenario, sim.domain(), state.traffic)?;
         let rows = Rows::resume(scenario, &folder, step)?;
-        let frames = FrameWriter::resume(&folder, step)?;
+        let frames = (
+            FrameWriter::resume(&folder, step)?,
+            FieldFiles::open(scenario, &folder, Some(step))?,
+        );
         let text = format!("going on from step {step}, time {:.4e} s", sim.time());
         observer.message(&text);
         folder.log_line(&text)?;
@@ -252,7 +260,7 @@ impl<'a> Runner<'a> {
         (sim, traffic): (Simulation, Traffic<'a>),
         folder: RunFolder,
         place: Place,
-        (rows, frames): (Rows<'a>, FrameWriter),
+        (rows, (frames, fields)): (Rows<'a>, (FrameWriter, FieldFiles<'a>)),
         observer: &'a mut dyn Observer,
     ) -> Self {
         let steps = scenario
@@ -273,6 +281,7 @@ impl<'a> Runner<'a> {
             steps,
             rows,
             frames,
+            fields,
             observer,
             told: 0.0,
             cancelled: false,
@@ -303,6 +312,7 @@ impl<'a> Runner<'a> {
             if let Err(fault) = self.sim.start() {
                 return Ok(Err(fault));
             }
+            self.traffic.tag(&self.sim);
             self.write_row()?;
             self.write_frame()?;
             // a run that is killed before its first interval ends can go on, too
@@ -474,11 +484,7 @@ impl<'a> Runner<'a> {
             return Ok(());
         }
         self.sim.took(Phase::Other);
-        let stage_time = (self.sim.step - self.place.stage_step) as f64 * self.sim.dt;
-        let moment = Moment {
-            stage: self.place.stage,
-            stage_time,
-        };
+        let moment = self.moment();
         let row = self.rows.write(&mut self.sim, &mut self.traffic, moment)?;
         self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
         self.place.last_row = Some(self.sim.step);
@@ -487,12 +493,21 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
+    fn moment(&self) -> Moment {
+        Moment {
+            stage: self.place.stage,
+            stage_time: (self.sim.step - self.place.stage_step) as f64 * self.sim.dt,
+        }
+    }
+
     fn write_frame(&mut self) -> Result<(), RunError> {
         if self.place.last_frame == Some(self.sim.step) {
             return Ok(());
         }
         self.sim.took(Phase::Other);
         self.with_frame(|frames, frame| frames.write(frame))?;
+        let moment = self.moment();
+        self.fields.write(&self.sim, &mut self.traffic, moment)?;
         self.sim.walls.iter_mut().for_each(Wall::begin_interval);
         self.place.last_frame = Some(self.sim.step);
         self.sim.took(Phase::Output);
@@ -510,6 +525,7 @@ impl<'a> Runner<'a> {
             materials: self.sim.materials.list(),
             contacts: &contacts,
             walls: &walls,
+            tags: self.traffic.tags(&self.sim),
         };
         work(&mut self.frames, &frame)
     }

@@ -5,10 +5,11 @@
 
 use super::Scenario;
 use super::feeds::{EXCHANGE_EVERY, FeedRate, FeedSpec, RemovalSpec};
-use super::measures::{MeasureKind, flows};
+use super::followed::{Followed, FollowedState};
+use super::measures::MeasureKind;
 use super::run_error::RunError;
 use crate::insertion::{InsertionProblem, MAX_AT_ONCE, Streaming};
-use crate::measure::{FEED_COLUMNS, FlowState, LOOK_EVERY, MassFlow, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value};
+use crate::measure::{FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, holds};
 use crate::particles::{Domain, NewGrain, Origins};
 use crate::simulation::{Simulation, Stage};
 use glam::DVec3;
@@ -28,7 +29,7 @@ pub(super) struct TrafficState {
     origins: Origins,
     feeds: Vec<FeedState>,
     removals: Vec<RemovalState>,
-    flows: Vec<FlowState>,
+    followed: FollowedState,
 }
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -57,7 +58,7 @@ struct RemovalState {
 pub(super) struct Traffic<'a> {
     scenario: &'a Scenario,
     sources: Vec<Streaming>,
-    flows: Vec<&'a MassFlow>,
+    followed: Followed<'a>,
     state: TrafficState,
 }
 
@@ -82,36 +83,38 @@ impl<'a> Traffic<'a> {
             origins,
             feeds: scenario.feeds.iter().map(feed).collect(),
             removals: scenario.removals.iter().map(removal).collect(),
-            flows: flows(&scenario.measures).map(|_| FlowState::default()).collect(),
+            followed: Followed::begin(scenario).state().clone(),
         };
         Self::resume(scenario, domain, state)
     }
 
     /// Goes on from a state.
     pub fn resume(scenario: &'a Scenario, domain: &Domain, state: TrafficState) -> Result<Self, RunError> {
-        let flows: Vec<&MassFlow> = flows(&scenario.measures).map(|(_, flow)| flow).collect();
+        let followed = Followed::resume(scenario, state.followed.clone());
         let materials = scenario.materials.len();
         let fits = state.feeds.len() == scenario.feeds.len()
             && state.removals.len() == scenario.removals.len()
-            && state.removals.iter().all(|r| r.gone.len() == materials)
-            && state.flows.len() == flows.len();
-        if !fits {
+            && state.removals.iter().all(|r| r.gone.len() == materials);
+        let (Some(followed), true) = (followed, fits) else {
             return Err(RunError::OtherTraffic);
-        }
+        };
         Ok(Self {
             sources: sources(scenario, domain).map_err(|(feed, problem)| RunError::Feed {
                 feed: scenario.feeds[feed].name.clone(),
                 problem: Box::new(problem),
             })?,
             scenario,
-            flows,
+            followed,
             state,
         })
     }
 
     /// What a checkpoint holds.
     pub fn state(&self) -> TrafficState {
-        self.state.clone()
+        TrafficState {
+            followed: self.followed.state().clone(),
+            ..self.state.clone()
+        }
     }
 
     /// Starts and stops what the stage tells.
@@ -134,17 +137,39 @@ impl<'a> Traffic<'a> {
         self.state.feeds.get(feed).is_none_or(|feed| feed.done)
     }
 
-    /// Looks at the gates when it is time.
+    /// Looks where grains are when it is time.
     pub fn watch(&mut self, sim: &Simulation) {
-        if sim.step.is_multiple_of(LOOK_EVERY) {
-            self.look(sim);
-        }
+        self.followed.watch(sim, &self.state.origins);
     }
 
     fn look(&mut self, sim: &Simulation) {
-        for (flow, state) in self.flows.iter().zip(&mut self.state.flows) {
-            flow.look(sim, &self.state.origins, state);
+        self.followed.look(sim, &self.state.origins);
+    }
+
+    /// Gives grains the tags that are due now; twice at one moment changes nothing.
+    pub fn tag(&mut self, sim: &Simulation) {
+        for tag in &self.scenario.tags {
+            tag.apply(sim, &mut self.state.origins);
         }
+    }
+
+    /// The tags of all grains, by index, when any grain of the run may have one.
+    pub fn tags(&self, sim: &Simulation) -> Option<Vec<i32>> {
+        let scenario = self.scenario;
+        let any = !scenario.tags.is_empty()
+            || scenario.grains.iter().any(|batch| batch.tag != 0)
+            || scenario.feeds.iter().any(|feed| feed.tag != 0);
+        any.then(|| sim.grains.id.iter().map(|id| self.state.origins.tag(*id)).collect())
+    }
+
+    /// Mass that left a region by bins of residence time; `index` counts the measures of residence.
+    pub fn residence_distribution(&self, index: usize) -> Vec<f64> {
+        self.followed.residence_distribution(index)
+    }
+
+    /// The fields of a measure, `index` counts those; means begin anew.
+    pub fn take_field(&mut self, index: usize, sim: &Simulation) -> Option<FieldValues> {
+        self.followed.take_field(index, sim, &self.state.origins)
     }
 
     /// Which batch or feed every grain came from.
@@ -155,6 +180,7 @@ impl<'a> Traffic<'a> {
     /// Lets grains go and come that are due between the latest step and the next; answers with what a user wants to read.
     pub fn exchange(&mut self, sim: &mut Simulation) -> Result<Vec<String>, RunError> {
         let mut messages = Vec::new();
+        self.tag(sim);
         let leaving = self.leaving(sim);
         let (come, from) = self.coming(sim, &leaving, &mut messages);
         if leaving.is_empty() && come.is_empty() {
@@ -162,9 +188,19 @@ impl<'a> Traffic<'a> {
         }
         // a grain that leaves may have passed a gate since the latest look
         self.look(sim);
+        for &g in &leaving {
+            self.state.origins.forget_tag(sim.grains.id[g]);
+        }
         let ids = sim.exchange(&leaving, &come)?;
+        let batches = self.scenario.grains.len();
         for (id, source) in ids.zip(from) {
             self.state.origins.add(id, source, sim.step);
+            let feed = usize::from(source)
+                .checked_sub(batches)
+                .and_then(|k| self.scenario.feeds.get(k));
+            if let Some(feed) = feed.filter(|feed| feed.tag != 0) {
+                self.state.origins.set_tag(id, feed.tag);
+            }
         }
         self.look(sim);
         Ok(messages)
@@ -178,13 +214,12 @@ impl<'a> Traffic<'a> {
         if due.is_empty() {
             return Vec::new();
         }
-        let (grains, domain) = (&sim.grains, sim.domain());
+        let grains = &sim.grains;
         let mut leaving = Vec::new();
         for g in 0..grains.len() {
             let goes = |k: &&usize| {
                 let removal = &self.scenario.removals[**k];
-                removal.zone.holds(domain, grains.position[g])
-                    && removal.selection.holds(grains, &self.state.origins, g)
+                holds(sim, &removal.zone, g) && removal.selection.holds(grains, &self.state.origins, g)
             };
             if let Some(&k) = due.iter().find(goes) {
                 leaving.push(g);
@@ -228,7 +263,18 @@ impl<'a> Traffic<'a> {
                 MeasureKind::MassFlow(flow) => titles.extend(flow.titles(&measure.name)),
                 MeasureKind::Mixing(mixing) => titles.extend(mixing.titles(&measure.name)),
                 MeasureKind::Slope(slope) => titles.extend(slope.titles(&measure.name)),
-                MeasureKind::ContactNetwork(_) | MeasureKind::ForceDistribution(_) | MeasureKind::Profile(_) => {}
+                MeasureKind::Fabric(fabric) => titles.extend(fabric.titles(&measure.name)),
+                MeasureKind::Residence(residence) => titles.extend(residence.titles(&measure.name)),
+                MeasureKind::Displacement(displacement) => titles.extend(displacement.titles(&measure.name)),
+                MeasureKind::NeighbourMixing(mixing) => titles.extend(mixing.titles(&measure.name)),
+                MeasureKind::ContactNetwork(_)
+                | MeasureKind::ForceDistribution(_)
+                | MeasureKind::Profile(_)
+                | MeasureKind::Field(_)
+                | MeasureKind::ContactAngles(_)
+                | MeasureKind::ForceChains(_)
+                | MeasureKind::Paths(_)
+                | MeasureKind::CylinderProfile(_) => {}
             }
         }
         for feed in &scenario.feeds {
@@ -251,17 +297,26 @@ impl<'a> Traffic<'a> {
         self.look(sim);
         let mut values = Vec::new();
         let origins = &self.state.origins;
-        let mut flows = self.state.flows.iter_mut();
+        let mut followed = self.followed.values(sim, origins);
         for measure in &self.scenario.measures {
             match &measure.kind {
                 MeasureKind::RegionCount(count) => values.extend(count.measure(sim, origins)),
                 MeasureKind::GrainTrace(trace) => values.extend(trace.measure(sim, origins)),
-                MeasureKind::MassFlow(flow) => {
-                    values.extend(flows.next().into_iter().flat_map(|state| flow.measure(sim, state)));
-                }
+                MeasureKind::MassFlow(_) => values.extend(followed.flows.next().into_iter().flatten()),
+                MeasureKind::Residence(_) => values.extend(followed.residences.next().into_iter().flatten()),
+                MeasureKind::Displacement(_) => values.extend(followed.displacements.next().into_iter().flatten()),
+                MeasureKind::Fabric(fabric) => values.extend(fabric.measure(sim, origins)),
+                MeasureKind::NeighbourMixing(mixing) => values.extend(mixing.measure(sim, origins)),
                 MeasureKind::Mixing(mixing) => values.extend(mixing.measure(sim, origins)),
                 MeasureKind::Slope(slope) => values.extend(slope.measure(sim, origins)),
-                MeasureKind::ContactNetwork(_) | MeasureKind::ForceDistribution(_) | MeasureKind::Profile(_) => {}
+                MeasureKind::ContactNetwork(_)
+                | MeasureKind::ForceDistribution(_)
+                | MeasureKind::Profile(_)
+                | MeasureKind::Field(_)
+                | MeasureKind::ContactAngles(_)
+                | MeasureKind::ForceChains(_)
+                | MeasureKind::Paths(_)
+                | MeasureKind::CylinderProfile(_) => {}
             }
         }
         for ((spec, feed), source) in self.scenario.feeds.iter().zip(&self.state.feeds).zip(&self.sources) {

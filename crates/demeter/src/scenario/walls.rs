@@ -218,6 +218,18 @@ fn cylinder(table: &TableReader<'_>) -> Shape {
 
 fn cone(table: &TableReader<'_>) -> Shape {
     let (start, end) = axis_ends(table);
+    let (start_radius, end_radius) = cone_radii(table);
+    Shape::Cone {
+        start,
+        end,
+        start_radius,
+        end_radius,
+        side: side(table),
+    }
+}
+
+/// Radii of a cone at its start and its end.
+pub(super) fn cone_radii(table: &TableReader<'_>) -> (f64, f64) {
     let start_radius = table.quantity(
         "start_radius",
         LENGTH,
@@ -238,13 +250,7 @@ fn cone(table: &TableReader<'_>) -> Shape {
         };
         table.fault_at("end_radius", message);
     }
-    Shape::Cone {
-        start,
-        end,
-        start_radius,
-        end_radius,
-        side: side(table),
-    }
+    (start_radius, end_radius)
 }
 
 /// Centre of a rectangle, and from there to the middles of two edges.
@@ -267,7 +273,7 @@ pub(super) fn rectangle(table: &TableReader<'_>) -> (DVec3, DVec3, DVec3) {
     (center, half_u, half_v)
 }
 
-fn mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> WallShape {
+pub(super) fn mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> WallShape {
     let nothing = WallShape::Given(Shape::Mesh { triangles: Vec::new() });
     let file = table.optional("file");
     let triangles = table.optional("triangles");

@@ -1,26 +1,31 @@
 //! Regions and selections: where grains are counted or removed, and which of them.
 
 use super::document::Value;
-use super::grains::axis_ends;
+use super::grains::{Surroundings, axis_ends};
+use super::interiors::closed_mesh;
 use super::materials::material_index;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
-use crate::materials::Material;
+use super::walls::{WallSpec, cone_radii, wall_index};
 use crate::measure::Selection;
 use crate::particles::{Zone, ZonePart, ZoneShape};
 use demeter_physics::dimension::Dimension;
+use demeter_physics::parameters::Range;
 use glam::DVec3;
 
 /// Most parts of a region.
 const MAX_PARTS: usize = 1000;
 /// Most ids of a selection.
 const MAX_IDS: usize = 1_000_000;
-const SHAPES: [&str; 4] = ["box", "cylinder", "sphere", "half-space"];
+const SHAPES: [&str; 6] = ["box", "cylinder", "cone", "sphere", "half-space", "mesh"];
 const FACES: [&str; 6] = ["-x", "+x", "-y", "+y", "-z", "+z"];
 
 /// What grains may be selected by.
 pub(super) struct Named<'a> {
-    pub materials: &'a [Material],
+    pub around: &'a Surroundings<'a>,
+    pub walls: &'a [WallSpec],
+    /// Whether the corners of the domain are told.
+    pub has_domain: bool,
     /// Acceleration of gravity [m/s^2].
     pub gravity: DVec3,
     /// Names of the batches, then of the feeds.
@@ -28,7 +33,7 @@ pub(super) struct Named<'a> {
 }
 
 /// Key `region`: a table, or a list of tables that hold at once.
-pub(super) fn region(item: &Item<'_>) -> Zone {
+pub(super) fn region(item: &Item<'_>, named: &Named<'_>) -> Zone {
     let tables: Vec<TableReader<'_>> = match &item.node.value {
         Value::Array(nodes) => {
             if nodes.is_empty() || nodes.len() > MAX_PARTS {
@@ -40,24 +45,29 @@ pub(super) fn region(item: &Item<'_>) -> Zone {
         _ => item.table().into_iter().collect(),
     };
     Zone {
-        parts: tables.into_iter().map(part).collect(),
+        parts: tables.into_iter().map(|table| part(table, named)).collect(),
     }
 }
 
-fn part(table: TableReader<'_>) -> ZonePart {
+fn part(table: TableReader<'_>, named: &Named<'_>) -> ZonePart {
     let nowhere = ZonePart {
         shape: ZoneShape::Sphere {
             center: DVec3::NAN,
             radius: f64::NAN,
         },
         outside: false,
+        wall: None,
     };
-    let shape = table.required("shape", "\"box\", \"cylinder\", \"sphere\" or \"half-space\"");
+    let meaning = "\"box\", \"cylinder\", \"cone\", \"sphere\", \"half-space\" or \"mesh\"";
+    let shape = table.required("shape", meaning);
     let Some(index) = shape.and_then(|i| i.choice(&SHAPES)) else {
         table.abandon();
         return nowhere;
     };
     let outside = table.optional("outside").is_some_and(|i| i.boolean());
+    let wall = table
+        .optional("wall")
+        .map(|item| wall_index(&item, &item.text(), named.walls));
     let shape = match SHAPES[index] {
         "box" => open_box(&table),
         "cylinder" => {
@@ -65,6 +75,18 @@ fn part(table: TableReader<'_>) -> ZonePart {
             let radius = table.length("radius", "the radius of the cylinder");
             ZoneShape::Cylinder { start, end, radius }
         }
+        "cone" => {
+            let (start, end) = axis_ends(&table);
+            let (start_radius, end_radius) = cone_radii(&table);
+            ZoneShape::Cone {
+                start,
+                end,
+                start_radius,
+                end_radius,
+            }
+        }
+        "mesh" => closed_mesh(&table, wall.and_then(|wall| named.walls.get(wall)), named.around)
+            .map_or(nowhere.shape, |mesh| ZoneShape::Mesh(mesh.interior)),
         "sphere" => ZoneShape::Sphere {
             center: table.point("center", "the centre of the sphere"),
             radius: table.length("radius", "the radius of the sphere"),
@@ -75,7 +97,7 @@ fn part(table: TableReader<'_>) -> ZonePart {
         },
     };
     table.finish(&format!("a region of shape \"{}\"", SHAPES[index]));
-    ZonePart { shape, outside }
+    ZonePart { shape, outside, wall }
 }
 
 /// A box some of whose sides lie at infinity: those named in `open`, and all three of a corner that is not told.
@@ -102,9 +124,11 @@ fn open_box(table: &TableReader<'_>) -> ZoneShape {
     ZoneShape::Box { lower, upper }
 }
 
-/// Keys `material`, `batch` and `ids` of a measure or a removal.
+/// Keys `material`, `batch`, `ids`, `tag`, `finer_than` and `coarser_than` of a measure or a removal.
 pub(super) fn selection(table: &TableReader<'_>, named: &Named<'_>) -> Selection {
-    let material = table.optional("material").map(|i| material_index(&i, named.materials));
+    let material = table
+        .optional("material")
+        .map(|i| material_index(&i, named.around.materials));
     let source = table.optional("batch").map(|item| {
         let name = item.text();
         let index = named.sources.iter().position(|source| *source == name);
@@ -124,5 +148,22 @@ pub(super) fn selection(table: &TableReader<'_>, named: &Named<'_>) -> Selection
     });
     ids.sort_unstable();
     ids.dedup();
-    Selection { material, source, ids }
+    let tag = table.optional("tag").map(|i| tag_value(&i));
+    let diameter = |key: &str| {
+        let item = table.optional(key)?;
+        Some(item.quantity(Kind::Physical(Dimension::LENGTH), Range::POSITIVE))
+    };
+    Selection {
+        material,
+        source,
+        ids,
+        tag,
+        finer_than: diameter("finer_than"),
+        coarser_than: diameter("coarser_than"),
+    }
+}
+
+/// A tag: a whole number of 32 bits.
+pub(super) fn tag_value(item: &Item<'_>) -> i32 {
+    item.integer(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
 }

@@ -219,6 +219,16 @@ impl Wall {
         (self.force, self.torque)
     }
 
+    /// Where a point that goes with the wall was at the start [m].
+    pub fn brought_back(&self, point: DVec3) -> DVec3 {
+        self.motor.pose.unplace(self.origin, point)
+    }
+
+    /// Where a point goes that was at a place at the start and goes with the wall [m].
+    pub fn carried(&self, point: DVec3) -> DVec3 {
+        self.motor.pose.place(self.origin, point)
+    }
+
     /// Where the wall stands relative to its start.
     pub fn pose(&self) -> Pose {
         self.motor.pose

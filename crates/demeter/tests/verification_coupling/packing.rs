@@ -98,6 +98,8 @@ fn loose(count: u32) -> Packing {
         velocity: DVec3::ZERO,
         velocity_deviation: 0.0,
         angular_velocity: DVec3::ZERO,
+        tag: 0,
+        fixed: false,
         seed: 11,
     };
     let mut grains = Grains::default();

@@ -57,6 +57,7 @@ fn picture(grains: &Grains, contacts: &[ContactRecord], walls: &[WallSurface], c
         materials: &materials(),
         contacts,
         walls,
+        tags: None,
     };
     let options = PictureOptions {
         title: "Grains in a row ".repeat(9),

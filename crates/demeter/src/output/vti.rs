@@ -1,0 +1,45 @@
+//! Images of VTK (`.vti`): arrays of the cells of a regular grid.
+
+use super::vtp::{Array, Writer, field_data};
+use glam::DVec3;
+use std::io;
+
+/// A `.vti` file.
+pub(super) struct ImageData {
+    /// Steps done.
+    pub step: u64,
+    /// Simulated time [s].
+    pub time: f64,
+    /// Lower corner of the grid [m].
+    pub lower: DVec3,
+    /// Sizes of a cell [m].
+    pub spacing: DVec3,
+    /// Cells in each direction.
+    pub cells: [usize; 3],
+    /// Arrays of the cells, x fastest.
+    pub cell_data: Vec<Array>,
+}
+
+impl ImageData {
+    /// The bytes of the file.
+    pub fn encode(&self) -> io::Result<Vec<u8>> {
+        let mut file = Writer::default();
+        let [x, y, z] = self.cells;
+        let extent = format!("0 {x} 0 {y} 0 {z}");
+        let numbers = |v: DVec3| format!("{:?} {:?} {:?}", v.x, v.y, v.z);
+        file.line(
+            "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" \
+             compressor=\"vtkZLibDataCompressor\">",
+        );
+        file.line(&format!(
+            "<ImageData WholeExtent=\"{extent}\" Origin=\"{}\" Spacing=\"{}\">",
+            numbers(self.lower),
+            numbers(self.spacing)
+        ));
+        field_data(&mut file, self.step, self.time, &[]);
+        file.line(&format!("<Piece Extent=\"{extent}\">\n<PointData>\n</PointData>"));
+        file.arrays("CellData", &self.cell_data)?;
+        file.line("</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">");
+        Ok(file.finish())
+    }
+}

@@ -1,0 +1,82 @@
+//! Insides of meshes: regions that a file or a wall encloses.
+
+use super::grains::Surroundings;
+use super::reader::TableReader;
+use super::walls::{WallShape, WallSpec, mesh};
+use crate::particles::Interior;
+use crate::walls::{Mesh, Shape, read_mesh};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// A closed mesh as it is read: its triangles [m] and its inside.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct ClosedMesh {
+    pub triangles: Vec<[DVec3; 3]>,
+    pub interior: Arc<Interior>,
+}
+
+/// The mesh of a region: that of a file or of triangles, or that of the wall which carries the region when none is told. What
+/// is wrong with it is noted.
+pub(super) fn closed_mesh(
+    table: &TableReader<'_>,
+    wall: Option<&WallSpec>,
+    around: &Surroundings<'_>,
+) -> Option<ClosedMesh> {
+    let is_told = table.has("file") || table.has("triangles");
+    let (shape, key) = match wall.filter(|_| !is_told) {
+        Some(spec) if !matches!(spec.shape, WallShape::File(_) | WallShape::Given(Shape::Mesh { .. })) => {
+            let message = format!("wall `{}` is no mesh, so that it has no inside", spec.name);
+            let help = "name a wall of shape \"mesh\", or give `file`";
+            table.fault(message, Some(help.to_string()));
+            return None;
+        }
+        Some(spec) => (spec.shape.clone(), "wall"),
+        None => (mesh(table, around), key_of(table)),
+    };
+    let triangles = triangles(table, shape, key)?;
+    match Interior::new(&triangles) {
+        Ok(interior) => Some(ClosedMesh {
+            triangles,
+            interior: Arc::new(interior),
+        }),
+        Err(error) => {
+            table.fault_at(key, error.to_string());
+            None
+        }
+    }
+}
+
+/// The triangles of a mesh that need not be closed [m].
+pub(super) fn open_mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> Option<Vec<[DVec3; 3]>> {
+    triangles(table, mesh(table, around), key_of(table))
+}
+
+/// The key that tells the triangles.
+fn key_of(table: &TableReader<'_>) -> &'static str {
+    if table.has("triangles") { "triangles" } else { "file" }
+}
+
+/// Repaired triangles of the shape of a wall [m].
+fn triangles(table: &TableReader<'_>, shape: WallShape, key: &str) -> Option<Vec<[DVec3; 3]>> {
+    let read = match shape {
+        WallShape::Given(Shape::Mesh { triangles }) if !triangles.is_empty() => Ok(triangles),
+        // a scale that is not a number, or a file that is not there, was told already
+        WallShape::File(file) if file.path.is_file() && !file.scale.is_some_and(f64::is_nan) => {
+            read_mesh(&file.path, file.scale, file.shift)
+                .map(|content| content.triangles)
+                .map_err(|error| error.to_string())
+        }
+        _ => return None,
+    };
+    if read.iter().flatten().flatten().any(|corner| corner.is_nan()) {
+        return None;
+    }
+    let repaired = read.and_then(|read| Mesh::repair(&read, None).map_err(|error| error.to_string()));
+    match repaired {
+        Ok((triangles, _)) => Some(triangles),
+        Err(message) => {
+            table.fault_at(key, message);
+            None
+        }
+    }
+}
