@@ -296,7 +296,6 @@ fn cloud(count: u32) -> Simulation {
     let mut case = case(&limestone(0.3), Some(0.4));
     let edge = libm::cbrt(f64::from(count) * 4.19e-18 * 0.75 / 0.25);
     let insertion = Insertion {
-        fixed: false,
         name: "powder".into(),
         material: 0,
         types: vec![],

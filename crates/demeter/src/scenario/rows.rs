@@ -166,3 +166,22 @@ fn tables<'a>(
     }
     Ok(tables)
 }
+
+/// Titles of the columns behind all others.
+pub(super) fn told_titles(scenario: &Scenario) -> Vec<String> {
+    let mut titles = Traffic::titles(scenario);
+    titles.extend(wear_titles(scenario));
+    if scenario.deforms() {
+        titles.extend(box_titles());
+    }
+    titles
+}
+
+/// Titles of the columns of walls that record their wear.
+fn wear_titles(scenario: &Scenario) -> impl Iterator<Item = String> {
+    let worn = scenario.walls.iter().filter(|wall| wall.recording.wear.is_some());
+    worn.flat_map(|wall| {
+        let name = format!("wall {}", wall.name);
+        WEAR_COLUMNS.iter().map(move |column| column.title(&name))
+    })
+}

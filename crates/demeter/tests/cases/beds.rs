@@ -71,7 +71,6 @@ fn mindlin() -> demeter_physics::contact::LawChoice {
 /// Fills a box with loose grains that move at random.
 pub fn fill(case: &mut Case, lower: DVec3, upper: DVec3, count: u32, speed: f64) {
     let insertion = Insertion {
-        fixed: false,
         name: "grains".into(),
         material: 0,
         types: vec![],

@@ -83,7 +83,6 @@ fn loose(count: u32) -> Packing {
         upper: DVec3::splat(edge),
     };
     let insertion = Insertion {
-        fixed: false,
         name: "grains".into(),
         material: 0,
         types: vec![],
