@@ -51,14 +51,13 @@ pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
         let velocity = wall.velocity_at(wall.origin());
         let triangles = wall.triangles(lower, upper);
         let records = wall.element_records();
-        let elements = if records.is_empty() {
-            Vec::new()
-        } else {
-            wall.elements_drawn(triangles.len())
+        let of_triangles = || {
+            let elements = wall.elements_drawn(triangles.len());
+            elements.iter().filter_map(|e| records.get(*e).copied()).collect()
         };
         WallSurface {
             name: &wall.name,
-            records: elements.iter().filter_map(|e| records.get(*e).copied()).collect(),
+            records: wall.is_recorded().then(of_triangles),
             triangles,
             force,
             torque,
@@ -82,7 +81,7 @@ fn box_surface(sim: &Simulation) -> WallSurface<'_> {
     }
     WallSurface {
         name: "periodic box",
-        records: Vec::new(),
+        records: None,
         triangles,
         force: DVec3::ZERO,
         torque: DVec3::ZERO,

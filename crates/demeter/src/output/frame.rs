@@ -43,8 +43,8 @@ pub struct WallSurface<'a> {
     pub torque: DVec3,
     /// Velocity of its origin [m/s].
     pub velocity: DVec3,
-    /// What was recorded on the element that every triangle draws; empty where nothing is recorded.
-    pub records: Vec<ElementRecord>,
+    /// What was recorded on the element that every triangle draws; `None` where nothing is recorded.
+    pub records: Option<Vec<ElementRecord>>,
 }
 
 /// One moment of a run.

@@ -154,7 +154,7 @@ fn walls(frame: &Frame) -> PolyData {
         Array::vectors("torque", cells().map(|(_, wall, _)| &wall.torque)),
         Array::vectors("velocity", cells().map(|(_, wall, _)| &wall.velocity)),
     ];
-    if frame.walls.iter().any(|wall| !wall.records.is_empty()) {
+    if frame.walls.iter().any(|wall| wall.records.is_some()) {
         cell_data.extend(records(frame));
     }
     PolyData {
@@ -170,11 +170,12 @@ fn walls(frame: &Frame) -> PolyData {
 
 /// What was recorded on the elements of walls; 0 on walls that record nothing.
 fn records(frame: &Frame) -> [Array; 6] {
-    let all: Vec<ElementRecord> = (frame.walls.iter())
-        .flat_map(|wall| {
-            (0..wall.triangles.len()).map(|triangle| wall.records.get(triangle).copied().unwrap_or_default())
-        })
-        .collect();
+    let mut all: Vec<ElementRecord> = Vec::new();
+    for wall in frame.walls {
+        let recorded = wall.records.iter().flatten().copied();
+        let rest = std::iter::repeat(ElementRecord::default());
+        all.extend(recorded.chain(rest).take(wall.triangles.len()));
+    }
     let scalars = |name, value: fn(&ElementRecord) -> f64| Array::scalars(name, all.iter().map(value));
     [
         Array::vectors("mean_force", all.iter().map(|r| &r.force)),

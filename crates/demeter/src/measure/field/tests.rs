@@ -1,5 +1,7 @@
 use super::*;
 
+type Triple = (f64, f64, f64);
+
 fn kernels(width: f64) -> [Kernel; 2] {
     let gaussian = KernelShape::Gaussian { cut: 5.0 };
     [(gaussian, 0.5 * width), (KernelShape::Lucy, width)].map(|(shape, width)| Kernel { shape, width })
@@ -9,7 +11,7 @@ fn kernels(width: f64) -> [Kernel; 2] {
 fn flight(time: f64) -> Spread {
     let starts = [(0.3, 0.5, -0.4), (-0.2, 0.1, 0.7), (0.6, -0.3, 0.2), (-0.5, -0.4, -0.1)];
     let speeds = [(0.1, -0.7, 0.3), (0.4, 0.2, -0.5), (-0.6, 0.3, 0.1), (0.2, 0.5, 0.8)];
-    let point = |(k, (start, speed)): (usize, (&(f64, f64, f64), &(f64, f64, f64)))| {
+    let point = |(k, (start, speed)): (usize, (&Triple, &Triple))| {
         let velocity = DVec3::from(*speed);
         Point {
             place: DVec3::from(*start) + velocity * time,
@@ -97,7 +99,7 @@ fn the_integral_of_stress_is_the_sum_of_force_times_branch() {
         ((-0.6, 0.3, 0.2), (0.0, 0.0, 0.5), (0.3, 4.0, 1.0)),
         ((0.4, -0.5, -0.6), (-0.4, 0.1, 0.0), (-1.0, 0.5, 2.0)),
     ];
-    let branch = |(from, branch, force): &((f64, f64, f64), (f64, f64, f64), (f64, f64, f64))| Branch {
+    let branch = |(from, branch, force): &(Triple, Triple, Triple)| Branch {
         from: DVec3::from(*from),
         branch: DVec3::from(*branch),
         force: DVec3::from(*force),
@@ -182,9 +184,9 @@ fn images_are_seen_across_periodic_sides_and_oblique_ones_slide() {
     }
     let (_, moved) = fields(&spread, kernel, [40, 40, 1]);
     // the same field, 19 cells farther
-    for k in 0..1600 {
+    for (k, cell) in inside.iter().enumerate() {
         let to = (k / 40 + 40 - 19) % 40 * 40 + (k % 40 + 19) % 40;
-        assert!((inside[k].density - moved[to].density).abs() < 1e-12);
+        assert!((cell.density - moved[to].density).abs() < 1e-12);
     }
     // a grain at the upper side, whose image below is 1 m to the left of it and 3 m/s slower
     spread.points.truncate(1);

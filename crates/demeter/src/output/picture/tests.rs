@@ -128,7 +128,7 @@ fn a_wall_alone_is_drawn_as_its_rim() {
         force: DVec3::ZERO,
         torque: DVec3::ZERO,
         velocity: DVec3::ZERO,
-        records: Vec::new(),
+        records: None,
     };
     let count = drawn(&picture(&Grains::default(), &[], &[wall], ColourBy::Automatic));
     assert!((500..6000).contains(&count), "{count}");
