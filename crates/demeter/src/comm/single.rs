@@ -4,6 +4,9 @@ use super::deforming::{Deforming, Rates, ShearAxes};
 use crate::particles::{Domain, Grains, Row};
 use glam::DVec3;
 
+/// Codes of the shifts to the next image in x, y and z.
+const NEXT: [usize; 3] = [13 + 9, 13 + 3, 13 + 1];
+
 /// Periodic sides of one process.
 #[derive(Clone, Debug)]
 pub struct Single {
@@ -218,7 +221,23 @@ impl Single {
 
     /// An edge of the box: what leads to the next image in a direction [m].
     pub(crate) fn edge(&self, axis: usize) -> DVec3 {
-        self.shifts[[13 + 9, 13 + 3, 13 + 1][axis]].vector
+        self.shifts[NEXT[axis]].vector
+    }
+
+    /// Velocity of the next image in a direction [m/s].
+    pub(crate) fn edge_velocity(&self, axis: usize) -> DVec3 {
+        let moving = self.moving.as_ref();
+        moving.map_or(DVec3::ZERO, |moving| moving.velocities[NEXT[axis]].vector)
+    }
+
+    /// A place put back into the box, across one side of each direction at most.
+    pub(crate) fn wrapped(&self, mut place: DVec3) -> DVec3 {
+        if let Some(axes) = self.slides() {
+            let beyond =
+                |k: usize| i8::from(place[k] >= self.domain.upper[k]) - i8::from(place[k] < self.domain.lower[k]);
+            place[axes.flow] -= f64::from(beyond(axes.gradient)) * self.edge(axes.gradient)[axes.flow];
+        }
+        self.domain.wrapped(place)
     }
 
     /// The box where it deforms.

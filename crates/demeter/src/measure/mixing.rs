@@ -110,7 +110,7 @@ impl Mixing {
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
         let grains = &sim.grains;
         let places = (0..grains.len()).map(|g| {
-            let place = sim.domain().wrapped(grains.position[g]);
+            let place = sim.comm.wrapped(grains.position[g]);
             (place, self.selection.holds(grains, origins, g))
         });
         let told = self.index(places);

@@ -75,7 +75,7 @@ impl NeighbourMixing {
         let q = ends as f64 / (2 * contacts) as f64;
         let places: Vec<(DVec3, bool)> = (0..grains.len())
             .filter(|&g| is_in[g])
-            .map(|g| (sim.domain().wrapped(grains.position[g]), is_kind(g)))
+            .map(|g| (sim.comm.wrapped(grains.position[g]), is_kind(g)))
             .collect();
         let (near, near_index) = self.of_nearest(&places, &images(sim));
         vec![

@@ -75,7 +75,7 @@ impl Profile {
         let last = i64::from(self.slices) - 1;
         let mut whole = vec![0.0; self.slices as usize];
         for &(_, g) in &order {
-            if let Some(k) = self.slice_with(sim.domain().wrapped(grains.position[g])) {
+            if let Some(k) = self.slice_with(sim.comm.wrapped(grains.position[g])) {
                 whole[k] += grains.mass[g];
             }
         }
@@ -85,7 +85,7 @@ impl Profile {
         let mut slices = vec![Slice::default(); self.slices as usize];
         let mut squares = vec![0.0; slices.len()];
         for (_, g) in chosen {
-            let (centre, radius) = (sim.domain().wrapped(grains.position[g]), grains.radius(g));
+            let (centre, radius) = (sim.comm.wrapped(grains.position[g]), grains.radius(g));
             let [first, end] = [-radius, radius].map(|reach| self.slice_of(centre[self.axis] + reach));
             for k in first.max(0)..=end.min(last) {
                 let (lower, upper) = self.corners(k as u32);

@@ -56,12 +56,12 @@ impl Slope {
 
     /// Its values now, in the order of [`SLOPE_COLUMNS`].
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
-        let (grains, domain) = (&sim.grains, sim.domain());
+        let grains = &sim.grains;
         let contacts = contact_counts(sim);
         let chosen = (0..grains.len())
             .filter(|&g| contacts[g] > 0)
             .filter(|&g| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g))
-            .map(|g| (domain.wrapped(grains.position[g]), grains.radius(g)));
+            .map(|g| (sim.comm.wrapped(grains.position[g]), grains.radius(g)));
         let (angle, deviation, bins) = self.fit(chosen);
         vec![Value::Number(angle), Value::Number(deviation), Value::Count(bins)]
     }

@@ -270,15 +270,14 @@ fn add_half(sim: &Simulation, chunk: &ContactChunk, k: usize, side: f64, spread:
 
 /// What leads to the next image along a periodic direction [m].
 pub(super) fn period(sim: &Simulation, axis: usize) -> Option<DVec3> {
-    let domain = sim.domain();
-    domain.periodic[axis].then(|| DVec3::AXES[axis] * domain.size()[axis])
+    sim.domain().periodic[axis].then(|| sim.comm.edge(axis))
 }
 
 /// How the world of a simulation repeats itself.
 fn periods(sim: &Simulation) -> Periods {
     Periods {
         edges: [0, 1, 2].map(|axis| period(sim, axis)),
-        velocities: [DVec3::ZERO; 3],
+        velocities: [0, 1, 2].map(|axis| sim.comm.edge_velocity(axis)),
     }
 }
 
