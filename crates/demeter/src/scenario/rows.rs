@@ -4,13 +4,8 @@ use super::measures::{MeasureKind, distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{
-<<<<<<< HEAD
     ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, WEAR_COLUMNS,
     box_titles, box_values, measure, wear_values,
-=======
-    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, box_values,
-    measure, wear_values,
->>>>>>> main
 };
 use crate::output::{
     DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesWriter, path_row, path_titles,
