@@ -4,8 +4,8 @@ use super::measures::{MeasureKind, distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{
-    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, box_values,
-    measure, wear_values,
+    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, WEAR_COLUMNS,
+    box_titles, box_values, measure, wear_values,
 };
 use crate::output::{
     DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesWriter, path_row, path_titles,
@@ -165,4 +165,23 @@ fn tables<'a>(
         tables.push((told, MomentTable::open(&path, &titles, stages.clone(), after)?));
     }
     Ok(tables)
+}
+
+/// Titles of the columns behind all others.
+pub(super) fn told_titles(scenario: &Scenario) -> Vec<String> {
+    let mut titles = Traffic::titles(scenario);
+    titles.extend(wear_titles(scenario));
+    if scenario.deforms() {
+        titles.extend(box_titles());
+    }
+    titles
+}
+
+/// Titles of the columns of walls that record their wear.
+fn wear_titles(scenario: &Scenario) -> impl Iterator<Item = String> {
+    let worn = scenario.walls.iter().filter(|wall| wall.recording.wear.is_some());
+    worn.flat_map(|wall| {
+        let name = format!("wall {}", wall.name);
+        WEAR_COLUMNS.iter().map(move |column| column.title(&name))
+    })
 }

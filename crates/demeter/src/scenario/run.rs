@@ -4,16 +4,14 @@ use super::deformation::reached;
 use super::field_files::FieldFiles;
 use super::prepare::{Prepared, prepare, prepare_to_resume};
 use super::report::{Report, RunEnd};
-use super::rows::Rows;
+use super::rows::{Rows, told_titles};
 use super::run_error::RunError;
 use super::run_options::RunOptions;
 use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::checkpoint::{self, Header};
 use crate::contacts::Fault;
-use crate::measure::{
-    Measures, Moment, WEAR_COLUMNS, box_titles, contact_records, kinetic_over_elastic, wall_surfaces,
-};
+use crate::measure::{Measures, Moment, contact_records, kinetic_over_elastic, wall_surfaces};
 use crate::output::{Frame, FrameWriter, RunFolder, SeriesLabels, StageSummary, wall_summaries};
 use crate::particles::Domain;
 use crate::simulation::{Phase, Setup, Simulation, SimulationState, Stage, StopCondition};
@@ -582,23 +580,4 @@ pub(super) fn labels(scenario: &Scenario) -> SeriesLabels {
         networks: networks(&scenario.measures).map(|(name, _)| name.to_owned()).collect(),
         told: told_titles(scenario),
     }
-}
-
-/// Titles of the columns behind all others.
-fn told_titles(scenario: &Scenario) -> Vec<String> {
-    let mut titles = Traffic::titles(scenario);
-    titles.extend(wear_titles(scenario));
-    if scenario.deforms() {
-        titles.extend(box_titles());
-    }
-    titles
-}
-
-/// Titles of the columns of walls that record their wear.
-fn wear_titles(scenario: &Scenario) -> impl Iterator<Item = String> {
-    let worn = scenario.walls.iter().filter(|wall| wall.recording.wear.is_some());
-    worn.flat_map(|wall| {
-        let name = format!("wall {}", wall.name);
-        WEAR_COLUMNS.iter().map(move |column| column.title(&name))
-    })
 }

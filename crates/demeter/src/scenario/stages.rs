@@ -41,7 +41,7 @@ enum Content {
         absent: Option<Vec<usize>>,
         feeds: Option<Vec<usize>>,
         removals: Option<Vec<usize>>,
-        deformation: Option<Deformation>,
+        deformation: Option<Box<Deformation>>,
         intervals: Intervals,
     },
 }
@@ -109,7 +109,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             absent: absent.clone(),
             feeds: feeds.clone(),
             removals: removals.clone(),
-            deformation: *deformation,
+            deformation: deformation.as_deref().copied(),
             cadence: cadence(own, duration),
         });
     });
@@ -204,7 +204,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     let feeds = table.optional("feeds").map(|i| chosen(&i, "feed", feed_names));
     let removal_names = cast.removals.iter().map(|r| r.name.as_str());
     let removals = table.optional("removals").map(|i| chosen(&i, "removal", removal_names));
-    let deformation = deformation(&table);
+    let deformation = deformation(&table).map(Box::new);
     let output = table.optional("output").and_then(|i| i.table());
     let intervals = output.map_or([None; 3], |output| {
         let read = intervals(&output);

@@ -50,8 +50,8 @@ fn place_in_reference(path: &str) -> Option<(String, String)> {
     let path = path
         .replace("stop[]", "stop")
         .replace("region[]", "region")
-        .replace("removal[].region", "measure[].region")
-        .replace("tag[].region", "measure[].region")
+        .replace("removal[].region.", "measure[].region.")
+        .replace("tag[].region.", "measure[].region.")
         .replace("feed[].diameter.", "grains[].diameter.")
         .replace("wall[].motion.", "motion.")
         .replace("stage[].motion.*.", "motion.")

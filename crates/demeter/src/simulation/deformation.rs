@@ -192,8 +192,8 @@ impl Deformation {
             self.shear
                 .is_some_and(|shear| shear.axes.flow == axis || shear.axes.gradient == axis)
         };
-        for axis in 0..3 {
-            if !periodic[axis] && (is_driven(axis) || self.isotropic != Drive::Fixed || sheared(axis)) {
+        for (axis, is_periodic) in periodic.into_iter().enumerate() {
+            if !is_periodic && (is_driven(axis) || self.isotropic != Drive::Fixed || sheared(axis)) {
                 return Err(DeformationError::NotPeriodic { direction: named(axis) });
             }
         }
