@@ -55,7 +55,7 @@ pub const STUDIES: [Study; 3] = [
         kind: Kind::Repose,
         scenario: "heap.toml",
         meaning: "friction",
-        points: &[0.1, 0.2, 0.4, 0.8],
+        points: &[0.05, 0.1, 0.2, 0.4, 0.8],
     },
 ];
 
