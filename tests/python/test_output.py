@@ -201,3 +201,23 @@ def test_summary_agrees_with_the_series(run, series):
     summary = json.loads((run / "summary.json").read_text(encoding="utf-8"))
     assert summary["steps"] >= int(series[-1]["step"])
     assert summary["version"]
+
+
+def test_fields_hold_the_mass_and_the_momentum_of_the_grains(run, frames):
+    if not (run / "fields" / "bulk.pvd").exists():
+        pytest.skip("the run measured no field `bulk`")
+    reader = pyvista.get_reader(str(run / "fields" / "bulk.pvd"))
+    assert list(reader.time_values) == [time for time, _ in frames]
+    for k, (_, frame) in enumerate(frames):
+        reader.set_active_time_point(k)
+        field = reader.read()[0]
+        assert isinstance(field, pyvista.ImageData) and field.n_cells == 20 * 20 * 25
+        volume = np.prod(field.spacing)
+        mass = frame["grains"].point_data["mass"]
+        momentum = (mass[:, None] * frame["grains"].point_data["velocity"]).sum(axis=0)
+        # cells tell the field at their middles, so their sum is not exact
+        assert np.isclose(field.cell_data["density"].sum() * volume, mass.sum(), rtol=0.02)
+        scale = (mass * np.linalg.norm(frame["grains"].point_data["velocity"], axis=1)).sum()
+        assert np.allclose(field.cell_data["momentum"].sum(axis=0) * volume, momentum, atol=0.02 * scale + 1e-12)
+        moving = np.isfinite(field.cell_data["velocity"]).all(axis=1)
+        assert moving.any() and (moving == (field.cell_data["density"] > 0)).all()
