@@ -1,36 +1,16 @@
 //! What can go wrong with the series.
 
+use crate::runs::JobError;
 use demeter::output::OutputError;
-use demeter::scenario::{Diagnostics, RunError};
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// Why the series could not be simulated or read.
 #[derive(Debug, thiserror::Error)]
 pub enum RheologyError {
-    /// The scenario is wrong.
-    #[error("{0}")]
-    Scenario(Box<Diagnostics>),
-    /// The run could not be carried out.
-    #[error(transparent)]
-    Run(#[from] Box<RunError>),
     /// The run did not come to its end.
-    #[error("the run in `{}` did not come to its end: {reason}", folder.display())]
-    Unfinished {
-        /// Folder of the run.
-        folder: PathBuf,
-        /// Why.
-        reason: String,
-    },
-    /// The folder of the run holds another one.
-    #[error(
-        "`{}` holds a run of another scenario or version of Demeter; choose another --out, or replace it with --overwrite",
-        folder.display()
-    )]
-    OtherRun {
-        /// The folder.
-        folder: PathBuf,
-    },
+    #[error(transparent)]
+    Run(#[from] JobError),
     /// The run tells less than it should.
     #[error("the run in `{}` cannot be read: {problem}", folder.display())]
     Reading {
