@@ -8,8 +8,8 @@ mod walls;
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
-use crate::contacts::sum::Stretch;
-use crate::contacts::{Contacts, Fault, Scene};
+use crate::contacts::sum::{SegmentLoads, Work};
+use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
 use crate::particles::Outside;
 use crate::simulation::profile::{Part, Profile};
 use crate::simulation::{Counts, Phase, Simulation};
@@ -20,11 +20,10 @@ use rayon::prelude::*;
 /// Grains handled by one task.
 const GRAINS_PER_TASK: usize = 1024;
 
-/// Stretches of the table of contacts per thread: more share the work out better, fewer leave fewer grains to be summed up
-/// afterwards.
+/// Parts of the table of pairs per thread: more share the work out better, fewer have fewer pairs of grains of different parts.
 const PARTS_PER_THREAD: usize = 4;
 
-/// Grains that a stretch has at least.
+/// Grains that a part has at least.
 const LEAST_GRAINS_OF_A_PART: usize = 400;
 
 impl Simulation {
@@ -182,29 +181,16 @@ impl Simulation {
             chunk.evaluate_walls(&scene);
             clock.took(Part::Walls);
         });
-        let are_new = scene.near.is_some() || !self.sums.has_places(neighbours);
-        let all = Stretch {
-            chunks: pairs,
-            first_chunk: 0,
-            sums: self.sums.all(neighbours, are_new),
+        let work = Work {
+            neighbours,
+            instructions: self.instructions,
+            step: |c: usize, chunk: &mut ContactChunk, loads: &mut SegmentLoads| {
+                let mut clock = Profile::chunk(profile);
+                chunk.step_pairs(neighbours.chunk(c), &scene, loads, || clock.took(Part::Narrow));
+                clock.took(Part::Laws);
+            },
         };
-        let threads = rayon::current_num_threads();
-        // so few grains are done before another thread has begun
-        let most = self.grains.len() / LEAST_GRAINS_OF_A_PART;
-        let parts = if threads > 1 {
-            (PARTS_PER_THREAD * threads).min(most)
-        } else {
-            1
-        };
-        all.work(parts, neighbours, walls, self.instructions, &|c, chunk| {
-            let mut clock = Profile::chunk(profile);
-            chunk.step_pairs(neighbours.chunk(c), &scene, || clock.took(Part::Narrow));
-            clock.took(Part::Laws);
-        });
-        if parts > 1 {
-            let all = self.sums.all(neighbours, are_new);
-            all.finish(&self.contacts, neighbours, self.instructions);
-        }
+        (self.sums).work(pairs, self.grains.len(), parts(self.grains.len()), &work);
         Ok(())
     }
 
@@ -240,6 +226,15 @@ impl Simulation {
         } else {
             "angular velocity"
         }
+    }
+}
+
+/// Parts that the work on the contacts of so many grains is cut into.
+fn parts(grains: usize) -> usize {
+    match rayon::current_num_threads() {
+        1 => 1,
+        // so few grains are done before another thread has begun
+        threads => (PARTS_PER_THREAD * threads).min(grains / LEAST_GRAINS_OF_A_PART),
     }
 }
 

@@ -51,7 +51,7 @@ impl ContactChunk {
                 element: wall.element_at(self.now.element[k], point, scene.grains.radius(g)),
                 normal_force,
                 normal: contact.normal,
-                tangential: contact.normal * normal_force - self.force(k),
+                tangential: -self.tangential_force(k),
                 impact,
                 sliding,
             });

@@ -6,7 +6,7 @@ use crate::comm::Single;
 use crate::neighbours::Pair;
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere_wide};
-use demeter_physics::lanes::{self, Index, Kernel, Lanes, MOST_LANES, Mask, Vector};
+use demeter_physics::lanes::{Index, Kernel, Lanes, MOST_LANES, Mask, Vector};
 use glam::DVec3;
 
 /// Pairs of grains, one per lane.
@@ -94,20 +94,6 @@ impl<'a> Meeting<'a> {
             tables: scene.grains.tables(),
             shifts: scene.comm.shifts(),
             shift_velocities: scene.comm.shift_velocities(),
-        }
-    }
-
-    /// Has the rows of some grains fetched that will be looked at soon.
-    #[inline(always)]
-    pub(super) fn prefetch<L: Lanes>(&self, grains: &[u32]) {
-        let [position, velocity, spin] = self.tables;
-        let mut lane = 0;
-        while lane < L::COUNT {
-            let grain = grains[lane] as usize;
-            lanes::prefetch(&position[grain]);
-            lanes::prefetch(&velocity[grain]);
-            lanes::prefetch(&spin[grain]);
-            lane += 1;
         }
     }
 

@@ -5,12 +5,12 @@
 //!
 //! 1. [`narrow`]: candidates -> contacts that may act; every few steps, or in every step where contacts feel each other
 //! 2. [`coupling`], where contacts feel each other: displacements of the surfaces
-//! 3. [`block`]: which contacts act, and their laws, family by family, in blocks that stay in the cache
+//! 3. `respond`: which contacts act, and their laws, several contacts at a time
 //!
-//! and [`sum`] then adds up per grain, in the order of the partner's id.
+//! and [`sum`] then adds up per grain, in the order of the partners in memory.
 
-pub mod block;
 pub mod coupling;
+mod evaluate;
 mod fault;
 mod kinematics;
 pub mod laws;
@@ -18,6 +18,7 @@ mod marks;
 mod meetings;
 pub mod narrow;
 mod near;
+mod respond;
 pub mod sum;
 mod transfer;
 
@@ -31,11 +32,11 @@ pub use crate::neighbours::CHUNK;
 
 use crate::comm::Single;
 use crate::walls::{Mark, SurfaceContact};
-use bytemuck::{Pod, Zeroable};
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use demeter_physics::lanes::MOST_LANES;
+use evaluate::WORD;
 use glam::DVec3;
-use kinematics::BLOCK;
 use serde::{Deserialize, Serialize};
 
 /// Work of the contact forces in one step [J], and what is needed to watch a run.
@@ -69,27 +70,25 @@ impl Tally {
 }
 
 /// What a contact does to both bodies.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C, align(64))]
-pub struct Load {
+pub(crate) struct Load {
     /// Force on the first body [N], and the distance of the contact point from its centre [m].
-    pub force: [f64; 4],
+    pub(crate) force: [f64; 4],
     /// Normal times tangential force [N], and the distance of the contact point from the second centre [m].
-    pub arm: [f64; 4],
+    pub(crate) arm: [f64; 4],
 }
 
 impl Load {
     /// Distance of the contact point from the centre of the first body (0) or the second (1) [m].
     #[inline(always)]
     pub(crate) fn lever(&self, side: usize) -> f64 {
-        bytemuck::cast_ref::<Self, [f64; 8]>(self)[(3 + 4 * side) % 8]
-    }
-
-    fn arm(&self) -> DVec3 {
-        let [x, y, z, _] = self.arm;
-        DVec3::new(x, y, z)
+        [self.force[3], self.arm[3]][side]
     }
 }
+
+/// Vectors of eight contacts, component by component.
+pub(crate) type EightVectors = [[f64; MOST_LANES]; 3];
 
 /// What survives of a contact from one step to the next.
 #[derive(Clone, Debug, Default)]
@@ -106,6 +105,8 @@ pub(crate) struct Kept {
     pub(crate) geometry: Vec<Contact>,
     /// Normal force on the first body along the normal [N].
     pub(crate) normal_force: Vec<f64>,
+    /// Force on the first body in the contact plane [N].
+    pub(crate) tangential: Vec<EightVectors>,
     /// History of the laws, `stride` values per contact.
     pub(crate) history: Vec<f64>,
     /// What contacts that feel each other remember; empty where all are independent.
@@ -121,12 +122,24 @@ impl Kept {
         self.element.clear();
         self.geometry.clear();
         self.normal_force.clear();
+        self.tangential.clear();
         self.history.clear();
         self.coupling.clear();
     }
 
     fn len(&self) -> usize {
         self.normal_force.len()
+    }
+
+    /// Appends the forces of a contact: along the normal, and in the contact plane [N].
+    fn push_force(&mut self, normal: f64, tangential: DVec3) {
+        let place = self.len();
+        self.normal_force.push(normal);
+        self.tangential
+            .resize(self.len().div_ceil(MOST_LANES), EightVectors::default());
+        for (axis, component) in tangential.to_array().into_iter().enumerate() {
+            self.tangential[place / MOST_LANES][axis][place % MOST_LANES] = component;
+        }
     }
 
     /// Puts the candidates of contacts, of which each has at most one.
@@ -173,9 +186,9 @@ pub struct ContactChunk {
     shift: Vec<u8>,
     /// Bits of the contacts between grains that are engaged, a word for each block; empty where all are.
     engaged: Vec<u64>,
-    /// What every contact does to both bodies: nothing at first, then that of each contact.
+    /// What every contact with a wall does to both bodies; nothing between grains, whose loads are summed up at once.
     pub(crate) load: Vec<Load>,
-    /// Torque of the rolling laws on the first body [N m], in the same places; empty where no law resists rolling.
+    /// Torque of the rolling laws on the first body [N m]; empty where no law resists rolling.
     pub(crate) rolling: Vec<[f64; 4]>,
     /// Work of this step.
     pub tally: Tally,
@@ -184,6 +197,10 @@ pub struct ContactChunk {
     /// What every contact lost in this step, by its normal law and by friction [J], and what that did to the walls: where
     /// walls record it.
     losses: Vec<[f64; 2]>,
+    /// Normal forces that do not depend on the rate [N], where contacts feel each other.
+    elastic: Vec<f64>,
+    /// How the surfaces of walls move at the contacts.
+    surfaces: kinematics::Surfaces,
     pub(crate) marks: Vec<Mark>,
     /// The fault with the lowest id, if any.
     pub fault: Option<Fault>,
@@ -202,7 +219,6 @@ impl ContactChunk {
         self.shift.clear();
         self.engaged.clear();
         self.load.clear();
-        self.load.push(Load::default());
         self.rolling.clear();
         self.tally = Tally::default();
         self.wall_load.clear();
@@ -211,46 +227,36 @@ impl ContactChunk {
         self.across = [DVec3::ZERO; 3];
     }
 
-    /// Sums up the forces across periodic sides.
-    fn sum_across(&mut self) {
+    /// Sums up the forces across periodic sides, told what every contact does.
+    fn sum_across(&mut self, loads: &[Load]) {
         let mut across = [DVec3::ZERO; 3];
-        for (k, &code) in self.shift.iter().enumerate() {
-            if code != Single::UNSHIFTED && self.is_engaged(k) {
-                let (force, boxes) = (self.force(k), Single::boxes(code));
+        for (&code, load) in self.shift.iter().zip(loads) {
+            if code != Single::UNSHIFTED {
+                let [x, y, z, _] = load.force;
+                let boxes = Single::boxes(code);
                 for (axis, sum) in across.iter_mut().enumerate() {
-                    *sum += force * boxes[axis];
+                    *sum += DVec3::new(x, y, z) * boxes[axis];
                 }
             }
         }
         self.across = across;
     }
 
-    /// Force of a contact on its first body [N]; on the second it is the opposite.
-    pub fn force(&self, contact: usize) -> DVec3 {
-        let [x, y, z, _] = self.load[contact + 1].force;
-        DVec3::new(x, y, z)
+    /// Force of a contact with this normal on its first body [N]; on the second it is the opposite.
+    pub fn force(&self, contact: usize, normal: DVec3) -> DVec3 {
+        normal * self.now.normal_force[contact] + self.tangential_force(contact)
     }
 
-    /// Torque of a contact on its first body about its centre [N m].
-    pub fn torque_i(&self, contact: usize) -> DVec3 {
-        let load = &self.load[contact + 1];
-        self.rolling_torque(contact) - load.arm() * load.force[3]
+    /// Its part in the contact plane [N].
+    pub fn tangential_force(&self, contact: usize) -> DVec3 {
+        let [x, y, z] = &self.now.tangential[contact / MOST_LANES];
+        let lane = contact % MOST_LANES;
+        DVec3::new(x[lane], y[lane], z[lane])
     }
 
-    /// Torque of a contact on its second body about its centre; of a rolling law only when it is a wall [N m].
-    pub fn torque_j(&self, contact: usize) -> DVec3 {
-        let load = &self.load[contact + 1];
-        -self.rolling_torque(contact) - load.arm() * load.arm[3]
-    }
-
-    fn rolling_torque(&self, contact: usize) -> DVec3 {
-        (self.rolling.get(contact + 1)).map_or(DVec3::ZERO, |&[x, y, z, _]| DVec3::new(x, y, z))
-    }
-
-    /// Where the load of a candidate between grains lies: at 0, where none is, when it is no contact.
-    #[inline(always)]
-    pub(crate) fn load_place(&self, candidate: usize) -> usize {
-        usize::from(self.now.place[candidate])
+    /// Torque of the rolling law on the first body [N m]; on the second it is the opposite.
+    pub fn rolling_torque(&self, contact: usize) -> DVec3 {
+        (self.rolling.get(contact)).map_or(DVec3::ZERO, |&[x, y, z, _]| DVec3::new(x, y, z))
     }
 
     /// Number of contacts.
@@ -272,7 +278,7 @@ impl ContactChunk {
     /// within half a step. The others in the table are merely near; they have no force and remember nothing.
     #[inline]
     pub fn is_engaged(&self, contact: usize) -> bool {
-        (self.engaged.get(contact / BLOCK)).is_none_or(|word| word >> (contact % BLOCK) & 1 != 0)
+        (self.engaged.get(contact / WORD)).is_none_or(|word| word >> (contact % WORD) & 1 != 0)
     }
 
     /// Number of contacts that are engaged.
@@ -287,8 +293,8 @@ impl ContactChunk {
     /// Notes whether the latest contact of the table is engaged.
     fn note_engaged(&mut self, is_engaged: bool) {
         let contact = self.len() - 1;
-        self.engaged.resize(contact / BLOCK + 1, 0);
-        self.engaged[contact / BLOCK] |= u64::from(is_engaged) << (contact % BLOCK);
+        self.engaged.resize(contact / WORD + 1, 0);
+        self.engaged[contact / WORD] |= u64::from(is_engaged) << (contact % WORD);
     }
 
     /// Whether a contact acts: its normal force is not zero.

@@ -7,6 +7,7 @@
 use super::laws::largest_reach;
 use super::meetings::{FindPairs, Found};
 use super::near::FindNear;
+use super::sum::SegmentLoads;
 use super::{ContactChunk, Fault, Kept, Tally};
 use crate::comm::Single;
 use crate::materials::Materials;
@@ -108,8 +109,15 @@ thread_local! {
 
 impl ContactChunk {
     /// Finds the forces between grains of the pairs of a chunk that do not feel each other; those that may act are looked for
-    /// where the scene tells so. `found_all` is called when they are known.
-    pub(crate) fn step_pairs(&mut self, (pairs, law): (&[Pair], u32), scene: &Scene, found_all: impl FnOnce()) {
+    /// where the scene tells so. What they do is appended to `loads`.
+    /// `found_all` is called when contacts are known.
+    pub(crate) fn step_pairs(
+        &mut self,
+        (pairs, law): (&[Pair], u32),
+        scene: &Scene,
+        loads: &mut SegmentLoads,
+        found_all: impl FnOnce(),
+    ) {
         self.begin(0, law);
         if let Some(reach) = scene.near {
             // what is needed in between lies in memory of the thread, which stays in its caches from chunk to chunk
@@ -138,9 +146,10 @@ impl ContactChunk {
                 .extend(candidates.map(|&candidate| pairs[candidate as usize].shift));
         }
         found_all();
-        self.meet_pairs(scene);
+        let first = loads.loads.len();
+        self.meet_pairs(scene, loads);
         if !scene.comm.shift_velocities().is_empty() {
-            self.sum_across();
+            self.sum_across(&loads.loads[first..]);
         }
     }
 
@@ -190,13 +199,15 @@ impl ContactChunk {
             self.j.push(pair.j);
             let (i, j) = (pair.i as usize, pair.j as usize);
             if goes_on {
-                self.now.normal_force.push(self.before.normal_force[old]);
+                self.now.push_force(self.before.normal_force[old], DVec3::ZERO);
                 let history = &self.before.history[old * stride..(old + 1) * stride];
                 self.now.history.extend_from_slice(history);
             } else {
-                self.now.normal_force.push(0.0);
+                self.now.push_force(0.0, DVec3::ZERO);
                 self.now.history.resize(self.now.history.len() + stride, 0.0);
             }
+            // so that those which do not act any more are ended
+            self.note_engaged(goes_on);
             if scene.is_coupled() {
                 let normal = found.geometry[k].normal;
                 let rate = (grains.velocity[j] - grains.velocity[i]).dot(normal);
@@ -212,6 +223,9 @@ impl ContactChunk {
             self.book_end(old, scene);
         }
         self.now.set_candidates(&found.candidates, pairs.len());
+        if scene.is_coupled() {
+            self.engaged.clear();
+        }
     }
 
     /// Finds the contacts of a chunk of pairs of grain and wall.
@@ -286,14 +300,14 @@ impl ContactChunk {
         self.now.geometry.push(contact);
         match old {
             Some(k) => {
-                self.now.normal_force.push(self.before.normal_force[k]);
+                self.now.push_force(self.before.normal_force[k], DVec3::ZERO);
                 self.now
                     .history
                     .extend_from_slice(&self.before.history[k * stride..(k + 1) * stride]);
                 self.goes_on[k] = true;
             }
             None => {
-                self.now.normal_force.push(0.0);
+                self.now.push_force(0.0, DVec3::ZERO);
                 self.now.history.resize(self.now.history.len() + stride, 0.0);
             }
         }
@@ -332,21 +346,11 @@ impl ContactChunk {
         let history = &self.before.history[old * scene.stride..(old + 1) * scene.stride];
         self.tally.book_end(history, scene.materials.law(self.law));
     }
-
-    /// Has a contact that does not act forget what it did, if it acted before.
-    pub(super) fn end(&mut self, contact: usize, scene: &Scene) {
-        self.now.normal_force[contact] = 0.0;
-        let history = &mut self.now.history[contact * scene.stride..(contact + 1) * scene.stride];
-        if history.iter().any(|&value| value != 0.0) {
-            self.tally.book_end(history, scene.materials.law(self.law));
-            history.fill(0.0);
-        }
-    }
 }
 
 impl Tally {
     /// Books the energy that the springs of a contact still held when it ended.
-    fn book_end(&mut self, history: &[f64], law: &PairLaw) {
+    pub(super) fn book_end(&mut self, history: &[f64], law: &PairLaw) {
         if !history.is_empty() {
             let (tangential, rolling) = super::laws::spring_energies(law, history);
             self.friction += tangential;

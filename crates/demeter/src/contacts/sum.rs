@@ -1,408 +1,334 @@
-//! Sum per grain over its contacts, in the order of the partner's id.
+//! Sum per grain over its contacts: those with grains in the order of the partners' places in memory, then those with walls in
+//! the order of the walls.
+//!
+//! What a contact does is added to both of its grains as soon as its laws were asked, in the order of [`PairTable`], while
+//! it is still in the cache. A task adds to its own grains, and what it has for those of other tasks is added when all are
+//! done, task by task: so every grain is summed up in the same order however the work is shared out.
+//!
+//! [`PairTable`]: crate::neighbours
 
-use super::{CHUNK, ContactChunk, Contacts, Load};
+use super::{ContactChunk, Load};
 use crate::neighbours::Neighbours;
 use demeter_physics::lanes::{self, Four, Instructions, Kernel, Lanes, Quad};
 use glam::DVec3;
+use std::cell::RefCell;
+use std::ops::Range;
 
-/// Force [N] and torque [N m] of all contacts on one grain, with nothing beside them.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(64))]
-pub(crate) struct GrainLoad {
-    pub(crate) force: [f64; 4],
-    pub(crate) torque: [f64; 4],
-}
-
-impl GrainLoad {
-    /// Of a grain that was not summed up; one whose force is not a number is summed up again in vain.
-    const UNKNOWN: Self = Self {
-        force: [f64::NAN, 0.0, 0.0, 0.0],
-        torque: [0.0; 4],
-    };
-
-    /// Force and torque.
-    pub(crate) fn vectors(&self) -> (DVec3, DVec3) {
-        let ([fx, fy, fz, _], [tx, ty, tz, _]) = (self.force, self.torque);
-        (DVec3::new(fx, fy, fz), DVec3::new(tx, ty, tz))
-    }
-
-    /// Whether it was summed up.
-    #[inline(always)]
-    pub(crate) fn is_known(&self) -> bool {
-        !self.force[0].is_nan()
-    }
-}
-
-/// Where a contact of a grain lies, and on which side of it the grain is.
+/// What contacts between grains do to one grain, so far: force [N], and the negative of the torque [N m]; what stands beside them
+/// means nothing.
 #[derive(Clone, Copy, Debug, Default)]
-struct Place(u32);
+#[repr(C, align(64))]
+struct Sum {
+    force: [f64; 4],
+    arms: [f64; 4],
+}
 
-const PLACE_BITS: u32 = (CHUNK + 1).next_power_of_two().trailing_zeros();
-
-impl Place {
+impl Sum {
+    /// Adds what a contact does to its first body (0) or its second (1).
     #[inline(always)]
-    fn new(chunk: usize, load: usize, is_first: bool) -> Self {
-        Self((chunk << (PLACE_BITS + 1) | load << 1) as u32 | u32::from(!is_first))
+    fn add<Q: Quad>(&mut self, load: &Load, side: usize) {
+        let (sign, lever) = ([1.0, -1.0][side], load.lever(side));
+        self.force = (Q::load(&self.force) + Q::load(&load.force) * Q::all(sign)).store();
+        self.arms = (Q::load(&self.arms) + Q::load(&load.arm) * Q::all(lever)).store();
     }
 
+    /// Adds the torque of a rolling law on the first body.
     #[inline(always)]
-    fn chunk(self) -> usize {
-        (self.0 >> (PLACE_BITS + 1)) as usize
+    fn roll<Q: Quad>(&mut self, torque: &[f64; 4], side: usize) {
+        self.arms = (Q::load(&self.arms) + Q::load(torque) * Q::all([-1.0, 1.0][side])).store();
     }
+}
 
-    #[inline(always)]
-    fn load(self) -> usize {
-        (self.0 >> 1) as usize & ((1 << PLACE_BITS) - 1)
-    }
-
-    /// 0 where the grain is the first, 1 where it is the second.
-    #[inline(always)]
-    fn side(self) -> usize {
-        (self.0 & 1) as usize
-    }
+/// A contact with a grain of another task.
+#[derive(Clone, Copy, Debug)]
+struct Stray {
+    grain: u32,
+    side: u32,
+    load: Load,
+    torque: [f64; 4],
 }
 
 /// Sums of the contact loads of this step.
 #[derive(Debug, Default)]
 pub(crate) struct Sums {
-    loads: Vec<GrainLoad>,
-    /// Contacts of every grain, in the order of the partner's id, where its candidates stand in their list; and how many.
-    places: Vec<Place>,
-    counts: Vec<u32>,
+    sums: Vec<Sum>,
+    /// What every task has for grains of those before it.
+    strays: Vec<Vec<Stray>>,
 }
 
-impl Sums {
-    /// Whether the places of contacts among these candidates are here: they are not part of a checkpoint.
-    pub(crate) fn has_places(&self, neighbours: &Neighbours) -> bool {
-        self.places.len() == neighbours.entries()
-    }
+/// Sums of the grains from one on, to be read.
+#[derive(Clone, Copy)]
+pub(crate) struct GrainSums<'a> {
+    sums: &'a [Sum],
+    first: usize,
+    neighbours: &'a Neighbours,
+    walls: &'a [ContactChunk],
+}
 
-    /// The sums of all grains, to be found; `are_new` tells that the contacts have new places.
-    pub(crate) fn all(&mut self, neighbours: &Neighbours, are_new: bool) -> GrainSums<'_> {
-        let grains = neighbours.reference.len();
-        self.loads.resize(grains, GrainLoad::UNKNOWN);
-        self.places.resize(neighbours.entries(), Place::default());
-        self.counts.resize(grains, 0);
-        GrainSums {
-            first: 0,
-            loads: &mut self.loads,
-            places: &mut self.places,
-            counts: &mut self.counts,
-            are_new,
+impl<'a> GrainSums<'a> {
+    pub(crate) fn new(sums: &'a Sums, first: usize, neighbours: &'a Neighbours, walls: &'a [ContactChunk]) -> Self {
+        Self {
+            sums: &sums.sums[first..],
+            first,
+            neighbours,
+            walls,
         }
     }
 
-    /// The sums of grains from `first` on; none where none were made.
-    pub(crate) fn from(&self, first: usize) -> &[GrainLoad] {
-        self.loads.get(first..).unwrap_or_default()
+    /// Force [N] and torque [N m] of all contacts on a grain, told by how far it lies behind the first; nothing beside them.
+    #[inline(always)]
+    pub(crate) fn of<Q: Quad>(&self, k: usize) -> (Q, Q) {
+        let mut sum = self.sums[k];
+        for (chunk, slot) in self.neighbours.wall_pairs_of(self.first + k) {
+            let chunk = &self.walls[chunk];
+            for contact in chunk.contacts_of(slot) {
+                sum.add::<Q>(&chunk.load[contact], 0);
+                if let Some(torque) = chunk.rolling.get(contact) {
+                    sum.roll::<Q>(torque, 0);
+                }
+            }
+        }
+        let vectors = Q::load(&[1.0, 1.0, 1.0, 0.0]);
+        // 0 - x, so that no torque has no sign
+        (
+            Q::load(&sum.force) * vectors,
+            Q::all(0.0) - Q::load(&sum.arms) * vectors,
+        )
     }
 }
 
-/// The sums of grains that lie behind each other.
-pub(crate) struct GrainSums<'a> {
-    /// Index of the first grain.
-    first: usize,
-    loads: &'a mut [GrainLoad],
-    /// The places of their contacts, how many there are, and whether they have to be found.
-    places: &'a mut [Place],
-    counts: &'a mut [u32],
-    are_new: bool,
+impl GrainSums<'_> {
+    /// The same as vectors.
+    pub(crate) fn vectors_of(&self, k: usize) -> (DVec3, DVec3) {
+        let (force, torque) = self.of::<Four>(k);
+        let ([fx, fy, fz, _], [tx, ty, tz, _]) = (force.store(), torque.store());
+        (DVec3::new(fx, fy, fz), DVec3::new(tx, ty, tz))
+    }
 }
 
-impl GrainSums<'_> {
-    /// Those of the first grains, and the others.
-    fn split(self, grains: usize, neighbours: &Neighbours) -> (Self, Self) {
-        let first_entry = |grain: usize| neighbours.first_entry(grain);
-        let entries = first_entry(self.first + grains) - first_entry(self.first);
-        let (loads, other_loads) = self.loads.split_at_mut(grains);
-        let (places, other_places) = self.places.split_at_mut(entries);
-        let (counts, other_counts) = self.counts.split_at_mut(grains);
-        let other = Self {
-            first: self.first + grains,
-            loads: other_loads,
-            places: other_places,
-            counts: other_counts,
-            are_new: self.are_new,
+/// What the contacts of one segment do to their bodies.
+#[derive(Default)]
+pub(crate) struct SegmentLoads {
+    pub(crate) loads: Vec<Load>,
+    /// Torques of rolling laws; empty where none resists rolling.
+    pub(crate) torques: Vec<[f64; 4]>,
+}
+
+thread_local! {
+    static LOADS: RefCell<SegmentLoads> = RefCell::default();
+}
+
+/// Segments of the table of pairs that one task works on, and the grains that are its own.
+struct Task<'a> {
+    segments: Range<usize>,
+    chunks: &'a mut [ContactChunk],
+    first_chunk: usize,
+    sums: &'a mut [Sum],
+    first_grain: usize,
+    strays: &'a mut [Vec<Stray>],
+}
+
+/// How the work of a step on contacts between grains is done.
+pub(crate) struct Work<'a, S> {
+    pub(crate) neighbours: &'a Neighbours,
+    pub(crate) instructions: Instructions,
+    /// Finds the loads of a chunk, told by its number, and appends them.
+    pub(crate) step: S,
+}
+
+impl Sums {
+    /// Works on all chunks, in parallel in `parts`, and sums up: into how many parts the work is cut changes no sum.
+    pub(crate) fn work<S>(&mut self, chunks: &mut [ContactChunk], grains: usize, parts: usize, work: &Work<S>)
+    where
+        S: Fn(usize, &mut ContactChunk, &mut SegmentLoads) + Sync,
+    {
+        let segments = work.neighbours.segments();
+        let parts = parts.clamp(1, segments.max(1));
+        self.sums.resize(grains, Sum::default());
+        self.strays.resize_with(parts, Vec::new);
+        self.strays.iter_mut().for_each(Vec::clear);
+        let all = Task {
+            segments: 0..segments,
+            chunks,
+            first_chunk: 0,
+            sums: &mut self.sums,
+            first_grain: 0,
+            strays: &mut self.strays,
         };
+        all.work(work);
+        if parts > 1 {
+            add_strays(0, &mut self.sums, &self.strays, parts, work.instructions);
+        }
+    }
+}
+
+impl<'a> Task<'a> {
+    fn work<S>(self, work: &Work<S>)
+    where
+        S: Fn(usize, &mut ContactChunk, &mut SegmentLoads) + Sync,
+    {
+        if self.strays.len() < 2 {
+            return LOADS.with_borrow_mut(|loads| self.work_alone(work, loads));
+        }
+        let (one, other) = self.cut(work.neighbours);
+        rayon::join(|| one.work(work), || other.work(work));
+    }
+
+    fn cut(self, neighbours: &Neighbours) -> (Self, Self) {
+        let parts = self.strays.len();
+        let (begin, end) = (self.segments.start, self.segments.end);
+        let middle = begin + (end - begin) * (parts / 2) / parts;
+        let chunk = neighbours.chunks_of_segment(middle).start;
+        let grain = neighbours.grains_of_segment(middle).start;
+        let (chunks, other_chunks) = self.chunks.split_at_mut(chunk - self.first_chunk);
+        let (sums, other_sums) = self.sums.split_at_mut(grain - self.first_grain);
+        let (strays, other_strays) = self.strays.split_at_mut(parts / 2);
         let one = Self {
-            loads,
-            places,
-            counts,
+            segments: begin..middle,
+            chunks,
+            sums,
+            strays,
             ..self
+        };
+        let other = Self {
+            segments: middle..end,
+            chunks: other_chunks,
+            first_chunk: chunk,
+            sums: other_sums,
+            first_grain: grain,
+            strays: other_strays,
         };
         (one, other)
     }
 
-    /// Sums up, in parallel, the grains that were left because their contacts lie in several stretches.
-    pub(crate) fn finish(self, contacts: &Contacts, neighbours: &Neighbours, instructions: Instructions) {
-        if self.loads.len() <= GRAINS_TO_FINISH {
-            let from = Loads {
-                neighbours,
-                pairs: &contacts.pairs,
-                first_chunk: 0,
-                walls: &contacts.walls,
+    fn work_alone<S>(self, work: &Work<S>, found: &mut SegmentLoads)
+    where
+        S: Fn(usize, &mut ContactChunk, &mut SegmentLoads) + Sync,
+    {
+        for segment in self.segments.clone() {
+            let grains = work.neighbours.grains_of_segment(segment);
+            self.sums[grains.start - self.first_grain..grains.end - self.first_grain].fill(Sum::default());
+            let chunks = work.neighbours.chunks_of_segment(segment);
+            found.loads.clear();
+            found.torques.clear();
+            for chunk in chunks.clone() {
+                (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], found);
+            }
+            let add_up = AddUp {
+                first_grain: self.first_grain as u32,
+                sums: self.sums,
+                strays: &mut self.strays[0],
+                chunks: &self.chunks[chunks.start - self.first_chunk..chunks.end - self.first_chunk],
+                found,
+                neighbours: work.neighbours,
+                segment,
             };
-            let sum_up = SumUp {
-                from,
-                sums: self,
-                only_unknown: true,
-            };
-            return lanes::run(instructions, sum_up);
+            lanes::run(work.instructions, add_up);
         }
-        let half = self.loads.len() / 2;
-        let (one, other) = self.split(half, neighbours);
-        rayon::join(
-            || one.finish(contacts, neighbours, instructions),
-            || other.finish(contacts, neighbours, instructions),
-        );
     }
 }
 
-/// Grains that one task looks through for those that were left.
-const GRAINS_TO_FINISH: usize = 1024;
-
-/// Contacts that grains are summed up over.
-#[derive(Clone, Copy)]
-struct Loads<'a> {
+/// Adds up what the contacts of a segment do, in the order of the sums.
+struct AddUp<'a> {
+    first_grain: u32,
+    sums: &'a mut [Sum],
+    strays: &'a mut Vec<Stray>,
+    /// Chunks of the segment, and the loads of all of their contacts.
+    chunks: &'a [ContactChunk],
+    found: &'a SegmentLoads,
     neighbours: &'a Neighbours,
-    /// Chunks of pairs from `first_chunk` on.
-    pairs: &'a [ContactChunk],
-    first_chunk: usize,
-    walls: &'a [ContactChunk],
+    segment: usize,
 }
 
-/// Force and torque of all contacts on one grain.
-pub(crate) fn contact_load(grain: usize, neighbours: &Neighbours, contacts: &Contacts) -> GrainLoad {
-    let loads = Loads {
-        neighbours,
-        pairs: &contacts.pairs,
-        first_chunk: 0,
-        walls: &contacts.walls,
-    };
-    let mut sum = Sum::<Four>::default();
-    for (chunk, slot, is_first) in neighbours.pairs_of(grain) {
-        let chunk = &contacts.pairs[chunk];
-        let place = chunk.load_place(slot);
-        sum.add(&chunk.load[place], usize::from(!is_first));
-        if let Some(torque) = chunk.rolling.get(place) {
-            sum.roll(torque, usize::from(!is_first));
+impl AddUp<'_> {
+    /// Adds one contact to both grains; `place` among the loads of the segment.
+    #[inline(always)]
+    fn add<Q: Quad>(&mut self, grains: [u32; 2], place: usize) {
+        let load = &self.found.loads[place];
+        let torque = self.found.torques.get(place);
+        let mut side = 0;
+        while side < 2 {
+            let grain = grains[side];
+            if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
+                sum.add::<Q>(load, side);
+                if let Some(torque) = torque {
+                    sum.roll::<Q>(torque, side);
+                }
+            } else {
+                self.strays.push(Stray {
+                    grain,
+                    side: side as u32,
+                    load: *load,
+                    torque: torque.copied().unwrap_or_default(),
+                });
+            }
+            side += 1;
         }
     }
-    loads.add_walls(grain, &mut sum);
-    sum.result()
 }
 
-/// Entries ahead of which loads are fetched, as memory is slow.
-const AHEAD: usize = 24;
+impl Kernel for AddUp<'_> {
+    type Output = ();
 
-/// Sums up grains that lie behind each other; those with contacts in chunks before the first are left.
-struct SumUp<'a> {
-    from: Loads<'a>,
-    sums: GrainSums<'a>,
-    /// Whether those that are known stay as they are.
-    only_unknown: bool,
+    #[inline(always)]
+    fn run<L: Lanes>(mut self) {
+        let chunks = self.chunks;
+        let mut order = self.neighbours.order_of_segment(self.segment).peekable();
+        if order.peek().is_none() {
+            let mut place = 0;
+            for chunk in chunks {
+                for (&i, &j) in chunk.i.iter().zip(&chunk.j) {
+                    self.add::<L::Quad>([i, j], place);
+                    place += 1;
+                }
+            }
+            return;
+        }
+        let first = self.neighbours.chunks_of_segment(self.segment).start;
+        // the loads of a chunk lie behind those of the chunks before it
+        let before = |chunk: usize| chunks[..chunk].iter().map(ContactChunk::len).sum::<usize>();
+        for (number, slot) in order {
+            let chunk = &chunks[number - first];
+            for contact in chunk.contacts_of(slot) {
+                let grains = [chunk.i[contact], chunk.j[contact]];
+                self.add::<L::Quad>(grains, before(number - first) + contact);
+            }
+        }
+    }
 }
 
-impl Kernel for SumUp<'_> {
+/// Adds what tasks have for the grains of others, in parallel.
+fn add_strays(first: usize, sums: &mut [Sum], strays: &[Vec<Stray>], parts: usize, instructions: Instructions) {
+    if parts < 2 || sums.len() < 2 {
+        let add = AddStrays { first, sums, strays };
+        return lanes::run(instructions, add);
+    }
+    let middle = sums.len() * (parts / 2) / parts;
+    let (one, other) = sums.split_at_mut(middle);
+    rayon::join(
+        || add_strays(first, one, strays, parts / 2, instructions),
+        || add_strays(first + middle, other, strays, parts - parts / 2, instructions),
+    );
+}
+
+/// Adds to some grains what tasks have for them.
+struct AddStrays<'a> {
+    first: usize,
+    sums: &'a mut [Sum],
+    strays: &'a [Vec<Stray>],
+}
+
+impl Kernel for AddStrays<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Self {
-            from,
-            sums,
-            only_unknown,
-        } = self;
-        let (neighbours, first_chunk) = (from.neighbours, from.first_chunk);
-        let GrainSums {
-            first: first_grain,
-            loads,
-            places,
-            counts,
-            are_new,
-        } = sums;
-        let rolls = from.pairs.first().is_some_and(|chunk| !chunk.rolling.is_empty());
-        let mut begin = 0;
-        for (k, (load, held)) in loads.iter_mut().zip(counts).enumerate() {
-            let grain = first_grain + k;
-            let entries = neighbours.entries_of(grain);
-            let end = begin + entries.len();
-            if neighbours.span_of(grain).0 < first_chunk {
-                *load = GrainLoad::UNKNOWN;
-            }
-            if neighbours.span_of(grain).0 < first_chunk || only_unknown && load.is_known() {
-                begin = end;
-                continue;
-            }
-            if are_new {
-                let mut found = begin;
-                for entry in entries {
-                    let (chunk, slot, is_first) = neighbours.entry(entry);
-                    let load = from.pairs[chunk - first_chunk].load_place(slot);
-                    // put in any case, and kept where it is a contact: which are cannot be foretold
-                    places[found] = Place::new(chunk, load, is_first);
-                    found += usize::from(load > 0);
-                }
-                *held = (found - begin) as u32;
-            }
-            let mut sum = Sum::<L::Quad>::default();
-            for n in begin..begin + *held as usize {
-                if let Some(soon) = places.get(n + AHEAD)
-                    && let Some(chunk) = from.pairs.get(soon.chunk().wrapping_sub(first_chunk))
-                    && let Some(load) = chunk.load.get(soon.load())
-                {
-                    lanes::prefetch(load);
-                }
-                let place = places[n];
-                let chunk = &from.pairs[place.chunk() - first_chunk];
-                sum.add(&chunk.load[place.load()], place.side());
-                if rolls {
-                    sum.roll(&chunk.rolling[place.load()], place.side());
-                }
-            }
-            if neighbours.wall_pairs_of(grain).len() > 0 {
-                from.add_walls(grain, &mut sum);
-            }
-            *load = sum.result();
-            begin = end;
-        }
-    }
-}
-
-impl Loads<'_> {
-    /// Adds the contacts with walls to those between grains.
-    #[inline(always)]
-    fn add_walls<Q: Quad>(&self, grain: usize, sum: &mut Sum<Q>) {
-        for (chunk, slot) in self.neighbours.wall_pairs_of(grain) {
-            let chunk = &self.walls[chunk];
-            for k in chunk.contacts_of(slot) {
-                sum.add(&chunk.load[k + 1], 0);
-                if let Some(torque) = chunk.rolling.get(k + 1) {
-                    sum.roll(torque, 0);
-                }
+        for stray in self.strays.iter().flatten() {
+            if let Some(sum) = self.sums.get_mut((stray.grain as usize).wrapping_sub(self.first)) {
+                let side = stray.side as usize;
+                sum.add::<L::Quad>(&stray.load, side);
+                sum.roll::<L::Quad>(&stray.torque, side);
             }
         }
-    }
-}
-
-/// Force and negative torque so far.
-struct Sum<Q> {
-    force: Q,
-    arms: Q,
-}
-
-impl<Q: Quad> Default for Sum<Q> {
-    #[inline(always)]
-    fn default() -> Self {
-        Self {
-            force: Q::all(0.0),
-            arms: Q::all(0.0),
-        }
-    }
-}
-
-impl<Q: Quad> Sum<Q> {
-    /// Adds what a contact does to its first body (0) or its second (1).
-    #[inline(always)]
-    fn add(&mut self, load: &Load, side: usize) {
-        let (sign, lever) = ([1.0, -1.0][side], load.lever(side));
-        self.force = self.force + Q::load(&load.force) * Q::all(sign);
-        self.arms = self.arms + Q::load(&load.arm) * Q::all(lever);
-    }
-
-    /// Adds the torque of a rolling law on the first body.
-    #[inline(always)]
-    fn roll(&mut self, torque: &[f64; 4], side: usize) {
-        self.arms = self.arms + Q::load(torque) * Q::all([-1.0, 1.0][side]);
-    }
-
-    #[inline(always)]
-    fn result(self) -> GrainLoad {
-        let vectors = Q::load(&[1.0, 1.0, 1.0, 0.0]);
-        GrainLoad {
-            force: (self.force * vectors).store(),
-            // 0 - x, so that no torque has no sign
-            torque: (Q::all(0.0) - self.arms * vectors).store(),
-        }
-    }
-}
-
-/// A stretch of the table of contacts that one task works on, and the grains that are its own.
-///
-/// Grains lie in memory as their contacts do, so soon after its last contact a grain is summed up while the loads are still
-/// in the cache. A grain with contacts in other stretches is left to [`GrainSums::finish`].
-pub(crate) struct Stretch<'a> {
-    pub(crate) chunks: &'a mut [ContactChunk],
-    pub(crate) first_chunk: usize,
-    pub(crate) sums: GrainSums<'a>,
-}
-
-impl<'a> Stretch<'a> {
-    /// Works on the chunks, in parallel in `parts`: how the table is cut changes no sum.
-    pub(crate) fn work(
-        self,
-        parts: usize,
-        neighbours: &Neighbours,
-        walls: &[ContactChunk],
-        instructions: Instructions,
-        step: &(impl Fn(usize, &mut ContactChunk) + Sync),
-    ) {
-        if parts < 2 || self.chunks.len() < 2 {
-            return self.work_alone(neighbours, walls, instructions, step);
-        }
-        let (one, other) = self.cut(parts, neighbours);
-        rayon::join(
-            || one.work(parts / 2, neighbours, walls, instructions, step),
-            || other.work(parts - parts / 2, neighbours, walls, instructions, step),
-        );
-    }
-
-    fn cut(self, parts: usize, neighbours: &Neighbours) -> (Self, Self) {
-        let middle = (self.chunks.len() * (parts / 2) / parts).max(1);
-        let (chunks, other_chunks) = self.chunks.split_at_mut(middle);
-        let first = neighbours.chunk(self.first_chunk + middle).0.first();
-        let grain = first.map_or(0, |pair| pair.i.min(pair.j) as usize);
-        let grains = grain.saturating_sub(self.sums.first).min(self.sums.loads.len());
-        let (sums, other_sums) = self.sums.split(grains, neighbours);
-        let other = Self {
-            chunks: other_chunks,
-            first_chunk: self.first_chunk + middle,
-            sums: other_sums,
-        };
-        (Self { chunks, sums, ..self }, other)
-    }
-
-    fn work_alone(
-        self,
-        neighbours: &Neighbours,
-        walls: &[ContactChunk],
-        instructions: Instructions,
-        step: &impl Fn(usize, &mut ContactChunk),
-    ) {
-        let Self {
-            chunks,
-            first_chunk,
-            mut sums,
-        } = self;
-        for c in 0..chunks.len() {
-            step(first_chunk + c, &mut chunks[c]);
-            let ends = |grain: &usize| neighbours.span_of(sums.first + grain).1 <= first_chunk + c;
-            let done = (0..sums.loads.len()).take_while(ends).count();
-            let (these, others) = sums.split(done, neighbours);
-            let from = Loads {
-                neighbours,
-                pairs: chunks,
-                first_chunk,
-                walls,
-            };
-            let sum_up = SumUp {
-                from,
-                sums: these,
-                only_unknown: false,
-            };
-            lanes::run(instructions, sum_up);
-            sums = others;
-        }
-        sums.loads.fill(GrainLoad::UNKNOWN);
     }
 }

@@ -1,10 +1,11 @@
 //! Handing contacts over when the candidates are found anew, and to and from a checkpoint.
 
 use super::coupling::Coupled;
-use super::{CHUNK, ContactChunk, Contacts, Load};
+use super::{CHUNK, ContactChunk, Contacts};
 use crate::neighbours::{GONE, Neighbours};
 use crate::particles::Grains;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use glam::DVec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -33,8 +34,8 @@ pub struct CarriedContact {
     pub is_engaged: bool,
     /// Normal force [N].
     pub normal_force: f64,
-    /// What it does to both bodies.
-    pub load: Load,
+    /// Force on the first body in the contact plane [N].
+    pub tangential: DVec3,
     /// Torque of the rolling law on the first body [N m].
     pub rolling: Option<[f64; 4]>,
     /// History of its laws.
@@ -260,15 +261,14 @@ impl ContactChunk {
     fn take_over(&mut self, old: &Self, contact: usize, (i, j): (u32, u32), stride: usize) {
         self.i.push(i);
         self.j.push(j);
-        self.load.push(old.load[contact + 1]);
         if !old.rolling.is_empty() {
-            self.rolling.resize(self.load.len() - 1, [0.0; 4]);
-            self.rolling.push(old.rolling[contact + 1]);
+            self.rolling.resize(self.len(), [0.0; 4]);
+            self.rolling.push(old.rolling[contact]);
         }
         let (now, before) = (&mut self.now, &old.now);
         now.element.extend(before.element.get(contact));
         now.geometry.extend(before.geometry.get(contact));
-        now.normal_force.push(before.normal_force[contact]);
+        now.push_force(before.normal_force[contact], old.tangential_force(contact));
         now.history.extend_from_slice(old.history(contact, stride));
         now.coupling.extend(before.coupling.get(contact));
         if !old.engaged.is_empty() {
@@ -280,9 +280,8 @@ impl ContactChunk {
     fn restore(&mut self, contact: &CarriedContact, (i, j): (u32, u32), stride: usize) {
         self.i.push(i);
         self.j.push(j);
-        self.load.push(contact.load);
         if let Some(rolling) = contact.rolling {
-            self.rolling.resize(self.load.len() - 1, [0.0; 4]);
+            self.rolling.resize(self.len(), [0.0; 4]);
             self.rolling.push(rolling);
         }
         let now = &mut self.now;
@@ -290,7 +289,7 @@ impl ContactChunk {
             now.element.push(contact.key.element);
         }
         now.geometry.extend(contact.geometry);
-        now.normal_force.push(contact.normal_force);
+        now.push_force(contact.normal_force, contact.tangential);
         let history = contact.history.iter().copied();
         now.history.extend(history.chain(std::iter::repeat(0.0)).take(stride));
         now.coupling.extend(contact.coupling);
@@ -331,8 +330,8 @@ impl Contacts {
                         geometry: chunk.now.geometry.get(k).copied(),
                         is_engaged: chunk.is_engaged(k),
                         normal_force: chunk.now.normal_force[k],
-                        load: chunk.load[k + 1],
-                        rolling: chunk.rolling.get(k + 1).copied(),
+                        tangential: chunk.tangential_force(k),
+                        rolling: chunk.rolling.get(k).copied(),
                         history: chunk.history(k, self.stride).to_vec(),
                         coupling: chunk.now.coupling.get(k).copied(),
                     });

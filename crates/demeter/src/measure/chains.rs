@@ -80,7 +80,7 @@ impl ForceChains {
                 to: from - contact.normal * length,
                 ids: [sim.grains.id[i], if is_wall { 0 } else { sim.grains.id[j as usize] }],
                 wall: if is_wall { j as i32 } else { -1 },
-                force: chunk.force(k),
+                force: chunk.force(k, contact.normal),
                 normal_force: chunk.normal_force()[k],
                 is_strong: false,
             });

@@ -144,7 +144,7 @@ impl Fabric {
                 }
                 let normal = sim.contact(chunk, k).normal;
                 let along = chunk.normal_force()[k];
-                let tangential = (chunk.force(k) - normal * along).length();
+                let tangential = chunk.tangential_force(k).length();
                 all.push(Counted {
                     normal,
                     force: [along, tangential],

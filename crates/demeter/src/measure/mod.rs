@@ -244,7 +244,8 @@ fn stress(sim: &Simulation, volume: f64) -> [f64; 6] {
     let mut sum = [0.0; 6];
     let mut add = |chunk: &ContactChunk| {
         for k in 0..chunk.len() {
-            let (f, contact) = (chunk.force(k), sim.contact(chunk, k));
+            let contact = sim.contact(chunk, k);
+            let f = chunk.force(k, contact.normal);
             let l = contact.normal * (contact.lever_i + contact.lever_j);
             let shear = [f.x * l.y + f.y * l.x, f.x * l.z + f.z * l.x, f.y * l.z + f.z * l.y];
             let terms = [

@@ -24,7 +24,6 @@ fn record(sim: &Simulation, chunk: &ContactChunk, k: usize, wall: bool) -> Conta
     let contact = sim.contact(chunk, k);
     let i = chunk.i[k] as usize;
     let normal_force = contact.normal * chunk.normal_force()[k];
-    let tangential_force = chunk.force(k) - normal_force;
     ContactRecord {
         id_i: sim.grains.id[i],
         id_j: if wall { 0 } else { sim.grains.id[chunk.j[k] as usize] },
@@ -34,8 +33,8 @@ fn record(sim: &Simulation, chunk: &ContactChunk, k: usize, wall: bool) -> Conta
         normal: contact.normal,
         overlap: contact.overlap,
         normal_force,
-        tangential_force,
-        rolling_torque: chunk.torque_i(k) + contact.normal.cross(tangential_force) * contact.lever_i,
+        tangential_force: chunk.tangential_force(k),
+        rolling_torque: chunk.rolling_torque(k),
     }
 }
 

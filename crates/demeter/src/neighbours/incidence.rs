@@ -62,17 +62,6 @@ impl Incidence {
         self.start[grain] as usize..self.start[grain + 1] as usize
     }
 
-    /// Where the entries of a grain begin, or where the last end.
-    pub(super) fn first(&self, grain: usize) -> usize {
-        self.start[grain] as usize
-    }
-
-    /// The entry at a place.
-    #[inline(always)]
-    pub(super) fn entry(&self, place: usize) -> Entry {
-        Entry::of_bits(self.entries[place])
-    }
-
     /// Finds the entries of all grains anew.
     pub(super) fn find<C: Candidate>(&mut self, table: &Table<C>, ids: &[u32], sides: usize) {
         let grains = ids.len();

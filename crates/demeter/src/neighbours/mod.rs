@@ -4,12 +4,14 @@
 //!
 //! 1. `cells`: grains are sorted into a grid per size class, and their places copied in that order;
 //! 2. `search`, `visit`: every grain looks at half of the cells around it, and into the grids of other classes;
-//! 3. `table`: what a task finds is put into the order of the laws and cut into chunks of one law;
-//! 4. `incidence`: every grain learns its candidates, in the order of the partner's id.
+//! 3. `pairs`: pairs are put into the order in which grains are summed up;
+//! 4. `table`: they are cut into chunks of one law;
+//! 5. `incidence`: every grain learns its candidates with walls, and where contacts feel each other all others.
 
 mod cells;
 mod incidence;
 mod order;
+mod pairs;
 mod ranges;
 mod search;
 mod table;
@@ -26,7 +28,7 @@ use crate::materials::Materials;
 use crate::particles::{Grains, Rows};
 use crate::walls::{Pose, Wall};
 use incidence::Incidence;
-use rayon::prelude::*;
+use pairs::PairTable;
 use search::Search;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -44,6 +46,23 @@ pub struct Pair {
 }
 
 impl Pair {
+    /// The grain that lies behind the other in memory.
+    #[inline(always)]
+    pub fn later(&self) -> u32 {
+        self.i.max(self.j)
+    }
+
+    /// The grain that lies before the other in memory.
+    #[inline(always)]
+    pub fn earlier(&self) -> u32 {
+        self.i.min(self.j)
+    }
+
+    /// What pairs are sorted by.
+    fn key(&self) -> (u32, u32) {
+        (self.later(), self.earlier())
+    }
+
     /// The other grain of the pair.
     #[inline(always)]
     pub fn other(&self, grain: u32) -> u32 {
@@ -63,15 +82,13 @@ pub struct WallPair {
 /// Candidate pairs, and for every grain the pairs that it is in.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Neighbours {
-    pairs: Table<Pair>,
+    pairs: PairTable,
     walls: Table<WallPair>,
+    /// Pairs of every grain; nothing where nobody asks for them.
     #[serde(skip)]
-    incidence: Incidence,
+    incidence: Option<Incidence>,
     #[serde(skip)]
     wall_incidence: Incidence,
-    /// First and last chunk of the pairs of every grain.
-    #[serde(skip)]
-    spans: Vec<[u32; 2]>,
     #[serde(skip)]
     search: Search,
     effort: SearchEffort,
@@ -86,6 +103,7 @@ impl Clone for Neighbours {
     fn clone(&self) -> Self {
         Self {
             pairs: self.pairs.saved(),
+            incidence: self.incidence.as_ref().map(|_| Incidence::default()),
             walls: self.walls.saved(),
             effort: self.effort,
             reference: self.reference.clone(),
@@ -107,43 +125,34 @@ impl Neighbours {
     }
 
     fn find_incidence(&mut self, grains: &Grains) {
-        self.incidence.find(&self.pairs, &grains.id, 2);
+        if let Some(incidence) = &mut self.incidence {
+            incidence.find(&self.pairs.table, &grains.id, 2);
+        }
         self.wall_incidence.find(&self.walls, &grains.id, 1);
-        self.spans.resize(grains.len(), [0; 2]);
-        let incidence = &self.incidence;
-        (self.spans.par_iter_mut().enumerate())
-            .with_min_len(1024)
-            .for_each(|(grain, span)| {
-                let chunks = incidence.of(grain).map(|entry| entry.chunk() as u32);
-                *span = chunks.fold([u32::MAX, 0], |[low, high], c| [low.min(c), high.max(c)]);
-            });
+    }
+
+    /// Has every grain learn its pairs from now on ([`Neighbours::pairs_of`]).
+    pub fn tell_pairs_of_grains(&mut self) {
+        self.incidence.get_or_insert_default();
     }
 
     /// Makes the table of a checkpoint whole again; tells whether it fits these grains, walls and materials, as it does
     /// unless a file was tampered with.
     pub fn restore(&mut self, grains: &Grains, walls: usize, materials: usize) -> bool {
         let n = grains.len();
-        let span = |indices: &mut dyn Iterator<Item = u32>| {
-            indices.fold(table::NOWHERE, |span, g| (span.0.min(g), span.1.max(g)))
-        };
         let fits = self.reference.len() == n
             && self.wall_reference.len() == walls
-            && self.pairs.is_whole(materials.pow(2))
             && self.walls.is_whole(materials.pow(2))
-            && (self.pairs.segments.iter().flat_map(|s| &s.candidates))
-                .all(|p| (p.i as usize) < n && (p.j as usize) < n && p.i != p.j && p.shift < 27)
             && (self.walls.segments.iter().flat_map(|s| &s.candidates))
-                .all(|p| (p.grain as usize) < n && (p.wall as usize) < walls);
+                .all(|p| (p.grain as usize) < n && (p.wall as usize) < walls)
+            && self.pairs.restore(n, materials.pow(2));
         if !fits {
             return false;
         }
-        for segment in &mut self.pairs.segments {
-            segment.span = span(&mut segment.candidates.iter().flat_map(|p| [p.i, p.j]));
-        }
         for segment in &mut self.walls.segments {
-            segment.span = span(&mut segment.candidates.iter().map(|p| p.grain));
+            let grains = segment.candidates.iter().map(|p| p.grain);
+            segment.span = grains.fold(table::NOWHERE, |span, g| (span.0.min(g), span.1.max(g)));
         }
-        self.pairs.cut();
         self.walls.cut();
         self.find_incidence(grains);
         true
@@ -151,13 +160,13 @@ impl Neighbours {
 
     /// Number of chunks of pairs of grains.
     pub fn chunks(&self) -> usize {
-        self.pairs.chunks()
+        self.pairs.table.chunks()
     }
 
     /// Candidates of a chunk, and the material pair of all of them.
     #[inline(always)]
     pub fn chunk(&self, chunk: usize) -> (&[Pair], u32) {
-        self.pairs.chunk(chunk)
+        self.pairs.table.chunk(chunk)
     }
 
     /// Number of chunks of pairs of grain and wall.
@@ -173,7 +182,7 @@ impl Neighbours {
 
     /// Number of candidate pairs of grains.
     pub fn pair_count(&self) -> usize {
-        self.pairs.len()
+        self.pairs.table.len()
     }
 
     /// Number of candidate pairs of grain and wall.
@@ -181,33 +190,33 @@ impl Neighbours {
         self.walls.len()
     }
 
-    /// Pairs that a grain is in, in the order of the partner's id: chunk, place in it, and whether the grain is its `i`.
+    /// Pairs that a grain is in, in the order of the partner's id: chunk, place in it, and whether the grain is its `i`. None
+    /// where they are not told ([`Neighbours::tell_pairs_of_grains`]).
     #[inline(always)]
-    pub fn pairs_of(&self, grain: usize) -> impl ExactSizeIterator<Item = (usize, usize, bool)> + '_ {
-        (self.incidence.of(grain)).map(|entry| (entry.chunk(), entry.slot(), entry.is_first()))
+    pub fn pairs_of(&self, grain: usize) -> impl Iterator<Item = (usize, usize, bool)> + '_ {
+        let entries = self.incidence.iter().flat_map(move |incidence| incidence.of(grain));
+        entries.map(|entry| (entry.chunk(), entry.slot(), entry.is_first()))
     }
 
-    /// Where the pairs that a grain is in stand in the list of those of all grains, in the order of the partner's id.
-    #[inline(always)]
-    pub(crate) fn entries_of(&self, grain: usize) -> Range<usize> {
-        self.incidence.range_of(grain)
+    /// Number of segments of pairs, each with the pairs of some grains with those before them.
+    pub(crate) fn segments(&self) -> usize {
+        self.pairs.table.segments.len()
     }
 
-    /// Where the pairs of a grain begin in that list, or its end.
-    pub(crate) fn first_entry(&self, grain: usize) -> usize {
-        self.incidence.first(grain)
+    /// Grains of a segment, or what lies behind the last.
+    pub(crate) fn grains_of_segment(&self, segment: usize) -> Range<usize> {
+        self.pairs.grains_of(segment, self.reference.len())
     }
 
-    /// Length of that list.
-    pub(crate) fn entries(&self) -> usize {
-        2 * self.pairs.len()
+    /// Chunks of a segment.
+    pub(crate) fn chunks_of_segment(&self, segment: usize) -> Range<usize> {
+        self.pairs.table.chunks_of(segment)
     }
 
-    /// A pair of that list: chunk, place in it, and whether the grain is its `i`.
-    #[inline(always)]
-    pub(crate) fn entry(&self, place: usize) -> (usize, usize, bool) {
-        let entry = self.incidence.entry(place);
-        (entry.chunk(), entry.slot(), entry.is_first())
+    /// Chunk and place in it of the pairs of a segment, in the order of the sums; nothing where they lie in that order.
+    pub(crate) fn order_of_segment(&self, segment: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let order = &self.pairs.table.segments[segment].order;
+        order.iter().map(move |&candidate| self.pairs.table.chunk_and_slot(segment, candidate))
     }
 
     /// Pairs of a grain with walls, in the order of the walls: chunk, and place in it.
@@ -216,19 +225,11 @@ impl Neighbours {
         (self.wall_incidence.of(grain)).map(|entry| (entry.chunk(), entry.slot()))
     }
 
-    /// First and last chunk of the pairs that a grain is in; nothing but a first beyond the last where it is in none.
-    #[inline(always)]
-    pub(crate) fn span_of(&self, grain: usize) -> (usize, usize) {
-        let [first, last] = self.spans[grain];
-        (first as usize, last as usize)
-    }
-
-    /// Chunk of the candidate of two grains, and its number among all candidates; `i` has the lower id.
+    /// Chunk of the candidate of two grains, and its number among all candidates.
     #[inline]
     pub(crate) fn find_pair(&self, i: u32, j: u32) -> Option<(usize, usize)> {
-        let mut entries = self.incidence.of(i as usize);
-        let entry = entries.find(|&entry| self.pairs.candidate(entry).other(i) == j)?;
-        Some((entry.chunk(), self.pairs.before(entry.chunk()) + entry.slot()))
+        let (chunk, slot) = self.pairs.find(i, j)?;
+        Some((chunk, self.pairs.table.before(chunk) + slot))
     }
 
     /// Chunk of the candidate of a grain and a wall, and its number among all of them.
@@ -241,7 +242,7 @@ impl Neighbours {
 
     /// Candidates in the chunks of pairs of grains before one.
     pub(crate) fn before_chunk(&self, chunk: usize) -> usize {
-        self.pairs.before(chunk)
+        self.pairs.table.before(chunk)
     }
 
     /// Candidates in the chunks of pairs of grain and wall before one.
@@ -256,12 +257,14 @@ impl Neighbours {
 
     /// Share of the candidates whose grains lie far apart in memory.
     pub(crate) fn scattered(&self) -> f64 {
-        self.effort.scattered as f64 / self.pairs.len().max(1) as f64
+        self.effort.scattered as f64 / self.pairs.table.len().max(1) as f64
     }
 
     /// Bytes in use: of the table, and of what a search needs.
     pub fn bytes(&self) -> (usize, usize) {
-        let table = self.pairs.bytes() + self.walls.bytes() + self.incidence.bytes() + self.wall_incidence.bytes();
-        (table + self.reference.bytes(), self.search.bytes())
+        let (pairs, found) = self.pairs.bytes();
+        let incidence = self.incidence.as_ref().map_or(0, Incidence::bytes) + self.wall_incidence.bytes();
+        let table = pairs + self.walls.bytes() + incidence + self.reference.bytes();
+        (table, found + self.search.bytes())
     }
 }

@@ -13,32 +13,37 @@ const GRAINS_PER_TASK: usize = 4096;
 /// Index of a grain that is no longer there.
 pub const GONE: u32 = u32::MAX;
 
+/// Place of a grain on the curve, its id and its index.
+type Keyed = (u64, u32, u32);
+
 /// An order along a Hilbert curve, with its memory.
 #[derive(Clone, Debug, Default)]
 pub struct SpatialOrder {
-    keyed: Vec<(u64, u32)>,
+    keyed: Vec<Keyed>,
     order: Vec<u32>,
     moved_to: Vec<u32>,
 }
 
 impl SpatialOrder {
-    /// Puts the grains into the order of the curve; those in the same cell of it keep theirs.
+    /// Puts the grains into the order of the curve; those in the same cell of it lie in the order of their
+    /// ids. So the order depends on nothing but places and ids.
     pub fn sort(&mut self, grains: &mut Grains) {
-        let rows = grains.position.rows();
+        let (rows, ids) = (grains.position.rows(), &grains.id);
         let (lower, scale, bits) = curve(rows);
-        self.keyed.resize(rows.len(), (0, 0));
+        self.keyed.resize(rows.len(), (0, 0, 0));
         (self.keyed.par_chunks_mut(GRAINS_PER_TASK))
             .zip(rows.par_chunks(GRAINS_PER_TASK))
             .enumerate()
             .for_each(|(task, (keyed, rows))| {
                 for (k, (keyed, row)) in keyed.iter_mut().zip(rows).enumerate() {
                     let cell = ((row.vector - lower) * scale).to_array().map(|x| x as u32);
-                    *keyed = (hilbert(cell, bits), (task * GRAINS_PER_TASK + k) as u32);
+                    let grain = task * GRAINS_PER_TASK + k;
+                    *keyed = (hilbert(cell, bits), ids[grain], grain as u32);
                 }
             });
         self.keyed.par_sort_unstable();
         self.order.clear();
-        self.order.extend(self.keyed.iter().map(|k| k.1));
+        self.order.extend(self.keyed.iter().map(|k| k.2));
         self.apply(grains);
     }
 

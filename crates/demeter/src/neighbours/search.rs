@@ -1,6 +1,7 @@
 //! The search for candidates.
 
 use super::cells::Cells;
+use super::pairs::{Found, PairTable, Sorter};
 use super::table::{LawOrder, NOWHERE, Segment, Table};
 use super::visit::Near;
 use super::{Pair, WallPair};
@@ -52,7 +53,7 @@ pub(super) struct Search {
 #[derive(Debug, Default)]
 struct Worker {
     near: Near,
-    pairs: Vec<Pair>,
+    sorter: Sorter,
     walls: Vec<WallPair>,
     laws: Vec<u32>,
     order: LawOrder,
@@ -74,7 +75,7 @@ impl Search {
     /// Finds all pairs of grains closer than `skin` to touching.
     pub(super) fn pairs(
         &mut self,
-        table: &mut Table<Pair>,
+        table: &mut PairTable,
         grains: &Grains,
         (materials, comm): (&Materials, &Single),
         skin: f64,
@@ -83,29 +84,30 @@ impl Search {
         self.cells.sort(grains, comm, skin);
         let laws = materials.list().len().pow(2);
         let per_task = GRAINS_PER_TASK * laws.div_ceil(FEW_LAWS).clamp(1, 16);
-        table
-            .segments
-            .resize_with(grains.len().div_ceil(per_task), Segment::default);
         let finder = Finder {
             grains,
-            materials,
             comm,
             skin,
             cells: &self.cells,
         };
-        let effort = (table.segments.par_iter_mut().enumerate())
-            .map(|(task, segment)| {
+        let found = table.search(grains.len(), per_task);
+        let effort = (found.par_iter_mut().enumerate())
+            .map(|(task, found)| {
                 let of = task * per_task..((task + 1) * per_task).min(grains.len());
                 self.with_worker(|worker| {
                     if finder.cells.is_periodic() {
-                        finder.find::<true>(of, segment, worker)
+                        finder.find::<true>(of, found, &mut worker.near)
                     } else {
-                        finder.find::<false>(of, segment, worker)
+                        finder.find::<false>(of, found, &mut worker.near)
                     }
                 })
             })
             .reduce(SearchEffort::default, SearchEffort::join);
-        table.cut();
+        let law = |p: &Pair| {
+            let material = |g: u32| grains.material[g as usize];
+            if laws == 1 { 0 } else { materials.pair(material(p.i), material(p.j)) }
+        };
+        table.sort(grains.len(), law, |work| self.with_worker(|worker| work(&mut worker.sorter)));
         effort
     }
 
@@ -145,17 +147,13 @@ impl Search {
 
     /// Bytes in use.
     pub(super) fn bytes(&self) -> usize {
-        let workers: usize = (self.workers.iter())
-            .map(|worker| worker.lock().unwrap_or_else(PoisonError::into_inner).pairs.capacity() * size_of::<Pair>())
-            .sum();
-        self.cells.bytes() + workers
+        self.cells.bytes()
     }
 }
 
 /// What a task finds pairs from.
 struct Finder<'a> {
     grains: &'a Grains,
-    materials: &'a Materials,
     comm: &'a Single,
     skin: f64,
     cells: &'a Cells,
@@ -165,26 +163,26 @@ impl Finder<'_> {
     fn find<const PERIODIC: bool>(
         &self,
         of: std::ops::Range<usize>,
-        segment: &mut Segment<Pair>,
-        worker: &mut Worker,
+        found: &mut Found,
+        near: &mut Near,
     ) -> SearchEffort {
         let Self { grains, comm, .. } = *self;
-        let one_material = self.materials.list().len() == 1;
         let rows = grains.position.rows();
-        worker.pairs.clear();
+        found.own.clear();
+        found.strays.clear();
         let half = 0.5 * comm.domain().size();
         let below = comm.slides().map(|axes| (axes.gradient, -comm.edge(axes.gradient)));
         let mut effort = SearchEffort::default();
         for g in of.clone() {
             let row = rows[g];
             let id = grains.id[g];
-            worker.near.clear();
-            effort.tests += (self.cells).visit(g as u32, row.vector, row.scalar, &mut worker.near);
+            near.clear();
+            effort.tests += (self.cells).visit(g as u32, row.vector, row.scalar, near);
             if let Some(to_image) = below {
-                effort.tests += (self.cells).visit_below(row.vector, row.scalar, to_image, &mut worker.near);
+                effort.tests += (self.cells).visit_below(row.vector, row.scalar, to_image, near);
             }
             let is_fixed = grains.is_fixed(g);
-            for &h in worker.near.grains() {
+            for &h in near.grains() {
                 let other = &rows[h as usize];
                 if is_fixed && grains.is_fixed(h as usize) {
                     continue;
@@ -199,29 +197,20 @@ impl Finder<'_> {
                 if separation.length_squared() < reach * reach {
                     let is_first = id < grains.id[h as usize];
                     let g = g as u32;
-                    worker.pairs.push(Pair {
+                    let pair = Pair {
                         i: if is_first { g } else { h },
                         j: if is_first { h } else { g },
                         shift: if is_first { shift } else { Single::opposite(shift) },
-                    });
+                    };
+                    effort.scattered += u64::from(!of.contains(&(h as usize)));
+                    if of.contains(&(pair.later() as usize)) {
+                        found.own.push(pair);
+                    } else {
+                        found.strays.push(pair);
+                    }
                 }
             }
         }
-        let ends = |span: (u32, u32), p: &Pair| (span.0.min(p.i).min(p.j), span.1.max(p.i).max(p.j));
-        segment.span = worker.pairs.iter().fold(NOWHERE, ends);
-        let outside = |p: &&Pair| !(of.contains(&(p.i as usize)) && of.contains(&(p.j as usize)));
-        effort.scattered = worker.pairs.iter().filter(outside).count() as u64;
-        let law = |p: &Pair| {
-            let material = |g: u32| grains.material[g as usize];
-            self.materials.pair(material(p.i), material(p.j))
-        };
-        worker.laws.clear();
-        if one_material {
-            worker.laws.resize(worker.pairs.len(), 0);
-        } else {
-            worker.laws.extend(worker.pairs.iter().map(law));
-        }
-        segment.fill(&worker.pairs, &worker.laws, &mut worker.order);
         effort
     }
 }

@@ -53,13 +53,16 @@ pub(super) struct Run {
     pub(super) end: u32,
 }
 
-/// What one task of the search found, by law, within a law in the order in which it was found.
+/// Candidates that are found and summed up together, by law; within a law they keep the order in which they were given.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Segment<C> {
     pub(super) candidates: Vec<C>,
     pub(super) runs: Vec<Run>,
     /// Lowest and highest index of the grains in it.
     pub(super) span: (u32, u32),
+    /// Where the candidates lie in the order that they were given in; nothing where they keep that order.
+    #[serde(skip)]
+    pub(super) order: Vec<u32>,
 }
 
 impl<C> Default for Segment<C> {
@@ -68,6 +71,7 @@ impl<C> Default for Segment<C> {
             candidates: Vec::new(),
             runs: Vec::new(),
             span: NOWHERE,
+            order: Vec::new(),
         }
     }
 }
@@ -80,6 +84,7 @@ impl<C: Copy> Segment<C> {
     pub(super) fn fill(&mut self, found: &[C], laws: &[u32], order: &mut LawOrder) {
         self.candidates.clear();
         self.runs.clear();
+        self.order.clear();
         if self.candidates.capacity() < found.len() {
             self.candidates.reserve_exact(found.len() + found.len() / 16);
         }
@@ -96,6 +101,10 @@ impl<C: Copy> Segment<C> {
             self.runs.push(Run { law, end });
         }
         self.candidates.extend(order.places.iter().map(|&k| found[k as usize]));
+        self.order.resize(found.len(), 0);
+        for (place, &k) in (0..).zip(&order.places) {
+            self.order[k as usize] = place;
+        }
         order.forget();
     }
 }
@@ -158,6 +167,9 @@ pub(super) struct Table<C> {
     pub(super) segments: Vec<Segment<C>>,
     #[serde(skip)]
     places: Vec<Place>,
+    /// The first chunk of every segment, and the number of all chunks.
+    #[serde(skip)]
+    first_chunks: Vec<u32>,
     #[serde(skip)]
     count: usize,
 }
@@ -167,6 +179,7 @@ impl<C> Default for Table<C> {
         Self {
             segments: Vec::new(),
             places: Vec::new(),
+            first_chunks: vec![0],
             count: 0,
         }
     }
@@ -176,6 +189,8 @@ impl<C> Table<C> {
     /// Cuts the segments into chunks: every run of one law into pieces of even length.
     pub(super) fn cut(&mut self) {
         self.places.clear();
+        self.first_chunks.clear();
+        self.first_chunks.push(0);
         let mut before = 0;
         for (segment, content) in self.segments.iter().enumerate() {
             let mut start = 0;
@@ -194,6 +209,7 @@ impl<C> Table<C> {
                     start = end;
                 }
             }
+            self.first_chunks.push(self.places.len() as u32);
         }
         self.count = before as usize;
     }
@@ -212,6 +228,20 @@ impl<C> Table<C> {
     /// Number of chunks.
     pub(super) fn chunks(&self) -> usize {
         self.places.len()
+    }
+
+    /// Chunks of a segment.
+    pub(super) fn chunks_of(&self, segment: usize) -> std::ops::Range<usize> {
+        self.first_chunks[segment] as usize..self.first_chunks[segment + 1] as usize
+    }
+
+    /// Chunk of a candidate of a segment, and its place in it.
+    #[inline(always)]
+    pub(super) fn chunk_and_slot(&self, segment: usize, candidate: u32) -> (usize, usize) {
+        let chunks = self.chunks_of(segment);
+        let of_segment = &self.places[chunks.clone()];
+        let before = of_segment.iter().take_while(|place| place.end <= candidate).count();
+        (chunks.start + before, (candidate - of_segment[before].start) as usize)
     }
 
     /// Number of candidates.
@@ -258,8 +288,8 @@ impl<C> Table<C> {
 
     /// Bytes in use.
     pub(super) fn bytes(&self) -> usize {
-        let candidates: usize = self.segments.iter().map(|s| s.candidates.capacity()).sum();
-        candidates * size_of::<C>()
+        let of_segment = |s: &Segment<C>| s.candidates.capacity() * size_of::<C>() + s.order.capacity() * size_of::<u32>();
+        self.segments.iter().map(of_segment).sum::<usize>()
             + self.segments.capacity() * size_of::<Segment<C>>()
             + self.places.capacity() * size_of::<Place>()
     }

@@ -39,6 +39,13 @@ fn materials(count: usize) -> Materials {
     .unwrap()
 }
 
+/// A table that tells the pairs of every grain.
+fn telling() -> Neighbours {
+    let mut table = Neighbours::default();
+    table.tell_pairs_of_grains();
+    table
+}
+
 fn domain(size: DVec3, periodic: [bool; 3]) -> Domain {
     Domain {
         lower: -0.5 * size,
@@ -85,7 +92,7 @@ fn check(places: &[(DVec3, f64)], domain: Domain, kinds: usize, at_least: usize)
     let comm = Single::new(domain);
     let grains = grains_at(places, kinds as u16);
     let materials = materials(kinds);
-    let mut found = Neighbours::default();
+    let mut found = telling();
     // whatever was in the memory before does not matter
     found.find(
         &grains_at(&places[places.len() / 2..], 1),
@@ -128,6 +135,26 @@ fn check(places: &[(DVec3, f64)], domain: Domain, kinds: usize, at_least: usize)
         expected.len()
     );
     assert!(got == expected, "{} pairs for {}", got.len(), expected.len());
+    let mut summed = vec![];
+    for segment in 0..found.segments() {
+        let chunks = found.chunks_of_segment(segment);
+        let mut order: Vec<(usize, usize)> = found.order_of_segment(segment).collect();
+        if order.is_empty() {
+            order = chunks
+                .flat_map(|chunk| (0..found.chunk(chunk).0.len()).map(move |slot| (chunk, slot)))
+                .collect();
+        } else {
+            assert!(kinds > 1);
+        }
+        let own = found.grains_of_segment(segment);
+        for (chunk, slot) in order {
+            let pair = found.chunk(chunk).0[slot];
+            assert!(own.contains(&(pair.later() as usize)));
+            summed.push((pair.later(), pair.earlier()));
+        }
+    }
+    assert_eq!(summed.len(), got.len());
+    assert!(summed.is_sorted_by(|a, b| a < b), "not in the order of the sums");
     let mut entries = 0;
     for g in 0..grains.len() {
         let partners: Vec<u32> = (found.pairs_of(g))
@@ -223,12 +250,12 @@ fn grains_that_have_left_the_box_by_a_little_are_found() {
 #[test]
 fn empty_and_tiny_sets_have_no_pairs() {
     let domain = domain(DVec3::splat(1.0), [true; 3]);
-    let mut found = Neighbours::default();
+    let mut found = telling();
     for places in [vec![], vec![(DVec3::ZERO, 0.1)]] {
         let grains = grains_at(&places, 1);
         found.find(&grains, &[], &materials(1), &Single::new(domain), SKIN);
         assert_eq!((found.pair_count(), found.chunks()), (0, 0));
-        assert!((0..grains.len()).all(|g| found.pairs_of(g).len() == 0));
+        assert!((0..grains.len()).all(|g| found.pairs_of(g).next().is_none()));
     }
     check(&[(DVec3::ZERO, 0.1), (DVec3::ZERO, 0.1)], domain, 1, 1);
 }
@@ -258,7 +285,7 @@ fn threads_do_not_change_the_table() {
     let (materials, comm) = (materials(2), Single::new(domain));
     let table = |threads| {
         on_threads(threads, || {
-            let (mut found, mut grains) = (Neighbours::default(), grains.clone());
+            let (mut found, mut grains) = (telling(), grains.clone());
             let mut order = SpatialOrder::default();
             order.sort(&mut grains);
             found.find(&grains, &walls, &materials, &comm, SKIN);
@@ -267,7 +294,7 @@ fn threads_do_not_change_the_table() {
             assert!(found.wall_pair_count() > 100);
             (
                 grains,
-                found.pairs.segments,
+                found.pairs.table.segments,
                 found.walls.segments,
                 entries,
                 on_walls,
@@ -344,24 +371,27 @@ fn walls_are_found_like_grain_by_grain() {
 fn a_table_that_was_tampered_with_is_refused() {
     let domain = domain(DVec3::splat(1.0), [true; 3]);
     let grains = grains_at(&random_places(300, (0.05, 0.1), &domain), 2);
-    let mut found = Neighbours::default();
+    let mut found = telling();
     found.find(&grains, &[], &materials(2), &Single::new(domain), SKIN);
     let read =
         |found: &Neighbours| -> Neighbours { postcard::from_bytes(&postcard::to_stdvec(found).unwrap()).unwrap() };
     let mut restored = read(&found);
+    restored.tell_pairs_of_grains();
     assert!(restored.restore(&grains, 0, 2));
-    assert_eq!(restored.pairs.segments, found.pairs.segments);
+    assert_eq!(restored.pairs.table.segments, found.pairs.table.segments);
     assert_eq!(restored.chunks(), found.chunks());
     for g in 0..grains.len() {
         assert!(restored.pairs_of(g).eq(found.pairs_of(g)));
     }
-    let tampered: [fn(&mut Neighbours); 7] = [
-        |n| n.pairs.segments[0].candidates[3].i = 300,
-        |n| n.pairs.segments[0].candidates[3].j = u32::MAX,
-        |n| n.pairs.segments[0].candidates[3].shift = 27,
-        |n| n.pairs.segments[0].runs[0].law = 4,
-        |n| n.pairs.segments[0].runs[1].end = 0,
-        |n| n.pairs.segments[0].runs.truncate(3),
+    let tampered: [fn(&mut Neighbours); 9] = [
+        |n| n.pairs.table.segments[0].candidates[3].i = 300,
+        |n| n.pairs.table.segments[0].candidates[3].j = u32::MAX,
+        |n| n.pairs.table.segments[0].candidates[3].shift = 27,
+        |n| n.pairs.table.segments[0].runs[0].law = 4,
+        |n| n.pairs.table.segments[0].runs[1].end = 0,
+        |n| n.pairs.table.segments[0].runs.truncate(3),
+        |n| n.pairs.per_segment = 0,
+        |n| n.pairs.per_segment = 100,
         |n| n.reference = Rows::default(),
     ];
     for tamper in tampered {

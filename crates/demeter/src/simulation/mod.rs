@@ -148,6 +148,10 @@ impl Simulation {
             &setup.domain,
             (max_reach, coupling.is_some()),
         );
+        let mut neighbours = Neighbours::default();
+        if coupling.is_some() {
+            neighbours.tell_pairs_of_grains();
+        }
         Self {
             tuner,
             integrator: setup.integrator,
@@ -165,7 +169,7 @@ impl Simulation {
                 ..Contacts::default()
             },
             books: Books::default(),
-            neighbours: Neighbours::default(),
+            neighbours,
             skin: setup.skin.first(),
             near: NearTable::default(),
             max_reach,

@@ -173,6 +173,9 @@ impl Simulation {
             sim.restore_box(deforming);
         }
         sim.neighbours = state.neighbours;
+        if sim.coupling.is_some() {
+            sim.neighbours.tell_pairs_of_grains();
+        }
         let (walls, materials) = (sim.walls.len(), sim.materials.list().len());
         if !sim.neighbours.restore(&sim.grains, walls, materials) {
             return Err(StateError::Inconsistent("candidate pairs"));

@@ -6,10 +6,13 @@ use crate::contacts::coupling::kernels::Kernels;
 use crate::contacts::coupling::mixing::{Largest, Products, Progress};
 use crate::contacts::coupling::sites::{Changes, GRAINS_PER_TASK, Scenery, Sites};
 use crate::contacts::coupling::{Coupling, DEFAULT_TOLERANCE, Worst};
+use crate::contacts::sum::{SegmentLoads, Work};
 use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
+
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, Pair, WallPair};
 use crate::particles::Grains;
+use super::parts;
 use crate::simulation::Simulation;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -209,32 +212,43 @@ impl Simulation {
                 self.find_candidates_for_bulges();
             }
         }
-        self.with_chunks(max_speed, |at, chunk, _, scene, _| {
-            chunk.deform(at, scene);
-            if at.wall {
-                chunk.evaluate_walls(scene);
-            } else {
-                chunk.evaluate_pairs(scene);
-            }
-        });
+        self.evaluate_displaced(max_speed);
         if let Some(state) = &mut self.coupling {
             state.foresee(&self.grains);
         }
         Ok(())
     }
 
-    fn lags(&self) -> bool {
-        self.coupling.as_ref().is_none_or(|c| c.scheme == Coupling::Lagged)
+    /// Evaluates the laws at the displaced surfaces, and sums up.
+    fn evaluate_displaced(&mut self, max_speed: f64) {
+        let (mut contacts, mut sums) = (std::mem::take(&mut self.contacts), std::mem::take(&mut self.sums));
+        if let Some(scene) = self.coupled_scene(max_speed, contacts.stride) {
+            contacts.walls.par_iter_mut().enumerate().for_each(|(chunk, walls)| {
+                walls.deform(ChunkPlace { wall: true, chunk }, &scene);
+                walls.evaluate_walls(&scene);
+            });
+            let work = Work {
+                neighbours: &self.neighbours,
+                instructions: self.instructions,
+                step: |number: usize, chunk: &mut ContactChunk, loads: &mut SegmentLoads| {
+                    let at = ChunkPlace {
+                        wall: false,
+                        chunk: number,
+                    };
+                    chunk.deform(at, &scene);
+                    chunk.evaluate_pairs(&scene, loads);
+                },
+            };
+            let grains = self.grains.len();
+            sums.work(&mut contacts.pairs, grains, parts(grains), &work);
+        }
+        (self.contacts, self.sums) = (contacts, sums);
     }
 
-    /// Works on all chunks, in parallel.
-    fn with_chunks<'a>(
-        &'a mut self,
-        max_speed: f64,
-        work: impl Fn(ChunkPlace, &mut ContactChunk, Candidates<'a>, &Scene<'_>, &CouplingState) + Sync + Send,
-    ) {
-        let Some(state) = &self.coupling else { return };
-        let scene = Scene {
+    /// What contacts that feel each other are made of.
+    fn coupled_scene(&self, max_speed: f64, stride: usize) -> Option<Scene<'_>> {
+        let state = self.coupling.as_ref()?;
+        Some(Scene {
             grains: &self.grains,
             walls: &self.walls,
             materials: &self.materials,
@@ -245,16 +259,32 @@ impl Simulation {
             max_speed,
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
-            stride: self.contacts.stride,
+            stride,
             resists_rolling: self.resists_rolling,
             records_walls: self.records_walls,
             near: None,
             instructions: self.instructions,
             bulge: &state.memory.bulge,
-        };
-        each_chunk(&mut self.contacts, &self.neighbours, |at, chunk, candidates| {
-            work(at, chunk, candidates, &scene, state);
-        });
+        })
+    }
+
+    fn lags(&self) -> bool {
+        self.coupling.as_ref().is_none_or(|c| c.scheme == Coupling::Lagged)
+    }
+
+    /// Works on all chunks, in parallel.
+    fn with_chunks(
+        &mut self,
+        max_speed: f64,
+        work: impl Fn(ChunkPlace, &mut ContactChunk, Candidates<'_>, &Scene<'_>, &CouplingState) + Sync + Send,
+    ) {
+        let mut contacts = std::mem::take(&mut self.contacts);
+        if let (Some(state), Some(scene)) = (&self.coupling, self.coupled_scene(max_speed, contacts.stride)) {
+            each_chunk(&mut contacts, &self.neighbours, |at, chunk, candidates| {
+                work(at, chunk, candidates, &scene, state);
+            });
+        }
+        self.contacts = contacts;
     }
 
     fn look_for_contacts(&mut self, max_speed: f64) {

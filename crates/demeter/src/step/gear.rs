@@ -4,7 +4,7 @@
 //! a little, which the next prediction starts from. Between the two, force and torque are those predicted.
 
 use super::{GRAINS_PER_TASK, Motion, first_by_id};
-use crate::contacts::sum::contact_load;
+use crate::contacts::sum::GrainSums;
 use crate::simulation::Simulation;
 use demeter_physics::integrator::gear::{self, Gear};
 use glam::DVec3;
@@ -78,7 +78,8 @@ impl Simulation {
     /// that is not a number.
     pub(super) fn correct(&mut self) -> Option<usize> {
         let method = Gear::new(self.dt);
-        let (neighbours, contacts, gravity) = (&self.neighbours, &self.contacts, self.gravity);
+        let (neighbours, walls, gravity) = (&self.neighbours, &self.contacts.walls, self.gravity);
+        let sums = &self.sums;
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
         (
@@ -102,8 +103,9 @@ impl Simulation {
             .map(
                 |(task, ((position, velocity), (orientation, spin), (force, torque), higher, mass))| {
                     let mut bad = None;
+                    let sums = GrainSums::new(sums, task * n, neighbours, walls);
                     for k in 0..velocity.len() {
-                        let (contact_force, new_torque) = contact_load(task * n + k, neighbours, contacts).vectors();
+                        let (contact_force, new_torque) = sums.vectors_of(k);
                         let new_force = contact_force + gravity * mass[k];
                         let error = (new_force - force[k].vector) * velocity[k].scalar;
                         method.correct(

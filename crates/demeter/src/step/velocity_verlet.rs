@@ -1,9 +1,7 @@
 //! Velocity Verlet.
 
 use super::{GRAINS_PER_TASK, Motion, first_by_id};
-use crate::contacts::Contacts;
-use crate::contacts::sum::{GrainLoad, contact_load};
-use crate::neighbours::Neighbours;
+use crate::contacts::sum::GrainSums;
 use crate::particles::Domain;
 use crate::simulation::Simulation;
 use demeter_physics::integrator::rotate_wide;
@@ -52,7 +50,7 @@ impl Simulation {
     /// Sum per grain, body force, and the kick over `correction` [s] that corrects the predicted velocity. Tells the first
     /// grain, by its id, with a value that is not a number.
     pub(super) fn kick(&mut self, correction: f64) -> Option<usize> {
-        let (neighbours, contacts, gravity) = (&self.neighbours, &self.contacts, self.gravity);
+        let (neighbours, walls, gravity) = (&self.neighbours, &self.contacts.walls, self.gravity);
         let (sums, instructions) = (&self.sums, self.instructions);
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
@@ -74,9 +72,7 @@ impl Simulation {
                     force,
                     torque,
                     mass,
-                    sums: sums.from(task * n),
-                    neighbours,
-                    contacts,
+                    sums: GrainSums::new(sums, task * n, neighbours, walls),
                     gravity,
                     correction,
                 };
@@ -185,9 +181,7 @@ struct Kick<'a> {
     force: &'a mut [[f64; 4]],
     torque: &'a mut [[f64; 4]],
     mass: &'a [f64],
-    sums: &'a [GrainLoad],
-    neighbours: &'a Neighbours,
-    contacts: &'a Contacts,
+    sums: GrainSums<'a>,
     gravity: DVec3,
     correction: f64,
 }
@@ -202,12 +196,8 @@ impl Kernel for Kick<'_> {
         let mut bad = None;
         for (k, &mass) in self.mass.iter().enumerate() {
             let grain = self.first + k;
-            let load = match self.sums.get(k) {
-                Some(load) if load.is_known() => *load,
-                _ => contact_load(grain, self.neighbours, self.contacts),
-            };
-            let new_force = L::Quad::load(&load.force) + gravity * L::Quad::all(mass);
-            let new_torque = L::Quad::load(&load.torque);
+            let (contact_force, new_torque) = self.sums.of::<L::Quad>(k);
+            let new_force = contact_force + gravity * L::Quad::all(mass);
             let (velocity, spin) = (&mut self.velocity[k], &mut self.spin[k]);
             let change = (new_force - L::Quad::load(&self.force[k])) * L::Quad::all(self.correction * velocity[3]);
             let twist = (new_torque - L::Quad::load(&self.torque[k])) * L::Quad::all(self.correction * spin[3]);

@@ -198,7 +198,7 @@ macro_rules! law_family {
             }
 
             /// Hands the concrete law to a visitor.
-            #[inline]
+            #[inline(always)]
             pub fn visit<V: $visitor>(&self, visitor: V) -> V::Output {
                 match self {
                     $(Self::$law(law) => visitor.visit(law),)*

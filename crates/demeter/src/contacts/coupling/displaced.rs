@@ -4,7 +4,7 @@ use super::kernels::Kernels;
 use super::sites::Source;
 use super::sites::{self, Changes, Sites};
 use super::{Coupled, Coupling, Delivered, Scratch, Worst, lever_shift};
-use crate::contacts::block::normal_window;
+use crate::contacts::respond::normal_window;
 use crate::contacts::{ContactChunk, Fault, Kept, Scene};
 use demeter_physics::contact::PairSize;
 use demeter_physics::contact::multi_contact::clearance;
@@ -279,8 +279,8 @@ impl ContactChunk {
     ///
     /// Stored are `U = sum Phi(overlap + D) - F D / 2`. From one step to the next it grows by the work `F d(overlap)` and by
     /// `(F_0 D_1 - F_1 D_0)/2`: nothing, where influences are mutual and do not change.
-    pub(crate) fn remember_coupling(&mut self, first: usize, elastic: &[f64], scene: &Scene) {
-        for (k, &force) in (first..).zip(elastic) {
+    pub(crate) fn remember_coupling(&mut self, elastic: &[f64], scene: &Scene) {
+        for (k, &force) in elastic.iter().enumerate() {
             let earlier = self.earlier(k);
             let coupled = &mut self.now.coupling[k];
             self.tally.multi_contact += 0.5 * (earlier.elastic * coupled.sum() - force * earlier.sum());

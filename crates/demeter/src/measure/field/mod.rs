@@ -243,7 +243,7 @@ fn add_pair(sim: &Simulation, chunk: &ContactChunk, k: usize, counts: [bool; 2],
             spread.branches.push(Branch {
                 from: sim.grains.position[chunk.i[k] as usize] - branch,
                 branch,
-                force: chunk.force(k),
+                force: chunk.force(k, contact.normal),
             });
         }
         [true, false] => add_half(sim, chunk, k, 1.0, spread),
@@ -256,7 +256,7 @@ fn add_half(sim: &Simulation, chunk: &ContactChunk, k: usize, side: f64, spread:
     let contact = sim.contact(chunk, k);
     let from = sim.grains.position[chunk.i[k] as usize] - contact.normal * contact.lever_i;
     let lever = if side > 0.0 { contact.lever_i } else { contact.lever_j };
-    let force = chunk.force(k) * side;
+    let force = chunk.force(k, contact.normal) * side;
     spread.branches.push(Branch {
         from,
         branch: contact.normal * (side * lever),

@@ -1,0 +1,144 @@
+//! The laws of all contacts of a chunk: those between grains, which meet now or whose geometry is known, and those with walls.
+
+use super::kinematics::{Approach, Known, Partners, Source};
+use super::meetings::Meeting;
+use super::respond::{Answers, Respond};
+use super::sum::SegmentLoads;
+use super::{ContactChunk, EightVectors, Load, Scene};
+use demeter_physics::lanes::{self, MOST_LANES};
+
+/// Contacts whose engagement one word tells.
+pub(super) const WORD: usize = 64;
+
+impl ContactChunk {
+    /// Finds which contacts between grains act in this step, and evaluates their laws.
+    pub(crate) fn meet_pairs(&mut self, scene: &Scene, found: &mut SegmentLoads) {
+        let mut engaged = std::mem::take(&mut self.engaged);
+        engaged.resize(self.len().div_ceil(WORD), 0);
+        let (i, j, shift) = self.take_bodies();
+        let approach = Approach {
+            meeting: Meeting::new(scene),
+            i: &i,
+            j: &j,
+            shift: &shift,
+            engaged: &mut engaged,
+        };
+        let too_deep = self.evaluate_into(found, scene, approach);
+        (self.i, self.j, self.shift) = (i, j, shift);
+        self.engaged = engaged;
+        if let Some((k, overlap)) = too_deep {
+            self.note_overlap(k, overlap, scene);
+        }
+    }
+
+    /// Evaluates the laws of all contacts between grains whose geometry is known.
+    pub(crate) fn evaluate_pairs(&mut self, scene: &Scene, found: &mut SegmentLoads) {
+        let (i, j, shift) = self.take_bodies();
+        let geometry = std::mem::take(&mut self.now.geometry);
+        let known = Known {
+            contacts: &geometry,
+            grains: scene.grains,
+            i: &i,
+            partners: Partners::grains(scene.grains, &j),
+        };
+        self.evaluate_into(found, scene, known);
+        (self.i, self.j, self.shift) = (i, j, shift);
+        self.now.geometry = geometry;
+    }
+
+    /// Evaluates the laws of all contacts with walls, and sums up what the walls feel.
+    pub(crate) fn evaluate_walls(&mut self, scene: &Scene) {
+        if scene.records_walls {
+            self.losses.clear();
+            self.losses.resize(self.len(), [0.0; 2]);
+        }
+        let mut surfaces = std::mem::take(&mut self.surfaces);
+        let (i, j, shift) = self.take_bodies();
+        let geometry = std::mem::take(&mut self.now.geometry);
+        surfaces.find(&geometry, &i, &j, scene.grains, scene.walls);
+        let known = Known {
+            contacts: &geometry,
+            grains: scene.grains,
+            i: &i,
+            partners: Partners::walls(&surfaces),
+        };
+        let mut load = std::mem::take(&mut self.load);
+        load.resize(self.len(), Load::default());
+        self.evaluate(&mut load, scene, known);
+        self.load = load;
+        (self.i, self.j, self.shift) = (i, j, shift);
+        self.now.geometry = geometry;
+        self.surfaces = surfaces;
+        for k in 0..self.len() {
+            let wall = &scene.walls[self.j[k] as usize];
+            let contact = &self.now.geometry[k];
+            let point = scene.grains.position[self.i[k] as usize] - contact.normal * contact.lever_i;
+            let (force, torque) = (-self.force(k, contact.normal), -self.rolling_torque(k));
+            self.tally.wall_work -=
+                scene.dt * (force.dot(wall.velocity_at(point)) + torque.dot(wall.angular_velocity()));
+            let load = &mut self.wall_load[self.j[k] as usize];
+            load.0 += force;
+            load.1 += (point - wall.origin()).cross(force) + torque;
+        }
+        if scene.records_walls {
+            self.mark_walls(scene);
+        }
+    }
+
+    /// The bodies of all contacts and the shifts between them, to be put back.
+    fn take_bodies(&mut self) -> (Vec<u32>, Vec<u32>, Vec<u8>) {
+        let Self { i, j, shift, .. } = self;
+        (std::mem::take(i), std::mem::take(j), std::mem::take(shift))
+    }
+
+    /// Evaluates the laws of all contacts and appends what they do. Tells the first with too much overlap.
+    fn evaluate_into(
+        &mut self,
+        found: &mut SegmentLoads,
+        scene: &Scene,
+        source: impl Source,
+    ) -> Option<(usize, f64)> {
+        let first = found.loads.len();
+        found.loads.resize(first + self.len(), Load::default());
+        let too_deep = self.evaluate(&mut found.loads[first..], scene, source);
+        found.torques.extend_from_slice(&self.rolling);
+        too_deep
+    }
+
+    /// Evaluates the laws of all contacts. Tells the first with too much overlap.
+    fn evaluate(&mut self, loads: &mut [Load], scene: &Scene, source: impl Source) -> Option<(usize, f64)> {
+        let count = self.len();
+        (self.now.tangential).resize(count.div_ceil(MOST_LANES), EightVectors::default());
+        if scene.resists_rolling {
+            self.rolling.clear();
+            self.rolling.resize(count, [0.0; 4]);
+        }
+        let mut elastic = std::mem::take(&mut self.elastic);
+        if scene.is_coupled() {
+            elastic.resize(count, 0.0);
+        }
+        let respond = Respond {
+            source,
+            law: scene.materials.law(self.law),
+            dt: scene.dt,
+            integrator: scene.integrator,
+            answers: Answers {
+                normal_force: &mut self.now.normal_force,
+                tangential: &mut self.now.tangential,
+                history: &mut self.now.history,
+                stride: scene.stride,
+                loads,
+                torques: &mut self.rolling,
+                losses: &mut self.losses,
+                elastic: &mut elastic,
+            },
+        };
+        let (lost, too_deep) = lanes::run(scene.instructions, respond);
+        self.tally.add(&lost);
+        if scene.is_coupled() {
+            self.remember_coupling(&elastic, scene);
+        }
+        self.elastic = elastic;
+        too_deep
+    }
+}
