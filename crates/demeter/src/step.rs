@@ -8,7 +8,7 @@ mod walls;
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
-use crate::contacts::sum::{SegmentLoads, Work};
+use crate::contacts::sum::{Collector, Work};
 use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
 use crate::particles::Outside;
 use crate::simulation::profile::{Part, Profile};
@@ -184,9 +184,11 @@ impl Simulation {
         let work = Work {
             neighbours,
             instructions: self.instructions,
-            step: |c: usize, chunk: &mut ContactChunk, loads: &mut SegmentLoads| {
+            // forces across the sides of a box that deforms are summed up apart
+            waits: !self.comm.shift_velocities().is_empty(),
+            step: |c: usize, chunk: &mut ContactChunk, collector: &mut Collector| {
                 let mut clock = Profile::chunk(profile);
-                chunk.step_pairs(neighbours.chunk(c), &scene, loads, || clock.took(Part::Narrow));
+                chunk.step_pairs(neighbours.chunk(c), &scene, collector, || clock.took(Part::Narrow));
                 clock.took(Part::Laws);
             },
         };

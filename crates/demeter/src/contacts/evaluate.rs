@@ -3,8 +3,8 @@
 use super::kinematics::{Approach, Known, Partners, Source};
 use super::meetings::Meeting;
 use super::respond::{Answers, Respond};
-use super::sum::SegmentLoads;
-use super::{ContactChunk, EightVectors, Load, Scene};
+use super::sum::{AddAtOnce, Collector, LoadList, Sink};
+use super::{ContactChunk, EightVectors, Scene};
 use demeter_physics::lanes::{self, MOST_LANES};
 
 /// Contacts whose engagement one word tells.
@@ -12,7 +12,7 @@ pub(super) const WORD: usize = 64;
 
 impl ContactChunk {
     /// Finds which contacts between grains act in this step, and evaluates their laws.
-    pub(crate) fn meet_pairs(&mut self, scene: &Scene, found: &mut SegmentLoads) {
+    pub(crate) fn meet_pairs(&mut self, scene: &Scene, collector: &mut Collector) {
         let mut engaged = std::mem::take(&mut self.engaged);
         engaged.resize(self.len().div_ceil(WORD), 0);
         let (i, j, shift) = self.take_bodies();
@@ -23,7 +23,7 @@ impl ContactChunk {
             shift: &shift,
             engaged: &mut engaged,
         };
-        let too_deep = self.evaluate_into(found, scene, approach);
+        let too_deep = self.collect(collector, (&i, &j), scene, approach);
         (self.i, self.j, self.shift) = (i, j, shift);
         self.engaged = engaged;
         if let Some((k, overlap)) = too_deep {
@@ -32,7 +32,7 @@ impl ContactChunk {
     }
 
     /// Evaluates the laws of all contacts between grains whose geometry is known.
-    pub(crate) fn evaluate_pairs(&mut self, scene: &Scene, found: &mut SegmentLoads) {
+    pub(crate) fn evaluate_pairs(&mut self, scene: &Scene, collector: &mut Collector) {
         let (i, j, shift) = self.take_bodies();
         let geometry = std::mem::take(&mut self.now.geometry);
         let known = Known {
@@ -41,7 +41,7 @@ impl ContactChunk {
             i: &i,
             partners: Partners::grains(scene.grains, &j),
         };
-        self.evaluate_into(found, scene, known);
+        self.collect(collector, (&i, &j), scene, known);
         (self.i, self.j, self.shift) = (i, j, shift);
         self.now.geometry = geometry;
     }
@@ -62,10 +62,10 @@ impl ContactChunk {
             i: &i,
             partners: Partners::walls(&surfaces),
         };
-        let mut load = std::mem::take(&mut self.load);
-        load.resize(self.len(), Load::default());
-        self.evaluate(&mut load, scene, known);
-        self.load = load;
+        let mut loads = LoadList::of(std::mem::take(&mut self.load));
+        loads.expect(self.len());
+        self.evaluate(&mut loads, scene, known);
+        self.load = loads.loads;
         (self.i, self.j, self.shift) = (i, j, shift);
         self.now.geometry = geometry;
         self.surfaces = surfaces;
@@ -91,22 +91,24 @@ impl ContactChunk {
         (std::mem::take(i), std::mem::take(j), std::mem::take(shift))
     }
 
-    /// Evaluates the laws of all contacts and appends what they do. Tells the first with too much overlap.
-    fn evaluate_into(
+    /// Evaluates the laws of all contacts and hands over what they do. Tells the first with too much overlap.
+    fn collect(
         &mut self,
-        found: &mut SegmentLoads,
+        collector: &mut Collector,
+        (i, j): (&[u32], &[u32]),
         scene: &Scene,
         source: impl Source,
     ) -> Option<(usize, f64)> {
-        let first = found.loads.len();
-        found.loads.resize(first + self.len(), Load::default());
-        let too_deep = self.evaluate(&mut found.loads[first..], scene, source);
-        found.torques.extend_from_slice(&self.rolling);
-        too_deep
+        if collector.waits {
+            collector.waiting.expect(self.len());
+            return self.evaluate(collector.waiting, scene, source);
+        }
+        let adder = &mut collector.adder;
+        self.evaluate(&mut AddAtOnce { adder, i, j }, scene, source)
     }
 
     /// Evaluates the laws of all contacts. Tells the first with too much overlap.
-    fn evaluate(&mut self, loads: &mut [Load], scene: &Scene, source: impl Source) -> Option<(usize, f64)> {
+    fn evaluate(&mut self, sink: &mut impl Sink, scene: &Scene, source: impl Source) -> Option<(usize, f64)> {
         let count = self.len();
         (self.now.tangential).resize(count.div_ceil(MOST_LANES), EightVectors::default());
         if scene.resists_rolling {
@@ -119,6 +121,7 @@ impl ContactChunk {
         }
         let respond = Respond {
             source,
+            sink,
             law: scene.materials.law(self.law),
             dt: scene.dt,
             integrator: scene.integrator,
@@ -127,7 +130,6 @@ impl ContactChunk {
                 tangential: &mut self.now.tangential,
                 history: &mut self.now.history,
                 stride: scene.stride,
-                loads,
                 torques: &mut self.rolling,
                 losses: &mut self.losses,
                 elastic: &mut elastic,

@@ -7,7 +7,7 @@
 use super::laws::largest_reach;
 use super::meetings::{FindPairs, Found};
 use super::near::FindNear;
-use super::sum::SegmentLoads;
+use super::sum::Collector;
 use super::{ContactChunk, Fault, Kept, Tally};
 use crate::comm::Single;
 use crate::materials::Materials;
@@ -109,13 +109,13 @@ thread_local! {
 
 impl ContactChunk {
     /// Finds the forces between grains of the pairs of a chunk that do not feel each other; those that may act are looked for
-    /// where the scene tells so. What they do is appended to `loads`.
+    /// where the scene tells so. What they do is handed over.
     /// `found_all` is called when contacts are known.
     pub(crate) fn step_pairs(
         &mut self,
         (pairs, law): (&[Pair], u32),
         scene: &Scene,
-        loads: &mut SegmentLoads,
+        collector: &mut Collector,
         found_all: impl FnOnce(),
     ) {
         self.begin(0, law);
@@ -146,10 +146,10 @@ impl ContactChunk {
                 .extend(candidates.map(|&candidate| pairs[candidate as usize].shift));
         }
         found_all();
-        let first = loads.loads.len();
-        self.meet_pairs(scene, loads);
+        let first = collector.waiting.loads.len();
+        self.meet_pairs(scene, collector);
         if !scene.comm.shift_velocities().is_empty() {
-            self.sum_across(&loads.loads[first..]);
+            self.sum_across(&collector.waiting.loads[first..]);
         }
     }
 

@@ -4,7 +4,8 @@
 use super::kinematics::{Motion, Sight, Source, load_some, store_some};
 use super::laws::{normal_history, tangential_history};
 use super::meetings::lanes_below;
-use super::{EightVectors, Load, Tally};
+use super::sum::Sink;
+use super::{EightVectors, Tally};
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor, centred_force};
 use demeter_physics::contact::rolling::{Rolling, RollingInput, RollingResponse, RollingVisitor};
 use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialResponse, TangentialVisitor};
@@ -34,8 +35,6 @@ pub(super) struct Answers<'a> {
     pub(super) stride: usize,
     /// Force in the contact plane on the first body [N].
     pub(super) tangential: &'a mut [EightVectors],
-    /// What every contact does to both bodies.
-    pub(super) loads: &'a mut [Load],
     /// Torque of the rolling law on the first body [N m]; empty where no law resists rolling.
     pub(super) torques: &'a mut [[f64; 4]],
     /// What every contact loses, by its normal law and by friction [J]; empty where nobody asks.
@@ -45,8 +44,9 @@ pub(super) struct Answers<'a> {
 }
 
 /// Asks the laws of one material pair about contacts.
-pub(super) struct Respond<'a, S> {
+pub(super) struct Respond<'a, S, K> {
     pub(super) source: S,
+    pub(super) sink: &'a mut K,
     pub(super) law: &'a PairLaw,
     pub(super) dt: f64,
     pub(super) integrator: Integrator,
@@ -391,7 +391,7 @@ fn end(answers: &mut Answers, k: usize, mut ended: u32, law: &PairLaw, booked: &
     }
 }
 
-impl<S: Source> Kernel for Respond<'_, S> {
+impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
     /// What was lost, and the first contact with too much overlap.
     type Output = (Tally, Option<(usize, f64)>);
 
@@ -399,6 +399,7 @@ impl<S: Source> Kernel for Respond<'_, S> {
     fn run<L: Lanes>(self) -> Self::Output {
         let Self {
             mut source,
+            sink,
             law,
             dt,
             integrator,
@@ -409,7 +410,9 @@ impl<S: Source> Kernel for Respond<'_, S> {
         let mut losses = Losses([[0.0; MOST_LANES]; 4]);
         let mut booked = Tally::default();
         let mut too_deep = None;
+        let resists_rolling = !answers.torques.is_empty();
         let nothing = L::Vector::null();
+        let no_rows = L::rows([L::splat(0.0); 4]);
         for k in (0..count).step_by(L::COUNT) {
             let here = lanes_below((count - k).min(L::COUNT));
             let Sight {
@@ -424,6 +427,7 @@ impl<S: Source> Kernel for Respond<'_, S> {
             }
             if acts == 0 {
                 answers.silence::<L>(k, count);
+                sink.put::<L>(k, &no_rows, &no_rows, resists_rolling.then_some(&no_rows));
                 continue;
             }
             if deep != 0 && too_deep.is_none() {
@@ -479,6 +483,7 @@ impl<S: Source> Kernel for Respond<'_, S> {
                 });
                 losses.add(FRICTION, k, rubbed.dissipated.keep(acting));
             }
+            let mut torques = no_rows;
             if let Some(resistance) = &law.rolling {
                 lot.first = 0;
                 let normal_stiffness = law.normal.visit(Stiffness {
@@ -503,7 +508,7 @@ impl<S: Source> Kernel for Respond<'_, S> {
                 });
                 losses.add(ROLLING, k, rolled.dissipated.keep(acting));
                 let [x, y, z] = rolled.torque.or(acting, nothing).components();
-                let torques = L::rows([x, y, z, L::splat(0.0)]);
+                torques = L::rows([x, y, z, L::splat(0.0)]);
                 let places = k..(k + L::COUNT).min(count);
                 for (torque, row) in answers.torques[places].iter_mut().zip(torques.as_ref()) {
                     *torque = *row;
@@ -518,12 +523,7 @@ impl<S: Source> Kernel for Respond<'_, S> {
             let ([fx, fy, fz], [ax, ay, az]) = (total.components(), arm.components());
             let forces = L::rows([fx, fy, fz, motion.levers[0].keep(acting)]);
             let arms = L::rows([ax, ay, az, motion.levers[1].keep(acting)]);
-            let places = k..(k + L::COUNT).min(count);
-            let rows = forces.as_ref().iter().zip(arms.as_ref());
-            for (load, (force, arm)) in answers.loads[places].iter_mut().zip(rows) {
-                load.force = *force;
-                load.arm = *arm;
-            }
+            sink.put::<L>(k, &forces, &arms, resists_rolling.then_some(&torques));
         }
         booked.viscous += losses.sum(VISCOUS);
         booked.plastic += losses.sum(PLASTIC);
@@ -543,7 +543,6 @@ impl Answers<'_> {
         let places = k..(k + L::COUNT).min(count);
         self.normal_force[places.clone()].fill(0.0);
         self.put_tangential::<L>(k, L::Vector::null());
-        self.loads[places.clone()].fill(Load::default());
         if let Some(torques) = self.torques.get_mut(places.clone()) {
             torques.fill([0.0; 4]);
         }

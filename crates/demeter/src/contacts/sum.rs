@@ -106,16 +106,124 @@ impl GrainSums<'_> {
     }
 }
 
-/// What the contacts of one segment do to their bodies.
+/// Where what contacts do is added up.
+pub(super) trait Sink {
+    /// Takes what the contacts from `k` on do; those beyond the end do nothing, and are not there.
+    fn put<L: Lanes>(&mut self, k: usize, forces: &L::Rows, arms: &L::Rows, torques: Option<&L::Rows>);
+}
+
+/// What contacts do, one after the other.
 #[derive(Default)]
-pub(crate) struct SegmentLoads {
-    pub(crate) loads: Vec<Load>,
+pub(crate) struct LoadList {
+    pub(super) loads: Vec<Load>,
     /// Torques of rolling laws; empty where none resists rolling.
-    pub(crate) torques: Vec<[f64; 4]>,
+    pub(super) torques: Vec<[f64; 4]>,
+    /// How many contacts there will be.
+    count: usize,
+}
+
+impl LoadList {
+    /// An empty list in some memory.
+    pub(super) fn of(mut loads: Vec<Load>) -> Self {
+        loads.clear();
+        Self {
+            loads,
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.loads.clear();
+        self.torques.clear();
+        self.count = 0;
+    }
+
+    /// Expects some more contacts.
+    pub(super) fn expect(&mut self, contacts: usize) {
+        self.count += contacts;
+        self.loads.reserve(contacts);
+    }
+}
+
+impl Sink for LoadList {
+    #[inline(always)]
+    fn put<L: Lanes>(&mut self, _k: usize, forces: &L::Rows, arms: &L::Rows, torques: Option<&L::Rows>) {
+        let left = self.count - self.loads.len();
+        let rows = forces.as_ref().iter().zip(arms.as_ref());
+        let loads = rows.map(|(&force, &arm)| Load { force, arm });
+        self.loads.extend(loads.take(left));
+        if let Some(torques) = torques {
+            self.torques.extend(torques.as_ref().iter().take(left));
+        }
+    }
 }
 
 thread_local! {
-    static LOADS: RefCell<SegmentLoads> = RefCell::default();
+    static LOADS: RefCell<LoadList> = RefCell::default();
+}
+
+/// Sums of the grains of a task, and what it has for others.
+pub(crate) struct Adder<'a> {
+    first_grain: u32,
+    sums: &'a mut [Sum],
+    strays: &'a mut Vec<Stray>,
+}
+
+impl Adder<'_> {
+    /// Adds what a contact does to one of its bodies, the first (0) or the second (1).
+    #[inline(always)]
+    fn add<Q: Quad>(&mut self, grain: u32, side: usize, load: &Load, torque: Option<&[f64; 4]>) {
+        if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
+            sum.add::<Q>(load, side);
+            if let Some(torque) = torque {
+                sum.roll::<Q>(torque, side);
+            }
+        } else {
+            self.leave(grain, side, load, torque);
+        }
+    }
+
+    #[cold]
+    fn leave(&mut self, grain: u32, side: usize, load: &Load, torque: Option<&[f64; 4]>) {
+        self.strays.push(Stray {
+            grain,
+            side: side as u32,
+            load: *load,
+            torque: torque.copied().unwrap_or_default(),
+        });
+    }
+}
+
+/// Adds up contacts of one law as they come.
+pub(super) struct AddAtOnce<'s, 'a> {
+    pub(super) adder: &'s mut Adder<'a>,
+    /// Bodies of the contacts.
+    pub(super) i: &'s [u32],
+    pub(super) j: &'s [u32],
+}
+
+impl Sink for AddAtOnce<'_, '_> {
+    #[inline(always)]
+    fn put<L: Lanes>(&mut self, k: usize, forces: &L::Rows, arms: &L::Rows, torques: Option<&L::Rows>) {
+        let end = (k + L::COUNT).min(self.i.len());
+        let bodies = self.i[k..end].iter().zip(&self.j[k..end]);
+        let rows = forces.as_ref().iter().zip(arms.as_ref());
+        for (lane, ((&i, &j), (&force, &arm))) in bodies.zip(rows).enumerate() {
+            let load = Load { force, arm };
+            let torque = torques.map(|torques| &torques.as_ref()[lane]);
+            self.adder.add::<L::Quad>(i, 0, &load, torque);
+            self.adder.add::<L::Quad>(j, 1, &load, torque);
+        }
+    }
+}
+
+/// Takes what the contacts of a segment do.
+pub(crate) struct Collector<'s, 'a> {
+    pub(super) adder: Adder<'a>,
+    /// Contacts of several laws wait here until all of the segment are known; then they are added in their order.
+    pub(super) waiting: &'s mut LoadList,
+    /// Whether they wait.
+    pub(super) waits: bool,
 }
 
 /// Segments of the table of pairs that one task works on, and the grains that are its own.
@@ -132,7 +240,9 @@ struct Task<'a> {
 pub(crate) struct Work<'a, S> {
     pub(crate) neighbours: &'a Neighbours,
     pub(crate) instructions: Instructions,
-    /// Finds the loads of a chunk, told by its number, and appends them.
+    /// Whether what contacts do is asked for one by one before it is added.
+    pub(crate) waits: bool,
+    /// Finds what the contacts of a chunk do, told by its number.
     pub(crate) step: S,
 }
 
@@ -140,7 +250,7 @@ impl Sums {
     /// Works on all chunks, in parallel in `parts`, and sums up: into how many parts the work is cut changes no sum.
     pub(crate) fn work<S>(&mut self, chunks: &mut [ContactChunk], grains: usize, parts: usize, work: &Work<S>)
     where
-        S: Fn(usize, &mut ContactChunk, &mut SegmentLoads) + Sync,
+        S: Fn(usize, &mut ContactChunk, &mut Collector) + Sync,
     {
         let segments = work.neighbours.segments();
         let parts = parts.clamp(1, segments.max(1));
@@ -165,7 +275,7 @@ impl Sums {
 impl<'a> Task<'a> {
     fn work<S>(self, work: &Work<S>)
     where
-        S: Fn(usize, &mut ContactChunk, &mut SegmentLoads) + Sync,
+        S: Fn(usize, &mut ContactChunk, &mut Collector) + Sync,
     {
         if self.strays.len() < 2 {
             return LOADS.with_borrow_mut(|loads| self.work_alone(work, loads));
@@ -201,73 +311,64 @@ impl<'a> Task<'a> {
         (one, other)
     }
 
-    fn work_alone<S>(self, work: &Work<S>, found: &mut SegmentLoads)
+    fn work_alone<S>(self, work: &Work<S>, waiting: &mut LoadList)
     where
-        S: Fn(usize, &mut ContactChunk, &mut SegmentLoads) + Sync,
+        S: Fn(usize, &mut ContactChunk, &mut Collector) + Sync,
     {
-        for segment in self.segments.clone() {
-            let grains = work.neighbours.grains_of_segment(segment);
-            self.sums[grains.start - self.first_grain..grains.end - self.first_grain].fill(Sum::default());
-            let chunks = work.neighbours.chunks_of_segment(segment);
-            found.loads.clear();
-            found.torques.clear();
-            for chunk in chunks.clone() {
-                (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], found);
-            }
-            let add_up = AddUp {
+        let neighbours = work.neighbours;
+        let mut collector = Collector {
+            adder: Adder {
                 first_grain: self.first_grain as u32,
                 sums: self.sums,
                 strays: &mut self.strays[0],
-                chunks: &self.chunks[chunks.start - self.first_chunk..chunks.end - self.first_chunk],
-                found,
-                neighbours: work.neighbours,
-                segment,
-            };
-            lanes::run(work.instructions, add_up);
+            },
+            waiting,
+            waits: false,
+        };
+        for segment in self.segments.clone() {
+            let grains = neighbours.grains_of_segment(segment);
+            collector.adder.sums[grains.start - self.first_grain..grains.end - self.first_grain].fill(Sum::default());
+            let chunks = neighbours.chunks_of_segment(segment);
+            collector.waits = work.waits || neighbours.order_of_segment(segment).next().is_some();
+            collector.waiting.clear();
+            for chunk in chunks.clone() {
+                (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], &mut collector);
+            }
+            if collector.waits {
+                let add_up = AddUp {
+                    adder: &mut collector.adder,
+                    chunks: &self.chunks[chunks.start - self.first_chunk..chunks.end - self.first_chunk],
+                    found: collector.waiting,
+                    neighbours,
+                    segment,
+                };
+                lanes::run(work.instructions, add_up);
+            }
         }
     }
 }
 
 /// Adds up what the contacts of a segment do, in the order of the sums.
-struct AddUp<'a> {
-    first_grain: u32,
-    sums: &'a mut [Sum],
-    strays: &'a mut Vec<Stray>,
-    /// Chunks of the segment, and the loads of all of their contacts.
-    chunks: &'a [ContactChunk],
-    found: &'a SegmentLoads,
-    neighbours: &'a Neighbours,
+struct AddUp<'s, 'a> {
+    adder: &'s mut Adder<'a>,
+    /// Chunks of the segment, and what all of their contacts do.
+    chunks: &'s [ContactChunk],
+    found: &'s LoadList,
+    neighbours: &'s Neighbours,
     segment: usize,
 }
 
-impl AddUp<'_> {
-    /// Adds one contact to both grains; `place` among the loads of the segment.
+impl AddUp<'_, '_> {
+    /// Adds one contact to both grains; `place` among those of the segment.
     #[inline(always)]
-    fn add<Q: Quad>(&mut self, grains: [u32; 2], place: usize) {
-        let load = &self.found.loads[place];
-        let torque = self.found.torques.get(place);
-        let mut side = 0;
-        while side < 2 {
-            let grain = grains[side];
-            if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
-                sum.add::<Q>(load, side);
-                if let Some(torque) = torque {
-                    sum.roll::<Q>(torque, side);
-                }
-            } else {
-                self.strays.push(Stray {
-                    grain,
-                    side: side as u32,
-                    load: *load,
-                    torque: torque.copied().unwrap_or_default(),
-                });
-            }
-            side += 1;
-        }
+    fn add<Q: Quad>(&mut self, [i, j]: [u32; 2], place: usize) {
+        let (load, torque) = (&self.found.loads[place], self.found.torques.get(place));
+        self.adder.add::<Q>(i, 0, load, torque);
+        self.adder.add::<Q>(j, 1, load, torque);
     }
 }
 
-impl Kernel for AddUp<'_> {
+impl Kernel for AddUp<'_, '_> {
     type Output = ();
 
     #[inline(always)]

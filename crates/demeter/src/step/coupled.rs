@@ -6,7 +6,7 @@ use crate::contacts::coupling::kernels::Kernels;
 use crate::contacts::coupling::mixing::{Largest, Products, Progress};
 use crate::contacts::coupling::sites::{Changes, GRAINS_PER_TASK, Scenery, Sites};
 use crate::contacts::coupling::{Coupling, DEFAULT_TOLERANCE, Worst};
-use crate::contacts::sum::{SegmentLoads, Work};
+use crate::contacts::sum::{Collector, Work};
 use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
 
 use crate::materials::Materials;
@@ -230,13 +230,14 @@ impl Simulation {
             let work = Work {
                 neighbours: &self.neighbours,
                 instructions: self.instructions,
-                step: |number: usize, chunk: &mut ContactChunk, loads: &mut SegmentLoads| {
+                waits: false,
+                step: |number: usize, chunk: &mut ContactChunk, collector: &mut Collector| {
                     let at = ChunkPlace {
                         wall: false,
                         chunk: number,
                     };
                     chunk.deform(at, &scene);
-                    chunk.evaluate_pairs(&scene, loads);
+                    chunk.evaluate_pairs(&scene, collector);
                 },
             };
             let grains = self.grains.len();

@@ -46,7 +46,7 @@ pub trait Lanes:
     /// Three of them: a vector per lane.
     type Vector: Vector<Self>;
     /// Four numbers per lane.
-    type Rows: AsRef<[[f64; 4]]>;
+    type Rows: Copy + AsRef<[[f64; 4]]>;
     /// One row.
     type Quad: Quad;
 
