@@ -86,6 +86,10 @@ dimensions! {
     DENSITY = (1, -3, 0), "density", "kg/m^3";
     /// Stiffness [N/m].
     STIFFNESS = (1, 0, -2), "stiffness or surface energy", "N/m";
+    /// Compliance [m/N].
+    COMPLIANCE = (-1, 0, 2), "compliance", "m/N";
+    /// Compliance of rolling, angle per torque [1/(N m)].
+    ROLLING_COMPLIANCE = (-1, -2, 2), "rolling compliance", "1/J";
     /// Damping coefficient of a linear dashpot [N s/m].
     DAMPING = (1, 0, -1), "damping coefficient", "N s/m";
 }

@@ -167,19 +167,15 @@ pub(super) struct Motion<L: Lanes> {
     pub(super) inverse_masses: [L; 2],
     pub(super) spins: [L::Vector; 2],
     pub(super) inverse_inertias: [L; 2],
-    /// Effective radius [m].
-    pub(super) radius: L,
+    /// Effective radius and mass.
+    pub(super) size: PairSize<L>,
 }
 
 impl<L: Lanes> Motion<L> {
-    /// Effective radius and mass.
+    /// Inverse effective mass [1/kg].
     #[inline(always)]
-    pub(super) fn size(&self) -> PairSize<L> {
-        let [mass_i, mass_j] = self.inverse_masses;
-        PairSize {
-            radius: self.radius,
-            mass: L::splat(1.0) / (mass_i + mass_j),
-        }
+    pub(super) fn inverse_mass(&self) -> L {
+        self.inverse_masses[0] + self.inverse_masses[1]
     }
 
     /// Effective mass of tangential motion [kg].
@@ -217,6 +213,17 @@ impl<L: Lanes> Motion<L> {
         let inverse = about_contact(self.inverse_masses[0], self.inverse_inertias[0], self.levers[0])
             + about_contact(self.inverse_masses[1], self.inverse_inertias[1], self.levers[1]);
         L::splat(1.0) / inverse
+    }
+}
+
+/// Effective radius and mass of two grains, with one quotient for both.
+#[inline(always)]
+fn size_of_pair<L: Lanes>([ri, rj]: [L; 2], [mass_i, mass_j]: [L; 2]) -> PairSize<L> {
+    let (radii, inverse) = (ri + rj, mass_i + mass_j);
+    let quotient = L::splat(1.0) / (radii * inverse);
+    PairSize {
+        radius: ri * rj * inverse * quotient,
+        mass: radii * quotient,
     }
 }
 
@@ -263,7 +270,6 @@ impl Source for Approach<'_> {
         let before = (*word >> (k % WORD)) as u32 & here;
         *word ^= u64::from(before ^ met.acts) << (k % WORD);
         let [[wx, wy, wz, inverse_inertia], [sx, sy, sz, other_inertia]] = met.spins;
-        let [ri, rj] = met.radii;
         Sight {
             motion: Motion {
                 normal: met.normal,
@@ -274,7 +280,7 @@ impl Source for Approach<'_> {
                 inverse_masses: met.inverse_masses,
                 spins: [L::Vector::new(wx, wy, wz), L::Vector::new(sx, sy, sz)],
                 inverse_inertias: [inverse_inertia, other_inertia],
-                radius: ri * rj / (ri + rj),
+                size: size_of_pair(met.radii, met.inverse_masses),
             },
             acts: met.acts,
             ended: before & !met.acts,
@@ -307,11 +313,15 @@ impl Source for Known<'_> {
             L::fetch([partners.velocity, partners.spin], &second);
         let normal = L::Vector::new(nx, ny, nz);
         let velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
-        let radius = if let Some(position) = partners.position {
+        let inverse_masses = [inverse_mass, other_mass];
+        let size = if let Some(position) = partners.position {
             let [[_, _, _, rj]] = L::fetch([position], &second);
-            ri * rj / (ri + rj)
+            size_of_pair([ri, rj], inverse_masses)
         } else {
-            ri
+            PairSize {
+                radius: ri,
+                mass: L::splat(1.0) / (inverse_mass + other_mass),
+            }
         };
         Sight {
             motion: Motion {
@@ -320,10 +330,10 @@ impl Source for Known<'_> {
                 velocity,
                 rate: -velocity.inner(normal),
                 levers: [lever_i, lever_j],
-                inverse_masses: [inverse_mass, other_mass],
+                inverse_masses,
                 spins: [L::Vector::new(wx, wy, wz), L::Vector::new(sx, sy, sz)],
                 inverse_inertias: [inverse_inertia, other_inertia],
-                radius,
+                size,
             },
             acts: here,
             ended: 0,

@@ -198,6 +198,8 @@ struct Pressed<L> {
 struct Press<'l, 'a, L: Lanes> {
     lot: &'l mut Lot<'a>,
     size: PairSize<L>,
+    /// Inverse effective mass [1/kg].
+    inverse_mass: L,
     overlap: L,
     rate: L,
     /// Normal force of the step before [N].
@@ -212,6 +214,7 @@ impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
         let Self {
             lot,
             size,
+            inverse_mass,
             overlap,
             rate,
             previous,
@@ -234,7 +237,7 @@ impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
             press_one_by_one(law, &input, lot)
         };
         let (force, rate) = match lot.integrator {
-            Integrator::VelocityVerlet => centred_force(response, rate, previous, size.mass, dt),
+            Integrator::VelocityVerlet => centred_force(response, rate, previous, inverse_mass, dt),
             // the predicted rate is of high order already
             Integrator::Gear => ((response.elastic + response.damping * rate).max(response.least), rate),
         };
@@ -446,14 +449,15 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
             };
             // lanes that do not act look like a gentle contact at rest: no law takes the longer way of one that begins or ends
             let motion = Motion {
-                overlap: L::select(acting, motion.overlap, motion.radius * GENTLE),
+                overlap: L::select(acting, motion.overlap, motion.size.radius * GENTLE),
                 rate: motion.rate.keep(acting),
                 ..motion
             };
-            let size = motion.size();
+            let size = motion.size;
             let pressed = law.normal.visit(Press {
                 lot: &mut lot,
                 size,
+                inverse_mass: motion.inverse_mass(),
                 overlap: motion.overlap,
                 rate: motion.rate,
                 previous: load_some(answers.normal_force, k),

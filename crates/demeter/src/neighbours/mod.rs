@@ -216,7 +216,9 @@ impl Neighbours {
     /// Chunk and place in it of the pairs of a segment, in the order of the sums; nothing where they lie in that order.
     pub(crate) fn order_of_segment(&self, segment: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
         let order = &self.pairs.table.segments[segment].order;
-        order.iter().map(move |&candidate| self.pairs.table.chunk_and_slot(segment, candidate))
+        order
+            .iter()
+            .map(move |&candidate| self.pairs.table.chunk_and_slot(segment, candidate))
     }
 
     /// Pairs of a grain with walls, in the order of the walls: chunk, and place in it.

@@ -114,8 +114,9 @@ impl PairTable {
         let fits = |(s, segment): (usize, &Segment<Pair>)| {
             let own = s * per_segment..(s + 1) * per_segment;
             let is_own = |p: &Pair| own.contains(&(p.later() as usize));
-            let is_whole =
-                |p: &Pair| (p.i as usize) < grains && (p.j as usize) < grains && p.i != p.j && p.shift < 27 && is_own(p);
+            let is_whole = |p: &Pair| {
+                (p.i as usize) < grains && (p.j as usize) < grains && p.i != p.j && p.shift < 27 && is_own(p)
+            };
             segment.candidates.iter().all(is_whole)
         };
         if !self.table.is_whole(laws)
@@ -205,7 +206,8 @@ impl Sorter {
         }
         self.next.clear();
         self.next.extend_from_slice(starts);
-        self.pairs.resize(own.len() + strays.len(), Pair { i: 0, j: 0, shift: 0 });
+        self.pairs
+            .resize(own.len() + strays.len(), Pair { i: 0, j: 0, shift: 0 });
         for pair in all() {
             let later = pair.later() as usize - first;
             // few pairs have the same later grain: each goes to its place among them at once

@@ -105,9 +105,15 @@ impl Search {
             .reduce(SearchEffort::default, SearchEffort::join);
         let law = |p: &Pair| {
             let material = |g: u32| grains.material[g as usize];
-            if laws == 1 { 0 } else { materials.pair(material(p.i), material(p.j)) }
+            if laws == 1 {
+                0
+            } else {
+                materials.pair(material(p.i), material(p.j))
+            }
         };
-        table.sort(grains.len(), law, |work| self.with_worker(|worker| work(&mut worker.sorter)));
+        table.sort(grains.len(), law, |work| {
+            self.with_worker(|worker| work(&mut worker.sorter))
+        });
         effort
     }
 

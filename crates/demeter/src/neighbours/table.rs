@@ -288,7 +288,8 @@ impl<C> Table<C> {
 
     /// Bytes in use.
     pub(super) fn bytes(&self) -> usize {
-        let of_segment = |s: &Segment<C>| s.candidates.capacity() * size_of::<C>() + s.order.capacity() * size_of::<u32>();
+        let of_segment =
+            |s: &Segment<C>| s.candidates.capacity() * size_of::<C>() + s.order.capacity() * size_of::<u32>();
         self.segments.iter().map(of_segment).sum::<usize>()
             + self.segments.capacity() * size_of::<Segment<C>>()
             + self.places.capacity() * size_of::<Place>()

@@ -9,10 +9,10 @@ use crate::contacts::coupling::{Coupling, DEFAULT_TOLERANCE, Worst};
 use crate::contacts::sum::{Collector, Work};
 use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
 
+use super::parts;
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, Pair, WallPair};
 use crate::particles::Grains;
-use super::parts;
 use crate::simulation::Simulation;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -33,16 +33,13 @@ pub struct SpringResponse<L: Lanes = f64> {
     pub dissipated: L,
 }
 
-/// Number of remembered values: the load and the stiffness at which it was last seen.
+/// Number of remembered values: the load and the compliance at which it was last seen, 0 of a spring that is new.
 pub const SPRING_HISTORY: usize = 4;
 
 /// Energy stored by a spring with this history [J].
 #[inline(always)]
 pub fn spring_energy<L: Lanes>(history: &[L]) -> L {
-    energy_of(
-        L::Vector::new(history[0], history[1], history[2]),
-        compliance(history[3]),
-    )
+    energy_of(L::Vector::new(history[0], history[1], history[2]), history[3])
 }
 
 /// Deformation per load; 0 of no spring.
@@ -86,13 +83,11 @@ fn held<L: Lanes>(load: L::Vector, limit: L) -> L::Vector {
 #[inline(always)]
 pub fn advance_spring<L: Lanes>(input: &SpringInput<L>, history: &mut [L]) -> SpringResponse<L> {
     let old = L::Vector::new(history[0], history[1], history[2]);
-    let old_compliance = compliance(history[3]);
+    let old_compliance = history[3];
     let before = energy_of(old, old_compliance);
-    let softening = L::select(
-        input.stiffness.lt(history[3]),
-        input.stiffness * old_compliance,
-        L::splat(1.0),
-    );
+    let ratio = input.stiffness * old_compliance;
+    let softens = ratio.lt(L::splat(1.0)) & old_compliance.gt(L::splat(0.0));
+    let softening = L::select(softens, ratio, L::splat(1.0));
     let kept = carry_along(old, input.normal, input.spin * input.dt) * softening;
     let half = input.rate * (input.stiffness * (0.5 * input.dt));
     // The slider holds the spring at the limit at each of its times. The dashpot's share of the load is cut, too, but
@@ -107,10 +102,11 @@ pub fn advance_spring<L: Lanes>(input: &SpringInput<L>, history: &mut [L]) -> Sp
         next = held(held(middle, limit) - half, limit);
     }
     history[..3].copy_from_slice(&next.components());
-    history[3] = input.stiffness;
+    let compliance = compliance(input.stiffness);
+    history[3] = compliance;
     let work = -load.inner(input.rate) * input.dt;
     SpringResponse {
         load,
-        dissipated: work - (energy_of(next, compliance(input.stiffness)) - before),
+        dissipated: work - (energy_of(next, compliance) - before),
     }
 }

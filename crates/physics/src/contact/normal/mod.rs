@@ -273,8 +273,14 @@ pub fn mean_slope(input: &NormalInput, primitive: impl Fn(f64) -> f64) -> f64 {
 /// For two bodies alone this is velocity Verlet with the dashpot at the true velocity, to second order, and stable
 /// for any damping. A force below the least that the law allows is cut there.
 #[inline(always)]
-pub fn centred_force<L: Lanes>(response: NormalResponse<L>, rate: L, previous_force: L, mass: L, dt: f64) -> (L, L) {
-    let half_step = L::splat(dt) / (mass * 2.0);
+pub fn centred_force<L: Lanes>(
+    response: NormalResponse<L>,
+    rate: L,
+    previous_force: L,
+    inverse_mass: L,
+    dt: f64,
+) -> (L, L) {
+    let half_step = inverse_mass * (0.5 * dt);
     let unloaded = rate + previous_force * half_step;
     let corrected = (unloaded - response.elastic * half_step) / (response.damping * half_step + 1.0);
     let force = response.elastic + response.damping * corrected;

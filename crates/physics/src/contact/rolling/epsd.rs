@@ -32,7 +32,7 @@ impl Rolling for Epsd {
         Dimension::ENERGY,
         Dimension::ENERGY,
         Dimension::ENERGY,
-        Dimension::ENERGY,
+        Dimension::ROLLING_COMPLIANCE,
     ];
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {

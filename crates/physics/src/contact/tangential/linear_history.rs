@@ -33,7 +33,7 @@ impl Tangential for LinearHistory {
         Dimension::FORCE,
         Dimension::FORCE,
         Dimension::FORCE,
-        Dimension::STIFFNESS,
+        Dimension::COMPLIANCE,
     ];
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {

@@ -34,7 +34,7 @@ impl Tangential for MindlinHistory {
         Dimension::FORCE,
         Dimension::FORCE,
         Dimension::FORCE,
-        Dimension::STIFFNESS,
+        Dimension::COMPLIANCE,
     ];
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
