@@ -21,6 +21,7 @@ mod near;
 mod respond;
 pub mod sum;
 mod transfer;
+mod wall_contacts;
 
 pub use coupling::Coupling;
 pub use fault::Fault;
@@ -31,7 +32,7 @@ pub use transfer::{CarriedContact, ContactKey};
 pub use crate::neighbours::CHUNK;
 
 use crate::comm::Single;
-use crate::walls::{Mark, SurfaceContact};
+use crate::walls::Mark;
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes::MOST_LANES;
@@ -171,9 +172,7 @@ pub struct ContactChunk {
     pub(crate) before: Kept,
     /// Whether a contact of the step before goes on.
     pub(crate) goes_on: Vec<bool>,
-    /// Surfaces that a grain is near to, and the contacts of the step before that are taken up: of one candidate.
-    pub(crate) touched: Vec<SurfaceContact>,
-    pub(crate) taken: Vec<usize>,
+    touched: wall_contacts::Touched,
     pub(crate) coupling: Scratch,
     found: meetings::Found,
     /// The material pair of all contacts.

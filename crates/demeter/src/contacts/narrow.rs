@@ -11,11 +11,10 @@ use super::sum::Collector;
 use super::{ContactChunk, Fault, Kept, Tally};
 use crate::comm::Single;
 use crate::materials::Materials;
-use crate::neighbours::{Pair, WallPair};
+use crate::neighbours::Pair;
 use crate::particles::Grains;
-use crate::walls::{SurfaceContact, Wall};
+use crate::walls::Wall;
 use demeter_physics::contact::{PairLaw, PairSize};
-use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::{self, Instructions};
 use glam::DVec3;
@@ -228,62 +227,7 @@ impl ContactChunk {
         }
     }
 
-    /// Finds the contacts of a chunk of pairs of grain and wall.
-    pub(crate) fn find_walls(&mut self, (pairs, law): (&[WallPair], u32), scene: &Scene) {
-        self.begin(scene.walls.len(), law);
-        std::mem::swap(&mut self.now, &mut self.before);
-        self.now.clear();
-        self.goes_on.clear();
-        self.goes_on.resize(self.before.len(), false);
-        self.i.clear();
-        self.j.clear();
-        let grains = scene.grains;
-        let window = scene.widest_window();
-        let (mut touched, mut taken) = (std::mem::take(&mut self.touched), std::mem::take(&mut self.taken));
-        for (c, p) in pairs.iter().enumerate() {
-            let (g, wall) = (p.grain as usize, &scene.walls[p.wall as usize]);
-            let (centre, radius) = (grains.position[g], grains.radius(g));
-            let bulge = scene.bulge(g);
-            touched.clear();
-            wall.contacts(centre, radius + window + bulge, &mut touched);
-            let mass = grains.mass[g];
-            let rate = |s: &SurfaceContact| {
-                let foot = centre - s.normal * s.distance;
-                (wall.velocity_at(foot) - grains.velocity[g]).dot(s.normal)
-            };
-            let size = PairSize { radius, mass };
-            touched.retain(|s| scene.acts(law, || size, radius - s.distance + bulge, rate(s)));
-            taken.clear();
-            for k in 0..touched.len() {
-                let s = touched[k];
-                let contact = Contact {
-                    normal: s.normal,
-                    overlap: radius - s.distance,
-                    lever_i: s.distance,
-                    lever_j: 0.0,
-                };
-                let old = self.before.heir(c, &touched, k, &taken);
-                taken.extend(old);
-                self.push(scene.stride, (p.grain, p.wall, s.element), contact, old);
-                if scene.is_coupled() {
-                    self.coupling.push(rate(&s), size, old);
-                }
-                self.watch_overlap(scene, g, contact.overlap / radius, || format!("wall {}", wall.name));
-            }
-            self.now.start.push(self.now.len() as u32);
-        }
-        (self.touched, self.taken) = (touched, taken);
-        if scene.records_walls {
-            self.mark_ends(pairs, scene);
-        }
-        for k in 0..self.before.len() {
-            if !self.goes_on[k] {
-                self.book_end(k, scene);
-            }
-        }
-    }
-
-    fn begin(&mut self, walls: usize, law: u32) {
+    pub(super) fn begin(&mut self, walls: usize, law: u32) {
         self.law = law;
         self.coupling.clear();
         self.fault = None;
@@ -291,26 +235,6 @@ impl ContactChunk {
         self.marks.clear();
         self.wall_load.clear();
         self.wall_load.resize(walls, (DVec3::ZERO, DVec3::ZERO));
-    }
-
-    fn push(&mut self, stride: usize, (i, j, element): (u32, u32, u32), contact: Contact, old: Option<usize>) {
-        self.i.push(i);
-        self.j.push(j);
-        self.now.element.push(element);
-        self.now.geometry.push(contact);
-        match old {
-            Some(k) => {
-                self.now.push_force(self.before.normal_force[k], DVec3::ZERO);
-                self.now
-                    .history
-                    .extend_from_slice(&self.before.history[k * stride..(k + 1) * stride]);
-                self.goes_on[k] = true;
-            }
-            None => {
-                self.now.push_force(0.0, DVec3::ZERO);
-                self.now.history.resize(self.now.history.len() + stride, 0.0);
-            }
-        }
     }
 
     /// Goes back to the contacts of the step before, as if those of this step had not been looked for. `bodies` tells the
@@ -328,7 +252,7 @@ impl ContactChunk {
         }
     }
 
-    fn watch_overlap(&mut self, scene: &Scene, grain: usize, share: f64, partner: impl Fn() -> String) {
+    pub(super) fn watch_overlap(&mut self, scene: &Scene, grain: usize, share: f64, partner: impl Fn() -> String) {
         if (share.is_nan() || share > scene.max_overlap) && self.fault.is_none() {
             self.fault = Some(Fault::Overlap {
                 step: scene.step,
@@ -342,7 +266,7 @@ impl ContactChunk {
     }
 
     /// Books the energy that the springs of a contact of the step before still held when it ended.
-    fn book_end(&mut self, old: usize, scene: &Scene) {
+    pub(super) fn book_end(&mut self, old: usize, scene: &Scene) {
         let history = &self.before.history[old * scene.stride..(old + 1) * scene.stride];
         self.tally.book_end(history, scene.materials.law(self.law));
     }
@@ -356,24 +280,5 @@ impl Tally {
             self.friction += tangential;
             self.rolling += rolling;
         }
-    }
-}
-
-/// Cosine of the largest turn of the normal at which a history passes from one wall element to another.
-const SAME_SURFACE: f64 = 0.5;
-
-impl Kept {
-    /// The contact of the step before that contact `k` of a grain and a wall continues: the same element, else (a grain
-    /// that rolled from one triangle onto the next) the one with the closest normal that no other continues.
-    fn heir(&self, candidate: usize, touched: &[SurfaceContact], k: usize, taken: &[usize]) -> Option<usize> {
-        let old = self.range(candidate);
-        if let Some(same) = old.clone().find(|&o| self.element[o] == touched[k].element) {
-            return Some(same);
-        }
-        old.filter(|o| !taken.contains(o) && touched.iter().all(|s| s.element != self.element[*o]))
-            .map(|o| (self.geometry[o].normal.dot(touched[k].normal), o))
-            .filter(|(cosine, _)| *cosine > SAME_SURFACE)
-            .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)))
-            .map(|(_, o)| o)
     }
 }

@@ -39,13 +39,29 @@ impl Sum {
     }
 }
 
-/// A contact with a grain of another task.
-#[derive(Clone, Copy, Debug)]
-struct Stray {
-    grain: u32,
-    side: u32,
-    load: Load,
-    torque: [f64; 4],
+/// What a task has for the grains of others.
+#[derive(Debug, Default)]
+struct Strays {
+    /// Grains, each with the side of the contact that it is on: the first body (0) or the second (1).
+    grains: Vec<(u32, u32)>,
+    loads: Vec<Load>,
+    /// Torques of rolling laws; empty where none resists rolling.
+    torques: Vec<[f64; 4]>,
+}
+
+impl Strays {
+    fn clear(&mut self) {
+        self.grains.clear();
+        self.loads.clear();
+        self.torques.clear();
+    }
+
+    #[inline(never)]
+    fn push(&mut self, grain: u32, side: usize, load: &Load, torque: Option<&[f64; 4]>) {
+        self.grains.push((grain, side as u32));
+        self.loads.push(*load);
+        self.torques.extend(torque);
+    }
 }
 
 /// Sums of the contact loads of this step.
@@ -53,7 +69,7 @@ struct Stray {
 pub(crate) struct Sums {
     sums: Vec<Sum>,
     /// What every task has for grains of those before it.
-    strays: Vec<Vec<Stray>>,
+    strays: Vec<Strays>,
 }
 
 /// Sums of the grains from one on, to be read.
@@ -166,7 +182,7 @@ thread_local! {
 pub(crate) struct Adder<'a> {
     first_grain: u32,
     sums: &'a mut [Sum],
-    strays: &'a mut Vec<Stray>,
+    strays: &'a mut Strays,
 }
 
 impl Adder<'_> {
@@ -179,18 +195,8 @@ impl Adder<'_> {
                 sum.roll::<Q>(torque, side);
             }
         } else {
-            self.leave(grain, side, load, torque);
+            self.strays.push(grain, side, load, torque);
         }
-    }
-
-    #[cold]
-    fn leave(&mut self, grain: u32, side: usize, load: &Load, torque: Option<&[f64; 4]>) {
-        self.strays.push(Stray {
-            grain,
-            side: side as u32,
-            load: *load,
-            torque: torque.copied().unwrap_or_default(),
-        });
     }
 }
 
@@ -233,7 +239,7 @@ struct Task<'a> {
     first_chunk: usize,
     sums: &'a mut [Sum],
     first_grain: usize,
-    strays: &'a mut [Vec<Stray>],
+    strays: &'a mut [Strays],
 }
 
 /// How the work of a step on contacts between grains is done.
@@ -255,8 +261,8 @@ impl Sums {
         let segments = work.neighbours.segments();
         let parts = parts.clamp(1, segments.max(1));
         self.sums.resize(grains, Sum::default());
-        self.strays.resize_with(parts, Vec::new);
-        self.strays.iter_mut().for_each(Vec::clear);
+        self.strays.resize_with(parts, Strays::default);
+        self.strays.iter_mut().for_each(Strays::clear);
         let all = Task {
             segments: 0..segments,
             chunks,
@@ -267,7 +273,8 @@ impl Sums {
         };
         all.work(work);
         if parts > 1 {
-            add_strays(0, &mut self.sums, &self.strays, parts, work.instructions);
+            let tasks = rayon::current_num_threads();
+            add_strays(0, &mut self.sums, &self.strays, tasks, work.instructions);
         }
     }
 }
@@ -399,7 +406,7 @@ impl Kernel for AddUp<'_, '_> {
 }
 
 /// Adds what tasks have for the grains of others, in parallel.
-fn add_strays(first: usize, sums: &mut [Sum], strays: &[Vec<Stray>], parts: usize, instructions: Instructions) {
+fn add_strays(first: usize, sums: &mut [Sum], strays: &[Strays], parts: usize, instructions: Instructions) {
     if parts < 2 || sums.len() < 2 {
         let add = AddStrays { first, sums, strays };
         return lanes::run(instructions, add);
@@ -416,7 +423,7 @@ fn add_strays(first: usize, sums: &mut [Sum], strays: &[Vec<Stray>], parts: usiz
 struct AddStrays<'a> {
     first: usize,
     sums: &'a mut [Sum],
-    strays: &'a [Vec<Stray>],
+    strays: &'a [Strays],
 }
 
 impl Kernel for AddStrays<'_> {
@@ -424,11 +431,15 @@ impl Kernel for AddStrays<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        for stray in self.strays.iter().flatten() {
-            if let Some(sum) = self.sums.get_mut((stray.grain as usize).wrapping_sub(self.first)) {
-                let side = stray.side as usize;
-                sum.add::<L::Quad>(&stray.load, side);
-                sum.roll::<L::Quad>(&stray.torque, side);
+        for strays in self.strays {
+            for (k, &(grain, side)) in strays.grains.iter().enumerate() {
+                let Some(sum) = self.sums.get_mut((grain as usize).wrapping_sub(self.first)) else {
+                    continue;
+                };
+                sum.add::<L::Quad>(&strays.loads[k], side as usize);
+                if let Some(torque) = strays.torques.get(k) {
+                    sum.roll::<L::Quad>(torque, side as usize);
+                }
             }
         }
     }

@@ -1,13 +1,13 @@
 //! How far a run is from what the machine could do: bytes that must move and operations that must be done, over what memory
 //! and processor were measured to do.
 
-use crate::contacts::{Contacts, Load};
+use crate::contacts::Contacts;
 use crate::materials::Materials;
 use crate::neighbours::{Neighbours, WallPair};
 use crate::particles::{Grains, HigherDerivatives, Row};
 use demeter_physics::contact::PairLaw;
 use demeter_physics::lanes::{self, Instructions, Kernel, Lanes};
-use glam::DQuat;
+use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::hint::black_box;
@@ -96,34 +96,36 @@ impl Work {
     ///
     /// With `G` grains, `W` candidates with walls, `C` contacts (with grains and walls) and `h` values of history, bytes are
     ///
-    /// `G (drift + contacts + sums) + W (candidate + entry + start) + C (2 (h + 1) 8 + bodies + places + 2 load)`
+    /// `G (drift + contacts + kick) + W (candidate + entry + start) + C (2 (h + 1) 8 + bodies + tangential force)`
     ///
     /// | term | bytes | of |
     /// |---|---|---|
     /// | drift | 352 | position, velocity, spin, orientation (32 each, read and written); force, torque, reference (32 each) |
-    /// | contacts | 96 | rows of position, velocity, spin |
-    /// | sums | 408 | velocity, spin, force, torque (read and written), mass, the sum (written and read), where contacts begin, end and how many there are |
+    /// | contacts | 224 | rows of position, velocity, spin; the sum (64, read and written) |
+    /// | kick | 332 | velocity, spin, force, torque (read and written), mass, the sum, where candidates with walls begin |
     /// | candidate, entry, start | 8 + 4 + 4 | grain and wall; its number for the grain; where its contacts begin |
     /// | history, normal force | 16 h + 16 | read and written |
-    /// | bodies, places | 8 + 8 | both grains; where each of them finds the contact |
-    /// | load | 64, twice | written by the laws, read by the sums; 32 more, twice, where some law resists rolling |
+    /// | bodies | 8 | both grains |
+    /// | tangential force | 24 | written; 32 more where some law resists rolling |
     ///
     /// Gear's corrector also reads and writes the derivatives in both passes, and place and orientation in the second.
     pub(super) fn needs(&self, stride: usize, rolls: bool, gear: bool) -> Needs {
         let (row, turn) = (size_of::<Row>(), size_of::<DQuat>());
         let drift = 2 * (3 * row + turn) + 3 * row;
-        let sums = 8 * row + size_of::<f64>() + 4 * row + 4 * size_of::<u32>();
+        let sum = 2 * row;
+        let contacts = 3 * row + 2 * sum;
+        let kick = 8 * row + size_of::<f64>() + sum + size_of::<u32>();
         let remembered = if gear {
             4 * size_of::<HigherDerivatives>() + 2 * (row + turn)
         } else {
             0
         };
-        let per_grain = drift + 3 * row + sums + remembered;
+        let per_grain = drift + contacts + kick + remembered;
         let (entry, start) = (size_of::<u32>(), size_of::<u32>());
         let per_wall_candidate = size_of::<WallPair>() + entry + start;
-        let rolling = if rolls { 2 * row } else { 0 };
+        let rolling = if rolls { row } else { 0 };
         let history = 2 * (stride + 1) * size_of::<f64>();
-        let per_contact = history + 4 * size_of::<u32>() + 2 * size_of::<Load>() + rolling;
+        let per_contact = history + 2 * size_of::<u32>() + size_of::<DVec3>() + rolling;
         let product = |count: u64, each: usize| count as f64 * each as f64;
         Needs {
             bytes: product(self.grains, per_grain)
@@ -301,11 +303,11 @@ mod tests {
             set(&mut work);
             work
         };
-        assert_eq!(of(one(|w| w.grains = 1), 4), 352.0 + 96.0 + 408.0);
+        assert_eq!(of(one(|w| w.grains = 1), 4), 352.0 + 224.0 + 332.0);
         assert_eq!(of(one(|w| w.wall_candidates = 1), 4), 16.0);
         let contact = one(|w| w.contacts = 1);
-        assert_eq!(of(contact, 4), 16.0 * 4.0 + 16.0 + 8.0 + 8.0 + 128.0);
-        assert_eq!(contact.needs(4, true, false).bytes, of(contact, 4) + 64.0);
+        assert_eq!(of(contact, 4), 16.0 * 4.0 + 16.0 + 8.0 + 24.0);
+        assert_eq!(contact.needs(4, true, false).bytes, of(contact, 4) + 32.0);
     }
 
     #[test]

@@ -1,0 +1,179 @@
+//! Contacts of grains and walls: which parts of a wall every grain touches in this step.
+
+use super::{ContactChunk, Kept, Scene};
+use crate::neighbours::WallPair;
+use crate::walls::SurfaceContact;
+use demeter_physics::contact::PairSize;
+use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use glam::DVec3;
+
+/// What the grains of a chunk touch.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Touched {
+    /// Parts of walls, one candidate after the other, and where those of each candidate end.
+    parts: Vec<SurfaceContact>,
+    ends: Vec<u32>,
+    /// Contacts of the step before that were taken up: of one candidate.
+    taken: Vec<usize>,
+}
+
+impl Touched {
+    /// Looks at all candidates, whose material pair is `law`.
+    fn look(&mut self, pairs: &[WallPair], law: u32, scene: &Scene) {
+        self.parts.clear();
+        self.ends.clear();
+        let window = scene.widest_window();
+        for pair in pairs {
+            let (g, wall) = (pair.grain as usize, &scene.walls[pair.wall as usize]);
+            let (centre, radius) = (scene.grains.position[g], scene.grains.radius(g));
+            let bulge = scene.bulge(g);
+            let first = self.parts.len();
+            wall.contacts(centre, radius + window + bulge, &mut self.parts);
+            let mut kept = first;
+            for k in first..self.parts.len() {
+                let part = self.parts[k];
+                let rate = scene.rate_at_wall(pair, &part);
+                if scene.acts(law, || scene.size_at_wall(g), radius - part.distance + bulge, rate) {
+                    self.parts[kept] = part;
+                    kept += 1;
+                }
+            }
+            self.parts.truncate(kept);
+            self.ends.push(kept as u32);
+        }
+    }
+
+    /// Parts that a candidate touches.
+    fn of(&self, candidate: usize) -> &[SurfaceContact] {
+        let first = candidate.checked_sub(1).map_or(0, |before| self.ends[before] as usize);
+        &self.parts[first..self.ends[candidate] as usize]
+    }
+
+    /// Whether these are the contacts of the step before.
+    fn are(&self, contacts: &Kept) -> bool {
+        contacts.start.get(1..) == Some(&self.ends)
+            && (self.parts.iter().map(|part| part.element)).eq(contacts.element.iter().copied())
+    }
+}
+
+impl Scene<'_> {
+    /// Rate at which a grain approaches a part of a wall [m/s].
+    #[inline(always)]
+    fn rate_at_wall(&self, pair: &WallPair, part: &SurfaceContact) -> f64 {
+        let g = pair.grain as usize;
+        let foot = self.grains.position[g] - part.normal * part.distance;
+        (self.walls[pair.wall as usize].velocity_at(foot) - self.grains.velocity[g]).dot(part.normal)
+    }
+
+    fn size_at_wall(&self, grain: usize) -> PairSize {
+        PairSize {
+            radius: self.grains.radius(grain),
+            mass: self.grains.mass[grain],
+        }
+    }
+}
+
+fn geometry(part: &SurfaceContact, radius: f64) -> Contact {
+    Contact {
+        normal: part.normal,
+        overlap: radius - part.distance,
+        lever_i: part.distance,
+        lever_j: 0.0,
+    }
+}
+
+impl ContactChunk {
+    /// Finds the contacts of a chunk of pairs of grain and wall.
+    pub(crate) fn find_walls(&mut self, (pairs, law): (&[WallPair], u32), scene: &Scene) {
+        self.begin(scene.walls.len(), law);
+        let mut touched = std::mem::take(&mut self.touched);
+        touched.look(pairs, law, scene);
+        if touched.are(&self.now) && !scene.is_coupled() {
+            for ((contact, part), &g) in self.now.geometry.iter_mut().zip(&touched.parts).zip(&self.i) {
+                *contact = geometry(part, scene.grains.radius(g as usize));
+            }
+        } else {
+            self.renew_walls(pairs, &mut touched, scene);
+        }
+        self.touched = touched;
+        for k in 0..self.len() {
+            let (g, wall) = (self.i[k] as usize, self.j[k] as usize);
+            let share = self.now.geometry[k].overlap / scene.grains.radius(g);
+            self.watch_overlap(scene, g, share, || format!("wall {}", scene.walls[wall].name));
+        }
+    }
+
+    /// Takes over what the contacts of the step before remember, where not all of them are still the same.
+    fn renew_walls(&mut self, pairs: &[WallPair], touched: &mut Touched, scene: &Scene) {
+        std::mem::swap(&mut self.now, &mut self.before);
+        self.now.clear();
+        self.goes_on.clear();
+        self.goes_on.resize(self.before.len(), false);
+        self.i.clear();
+        self.j.clear();
+        let mut taken = std::mem::take(&mut touched.taken);
+        for (c, pair) in pairs.iter().enumerate() {
+            let (g, parts) = (pair.grain as usize, touched.of(c));
+            taken.clear();
+            for (k, part) in parts.iter().enumerate() {
+                let old = self.before.heir(c, parts, k, &taken);
+                taken.extend(old);
+                let contact = geometry(part, scene.grains.radius(g));
+                self.push(scene.stride, (pair.grain, pair.wall, part.element), contact, old);
+                if scene.is_coupled() {
+                    let rate = scene.rate_at_wall(pair, part);
+                    self.coupling.push(rate, scene.size_at_wall(g), old);
+                }
+            }
+            self.now.start.push(self.now.len() as u32);
+        }
+        touched.taken = taken;
+        if scene.records_walls {
+            self.mark_ends(pairs, scene);
+        }
+        for k in 0..self.before.len() {
+            if !self.goes_on[k] {
+                self.book_end(k, scene);
+            }
+        }
+    }
+
+    fn push(&mut self, stride: usize, (i, j, element): (u32, u32, u32), contact: Contact, old: Option<usize>) {
+        self.i.push(i);
+        self.j.push(j);
+        self.now.element.push(element);
+        self.now.geometry.push(contact);
+        match old {
+            Some(k) => {
+                self.now.push_force(self.before.normal_force[k], DVec3::ZERO);
+                self.now
+                    .history
+                    .extend_from_slice(&self.before.history[k * stride..(k + 1) * stride]);
+                self.goes_on[k] = true;
+            }
+            None => {
+                self.now.push_force(0.0, DVec3::ZERO);
+                self.now.history.resize(self.now.history.len() + stride, 0.0);
+            }
+        }
+    }
+}
+
+/// Cosine of the largest turn of the normal at which a history passes from one wall element to another.
+const SAME_SURFACE: f64 = 0.5;
+
+impl Kept {
+    /// The contact of the step before that contact `k` of a grain and a wall continues: the same element, else (a grain
+    /// that rolled from one triangle onto the next) the one with the closest normal that no other continues.
+    fn heir(&self, candidate: usize, touched: &[SurfaceContact], k: usize, taken: &[usize]) -> Option<usize> {
+        let old = self.range(candidate);
+        if let Some(same) = old.clone().find(|&o| self.element[o] == touched[k].element) {
+            return Some(same);
+        }
+        old.filter(|o| !taken.contains(o) && touched.iter().all(|s| s.element != self.element[*o]))
+            .map(|o| (self.geometry[o].normal.dot(touched[k].normal), o))
+            .filter(|(cosine, _)| *cosine > SAME_SURFACE)
+            .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)))
+            .map(|(_, o)| o)
+    }
+}
