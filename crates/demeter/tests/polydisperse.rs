@@ -170,6 +170,7 @@ fn rebuilds_change_no_bit() {
     for (name, laws) in laws() {
         let run = |skin: f64| {
             let mut sim = Simulation::new(powder(&laws, Skin::Fixed(skin)));
+            sim.leave_order();
             for _ in 0..4000 {
                 sim.step().unwrap();
             }

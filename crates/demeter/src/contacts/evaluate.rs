@@ -3,7 +3,7 @@
 use super::kinematics::{Approach, Known, Partners, Source};
 use super::meetings::Meeting;
 use super::respond::{Answers, Respond};
-use super::sum::{AddAtOnce, Collector, LoadList, Sink};
+use super::sum::{AddAtOnce, Collector, Sink};
 use super::{ContactChunk, EightVectors, Scene};
 use demeter_physics::lanes::{self, MOST_LANES};
 
@@ -62,10 +62,11 @@ impl ContactChunk {
             i: &i,
             partners: Partners::walls(&surfaces),
         };
-        let mut loads = LoadList::of(std::mem::take(&mut self.load));
-        loads.expect(self.len());
-        self.evaluate(&mut loads, scene, known);
-        self.load = loads.loads;
+        let mut load = std::mem::take(&mut self.load);
+        load.clear();
+        self.evaluate(&mut load, scene, known);
+        load.truncate(self.len());
+        self.load = load;
         (self.i, self.j, self.shift) = (i, j, shift);
         self.now.geometry = geometry;
         self.surfaces = surfaces;
@@ -100,8 +101,10 @@ impl ContactChunk {
         source: impl Source,
     ) -> Option<(usize, f64)> {
         if collector.waits {
-            collector.waiting.expect(self.len());
-            return self.evaluate(collector.waiting, scene, source);
+            let all = collector.waiting.loads.len() + self.len();
+            let too_deep = self.evaluate(collector.waiting, scene, source);
+            collector.waiting.truncate(all);
+            return too_deep;
         }
         let adder = &mut collector.adder;
         self.evaluate(&mut AddAtOnce { adder, i, j }, scene, source)

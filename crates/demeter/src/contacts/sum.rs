@@ -23,19 +23,40 @@ struct Sum {
     arms: [f64; 4],
 }
 
-impl Sum {
-    /// Adds what a contact does to its first body (0) or its second (1).
+/// The same in registers.
+struct Running<Q> {
+    force: Q,
+    arms: Q,
+}
+
+impl<Q: Quad> Running<Q> {
     #[inline(always)]
-    fn add<Q: Quad>(&mut self, load: &Load, side: usize) {
-        let (sign, lever) = ([1.0, -1.0][side], load.lever(side));
-        self.force = (Q::load(&self.force) + Q::load(&load.force) * Q::all(sign)).store();
-        self.arms = (Q::load(&self.arms) + Q::load(&load.arm) * Q::all(lever)).store();
+    fn of(sum: &Sum) -> Self {
+        Self {
+            force: Q::load(&sum.force),
+            arms: Q::load(&sum.arms),
+        }
     }
 
-    /// Adds the torque of a rolling law on the first body.
+    /// Adds what a contact does to its first body (0) or its second (1), with the torque of a rolling law on the first.
     #[inline(always)]
-    fn roll<Q: Quad>(&mut self, torque: &[f64; 4], side: usize) {
-        self.arms = (Q::load(&self.arms) + Q::load(torque) * Q::all([-1.0, 1.0][side])).store();
+    fn add(&mut self, load: &Load, side: usize, torque: Option<&[f64; 4]>) {
+        let (sign, lever) = ([1.0, -1.0][side], load.lever(side));
+        self.force = self.force + Q::load(&load.force) * Q::all(sign);
+        self.arms = self.arms + Q::load(&load.arm) * Q::all(lever);
+        if let Some(torque) = torque {
+            self.arms = self.arms + Q::load(torque) * Q::all(-sign);
+        }
+    }
+}
+
+impl Sum {
+    #[inline(always)]
+    fn add<Q: Quad>(&mut self, load: &Load, side: usize, torque: Option<&[f64; 4]>) {
+        let mut running = Running::<Q>::of(self);
+        running.add(load, side, torque);
+        self.force = running.force.store();
+        self.arms = running.arms.store();
     }
 }
 
@@ -94,22 +115,16 @@ impl<'a> GrainSums<'a> {
     /// Force [N] and torque [N m] of all contacts on a grain, told by how far it lies behind the first; nothing beside them.
     #[inline(always)]
     pub(crate) fn of<Q: Quad>(&self, k: usize) -> (Q, Q) {
-        let mut sum = self.sums[k];
+        let mut sum = Running::<Q>::of(&self.sums[k]);
         for (chunk, slot) in self.neighbours.wall_pairs_of(self.first + k) {
             let chunk = &self.walls[chunk];
             for contact in chunk.contacts_of(slot) {
-                sum.add::<Q>(&chunk.load[contact], 0);
-                if let Some(torque) = chunk.rolling.get(contact) {
-                    sum.roll::<Q>(torque, 0);
-                }
+                sum.add(&chunk.load[contact], 0, chunk.rolling.get(contact));
             }
         }
         let vectors = Q::load(&[1.0, 1.0, 1.0, 0.0]);
         // 0 - x, so that no torque has no sign
-        (
-            Q::load(&sum.force) * vectors,
-            Q::all(0.0) - Q::load(&sum.arms) * vectors,
-        )
+        (sum.force * vectors, Q::all(0.0) - sum.arms * vectors)
     }
 }
 
@@ -124,8 +139,16 @@ impl GrainSums<'_> {
 
 /// Where what contacts do is added up.
 pub(super) trait Sink {
-    /// Takes what the contacts from `k` on do; those beyond the end do nothing, and are not there.
+    /// Takes what the contacts from `k` on do, one per lane, and nothing in lanes beyond the end.
     fn put<L: Lanes>(&mut self, k: usize, forces: &L::Rows, arms: &L::Rows, torques: Option<&L::Rows>);
+}
+
+impl Sink for Vec<Load> {
+    #[inline(always)]
+    fn put<L: Lanes>(&mut self, _k: usize, forces: &L::Rows, arms: &L::Rows, _torques: Option<&L::Rows>) {
+        let rows = forces.as_ref().iter().zip(arms.as_ref());
+        self.extend(rows.map(|(&force, &arm)| Load { force, arm }));
+    }
 }
 
 /// What contacts do, one after the other.
@@ -133,43 +156,23 @@ pub(super) trait Sink {
 pub(crate) struct LoadList {
     pub(super) loads: Vec<Load>,
     /// Torques of rolling laws; empty where none resists rolling.
-    pub(super) torques: Vec<[f64; 4]>,
-    /// How many contacts there will be.
-    count: usize,
+    torques: Vec<[f64; 4]>,
 }
 
 impl LoadList {
-    /// An empty list in some memory.
-    pub(super) fn of(mut loads: Vec<Load>) -> Self {
-        loads.clear();
-        Self {
-            loads,
-            ..Self::default()
-        }
-    }
-
-    pub(super) fn clear(&mut self) {
-        self.loads.clear();
-        self.torques.clear();
-        self.count = 0;
-    }
-
-    /// Expects some more contacts.
-    pub(super) fn expect(&mut self, contacts: usize) {
-        self.count += contacts;
-        self.loads.reserve(contacts);
+    /// Keeps so many contacts.
+    pub(super) fn truncate(&mut self, contacts: usize) {
+        self.loads.truncate(contacts);
+        self.torques.truncate(contacts);
     }
 }
 
 impl Sink for LoadList {
     #[inline(always)]
-    fn put<L: Lanes>(&mut self, _k: usize, forces: &L::Rows, arms: &L::Rows, torques: Option<&L::Rows>) {
-        let left = self.count - self.loads.len();
-        let rows = forces.as_ref().iter().zip(arms.as_ref());
-        let loads = rows.map(|(&force, &arm)| Load { force, arm });
-        self.loads.extend(loads.take(left));
+    fn put<L: Lanes>(&mut self, k: usize, forces: &L::Rows, arms: &L::Rows, torques: Option<&L::Rows>) {
+        self.loads.put::<L>(k, forces, arms, None);
         if let Some(torques) = torques {
-            self.torques.extend(torques.as_ref().iter().take(left));
+            self.torques.extend_from_slice(torques.as_ref());
         }
     }
 }
@@ -190,10 +193,7 @@ impl Adder<'_> {
     #[inline(always)]
     fn add<Q: Quad>(&mut self, grain: u32, side: usize, load: &Load, torque: Option<&[f64; 4]>) {
         if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
-            sum.add::<Q>(load, side);
-            if let Some(torque) = torque {
-                sum.roll::<Q>(torque, side);
-            }
+            sum.add::<Q>(load, side, torque);
         } else {
             self.strays.push(grain, side, load, torque);
         }
@@ -337,7 +337,7 @@ impl<'a> Task<'a> {
             collector.adder.sums[grains.start - self.first_grain..grains.end - self.first_grain].fill(Sum::default());
             let chunks = neighbours.chunks_of_segment(segment);
             collector.waits = work.waits || neighbours.order_of_segment(segment).next().is_some();
-            collector.waiting.clear();
+            collector.waiting.truncate(0);
             for chunk in chunks.clone() {
                 (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], &mut collector);
             }
@@ -436,10 +436,7 @@ impl Kernel for AddStrays<'_> {
                 let Some(sum) = self.sums.get_mut((grain as usize).wrapping_sub(self.first)) else {
                     continue;
                 };
-                sum.add::<L::Quad>(&strays.loads[k], side as usize);
-                if let Some(torque) = strays.torques.get(k) {
-                    sum.roll::<L::Quad>(torque, side as usize);
-                }
+                sum.add::<L::Quad>(&strays.loads[k], side as usize, strays.torques.get(k));
             }
         }
     }

@@ -116,6 +116,8 @@ pub struct Simulation {
     /// The highest id that was ever given.
     latest_id: u32,
     order: SpatialOrder,
+    /// Whether grains that have become scattered in memory are put in order again.
+    puts_in_order: bool,
     /// Share of the candidates that were scattered in memory when the grains were put in order.
     scattered_in_order: f64,
     rebuilds: u64,
@@ -182,6 +184,7 @@ impl Simulation {
             instructions: Instructions::widest(),
             profile: None,
             order: SpatialOrder::default(),
+            puts_in_order: true,
             scattered_in_order: 0.0,
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
@@ -210,6 +213,12 @@ impl Simulation {
     /// Uses other instructions of the processor than the widest; the bits of the results are the same.
     pub fn set_instructions(&mut self, instructions: Instructions) {
         self.instructions = instructions;
+    }
+
+    /// Leaves the grains in the order that they have in memory, however scattered they become. Every grain is summed up in that
+    /// order, so the bits of a run do not depend on how often candidates are found anew then.
+    pub fn leave_order(&mut self) {
+        self.puts_in_order = false;
     }
 
     /// Whether the forces of the first moment were found.
@@ -252,7 +261,8 @@ impl Simulation {
     /// Finds all candidates anew; contacts keep what they remember.
     pub fn find_candidates(&mut self) {
         self.wrap_grains();
-        let is_moved = self.rebuilds == 0 || self.neighbours.scattered() > self.scattered_in_order + DECAY;
+        let is_scattered = || self.neighbours.scattered() > self.scattered_in_order + DECAY;
+        let is_moved = self.rebuilds == 0 || self.puts_in_order && is_scattered();
         if is_moved {
             self.order.sort(&mut self.grains);
         }

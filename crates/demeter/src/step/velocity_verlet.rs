@@ -114,34 +114,41 @@ impl Kernel for Drift<'_> {
         // what stands beside a vector stays
         let time = L::Quad::load(&[dt, dt, dt, 0.0]);
         let count = self.position.len();
+        // tables of one length: each index is checked once
+        let (velocity, spin) = (&mut self.velocity[..count], &mut self.spin[..count]);
+        let (force, torque) = (&self.force[..count], &self.torque[..count]);
+        let reference = &self.reference[..count];
         let (mut speed, mut middle_speed) = (L::Quad::all(0.0), L::Quad::all(0.0));
-        let mut displacement2 = 0.0;
+        let mut displacement2 = L::splat(0.0);
         let mut misplaced = None;
         for k in (0..count).step_by(L::COUNT) {
             let here = k..(k + L::COUNT).min(count);
-            let mut spins = [[0.0; 4]; MOST_LANES];
-            for (g, turning) in here.clone().zip(&mut spins) {
-                let (velocity, spin) = (&mut self.velocity[g], &mut self.spin[g]);
-                let kick = L::Quad::load(&self.force[g]) * L::Quad::all(half * velocity[3]);
-                let twist = L::Quad::load(&self.torque[g]) * L::Quad::all(half * spin[3]);
-                let middle = L::Quad::load(velocity) + kick;
-                let middle_spin = L::Quad::load(spin) + twist;
+            let (mut spins, mut displacements) = ([[0.0; 4]; MOST_LANES], [[0.0; 4]; MOST_LANES]);
+            let rows = spins.iter_mut().zip(&mut displacements);
+            for (g, (turning, displacement)) in here.clone().zip(rows) {
+                let kick = L::Quad::load(&force[g]) * L::Quad::all(half * velocity[g][3]);
+                let twist = L::Quad::load(&torque[g]) * L::Quad::all(half * spin[g][3]);
+                let middle = L::Quad::load(&velocity[g]) + kick;
+                let middle_spin = L::Quad::load(&spin[g]) + twist;
                 let place = L::Quad::load(&self.position[g]) + middle * time;
                 let ahead = middle + kick;
                 self.position[g] = place.store();
-                *velocity = ahead.store();
-                *spin = (middle_spin + twist).store();
+                velocity[g] = ahead.store();
+                spin[g] = (middle_spin + twist).store();
                 *turning = middle_spin.store();
+                *displacement = (place - L::Quad::load(&reference[g])).store();
                 speed = speed.largest(ahead);
                 middle_speed = middle_speed.largest(middle);
-                let square = (place - L::Quad::load(&self.reference[g])).square();
-                displacement2 = if square > displacement2 { square } else { displacement2 };
                 if !place.lies_within(lower, upper) && misplaced.is_none() {
                     misplaced = Some(self.first + g);
                 }
             }
+            let [x, y, z, _] = L::strided(displacements.as_flattened(), 0, 4);
+            // what is not a number is told as misplaced
+            displacement2 = L::Vector::new(x, y, z).square().max(displacement2);
             turn::<L>(&mut self.orientation[here], &spins, dt);
         }
+        let displacement2 = displacement2.to_array().into_iter().fold(0.0, f64::max);
         Motion {
             max_speed: length(speed.store()),
             max_step: length(middle_speed.store()) * dt,
@@ -194,24 +201,25 @@ impl Kernel for Kick<'_> {
         let gravity: L::Quad = row(self.gravity, 0.0);
         let finite = (L::Quad::all(f64::MIN), L::Quad::all(f64::MAX));
         let mut bad = None;
+        let count = self.mass.len();
+        let (velocity, spin) = (&mut self.velocity[..count], &mut self.spin[..count]);
+        let (force, torque) = (&mut self.force[..count], &mut self.torque[..count]);
         for (k, &mass) in self.mass.iter().enumerate() {
-            let grain = self.first + k;
             let (contact_force, new_torque) = self.sums.of::<L::Quad>(k);
             let new_force = contact_force + gravity * L::Quad::all(mass);
-            let (velocity, spin) = (&mut self.velocity[k], &mut self.spin[k]);
-            let change = (new_force - L::Quad::load(&self.force[k])) * L::Quad::all(self.correction * velocity[3]);
-            let twist = (new_torque - L::Quad::load(&self.torque[k])) * L::Quad::all(self.correction * spin[3]);
-            let (new_velocity, new_spin) = (L::Quad::load(velocity) + change, L::Quad::load(spin) + twist);
-            *velocity = new_velocity.store();
-            *spin = new_spin.store();
-            self.force[k] = new_force.store();
-            self.torque[k] = new_torque.store();
+            let change = (new_force - L::Quad::load(&force[k])) * L::Quad::all(self.correction * velocity[k][3]);
+            let twist = (new_torque - L::Quad::load(&torque[k])) * L::Quad::all(self.correction * spin[k][3]);
+            let (new_velocity, new_spin) = (L::Quad::load(&velocity[k]) + change, L::Quad::load(&spin[k]) + twist);
+            velocity[k] = new_velocity.store();
+            spin[k] = new_spin.store();
+            force[k] = new_force.store();
+            torque[k] = new_torque.store();
             // a sum is finite only where all are
             let all = (new_velocity + new_spin) + (new_force + new_torque);
             if !all.lies_within(finite.0, finite.1) {
-                let values = [&*velocity, &*spin, &self.force[k], &self.torque[k]];
-                if values.into_iter().flatten().any(|value| !value.is_finite()) {
-                    bad = first_by_id(self.ids, bad, Some(grain));
+                let values = [velocity[k], spin[k], force[k], torque[k]];
+                if values.as_flattened().iter().any(|value| !value.is_finite()) {
+                    bad = first_by_id(self.ids, bad, Some(self.first + k));
                 }
             }
         }

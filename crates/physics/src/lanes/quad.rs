@@ -15,13 +15,6 @@ pub trait Quad: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     fn largest(self, other: Self) -> Self;
     /// Whether every number is at least `lower` and at most `upper`.
     fn lies_within(self, lower: Self, upper: Self) -> bool;
-
-    /// Square of the length of the first three.
-    #[inline(always)]
-    fn square(self) -> f64 {
-        let [x, y, z, _] = (self * self).store();
-        x + y + z
-    }
 }
 
 /// Four numbers without instructions of their own.

@@ -56,7 +56,7 @@ impl Kernel for Everything<'_> {
                     let other = L::Quad::load(&[b, a, -a, -2.0]);
                     let within = one.lies_within(other, L::Quad::all(b));
                     let computed = (one * L::Quad::all(a) + other - one).store();
-                    let each = [computed[0], computed[1], one.largest(other).store()[0], one.square()];
+                    let each = [computed[0], computed[1], one.largest(other).store()[0], computed[2]];
                     for (quad, value) in quads.iter_mut().zip(each) {
                         quad[lane] = value;
                     }
