@@ -175,12 +175,6 @@ impl Simulation {
         scene.near = (self.near).advance(motion.max_step, window);
         let (neighbours, profile) = (&self.neighbours, self.profile.as_deref());
         let Contacts { pairs, walls, .. } = &mut self.contacts;
-        walls.par_iter_mut().enumerate().for_each(|(c, chunk)| {
-            let mut clock = Profile::chunk(profile);
-            chunk.find_walls(neighbours.wall_chunk(c), &scene);
-            chunk.evaluate_walls(&scene);
-            clock.took(Part::Walls);
-        });
         let work = Work {
             neighbours,
             instructions: self.instructions,
@@ -192,7 +186,20 @@ impl Simulation {
                 clock.took(Part::Laws);
             },
         };
-        (self.sums).work(pairs, self.grains.len(), parts(self.grains.len()), &work);
+        let grains = self.grains.len();
+        let sums = &mut self.sums;
+        // the few contacts with walls fill the gaps of the others
+        rayon::join(
+            || sums.work(pairs, grains, parts(grains), &work),
+            || {
+                walls.par_iter_mut().enumerate().for_each(|(c, chunk)| {
+                    let mut clock = Profile::chunk(profile);
+                    chunk.find_walls(neighbours.wall_chunk(c), &scene);
+                    chunk.evaluate_walls(&scene);
+                    clock.took(Part::Walls);
+                });
+            },
+        );
         Ok(())
     }
 
