@@ -44,6 +44,8 @@ impl SpatialOrder {
         self.keyed.par_sort_unstable();
         self.order.clear();
         self.order.extend(self.keyed.iter().map(|k| k.2));
+        // this is rare, and the memory is worth more
+        self.keyed = Vec::new();
         self.apply(grains);
     }
 

@@ -20,21 +20,22 @@ pub(super) struct PairTable {
     /// For every segment where the pairs of each later grain begin, in the order of the sums.
     #[serde(skip)]
     starts: Vec<Vec<u32>>,
+    /// Pairs that the task of each segment found and whose later grain belongs to another.
     #[serde(skip)]
-    found: Vec<Found>,
-    /// Pairs that were found with the earlier grain, by segment, and where those of each segment begin.
+    strays_found: Vec<Vec<Pair>>,
+    /// The same by segment of the later grain, and where those of each segment begin.
     #[serde(skip)]
     strays: Vec<Pair>,
     #[serde(skip)]
     first_strays: Vec<u32>,
 }
 
-/// What a task of the search found.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Found {
-    /// Pairs whose later grain is one of the task's own, and others.
-    pub(super) own: Vec<Pair>,
-    pub(super) strays: Vec<Pair>,
+/// What a task of the search finds.
+pub(super) struct Found<'a> {
+    /// Pairs whose later grain is one of the task's own.
+    pub(super) own: &'a mut Vec<Pair>,
+    /// Others.
+    pub(super) strays: &'a mut Vec<Pair>,
 }
 
 /// Memory of a thread for putting pairs in order.
@@ -47,14 +48,20 @@ pub(super) struct Sorter {
 }
 
 impl PairTable {
-    /// Has the pairs found by tasks with as many grains as segments have.
-    pub(super) fn search(&mut self, grains: usize, per_segment: usize) -> &mut [Found] {
+    /// Has the pairs found by tasks with as many grains as segments have, in the memory of the table itself.
+    pub(super) fn search(&mut self, grains: usize, per_segment: usize) -> impl IndexedParallelIterator<Item = Found<'_>> {
         self.per_segment = per_segment;
         let segments = grains.div_ceil(per_segment);
-        self.found.resize_with(segments, Found::default);
+        self.strays_found.resize_with(segments, Vec::new);
         self.starts.resize_with(segments, Vec::new);
         self.table.segments.resize_with(segments, Segment::default);
-        &mut self.found
+        let found = self.table.segments.par_iter_mut().zip(&mut self.strays_found);
+        found.map(|(segment, strays)| {
+            let own = &mut segment.candidates;
+            own.clear();
+            strays.clear();
+            Found { own, strays }
+        })
     }
 
     /// Grains of a segment.
@@ -64,10 +71,10 @@ impl PairTable {
 
     fn collect_strays(&mut self) {
         let segment_of = |pair: &Pair| pair.later() as usize / self.per_segment;
-        let segments = self.found.len();
+        let segments = self.strays_found.len();
         self.first_strays.clear();
         self.first_strays.resize(segments + 1, 0);
-        let all = || self.found.iter().flat_map(|found| &found.strays);
+        let all = || self.strays_found.iter().flatten();
         all().for_each(|pair| self.first_strays[segment_of(pair) + 1] += 1);
         for segment in 0..segments {
             self.first_strays[segment + 1] += self.first_strays[segment];
@@ -75,12 +82,10 @@ impl PairTable {
         let nothing = Pair { i: 0, j: 0, shift: 0 };
         self.strays.resize(self.first_strays[segments] as usize, nothing);
         // starts become ends, and then starts again
-        for found in &self.found {
-            for &pair in &found.strays {
-                let next = &mut self.first_strays[segment_of(&pair)];
-                self.strays[*next as usize] = pair;
-                *next += 1;
-            }
+        for &pair in self.strays_found.iter().flatten() {
+            let next = &mut self.first_strays[segment_of(&pair)];
+            self.strays[*next as usize] = pair;
+            *next += 1;
         }
         self.first_strays.rotate_right(1);
         self.first_strays[0] = 0;
@@ -98,12 +103,11 @@ impl PairTable {
         let (strays, first_strays) = (&self.strays, &self.first_strays);
         (self.table.segments.par_iter_mut().enumerate())
             .zip(&mut self.starts)
-            .zip(&self.found)
-            .for_each(|(((s, segment), starts), found)| {
+            .for_each(|((s, segment), starts)| {
                 let strays = &strays[first_strays[s] as usize..first_strays[s + 1] as usize];
                 let first = s * per_segment;
                 let own = (grains - first).min(per_segment);
-                with_sorter(&mut |sorter| sorter.fill(segment, starts, (&found.own, strays), (first, own), &law));
+                with_sorter(&mut |sorter| sorter.fill(segment, starts, strays, (first, own), &law));
             });
         self.table.cut();
     }
@@ -174,11 +178,11 @@ impl PairTable {
 
     /// Bytes in use: of the table, and of what a search needs.
     pub(super) fn bytes(&self) -> (usize, usize) {
-        let of_found = |found: &Found| (found.own.capacity() + found.strays.capacity()) * size_of::<Pair>();
+        let found: usize = self.strays_found.iter().map(Vec::capacity).sum();
         let starts: usize = self.starts.iter().map(|s| s.capacity() * size_of::<u32>()).sum();
-        let found: usize = self.found.iter().map(of_found).sum();
-        let strays = self.strays.capacity() * size_of::<Pair>() + self.first_strays.capacity() * size_of::<u32>();
-        (self.table.bytes() + starts, found + strays)
+        let strays = (found + self.strays.capacity()) * size_of::<Pair>();
+        let firsts = self.first_strays.capacity() * size_of::<u32>();
+        (self.table.bytes() + starts, strays + firsts)
     }
 }
 
@@ -188,15 +192,17 @@ fn span(pairs: &[Pair]) -> (u32, u32) {
 }
 
 impl Sorter {
-    /// Fills the segment of some grains behind each other, told by the first and how many.
+    /// Puts the pairs in order that the segment of some grains behind each other holds, with others that belong to it. The
+    /// grains are told by the first and how many.
     fn fill(
         &mut self,
         segment: &mut Segment<Pair>,
         starts: &mut Vec<u32>,
-        (own, strays): (&[Pair], &[Pair]),
+        strays: &[Pair],
         (first, grains): (usize, usize),
         law: impl Fn(&Pair) -> u32,
     ) {
+        let own = &segment.candidates;
         let all = || own.iter().chain(strays);
         starts.clear();
         starts.resize(grains + 1, 0);

@@ -90,8 +90,7 @@ impl Search {
             skin,
             cells: &self.cells,
         };
-        let found = table.search(grains.len(), per_task);
-        let effort = (found.par_iter_mut().enumerate())
+        let effort = (table.search(grains.len(), per_task).enumerate())
             .map(|(task, found)| {
                 let of = task * per_task..((task + 1) * per_task).min(grains.len());
                 self.with_worker(|worker| {
@@ -169,13 +168,11 @@ impl Finder<'_> {
     fn find<const PERIODIC: bool>(
         &self,
         of: std::ops::Range<usize>,
-        found: &mut Found,
+        found: Found,
         near: &mut Near,
     ) -> SearchEffort {
         let Self { grains, comm, .. } = *self;
         let rows = grains.position.rows();
-        found.own.clear();
-        found.strays.clear();
         let half = 0.5 * comm.domain().size();
         let below = comm.slides().map(|axes| (axes.gradient, -comm.edge(axes.gradient)));
         let mut effort = SearchEffort::default();
