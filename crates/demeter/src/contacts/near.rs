@@ -10,10 +10,10 @@ use demeter_physics::lanes::{Kernel, Lanes, Mask, Vector};
 use serde::{Deserialize, Serialize};
 
 /// The table shall serve for so many steps.
-const STEPS: f64 = 16.0;
+const STEPS: f64 = 8.0;
 
 /// Looking for contacts costs as much as this share of the pairs that come into the table with a reach of the mean radius.
-const SEARCH: f64 = 0.44;
+const SEARCH: f64 = 0.1;
 
 /// The least and the most that the reach goes beyond what acts in one step, as shares of the mean radius.
 const ROOM: (f64, f64) = (1e-5, 0.1);

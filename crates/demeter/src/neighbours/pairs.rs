@@ -49,7 +49,11 @@ pub(super) struct Sorter {
 
 impl PairTable {
     /// Has the pairs found by tasks with as many grains as segments have, in the memory of the table itself.
-    pub(super) fn search(&mut self, grains: usize, per_segment: usize) -> impl IndexedParallelIterator<Item = Found<'_>> {
+    pub(super) fn search(
+        &mut self,
+        grains: usize,
+        per_segment: usize,
+    ) -> impl IndexedParallelIterator<Item = Found<'_>> {
         self.per_segment = per_segment;
         let segments = grains.div_ceil(per_segment);
         self.strays_found.resize_with(segments, Vec::new);

@@ -165,12 +165,7 @@ struct Finder<'a> {
 }
 
 impl Finder<'_> {
-    fn find<const PERIODIC: bool>(
-        &self,
-        of: std::ops::Range<usize>,
-        found: Found,
-        near: &mut Near,
-    ) -> SearchEffort {
+    fn find<const PERIODIC: bool>(&self, of: std::ops::Range<usize>, found: Found, near: &mut Near) -> SearchEffort {
         let Self { grains, comm, .. } = *self;
         let rows = grains.position.rows();
         let half = 0.5 * comm.domain().size();
