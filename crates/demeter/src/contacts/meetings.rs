@@ -191,6 +191,17 @@ pub(super) fn lanes_below(count: usize) -> u32 {
     if count >= 32 { u32::MAX } else { (1 << count) - 1 }
 }
 
+/// The next lane that is set, which is no longer set then.
+#[inline(always)]
+pub(super) fn next_lane(bits: &mut u32) -> Option<usize> {
+    if *bits == 0 {
+        return None;
+    }
+    let lane = bits.trailing_zeros() as usize;
+    *bits &= *bits - 1;
+    Some(lane)
+}
+
 /// What looking for contacts fills.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Found {

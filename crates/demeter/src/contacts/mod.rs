@@ -9,6 +9,7 @@
 //!
 //! and [`sum`] then adds up per grain, in the order of the partners in memory.
 
+mod asking;
 pub mod coupling;
 mod evaluate;
 mod fault;

@@ -281,24 +281,6 @@ fn listed(instructions: &[Instructions]) -> String {
     names.join(", ")
 }
 
-/// Has the processor fetch the first 64 bytes of what will be read soon, where it can be told so.
-#[inline(always)]
-pub fn prefetch<T>(soon: &T) {
-    #[cfg(target_arch = "x86_64")]
-    x86::prefetch(soon);
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = soon;
-}
-
-/// The same for all that lies in a slice.
-#[inline(always)]
-pub fn prefetch_all<T>(soon: &[T]) {
-    const LINE: usize = 64;
-    for part in soon.chunks((LINE / size_of::<T>()).max(1)) {
-        prefetch(&part[0]);
-    }
-}
-
 /// Runs a kernel with instructions that this processor has ([`Instructions::available`]); with others it runs portably.
 #[inline]
 pub fn run<K: Kernel>(instructions: Instructions, kernel: K) -> K::Output {

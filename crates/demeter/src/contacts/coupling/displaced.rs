@@ -4,7 +4,7 @@ use super::kernels::Kernels;
 use super::sites::Source;
 use super::sites::{self, Changes, Sites};
 use super::{Coupled, Coupling, Delivered, Scratch, Worst, lever_shift};
-use crate::contacts::respond::normal_window;
+use crate::contacts::asking::normal_window;
 use crate::contacts::{ContactChunk, Fault, Kept, Scene};
 use demeter_physics::contact::PairSize;
 use demeter_physics::contact::multi_contact::clearance;

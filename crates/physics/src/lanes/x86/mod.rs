@@ -65,13 +65,6 @@ pub(super) fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     unsafe { inner(kernel) }
 }
 
-/// Fetches a line of the cache.
-#[inline(always)]
-pub(super) fn prefetch<T>(soon: &T) {
-    // SAFETY: every processor of this kind has it, and it changes nothing that a program can see
-    unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(soon).cast()) }
-}
-
 /// Asserts that `width` numbers are there from all of the first places on.
 #[inline(always)]
 fn check(values: &[f64], places: &Places, lanes: usize, width: usize) {

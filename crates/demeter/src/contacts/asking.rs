@@ -1,0 +1,312 @@
+//! The laws of one family after the other, asked about some contacts at a time.
+
+use super::meetings::next_lane;
+use demeter_physics::contact::PairSize;
+use demeter_physics::contact::normal::{Normal, NormalInput, NormalResponse, NormalVisitor, centred_force};
+use demeter_physics::contact::rolling::{Rolling, RollingInput, RollingResponse, RollingVisitor};
+use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialResponse, TangentialVisitor};
+use demeter_physics::integrator::Integrator;
+use demeter_physics::lanes::{Lanes, MOST_LANES, Mask};
+
+/// The most values that a law which works on all lanes remembers.
+const MOST_WIDE_HISTORY: usize = 16;
+
+/// Half of the path of the overlap over which a normal law takes its mean [m].
+#[inline(always)]
+pub(crate) fn normal_window<N: Normal, L: Lanes>(integrator: Integrator, overlap: L, rate: L, dt: f64) -> L {
+    if N::FOLLOWS_KINKS {
+        rate.abs() * (0.5 * dt)
+    } else {
+        integrator.half_window(overlap, rate, dt)
+    }
+}
+
+/// Some contacts from `k` on, one per lane; which of them act; and where the values of one of their laws lie.
+pub(super) struct Lot<'a> {
+    pub(super) k: usize,
+    pub(super) acting: u32,
+    pub(super) dt: f64,
+    pub(super) integrator: Integrator,
+    pub(super) values: &'a mut [f64],
+    pub(super) stride: usize,
+    pub(super) first: usize,
+}
+
+impl Lot<'_> {
+    /// What one contact remembers.
+    #[inline(always)]
+    fn memory(&mut self, lane: usize, length: usize) -> &mut [f64] {
+        let first = (self.k + lane) * self.stride + self.first;
+        &mut self.values[first..first + length]
+    }
+
+    /// Whether there are as many contacts from `k` on as lanes.
+    #[inline(always)]
+    fn is_whole<L: Lanes>(&self) -> bool {
+        (self.k + L::COUNT) * self.stride <= self.values.len()
+    }
+
+    /// What the contacts remember, as lanes, where there are four or more; fewer values of those that do not act repeat those of
+    /// one that does, so that no law takes them for new.
+    #[inline(always)]
+    fn recall<L: Lanes>(&self, length: usize) -> [L; MOST_WIDE_HISTORY] {
+        let mut lanes = [L::splat(0.0); MOST_WIDE_HISTORY];
+        let first = self.stride * self.k + self.first;
+        let mut value = 0;
+        if self.is_whole::<L>() {
+            while value + 4 <= length {
+                let columns = L::strided(self.values, first + value, self.stride);
+                lanes[value..value + 4].copy_from_slice(&columns);
+                value += 4;
+            }
+        }
+        while value < length {
+            lanes[value] = L::load(&self.values_of_all(value, L::COUNT));
+            value += 1;
+        }
+        lanes
+    }
+
+    /// One value of all contacts; those that do not act repeat that of one that does.
+    #[inline(never)]
+    fn values_of_all(&self, value: usize, count: usize) -> [f64; MOST_LANES] {
+        let first = self.stride * self.k + self.first + value;
+        let mut all = [self.values[first + self.stride * self.acting.trailing_zeros() as usize]; MOST_LANES];
+        for (lane, one) in all.iter_mut().enumerate().take(count) {
+            if self.acting >> lane & 1 != 0 {
+                *one = self.values[first + self.stride * lane];
+            }
+        }
+        all
+    }
+
+    /// Puts back what the contacts remember that act; the others remember nothing.
+    #[inline(always)]
+    fn remember<L: Lanes>(&mut self, lanes: &[L; MOST_WIDE_HISTORY], length: usize) {
+        let first = self.stride * self.k + self.first;
+        let is_acting = L::Mask::of_bits(self.acting);
+        let mut value = 0;
+        if self.is_whole::<L>() {
+            while value + 4 <= length {
+                let columns = [
+                    lanes[value].keep(is_acting),
+                    lanes[value + 1].keep(is_acting),
+                    lanes[value + 2].keep(is_acting),
+                    lanes[value + 3].keep(is_acting),
+                ];
+                L::put_strided(columns, self.values, first + value, self.stride);
+                value += 4;
+            }
+        }
+        while value < length {
+            self.put_value(value, &lanes[value].to_array());
+            value += 1;
+        }
+    }
+
+    /// Puts back one value of the contacts that act.
+    #[inline(never)]
+    fn put_value(&mut self, value: usize, numbers: &[f64; MOST_LANES]) {
+        let first = self.stride * self.k + self.first + value;
+        let mut acting = self.acting;
+        while let Some(lane) = next_lane(&mut acting) {
+            self.values[first + self.stride * lane] = numbers[lane];
+        }
+    }
+}
+
+/// What a normal law makes of some contacts.
+pub(super) struct Pressed<L> {
+    /// Normal force [N], and its part that does not depend on the rate.
+    pub(super) force: L,
+    pub(super) elastic: L,
+    /// Normal force that friction and rolling resistance are limited by: with the pull of adhesion, not negative [N].
+    pub(super) friction_load: L,
+    /// Overlap of Hertzian contacts of the same area [m].
+    pub(super) bearing_overlap: L,
+    /// Lost in the dashpot, and otherwise [J].
+    pub(super) viscous: L,
+    pub(super) lost: L,
+}
+
+/// Normal forces.
+pub(super) struct Press<'l, 'a, L: Lanes> {
+    pub(super) lot: &'l mut Lot<'a>,
+    pub(super) size: PairSize<L>,
+    /// Inverse effective mass [1/kg].
+    pub(super) inverse_mass: L,
+    pub(super) overlap: L,
+    pub(super) rate: L,
+    /// Normal force of the step before [N].
+    pub(super) previous: L,
+}
+
+impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
+    type Output = Pressed<L>;
+
+    #[inline(always)]
+    fn visit<N: Normal>(self, law: &N) -> Pressed<L> {
+        let Self {
+            lot,
+            size,
+            inverse_mass,
+            overlap,
+            rate,
+            previous,
+        } = self;
+        let dt = lot.dt;
+        let length = law.history();
+        let input = NormalInput {
+            size,
+            overlap,
+            rate,
+            half_window: normal_window::<N, L>(lot.integrator, overlap, rate, dt),
+        };
+        let (response, bearing_overlap) = if N::WIDE {
+            let mut history = lot.recall::<L>(length);
+            let response = law.respond_wide(&input, &mut history[..length]);
+            let bearing_overlap = law.bearing_overlap_wide(size, overlap, &history[..length]);
+            lot.remember(&history, length);
+            (response, bearing_overlap)
+        } else {
+            press_one_by_one(law, &input, lot)
+        };
+        let (force, rate) = match lot.integrator {
+            Integrator::VelocityVerlet => centred_force(response, rate, previous, inverse_mass, dt),
+            // the predicted rate is of high order already
+            Integrator::Gear => ((response.elastic + response.damping * rate).max(response.least), rate),
+        };
+        Pressed {
+            force,
+            elastic: response.elastic,
+            friction_load: (force + response.adhesion).max(L::splat(0.0)),
+            bearing_overlap,
+            // where the force is cut at its least, the spring relaxes into the dashpot without pulling
+            viscous: (force - response.elastic) * rate * dt,
+            lost: response.lost,
+        }
+    }
+}
+
+/// Asks a normal law about one contact after the other.
+#[inline(never)]
+fn press_one_by_one<N: Normal, L: Lanes>(law: &N, input: &NormalInput<L>, lot: &mut Lot) -> (NormalResponse<L>, L) {
+    let (mut answers, mut bearing) = ([NormalResponse::NOTHING; MOST_LANES], [0.0; MOST_LANES]);
+    let mut acting = lot.acting;
+    while let Some(lane) = next_lane(&mut acting) {
+        let (one, memory) = (input.lane(lane), lot.memory(lane, law.history()));
+        answers[lane] = law.respond(&one, memory);
+        bearing[lane] = law.bearing_overlap(one.size, one.overlap, memory);
+    }
+    (NormalResponse::of_lanes(&answers), L::load(&bearing))
+}
+
+/// Friction.
+pub(super) struct Rub<'l, 'a, L: Lanes> {
+    pub(super) lot: &'l mut Lot<'a>,
+    pub(super) input: TangentialInput<L>,
+}
+
+impl<L: Lanes> TangentialVisitor for Rub<'_, '_, L> {
+    type Output = TangentialResponse<L>;
+
+    #[inline(always)]
+    fn visit<T: Tangential>(self, law: &T) -> TangentialResponse<L> {
+        let Self { lot, input } = self;
+        if T::WIDE {
+            let length = T::HISTORY.len();
+            let mut history = lot.recall::<L>(length);
+            let response = law.respond_wide(&input, &mut history[..length]);
+            lot.remember(&history, length);
+            response
+        } else {
+            rub_one_by_one(law, &input, lot)
+        }
+    }
+}
+
+/// Asks a tangential law about one contact after the other.
+#[inline(never)]
+fn rub_one_by_one<T: Tangential, L: Lanes>(
+    law: &T,
+    input: &TangentialInput<L>,
+    lot: &mut Lot,
+) -> TangentialResponse<L> {
+    let mut answers = [TangentialResponse::NOTHING; MOST_LANES];
+    let mut acting = lot.acting;
+    while let Some(lane) = next_lane(&mut acting) {
+        answers[lane] = law.respond(&input.lane(lane), lot.memory(lane, T::HISTORY.len()));
+    }
+    TangentialResponse::of_lanes(&answers)
+}
+
+/// Tangent stiffness of normal laws, that of no negative slope.
+pub(super) struct Stiffness<'l, 'a, L: Lanes> {
+    pub(super) lot: &'l mut Lot<'a>,
+    pub(super) size: PairSize<L>,
+    pub(super) overlap: L,
+}
+
+impl<L: Lanes> NormalVisitor for Stiffness<'_, '_, L> {
+    type Output = L;
+
+    #[inline(always)]
+    fn visit<N: Normal>(self, law: &N) -> L {
+        let Self { lot, size, overlap } = self;
+        let length = law.history();
+        let stiffness = if N::WIDE {
+            let history = lot.recall::<L>(length);
+            law.stiffness_wide(size, overlap, &history[..length])
+        } else {
+            stiffness_one_by_one(law, size, overlap, lot)
+        };
+        // an attraction that fades with the gap has a negative slope: no spring against rolling is made of that
+        stiffness.max(L::splat(0.0))
+    }
+}
+
+#[inline(never)]
+fn stiffness_one_by_one<N: Normal, L: Lanes>(law: &N, size: PairSize<L>, overlap: L, lot: &mut Lot) -> L {
+    let mut stiffness = [0.0; MOST_LANES];
+    let mut acting = lot.acting;
+    while let Some(lane) = next_lane(&mut acting) {
+        let memory = lot.memory(lane, law.history());
+        stiffness[lane] = law.stiffness(size.lane(lane), overlap.as_slice()[lane], memory);
+    }
+    L::load(&stiffness)
+}
+
+/// Rolling resistance.
+pub(super) struct Roll<'l, 'a, L: Lanes> {
+    pub(super) lot: &'l mut Lot<'a>,
+    pub(super) input: RollingInput<L>,
+}
+
+impl<L: Lanes> RollingVisitor for Roll<'_, '_, L> {
+    type Output = RollingResponse<L>;
+
+    #[inline(always)]
+    fn visit<R: Rolling>(self, law: &R) -> RollingResponse<L> {
+        let Self { lot, input } = self;
+        if R::WIDE {
+            let length = R::HISTORY.len();
+            let mut history = lot.recall::<L>(length);
+            let response = law.respond_wide(&input, &mut history[..length]);
+            lot.remember(&history, length);
+            response
+        } else {
+            roll_one_by_one(law, &input, lot)
+        }
+    }
+}
+
+/// Asks a rolling law about one contact after the other.
+#[inline(never)]
+fn roll_one_by_one<R: Rolling, L: Lanes>(law: &R, input: &RollingInput<L>, lot: &mut Lot) -> RollingResponse<L> {
+    let mut answers = [RollingResponse::NOTHING; MOST_LANES];
+    let mut acting = lot.acting;
+    while let Some(lane) = next_lane(&mut acting) {
+        answers[lane] = law.respond(&input.lane(lane), lot.memory(lane, R::HISTORY.len()));
+    }
+    RollingResponse::of_lanes(&answers)
+}
