@@ -1,8 +1,8 @@
 //! Where the time of a run goes: asked for with [`Simulation::profile_from_now`], else no clock is read.
 //!
 //! The clock goes on from lap to lap, so the phases add up to the whole. Within the pass over the contacts every thread adds
-//! up its own time for the narrow phase, the laws and the walls; what is left of the pass are sums
-//! of grains whose contacts are all done, and threads that wait for others.
+//! up its own time for the narrow phase, the laws (with adding up what contacts do) and the walls; what is left of the pass is adding
+//! what tasks have for the grains of others, and threads that wait.
 
 use super::Simulation;
 use super::roofline::{Machine, Roofline, Work};

@@ -225,7 +225,7 @@ fn fixed_grains_are_no_candidates_of_each_other_or_of_walls() {
 }
 
 #[test]
-fn stretches_of_several_threads_change_no_bit() {
+fn parts_of_several_threads_change_no_bit() {
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
