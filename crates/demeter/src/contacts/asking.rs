@@ -46,8 +46,9 @@ impl Lot<'_> {
         (self.k + L::COUNT) * self.stride <= self.values.len()
     }
 
-    /// What the contacts remember, as lanes, where there are four or more; fewer values of those that do not act repeat those of
-    /// one that does, so that no law takes them for new.
+    /// What the contacts remember, as lanes: values by fours as they are, also of contacts that do not act, whose answers do not
+    /// count. The values left over repeat, there, those of a contact that acts: so that no law that notes a value takes them
+    /// for new.
     #[inline(always)]
     fn recall<L: Lanes>(&self, length: usize) -> [L; MOST_WIDE_HISTORY] {
         let mut lanes = [L::splat(0.0); MOST_WIDE_HISTORY];

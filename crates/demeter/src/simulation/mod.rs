@@ -216,7 +216,8 @@ impl Simulation {
     }
 
     /// Leaves the grains in the order that they have in memory, however scattered they become. Every grain is summed up in that
-    /// order, so the bits of a run do not depend on how often candidates are found anew then.
+    /// order, so the bits of a run do not depend on how often candidates are found anew then. A checkpoint does not hold this
+    /// choice: it is for comparisons, such as that rebuilds lose no contact.
     pub fn leave_order(&mut self) {
         self.puts_in_order = false;
     }
