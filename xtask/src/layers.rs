@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Modules of the engine from the lowest to the highest. A module imports from its own line and from those above it
 /// in this table, never from one below.
 const ORDER: [&[&str]; 9] = [
-    &["particles", "materials", "comm"],
+    &["particles", "materials", "comm", "threads"],
     &["neighbours", "walls"],
     &["contacts"],
     &["insertion"],

@@ -105,7 +105,7 @@ pub struct Engine {
     ///
     /// Seconds, shares and nanoseconds per particle-step of the search, the narrow phase, the laws, the sums and the kick, the
     /// drift, walls, books and output; bytes and operations that each particle-step needs at least, and how many times the
-    /// time that memory alone would need the steps took. Also in `summary.json`, as `profile`.
+    /// time that memory alone would need the steps took; and what the tables hold in memory. Also in `summary.json`, as `profile`.
     #[arg(long)]
     pub profile: bool,
     /// Instructions of the processor to compute with: `portable`, `avx2`, `avx512` or `neon`; the widest when absent

@@ -24,6 +24,21 @@ pub fn to_text(profile: &ProfileReport) -> String {
     text += &line("all", profile.seconds, 1.0, profile.seconds * 1e9 / particle_steps);
     let rebuilds = things(profile.rebuilds, "rebuild");
     text += &format!("  {rebuilds} of the candidates in {}\n", things(profile.steps, "step"));
+    let memory = profile.memory.iter().filter(|part| part.bytes > 0);
+    let held: f64 = memory.clone().map(|part| part.bytes_per_grain).sum();
+    text += &format!(
+        "what the tables hold\n  {:<28} {:>10} {:>12}\n",
+        "", "MB", "bytes/grain"
+    );
+    for part in memory {
+        text += &format!(
+            "  {:<28} {:>10.1} {:>12.1}\n",
+            part.name,
+            part.bytes as f64 * 1e-6,
+            part.bytes_per_grain
+        );
+    }
+    text += &format!("  {:<28} {:>10} {held:>12.1}\n", "all", "");
     if let Some(roofline) = &profile.roofline {
         text += &against_the_machine(roofline);
     }

@@ -23,6 +23,7 @@ pub mod particles;
 pub mod scenario;
 pub mod simulation;
 mod step;
+mod threads;
 pub mod walls;
 
 /// Version of the engine.

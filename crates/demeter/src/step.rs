@@ -13,6 +13,7 @@ use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
 use crate::particles::Outside;
 use crate::simulation::profile::{Part, Profile};
 use crate::simulation::{Counts, Phase, Simulation};
+use crate::threads::join;
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -30,6 +31,7 @@ impl Simulation {
     /// Advances the run by one time step (see [`demeter_physics::integrator`]).
     pub fn step(&mut self) -> Result<(), Fault> {
         self.start()?;
+        self.awake.keep();
         self.step += 1;
         self.took(Phase::Other);
         self.deform_box();
@@ -189,7 +191,7 @@ impl Simulation {
         let grains = self.grains.len();
         let sums = &mut self.sums;
         // the few contacts with walls fill the gaps of the others
-        rayon::join(
+        join(
             || sums.work(pairs, grains, parts(grains), &work),
             || {
                 walls.par_iter_mut().enumerate().for_each(|(c, chunk)| {

@@ -101,3 +101,29 @@ fn a_profile_without_steps_has_no_roofline() {
     let report = sim.profile().unwrap();
     assert!(report.roofline.is_none() && report.particle_steps == 0, "{report:?}");
 }
+
+#[test]
+fn the_memory_that_is_told_holds_the_tables_and_little_more() {
+    let mut sim = Simulation::new(bed("shear", 300));
+    for _ in 0..STEPS {
+        sim.step().unwrap();
+    }
+    let memory = sim.memory();
+    let bytes = |name: &str| memory.iter().find(|part| part.name == name).unwrap().bytes;
+    // five rows of 32 bytes, an orientation of 32, mass, image, id and material
+    assert!(bytes("grains") >= sim.grains.len() * (6 * 32 + 8 + 12 + 4 + 2));
+    let of_contacts = |chunks: &[demeter::contacts::ContactChunk]| chunks.iter().map(|c| c.len()).sum::<usize>();
+    let contacts = of_contacts(&sim.contacts.pairs) + of_contacts(&sim.contacts.walls);
+    let history = contacts * sim.contacts.stride * 8;
+    assert!(contacts > 20 && history > 0, "{contacts} contacts, {history} bytes");
+    // in small tables some places are set aside beside those in use, and contacts with walls are kept twice
+    assert!(bytes("contacts: history") >= history && bytes("contacts: history") < 4 * history);
+    for part in &memory {
+        assert_eq!(
+            part.bytes_per_grain,
+            part.bytes as f64 / sim.grains.len() as f64,
+            "{}",
+            part.name
+        );
+    }
+}

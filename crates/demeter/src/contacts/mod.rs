@@ -33,6 +33,7 @@ pub use transfer::{CarriedContact, ContactKey};
 pub use crate::neighbours::CHUNK;
 
 use crate::comm::Single;
+use crate::particles::{make_room, set_aside};
 use crate::walls::Mark;
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
@@ -227,6 +228,17 @@ impl ContactChunk {
         self.across = [DVec3::ZERO; 3];
     }
 
+    /// Sets memory aside for the contacts of a chunk that has none.
+    fn make_room(&mut self, contacts: usize, stride: usize) {
+        make_room(&mut self.i, contacts);
+        make_room(&mut self.j, contacts);
+        make_room(&mut self.engaged, contacts.div_ceil(WORD));
+        make_room(&mut self.now.candidate, contacts);
+        make_room(&mut self.now.normal_force, contacts);
+        make_room(&mut self.now.tangential, contacts.div_ceil(MOST_LANES));
+        make_room(&mut self.now.history, contacts * stride);
+    }
+
     /// Sums up the forces across periodic sides, told what every contact does.
     fn sum_across(&mut self, loads: &[Load]) {
         let mut across = [DVec3::ZERO; 3];
@@ -240,6 +252,22 @@ impl ContactChunk {
             }
         }
         self.across = across;
+    }
+
+    /// Bytes set aside for bodies, forces, histories, and all else.
+    pub(crate) fn bytes(&self) -> [usize; 4] {
+        let kept = [&self.now, &self.before];
+        let of = |bytes: fn(&Kept) -> usize| kept.into_iter().map(bytes).sum::<usize>();
+        let bodies =
+            of(|k| set_aside(&k.start) + set_aside(&k.place) + set_aside(&k.candidate) + set_aside(&k.element));
+        let forces = of(|k| set_aside(&k.normal_force) + set_aside(&k.tangential));
+        let other = of(|k| set_aside(&k.geometry) + set_aside(&k.coupling));
+        [
+            bodies + set_aside(&self.i) + set_aside(&self.j) + set_aside(&self.shift) + set_aside(&self.engaged),
+            forces + set_aside(&self.load) + set_aside(&self.rolling),
+            of(|k| set_aside(&k.history)),
+            other + set_aside(&self.goes_on) + set_aside(&self.losses) + set_aside(&self.elastic) + size_of::<Self>(),
+        ]
     }
 
     /// Force of a contact with this normal on its first body [N]; on the second it is the opposite.

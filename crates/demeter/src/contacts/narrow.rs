@@ -186,6 +186,7 @@ impl ContactChunk {
         self.j.clear();
         self.shift.clear();
         self.engaged.clear();
+        self.make_room(found.candidates.len(), stride);
         let mut old = 0;
         for (k, &candidate) in found.candidates.iter().enumerate() {
             while self.before.candidate.get(old).is_some_and(|&c| c < candidate) {

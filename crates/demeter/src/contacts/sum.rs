@@ -9,6 +9,8 @@
 
 use super::{ContactChunk, Load};
 use crate::neighbours::Neighbours;
+use crate::particles::set_aside;
+use crate::threads::join;
 use demeter_physics::lanes::{self, Four, Instructions, Kernel, Lanes, Quad};
 use glam::DVec3;
 use std::cell::RefCell;
@@ -103,12 +105,21 @@ pub(crate) struct GrainSums<'a> {
 }
 
 impl<'a> GrainSums<'a> {
-    pub(crate) fn new(sums: &'a Sums, first: usize, neighbours: &'a Neighbours, walls: &'a [ContactChunk]) -> Self {
+    pub(crate) fn new(sums: &'a Sums, neighbours: &'a Neighbours, walls: &'a [ContactChunk]) -> Self {
         Self {
-            sums: &sums.sums[first..],
-            first,
+            sums: &sums.sums,
+            first: 0,
             neighbours,
             walls,
+        }
+    }
+
+    /// Those behind so many of them.
+    pub(crate) fn behind(self, grains: usize) -> Self {
+        Self {
+            sums: &self.sums[grains..],
+            first: self.first + grains,
+            ..self
         }
     }
 
@@ -253,6 +264,12 @@ pub(crate) struct Work<'a, S> {
 }
 
 impl Sums {
+    /// Bytes set aside.
+    pub(crate) fn bytes(&self) -> usize {
+        let stray = |s: &Strays| set_aside(&s.grains) + set_aside(&s.loads) + set_aside(&s.torques);
+        set_aside(&self.sums) + self.strays.iter().map(stray).sum::<usize>()
+    }
+
     /// Works on all chunks, in parallel in `parts`, and sums up: into how many parts the work is cut changes no sum.
     pub(crate) fn work<S>(&mut self, chunks: &mut [ContactChunk], grains: usize, parts: usize, work: &Work<S>)
     where
@@ -288,7 +305,7 @@ impl<'a> Task<'a> {
             return LOADS.with_borrow_mut(|loads| self.work_alone(work, loads));
         }
         let (one, other) = self.cut(work.neighbours);
-        rayon::join(|| one.work(work), || other.work(work));
+        join(|| one.work(work), || other.work(work));
     }
 
     fn cut(self, neighbours: &Neighbours) -> (Self, Self) {
@@ -413,7 +430,7 @@ fn add_strays(first: usize, sums: &mut [Sum], strays: &[Strays], parts: usize, i
     }
     let middle = sums.len() * (parts / 2) / parts;
     let (one, other) = sums.split_at_mut(middle);
-    rayon::join(
+    join(
         || add_strays(first, one, strays, parts / 2, instructions),
         || add_strays(first + middle, other, strays, parts - parts / 2, instructions),
     );

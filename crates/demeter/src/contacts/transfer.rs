@@ -3,11 +3,12 @@
 use super::coupling::Coupled;
 use super::{CHUNK, ContactChunk, Contacts};
 use crate::neighbours::{GONE, Neighbours};
-use crate::particles::Grains;
+use crate::particles::{Grains, set_aside};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// What a contact is, whatever the order of the grains: lower id, partner's id (or index of the wall), element.
@@ -167,6 +168,12 @@ impl Heirs for Walls<'_> {
 }
 
 impl Transfer {
+    /// Bytes set aside between searches.
+    pub(crate) fn bytes(&self) -> usize {
+        let spare = self.spare.iter().flat_map(ContactChunk::bytes).sum::<usize>();
+        set_aside(&self.heir) + set_aside(&self.last_use) + spare
+    }
+
     /// Moves all contacts into chunks for new candidates, straight from the old chunks.
     fn hand_over(&mut self, chunks: &mut Vec<ContactChunk>, heirs: &impl Heirs, stride: usize) {
         std::mem::swap(chunks, &mut self.old);
@@ -182,12 +189,17 @@ impl Transfer {
                 let (before, candidates) = heirs.of_chunk(done + k);
                 chunk.forget();
                 chunk.law = heirs.law(done + k);
-                for (slot, heir) in heir[before..before + candidates].iter().enumerate() {
+                let inherited = |heir: &AtomicU32| {
                     let from = heir.load(Ordering::Relaxed);
-                    if from != NONE {
+                    (from != NONE).then(|| contacts_from(old, from))
+                };
+                let mine = &heir[before..before + candidates];
+                let contacts = mine.iter().filter_map(inherited).map(|(_, contacts)| contacts.len());
+                chunk.make_room(contacts.sum(), stride);
+                for (slot, heir) in mine.iter().enumerate() {
+                    if let Some((old, contacts)) = inherited(heir) {
                         let bodies = heirs.bodies(done + k, slot);
-                        let old = &old[(from >> SLOT_BITS) as usize];
-                        for contact in old.contacts_of(from as usize & ((1 << SLOT_BITS) - 1)) {
+                        for contact in contacts {
                             chunk.take_over(old, contact, bodies, stride);
                         }
                     }
@@ -232,6 +244,13 @@ impl Transfer {
             }
         }
     }
+}
+
+/// The old chunk and its contacts that an heir names.
+#[inline(always)]
+fn contacts_from(old: &[ContactChunk], from: u32) -> (&ContactChunk, Range<usize>) {
+    let chunk = &old[(from >> SLOT_BITS) as usize];
+    (chunk, chunk.contacts_of(from as usize & ((1 << SLOT_BITS) - 1)))
 }
 
 impl ContactChunk {

@@ -1,6 +1,6 @@
 //! Order of the grains along a space-filling curve, so that neighbours in space are neighbours in memory.
 
-use crate::particles::{Grains, Row};
+use crate::particles::{Grains, Row, set_aside};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -54,6 +54,11 @@ impl SpatialOrder {
         self.order.clear();
         self.order.extend(indices);
         self.apply(grains);
+    }
+
+    /// Bytes set aside.
+    pub(crate) fn bytes(&self) -> usize {
+        set_aside(&self.keyed) + set_aside(&self.order) + set_aside(&self.moved_to)
     }
 
     fn apply(&mut self, grains: &mut Grains) {

@@ -1,5 +1,6 @@
 //! The table of candidates: cut into chunks of one law each.
 
+use crate::particles::make_room;
 use serde::{Deserialize, Serialize};
 
 /// Most candidates of one chunk.
@@ -85,9 +86,7 @@ impl<C: Copy> Segment<C> {
         self.candidates.clear();
         self.runs.clear();
         self.order.clear();
-        if self.candidates.capacity() < found.len() {
-            self.candidates.reserve_exact(found.len() + found.len() / 16);
-        }
+        make_room(&mut self.candidates, found.len());
         let Some(&law) = laws.first() else { return };
         if laws.iter().all(|&other| other == law) {
             self.candidates.extend_from_slice(found);

@@ -178,6 +178,24 @@ impl Grains {
         }
     }
 
+    /// Bytes that the tables have set aside.
+    pub(crate) fn bytes(&self) -> usize {
+        let rows = [
+            &self.position,
+            &self.velocity,
+            &self.angular_velocity,
+            &self.force,
+            &self.torque,
+        ];
+        rows.into_iter().map(Rows::bytes).sum::<usize>()
+            + set_aside(&self.id)
+            + set_aside(&self.material)
+            + set_aside(&self.mass)
+            + set_aside(&self.image)
+            + set_aside(&self.orientation)
+            + set_aside(&self.higher)
+    }
+
     /// Puts the grains into a new order: the grain at `order[k]` goes to index `k`. Grains not named are dropped.
     pub fn reorder(&mut self, order: &[u32]) {
         fn pick<T: Copy>(values: &mut Vec<T>, order: &[u32]) {
@@ -197,6 +215,19 @@ impl Grains {
             pick(&mut self.higher, order);
         }
     }
+}
+
+/// Sets memory aside for so many in an empty list, with little more: pushed one by one, a list takes up to twice as much.
+pub(crate) fn make_room<T>(list: &mut Vec<T>, count: usize) {
+    debug_assert!(list.is_empty());
+    if list.capacity() < count {
+        list.reserve_exact(count + (count / 16).max(32));
+    }
+}
+
+/// Bytes that a list has set aside, in use or not.
+pub(crate) fn set_aside<T>(list: &Vec<T>) -> usize {
+    list.capacity() * size_of::<T>()
 }
 
 /// Moment of inertia of a sphere about its centre [kg m^2].

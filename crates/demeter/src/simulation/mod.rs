@@ -5,6 +5,7 @@ mod deforming_box;
 mod equipment;
 mod exchange;
 mod ledger;
+mod memory;
 pub(crate) mod profile;
 mod protocol;
 mod roofline;
@@ -20,6 +21,7 @@ pub use deforming_box::BoxState;
 pub use equipment::WallInTheWay;
 pub use exchange::ExchangeError;
 pub use ledger::{Books, Energies};
+pub use memory::MemoryPart;
 pub use profile::{Phase, PhaseTime, ProfileReport};
 pub use protocol::{Cadence, Stage, StopCondition, StressOf};
 pub use roofline::{Machine, Roofline, Work};
@@ -39,6 +41,7 @@ use crate::materials::Materials;
 use crate::neighbours::{Neighbours, SpatialOrder};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::CouplingState;
+use crate::threads::Awake;
 use crate::walls::{FreeStep, Pose, Wall};
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
 use demeter_physics::integrator::Integrator;
@@ -127,6 +130,8 @@ pub struct Simulation {
     walls_before: Vec<Pose>,
     /// What all freely moving walls did in the latest step.
     pub(crate) free_walls: FreeStep,
+    /// Keeps the other threads from sleeping within a step.
+    pub(crate) awake: Awake,
     started: bool,
 }
 
@@ -189,6 +194,7 @@ impl Simulation {
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
             free_walls: FreeStep::default(),
+            awake: Awake::default(),
             started: false,
         }
     }

@@ -5,6 +5,7 @@
 //! what tasks have for the grains of others, and threads that wait.
 
 use super::Simulation;
+use super::memory::MemoryPart;
 use super::roofline::{Machine, Roofline, Work};
 use demeter_physics::integrator::Integrator;
 use serde::Serialize;
@@ -148,6 +149,8 @@ pub struct ProfileReport {
     pub instructions: &'static str,
     /// What the time went to; adds up to all of it.
     pub phases: Vec<PhaseTime>,
+    /// What the tables hold in memory at the end.
+    pub memory: Vec<MemoryPart>,
     /// Against what the machine could do; absent without steps.
     pub roofline: Option<Roofline>,
 }
@@ -229,6 +232,7 @@ impl Simulation {
             threads,
             instructions: self.instructions.name(),
             phases,
+            memory: self.memory(),
             roofline,
         })
     }

@@ -103,7 +103,7 @@ impl Simulation {
             .map(
                 |(task, ((position, velocity), (orientation, spin), (force, torque), higher, mass))| {
                     let mut bad = None;
-                    let sums = GrainSums::new(sums, task * n, neighbours, walls);
+                    let sums = GrainSums::new(sums, neighbours, walls).behind(task * n);
                     for k in 0..velocity.len() {
                         let (contact_force, new_torque) = sums.vectors_of(k);
                         let new_force = contact_force + gravity * mass[k];

@@ -4,10 +4,10 @@ use super::{GRAINS_PER_TASK, Motion, first_by_id};
 use crate::contacts::sum::GrainSums;
 use crate::particles::Domain;
 use crate::simulation::Simulation;
+use crate::threads::{Divisible, divide};
 use demeter_physics::integrator::rotate_wide;
 use demeter_physics::lanes::{self, Kernel, Lanes, MOST_LANES, Quad, Vector};
 use glam::{DQuat, DVec3};
-use rayon::prelude::*;
 
 impl Simulation {
     /// Half kick, drift, and the predicted velocity; orientations turn.
@@ -16,35 +16,20 @@ impl Simulation {
         let domain = *self.comm.domain();
         let instructions = self.instructions;
         let grains = &mut self.grains;
-        let n = GRAINS_PER_TASK;
-        (
-            grains.position.table_mut().par_chunks_mut(n),
-            grains.velocity.table_mut().par_chunks_mut(n),
-            grains.angular_velocity.table_mut().par_chunks_mut(n),
-            grains.orientation.par_chunks_mut(n),
-            (grains.force.table().par_chunks(n), grains.torque.table().par_chunks(n)),
-            self.neighbours.reference.table().par_chunks(n),
-        )
-            .into_par_iter()
-            .enumerate()
-            .map(
-                |(task, (position, velocity, spin, orientation, (force, torque), reference))| {
-                    let drift = Drift {
-                        first: task * n,
-                        position,
-                        velocity,
-                        spin,
-                        orientation,
-                        force,
-                        torque,
-                        reference,
-                        dt,
-                        domain: &domain,
-                    };
-                    lanes::run(instructions, drift)
-                },
-            )
-            .reduce(Motion::default, Motion::merge)
+        let all = Drift {
+            first: 0,
+            position: grains.position.table_mut(),
+            velocity: grains.velocity.table_mut(),
+            spin: grains.angular_velocity.table_mut(),
+            orientation: &mut grains.orientation,
+            force: grains.force.table(),
+            torque: grains.torque.table(),
+            reference: self.neighbours.reference.table(),
+            dt,
+            domain: &domain,
+        };
+        let drift = |some: Drift| lanes::run(instructions, some);
+        divide(all, GRAINS_PER_TASK, &drift, &Motion::merge)
     }
 
     /// Sum per grain, body force, and the kick over `correction` [s] that corrects the predicted velocity. Tells the first
@@ -53,32 +38,21 @@ impl Simulation {
         let (neighbours, walls, gravity) = (&self.neighbours, &self.contacts.walls, self.gravity);
         let (sums, instructions) = (&self.sums, self.instructions);
         let grains = &mut self.grains;
-        let (n, ids) = (GRAINS_PER_TASK, &grains.id);
-        (
-            grains.velocity.table_mut().par_chunks_mut(n),
-            grains.angular_velocity.table_mut().par_chunks_mut(n),
-            grains.force.table_mut().par_chunks_mut(n),
-            grains.torque.table_mut().par_chunks_mut(n),
-            grains.mass.par_chunks(n),
-        )
-            .into_par_iter()
-            .enumerate()
-            .map(|(task, (velocity, spin, force, torque, mass))| {
-                let kick = Kick {
-                    first: task * n,
-                    ids,
-                    velocity,
-                    spin,
-                    force,
-                    torque,
-                    mass,
-                    sums: GrainSums::new(sums, task * n, neighbours, walls),
-                    gravity,
-                    correction,
-                };
-                lanes::run(instructions, kick)
-            })
-            .reduce(|| None, |one, other| first_by_id(ids, one, other))
+        let ids = &grains.id;
+        let all = Kick {
+            first: 0,
+            ids,
+            velocity: grains.velocity.table_mut(),
+            spin: grains.angular_velocity.table_mut(),
+            force: grains.force.table_mut(),
+            torque: grains.torque.table_mut(),
+            mass: &grains.mass,
+            sums: GrainSums::new(sums, neighbours, walls),
+            gravity,
+            correction,
+        };
+        let kick = |some: Kick| lanes::run(instructions, some);
+        divide(all, GRAINS_PER_TASK, &kick, &|one, other| first_by_id(ids, one, other))
     }
 }
 
@@ -95,6 +69,44 @@ struct Drift<'a> {
     reference: &'a [[f64; 4]],
     dt: f64,
     domain: &'a Domain,
+}
+
+impl Divisible for Drift<'_> {
+    fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    fn split(self, first: usize) -> (Self, Self) {
+        let (position, positions) = self.position.split_at_mut(first);
+        let (velocity, velocities) = self.velocity.split_at_mut(first);
+        let (spin, spins) = self.spin.split_at_mut(first);
+        let (orientation, orientations) = self.orientation.split_at_mut(first);
+        let (force, forces) = self.force.split_at(first);
+        let (torque, torques) = self.torque.split_at(first);
+        let (reference, references) = self.reference.split_at(first);
+        let others = Self {
+            first: self.first + first,
+            position: positions,
+            velocity: velocities,
+            spin: spins,
+            orientation: orientations,
+            force: forces,
+            torque: torques,
+            reference: references,
+            ..self
+        };
+        let some = Self {
+            position,
+            velocity,
+            spin,
+            orientation,
+            force,
+            torque,
+            reference,
+            ..self
+        };
+        (some, others)
+    }
 }
 
 /// A vector and what stands beside it.
@@ -191,6 +203,39 @@ struct Kick<'a> {
     sums: GrainSums<'a>,
     gravity: DVec3,
     correction: f64,
+}
+
+impl Divisible for Kick<'_> {
+    fn len(&self) -> usize {
+        self.mass.len()
+    }
+
+    fn split(self, first: usize) -> (Self, Self) {
+        let (velocity, velocities) = self.velocity.split_at_mut(first);
+        let (spin, spins) = self.spin.split_at_mut(first);
+        let (force, forces) = self.force.split_at_mut(first);
+        let (torque, torques) = self.torque.split_at_mut(first);
+        let (mass, masses) = self.mass.split_at(first);
+        let others = Self {
+            first: self.first + first,
+            velocity: velocities,
+            spin: spins,
+            force: forces,
+            torque: torques,
+            mass: masses,
+            sums: self.sums.behind(first),
+            ..self
+        };
+        let some = Self {
+            velocity,
+            spin,
+            force,
+            torque,
+            mass,
+            ..self
+        };
+        (some, others)
+    }
 }
 
 impl Kernel for Kick<'_> {

@@ -1,0 +1,50 @@
+//! What the tables of a run hold in memory.
+
+use super::Simulation;
+use serde::Serialize;
+
+/// Memory of one kind of table.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct MemoryPart {
+    /// What it is of.
+    pub name: &'static str,
+    /// Bytes that are set aside, in use or not.
+    pub bytes: usize,
+    /// The same per grain.
+    pub bytes_per_grain: f64,
+}
+
+impl Simulation {
+    /// Memory of the tables that grow with the number of grains and contacts. The program itself and what output and measures need
+    /// come on top.
+    pub fn memory(&self) -> Vec<MemoryPart> {
+        let (candidates, search) = self.neighbours.bytes();
+        let mut contacts = [0; 4];
+        for chunk in self.contacts.pairs.iter().chain(&self.contacts.walls) {
+            for (sum, bytes) in contacts.iter_mut().zip(chunk.bytes()) {
+                *sum += bytes;
+            }
+        }
+        let [bodies, forces, history, other] = contacts;
+        let handing_over: usize = self.contacts.transfer.iter().map(|transfer| transfer.bytes()).sum();
+        let parts = [
+            ("grains", self.grains.bytes()),
+            ("order of the grains", self.order.bytes()),
+            ("search", search),
+            ("candidates", candidates),
+            ("contacts: bodies", bodies),
+            ("contacts: forces", forces),
+            ("contacts: history", history),
+            ("contacts: other", other),
+            ("contacts handed over", handing_over),
+            ("sums", self.sums.bytes()),
+        ];
+        let grains = self.grains.len().max(1) as f64;
+        let part = |(name, bytes): (_, usize)| MemoryPart {
+            name,
+            bytes,
+            bytes_per_grain: bytes as f64 / grains,
+        };
+        parts.into_iter().map(part).collect()
+    }
+}

@@ -1,0 +1,195 @@
+//! Threads that stay awake from one phase of a step to the next.
+//!
+//! A worker of rayon that runs out of work sleeps after some ten microseconds, and to wake it takes tens of microseconds: as long as a
+//! small phase. Several times in a step that costs a tenth of it. While steps follow each other, each worker is therefore given a
+//! job that looks for work for a while longer, yields its core to whoever wants it, and ends when nothing comes.
+
+use rayon::Yield;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// For so long a worker looks for work before it may sleep: longer than what is done on one thread within a step.
+const PATIENCE: Duration = Duration::from_micros(200);
+
+/// Looks in vain before the core is offered to others.
+const LOOKS: u32 = 20;
+
+/// Keeps workers awake.
+#[derive(Debug, Default)]
+pub(crate) struct Awake {
+    /// Whether the worker of this number is kept awake.
+    kept: Arc<[AtomicBool]>,
+}
+
+impl Awake {
+    /// Keeps all other workers of the pool awake that this thread belongs to.
+    pub(crate) fn keep(&mut self) {
+        let Some(here) = rayon::current_thread_index() else {
+            return;
+        };
+        let threads = rayon::current_num_threads();
+        if self.kept.len() != threads {
+            // more threads than cores take them from each other
+            let cores = std::thread::available_parallelism().map_or(1, usize::from);
+            let keeps = |thread| AtomicBool::new(thread == here || threads > cores);
+            self.kept = (0..threads).map(keeps).collect();
+        }
+        if self.kept.iter().all(|kept| kept.load(Ordering::Relaxed)) {
+            return;
+        }
+        let kept = Arc::clone(&self.kept);
+        rayon::spawn_broadcast(move |worker| {
+            let kept = &kept[worker.index()];
+            if !kept.swap(true, Ordering::Relaxed) {
+                work_until(|| false);
+                kept.store(false, Ordering::Relaxed);
+            }
+        });
+    }
+}
+
+/// Does what work there is for the pool until something has come true, or nothing was to be done for a while.
+fn work_until(is_done: impl Fn() -> bool) {
+    let mut idle: Option<Instant> = None;
+    let mut looks = 0;
+    while !is_done() {
+        if let Some(Yield::Executed) = rayon::yield_now() {
+            idle = None;
+            continue;
+        }
+        let since = *idle.get_or_insert_with(Instant::now);
+        if since.elapsed() > PATIENCE {
+            return;
+        }
+        looks += 1;
+        if looks % LOOKS == 0 {
+            std::thread::yield_now();
+        }
+        std::hint::spin_loop();
+    }
+}
+
+/// Like [`rayon::join`], but does not sleep at once while the other thread ends its half.
+pub(crate) fn join<A, B>(one: impl FnOnce() -> A + Send, other: impl FnOnce() -> B + Send) -> (A, B)
+where
+    A: Send,
+    B: Send,
+{
+    let is_done = AtomicBool::new(false);
+    rayon::join(
+        || {
+            let found = one();
+            work_until(|| is_done.load(Ordering::Acquire));
+            found
+        },
+        || {
+            let found = other();
+            is_done.store(true, Ordering::Release);
+            found
+        },
+    )
+}
+
+/// Work on things that lie behind each other.
+pub(crate) trait Divisible: Sized + Send {
+    /// Number of things.
+    fn len(&self) -> usize;
+    /// The work on the first so many of them, and that on the others.
+    fn split(self, first: usize) -> (Self, Self);
+}
+
+/// Does work in parallel, in pieces of at most so many things each, and merges what is found in their order.
+pub(crate) fn divide<W: Divisible, R: Send>(
+    work: W,
+    most: usize,
+    does: &(impl Fn(W) -> R + Sync),
+    merge: &(impl Fn(R, R) -> R + Sync),
+) -> R {
+    let pieces = work.len().div_ceil(most);
+    if pieces < 2 {
+        return does(work);
+    }
+    let (one, other) = work.split(pieces / 2 * most);
+    let (one, other) = join(|| divide(one, most, does, merge), || divide(other, most, does, merge));
+    merge(one, other)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::AtomicUsize;
+
+    struct Numbers<'a>(&'a mut [usize]);
+
+    impl Divisible for Numbers<'_> {
+        fn len(&self) -> usize {
+            self.0.len()
+        }
+
+        fn split(self, first: usize) -> (Self, Self) {
+            let (some, others) = self.0.split_at_mut(first);
+            (Numbers(some), Numbers(others))
+        }
+    }
+
+    fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(work)
+    }
+
+    #[test]
+    fn all_is_done_once_and_merged_in_its_order() {
+        for threads in [1, 2, 5] {
+            for count in [0, 1, 9, 10, 11, 997] {
+                let mut all: Vec<usize> = (0..count).collect();
+                let does = |some: Numbers| {
+                    assert!(some.0.len() <= 10);
+                    some.0.iter_mut().for_each(|n| *n += 1);
+                    some.0.to_vec()
+                };
+                let merge = |one: Vec<usize>, other: Vec<usize>| [one, other].concat();
+                let found = on_threads(threads, || divide(Numbers(&mut all), 10, &does, &merge));
+                assert_eq!(found, (1..=count).collect::<Vec<_>>());
+                assert_eq!(all, found);
+            }
+        }
+    }
+
+    #[test]
+    fn both_halves_are_done_and_a_panic_of_either_arrives() {
+        for threads in [1, 2] {
+            on_threads(threads, || {
+                assert_eq!(join(|| 1, || 2), (1, 2));
+                let one = std::panic::catch_unwind(|| join(|| panic!("one"), || 2));
+                let other = std::panic::catch_unwind(|| join(|| 1, || panic!("other")));
+                assert!(one.is_err() && other.is_err());
+                assert_eq!(join(|| 3, || 4), (3, 4));
+            });
+        }
+    }
+
+    #[test]
+    fn threads_that_are_kept_awake_work_and_end() {
+        for threads in [1, 2, 3] {
+            let done = AtomicUsize::new(0);
+            on_threads(threads, || {
+                let mut awake = Awake::default();
+                for _ in 0..200 {
+                    awake.keep();
+                    join(
+                        || done.fetch_add(1, Ordering::Relaxed),
+                        || done.fetch_add(1, Ordering::Relaxed),
+                    );
+                }
+                // once they have ended, they are kept awake again
+                std::thread::sleep(20 * PATIENCE);
+                awake.keep();
+                join(|| (), || done.fetch_add(1, Ordering::Relaxed));
+            });
+            assert_eq!(done.into_inner(), 401);
+        }
+        // outside of a pool nobody is kept
+        Awake::default().keep();
+    }
+}
