@@ -151,7 +151,9 @@ impl Simulation {
 
     /// Narrow phase and contact laws, chunk by chunk.
     fn find_contacts(&mut self, motion: &Motion) -> Result<(), Fault> {
-        let max_speed = motion.max_speed.max(self.wall_speed());
+        let wall_speed = self.wall_speed();
+        let max_speed = motion.max_speed.max(wall_speed);
+        self.path += motion.max_step + wall_speed * self.dt;
         if self.coupling.is_some() {
             return self.find_coupled_contacts(max_speed);
         }
@@ -164,6 +166,7 @@ impl Simulation {
             integrator: self.integrator,
             step: self.step,
             max_speed,
+            path: self.path,
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,

@@ -4,9 +4,11 @@
 
 mod cases;
 
+use cases::beds::bed;
 use cases::{Case, G, Laws, on_threads, one_material, report};
 use demeter::particles::Outside;
 use demeter::scenario::{Observer, Progress, Report, RunEnd, RunError, RunOptions, Scenario, prepare, resume, run};
+use demeter::simulation::Simulation;
 use demeter::walls::{FreeMotion, Freedom, Motion, Shape};
 use demeter_physics::DVec3;
 use std::collections::BTreeMap;
@@ -543,4 +545,32 @@ fn threads_and_restarts_change_no_bit() {
     let options = RunOptions::default();
     resume(&folder("one"), options, &mut Watcher(None)).unwrap();
     assert!(whole == results(&folder("one")), "after a restart");
+}
+
+#[test]
+fn a_mesh_that_turns_loses_no_contact() {
+    let mut sim = Simulation::new(bed("drum", 80));
+    let mut seen = 0;
+    for step in 0..40_000 {
+        sim.step().unwrap();
+        let mut in_table = BTreeMap::new();
+        for chunk in &sim.contacts.walls {
+            for k in 0..chunk.len() {
+                let key = (chunk.i[k], chunk.j[k], chunk.element(k));
+                in_table.insert(key, sim.contact(chunk, k).overlap);
+            }
+        }
+        // whatever the wall is asked as a whole is in the table, with the same overlap
+        for g in 0..sim.grains.len() {
+            let radius = sim.grains.radius(g);
+            let mut touched = vec![];
+            sim.walls[0].contacts(sim.grains.position[g], radius, &mut touched);
+            for part in &touched {
+                let overlap = in_table.get(&(g as u32, 0, part.element));
+                assert_eq!(overlap, Some(&(radius - part.distance)), "step {step}, grain {g}");
+            }
+            seen += touched.len();
+        }
+    }
+    assert!(seen > 10_000, "{seen} contacts");
 }

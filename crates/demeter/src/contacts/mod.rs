@@ -215,6 +215,7 @@ impl ContactChunk {
     fn forget(&mut self) {
         self.now.clear();
         self.before.clear();
+        self.touched.forget();
         self.i.clear();
         self.j.clear();
         self.shift.clear();

@@ -39,6 +39,9 @@ pub struct Scene<'a> {
     pub step: u64,
     /// Largest speed of any grain or wall surface [m/s].
     pub max_speed: f64,
+    /// How far grains and walls can have come nearer to each other since the run began, never less than they have; infinite where
+    /// that is not known [m].
+    pub path: f64,
     /// Largest gap across which any law acts [m].
     pub max_reach: f64,
     /// Largest overlap allowed, as share of the smaller radius.

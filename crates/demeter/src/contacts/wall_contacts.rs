@@ -15,6 +15,53 @@ pub(super) struct Touched {
     ends: Vec<u32>,
     /// Contacts of the step before that were taken up: of one candidate.
     taken: Vec<usize>,
+    near: NearTriangles,
+}
+
+/// Triangles of meshes that the grains of a chunk may touch within the next steps: looked for anew when grains and walls have moved
+/// so far that others may be touched.
+#[derive(Clone, Debug, Default)]
+struct NearTriangles {
+    /// Triangles, one candidate after the other, and where those of each candidate end; none of walls that are no meshes.
+    triangles: Vec<u32>,
+    ends: Vec<u32>,
+    /// The path of the run, with the widest window of a step, up to which they serve [m].
+    serves: f64,
+}
+
+/// The triangles shall serve until the fastest body has gone as far as in so many steps.
+const STEPS: f64 = 32.0;
+
+impl NearTriangles {
+    /// Forgets all.
+    fn forget(&mut self) {
+        self.ends.clear();
+    }
+
+    /// Looks for triangles anew where these do not serve any more.
+    fn renew(&mut self, pairs: &[WallPair], scene: &Scene, window: f64) {
+        // what is not a number serves no more
+        if self.ends.len() == pairs.len() && scene.path + window <= self.serves {
+            return;
+        }
+        let room = window + STEPS * scene.max_speed * scene.dt;
+        self.triangles.clear();
+        self.ends.clear();
+        self.serves = scene.path + room;
+        for pair in pairs {
+            let (g, wall) = (pair.grain as usize, &scene.walls[pair.wall as usize]);
+            // room for the rounding of paths and distances
+            let reach = (scene.grains.radius(g) + room) * (1.0 + 1e-9);
+            wall.triangles_near(scene.grains.position[g], reach, &mut self.triangles);
+            self.ends.push(self.triangles.len() as u32);
+        }
+    }
+
+    /// Those of a candidate.
+    fn of(&self, candidate: usize) -> &[u32] {
+        let first = candidate.checked_sub(1).map_or(0, |before| self.ends[before] as usize);
+        &self.triangles[first..self.ends[candidate] as usize]
+    }
 }
 
 impl Touched {
@@ -23,12 +70,22 @@ impl Touched {
         self.parts.clear();
         self.ends.clear();
         let window = scene.widest_window();
-        for pair in pairs {
+        // where surfaces bulge, or the path of a step is not told, they are asked as a whole
+        let lists = !scene.is_coupled() && scene.path.is_finite();
+        if lists {
+            self.near.renew(pairs, scene, window);
+        }
+        for (c, pair) in pairs.iter().enumerate() {
             let (g, wall) = (pair.grain as usize, &scene.walls[pair.wall as usize]);
             let (centre, radius) = (scene.grains.position[g], scene.grains.radius(g));
             let bulge = scene.bulge(g);
             let first = self.parts.len();
-            wall.contacts(centre, radius + window + bulge, &mut self.parts);
+            let reach = radius + window + bulge;
+            if lists && wall.mesh().is_some() {
+                wall.contacts_among(self.near.of(c), centre, reach, &mut self.parts);
+            } else {
+                wall.contacts(centre, reach, &mut self.parts);
+            }
             let mut kept = first;
             for k in first..self.parts.len() {
                 let part = self.parts[k];
@@ -41,6 +98,11 @@ impl Touched {
             self.parts.truncate(kept);
             self.ends.push(kept as u32);
         }
+    }
+
+    /// Forgets what was near.
+    pub(super) fn forget(&mut self) {
+        self.near.forget();
     }
 
     /// Parts that a candidate touches.

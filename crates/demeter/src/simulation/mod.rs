@@ -130,6 +130,8 @@ pub struct Simulation {
     walls_before: Vec<Pose>,
     /// What all freely moving walls did in the latest step.
     pub(crate) free_walls: FreeStep,
+    /// How far grains and walls can have come nearer to each other since the first step of this run of the program [m].
+    pub(crate) path: f64,
     /// Keeps the other threads from sleeping within a step.
     pub(crate) awake: Awake,
     started: bool,
@@ -194,6 +196,7 @@ impl Simulation {
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
             free_walls: FreeStep::default(),
+            path: 0.0,
             awake: Awake::default(),
             started: false,
         }

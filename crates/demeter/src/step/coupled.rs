@@ -258,6 +258,7 @@ impl Simulation {
             integrator: self.integrator,
             step: self.step,
             max_speed,
+            path: f64::INFINITY,
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride,

@@ -92,10 +92,30 @@ impl Wall {
     #[inline]
     pub fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
         let first = out.len();
-        self.surface
-            .contacts(self.motor.pose.unplace(self.origin, centre), reach, out);
+        (self.surface).contacts(self.motor.pose.unplace(self.origin, centre), reach, out);
+        self.turn(&mut out[first..]);
+    }
+
+    /// The same of a mesh, where [`Wall::triangles_near`] told the triangles that may be within reach.
+    pub(crate) fn contacts_among(&self, triangles: &[u32], centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+        let first = out.len();
+        if let Surface::Mesh(mesh) = &self.surface {
+            mesh.contacts_among(triangles, self.motor.pose.unplace(self.origin, centre), reach, out);
+        }
+        self.turn(&mut out[first..]);
+    }
+
+    /// Appends all triangles of a mesh within `reach` of a point [m].
+    pub(crate) fn triangles_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
+        if let Surface::Mesh(mesh) = &self.surface {
+            mesh.triangles_near(self.motor.pose.unplace(self.origin, centre), reach, out);
+        }
+    }
+
+    /// Turns contacts in the wall frame into the world frame.
+    fn turn(&self, contacts: &mut [SurfaceContact]) {
         if !self.motor.pose.is_unrotated() {
-            for contact in &mut out[first..] {
+            for contact in contacts {
                 contact.normal = self.motor.pose.turn(contact.normal);
             }
         }

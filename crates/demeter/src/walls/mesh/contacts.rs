@@ -33,14 +33,35 @@ impl Mesh {
     pub fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
         let first = out.len();
         self.hierarchy.any_near(centre, reach, |triangle| {
-            let point = contact_sphere_triangle(&self.triangles[triangle as usize], centre);
-            if point.distance < reach {
-                self.judge(triangle, &point, centre, first, out);
+            self.try_triangle(triangle, centre, reach, first, out);
+            false
+        });
+        keep_deepest(out, first);
+    }
+
+    /// The same, where [`Mesh::triangles_near`] told the triangles that may be within reach.
+    pub fn contacts_among(&self, triangles: &[u32], centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+        let first = out.len();
+        for &triangle in triangles {
+            self.try_triangle(triangle, centre, reach, first, out);
+        }
+        keep_deepest(out, first);
+    }
+
+    /// Appends all triangles within `reach` of a point, in the order in which [`Mesh::contacts`] looks at them.
+    pub fn triangles_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
+        self.hierarchy.any_near(centre, reach, |triangle| {
+            if contact_sphere_triangle(&self.triangles[triangle as usize], centre).distance <= reach {
+                out.push(triangle);
             }
             false
         });
-        if out.len() > first + 1 {
-            keep_deepest(out, first);
+    }
+
+    fn try_triangle(&self, triangle: u32, centre: DVec3, reach: f64, first: usize, out: &mut Vec<SurfaceContact>) {
+        let point = contact_sphere_triangle(&self.triangles[triangle as usize], centre);
+        if point.distance < reach {
+            self.judge(triangle, &point, centre, first, out);
         }
     }
 
@@ -95,6 +116,9 @@ impl Mesh {
 
 /// Keeps, of the contacts from `first` on, the deepest of each direction, and sorts them by element.
 fn keep_deepest(out: &mut Vec<SurfaceContact>, first: usize) {
+    if out.len() < first + 2 {
+        return;
+    }
     out[first..].sort_unstable_by(|a, b| a.distance.total_cmp(&b.distance).then(a.element.cmp(&b.element)));
     let mut kept = first;
     for index in first..out.len() {
