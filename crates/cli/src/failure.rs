@@ -117,6 +117,7 @@ impl From<RunError> for Failure {
             RunError::Output(ref output) => matches!(
                 output,
                 OutputError::HoldsARun { .. }
+                    | OutputError::InUse { .. }
                     | OutputError::HoldsOtherFiles { .. }
                     | OutputError::NotAFolder { .. }
                     | OutputError::NotARun { .. }

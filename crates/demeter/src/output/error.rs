@@ -39,6 +39,15 @@ pub enum OutputError {
         /// Something in it.
         example: String,
     },
+    /// Another process writes into the folder.
+    #[error(
+        "another run is being written into `{}` at this moment. Wait for it, stop it, or choose another folder.",
+        folder.display()
+    )]
+    InUse {
+        /// The folder.
+        folder: PathBuf,
+    },
     /// The name belongs to a file.
     #[error("`{}` is a file, a folder is needed for the results. Choose another name.", path.display())]
     NotAFolder {

@@ -2,7 +2,7 @@
 
 use super::error::OutputError;
 use crate::checkpoint::{self, Durability, part_path, write_atomically};
-use std::fs;
+use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -22,6 +22,13 @@ const FILES: [&str; 10] = [
     "walls.pvd",
     "report.html",
 ];
+
+/// Keeps others from writing into the folder of a run, until it is dropped or the process ends, however it ends.
+#[derive(Debug)]
+pub struct RunLock {
+    /// The marker, locked; nothing where the file system knows no locks.
+    _marker: Option<File>,
+}
 
 /// The folder of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,6 +58,9 @@ impl RunFolder {
                     example: example.clone(),
                 }
             });
+        }
+        if folder.root.join(MARKER).is_file() {
+            folder.lock()?;
         }
         folder.remove_run()?;
         for sub in [folder.frames(), folder.plots(), folder.pictures()] {
@@ -82,6 +92,19 @@ impl RunFolder {
             fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))?;
         }
         Ok(folder)
+    }
+
+    /// Reserves the folder for the run that goes on in this process.
+    pub fn lock(&self) -> Result<RunLock, OutputError> {
+        let path = self.root.join(MARKER);
+        let marker = File::open(&path).map_err(OutputError::io("open", &path))?;
+        match marker.try_lock() {
+            Ok(()) => Ok(RunLock { _marker: Some(marker) }),
+            Err(TryLockError::WouldBlock) => Err(OutputError::InUse {
+                folder: self.root.clone(),
+            }),
+            Err(TryLockError::Error(_)) => Ok(RunLock { _marker: None }),
+        }
     }
 
     /// Removes what an earlier run left, by name.
@@ -369,6 +392,25 @@ mod tests {
         assert!(!folder.frames().join("grains_0000000001.vtp").exists());
         assert!(!folder.distributions().exists() && !folder.profiles().exists());
         assert_eq!(fs::read(place.path().join("notes.txt")).unwrap(), b"mine");
+    }
+
+    #[test]
+    fn two_runs_never_write_into_one_folder() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = RunFolder::create(place.path(), false).unwrap();
+        let lock = folder.lock().unwrap();
+        folder.write(&folder.series(), b"time\n").unwrap();
+        for refused in [
+            folder.lock().map(|_| ()),
+            RunFolder::create(place.path(), true).map(|_| ()),
+        ] {
+            assert!(matches!(refused, Err(OutputError::InUse { .. })), "{refused:?}");
+        }
+        // to read is allowed, and nothing was lost
+        assert!(RunFolder::find(place.path()).is_ok());
+        assert_eq!(fs::read(folder.series()).unwrap(), b"time\n");
+        drop(lock);
+        RunFolder::create(place.path(), true).unwrap().lock().unwrap();
     }
 
     #[test]

@@ -27,7 +27,7 @@ pub use chains::ChainWriter;
 pub use distribution::DistributionWriter;
 pub use error::OutputError;
 pub use fields::FieldWriter;
-pub use folder::RunFolder;
+pub use folder::{RunFolder, RunLock};
 pub use frame::{ContactRecord, Frame, WallSurface};
 pub use plot::{AxisSpec, Look, Plot, Series, Sheet};
 pub use profile::ProfileWriter;

@@ -101,6 +101,7 @@ pub fn run(
     let prepared = prepare(scenario)?;
     with_threads(options.threads, || {
         let folder = RunFolder::create(folder, options.overwrite)?;
+        let _lock = folder.lock()?;
         folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
         let mut runner = Runner::begin(scenario, prepared, folder, observer)?;
         options.apply(&mut runner.sim);
@@ -112,6 +113,7 @@ pub fn run(
 pub fn resume(folder: &Path, options: RunOptions, observer: &mut dyn Observer) -> Result<Report, RunError> {
     options.check()?;
     let folder = RunFolder::open(folder)?;
+    let _lock = folder.lock()?;
     let mut scenario = Scenario::read(&folder.scenario(), &[])?;
     let restored = checkpoint::read_latest::<RunState>(folder.root())?;
     // a scenario without a title is named after its file, which has another name here
