@@ -168,6 +168,32 @@ pub(crate) struct LoadList {
     pub(super) loads: Vec<Load>,
     /// Torques of rolling laws; empty where none resists rolling.
     torques: Vec<[f64; 4]>,
+    /// The next contacts of some chunks.
+    heads: Vec<Head>,
+}
+
+/// The next contact of a chunk that is to be added.
+struct Head {
+    /// The place of its pair in the order of the sums.
+    key: u64,
+    chunk: usize,
+    contact: usize,
+    /// Among the loads of all chunks.
+    place: usize,
+}
+
+impl Head {
+    /// The contact of a chunk that has this number, whose load lies at a place; nothing behind the last.
+    #[inline(always)]
+    fn new(chunks: &[ContactChunk], chunk: usize, contact: usize, place: usize) -> Option<Self> {
+        let (&i, &j) = (chunks[chunk].i.get(contact)?, chunks[chunk].j.get(contact)?);
+        Some(Self {
+            key: u64::from(i.max(j)) << 32 | u64::from(i.min(j)),
+            chunk,
+            contact,
+            place,
+        })
+    }
 }
 
 impl LoadList {
@@ -363,8 +389,6 @@ impl<'a> Task<'a> {
                     adder: &mut collector.adder,
                     chunks: &self.chunks[chunks.start - self.first_chunk..chunks.end - self.first_chunk],
                     found: collector.waiting,
-                    neighbours,
-                    segment,
                 };
                 lanes::run(work.instructions, add_up);
             }
@@ -377,46 +401,39 @@ struct AddUp<'s, 'a> {
     adder: &'s mut Adder<'a>,
     /// Chunks of the segment, and what all of their contacts do.
     chunks: &'s [ContactChunk],
-    found: &'s LoadList,
-    neighbours: &'s Neighbours,
-    segment: usize,
-}
-
-impl AddUp<'_, '_> {
-    /// Adds one contact to both grains; `place` among those of the segment.
-    #[inline(always)]
-    fn add<Q: Quad>(&mut self, [i, j]: [u32; 2], place: usize) {
-        let (load, torque) = (&self.found.loads[place], self.found.torques.get(place));
-        self.adder.add::<Q>(i, 0, load, torque);
-        self.adder.add::<Q>(j, 1, load, torque);
-    }
+    found: &'s mut LoadList,
 }
 
 impl Kernel for AddUp<'_, '_> {
     type Output = ();
 
+    /// Each chunk has its contacts in the order of the sums: the next is that of the chunk whose next comes first.
     #[inline(always)]
-    fn run<L: Lanes>(mut self) {
-        let chunks = self.chunks;
-        let mut order = self.neighbours.order_of_segment(self.segment).peekable();
-        if order.peek().is_none() {
-            let mut place = 0;
-            for chunk in chunks {
-                for (&i, &j) in chunk.i.iter().zip(&chunk.j) {
-                    self.add::<L::Quad>([i, j], place);
-                    place += 1;
+    fn run<L: Lanes>(self) {
+        let Self { adder, chunks, found } = self;
+        let LoadList { loads, torques, heads } = found;
+        heads.clear();
+        let mut place = 0;
+        for (number, chunk) in chunks.iter().enumerate() {
+            heads.extend(Head::new(chunks, number, 0, place));
+            place += chunk.len();
+        }
+        while !heads.is_empty() {
+            let mut first = 0;
+            for next in 1..heads.len() {
+                if heads[next].key < heads[first].key {
+                    first = next;
                 }
             }
-            return;
-        }
-        let first = self.neighbours.chunks_of_segment(self.segment).start;
-        // the loads of a chunk lie behind those of the chunks before it
-        let before = |chunk: usize| chunks[..chunk].iter().map(ContactChunk::len).sum::<usize>();
-        for (number, slot) in order {
-            let chunk = &chunks[number - first];
-            for contact in chunk.contacts_of(slot) {
-                let grains = [chunk.i[contact], chunk.j[contact]];
-                self.add::<L::Quad>(grains, before(number - first) + contact);
+            let &Head {
+                chunk, contact, place, ..
+            } = &heads[first];
+            let (load, torque) = (&loads[place], torques.get(place));
+            adder.add::<L::Quad>(chunks[chunk].i[contact], 0, load, torque);
+            adder.add::<L::Quad>(chunks[chunk].j[contact], 1, load, torque);
+            match Head::new(chunks, chunk, contact + 1, place + 1) {
+                Some(next) => heads[first] = next,
+                None => drop(heads.remove(first)),
             }
         }
     }
