@@ -31,7 +31,10 @@ impl Simulation {
     /// Advances the run by one time step (see [`demeter_physics::integrator`]).
     pub fn step(&mut self) -> Result<(), Fault> {
         self.start()?;
-        self.awake.keep();
+        // small runs are the work of one thread
+        if self.coupling.is_some() || parts(self.grains.len()) > 1 {
+            self.awake.keep();
+        }
         self.step += 1;
         self.took(Phase::Other);
         self.deform_box();
