@@ -379,7 +379,7 @@ impl<'a> Task<'a> {
             let grains = neighbours.grains_of_segment(segment);
             collector.adder.sums[grains.start - self.first_grain..grains.end - self.first_grain].fill(Sum::default());
             let chunks = neighbours.chunks_of_segment(segment);
-            collector.waits = work.waits || neighbours.order_of_segment(segment).next().is_some();
+            collector.waits = work.waits || neighbours.has_several_laws(segment);
             collector.waiting.truncate(0);
             for chunk in chunks.clone() {
                 (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], &mut collector);

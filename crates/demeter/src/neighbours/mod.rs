@@ -213,12 +213,9 @@ impl Neighbours {
         self.pairs.table.chunks_of(segment)
     }
 
-    /// Chunk and place in it of the pairs of a segment, in the order of the sums; nothing where they lie in that order.
-    pub(crate) fn order_of_segment(&self, segment: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
-        let order = &self.pairs.table.segments[segment].order;
-        order
-            .iter()
-            .map(move |&candidate| self.pairs.table.chunk_and_slot(segment, candidate))
+    /// Whether the pairs of a segment are of several laws, so that its chunks do not follow each other in the order of the sums.
+    pub(crate) fn has_several_laws(&self, segment: usize) -> bool {
+        self.pairs.table.segments[segment].runs.len() > 1
     }
 
     /// Pairs of a grain with walls, in the order of the walls: chunk, and place in it.

@@ -138,19 +138,22 @@ fn check(places: &[(DVec3, f64)], domain: Domain, kinds: usize, at_least: usize)
     let mut summed = vec![];
     for segment in 0..found.segments() {
         let chunks = found.chunks_of_segment(segment);
-        let mut order: Vec<(usize, usize)> = found.order_of_segment(segment).collect();
-        if order.is_empty() {
-            order = chunks
-                .flat_map(|chunk| (0..found.chunk(chunk).0.len()).map(move |slot| (chunk, slot)))
-                .collect();
-        } else {
-            assert!(kinds > 1);
-        }
         let own = found.grains_of_segment(segment);
-        for (chunk, slot) in order {
-            let pair = found.chunk(chunk).0[slot];
-            assert!(own.contains(&(pair.later() as usize)));
-            summed.push((pair.later(), pair.earlier()));
+        let first = summed.len();
+        for chunk in chunks {
+            let keys = found.chunk(chunk).0.iter().map(|pair| (pair.later(), pair.earlier()));
+            let begin = summed.len();
+            summed.extend(keys);
+            let of_chunk = &summed[begin..];
+            assert!(of_chunk.iter().all(|(later, _)| own.contains(&(*later as usize))));
+            assert!(
+                of_chunk.is_sorted_by(|a, b| a < b),
+                "chunk {chunk} is not in the order of the sums"
+            );
+        }
+        if found.has_several_laws(segment) {
+            assert!(kinds > 1);
+            summed[first..].sort_unstable();
         }
     }
     assert_eq!(summed.len(), got.len());
