@@ -1,7 +1,7 @@
 //! The checks of a merge, one by one and all together.
 
 use crate::shell::{answers, cargo, root, run, run_cargo, rust_files};
-use crate::{house_rules, instructions, layers, python};
+use crate::{house_rules, instructions, layers, python, web};
 use std::process::Command;
 
 /// The Python crate is left out of what needs linking: it is checked on its own.
@@ -14,6 +14,7 @@ pub fn ci() -> Result<(), String> {
     clippy()?;
     run_cargo(&["check", "-p", "demeter-py", "--locked"], &[])?;
     documentation()?;
+    web::check_where_possible()?;
     test()?;
     instructions::run(false)?;
     python::test()?;

@@ -19,18 +19,20 @@ const ORDER: [&[&str]; 9] = [
 ];
 
 /// Crates and those of the workspace that they may depend on.
-const CRATES: [(&str, &[&str]); 5] = [
+const CRATES: [(&str, &[&str]); 6] = [
     ("physics", &[]),
-    ("demeter", &["demeter-physics"]),
+    ("web", &[]),
+    ("demeter", &["demeter-physics", "demeter-web"]),
     ("cli", &["demeter", "demeter-physics"]),
     ("python", &["demeter", "demeter-physics"]),
     ("validation", &["demeter"]),
 ];
 
 /// Names of the workspace's crates.
-const PACKAGES: [&str; 5] = [
+const PACKAGES: [&str; 6] = [
     "demeter",
     "demeter-physics",
+    "demeter-web",
     "demeter-cli",
     "demeter-py",
     "demeter-validation",

@@ -10,6 +10,7 @@ mod new_law;
 mod python;
 mod shell;
 mod validate;
+mod web;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -30,6 +31,12 @@ enum Command {
     Test,
     /// Run a small scenario and open what it wrote with PyVista
     Python,
+    /// Bundle the pages for browsers into crates/web/dist (needs Node.js)
+    Web {
+        /// Change nothing, fail where dist is not what the sources make
+        #[arg(long)]
+        check: bool,
+    },
     /// Format all sources, also those that only a macro declares as modules
     Fmt {
         /// Change nothing, fail where something would change
@@ -83,6 +90,7 @@ fn main() -> ExitCode {
         Command::Ci => checks::ci(),
         Command::Test => checks::test(),
         Command::Python => python::test(),
+        Command::Web { check } => web::build(check),
         Command::Fmt { check } => checks::format(check),
         Command::Doc => checks::documentation(),
         Command::Layers => checks::layers(),

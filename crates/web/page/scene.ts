@@ -1,0 +1,415 @@
+// A packing in 3D: grains as exact spheres, force chains as cylinders, walls translucent. Shared by report and viewer.
+import * as THREE from "three";
+import { CameraRig, type ViewName } from "./scene/camera";
+import { Chains } from "./scene/chains";
+import { automaticRange, categoryTexture, mapTexture, NO_VALUE_COLOUR, type MapName } from "./scene/colours";
+import { firstSphere, type Plane } from "./scene/pick";
+import { Spheres } from "./scene/spheres";
+import { Walls } from "./scene/walls";
+
+export { CAMERA_KEYS, type ViewName } from "./scene/camera";
+export type { MapName } from "./scene/colours";
+export type { Plane } from "./scene/pick";
+
+/** Grains, `n` of them, in SI units. */
+export interface Grains {
+    /** Centres, 3n numbers [m]. */
+    position: Float32Array;
+    /** Radii [m]. */
+    radius: Float32Array;
+    id: Uint32Array;
+    /** What grains can be coloured by: a value per grain; NaN where there is none. */
+    scalars: Map<string, Float32Array>;
+    /** Names of the categories of those scalars that are categories (materials, tags): value `k` is called names[k]. */
+    categories?: Map<string, string[]>;
+}
+
+/** Contacts, `m` of them. */
+export interface Contacts {
+    /** From where to where the cylinder of each goes, 6m numbers [m]. */
+    ends: Float32Array;
+    /** Size of the normal force [N]. */
+    normalForce: Float32Array;
+    /** Size of the total force [N]. */
+    totalForce: Float32Array;
+    /** Ids of the grains. */
+    idI: Uint32Array;
+    /** Ids of the other grains; 0 where it is a wall. */
+    idJ: Uint32Array;
+}
+
+/** The surface of a wall. */
+export interface WallSurface {
+    name: string;
+    index: number;
+    /** Nine numbers per triangle [m]. */
+    triangles: Float32Array;
+}
+
+/** What the colours of the grains mean, for a legend. */
+export interface ColourScale {
+    scalar: string;
+    map: MapName;
+    range: [number, number];
+    /** Whether values lie below or above the range. */
+    beyond: [boolean, boolean];
+    /** Names of the categories, where the scalar is one. */
+    names: string[] | null;
+}
+
+export interface SceneOptions {
+    /** Name of the scene for screen readers. */
+    label: string;
+    /** CSS colour behind the packing; the page's own (transparent) when left out. */
+    background?: string;
+    /** Called with the id of the grain that was clicked, or null beside all grains. */
+    onPick?: (id: number | null) => void;
+}
+
+/** A scene in the container, or a message there and `null` where the browser has no WebGL 2. */
+export function createScene(container: HTMLElement, options: SceneOptions): PackingScene | null {
+    try {
+        return new PackingScene(container, options);
+    } catch (error) {
+        const message = document.createElement("p");
+        message.className = "no-webgl";
+        message.setAttribute("role", "alert");
+        message.textContent =
+            "The 3D view needs WebGL 2, which this browser does not offer or has switched off. " +
+            "Try a current Firefox, Chrome, Edge or Safari with hardware acceleration on; everything else on this page works without it.";
+        container.replaceChildren(message);
+        console.info(`no WebGL: ${error}`);
+        return null;
+    }
+}
+
+/** The 3D view of a packing. */
+export class PackingScene {
+    readonly canvas: HTMLCanvasElement;
+    readonly #container: HTMLElement;
+    readonly #renderer: THREE.WebGLRenderer;
+    readonly #scene = new THREE.Scene();
+    readonly #rig: CameraRig;
+    readonly #spheres: Spheres;
+    readonly #chains: Chains;
+    readonly #walls: Walls;
+    readonly #watch: ResizeObserver;
+    #grains: Grains = { position: new Float32Array(), radius: new Float32Array(), id: new Uint32Array(), scalars: new Map() };
+    #contacts: Contacts | null = null;
+    #wallTriangles: Float32Array[] = [];
+    #scale: ColourScale = { scalar: "", map: "viridis", range: [0, 1], beyond: [false, false], names: null };
+    #wanted: { scalar: string; range: [number, number] | null; map: MapName } = { scalar: "", range: null, map: "viridis" };
+    #chainsWanted = { shown: false, threshold: 0 };
+    #clip: Plane | null = null;
+    #marked = new Set<number>();
+    #fitted = false;
+    #pending = 0;
+    #maps = new Map<string, THREE.DataTexture>();
+
+    // what the shaders share
+    readonly #space = { origin: { value: new THREE.Vector3() }, scale: { value: 1 }, projection: { value: new THREE.Matrix4() } };
+    readonly #cut = { clip: { value: new THREE.Vector4() }, clipped: { value: 0 } };
+    readonly #grainLook = { colours: { value: null as THREE.Texture | null }, range: { value: new THREE.Vector2(0, 1) }, categories: { value: 0 } };
+    readonly #chainLook = { colours: { value: null as THREE.Texture | null }, range: { value: new THREE.Vector2(0, 1) }, categories: { value: 0 } };
+    readonly #size = { value: 1 };
+    readonly #opacity = { value: 1 };
+    readonly #wallColour = { colour: { value: rgb("#7f8fa6") }, edgeColour: { value: rgb("#66748a") } };
+    readonly #thick = { value: 1 };
+
+    constructor(container: HTMLElement, options: SceneOptions) {
+        this.#container = container;
+        this.#renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
+        // the shaders' colours are those of the screen
+        this.#renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+        if (options.background) {
+            this.#scene.background = rgb(options.background);
+        }
+        this.canvas = this.#renderer.domElement;
+        this.canvas.tabIndex = 0;
+        this.canvas.setAttribute("role", "application");
+        this.canvas.setAttribute("aria-label", options.label);
+        container.replaceChildren(this.canvas);
+        this.#rig = new CameraRig(this.canvas, () => this.render());
+
+        const noValue = { value: rgb(NO_VALUE_COLOUR) };
+        const common = { ...this.#space, ...this.#cut, noValue };
+        const mark = { value: rgb("#ff2d87") };
+        this.#spheres = new Spheres({ ...common, ...this.#grainLook, size: this.#size, opacity: this.#opacity, mark });
+        this.#chains = new Chains({ ...common, ...this.#chainLook, thick: this.#thick });
+        this.#walls = new Walls({ ...this.#space, ...this.#cut, ...this.#wallColour });
+        this.#scene.add(this.#spheres.mesh, this.#chains.mesh, this.#walls.group);
+        this.#grainLook.colours.value = this.#texture("viridis");
+        this.#chainLook.colours.value = this.#texture("viridis");
+
+        if (options.onPick) {
+            this.#listenForClicks(options.onPick);
+        }
+        this.#watch = new ResizeObserver(() => this.#resize());
+        this.#watch.observe(container);
+        this.#resize();
+    }
+
+    /** Shows these grains instead of those before; the camera stays once there was something to see. */
+    setGrains(grains: Grains): void {
+        this.#grains = grains;
+        this.#spheres.set(grains.position, grains.radius);
+        if (this.#marked.size > 0) {
+            this.highlight([...this.#marked]);
+        }
+        this.#fitFirst();
+        this.#colour();
+    }
+
+    /** Contacts that `showChains` draws; `null` for none. */
+    setContacts(contacts: Contacts | null): void {
+        this.#contacts = contacts;
+        this.#drawChains();
+    }
+
+    setWalls(walls: WallSurface[]): void {
+        this.#wallTriangles = walls.map((wall) => wall.triangles);
+        this.#walls.set(this.#wallTriangles);
+        this.#fitFirst();
+        this.render();
+    }
+
+    /** Colours grains by a scalar; the range is found from its values where none is given. Returns what colours mean. */
+    colourBy(scalar: string, range: [number, number] | null = null, map: MapName = "viridis"): ColourScale {
+        this.#wanted = { scalar, range, map };
+        this.#colour();
+        return this.#scale;
+    }
+
+    /** What the colours mean now. */
+    get colourScale(): ColourScale {
+        return this.#scale;
+    }
+
+    /** Draws contacts whose normal force is at least `threshold` [N] as cylinders. Returns how many. */
+    showChains(shown: boolean, threshold = 0): number {
+        this.#chainsWanted = { shown, threshold };
+        return this.#drawChains();
+    }
+
+    /** 0: none, 1: solid. */
+    setWallOpacity(opacity: number): void {
+        this.#walls.setOpacity(opacity);
+        this.render();
+    }
+
+    /** 0: none, 1: solid. */
+    setGrainOpacity(opacity: number): void {
+        this.#opacity.value = opacity;
+        this.#spheres.mesh.visible = opacity > 0;
+        this.render();
+    }
+
+    /** Draws grains with this share of their radius. */
+    setGrainSize(share: number): void {
+        this.#size.value = share;
+        this.render();
+    }
+
+    /** Cuts away what lies at `normal . x > offset` [m]; grains show their section. `null`: nothing is cut. */
+    setClipPlane(plane: Plane | null): void {
+        this.#clip = plane;
+        this.render();
+    }
+
+    /** Marks grains by their ids. */
+    highlight(ids: Iterable<number>): void {
+        this.#marked = new Set(ids);
+        this.#spheres.setMarked(Float32Array.from(this.#grains.id, (id) => (this.#marked.has(id) ? 1 : 0)));
+        this.render();
+    }
+
+    /** Id of the grain at a place of the canvas [CSS pixels from its top left corner]. */
+    pick(x: number, y: number): number | null {
+        const { clientWidth, clientHeight } = this.canvas;
+        const caster = new THREE.Raycaster();
+        this.#rig.camera.updateMatrixWorld();
+        caster.setFromCamera(new THREE.Vector2((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight), this.#rig.camera);
+        const from = caster.ray.origin.clone().divideScalar(this.#space.scale.value).add(this.#space.origin.value);
+        const { position, radius, id } = this.#grains;
+        const drawn = this.#size.value === 1 ? radius : radius.map((r) => r * this.#size.value);
+        const at = firstSphere({ from: from.toArray(), direction: caster.ray.direction.toArray() }, position, drawn, this.#clip);
+        return at < 0 || this.#opacity.value === 0 ? null : id[at]!;
+    }
+
+    /** Looks at the whole packing from a direction. */
+    view(name: ViewName): void {
+        this.#rig.view(name);
+    }
+
+    /** Fits the scene's space to what is shown and looks at all of it. */
+    fit(): void {
+        const box = this.bounds();
+        if (box.isEmpty()) {
+            return;
+        }
+        const half = box.getSize(new THREE.Vector3()).multiplyScalar(0.5);
+        const scale = 1 / Math.max(half.length(), 1e-30);
+        this.#space.origin.value.copy(box.getCenter(new THREE.Vector3()));
+        this.#space.scale.value = scale;
+        this.#rig.setExtent(half.multiplyScalar(scale));
+        this.#fitted = true;
+        this.#rig.whole();
+    }
+
+    /** The box around grains and walls [m]; walls that reach far beyond the grains count only near them. */
+    bounds(): THREE.Box3 {
+        const box = new THREE.Box3();
+        const { position, radius } = this.#grains;
+        const [low, high] = [new THREE.Vector3(), new THREE.Vector3()];
+        for (let k = 0; k < radius.length; k++) {
+            low.fromArray(position, 3 * k).subScalar(radius[k]!);
+            high.fromArray(position, 3 * k).addScalar(radius[k]!);
+            box.expandByPoint(low).expandByPoint(high);
+        }
+        const walls = new THREE.Box3();
+        for (const triangles of this.#wallTriangles) {
+            walls.union(new THREE.Box3().setFromArray(triangles));
+        }
+        if (!box.isEmpty() && !walls.isEmpty()) {
+            const near = box.clone().expandByScalar(1.5 * box.getSize(new THREE.Vector3()).length());
+            walls.intersect(near);
+        }
+        return box.union(walls);
+    }
+
+    /** The picture as it is now, as PNG; by default as large as on the screen. */
+    async screenshot(size?: { width: number; height: number }): Promise<Blob> {
+        if (size) {
+            this.#renderer.setPixelRatio(1);
+            this.#renderer.setSize(size.width, size.height, false);
+            this.#rig.camera.aspect = size.width / size.height;
+            this.#rig.camera.updateProjectionMatrix();
+        }
+        this.#draw();
+        const blob = new Promise<Blob>((resolve, reject) => {
+            this.canvas.toBlob((made) => (made ? resolve(made) : reject(new Error("the browser made no picture"))), "image/png");
+        });
+        if (size) {
+            this.#resize();
+        }
+        return blob;
+    }
+
+    /** Asks for a picture; many requests make one. */
+    render(): void {
+        this.#pending ||= requestAnimationFrame(() => this.#draw());
+    }
+
+    dispose(): void {
+        cancelAnimationFrame(this.#pending);
+        this.#watch.disconnect();
+        this.#rig.dispose();
+        for (const part of [this.#spheres, this.#chains, this.#walls]) {
+            part.dispose();
+        }
+        for (const map of this.#maps.values()) {
+            map.dispose();
+        }
+        this.#renderer.dispose();
+        this.canvas.remove();
+    }
+
+    #fitFirst(): void {
+        if (!this.#fitted) {
+            this.fit();
+            this.#fitted = this.#grains.radius.length > 0;
+        }
+    }
+
+    #colour(): void {
+        const { scalar, range, map } = this.#wanted;
+        const values = this.#grains.scalars.get(scalar);
+        const names = this.#grains.categories?.get(scalar) ?? null;
+        const [low, high] = range ?? automaticRange(values ?? new Float32Array());
+        const beyond: [boolean, boolean] = [values?.some((v) => v < low) ?? false, values?.some((v) => v > high) ?? false];
+        this.#scale = { scalar, map, range: [low, high], beyond, names };
+        this.#spheres.setValues(values ?? new Float32Array(this.#grains.radius.length).fill(NaN));
+        this.#grainLook.colours.value = this.#texture(names ? "categories" : map);
+        this.#grainLook.range.value.set(low, high);
+        this.#grainLook.categories.value = names ? 1 : 0;
+        this.render();
+    }
+
+    #drawChains(): number {
+        const { shown, threshold } = this.#chainsWanted;
+        this.#chains.mesh.visible = shown && this.#contacts !== null;
+        let drawn = 0;
+        if (this.#chains.mesh.visible) {
+            const { ends, normalForce } = this.#contacts!;
+            const strong = automaticRange(normalForce)[1];
+            const radii = Float32Array.from(this.#grains.radius).sort();
+            const typical = radii[radii.length >> 1] ?? 0;
+            drawn = this.#chains.set(ends, normalForce, threshold, strong, 0.45 * typical);
+            this.#chainLook.range.value.set(0, strong);
+        }
+        this.render();
+        return drawn;
+    }
+
+    #texture(name: MapName | "categories"): THREE.DataTexture {
+        let map = this.#maps.get(name);
+        if (!map) {
+            map = name === "categories" ? categoryTexture() : mapTexture(name);
+            this.#maps.set(name, map);
+        }
+        return map;
+    }
+
+    #resize(): void {
+        const { clientWidth, clientHeight } = this.#container;
+        if (clientWidth > 0 && clientHeight > 0) {
+            this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+            this.#renderer.setSize(clientWidth, clientHeight);
+            this.#rig.resize(clientWidth / clientHeight);
+            this.#draw();
+        }
+    }
+
+    #draw(): void {
+        cancelAnimationFrame(this.#pending);
+        this.#pending = 0;
+        const camera = this.#rig.camera;
+        // near and far around the content, which has a size of about 1, so that depths stay exact
+        const distance = camera.position.length();
+        camera.near = Math.max(distance - 4, 0.002 * Math.max(distance, 0.5));
+        camera.far = distance + 8;
+        camera.updateProjectionMatrix();
+        camera.updateMatrixWorld();
+        this.#space.projection.value.copy(camera.projectionMatrix);
+        this.#placeClip(camera.matrixWorldInverse);
+        this.#renderer.render(this.#scene, camera);
+    }
+
+    /** The clip plane in view space. */
+    #placeClip(toView: THREE.Matrix4): void {
+        this.#cut.clipped.value = this.#clip ? 1 : 0;
+        if (this.#clip) {
+            const normal = new THREE.Vector3(...this.#clip.normal);
+            const length = normal.length() || 1;
+            const offset = ((this.#clip.offset - normal.dot(this.#space.origin.value)) / length) * this.#space.scale.value;
+            const plane = new THREE.Plane(normal.divideScalar(length), -offset).applyMatrix4(toView);
+            this.#cut.clip.value.set(plane.normal.x, plane.normal.y, plane.normal.z, -plane.constant);
+        }
+    }
+
+    #listenForClicks(onPick: (id: number | null) => void): void {
+        let down: [number, number] | null = null;
+        this.canvas.addEventListener("pointerdown", (event) => (down = [event.offsetX, event.offsetY]));
+        this.canvas.addEventListener("pointerup", (event) => {
+            if (down && Math.hypot(event.offsetX - down[0], event.offsetY - down[1]) < 4) {
+                onPick(this.pick(event.offsetX, event.offsetY));
+            }
+            down = null;
+        });
+    }
+}
+
+/** A colour as it is, not turned into linear light. */
+function rgb(css: string): THREE.Color {
+    return new THREE.Color().setStyle(css, THREE.LinearSRGBColorSpace);
+}
