@@ -187,7 +187,7 @@ impl Simulation {
             neighbours,
             instructions: self.instructions,
             // forces across the sides of a box that deforms are summed up apart
-            waits: !self.comm.shift_velocities().is_empty(),
+            waits: scene.is_deforming(),
             step: |c: usize, chunk: &mut ContactChunk, collector: &mut Collector| {
                 let mut clock = Profile::chunk(profile);
                 chunk.step_pairs(neighbours.chunk(c), &scene, collector, || clock.took(Part::Narrow));

@@ -42,6 +42,11 @@ fn rough() -> Laws {
     ))
 }
 
+/// The same where the contacts of a grain feel each other.
+fn rough_and_soft() -> Laws {
+    rough().multi_contact("half-space", &[])
+}
+
 fn smooth(restitution: f64) -> Laws {
     Laws::linear(STIFFNESS, restitution)
 }
@@ -235,8 +240,12 @@ fn momentum_beyond_the_flow_is_conserved() {
 /// the same.
 #[test]
 fn the_place_of_the_sides_does_not_matter() {
+    [rough(), rough_and_soft()].iter().for_each(hold_in_boxes_cut_elsewhere);
+}
+
+fn hold_in_boxes_cut_elsewhere(laws: &Laws) {
     let build = |moved: f64| {
-        let mut setup = gas(&rough(), 6, 0.5, 0.2, 0.1);
+        let mut setup = gas(laws, 6, 0.5, 0.2, 0.1);
         let (lower, upper) = (setup.domain.lower, setup.domain.upper);
         for place in setup.grains.position.iter_mut() {
             place.y += moved;
@@ -444,8 +453,8 @@ fn stresses_are_held_while_another_direction_is_strained() {
 }
 
 /// Shear at a constant normal stress along the gradient.
-fn sheared_at_constant_stress() -> Simulation {
-    let mut sim = Simulation::new(gas(&rough(), 7, 0.52, 0.1, 0.15));
+fn sheared_at_constant_stress(laws: &Laws) -> Simulation {
+    let mut sim = Simulation::new(gas(laws, 7, 0.52, 0.1, 0.15));
     let target = 1e-3 * STIFFNESS / RADIUS;
     let mut plan = shear(0, 1, 50.0);
     plan.directions[1] = Drive::Stress { target, max_rate: 20.0 };
@@ -464,9 +473,13 @@ fn fingerprint(sim: &mut Simulation) -> Vec<u8> {
 
 #[test]
 fn shear_at_constant_stress_has_the_same_bits_on_threads_and_after_a_restart() {
+    [rough(), rough_and_soft()].iter().for_each(hold_the_bits);
+}
+
+fn hold_the_bits(laws: &Laws) {
     let go = |threads: usize| {
         on_threads(threads, || {
-            let mut sim = sheared_at_constant_stress();
+            let mut sim = sheared_at_constant_stress(laws);
             let mut states = Vec::new();
             for step in 1..=2400 {
                 sim.step().unwrap();
@@ -483,7 +496,7 @@ fn shear_at_constant_stress_has_the_same_bits_on_threads_and_after_a_restart() {
         for bytes in states {
             let state: SimulationState = postcard::from_bytes(&bytes).unwrap();
             let from = state.step;
-            let mut sim = Simulation::resume(gas(&rough(), 7, 0.52, 0.1, 0.15), state).unwrap();
+            let mut sim = Simulation::resume(gas(laws, 7, 0.52, 0.1, 0.15), state).unwrap();
             for _ in from..2400 {
                 sim.step().unwrap();
             }
@@ -497,7 +510,11 @@ fn shear_at_constant_stress_has_the_same_bits_on_threads_and_after_a_restart() {
 
 #[test]
 fn shear_at_constant_stress_holds_the_stress_and_its_books() {
-    let mut sim = sheared_at_constant_stress();
+    [rough(), rough_and_soft()].iter().for_each(hold_the_books);
+}
+
+fn hold_the_books(laws: &Laws) {
+    let mut sim = sheared_at_constant_stress(laws);
     let target = 1e-3 * STIFFNESS / RADIUS;
     let mut residual = run(&mut sim, 20_000);
     let (mut normal, mut shear_stress) = (0.0, 0.0);
@@ -517,6 +534,58 @@ fn shear_at_constant_stress_holds_the_stress_and_its_books() {
         shear_stress / normal
     );
     assert!(residual < 1e-3, "{residual}");
+}
+
+/// A lattice whose contacts feel each other, squeezed with its box, bears at every moment what it bears at rest in a box of that
+/// size (which `verification_multi_contact` holds against exact values); it is brought there from where no grain touches.
+#[test]
+fn a_lattice_squeezed_with_its_box_bears_what_it_bears_at_rest() {
+    let laws = Laws::hertz(1.0).multi_contact("half-space", &[]);
+    let lattice = |edge: f64| {
+        let mut case = Case::new(one_material(5e6, &laws));
+        periodic(&mut case, 3.0 * edge);
+        case.max_overlap = 0.3;
+        case.skin = 0.1 * RADIUS;
+        for k in 0..27 {
+            let at = DVec3::new(f64::from(k % 3), f64::from(k / 3 % 3), f64::from(k / 9));
+            case.grain(RADIUS, (at + 0.1) * edge, DVec3::ZERO);
+        }
+        case.simulation()
+    };
+    let force = |sim: &Simulation| {
+        let chunks = sim.contacts.pairs.iter();
+        let forces: Vec<f64> = chunks.flat_map(|c| c.coupling().iter().map(|c| c.elastic)).collect();
+        let (least, most) = forces
+            .iter()
+            .fold((f64::INFINITY, 0.0f64), |(a, b), f| (a.min(*f), b.max(*f)));
+        assert!(
+            forces.len() == 81 && most - least < 1e-9 * most,
+            "{} {least} {most}",
+            forces.len()
+        );
+        most
+    };
+    let mut sim = lattice(2.0005 * RADIUS);
+    let steps = 4000;
+    sim.deform(isotropic(Drive::StrainRate(-0.02 / (f64::from(steps) * sim.dt))))
+        .unwrap();
+    let mut worst = 0.0f64;
+    for step in 1..=steps {
+        sim.step().unwrap();
+        if step % 1000 == 0 {
+            let mut rest = lattice(sim.domain().size().x / 3.0);
+            rest.start().unwrap();
+            worst = worst.max((force(&sim) / force(&rest) - 1.0).abs());
+        }
+    }
+    report("largest deviation of the force", worst);
+    assert!(worst < 1e-5, "{worst}");
+    // the lattice follows the flow: nothing moves beyond it
+    let (kinetic, speed) = sim.beyond_flow().unwrap();
+    let energies = sim.energies();
+    assert!(kinetic < 1e-6 * energies.kinetic, "{kinetic} {}", energies.kinetic);
+    let rate = sim.box_state().unwrap().strain_rate.x;
+    assert!(speed < 1e-3 * rate.abs() * RADIUS, "{speed}");
 }
 
 /// A box that is shrunk without end stops with a fault that names it.

@@ -6,7 +6,7 @@ use crate::contacts::{ContactChunk, Coupling};
 use crate::materials::{Material, Materials};
 use crate::particles::{Domain, Grains, NewGrain, Outside};
 use crate::scenario::{ImpactFile, Partner};
-use crate::simulation::{Energies, Setup, Simulation, Skin, shortest_time_scale};
+use crate::simulation::{Energies, Setup, Simulation, Skin, WallPartner, shortest_time_scale};
 use crate::walls::{Motion, Shape, Wall};
 use demeter_physics::collision::{Moment, Outcome, Start};
 use demeter_physics::contact::normal::{Normal, NormalVisitor};
@@ -73,8 +73,8 @@ impl Launch<'_> {
     /// Shortest time scale of the laws [s].
     pub fn time_scale(&self) -> Result<f64, CalibrateError> {
         let (materials, grains, walls) = self.bodies(0.0)?;
-        let wall_materials: Vec<u16> = walls.iter().map(|w| w.material).collect();
-        Ok(shortest_time_scale(&grains, &wall_materials, &materials, self.max_overlap)?.time)
+        let walls: Vec<WallPartner> = walls.iter().map(WallPartner::of).collect();
+        Ok(shortest_time_scale(&grains, &walls, &materials, self.max_overlap)?.time)
     }
 
     /// Where the law first acts, as a gap [m], and the speed to have there.

@@ -78,6 +78,12 @@ impl Single {
         }
     }
 
+    /// Velocity of a shift, told by its code, to add to a difference of velocities [m/s].
+    pub(crate) fn velocity_of_shift(&self, code: u8) -> DVec3 {
+        let [x, y, z, _] = *self.shift_velocities().get(usize::from(code)).unwrap_or(&[0.0; 4]);
+        DVec3::new(x, y, z)
+    }
+
     /// How many boxes away in each direction an image is, by the code of its shift.
     pub(crate) fn boxes(code: u8) -> DVec3 {
         DVec3::from_array(digits(usize::from(code)))

@@ -23,7 +23,7 @@ impl ContactChunk {
             shift: &shift,
             engaged: &mut engaged,
         };
-        let too_deep = self.collect(collector, (&i, &j), scene, approach);
+        let too_deep = self.collect(collector, (&i, &j, &shift), scene, approach);
         (self.i, self.j, self.shift) = (i, j, shift);
         self.engaged = engaged;
         if let Some((k, overlap)) = too_deep {
@@ -40,8 +40,9 @@ impl ContactChunk {
             grains: scene.grains,
             i: &i,
             partners: Partners::grains(scene.grains, &j),
+            shifts: (scene.is_deforming()).then_some((&shift, scene.comm.shift_velocities())),
         };
-        self.collect(collector, (&i, &j), scene, known);
+        self.collect(collector, (&i, &j, &shift), scene, known);
         (self.i, self.j, self.shift) = (i, j, shift);
         self.now.geometry = geometry;
     }
@@ -61,6 +62,7 @@ impl ContactChunk {
             grains: scene.grains,
             i: &i,
             partners: Partners::walls(&surfaces),
+            shifts: None,
         };
         let mut load = std::mem::take(&mut self.load);
         load.clear();
@@ -96,14 +98,17 @@ impl ContactChunk {
     fn collect(
         &mut self,
         collector: &mut Collector,
-        (i, j): (&[u32], &[u32]),
+        (i, j, shift): (&[u32], &[u32], &[u8]),
         scene: &Scene,
         source: impl Source,
     ) -> Option<(usize, f64)> {
         if collector.waits {
-            let all = collector.waiting.loads.len() + self.len();
+            let first = collector.waiting.loads.len();
             let too_deep = self.evaluate(collector.waiting, scene, source);
-            collector.waiting.truncate(all);
+            collector.waiting.truncate(first + self.len());
+            if scene.is_deforming() {
+                self.sum_across(shift, &collector.waiting.loads[first..]);
+            }
             return too_deep;
         }
         let adder = &mut collector.adder;

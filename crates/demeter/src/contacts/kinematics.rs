@@ -85,7 +85,7 @@ pub(super) fn places_in_turn<L: Lanes>(count: usize, k: usize, width: usize) -> 
 /// The second bodies of contacts: rows of numbers, and which of them belong to which contact.
 #[derive(Clone, Copy)]
 pub(super) struct Partners<'a> {
-    /// Velocities, with the inverse masses.
+    /// Velocities, with the inverse masses; of walls, those along the normals.
     velocity: &'a [[f64; 4]],
     /// Angular velocities, with the inverse moments of inertia.
     spin: &'a [[f64; 4]],
@@ -146,7 +146,11 @@ impl Surfaces {
         for (k, contact) in contacts.iter().enumerate() {
             let wall = &walls[j[k] as usize];
             let point = grains.position[i[k] as usize] - contact.normal * contact.lever_i;
-            self.velocity.push(wall.velocity_at(point).extend(0.0).to_array());
+            // a free wall gives way, and what moves with it
+            let giving = wall.leader().and_then(|leader| walls.get(leader)).unwrap_or(wall);
+            let inverse_mass = giving.inverse_mass_at(point, -contact.normal);
+            self.velocity
+                .push(wall.velocity_at(point).extend(inverse_mass).to_array());
             self.spin.push(wall.angular_velocity().extend(0.0).to_array());
         }
     }
@@ -164,6 +168,9 @@ pub(super) struct Motion<L: Lanes> {
     pub(super) rate: L,
     /// Distances of the contact point from the centres [m]; of a wall 0, whose velocity is that of its surface.
     pub(super) levers: [L; 2],
+    /// Inverse effective mass along the normal [1/kg].
+    pub(super) inverse_mass: L,
+    /// Inverse masses across it [1/kg]: walls count as too heavy to give way.
     pub(super) inverse_masses: [L; 2],
     pub(super) spins: [L::Vector; 2],
     pub(super) inverse_inertias: [L; 2],
@@ -172,12 +179,6 @@ pub(super) struct Motion<L: Lanes> {
 }
 
 impl<L: Lanes> Motion<L> {
-    /// Inverse effective mass [1/kg].
-    #[inline(always)]
-    pub(super) fn inverse_mass(&self) -> L {
-        self.inverse_masses[0] + self.inverse_masses[1]
-    }
-
     /// Effective mass of tangential motion [kg].
     #[inline(always)]
     pub(super) fn tangential_mass(&self) -> L {
@@ -277,6 +278,7 @@ impl Source for Approach<'_> {
                 velocity: met.velocity,
                 rate: met.rate,
                 levers: met.levers,
+                inverse_mass: met.inverse_masses[0] + met.inverse_masses[1],
                 inverse_masses: met.inverse_masses,
                 spins: [L::Vector::new(wx, wy, wz), L::Vector::new(sx, sy, sz)],
                 inverse_inertias: [inverse_inertia, other_inertia],
@@ -295,6 +297,8 @@ pub(super) struct Known<'a> {
     pub(super) grains: &'a Grains,
     pub(super) i: &'a [u32],
     pub(super) partners: Partners<'a>,
+    /// Where the box deforms, codes of the shifts of the contacts, and the velocities of all shifts.
+    pub(super) shifts: Option<(&'a [u8], &'a [[f64; 4]])>,
 }
 
 impl Source for Known<'_> {
@@ -312,16 +316,24 @@ impl Source for Known<'_> {
         let [[ux, uy, uz, other_mass], [sx, sy, sz, other_inertia]] =
             L::fetch([partners.velocity, partners.spin], &second);
         let normal = L::Vector::new(nx, ny, nz);
-        let velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
-        let inverse_masses = [inverse_mass, other_mass];
-        let size = if let Some(position) = partners.position {
+        let mut velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
+        if let Some((codes, velocities)) = self.shifts {
+            let mut lot = Lot::empty();
+            lot.put_shifts::<L>(codes, k);
+            let [[x, y, z, _]] = L::fetch([velocities], &lot.shift);
+            velocity = velocity + L::Vector::new(x, y, z);
+        }
+        let along_normal = inverse_mass + other_mass;
+        let (size, inverse_masses) = if let Some(position) = partners.position {
             let [[_, _, _, rj]] = L::fetch([position], &second);
-            size_of_pair([ri, rj], inverse_masses)
+            let inverse_masses = [inverse_mass, other_mass];
+            (size_of_pair([ri, rj], inverse_masses), inverse_masses)
         } else {
-            PairSize {
+            let size = PairSize {
                 radius: ri,
-                mass: L::splat(1.0) / (inverse_mass + other_mass),
-            }
+                mass: L::splat(1.0) / along_normal,
+            };
+            (size, [inverse_mass, L::splat(0.0)])
         };
         Sight {
             motion: Motion {
@@ -330,6 +342,7 @@ impl Source for Known<'_> {
                 velocity,
                 rate: -velocity.inner(normal),
                 levers: [lever_i, lever_j],
+                inverse_mass: along_normal,
                 inverse_masses,
                 spins: [L::Vector::new(wx, wy, wz), L::Vector::new(sx, sy, sz)],
                 inverse_inertias: [inverse_inertia, other_inertia],

@@ -240,10 +240,10 @@ impl ContactChunk {
         make_room(&mut self.now.history, contacts * stride);
     }
 
-    /// Sums up the forces across periodic sides, told what every contact does.
-    fn sum_across(&mut self, loads: &[Load]) {
+    /// Sums up the forces across periodic sides, told the codes of the shifts and what every contact does.
+    fn sum_across(&mut self, shift: &[u8], loads: &[Load]) {
         let mut across = [DVec3::ZERO; 3];
-        for (&code, load) in self.shift.iter().zip(loads) {
+        for (&code, load) in shift.iter().zip(loads) {
             if code != Single::UNSHIFTED {
                 let [x, y, z, _] = load.force;
                 let boxes = Single::boxes(code);

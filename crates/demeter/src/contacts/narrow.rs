@@ -77,6 +77,11 @@ impl Scene<'_> {
         !self.bulge.is_empty()
     }
 
+    /// Whether images across periodic sides move.
+    pub(crate) fn is_deforming(&self) -> bool {
+        !self.comm.shift_velocities().is_empty()
+    }
+
     /// How far the surface of a grain may bulge [m].
     #[inline(always)]
     pub(super) fn bulge(&self, grain: usize) -> f64 {
@@ -142,17 +147,18 @@ impl ContactChunk {
             });
         }
         if !scene.comm.shifts().is_empty() && self.shift.len() != self.len() {
-            self.shift.clear();
-            let candidates = self.now.candidate.iter();
-            self.shift
-                .extend(candidates.map(|&candidate| pairs[candidate as usize].shift));
+            self.note_shifts(pairs);
         }
         found_all();
-        let first = collector.waiting.loads.len();
         self.meet_pairs(scene, collector);
-        if !scene.comm.shift_velocities().is_empty() {
-            self.sum_across(&collector.waiting.loads[first..]);
-        }
+    }
+
+    /// Takes the codes of the shifts of all contacts from their candidates.
+    fn note_shifts(&mut self, pairs: &[Pair]) {
+        self.shift.clear();
+        let candidates = self.now.candidate.iter();
+        self.shift
+            .extend(candidates.map(|&candidate| pairs[candidate as usize].shift));
     }
 
     /// Finds the contacts of a chunk of pairs of grains that feel each other.
@@ -166,6 +172,9 @@ impl ContactChunk {
         };
         lanes::run(scene.instructions, find);
         self.renew(pairs, &found, scene);
+        if scene.is_deforming() {
+            self.note_shifts(pairs);
+        }
         std::mem::swap(&mut self.now.geometry, &mut found.geometry);
         if let Some(k) = found.too_deep {
             self.note_overlap(k, self.now.geometry[k].overlap, scene);
@@ -213,7 +222,8 @@ impl ContactChunk {
             self.note_engaged(goes_on);
             if scene.is_coupled() {
                 let normal = found.geometry[k].normal;
-                let rate = (grains.velocity[j] - grains.velocity[i]).dot(normal);
+                let of_image = scene.comm.velocity_of_shift(pair.shift);
+                let rate = (grains.velocity[j] - grains.velocity[i] - of_image).dot(normal);
                 let size = PairSize {
                     radius: 1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
                     mass: 1.0 / (grains.inverse_mass(i) + grains.inverse_mass(j)),

@@ -138,7 +138,7 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
             let pressed = law.normal.visit(Press {
                 lot: &mut lot,
                 size,
-                inverse_mass: motion.inverse_mass(),
+                inverse_mass: motion.inverse_mass,
                 overlap: motion.overlap,
                 rate: motion.rate,
                 previous: load_some(answers.normal_force, k),

@@ -117,9 +117,9 @@ pub struct Measures {
     pub coordination: f64,
     /// Largest overlap as a share of the smaller radius.
     pub max_overlap: f64,
-    /// Largest speed [m/s].
+    /// Largest speed [m/s]; beyond the affine flow where the box deforms.
     pub max_speed: f64,
-    /// Kinetic over elastic energy.
+    /// Kinetic over elastic energy; of the motion beyond the affine flow where the box deforms.
     pub kinetic_over_elastic: f64,
     /// Energies.
     pub energies: Energies,
@@ -191,8 +191,8 @@ pub fn measure(sim: &mut Simulation, moment: Moment, gauge: Option<&StrainGauge>
         contacts,
         coordination: (2 * contacts + wall_contacts) as f64 / grains.len().max(1) as f64,
         max_overlap: max_overlap(sim),
-        max_speed: speed2.sqrt(),
-        kinetic_over_elastic: kinetic_over_elastic(&energies),
+        max_speed: sim.beyond_flow().map_or(speed2.sqrt(), |(_, speed)| speed),
+        kinetic_over_elastic: kinetic_over_elastic(sim, &energies),
         stress: stress(sim, volume),
         packing_fraction: if volume > 0.0 { solid / volume } else { 0.0 },
         strain: gauge.map(|g| g.strain(sim)),
@@ -204,9 +204,10 @@ pub fn measure(sim: &mut Simulation, moment: Moment, gauge: Option<&StrainGauge>
     }
 }
 
-/// Kinetic over elastic energy; infinite without elastic energy, 0 for grains at rest without contact.
-pub fn kinetic_over_elastic(energies: &Energies) -> f64 {
-    let kinetic = energies.kinetic + energies.rotational;
+/// Kinetic over elastic energy; infinite without elastic energy, 0 for grains at rest without contact. Where the box deforms,
+/// the flow of the box does not count.
+pub fn kinetic_over_elastic(sim: &Simulation, energies: &Energies) -> f64 {
+    let kinetic = sim.beyond_flow().map_or(energies.kinetic, |(kinetic, _)| kinetic) + energies.rotational;
     if kinetic > 0.0 { kinetic / energies.elastic } else { 0.0 }
 }
 

@@ -67,10 +67,18 @@ pub const COLUMNS: &[Column<Measures>] = {
             "largest overlap as a share of the smaller radius",
             |m| Number(m.max_overlap),
         ),
-        column("max speed", "m/s", "largest speed of a grain", |m| Number(m.max_speed)),
-        column("kinetic over elastic", "", "kinetic over elastic energy", |m| {
-            Number(m.kinetic_over_elastic)
-        }),
+        column(
+            "max speed",
+            "m/s",
+            "largest speed of a grain; beyond the affine flow where the box deforms",
+            |m| Number(m.max_speed),
+        ),
+        column(
+            "kinetic over elastic",
+            "",
+            "kinetic over elastic energy; beyond the affine flow where the box deforms",
+            |m| Number(m.kinetic_over_elastic),
+        ),
         column(
             "packing fraction",
             "",

@@ -3,7 +3,8 @@
 use super::{Diagnostics, FeedRate, FeedSpec, Scenario};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
 use crate::particles::{Domain, Grains};
-use crate::walls::{Freedom, Motion, Motions, SurfaceContact, Wall};
+use crate::simulation::WallPartner;
+use crate::walls::{Motion, Motions, SurfaceContact, Wall};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -182,12 +183,18 @@ fn deepest_in_wall(grains: &Grains, walls: &[Wall]) -> Option<(usize, usize, f64
 const MOST_MOTION: f64 = 0.1;
 
 /// Tells motions that are too fast for the time step.
-pub(super) fn check_wall_speeds(scenario: &Scenario, grains: &Grains, dt: f64, faults: &mut Diagnostics) {
+pub(super) fn check_wall_speeds(
+    scenario: &Scenario,
+    built: &[Wall],
+    grains: &Grains,
+    dt: f64,
+    faults: &mut Diagnostics,
+) {
     let walls = scenario
         .walls
         .iter()
         .enumerate()
-        .map(|(k, wall)| (format!("wall[{k}].motion"), &wall.name, &wall.motion));
+        .map(|(k, wall)| (format!("wall[{k}].motion"), k, &wall.motion));
     let stages = scenario
         .stages
         .iter()
@@ -195,12 +202,14 @@ pub(super) fn check_wall_speeds(scenario: &Scenario, grains: &Grains, dt: f64, f
         .flat_map(|(stage, path)| {
             stage.motions.iter().map(move |(wall, motion)| {
                 let name = &scenario.walls[*wall].name;
-                (format!("{path}.motion.{name}"), name, motion)
+                (format!("{path}.motion.{name}"), *wall, motion)
             })
         });
     let smallest = grains.radii().fold(f64::INFINITY, f64::min);
-    for (path, name, motion) in walls.chain(stages) {
-        if let Some(speed) = linear_speed(motion).filter(|speed| speed * dt > MOST_MOTION * smallest) {
+    for (path, index, motion) in walls.chain(stages) {
+        let name = &scenario.walls[index].name;
+        let bounds = built.get(index).and_then(Wall::bounds);
+        if let Some(speed) = largest_speed(motion, bounds).filter(|speed| speed * dt > MOST_MOTION * smallest) {
             faults.push(
                 &path,
                 format!(
@@ -214,37 +223,31 @@ pub(super) fn check_wall_speeds(scenario: &Scenario, grains: &Grains, dt: f64, f
     }
 }
 
-/// Tells free walls that are lighter than a grain: the time step follows from the masses of grains, and a contact with a lighter
-/// wall is faster than all between grains.
-pub(super) fn check_free_walls(scenario: &Scenario, walls: &[Wall], grains: &Grains, warnings: &mut Vec<String>) {
-    let largest = grains.mass.iter().copied().fold(0.0, f64::max);
+/// The walls as the time step sees them: with each mass that any of them gives way with in the run.
+pub(super) fn wall_partners(scenario: &Scenario, walls: &[Wall]) -> Vec<WallPartner> {
     let at_start = scenario.walls.iter().map(|wall| &wall.motion).enumerate();
     let in_stages = scenario.stages.iter().flat_map(|stage| &stage.motions);
-    let mut told = std::collections::BTreeSet::new();
-    for (index, motions) in at_start.chain(in_stages.map(|(wall, motions)| (*wall, motions))) {
-        let free = motions.parts.iter().find_map(|part| match part.motion {
-            Motion::Free(free) => Some(free),
-            _ => None,
-        });
-        let (Some(free), Some(wall)) = (free, walls.get(index)) else {
+    let told: Vec<(usize, &Motions)> = at_start
+        .chain(in_stages.map(|(wall, motions)| (*wall, motions)))
+        .collect();
+    let mut partners: Vec<WallPartner> = walls.iter().map(WallPartner::of).collect();
+    for (index, motions) in &told {
+        let Some(Motion::Free(free)) = motions.parts.first().map(|part| &part.motion) else {
             continue;
         };
-        // at the farthest place from the hinge a wall gives way most easily
-        let mass = match (free.freedom, wall.bounds()) {
-            (Freedom::Hinge { point, .. }, Some((lower, upper))) => {
-                let reach = (upper - point).abs().max((lower - point).abs()).length();
-                free.inertia / (reach * reach)
-            }
-            _ => free.inertia,
+        // what moves with a free wall gives way as it does
+        let follows = |k: usize| {
+            told.iter()
+                .any(|(wall, motions)| *wall == k && motions.leader() == Some(*index))
         };
-        if mass < largest && told.insert(index) {
-            warnings.push(format!(
-                "wall `{}` moves freely and is as light as {mass:.3e} kg where grains push it, the heaviest of which has \
-                 {largest:.3e} kg: use a time step below the automatic one by the root of that ratio",
-                wall.name
-            ));
+        for (_, wall) in walls.iter().enumerate().filter(|(k, _)| k == index || follows(*k)) {
+            partners.push(WallPartner {
+                material: wall.material,
+                mass: free.least_mass(wall.bounds()),
+            });
         }
     }
+    partners
 }
 
 /// Refuses motions that a wall cannot make before any stage has run, and walls that move with one that itself moves with another.
@@ -300,8 +303,15 @@ fn check_leaders(scenario: &Scenario, leaders: &[Option<usize>], paths: &[(usize
     }
 }
 
-/// Upper bound of the speed of all motions that do not depend on the place or on forces [m/s].
-fn linear_speed(motions: &Motions) -> Option<f64> {
+/// Upper bound of the speed of a wall by all motions that do not depend on forces, none where it rests [m/s]. Motions that turn
+/// count as far as the wall lies from the point of their axis where it starts; a wall without bounds by its straight ones alone.
+fn largest_speed(motions: &Motions, bounds: Option<(DVec3, DVec3)>) -> Option<f64> {
+    let reach = |point: DVec3, axis: DVec3| {
+        bounds.map_or(0.0, |(lower, upper)| {
+            let corner = |k: usize| DVec3::select(glam::BVec3::new(k & 1 > 0, k & 2 > 0, k & 4 > 0), lower, upper);
+            (0..8).fold(0.0, |far, k| f64::max(far, axis.cross(corner(k) - point).length()))
+        })
+    };
     let speed = |motion: &Motion| match motion {
         Motion::Velocity(velocity) => velocity.length(),
         Motion::Oscillation {
@@ -309,12 +319,22 @@ fn linear_speed(motions: &Motions) -> Option<f64> {
         } => 2.0 * PI * frequency * amplitude.length(),
         Motion::Table(table) => table.largest_speed(),
         Motion::Servo { max_speed, .. } => *max_speed,
-        Motion::Rest
-        | Motion::Rotation { .. }
-        | Motion::Rocking { .. }
-        | Motion::TorqueServo { .. }
-        | Motion::Free(_)
-        | Motion::With(_) => 0.0,
+        Motion::Rotation {
+            point,
+            axis,
+            angular_velocity,
+        } => angular_velocity.abs() * reach(*point, *axis),
+        Motion::Rocking {
+            point,
+            axis,
+            amplitude,
+            frequency,
+            ..
+        } => 2.0 * PI * frequency * amplitude.abs() * reach(*point, *axis),
+        Motion::TorqueServo {
+            point, axis, max_speed, ..
+        } => max_speed * reach(*point, *axis),
+        Motion::Rest | Motion::Free(_) | Motion::With(_) => 0.0,
     };
     let sum: f64 = motions.parts.iter().map(|part| speed(&part.motion)).sum();
     (sum > 0.0).then_some(sum)

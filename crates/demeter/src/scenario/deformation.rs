@@ -4,7 +4,6 @@ use super::quantity::Kind;
 use super::reader::TableReader;
 use super::{Diagnostics, Scenario};
 use crate::comm::ShearAxes;
-use crate::materials::Materials;
 use crate::particles::Grains;
 use crate::simulation::{Deformation, DeformationError, Drive, Misfit, Shear, Simulation, StopCondition, StressOf};
 use demeter_physics::dimension::Dimension;
@@ -167,13 +166,7 @@ impl Scenario {
 }
 
 /// Tells stop conditions on a box that never deforms, and what does not go with one that does.
-pub(super) fn check(
-    scenario: &Scenario,
-    materials: &Materials,
-    grains: &Grains,
-    dt: Option<f64>,
-    faults: &mut Diagnostics,
-) {
+pub(super) fn check(scenario: &Scenario, grains: &Grains, dt: Option<f64>, faults: &mut Diagnostics) {
     if !scenario.deforms() {
         for (stage, path) in scenario.stages.iter().zip(&scenario.stage_paths) {
             let asks = |stop: &StopCondition| {
@@ -201,7 +194,6 @@ pub(super) fn check(
             "simulation.integrator",
             Misfit::Gear,
         ),
-        (materials.are_coupled(), "contact.multi_contact", Misfit::Coupling),
         (!scenario.feeds.is_empty(), "feed[0]", Misfit::Traffic),
         (!scenario.removals.is_empty(), "removal[0]", Misfit::Traffic),
         (

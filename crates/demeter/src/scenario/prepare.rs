@@ -1,8 +1,8 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
 use super::checks::{
-    BYTES_PER_GRAIN, check_free_walls, check_memory, check_overlaps, check_periodic_size, check_stage_motions,
-    check_wall_speeds, expected_of_feed,
+    BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds,
+    expected_of_feed, wall_partners,
 };
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
@@ -69,22 +69,21 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     all.append(&to_come);
     let domain = domain(scenario, &all, &walls, &mut faults);
     check_feeds(scenario, &domain, &mut faults);
-    super::deformation::check(scenario, &materials, &grains, None, &mut faults);
+    super::deformation::check(scenario, &grains, None, &mut faults);
     meshes::check(scenario, &walls, &meshes, &all, &mut warnings);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
-    check_free_walls(scenario, &walls, &all, &mut warnings);
     if all.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));
     }
     let skin = (scenario.simulation.skin).map_or_else(|| Skin::Tuned(SKIN_SHARE * mean_radius(&all)), Skin::Fixed);
     check_periodic_size(&all, &domain, skin.first(), materials.are_coupled(), &mut faults);
-    let wall_materials: Vec<u16> = walls.iter().map(|w| w.material).collect();
-    for (a, b, why) in refusals(&all, &wall_materials, &materials) {
+    let partners = wall_partners(scenario, &walls);
+    for (a, b, why) in refusals(&all, &partners, &materials) {
         let path = scenario.contact.path(a.into(), b.into());
         faults.push(&format!("{path}.normal"), why, None);
     }
     let max_overlap = scenario.simulation.max_overlap;
-    let scale = shortest_time_scale(&all, &wall_materials, &materials, max_overlap);
+    let scale = shortest_time_scale(&all, &partners, &materials, max_overlap);
     let scale = match scale {
         Ok(scale) if faults.is_empty() => scale,
         Ok(_) => return Err(faults),
@@ -96,8 +95,8 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         }
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
-    check_wall_speeds(scenario, &all, dt, &mut faults);
-    super::deformation::check(scenario, &materials, &grains, Some(dt), &mut faults);
+    check_wall_speeds(scenario, &walls, &all, dt, &mut faults);
+    super::deformation::check(scenario, &grains, Some(dt), &mut faults);
     if !faults.is_empty() {
         return Err(faults);
     }

@@ -437,14 +437,21 @@ impl<'a> Runner<'a> {
             StopCondition::KineticOverElastic(share) => {
                 let looks = elapsed > 0 && elapsed.is_multiple_of(ENERGY_INTERVAL);
                 let energies = looks.then(|| self.sim.energies()).filter(|e| e.elastic > 0.0)?;
-                let ratio = kinetic_over_elastic(&energies);
+                let ratio = kinetic_over_elastic(&self.sim, &energies);
                 (ratio < *share).then(|| format!("kinetic over elastic energy is {ratio:.3e}, below {share:e}"))
             }
-            StopCondition::WallForce { wall, direction, above } => {
-                let wall = &self.sim.walls[*wall];
-                let force = wall.load().0.dot(DVec3::from_array(*direction));
-                (elapsed > 0 && force >= *above)
-                    .then(|| format!("the force on wall `{}` is {force:.6} N, {above} N was asked", wall.name))
+            StopCondition::WallForce {
+                walls,
+                direction,
+                above,
+            } => {
+                let walls = || walls.iter().map(|&wall| &self.sim.walls[wall]);
+                let force: f64 = walls().map(|w| w.load().0.dot(DVec3::from_array(*direction))).sum();
+                (elapsed > 0 && force >= *above).then(|| {
+                    let names: Vec<String> = walls().map(|wall| format!("`{}`", wall.name)).collect();
+                    let names = names.join(" and ");
+                    format!("the force on wall {names} is {force:.6} N, {above} N was asked")
+                })
             }
             StopCondition::WallTravel { wall, distance } => {
                 let travel = self.travel(*wall);

@@ -235,9 +235,9 @@ fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
     }
     if let Some(told) = table.optional("wall_force").and_then(|i| i.table()) {
         stop.push(StopCondition::WallForce {
-            wall: wall_of(&told, walls),
+            walls: walls_of(&told, walls),
             direction: told
-                .direction("direction", "along which the force on the wall is measured, as \"z\"")
+                .direction("direction", "along which the force on the walls is measured, as \"z\"")
                 .to_array(),
             above: told.quantity(
                 "above",
@@ -283,6 +283,21 @@ fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
     table.finish("the stop conditions");
     if stop.len() == before && matches!(&item.node.value, Value::Table(entries) if entries.is_empty()) {
         item.fault("there is no stop condition in `stop`", None);
+    }
+}
+
+/// One wall, or a list of some.
+fn walls_of(table: &TableReader<'_>, walls: &[WallSpec]) -> Vec<usize> {
+    match table.optional("wall") {
+        Some(item) if matches!(item.node.value, Value::Array(_)) => {
+            let names = walls.iter().map(|w| w.name.as_str());
+            let chosen = chosen(&item, "wall", names);
+            if item.items().is_empty() {
+                item.fault("there is no wall in `wall`", Some("name one at least".to_string()));
+            }
+            chosen
+        }
+        _ => vec![wall_of(table, walls)],
     }
 }
 

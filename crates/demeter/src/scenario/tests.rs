@@ -403,7 +403,7 @@ fn repeats_are_unrolled_with_names_of_their_own() {
     );
     assert_eq!((settle.cadence.frames, settle.cadence.series), (None, Some(2e-3)));
     let touch = StopCondition::WallForce {
-        wall: 1,
+        walls: vec![1],
         direction: [0.0, 0.0, 1.0],
         above: 5e-3,
     };
@@ -412,7 +412,12 @@ fn repeats_are_unrolled_with_names_of_their_own() {
         scenario.stages[1].motions,
         [(1, Motion::Velocity(dvec3(0.0, 0.0, -0.05)).into())]
     );
-    assert_eq!(scenario.stages[2].stop, [StopCondition::Steps(1000)]);
+    let together = StopCondition::WallForce {
+        walls: vec![1, 0],
+        direction: [0.0, 0.0, -1.0],
+        above: 0.5,
+    };
+    assert_eq!(scenario.stages[2].stop, [StopCondition::Steps(1000), together]);
     let strain = StopCondition::Strain {
         wall: 1,
         length: 0.02,

@@ -138,9 +138,6 @@ pub enum Misfit {
         "a box that deforms needs `integrator = \"velocity-verlet\"`: a grain that passes a side changes its velocity at once"
     )]
     Gear,
-    /// Multi-contact laws.
-    #[error("`multi_contact` laws do not work in a box that deforms: use `\"independent\"` there")]
-    Coupling,
     /// Feeds.
     #[error("no grains can come or go while the box deforms: leave `feed` and `removal` out")]
     Traffic,
@@ -228,7 +225,6 @@ impl Simulation {
             (!self.walls.is_empty(), Misfit::Walls),
             (self.gravity != DVec3::ZERO, Misfit::Gravity),
             (self.integrator == Integrator::Gear, Misfit::Gear),
-            (self.coupling.is_some(), Misfit::Coupling),
             (
                 (0..self.grains.len()).any(|g| self.grains.is_fixed(g)),
                 Misfit::FixedGrains,

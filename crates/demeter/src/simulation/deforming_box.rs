@@ -215,6 +215,18 @@ impl Simulation {
         })
     }
 
+    /// Kinetic energy [J] and largest speed [m/s] of the grains' motion beyond the affine flow of a box that deforms.
+    pub fn beyond_flow(&self) -> Option<(f64, f64)> {
+        let deforming = self.comm.deforming()?;
+        let (middle, rates, grains) = (deforming.middle, deforming.now(), &self.grains);
+        let motions = grains.position.iter().zip(grains.velocity.iter()).zip(&grains.mass);
+        let (kinetic, speed2) = motions.fold((0.0, 0.0f64), |(kinetic, most), ((position, velocity), mass)| {
+            let speed2 = (*velocity - deforming.flow(&rates, *position - middle)).length_squared();
+            (kinetic + 0.5 * mass * speed2, most.max(speed2))
+        });
+        Some((kinetic, speed2.sqrt()))
+    }
+
     /// Stress of the motion beyond the affine flow, and of the contacts [Pa].
     ///
     /// The sum of `F l` over all contacts, with the branch vector `l` from the partner's image, is that of `F x` over all

@@ -4,7 +4,7 @@ use super::time_step::largest_reach;
 use super::{Simulation, SkinTuner};
 use crate::contacts::Coupling;
 use crate::particles::{Grains, HigherDerivatives, NewGrain};
-use crate::simulation::Skin;
+use crate::simulation::{Skin, WallPartner};
 use crate::step::CouplingState;
 use demeter_physics::integrator::Integrator;
 use std::ops::Range;
@@ -34,8 +34,8 @@ impl Simulation {
     pub fn expect_grains(&mut self, to_come: &Grains, skin: Skin, scheme: Coupling) {
         let mut all = self.grains.clone();
         all.append(to_come);
-        let wall_materials: Vec<u16> = self.walls.iter().map(|w| w.material).collect();
-        self.max_reach = largest_reach(&all, &wall_materials, &self.materials);
+        let walls: Vec<WallPartner> = self.walls.iter().map(WallPartner::of).collect();
+        self.max_reach = largest_reach(&all, &walls, &self.materials);
         self.coupling = CouplingState::new(scheme, &all, &self.materials);
         let beyond_touch = (self.max_reach, self.coupling.is_some());
         self.tuner = SkinTuner::new(skin, &all, self.comm.domain(), beyond_touch);

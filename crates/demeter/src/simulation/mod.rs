@@ -27,7 +27,7 @@ pub use protocol::{Cadence, Stage, StopCondition, StressOf};
 pub use roofline::{Machine, Roofline, Work};
 pub use skin::Skin;
 pub use state::{SimulationState, StateError};
-pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, refusals, shortest_time_scale, unsafe_share};
+pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, WallPartner, refusals, shortest_time_scale, unsafe_share};
 
 use deforming_box::DeformingBox;
 use skin::SkinTuner;
@@ -148,8 +148,8 @@ impl Simulation {
             Integrator::Gear => setup.grains.len(),
         };
         setup.grains.higher.resize(remembered, HigherDerivatives::default());
-        let wall_materials: Vec<u16> = setup.walls.iter().map(|w| w.material).collect();
-        let max_reach = largest_reach(&setup.grains, &wall_materials, &setup.materials);
+        let walls: Vec<WallPartner> = setup.walls.iter().map(WallPartner::of).collect();
+        let max_reach = largest_reach(&setup.grains, &walls, &setup.materials);
         let coupling = CouplingState::new(setup.coupling, &setup.grains, &setup.materials);
         let tuner = SkinTuner::new(
             setup.skin,

@@ -13,11 +13,10 @@ pub enum StopCondition {
     Steps(u64),
     /// Kinetic over elastic energy of the grains is below this share (and some contact is loaded).
     KineticOverElastic(f64),
-    /// The force on a wall along a direction reaches a value [N]: from below when it is positive, in magnitude when
-    /// the direction is the wall's own load direction.
+    /// The force on some walls together along a direction reaches a value [N].
     WallForce {
-        /// Index of the wall.
-        wall: usize,
+        /// Indices of the walls.
+        walls: Vec<usize>,
         /// Unit vector along which the force is measured.
         direction: [f64; 3],
         /// The value to reach or exceed [N].

@@ -66,9 +66,11 @@ fn lattice(radius: f64, speed: f64, skin: Skin) -> Setup {
         Wall::new(name, 0, Shape::Plane { point, normal }, Motion::Rest).unwrap()
     };
     let materials = two_materials();
-    let scale = shortest_time_scale(&grains, &[0, 0], &materials, 0.5).unwrap();
+    let walls = vec![plane("floor", 0.0, DVec3::Z), plane("lid", edge, DVec3::NEG_Z)];
+    let partners: Vec<WallPartner> = walls.iter().map(WallPartner::of).collect();
+    let scale = shortest_time_scale(&grains, &partners, &materials, 0.5).unwrap();
     Setup {
-        walls: vec![plane("floor", 0.0, DVec3::Z), plane("lid", edge, DVec3::NEG_Z)],
+        walls,
         materials,
         domain: Domain {
             lower: DVec3::ZERO,

@@ -3,6 +3,7 @@
 use crate::contacts::laws;
 use crate::materials::Materials;
 use crate::particles::Grains;
+use crate::walls::Wall;
 use demeter_physics::contact::normal::{Normal, NormalVisitor};
 use demeter_physics::contact::rolling::{Rolling, RollingVisitor};
 use demeter_physics::contact::tangential::{Tangential, TangentialVisitor};
@@ -54,6 +55,32 @@ pub enum TimeStepError {
     },
 }
 
+/// A wall as far as time scales go.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WallPartner {
+    /// Its material.
+    pub material: u16,
+    /// Least mass with which it gives way to a push [kg]; infinite where it does not.
+    pub mass: f64,
+}
+
+impl WallPartner {
+    /// A wall as it moves now; one that moves with another is not told by it.
+    pub fn of(wall: &Wall) -> Self {
+        Self {
+            material: wall.material,
+            mass: wall.least_mass(),
+        }
+    }
+}
+
+/// What a grain touches.
+#[derive(Clone, Copy)]
+enum Partner {
+    Grain(Representative),
+    Wall { mass: f64 },
+}
+
 /// A grain as far as time scales go.
 #[derive(Clone, Copy)]
 struct Representative {
@@ -63,15 +90,15 @@ struct Representative {
 }
 
 /// Shortest time scale of all laws between the materials in use, at overlaps up to `max_overlap` of the smaller
-/// radius. `wall_materials` are the materials of the walls.
+/// radius.
 pub fn shortest_time_scale(
     grains: &Grains,
-    wall_materials: &[u16],
+    walls: &[WallPartner],
     materials: &Materials,
     max_overlap: f64,
 ) -> Result<TimeScale, TimeStepError> {
     let mut shortest: Option<TimeScale> = None;
-    each_contact(grains, wall_materials, materials, |pair, one, other| {
+    each_contact(grains, walls, materials, |pair, one, other| {
         let scale = of_contact(materials, pair, one, other, max_overlap);
         // a scale that is not a number must win, so that it is told
         if !shortest.as_ref().is_some_and(|s| scale.time >= s.time) {
@@ -89,9 +116,9 @@ pub fn shortest_time_scale(
 }
 
 /// Largest gap across which any law acts between the bodies in use [m].
-pub(super) fn largest_reach(grains: &Grains, wall_materials: &[u16], materials: &Materials) -> f64 {
+pub(super) fn largest_reach(grains: &Grains, walls: &[WallPartner], materials: &Materials) -> f64 {
     let mut largest = 0.0f64;
-    each_contact(grains, wall_materials, materials, |(a, b), one, other| {
+    each_contact(grains, walls, materials, |(a, b), one, other| {
         let law = materials.law(materials.pair(a, b));
         largest = largest.max(laws::largest_reach(law, pair_size(one, other)));
     });
@@ -99,7 +126,7 @@ pub(super) fn largest_reach(grains: &Grains, wall_materials: &[u16], materials: 
 }
 
 /// What the laws refuse to do for the sizes in use, as `(material, material, why)`.
-pub fn refusals(grains: &Grains, wall_materials: &[u16], materials: &Materials) -> Vec<(u16, u16, String)> {
+pub fn refusals(grains: &Grains, walls: &[WallPartner], materials: &Materials) -> Vec<(u16, u16, String)> {
     struct Check(PairSize);
     impl NormalVisitor for Check {
         type Output = Result<(), String>;
@@ -108,7 +135,7 @@ pub fn refusals(grains: &Grains, wall_materials: &[u16], materials: &Materials) 
         }
     }
     let mut refused: Vec<(u16, u16, String)> = Vec::new();
-    each_contact(grains, wall_materials, materials, |(a, b), one, other| {
+    each_contact(grains, walls, materials, |(a, b), one, other| {
         let (a, b) = (a.min(b), a.max(b));
         let law = materials.law(materials.pair(a, b));
         if let Err(why) = law.normal.visit(Check(pair_size(one, other)))
@@ -120,13 +147,12 @@ pub fn refusals(grains: &Grains, wall_materials: &[u16], materials: &Materials) 
     refused
 }
 
-/// Visits contacts between all materials in use, of grains of extreme sizes and masses; without a second grain the
-/// partner is a wall.
+/// Visits contacts between all materials in use, of grains of extreme sizes and masses, and with the walls.
 fn each_contact(
     grains: &Grains,
-    wall_materials: &[u16],
+    walls: &[WallPartner],
     materials: &Materials,
-    mut visit: impl FnMut((u16, u16), Representative, Option<Representative>),
+    mut visit: impl FnMut((u16, u16), Representative, Partner),
 ) {
     let count = materials.list().len() as u16;
     let used: Vec<(u16, Vec<Representative>)> = (0..count)
@@ -137,23 +163,27 @@ fn each_contact(
         for (b, grains_b) in &used[k..] {
             for one in grains_a {
                 for other in grains_b {
-                    visit((*a, *b), *one, Some(*other));
+                    visit((*a, *b), *one, Partner::Grain(*other));
                 }
             }
         }
-        for &wall in wall_materials {
+        for wall in walls {
             for one in grains_a {
-                visit((*a, wall), *one, None);
+                visit((*a, wall.material), *one, Partner::Wall { mass: wall.mass });
             }
         }
     }
 }
 
 /// Effective radius and mass.
-fn pair_size(one: Representative, other: Option<Representative>) -> PairSize {
+fn pair_size(one: Representative, other: Partner) -> PairSize {
+    let (radius, mass) = match other {
+        Partner::Grain(other) => (other.radius, other.mass),
+        Partner::Wall { mass } => (f64::INFINITY, mass),
+    };
     PairSize {
-        radius: 1.0 / (1.0 / one.radius + other.map_or(0.0, |o| 1.0 / o.radius)),
-        mass: 1.0 / (1.0 / one.mass + other.map_or(0.0, |o| 1.0 / o.mass)),
+        radius: 1.0 / (1.0 / one.radius + 1.0 / radius),
+        mass: 1.0 / (1.0 / one.mass + 1.0 / mass),
     }
 }
 
@@ -175,20 +205,28 @@ fn of_contact(
     materials: &Materials,
     (a, b): (u16, u16),
     one: Representative,
-    other: Option<Representative>,
+    other: Partner,
     max_overlap: f64,
 ) -> TimeScale {
     let law = materials.law(materials.pair(a, b));
     let size = pair_size(one, other);
-    let overlap = max_overlap * other.map_or(one.radius, |o| one.radius.min(o.radius));
     let rolling = |g: Representative| 1.0 / (g.inertia + g.mass * g.radius * g.radius);
-    let rolling_inertia = 1.0 / (rolling(one) + other.map_or(0.0, rolling));
+    let (smaller, of_other) = match other {
+        Partner::Grain(other) => (one.radius.min(other.radius), rolling(other)),
+        Partner::Wall { .. } => (one.radius, 0.0),
+    };
+    let overlap = max_overlap * smaller;
+    let rolling_inertia = 1.0 / (rolling(one) + of_other);
     let (time, what) = time_scale(law, size, rolling_inertia, overlap);
     let name = |m: u16| materials.list()[m as usize].name.as_str();
     let bodies = match other {
-        Some(_) if a == b => format!("two grains of `{}`", name(a)),
-        Some(_) => format!("a grain of `{}` and one of `{}`", name(a), name(b)),
-        None => format!("a grain of `{}` and a wall of `{}`", name(a), name(b)),
+        Partner::Grain(_) if a == b => format!("two grains of `{}`", name(a)),
+        Partner::Grain(_) => format!("a grain of `{}` and one of `{}`", name(a), name(b)),
+        Partner::Wall { mass } if mass.is_finite() => {
+            let (grain, wall) = (name(a), name(b));
+            format!("a grain of `{grain}` and a wall of `{wall}` that gives way as {mass:.3e} kg do")
+        }
+        Partner::Wall { .. } => format!("a grain of `{}` and a wall of `{}`", name(a), name(b)),
     };
     TimeScale {
         time,

@@ -230,7 +230,7 @@ impl Simulation {
             let work = Work {
                 neighbours: &self.neighbours,
                 instructions: self.instructions,
-                waits: false,
+                waits: scene.is_deforming(),
                 step: |number: usize, chunk: &mut ContactChunk, collector: &mut Collector| {
                     let at = ChunkPlace {
                         wall: false,

@@ -70,6 +70,21 @@ impl FreeBody {
         self.pending = 0.0;
     }
 
+    /// Inverse of the mass with which the wall gives way to a push along a direction at a point [1/kg]; 0 where a stop holds it.
+    pub(super) fn inverse_mass(&self, point: DVec3, direction: DVec3) -> f64 {
+        let lever = match self.motion.freedom {
+            Freedom::Slide { axis } => axis.dot(direction),
+            Freedom::Hinge { point: hinge, axis, .. } => axis.dot((point - hinge).cross(direction)),
+        };
+        let [lower, upper] = self.motion.stops;
+        let is_held = self.coordinate <= lower && lever < 0.0 || self.coordinate >= upper && lever > 0.0;
+        if is_held {
+            0.0
+        } else {
+            lever * lever / self.motion.inertia
+        }
+    }
+
     fn leaves_its_stops(&self, speed: f64) -> bool {
         let [lower, upper] = self.motion.stops;
         self.coordinate <= lower && speed < 0.0 || self.coordinate >= upper && speed > 0.0

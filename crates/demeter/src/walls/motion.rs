@@ -103,6 +103,19 @@ pub struct FreeMotion {
     pub stops: [f64; 2],
 }
 
+impl FreeMotion {
+    /// Least mass with which a wall within bounds gives way [kg]: of a hinged one, where it is farthest from the hinge.
+    pub fn least_mass(&self, bounds: Option<(DVec3, DVec3)>) -> f64 {
+        match (self.freedom, bounds) {
+            (Freedom::Hinge { point, .. }, Some((lower, upper))) => {
+                let reach = (upper - point).abs().max((lower - point).abs()).length();
+                self.inertia / (reach * reach)
+            }
+            _ => self.inertia,
+        }
+    }
+}
+
 /// What a freely moving wall may do.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Freedom {

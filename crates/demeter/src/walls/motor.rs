@@ -1,7 +1,7 @@
 //! Moves a wall: evaluates its motions at the time of its own clock.
 
 use super::free::FreeBody;
-use super::motion::{Freedom, Motion, MotionPart, Motions};
+use super::motion::{FreeMotion, Freedom, Motion, MotionPart, Motions};
 use super::movement::{Carried, Movement};
 use super::pose::Pose;
 use super::servo::Servo;
@@ -156,6 +156,22 @@ impl Motor {
         match self.parts.first()?.told.motion {
             Motion::With(wall) => Some(wall),
             _ => None,
+        }
+    }
+
+    /// How the wall moves freely, if it does.
+    pub(super) fn free_motion(&self) -> Option<&FreeMotion> {
+        match &self.parts.first()?.told.motion {
+            Motion::Free(free) => Some(free),
+            _ => None,
+        }
+    }
+
+    /// See [`FreeBody::inverse_mass`]; 0 of a wall that does not move freely.
+    pub(super) fn inverse_mass(&self, point: DVec3, direction: DVec3) -> f64 {
+        match self.parts.first().map(|part| &part.drive) {
+            Some(Drive::Free(body)) => body.inverse_mass(point, direction),
+            _ => 0.0,
         }
     }
 

@@ -160,6 +160,20 @@ impl Wall {
         }
     }
 
+    /// Inverse of the mass with which a freely moving wall gives way to a push along a direction at a point [1/kg]:
+    /// `(a.n)^2/m` of one that slides along `a`, `(a.(r x n))^2/I` of one that turns about a hinge; 0 of all others. A wall that
+    /// moves with another one gives way as that one does.
+    pub fn inverse_mass_at(&self, point: DVec3, direction: DVec3) -> f64 {
+        self.motor.inverse_mass(point, direction)
+    }
+
+    /// Least mass with which the wall gives way to a push anywhere [kg]; infinite where it does not move freely.
+    pub fn least_mass(&self) -> f64 {
+        self.motor
+            .free_motion()
+            .map_or(f64::INFINITY, |free| free.least_mass(self.bounds()))
+    }
+
     /// Angular velocity of the wall [1/s].
     #[inline]
     pub fn angular_velocity(&self) -> DVec3 {

@@ -7,7 +7,7 @@ pub mod beds;
 use demeter::contacts::Coupling;
 use demeter::materials::{Material, Materials, PairChoice};
 use demeter::particles::{Domain, Grains, NewGrain, Outside};
-use demeter::simulation::{SAFE_SHARE, Setup, Simulation, Skin, shortest_time_scale};
+use demeter::simulation::{SAFE_SHARE, Setup, Simulation, Skin, WallPartner, shortest_time_scale};
 use demeter::walls::{Motion, Motions, Shape, Wall};
 use demeter_physics::DVec3;
 use demeter_physics::contact::LawChoice;
@@ -179,8 +179,8 @@ impl Case {
     }
 
     pub fn setup(self) -> Setup {
-        let wall_materials: Vec<u16> = self.walls.iter().map(|w| w.material).collect();
-        let scale = shortest_time_scale(&self.grains, &wall_materials, &self.materials, self.max_overlap).unwrap();
+        let walls: Vec<WallPartner> = self.walls.iter().map(WallPartner::of).collect();
+        let scale = shortest_time_scale(&self.grains, &walls, &self.materials, self.max_overlap).unwrap();
         Setup {
             grains: self.grains,
             walls: self.walls,
