@@ -6,13 +6,14 @@ use std::path::{Path, PathBuf};
 
 /// Modules of the engine from the lowest to the highest. A module imports from its own line and from those above it
 /// in this table, never from one below.
-const ORDER: [&[&str]; 9] = [
+const ORDER: [&[&str]; 10] = [
     &["particles", "materials", "comm", "threads"],
     &["neighbours", "walls"],
     &["contacts"],
     &["insertion"],
     &["step", "simulation", "checkpoint"],
     &["measure", "output"],
+    &["results"],
     &["compare"],
     &["scenario"],
     &["calibrate"],

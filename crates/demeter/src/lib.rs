@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! particles, materials, comm <- neighbours, walls <- contacts <- insertion <- step, simulation, checkpoint
-//!     <- measure, output <- compare <- scenario <- calibrate
+//!     <- measure, output <- results <- compare <- scenario <- calibrate
 //! ```
 //!
 //! Every quantity is SI `f64`; units exist in [`scenario`] only.
@@ -20,6 +20,7 @@ pub mod measure;
 pub mod neighbours;
 pub mod output;
 pub mod particles;
+pub mod results;
 pub mod scenario;
 pub mod simulation;
 mod step;

@@ -18,7 +18,5 @@ mod folder;
 pub mod hydrogel;
 pub mod rheology;
 mod runs;
-mod series;
 
 pub use runs::{Job, JobError, Tell, carry_out_all};
-pub use series::{SeriesError, SeriesTable};

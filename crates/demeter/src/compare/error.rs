@@ -1,65 +1,15 @@
 //! What can go wrong when runs are compared.
 
 use crate::output::OutputError;
-use std::io;
-use std::path::{Path, PathBuf};
+use crate::results::ResultsError;
+use std::path::PathBuf;
 
 /// Why a run or a measured curve cannot be compared.
 #[derive(Debug, thiserror::Error)]
 pub enum CompareError {
-    /// The folder is no run.
+    /// A file of a run or a measured curve cannot be read.
     #[error(transparent)]
-    Folder(#[from] OutputError),
-    /// The system refused.
-    #[error("cannot read `{}`: {source}", path.display())]
-    Io {
-        /// The file.
-        path: PathBuf,
-        /// What the system said.
-        source: io::Error,
-    },
-    /// The file is larger than what is read.
-    #[error("`{}` has {size} bytes; at most {allowed} are read. Write fewer rows (`output.series`)", path.display())]
-    TooLarge {
-        /// The file.
-        path: PathBuf,
-        /// Its size [bytes].
-        size: u64,
-        /// The largest size [bytes].
-        allowed: u64,
-    },
-    /// The text is no table.
-    #[error("`{}`: {problem}", path.display())]
-    Table {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong, with the line.
-        problem: String,
-    },
-    /// A column is missing.
-    #[error("`{}` has no column `{column}`; {help}", path.display())]
-    NoColumn {
-        /// The file.
-        path: PathBuf,
-        /// The column.
-        column: String,
-        /// What there is, or how to get it.
-        help: String,
-    },
-    /// A cell holds something else than it should.
-    #[error("`{}`, line {line}, column `{column}`: `{found}` is not {expected}", path.display())]
-    Cell {
-        /// The file.
-        path: PathBuf,
-        /// Line of the file, from 1.
-        line: u64,
-        /// The column.
-        column: String,
-        /// What stands there, shortened.
-        found: String,
-        /// What should.
-        expected: &'static str,
-    },
+    Read(#[from] ResultsError),
     /// No stage has the name that was told.
     #[error(
         "`{}` has no stage `{stage}`, which was told as the {phase} stage; its stages are {}", 
@@ -177,13 +127,14 @@ pub enum CompareError {
 }
 
 impl CompareError {
-    pub(super) fn io(path: &Path) -> impl FnOnce(io::Error) -> Self {
-        let path = path.to_owned();
-        move |source| Self::Io { path, source }
-    }
-
     /// Whether the system refused to read, rather than that what was read is wrong.
     pub fn is_io(&self) -> bool {
-        matches!(self, Self::Io { .. } | Self::Folder(OutputError::Io { .. }))
+        matches!(self, Self::Read(error) if error.is_io())
+    }
+}
+
+impl From<OutputError> for CompareError {
+    fn from(error: OutputError) -> Self {
+        Self::Read(error.into())
     }
 }

@@ -1,8 +1,9 @@
 //! Distributions of contact forces: histograms of a run's contacts over bins of force, by step.
 
 use super::error::CompareError;
-use super::table::Table;
 use crate::output::distribution::{ABOVE, COLUMNS};
+use crate::results::ResultsError;
+use crate::results::rows::Table;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -166,7 +167,7 @@ impl Forces {
             let told = match row.text(between) {
                 "grains" => 0,
                 "walls" => 1,
-                _ => return Err(row.fault(between, "`grains` or `walls`")),
+                _ => return Err(row.fault(between, "`grains` or `walls`").into()),
             };
             let count = |column| row.count::<u32>(column);
             let counts: Vec<u32> = (COLUMNS.len()..COLUMNS.len() + bins.count() + 1)
@@ -205,10 +206,10 @@ fn find(folder: &Path, name: Option<&str>) -> Result<Option<PathBuf>, CompareErr
     let place = folder.join("distributions");
     let mut files: Vec<PathBuf> = match std::fs::read_dir(&place) {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => Vec::new(),
-        entries => (entries.map_err(CompareError::io(&place))?)
+        entries => (entries.map_err(ResultsError::io(&place))?)
             .map(|entry| entry.map(|e| e.path()))
             .collect::<Result<_, _>>()
-            .map_err(CompareError::io(&place))?,
+            .map_err(ResultsError::io(&place))?,
     };
     files.retain(|path| path.extension().is_some_and(|e| e == "csv"));
     files.sort();
@@ -241,8 +242,8 @@ fn find(folder: &Path, name: Option<&str>) -> Result<Option<PathBuf>, CompareErr
 }
 
 /// The bins, from the titles of the columns: every count is under the lower edge of its bin.
-fn bins(table: &Table) -> Result<Bins, CompareError> {
-    let refuse = |problem: String| CompareError::Table {
+fn bins(table: &Table) -> Result<Bins, ResultsError> {
+    let refuse = |problem: String| ResultsError::Table {
         path: table.path().to_owned(),
         problem,
     };

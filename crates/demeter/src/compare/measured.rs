@@ -3,7 +3,7 @@
 use super::cycles::{Level, Mean, Phase, Position};
 use super::error::CompareError;
 use super::strokes::Strokes;
-use super::table::Table;
+use crate::results::rows::Table;
 use std::path::Path;
 
 /// Largest measured curve that is read [bytes].

@@ -20,7 +20,6 @@ mod measured;
 mod metrics;
 mod run;
 mod strokes;
-mod table;
 #[cfg(test)]
 mod tests;
 

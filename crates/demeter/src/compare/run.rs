@@ -4,8 +4,9 @@ use super::cycles::{Phase, Position, StrokeRow, average};
 use super::error::CompareError;
 use super::forces::Forces;
 use super::strokes::Strokes;
-use super::table::{Row, Table};
 use crate::output::RunFolder;
+use crate::results::ResultsError;
+use crate::results::rows::{Row, Table};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -369,13 +370,13 @@ fn begin(cycles: &mut Vec<Cycle>, phase: Phase, part: Part, path: &Path) -> Resu
         (Phase::Unloading, None) => {}
         (Phase::Unloading, Some(cycle)) => {
             if let Some(first) = &cycle.unloading {
-                return Err(CompareError::Table {
+                return Err(CompareError::from(ResultsError::Table {
                     path: path.to_owned(),
                     problem: format!(
                         "the stages `{}` and `{}` both unload after `{}`; a cycle has one stage of each",
                         first.stage, part.stage, cycle.loading.stage
                     ),
-                });
+                }));
             }
             cycle.unloading = Some(part);
         }

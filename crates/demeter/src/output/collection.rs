@@ -5,11 +5,11 @@ use super::folder::{RunFolder, names_in};
 use std::fmt::Write as _;
 use std::fs;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The files of one kind, in the order of their steps.
 #[derive(Debug)]
-pub(super) struct Collection {
+pub(crate) struct Collection {
     /// Folder of the collection.
     root: PathBuf,
     /// Folder of the files, from there; empty when it is the same.
@@ -96,6 +96,12 @@ impl Collection {
             Err(e) if e.kind() == io::ErrorKind::NotFound => String::new(),
             text => text.map_err(OutputError::io("read", &self.path))?,
         };
+        self.read(&text);
+        Ok(())
+    }
+
+    /// Takes over the entries of a text as [`Self::save`] writes it, where their files are there.
+    pub fn read(&mut self, text: &str) {
         self.entries.clear();
         let entries: Vec<(u64, f64)> = text.lines().filter_map(|line| self.parse(line)).collect();
         for (step, time) in entries {
@@ -103,7 +109,16 @@ impl Collection {
                 self.add(step, time);
             }
         }
-        Ok(())
+    }
+
+    /// Where the collection is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Step and time [s] of every file, in the order of the steps.
+    pub fn entries(&self) -> &[(u64, f64)] {
+        &self.entries
     }
 
     fn parse(&self, line: &str) -> Option<(u64, f64)> {

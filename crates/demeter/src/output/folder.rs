@@ -107,6 +107,12 @@ impl RunFolder {
         }
     }
 
+    /// Whether a run reserves the folder now; `false` where the file system knows no locks.
+    pub fn is_locked(&self) -> bool {
+        let marker = File::open(self.root.join(MARKER));
+        marker.is_ok_and(|marker| matches!(marker.try_lock_shared(), Err(TryLockError::WouldBlock)))
+    }
+
     /// Removes what an earlier run left, by name.
     fn remove_run(&self) -> Result<(), OutputError> {
         let checkpoints = [checkpoint::LATEST, checkpoint::PREVIOUS];
@@ -156,6 +162,11 @@ impl RunFolder {
     /// The folder itself.
     pub fn root(&self) -> &Path {
         &self.root
+    }
+
+    /// The file that marks it as that of a run, written when the run begins.
+    pub fn marker(&self) -> PathBuf {
+        self.root.join(MARKER)
     }
 
     /// The resolved scenario.
@@ -407,9 +418,11 @@ mod tests {
             assert!(matches!(refused, Err(OutputError::InUse { .. })), "{refused:?}");
         }
         // to read is allowed, and nothing was lost
+        assert!(folder.is_locked());
         assert!(RunFolder::find(place.path()).is_ok());
         assert_eq!(fs::read(folder.series()).unwrap(), b"time\n");
         drop(lock);
+        assert!(!folder.is_locked());
         RunFolder::create(place.path(), true).unwrap().lock().unwrap();
     }
 

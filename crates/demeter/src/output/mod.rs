@@ -5,7 +5,7 @@
 //! piece. So an error of the disk or a kill never costs anything that was written before.
 
 mod chains;
-mod collection;
+pub(crate) mod collection;
 pub(crate) mod distribution;
 mod error;
 mod fields;
@@ -20,8 +20,8 @@ mod summary;
 mod tables;
 mod ticks;
 mod vti;
-mod vtk;
-mod vtp;
+pub(crate) mod vtk;
+pub mod vtp;
 
 pub use chains::ChainWriter;
 pub use distribution::DistributionWriter;
@@ -37,4 +37,4 @@ pub use tables::{
     MomentTable, path_lines, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows,
     rose_titles,
 };
-pub use vtk::FrameWriter;
+pub use vtk::{FrameWriter, MATERIAL_NAMES, WALL_NAMES};

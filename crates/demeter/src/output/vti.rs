@@ -1,6 +1,6 @@
 //! Images of VTK (`.vti`): arrays of the cells of a regular grid.
 
-use super::vtp::{Array, Writer, field_data};
+use super::vtp::{Array, ENCODING, Writer, field_data};
 use glam::DVec3;
 use std::io;
 
@@ -27,10 +27,7 @@ impl ImageData {
         let [x, y, z] = self.cells;
         let extent = format!("0 {x} 0 {y} 0 {z}");
         let numbers = |v: DVec3| format!("{:?} {:?} {:?}", v.x, v.y, v.z);
-        file.line(
-            "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" \
-             compressor=\"vtkZLibDataCompressor\">",
-        );
+        file.line(&format!("<VTKFile type=\"ImageData\" version=\"1.0\" {ENCODING}>"));
         file.line(&format!(
             "<ImageData WholeExtent=\"{extent}\" Origin=\"{}\" Spacing=\"{}\">",
             numbers(self.lower),
@@ -39,7 +36,7 @@ impl ImageData {
         field_data(&mut file, self.step, self.time, &[]);
         file.line(&format!("<Piece Extent=\"{extent}\">\n<PointData>\n</PointData>"));
         file.arrays("CellData", &self.cell_data)?;
-        file.line("</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">");
+        file.line("</Piece>\n</ImageData>");
         Ok(file.finish())
     }
 }

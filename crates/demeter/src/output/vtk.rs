@@ -25,7 +25,11 @@ pub struct FrameWriter {
 }
 
 /// What the three files of a frame are called.
-const KINDS: [&str; 3] = ["grains", "contacts", "walls"];
+pub(crate) const KINDS: [&str; 3] = ["grains", "contacts", "walls"];
+/// Name of the texts that a file of grains carries.
+pub const MATERIAL_NAMES: &str = "material_names";
+/// Name of the texts that a file of walls carries.
+pub const WALL_NAMES: &str = "wall_names";
 
 impl FrameWriter {
     /// Starts with no frame.
@@ -80,7 +84,8 @@ impl FrameWriter {
     }
 }
 
-fn grains(frame: &Frame) -> PolyData {
+/// The table of the grains.
+pub(crate) fn grains(frame: &Frame) -> PolyData {
     let g = frame.grains;
     let coordination = frame.sum_over_contacts(0_u32, |sum, _| sum + 1);
     let materials = g.material.iter().map(|&m| i32::from(m)).collect();
@@ -105,7 +110,7 @@ fn grains(frame: &Frame) -> PolyData {
         step: frame.step,
         time: frame.time,
         texts: vec![(
-            "material_names",
+            MATERIAL_NAMES.into(),
             frame.materials.iter().map(|m| m.name.clone()).collect(),
         )],
         points: g.position.iter().copied().collect(),
@@ -115,7 +120,8 @@ fn grains(frame: &Frame) -> PolyData {
     }
 }
 
-fn contacts(frame: &Frame) -> PolyData {
+/// The table of the contacts.
+pub(crate) fn contacts(frame: &Frame) -> PolyData {
     let c = frame.contacts;
     let forces: Vec<DVec3> = c.iter().map(|k| k.normal_force + k.tangential_force).collect();
     PolyData {
@@ -142,7 +148,8 @@ fn contacts(frame: &Frame) -> PolyData {
     }
 }
 
-fn walls(frame: &Frame) -> PolyData {
+/// The table of the walls.
+pub(crate) fn walls(frame: &Frame) -> PolyData {
     let cells = || {
         (0..)
             .zip(frame.walls)
@@ -160,7 +167,10 @@ fn walls(frame: &Frame) -> PolyData {
     PolyData {
         step: frame.step,
         time: frame.time,
-        texts: vec![("wall_names", frame.walls.iter().map(|w| w.name.to_owned()).collect())],
+        texts: vec![(
+            WALL_NAMES.into(),
+            frame.walls.iter().map(|w| w.name.to_owned()).collect(),
+        )],
         points: cells().flat_map(|(_, _, triangle)| *triangle).collect(),
         cells: Cells::Triangles,
         point_data: Vec::new(),

@@ -5,16 +5,25 @@
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use glam::DVec3;
+use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::io::{self, Write as _};
 
 /// Length of an uncompressed block [bytes], a multiple of the size of every type.
-const BLOCK: usize = 1 << 18;
+pub(crate) const BLOCK: usize = 1 << 18;
+/// How binary data is told, in the head of every file.
+pub(crate) const ENCODING: &str =
+    "byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"";
+/// What stands between the head and the data.
+pub(crate) const START_OF_DATA: &str = "<AppendedData encoding=\"raw\">\n_";
+/// What stands behind the data.
+pub(crate) const END_OF_DATA: &str = "\n</AppendedData>\n</VTKFile>\n";
 /// The fastest level: higher ones cost much time and win little on the digits of `f64`.
 const LEVEL: u32 = 1;
 
 /// The numbers of an array.
-pub(super) enum Values {
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
     /// 64-bit floating point.
     Float64(Vec<f64>),
     /// 32-bit integer.
@@ -36,6 +45,55 @@ impl Values {
         }
     }
 
+    /// The numbers of a type that is told by its name in the file; nothing for a type that is not written. Bytes behind the
+    /// last whole number are left out.
+    pub(crate) fn from_bytes(kind: &str, bytes: &[u8]) -> Option<Self> {
+        fn all<const N: usize, T>(bytes: &[u8], read: fn([u8; N]) -> T) -> Vec<T> {
+            bytes.as_chunks().0.iter().map(|number| read(*number)).collect()
+        }
+        Some(match kind {
+            "Float64" => Self::Float64(all(bytes, f64::from_le_bytes)),
+            "Int32" => Self::Int32(all(bytes, i32::from_le_bytes)),
+            "UInt32" => Self::UInt32(all(bytes, u32::from_le_bytes)),
+            "Int64" => Self::Int64(all(bytes, i64::from_le_bytes)),
+            _ => return None,
+        })
+    }
+
+    /// Size of a number of a type [bytes]; nothing for a type that is not written.
+    pub(crate) fn size_of(kind: &str) -> Option<usize> {
+        match kind {
+            "Float64" | "Int64" => Some(8),
+            "Int32" | "UInt32" => Some(4),
+            _ => None,
+        }
+    }
+
+    /// How many numbers there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Float64(v) => v.len(),
+            Self::Int32(v) => v.len(),
+            Self::UInt32(v) => v.len(),
+            Self::Int64(v) => v.len(),
+        }
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// A number as floating point, by its place; 64-bit integers beyond 2^53 are rounded.
+    pub fn number(&self, at: usize) -> Option<f64> {
+        match self {
+            Self::Float64(v) => v.get(at).copied(),
+            Self::Int32(v) => v.get(at).map(|x| f64::from(*x)),
+            Self::UInt32(v) => v.get(at).map(|x| f64::from(*x)),
+            Self::Int64(v) => v.get(at).map(|x| *x as f64),
+        }
+    }
+
     fn bytes(&self) -> Vec<u8> {
         match self {
             Self::Float64(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
@@ -47,10 +105,14 @@ impl Values {
 }
 
 /// A named array.
-pub(super) struct Array {
-    name: &'static str,
-    components: usize,
-    values: Values,
+#[derive(Clone, Debug, PartialEq)]
+pub struct Array {
+    /// Its name.
+    pub name: Cow<'static, str>,
+    /// Numbers per point or cell.
+    pub components: usize,
+    /// The numbers, those of a point or cell behind each other.
+    pub values: Values,
 }
 
 impl Array {
@@ -66,9 +128,9 @@ impl Array {
     }
 
     /// Any array.
-    pub fn new(name: &'static str, components: usize, values: Values) -> Self {
+    pub fn new(name: impl Into<Cow<'static, str>>, components: usize, values: Values) -> Self {
         Self {
-            name,
+            name: name.into(),
             components,
             values,
         }
@@ -76,7 +138,8 @@ impl Array {
 }
 
 /// The cells of a piece.
-pub(super) enum Cells {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Cells {
     /// One vertex cell for every point.
     Vertices,
     /// Triangles that use three points each, in order.
@@ -85,14 +148,15 @@ pub(super) enum Cells {
     Lines(Vec<usize>),
 }
 
-/// A `.vtp` file.
-pub(super) struct PolyData {
+/// What a `.vtp` file holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PolyData {
     /// Steps done.
     pub step: u64,
     /// Simulated time [s].
     pub time: f64,
     /// Texts that belong to the file as a whole, by name.
-    pub texts: Vec<(&'static str, Vec<String>)>,
+    pub texts: Vec<(Cow<'static, str>, Vec<String>)>,
     /// The points [m].
     pub points: Vec<DVec3>,
     /// The cells.
@@ -103,30 +167,57 @@ pub(super) struct PolyData {
     pub cell_data: Vec<Array>,
 }
 
+impl Cells {
+    /// The element of the file that holds them.
+    pub(crate) fn element(&self) -> &'static str {
+        match self {
+            Self::Vertices => "Verts",
+            Self::Triangles => "Polys",
+            Self::Lines(_) => "Lines",
+        }
+    }
+}
+
 impl PolyData {
+    /// An array of the points, by its name.
+    pub fn of_points(&self, name: &str) -> Option<&Array> {
+        self.point_data.iter().find(|array| array.name == name)
+    }
+
+    /// An array of the cells, by its name.
+    pub fn of_cells(&self, name: &str) -> Option<&Array> {
+        self.cell_data.iter().find(|array| array.name == name)
+    }
+
+    /// Texts of the file, by their name.
+    pub fn texts_of(&self, name: &str) -> &[String] {
+        let found = self.texts.iter().find(|texts| texts.0 == name);
+        found.map_or(&[], |texts| &texts.1)
+    }
+
     /// The bytes of the file.
     pub fn encode(&self) -> io::Result<Vec<u8>> {
         let mut file = Writer::default();
         let points = self.points.len();
         let equal = |corners: usize| (1..=points / corners).map(|k| (k * corners) as i64).collect();
-        let (element, offsets): (&str, Vec<i64>) = match &self.cells {
-            Cells::Vertices => ("Verts", equal(1)),
-            Cells::Triangles => ("Polys", equal(3)),
+        let element = self.cells.element();
+        let offsets: Vec<i64> = match &self.cells {
+            Cells::Vertices => equal(1),
+            Cells::Triangles => equal(3),
             Cells::Lines(lengths) => {
                 let mut end = 0;
                 let mut next = |n: &usize| {
                     end += *n as i64;
                     end
                 };
-                ("Lines", lengths.iter().map(&mut next).collect())
+                lengths.iter().map(&mut next).collect()
             }
         };
         let [vertices, lines, triangles] =
             ["Verts", "Lines", "Polys"].map(|name| if name == element { offsets.len() } else { 0 });
-        file.line(
-            "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" \
-             compressor=\"vtkZLibDataCompressor\">\n<PolyData>",
-        );
+        file.line(&format!(
+            "<VTKFile type=\"PolyData\" version=\"1.0\" {ENCODING}>\n<PolyData>"
+        ));
         field_data(&mut file, self.step, self.time, &self.texts);
         file.line(&format!(
             "<Piece NumberOfPoints=\"{points}\" NumberOfVerts=\"{vertices}\" NumberOfLines=\"{lines}\" \
@@ -141,13 +232,13 @@ impl PolyData {
             Array::new("offsets", 1, Values::Int64(offsets)),
         ];
         file.arrays(element, &topology)?;
-        file.line("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">");
+        file.line("</Piece>\n</PolyData>");
         Ok(file.finish())
     }
 }
 
 /// Time, step and texts, readable in the head of the file.
-pub(super) fn field_data(file: &mut Writer, step: u64, time: f64, texts: &[(&'static str, Vec<String>)]) {
+pub(super) fn field_data(file: &mut Writer, step: u64, time: f64, texts: &[(Cow<'static, str>, Vec<String>)]) {
     file.line("<FieldData>");
     file.line(&format!(
         "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:?}</DataArray>",
@@ -205,9 +296,9 @@ impl Writer {
 
     pub fn finish(self) -> Vec<u8> {
         let mut bytes = self.xml.into_bytes();
-        bytes.push(b'_');
+        bytes.extend_from_slice(START_OF_DATA.as_bytes());
         bytes.extend_from_slice(&self.data);
-        bytes.extend_from_slice(b"\n</AppendedData>\n</VTKFile>\n");
+        bytes.extend_from_slice(END_OF_DATA.as_bytes());
         bytes
     }
 }

@@ -3,8 +3,8 @@
 use super::reader::did_you_mean;
 use super::run::labels;
 use super::{Diagnostics, PlotSpec, Scenario};
-use crate::output::{OutputError, Plot, RunFolder, Series, SeriesLabels};
-use std::path::Path;
+use crate::output::{OutputError, Plot, RunFolder, Series};
+use crate::results::{Column, Columns, column_name, position_of};
 
 /// Most stages that get a line of their own in a plot of one column.
 const MAX_LINES: usize = 8;
@@ -14,8 +14,8 @@ pub(super) fn check(scenario: &Scenario, faults: &mut Diagnostics) {
     let header = labels(scenario).header();
     for (k, plot) in scenario.output.plots.iter().enumerate() {
         for column in plot.y.iter().chain([&plot.x]) {
-            if find(&header, column).is_none() {
-                let help = did_you_mean(column, header.iter().map(|title| name_of(title)));
+            if position_of(&header, column).is_none() {
+                let help = did_you_mean(column, header.iter().map(|title| column_name(title)));
                 faults.push(
                     &format!("output.plots[{k}]"),
                     format!("the series has no column `{column}`"),
@@ -29,7 +29,7 @@ pub(super) fn check(scenario: &Scenario, faults: &mut Diagnostics) {
 }
 
 /// Writes the plots: energies over time, and those that the scenario asks for.
-pub(super) fn write(folder: &RunFolder, labels: &SeriesLabels, asked: &[PlotSpec]) -> Result<(), OutputError> {
+pub(super) fn write(folder: &RunFolder, asked: &[PlotSpec]) -> Result<(), OutputError> {
     let energies = PlotSpec {
         name: "energies".to_string(),
         x: "time".to_string(),
@@ -43,108 +43,48 @@ pub(super) fn write(folder: &RunFolder, labels: &SeriesLabels, asked: &[PlotSpec
         .map(String::from)
         .to_vec(),
     };
-    let table = Table::read(&folder.series(), labels)?;
+    let path = folder.series();
+    let table = Columns::read(&path).map_err(|e| OutputError::encode(&path, &e))?;
     for spec in std::iter::once(&energies).chain(asked) {
-        table.plot(spec).write_svg(&folder.plot(&spec.name))?;
+        plot(&table, spec).write_svg(&folder.plot(&spec.name))?;
     }
     Ok(())
 }
 
-/// A title without its unit.
-fn name_of(title: &str) -> &str {
-    title.split(" [").next().unwrap_or(title)
-}
-
-/// Index of a column, told by its title with or without the unit.
-fn find(header: &[String], column: &str) -> Option<usize> {
-    header
-        .iter()
-        .position(|title| title == column || name_of(title) == column)
-}
-
-/// The series as numbers.
-struct Table {
-    header: Vec<String>,
-    stages: Vec<String>,
-    rows: Vec<Vec<f64>>,
-}
-
-impl Table {
-    fn read(path: &Path, labels: &SeriesLabels) -> Result<Self, OutputError> {
-        let header = labels.header();
-        let stage = find(&header, "stage");
-        let mut table = Self {
-            header,
-            stages: Vec::new(),
-            rows: Vec::new(),
-        };
-        let mut reader = csv::Reader::from_path(path).map_err(|e| OutputError::encode(path, &e))?;
-        for record in reader.records() {
-            let record = record.map_err(|e| OutputError::encode(path, &e))?;
-            table
-                .stages
-                .push(stage.and_then(|k| record.get(k)).unwrap_or_default().to_string());
-            table
-                .rows
-                .push(record.iter().map(|cell| cell.parse().unwrap_or(f64::NAN)).collect());
-        }
-        Ok(table)
-    }
-
-    fn plot(&self, spec: &PlotSpec) -> Plot {
-        let mut plot = Plot {
-            title: spec.name.clone(),
-            x_label: self.label(&spec.x),
-            ..Plot::default()
-        };
-        let Some(x) = find(&self.header, &spec.x) else {
-            return plot;
-        };
-        let columns: Vec<usize> = spec.y.iter().filter_map(|name| find(&self.header, name)).collect();
-        plot.y_label = match columns.as_slice() {
-            [only] => self.header[*only].clone(),
-            _ => self.common_unit(&columns),
-        };
-        for &y in &columns {
-            let points = |rows: &[Vec<f64>]| rows.iter().map(|row| (row[x], row[y])).collect::<Vec<_>>();
-            let stages = self.stage_ranges();
-            if columns.len() == 1 && stages.len() <= MAX_LINES && spec.x != "time" {
-                for range in stages {
-                    let name = self.stages[range.start].clone();
-                    plot.series.push(Series::line(name, points(&self.rows[range])));
-                }
-            } else {
-                plot.series
-                    .push(Series::line(name_of(&self.header[y]), points(&self.rows)));
+fn plot(table: &Columns, spec: &PlotSpec) -> Plot {
+    let mut plot = Plot {
+        title: spec.name.clone(),
+        x_label: table.find(&spec.x).map_or_else(|| spec.x.clone(), |x| x.title.clone()),
+        ..Plot::default()
+    };
+    let Some(x) = table.find(&spec.x).and_then(Column::numbers) else {
+        return plot;
+    };
+    let columns: Vec<&Column> = spec.y.iter().filter_map(|name| table.find(name)).collect();
+    plot.y_label = match columns.as_slice() {
+        [only] => only.title.clone(),
+        _ => common_unit(&columns),
+    };
+    let stages = table.spans("stage");
+    for column in &columns {
+        let Some(y) = column.numbers() else { continue };
+        let points = |rows: std::ops::Range<usize>| rows.map(|row| (x[row], y[row])).collect::<Vec<_>>();
+        if columns.len() == 1 && stages.len() <= MAX_LINES && spec.x != "time" {
+            for (name, rows) in &stages {
+                plot.series.push(Series::line(name.as_str(), points(rows.clone())));
             }
-        }
-        plot
-    }
-
-    fn label(&self, column: &str) -> String {
-        find(&self.header, column).map_or_else(|| column.to_string(), |k| self.header[k].clone())
-    }
-
-    /// The unit that all columns share, in brackets, or nothing.
-    fn common_unit(&self, columns: &[usize]) -> String {
-        let unit = |k: &usize| self.header[*k].split_once(" [").map(|(_, unit)| format!("[{unit}"));
-        let first = columns.first().and_then(unit);
-        if columns.iter().all(|k| unit(k) == first) {
-            first.unwrap_or_default()
         } else {
-            String::new()
+            plot.series.push(Series::line(column.name(), points(0..table.rows())));
         }
     }
+    plot
+}
 
-    /// Rows of every stage.
-    fn stage_ranges(&self) -> Vec<std::ops::Range<usize>> {
-        let mut ranges: Vec<std::ops::Range<usize>> = Vec::new();
-        for k in 0..self.rows.len() {
-            match ranges.last_mut() {
-                Some(range) if self.stages[range.start] == self.stages[k] => range.end = k + 1,
-                _ => ranges.push(k..k + 1),
-            }
-        }
-        ranges
+/// The unit that all columns share, in brackets, or nothing.
+fn common_unit(columns: &[&Column]) -> String {
+    let unit = columns.first().map_or("", |column| column.unit());
+    if unit.is_empty() || columns.iter().any(|column| column.unit() != unit) {
+        return String::new();
     }
+    format!("[{unit}]")
 }

@@ -2,7 +2,7 @@
 
 use super::measures::MeasureKind;
 use super::plots;
-use super::run::{Runner, labels};
+use super::run::Runner;
 use super::run_error::RunError;
 use crate::contacts::Fault;
 use crate::output::picture::{PictureOptions, render_packing};
@@ -126,7 +126,7 @@ impl Runner<'_> {
         if self.scenario.output.picture {
             self.draw(&self.folder.picture(), &self.scenario.title)?;
         }
-        plots::write(&self.folder, &labels(self.scenario), &self.scenario.output.plots)?;
+        plots::write(&self.folder, &self.scenario.output.plots)?;
         self.write_path_lines()?;
         self.sim.took(Phase::Output);
         summary.profile = self.sim.profile();

@@ -2,8 +2,8 @@
 
 use super::STUDIES;
 use crate::runs::JobError;
-use crate::series::SeriesError;
 use demeter::output::OutputError;
+use demeter::results::ResultsError;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,7 @@ pub enum BulkError {
     Run(#[from] JobError),
     /// A run cannot be read.
     #[error(transparent)]
-    Series(#[from] SeriesError),
+    Series(#[from] ResultsError),
     /// A run is too short to tell what it is asked for.
     #[error("the run in `{}` is too short: {problem}", folder.display())]
     TooShort {

@@ -3,8 +3,8 @@
 use super::studies::GRAIN;
 use super::{BulkError, Kind, Line, Study, fit_line};
 use crate::folder::told;
-use crate::series::SeriesTable;
 use demeter::output::{Look, Plot, Series};
+use demeter::results::Columns;
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::fs;
@@ -66,9 +66,9 @@ fn beverloo(runs: &[(f64, PathBuf)]) -> Result<Findings, BulkError> {
     let mut rows = Vec::new();
     let mut density = 0.0;
     for (ratio, folder) in runs {
-        let series = SeriesTable::read(folder)?;
-        let (time, stage) = (series.column("time [s]")?, series.words("stage")?);
-        let out = series.column("outlet mass forward [kg]")?;
+        let series = Columns::series_of(folder)?;
+        let (time, stage) = (series.numbers("time [s]")?, series.words("stage")?);
+        let out = series.numbers("outlet mass forward [kg]")?;
         let too_short = |problem| BulkError::TooShort {
             folder: folder.clone(),
             problem,
@@ -77,11 +77,11 @@ fn beverloo(runs: &[(f64, PathBuf)]) -> Result<Findings, BulkError> {
         let open = open.ok_or_else(|| too_short("the orifice was not opened"))?;
         let begins = time[open.saturating_sub(1)];
         let whole = told(&folder.join("summary.json"), "grains").and_then(|n| n.as_f64());
-        let bulk = series.column("bulk mass [kg]")?[open.saturating_sub(1)] / (PI * 30e-3f64.powi(2) * 50e-3);
+        let bulk = series.numbers("bulk mass [kg]")?[open.saturating_sub(1)] / (PI * 30e-3f64.powi(2) * 50e-3);
         density += bulk / runs.len() as f64;
         let left = whole.unwrap_or(0.0) * 2500.0 * PI / 6.0 * GRAIN.powi(3);
         let last = out.last().copied().unwrap_or(0.0);
-        let points: Vec<(f64, f64)> = (time.iter().zip(&out))
+        let points: Vec<(f64, f64)> = (time.iter().zip(out))
             .filter(|(t, m)| **t > begins + STEADY_AFTER && **m < STEADY_SHARE * (last + left))
             .map(|(t, m)| (*t, *m))
             .collect();
@@ -175,11 +175,11 @@ fn janssen(runs: &[(f64, PathBuf)]) -> Result<Findings, BulkError> {
         ..Plot::default()
     };
     for (k, (friction, folder)) in runs.iter().enumerate() {
-        let series = SeriesTable::read(folder)?;
-        let (stage, mass) = (series.words("stage")?, series.column("column mass [kg]")?);
+        let series = Columns::series_of(folder)?;
+        let (stage, mass) = (series.words("stage")?, series.numbers("column mass [kg]")?);
         let (force, bulk) = (
-            series.column("wall floor force z [N]")?,
-            series.column("bulk mass [kg]")?,
+            series.numbers("wall floor force z [N]")?,
+            series.numbers("bulk mass [kg]")?,
         );
         let mut layers: Vec<(f64, f64)> = Vec::new();
         for row in 0..stage.len() {
@@ -265,11 +265,11 @@ fn saturation(layers: &[(f64, f64)]) -> f64 {
 fn repose(runs: &[(f64, PathBuf)]) -> Result<Findings, BulkError> {
     let mut rows = Vec::new();
     for (friction, folder) in runs {
-        let series = SeriesTable::read(folder)?;
-        let angle = series.column("slope angle [deg]")?;
-        let deviation = series.column("slope deviation [m]")?;
+        let series = Columns::series_of(folder)?;
+        let angle = series.numbers("slope angle [deg]")?;
+        let deviation = series.numbers("slope deviation [m]")?;
         let last = |column: &[f64]| column.last().copied().unwrap_or(f64::NAN);
-        rows.push(vec![*friction, last(&angle), last(&deviation)]);
+        rows.push(vec![*friction, last(angle), last(deviation)]);
     }
     let rises = rows.windows(2).all(|two| two[1][1] > two[0][1]);
     let told: Vec<String> = rows

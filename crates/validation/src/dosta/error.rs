@@ -2,7 +2,7 @@
 
 use super::CASES;
 use crate::runs::JobError;
-use crate::series::SeriesError;
+use demeter::results::ResultsError;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -30,7 +30,7 @@ pub enum DostaError {
     Run(#[from] JobError),
     /// A series cannot be read.
     #[error(transparent)]
-    Series(#[from] SeriesError),
+    Series(#[from] ResultsError),
     /// A run tells less than it should.
     #[error("the run in `{}` cannot be read: {problem}", folder.display())]
     Reading {

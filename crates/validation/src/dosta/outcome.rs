@@ -2,7 +2,7 @@
 
 use super::{Case, DostaError, Kind};
 use crate::folder::told;
-use crate::series::SeriesTable;
+use demeter::results::Columns;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -133,11 +133,11 @@ type Table = (Vec<&'static str>, Vec<Vec<f64>>);
 
 /// The rows that the benchmark asks for. A silo counts the time from when it is opened.
 fn rows(case: &Case, folder: &Path) -> Result<Table, DostaError> {
-    let series = SeriesTable::read(folder)?;
+    let series = Columns::series_of(folder)?;
     let wanted = columns(case.kind);
-    let columns: Vec<Vec<f64>> = wanted
+    let columns: Vec<&[f64]> = wanted
         .iter()
-        .map(|(_, title)| series.column(title))
+        .map(|(_, title)| series.numbers(title))
         .collect::<Result<_, _>>()?;
     let stage = series.words("stage")?;
     let first = match case.kind {

@@ -1,0 +1,20 @@
+//! What a run left in its folder, read back: frames with their tables, the series and other tables of rows, the summary,
+//! the scenario.
+//!
+//! A run may go on while it is read: files appear whole, and a last row that is not yet whole is left out. What is read is
+//! not trusted: nothing outside the folder is opened, memory is bounded by the size of the files, and damage is an error.
+
+mod columns;
+mod error;
+mod poly_data;
+pub(crate) mod rows;
+mod run;
+
+pub use columns::{Cells, Column, Columns, Update};
+pub use error::ResultsError;
+pub use poly_data::TableFile;
+pub use rows::{column_name, position_of};
+pub use run::{FrameTables, Moment, Run, TableKind};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,499 @@
+//! Reads the `.vtp` files that `output::vtp` writes: the head first, then only those arrays that are asked for.
+
+use super::error::ResultsError;
+use crate::output::vtp::{Array, BLOCK, Cells, ENCODING, END_OF_DATA, PolyData, START_OF_DATA, Values};
+use flate2::read::ZlibDecoder;
+use glam::DVec3;
+use roxmltree::{Document, Node, ParsingOptions};
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// Largest head that is read [bytes].
+const MAX_HEAD: usize = 16 << 20;
+/// Most elements of a head.
+const MAX_ELEMENTS: u32 = 10_000;
+/// Most numbers of one array.
+const MAX_NUMBERS: usize = 1 << 30;
+/// Sections whose arrays have a value for each row.
+const OF_ROWS: [&str; 2] = ["PointData", "CellData"];
+/// Bytes that are read in one piece to find the end of the head.
+const PIECE: u64 = 1 << 14;
+
+/// A table of a frame, open: its arrays are read one by one.
+#[derive(Debug)]
+pub struct TableFile {
+    path: PathBuf,
+    file: File,
+    length: u64,
+    /// Where the data begins [bytes].
+    data: u64,
+    head: Head,
+}
+
+/// What the head of a file tells.
+#[derive(Debug, PartialEq)]
+struct Head {
+    step: u64,
+    time: f64,
+    texts: Vec<(String, Vec<String>)>,
+    points: usize,
+    cells: usize,
+    element: String,
+    arrays: Vec<ArrayPlace>,
+}
+
+/// Where an array is, and what it holds.
+#[derive(Clone, Debug, PartialEq)]
+struct ArrayPlace {
+    section: String,
+    name: String,
+    kind: String,
+    components: usize,
+    tuples: usize,
+    offset: u64,
+}
+
+impl TableFile {
+    /// Reads the head of a file.
+    pub(super) fn open(path: &Path, mut file: File) -> Result<Self, ResultsError> {
+        let io = || ResultsError::io(path);
+        let length = file.metadata().map_err(io())?.len();
+        let text = read_head(&mut file).map_err(io())?;
+        let Some(text) = text else {
+            return Err(ResultsError::damaged(
+                path,
+                "it ends, or goes on, without the place where its data begin",
+            ));
+        };
+        if !ends_whole(&mut file, length).map_err(io())? {
+            return Err(ResultsError::damaged(path, "its end is missing"));
+        }
+        let data = text.len() as u64;
+        let head = String::from_utf8(text)
+            .map_err(|_| "its head is not UTF-8 text".to_string())
+            .and_then(|text| Head::parse(&text));
+        let head = head.map_err(|problem| ResultsError::damaged(path, problem))?;
+        Ok(Self {
+            path: path.to_owned(),
+            file,
+            length,
+            data,
+            head,
+        })
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Steps done.
+    pub fn step(&self) -> u64 {
+        self.head.step
+    }
+
+    /// Simulated time [s].
+    pub fn time(&self) -> f64 {
+        self.head.time
+    }
+
+    /// Number of rows: grains, contacts, or triangles of walls.
+    pub fn rows(&self) -> usize {
+        self.head.cells
+    }
+
+    /// Texts of the file, by their name.
+    pub fn texts(&self, name: &str) -> &[String] {
+        let found = self.head.texts.iter().find(|texts| texts.0 == name);
+        found.map_or(&[], |texts| &texts.1)
+    }
+
+    /// Names of the arrays of the points and cells.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let of_rows = |array: &&ArrayPlace| OF_ROWS.contains(&array.section.as_str());
+        self.head.arrays.iter().filter(of_rows).map(|array| array.name.as_str())
+    }
+
+    /// The points [m].
+    pub fn points(&mut self) -> Result<Vec<DVec3>, ResultsError> {
+        let place = self.place("Points", "Points")?;
+        let array = self.read(&place)?;
+        match &array.values {
+            Values::Float64(numbers) if array.components == 3 => {
+                Ok(numbers.as_chunks().0.iter().map(|p| DVec3::from_array(*p)).collect())
+            }
+            _ => Err(ResultsError::damaged(
+                &self.path,
+                "its points are not of three 64-bit numbers",
+            )),
+        }
+    }
+
+    /// An array of the points or cells, by its name.
+    pub fn array(&mut self, name: &str) -> Result<Array, ResultsError> {
+        let place = self.of_rows(name)?;
+        self.read(&place)
+    }
+
+    /// An array of 64-bit numbers with so many components, by its name.
+    pub fn floats(&mut self, name: &str, components: usize) -> Result<Vec<f64>, ResultsError> {
+        let array = self.array(name)?;
+        match array.values {
+            Values::Float64(numbers) if array.components == components => Ok(numbers),
+            _ => Err(self.other_type(name, "64-bit numbers", components)),
+        }
+    }
+
+    /// An array of ids, indices or counts, by its name.
+    pub fn counts(&mut self, name: &str) -> Result<Vec<u32>, ResultsError> {
+        let array = self.array(name)?;
+        match array.values {
+            Values::UInt32(numbers) if array.components == 1 => Ok(numbers),
+            _ => Err(self.other_type(name, "32-bit integers without sign", 1)),
+        }
+    }
+
+    /// An array of indices that may be -1, by its name.
+    pub fn integers(&mut self, name: &str) -> Result<Vec<i32>, ResultsError> {
+        let array = self.array(name)?;
+        match array.values {
+            Values::Int32(numbers) if array.components == 1 => Ok(numbers),
+            _ => Err(self.other_type(name, "32-bit integers", 1)),
+        }
+    }
+
+    /// Some rows of an array of the points or cells, by its name: only the blocks that hold them are read. Rows behind the
+    /// last one are left out.
+    pub fn rows_of(&mut self, name: &str, rows: Range<usize>) -> Result<Array, ResultsError> {
+        let place = self.of_rows(name)?;
+        self.read_rows(&place, rows)
+    }
+
+    /// Places [m] of some points, as an array with three components.
+    pub fn points_of(&mut self, rows: Range<usize>) -> Result<Array, ResultsError> {
+        let place = self.place("Points", "Points")?;
+        self.read_rows(&place, rows)
+    }
+
+    /// Everything in the file.
+    pub fn read_all(&mut self) -> Result<PolyData, ResultsError> {
+        let section = |file: &mut Self, section: &str| -> Result<Vec<Array>, ResultsError> {
+            let places: Vec<ArrayPlace> = (file.head.arrays.iter())
+                .filter(|a| a.section == section)
+                .cloned()
+                .collect();
+            places.iter().map(|place| file.read(place)).collect()
+        };
+        Ok(PolyData {
+            step: self.head.step,
+            time: self.head.time,
+            texts: self
+                .head
+                .texts
+                .iter()
+                .map(|(name, texts)| (name.clone().into(), texts.clone()))
+                .collect(),
+            points: self.points()?,
+            cells: self.cells()?,
+            point_data: section(self, "PointData")?,
+            cell_data: section(self, "CellData")?,
+        })
+    }
+
+    fn cells(&mut self) -> Result<Cells, ResultsError> {
+        let (points, cells) = (self.head.points, self.head.cells);
+        let odd = |file: &Self| {
+            ResultsError::damaged(&file.path, format!("its {cells} cells do not fit its {points} points"))
+        };
+        match self.head.element.as_str() {
+            "Verts" if cells == points => Ok(Cells::Vertices),
+            "Polys" if cells.checked_mul(3) == Some(points) => Ok(Cells::Triangles),
+            "Lines" => {
+                let place = self.place("Lines", "offsets")?;
+                let Values::Int64(ends) = self.read(&place)?.values else {
+                    return Err(odd(self));
+                };
+                let mut start = 0;
+                let mut lengths = Vec::with_capacity(ends.len());
+                for end in ends {
+                    let length = end.checked_sub(start).and_then(|length| usize::try_from(length).ok());
+                    lengths.push(length.ok_or_else(|| odd(self))?);
+                    start = end;
+                }
+                if usize::try_from(start).ok() != Some(points) {
+                    return Err(odd(self));
+                }
+                Ok(Cells::Lines(lengths))
+            }
+            _ => Err(odd(self)),
+        }
+    }
+
+    fn find(&self, section: &str, name: &str) -> Option<&ArrayPlace> {
+        self.head
+            .arrays
+            .iter()
+            .find(|array| array.section == section && array.name == name)
+    }
+
+    fn of_rows(&self, name: &str) -> Result<ArrayPlace, ResultsError> {
+        let found = OF_ROWS.iter().find_map(|section| self.find(section, name));
+        found.cloned().ok_or_else(|| self.missing(name))
+    }
+
+    fn place(&self, section: &str, name: &str) -> Result<ArrayPlace, ResultsError> {
+        self.find(section, name).cloned().ok_or_else(|| self.missing(name))
+    }
+
+    fn missing(&self, name: &str) -> ResultsError {
+        ResultsError::NoArray {
+            path: self.path.clone(),
+            name: name.to_string(),
+            known: self.names().map(|name| format!("`{name}`")).collect(),
+        }
+    }
+
+    fn other_type(&self, name: &str, expected: &str, components: usize) -> ResultsError {
+        let problem = format!("its array `{name}` does not hold {expected}, {components} for each row");
+        ResultsError::damaged(&self.path, problem)
+    }
+
+    fn read(&mut self, place: &ArrayPlace) -> Result<Array, ResultsError> {
+        self.read_rows(place, 0..place.tuples)
+    }
+
+    fn read_rows(&mut self, place: &ArrayPlace, rows: Range<usize>) -> Result<Array, ResultsError> {
+        let damaged = |file: &Self, problem: String| {
+            ResultsError::damaged(&file.path, format!("array `{}`: {problem}", place.name))
+        };
+        let start = self.data.checked_add(place.offset).filter(|start| *start < self.length);
+        let start = start.ok_or_else(|| damaged(self, "it begins behind the end of the file".to_string()))?;
+        self.file
+            .seek(SeekFrom::Start(start))
+            .map_err(ResultsError::io(&self.path))?;
+        let bytes = match read_blocks(&mut self.file, place, self.length - start, rows) {
+            Ok(bytes) => bytes,
+            Err(ReadFault::Io(error)) => return Err(ResultsError::io(&self.path)(error)),
+            Err(ReadFault::Damaged(problem)) => return Err(damaged(self, problem)),
+        };
+        let values = Values::from_bytes(&place.kind, &bytes);
+        let values = values.ok_or_else(|| damaged(self, format!("unknown type `{}`", place.kind)))?;
+        Ok(Array::new(place.name.clone(), place.components, values))
+    }
+}
+
+/// Why the blocks of an array cannot be read.
+enum ReadFault {
+    Io(io::Error),
+    Damaged(String),
+}
+
+impl From<io::Error> for ReadFault {
+    fn from(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::UnexpectedEof => Self::Damaged("the file ends within it".to_string()),
+            io::ErrorKind::InvalidInput | io::ErrorKind::InvalidData => Self::Damaged(error.to_string()),
+            _ => Self::Io(error),
+        }
+    }
+}
+
+/// Reads those compressed blocks of an array that hold some rows; `left` are the bytes from here to the end of the file.
+fn read_blocks(file: &mut File, place: &ArrayPlace, left: u64, rows: Range<usize>) -> Result<Vec<u8>, ReadFault> {
+    let fault = |problem: &str| ReadFault::Damaged(problem.to_string());
+    let size = Values::size_of(&place.kind);
+    let size = size.ok_or_else(|| ReadFault::Damaged(format!("unknown type `{}`", place.kind)))?;
+    let numbers = place.tuples.checked_mul(place.components).filter(|n| *n <= MAX_NUMBERS);
+    let expected = numbers.map(|n| n * size).ok_or_else(|| fault("it is too long"))?;
+    let mut lengths = LengthReader { file, left };
+    let [blocks, block, last] = lengths.next()?;
+    let told = [expected.div_ceil(BLOCK), BLOCK, expected % BLOCK].map(|n| n as u64);
+    if [blocks, block, last] != told {
+        return Err(fault("its length is not that of its points or cells"));
+    }
+    let mut compressed = Vec::new();
+    for _ in 0..blocks {
+        let [length] = lengths.next()?;
+        compressed.push(length);
+    }
+    let mut left = lengths.left;
+    let row = place.components * size;
+    let wanted = rows.start.min(place.tuples) * row..rows.end.min(place.tuples) * row;
+    let first = wanted.start / BLOCK;
+    let mut out = Vec::new();
+    for (k, length) in compressed.into_iter().enumerate() {
+        left = left
+            .checked_sub(length)
+            .ok_or_else(|| fault("the file ends within it"))?;
+        if k < first {
+            // lengths of blocks that were checked against the file fit
+            file.seek_relative(i64::try_from(length).unwrap_or(i64::MAX))?;
+        } else if k * BLOCK < wanted.end {
+            read_block(file, length, BLOCK.min(expected - k * BLOCK), &mut out)?;
+        }
+    }
+    out.drain(..(wanted.start - first * BLOCK).min(out.len()));
+    out.truncate(wanted.len());
+    Ok(out)
+}
+
+/// Reads a block of so many bytes in the file, which become `expected` ones.
+fn read_block(file: &mut File, length: u64, expected: usize, out: &mut Vec<u8>) -> Result<(), ReadFault> {
+    let before = out.len();
+    let mut decoder = ZlibDecoder::new(file.take(length));
+    // one byte more than there may be tells a block that is too long
+    decoder.by_ref().take(expected as u64 + 1).read_to_end(out)?;
+    if out.len() - before != expected {
+        return Err(ReadFault::Damaged(
+            "a block has another length than it should".to_string(),
+        ));
+    }
+    if decoder.into_inner().limit() > 0 {
+        return Err(ReadFault::Damaged("a block ends before its place does".to_string()));
+    }
+    Ok(())
+}
+
+/// Reads lengths of 8 bytes while there are bytes left.
+struct LengthReader<'f> {
+    file: &'f mut File,
+    left: u64,
+}
+
+impl LengthReader<'_> {
+    fn next<const N: usize>(&mut self) -> Result<[u64; N], ReadFault> {
+        let left = self.left.checked_sub(8 * N as u64);
+        self.left = left.ok_or_else(|| ReadFault::Damaged("the file ends within it".to_string()))?;
+        let mut numbers = [0; N];
+        for number in &mut numbers {
+            let mut bytes = [0; 8];
+            self.file.read_exact(&mut bytes)?;
+            *number = u64::from_le_bytes(bytes);
+        }
+        Ok(numbers)
+    }
+}
+
+/// Reads up to where the data begins; nothing when that does not come.
+fn read_head(file: &mut File) -> io::Result<Option<Vec<u8>>> {
+    let mark = START_OF_DATA.as_bytes();
+    let mut head = Vec::new();
+    while head.len() < MAX_HEAD {
+        let looked_at = head.len().saturating_sub(mark.len());
+        if file.by_ref().take(PIECE).read_to_end(&mut head)? == 0 {
+            return Ok(None);
+        }
+        if let Some(at) = head[looked_at..].windows(mark.len()).position(|piece| piece == mark) {
+            head.truncate(looked_at + at + mark.len());
+            return Ok(Some(head));
+        }
+    }
+    Ok(None)
+}
+
+/// Whether a file has the end that is written last.
+fn ends_whole(file: &mut File, length: u64) -> io::Result<bool> {
+    let mark = END_OF_DATA.as_bytes();
+    file.seek(SeekFrom::Start(length.saturating_sub(mark.len() as u64)))?;
+    let mut end = Vec::new();
+    file.take(mark.len() as u64).read_to_end(&mut end)?;
+    Ok(end == mark)
+}
+
+impl Head {
+    fn parse(text: &str) -> Result<Self, String> {
+        let first = text.lines().next().unwrap_or_default();
+        if !first.starts_with("<VTKFile type=\"PolyData\"") || !first.contains(ENCODING) {
+            return Err("it does not begin as the files that Demeter writes".to_string());
+        }
+        let whole = format!("{}</AppendedData></VTKFile>", text.trim_end_matches('_'));
+        let options = ParsingOptions {
+            nodes_limit: MAX_ELEMENTS,
+            ..ParsingOptions::default()
+        };
+        let document = Document::parse_with_options(&whole, options).map_err(|e| format!("its head is no XML: {e}"))?;
+        let piece = child(child(document.root_element(), "PolyData")?, "Piece")?;
+        let fields = child(child(document.root_element(), "PolyData")?, "FieldData")?;
+        let count = |name: &str| number::<usize>(piece, name).ok_or_else(|| format!("its piece tells no `{name}`"));
+        let counts = [
+            count("NumberOfVerts")?,
+            count("NumberOfLines")?,
+            count("NumberOfPolys")?,
+        ];
+        let mut head = Self {
+            step: field(fields, "step")?,
+            time: field(fields, "TimeValue")?,
+            texts: Vec::new(),
+            points: count("NumberOfPoints")?,
+            cells: counts.iter().copied().max().unwrap_or(0),
+            element: String::new(),
+            arrays: Vec::new(),
+        };
+        let texts = elements(fields).filter(|node| node.attribute("type") == Some("String"));
+        for node in texts {
+            let name = node.attribute("Name").unwrap_or_default().to_string();
+            head.texts.push((name, texts_of(node.text().unwrap_or_default())?));
+        }
+        for section in elements(piece) {
+            if ["Verts", "Lines", "Polys"].contains(&section.tag_name().name()) {
+                head.element = section.tag_name().name().to_string();
+            }
+            for node in elements(section) {
+                let place = head.place(section.tag_name().name(), node);
+                head.arrays
+                    .push(place.ok_or("an array does not tell its name, type, components and place")?);
+            }
+        }
+        Ok(head)
+    }
+
+    fn place(&self, section: &str, node: Node<'_, '_>) -> Option<ArrayPlace> {
+        let name = node.attribute("Name")?;
+        Some(ArrayPlace {
+            section: section.to_string(),
+            name: name.to_string(),
+            kind: node.attribute("type")?.to_string(),
+            components: number(node, "NumberOfComponents")?,
+            tuples: match (section, name) {
+                ("PointData" | "Points", _) | (_, "connectivity") => self.points,
+                _ => self.cells,
+            },
+            offset: number(node, "offset")?,
+        })
+    }
+}
+
+fn elements<'a, 'i: 'a>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children().filter(Node::is_element)
+}
+
+fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Result<Node<'a, 'i>, String> {
+    let found = elements(node).find(|child| child.has_tag_name(name));
+    found.ok_or_else(|| format!("its head has no `{name}`"))
+}
+
+fn number<T: std::str::FromStr>(node: Node<'_, '_>, name: &str) -> Option<T> {
+    node.attribute(name)?.parse().ok()
+}
+
+/// A number that belongs to the file as a whole.
+fn field<T: std::str::FromStr>(fields: Node<'_, '_>, name: &str) -> Result<T, String> {
+    let found = elements(fields).find(|node| node.attribute("Name") == Some(name));
+    let value = found.and_then(|node| node.text()?.trim().parse().ok());
+    value.ok_or_else(|| format!("it tells no `{name}`"))
+}
+
+/// Texts from the codes of their bytes, each closed by a zero.
+fn texts_of(codes: &str) -> Result<Vec<String>, String> {
+    let bytes: Option<Vec<u8>> = codes.split_ascii_whitespace().map(|code| code.parse().ok()).collect();
+    let bytes = bytes.ok_or("a text in its head is not told by the codes of its bytes")?;
+    let Some(inner) = bytes.strip_suffix(&[0]) else {
+        return Ok(Vec::new());
+    };
+    Ok(inner
+        .split(|byte| *byte == 0)
+        .map(|text| String::from_utf8_lossy(text).into_owned())
+        .collect())
+}

@@ -1,0 +1,196 @@
+//! The folder of a run, read.
+
+use super::columns::{Columns, Update};
+use super::error::ResultsError;
+use super::poly_data::TableFile;
+use crate::output::RunFolder;
+use crate::output::collection::Collection;
+use crate::output::vtk::KINDS;
+use crate::output::vtp::PolyData;
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// Largest collection, summary or scenario that is read [bytes].
+const MAX_TEXT: u64 = 256 << 20;
+
+/// The tables of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum TableKind {
+    /// One row for every grain.
+    Grains,
+    /// One row for every contact that acts.
+    Contacts,
+    /// One row for every triangle of a wall.
+    Walls,
+}
+
+impl TableKind {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Grains, Self::Contacts, Self::Walls];
+
+    /// Its name, with which its files begin.
+    pub fn name(self) -> &'static str {
+        KINDS[self as usize]
+    }
+}
+
+/// A moment that a run has written a frame of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// Steps done.
+    pub step: u64,
+    /// Simulated time [s].
+    pub time: f64,
+}
+
+/// The three tables of a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameTables {
+    /// The grains.
+    pub grains: PolyData,
+    /// The contacts that act.
+    pub contacts: PolyData,
+    /// The triangles of the walls.
+    pub walls: PolyData,
+}
+
+/// What a run left in its folder, or has left until now.
+#[derive(Clone, Debug)]
+pub struct Run {
+    folder: RunFolder,
+    /// The folder without links, which no file may leave.
+    inside: PathBuf,
+}
+
+impl Run {
+    /// Opens the folder of a run.
+    pub fn open(root: &Path) -> Result<Self, ResultsError> {
+        let folder = RunFolder::find(root)?;
+        let inside = root.canonicalize().map_err(ResultsError::io(root))?;
+        Ok(Self { folder, inside })
+    }
+
+    /// The folder, which knows the names of its files.
+    pub fn folder(&self) -> &RunFolder {
+        &self.folder
+    }
+
+    /// Whether a process writes into the folder at this moment; `false` where the file system knows no locks.
+    pub fn is_going_on(&self) -> bool {
+        self.folder.is_locked()
+    }
+
+    /// The moments of which all three tables are there, in order.
+    pub fn moments(&self) -> Result<Vec<Moment>, ResultsError> {
+        let mut collections = Vec::new();
+        for kind in TableKind::ALL {
+            let mut collection = Collection::new(&self.folder, kind.name());
+            collection.read(&self.text(collection.path())?.unwrap_or_default());
+            collections.push(collection);
+        }
+        let has = |collection: &Collection, step| collection.entries().binary_search_by_key(&step, |e| e.0).is_ok();
+        let whole = |(step, _): &&(u64, f64)| collections.iter().all(|collection| has(collection, *step));
+        let moment = |&(step, time): &(u64, f64)| Moment { step, time };
+        Ok(collections[0].entries().iter().filter(whole).map(moment).collect())
+    }
+
+    /// Opens a table of the frame of a step, to read some of its arrays.
+    pub fn open_table(&self, kind: TableKind, step: u64) -> Result<TableFile, ResultsError> {
+        let path = self.table_path(kind, step);
+        let file = self.file(&path)?.ok_or_else(|| ResultsError::NoFrame {
+            folder: self.folder.root().to_owned(),
+            step,
+        })?;
+        TableFile::open(&path, file)
+    }
+
+    /// Where a table of the frame of a step is, or would be.
+    pub fn table_path(&self, kind: TableKind, step: u64) -> PathBuf {
+        Collection::new(&self.folder, kind.name()).file_path(step)
+    }
+
+    /// A table of the frame of a step.
+    pub fn table(&self, kind: TableKind, step: u64) -> Result<PolyData, ResultsError> {
+        self.open_table(kind, step)?.read_all()
+    }
+
+    /// All tables of the frame of a step.
+    pub fn frame(&self, step: u64) -> Result<FrameTables, ResultsError> {
+        Ok(FrameTables {
+            grains: self.table(TableKind::Grains, step)?,
+            contacts: self.table(TableKind::Contacts, step)?,
+            walls: self.table(TableKind::Walls, step)?,
+        })
+    }
+
+    /// The series; nothing as long as the run has not begun it.
+    pub fn series(&self) -> Result<Option<Columns>, ResultsError> {
+        self.columns(&self.folder.series())
+    }
+
+    /// A table of rows in the folder: the series, a profile, a distribution; nothing when it is not there.
+    pub fn columns(&self, path: &Path) -> Result<Option<Columns>, ResultsError> {
+        let file = self.file(path)?;
+        file.map(|file| Columns::from_file(path, file)).transpose()
+    }
+
+    /// Reads what was added to a table of rows since.
+    pub fn update(&self, columns: &mut Columns) -> Result<Update, ResultsError> {
+        let path = columns.path().to_owned();
+        match self.file(&path)? {
+            Some(file) => columns.update_from(file),
+            None => Ok(Update::Unchanged),
+        }
+    }
+
+    /// The summary; nothing as long as the run goes on, and after a kill.
+    pub fn summary(&self) -> Result<Option<serde_json::Value>, ResultsError> {
+        let path = self.folder.summary();
+        let Some(text) = self.text(&path)? else {
+            return Ok(None);
+        };
+        let summary = serde_json::from_str(&text);
+        summary.map(Some).map_err(|e| ResultsError::Table {
+            path,
+            problem: format!("not JSON: {e}"),
+        })
+    }
+
+    /// The text of the scenario as it was run; nothing when it is not there.
+    pub fn scenario(&self) -> Result<Option<String>, ResultsError> {
+        self.text(&self.folder.scenario())
+    }
+
+    /// A file of the folder, open; nothing when it is not there. Links that lead out of the folder are refused, and what is
+    /// no plain file.
+    pub fn file(&self, path: &Path) -> Result<Option<File>, ResultsError> {
+        let io = |e| Err(ResultsError::io(path)(e));
+        let real = match path.canonicalize() {
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(e) => return io(e),
+            Ok(real) => real,
+        };
+        if !real.starts_with(&self.inside) || !real.is_file() {
+            return Err(ResultsError::NotInside { path: path.to_owned() });
+        }
+        File::open(&real).map_or_else(io, |file| Ok(Some(file)))
+    }
+
+    fn text(&self, path: &Path) -> Result<Option<String>, ResultsError> {
+        let Some(file) = self.file(path)? else {
+            return Ok(None);
+        };
+        let size = file.metadata().map_err(ResultsError::io(path))?.len();
+        let allowed = MAX_TEXT;
+        if size > allowed {
+            let path = path.to_owned();
+            return Err(ResultsError::TooLarge { path, size, allowed });
+        }
+        let mut text = String::new();
+        file.take(allowed)
+            .read_to_string(&mut text)
+            .map_err(ResultsError::io(path))?;
+        Ok(Some(text))
+    }
+}
