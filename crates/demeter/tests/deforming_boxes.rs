@@ -6,7 +6,8 @@ mod cases;
 use cases::{Case, Laws, full, index, law, on_threads, one_material, report};
 use demeter::comm::ShearAxes;
 use demeter::contacts::{CarriedContact, Fault};
-use demeter::particles::{Domain, Outside};
+use demeter::measure::{FlowState, Gate, MassFlow, Selection, Value};
+use demeter::particles::{Domain, Origins, Outside};
 use demeter::simulation::{
     Deformation, DeformationError, Drive, Misfit, Setup, Shear, Simulation, SimulationState, Skin,
 };
@@ -534,6 +535,48 @@ fn hold_the_books(laws: &Laws) {
         shear_stress / normal
     );
     assert!(residual < 1e-3, "{residual}");
+}
+
+/// A grain that goes out at a sliding side comes in elsewhere at the other: that is no way through a gate between both places.
+#[test]
+fn a_jump_across_a_sliding_side_is_no_flow() {
+    let mut case = Case::new(one_material(5e6, &smooth(0.5)));
+    periodic(&mut case, 20.0 * RADIUS);
+    case.skin = 0.2 * RADIUS;
+    let (rate, offset) = (50.0, 1.5 * RADIUS);
+    let time = offset / (rate * 20.0 * RADIUS);
+    let start = DVec3::new(10.75, 15.0, 10.0) * RADIUS;
+    case.grain(RADIUS, start, DVec3::Y * (5.0 * RADIUS / time));
+    let mut sim = case.simulation();
+    sim.deform(Deformation {
+        affine: false,
+        ..shear(0, 1, rate)
+    })
+    .unwrap();
+    let gate = |x: f64| MassFlow {
+        point: DVec3::new(x, 10.0, 10.0) * RADIUS,
+        normal: DVec3::X,
+        gate: Gate::Plane,
+        selection: Selection::default(),
+    };
+    // the second gate lies where the grain goes afterwards, with the flow of its new place
+    let gates = [gate(10.0), gate(8.5)];
+    let mut states = [FlowState::default(), FlowState::default()];
+    let mut largest_jump = 0.0f64;
+    while sim.time() < 2.5 * time {
+        let before = sim.grains.position[0];
+        sim.step().unwrap();
+        largest_jump = largest_jump.max((sim.grains.position[0] - before).x.abs());
+        for (gate, state) in gates.iter().zip(&mut states) {
+            gate.look(&sim, &Origins::default(), state);
+        }
+    }
+    assert!((largest_jump / offset - 1.0).abs() < 0.05, "{largest_jump}");
+    let counts = [0, 1].map(|k| match gates[k].measure(&sim, &mut states[k])[..] {
+        [Value::Count(forward), _, Value::Count(backward), ..] => [forward, backward],
+        _ => panic!("no counts"),
+    });
+    assert_eq!(counts, [[0, 0], [0, 1]]);
 }
 
 /// A lattice whose contacts feel each other, squeezed with its box, bears at every moment what it bears at rest in a box of that

@@ -84,6 +84,12 @@ impl Single {
         DVec3::new(x, y, z)
     }
 
+    /// Difference of two positions, of the second's nearest image: of one that slides where the box is sheared [m].
+    pub fn difference(&self, a: DVec3, b: DVec3) -> DVec3 {
+        let apart = a - b;
+        apart + self.shift(self.nearest_image(apart))
+    }
+
     /// How many boxes away in each direction an image is, by the code of its shift.
     pub(crate) fn boxes(code: u8) -> DVec3 {
         DVec3::from_array(digits(usize::from(code)))

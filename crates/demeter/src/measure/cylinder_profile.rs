@@ -86,7 +86,7 @@ impl CylinderProfile {
         let limits: Vec<([f64; 2], [f64; 2])> = (0..rings.len()).map(|k| self.limits(k)).collect();
         for (_, g) in order {
             let radius = grains.radius(g);
-            let away = sim.domain().difference(grains.position[g], middle) + (middle - self.start);
+            let away = sim.comm.difference(grains.position[g], middle) + (middle - self.start);
             let height = away.dot(axis);
             let outwards = away - axis * height;
             let distance = outwards.length();

@@ -79,11 +79,11 @@ impl MassFlow {
 
     /// Looks which grains have passed since the latest look. Looking twice at one moment changes nothing.
     pub fn look(&self, sim: &Simulation, origins: &Origins, state: &mut FlowState) {
-        let (grains, domain) = (&sim.grains, sim.domain());
+        let (grains, comm) = (&sim.grains, &sim.comm);
         // twice the way at the present speed: a grain may be faster later
         let window = 2.0 * LOOK_EVERY as f64 * sim.dt;
         let is_near = |g: usize| {
-            let distance = domain.difference(grains.position[g], self.point).dot(self.normal).abs();
+            let distance = comm.difference(grains.position[g], self.point).dot(self.normal).abs();
             distance < grains.radius(g) || distance < grains.radius(g) + window * grains.velocity[g].length()
         };
         let mut near: Vec<(u32, DVec3, usize)> = (0..grains.len())
@@ -96,8 +96,8 @@ impl MassFlow {
                 continue;
             };
             let before = state.near[before].1;
-            let Some(direction) = self.passed(before, domain.difference(now, before), |a, b| domain.difference(a, b))
-            else {
+            let way = comm.difference(now, before);
+            let Some(direction) = self.passed(before, way, |a, b| comm.difference(a, b)) else {
                 continue;
             };
             if self.selection.holds(grains, origins, g) {

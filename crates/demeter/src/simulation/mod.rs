@@ -242,9 +242,8 @@ impl Simulation {
             return *contact;
         }
         let (i, j) = (chunk.i[contact] as usize, chunk.j[contact] as usize);
-        let apart = self.grains.position[i] - self.grains.position[j];
-        let shift = self.comm.shift(self.comm.nearest_image(apart));
-        contact_sphere_sphere(apart + shift, self.grains.radius(i), self.grains.radius(j))
+        let apart = self.comm.difference(self.grains.position[i], self.grains.position[j]);
+        contact_sphere_sphere(apart, self.grains.radius(i), self.grains.radius(j))
     }
 
     /// Distance beyond touching at which bodies become candidates [m].
