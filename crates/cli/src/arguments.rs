@@ -2,6 +2,7 @@
 
 use crate::exit;
 use clap::{Args, Parser, Subcommand};
+use demeter::scenario::schema::FileKind;
 use demeter_physics::lanes::Instructions;
 use std::path::PathBuf;
 
@@ -46,6 +47,8 @@ pub enum Command {
     Compare(CompareArguments),
     /// List the contact laws, or explain one
     Laws(LawsArguments),
+    /// Tell the JSON schema by which editors complete and check files
+    Schema(SchemaArguments),
     /// Write a scenario to start from, or list those there are
     New(NewArguments),
     /// Tell what is in a file or in the folder of a run
@@ -66,7 +69,7 @@ impl Command {
             Self::Fit(a) => a.output.json,
             Self::Compare(a) => a.json,
             Self::Laws(a) => a.json,
-            Self::New(_) => false,
+            Self::Schema(_) | Self::New(_) => false,
             Self::Info(a) => a.json,
         }
     }
@@ -317,6 +320,20 @@ pub struct LawsArguments {
     /// Write one JSON object to standard output
     #[arg(long)]
     pub json: bool,
+}
+
+/// Of `demeter schema`.
+#[derive(Debug, Args)]
+pub struct SchemaArguments {
+    /// Kind of file
+    #[arg(default_value = "scenario", value_parser = FileKind::ALL.map(FileKind::name))]
+    pub kind: String,
+    /// File to write it to, in place of an earlier schema; standard output when absent
+    ///
+    /// A file whose first line is `#:schema` with the way to this file is completed and checked by editors that know
+    /// TOML (Even Better TOML for VS Code, taplo) while it is written. `demeter new` does both.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
 }
 
 /// Of `demeter new`.

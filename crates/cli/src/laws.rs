@@ -149,6 +149,8 @@ fn to_json(law: &LawInfo) -> Value {
         "summary": law.summary,
         "doc": law.doc,
         "parameters": law.parameters.iter().map(parameter).collect::<Vec<Value>>(),
+        "alternatives": law.alternatives.iter().map(|group| json!({ "of": group.of, "with": group.with }))
+            .collect::<Vec<Value>>(),
         "example": example(law),
     })
 }

@@ -24,6 +24,7 @@ mod profile;
 mod progress;
 mod readable;
 mod run;
+mod schema;
 mod sticking;
 mod suggestion;
 mod table;
@@ -54,6 +55,7 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Figure(arguments) => figure::figure(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
+        Command::Schema(arguments) => schema::schema(&arguments),
         Command::New(arguments) => new::new(&arguments),
         Command::Info(arguments) => info::info(&arguments),
     };

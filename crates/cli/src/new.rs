@@ -4,7 +4,9 @@ use crate::answer::{Rows, answer};
 use crate::arguments::NewArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
+use crate::schema;
 use crate::suggestion::did_you_mean;
+use demeter::scenario::schema::FileKind;
 use demeter::scenario::{TEMPLATES, template};
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
@@ -22,11 +24,16 @@ pub fn new(arguments: &NewArguments) -> Result<Exit, Failure> {
         return Err(Failure::wrong(message));
     };
     let file = arguments.out.clone().unwrap_or_else(|| format!("{name}.toml").into());
-    write(&file, text)?;
+    write(
+        &file,
+        &format!("#:schema ./{}\n{text}", FileKind::Scenario.schema_file()),
+    )?;
+    schema::beside(FileKind::Scenario, &file)?;
     let shown = file.display();
     answer(&format!(
-        "wrote {shown}\nnext:\n  demeter check {shown}    what is wrong with it, or how it would run\n  demeter run {shown}      \
-         the run\n"
+        "wrote {shown}, and {} for editors\nnext:\n  demeter check {shown}    what is wrong with it, or how it would run\n  demeter run {shown}      \
+         the run\n",
+        FileKind::Scenario.schema_file()
     ))?;
     Ok(Exit::Finished)
 }

@@ -37,10 +37,12 @@ fn every_template_is_written_and_checked() {
     }
     assert_eq!(
         place.names().len(),
-        names.len(),
+        names.len() + 1,
         "check wrote something: {:?}",
         place.names()
     );
+    let schema = fs::read_to_string(place.path("demeter-scenario.schema.json")).unwrap();
+    assert_eq!(place.expect(0, &["schema"]).out, schema);
     place.expect(0, &["new", &names[0], "--out", "mine.toml"]);
     assert_eq!(
         fs::read(place.path("mine.toml")).unwrap(),
@@ -312,4 +314,21 @@ fn tetrahedron(faces: usize) -> String {
         ));
     }
     text + "endsolid t\n"
+}
+
+#[test]
+fn a_schema_is_told_and_written_and_nothing_else_is_replaced() {
+    let place = Place::new();
+    for kind in ["scenario", "two-bodies", "fit", "packing-fit"] {
+        let told = place.expect(0, &["schema", kind]);
+        assert_eq!(told.json()["$schema"], "http://json-schema.org/draft-07/schema#");
+        let said = place.expect(0, &["schema", kind, "--out", "s.json"]);
+        assert!(said.out.contains("#:schema s.json"), "{}", said.out);
+        assert_eq!(fs::read_to_string(place.path("s.json")).unwrap(), told.out);
+    }
+    place.write("mine.json", "{}");
+    let said = place.expect(2, &["schema", "--out", "mine.json"]);
+    assert!(said.err.contains("exists and is no schema"), "{}", said.err);
+    let said = place.expect(2, &["schema", "scenaro"]);
+    assert!(said.err.contains("scenario"), "{}", said.err);
 }

@@ -13,8 +13,6 @@ use demeter_physics::contact::LawInfo;
 use demeter_physics::contact::normal::LAWS;
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::{ParameterInfo, ParameterKind, Range, Values};
-use std::cell::RefCell;
-use std::collections::BTreeSet;
 use std::path::Path;
 
 /// All keys of such a file, with their meaning.
@@ -59,10 +57,7 @@ impl FitFile {
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, Diagnostics> {
         let document = tree(text, name, overrides)?;
         let diagnostics = Diagnostics::new(name, document.clone());
-        let context = Context {
-            faults: RefCell::new(diagnostics.clone()),
-            asked: RefCell::new(BTreeSet::new()),
-        };
+        let context = Context::new(diagnostics.clone());
         let read = walk(TableReader::root(&context, &document.root), diagnostics);
         let faults = context.faults.into_inner();
         match read {
@@ -80,7 +75,7 @@ impl FitFile {
 }
 
 /// Nothing when there is no law to speak of; there are faults then.
-fn walk(table: TableReader<'_>, diagnostics: Diagnostics) -> Option<FitFile> {
+pub(super) fn walk(table: TableReader<'_>, diagnostics: Diagnostics) -> Option<FitFile> {
     if let Some(title) = table.optional("title") {
         title.label();
     }

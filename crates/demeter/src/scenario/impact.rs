@@ -11,8 +11,6 @@ use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
-use std::cell::RefCell;
-use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
@@ -173,10 +171,7 @@ impl ImpactFile {
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, Diagnostics> {
         let document = tree(text, name, overrides)?;
         let diagnostics = Diagnostics::new(name, document.clone());
-        let context = Context {
-            faults: RefCell::new(diagnostics.clone()),
-            asked: RefCell::new(BTreeSet::new()),
-        };
+        let context = Context::new(diagnostics.clone());
         let read = walk(TableReader::root(&context, &document.root), name, diagnostics);
         let mut faults = context.faults.into_inner();
         if faults.is_empty() {
@@ -254,7 +249,7 @@ impl NormalVisitor for Check {
     }
 }
 
-fn walk(table: TableReader<'_>, name: &str, diagnostics: Diagnostics) -> ImpactFile {
+pub(super) fn walk(table: TableReader<'_>, name: &str, diagnostics: Diagnostics) -> ImpactFile {
     if let Some(title) = table.optional("title") {
         title.label();
     }

@@ -23,6 +23,7 @@ mod plots;
 mod prepare;
 mod quantity;
 mod reader;
+mod reference;
 mod region_measures;
 mod report;
 mod resolved;
@@ -30,6 +31,7 @@ mod rows;
 mod run;
 mod run_error;
 mod run_options;
+pub mod schema;
 mod settings;
 mod sizes;
 mod stages;
@@ -77,8 +79,6 @@ use crate::materials::Material;
 use crate::simulation::Stage;
 use document::read_toml;
 use reader::{Context, TableReader};
-use std::cell::RefCell;
-use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -143,10 +143,7 @@ impl Scenario {
     /// Reads a scenario from a text. Relative paths in it start from `base`.
     pub fn parse(text: &str, name: &str, base: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
         let document = tree(text, name, overrides)?;
-        let context = Context {
-            faults: RefCell::new(Diagnostics::new(name, Arc::clone(&document))),
-            asked: RefCell::new(BTreeSet::new()),
-        };
+        let context = Context::new(Diagnostics::new(name, Arc::clone(&document)));
         let read = Self::walk(&context, text, name, base, document);
         let mut faults = context.faults.into_inner();
         if faults.is_empty() {

@@ -66,10 +66,7 @@ pub(super) fn motions<'a>(item: &Item<'a>, frame: &Frame<'_>) -> Motions {
                 item.fault(message, form());
             }
             // the keys of a part are those of a motion that stands alone
-            let own_keys = |part: Item<'a>| Item {
-                pattern: item.pattern.clone(),
-                ..part
-            };
+            let own_keys = |part: Item<'a>| Item { ..part };
             let tables = item.items().into_iter().take(MAX_PARTS);
             let parts = tables.filter_map(|part| {
                 let part = own_keys(part);

@@ -9,8 +9,6 @@ use super::{Diagnostics, Scenario, lone_fault, read_text, tree, units};
 use crate::compare::{CompareError, Position, Reading, Strokes, is_repeat, measured_points, read_measured};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
-use std::cell::RefCell;
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// All keys of such a file, with their meaning.
@@ -117,10 +115,7 @@ impl PackingFile {
     /// Reads a text and checks it with its scenario. Relative paths in it start from `base`.
     pub fn parse(text: &str, name: &str, base: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
         let document = tree(text, name, overrides)?;
-        let context = Context {
-            faults: RefCell::new(Diagnostics::new(name, document.clone())),
-            asked: RefCell::new(BTreeSet::new()),
-        };
+        let context = Context::new(Diagnostics::new(name, document.clone()));
         let read = walk(&TableReader::root(&context, &document.root), base);
         let faults = || context.faults.borrow().clone();
         let Some(read) = read.filter(|_| faults().is_empty()) else {
@@ -195,7 +190,7 @@ impl PackingFile {
 }
 
 /// Nothing when something that is needed is missing; there are faults then.
-fn walk(table: &TableReader<'_>, base: &Path) -> Option<PackingFile> {
+pub(super) fn walk(table: &TableReader<'_>, base: &Path) -> Option<PackingFile> {
     if let Some(title) = table.optional("title") {
         title.label();
     }

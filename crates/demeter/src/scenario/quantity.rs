@@ -1,7 +1,7 @@
 //! Reads quantities, vectors and directions of a scenario, checked for dimension and range.
 
 use super::document::Value;
-use super::reader::{Item, TableReader};
+use super::reader::{Item, Sought, TableReader};
 use super::units::{self, Quantity, UnitError};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -75,7 +75,8 @@ impl Kind {
         }
     }
 
-    fn example(self) -> String {
+    /// How it is written.
+    pub fn example(self) -> String {
         match self {
             Self::Physical(d) if d == Dimension::LENGTH => "\"2 mm\"".to_string(),
             Self::Physical(d) if d == Dimension::PRESSURE => "\"5 MPa\"".to_string(),
@@ -113,6 +114,7 @@ fn found(quantity: &Quantity) -> String {
 impl Item<'_> {
     /// A quantity of this kind and range, in SI.
     pub fn quantity(&self, kind: Kind, range: Range) -> f64 {
+        self.seeks(|| Sought::Quantity(kind));
         let Some((value, written)) = self.read_quantity(kind) else {
             return f64::NAN;
         };
@@ -201,6 +203,7 @@ impl Item<'_> {
 
     /// Three quantities of this kind: `["0 m", "0 m", "1 m"]` or `"0 0 1 m"`.
     pub fn vector(&self, kind: Kind) -> DVec3 {
+        self.seeks(|| Sought::Vector(kind));
         match &self.node.value {
             Value::Array(nodes) if nodes.len() == 3 => {
                 let parts: Vec<f64> = self.items().iter().map(|i| i.quantity(kind, Range::FINITE)).collect();
@@ -250,6 +253,7 @@ impl Item<'_> {
 
     /// A unit vector: three plain numbers of any length, or an axis: `"x"`, `"-z"`.
     pub fn direction(&self) -> DVec3 {
+        self.seeks(|| Sought::Direction);
         if let Value::String(text) = &self.node.value {
             let (sign, axis) = match text.strip_prefix('-') {
                 Some(axis) => (-1.0, axis),

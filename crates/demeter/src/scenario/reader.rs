@@ -6,18 +6,61 @@
 
 use super::diagnostics::Diagnostics;
 use super::document::{Entry, Node, Value, join};
+use super::quantity::Kind;
 use std::cell::RefCell;
-use std::collections::BTreeSet;
+
+/// What a getter looks for. Tests hold it against what the reference tells.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(not(test), allow(dead_code))]
+pub(super) enum Sought {
+    /// A key of a table, and whether it must be there.
+    Key { key: String, required: bool },
+    /// A text.
+    Text,
+    /// True or false.
+    Boolean,
+    /// A whole number.
+    Integer,
+    /// One of a list of words.
+    Choice(Vec<String>),
+    /// A quantity.
+    Quantity(Kind),
+    /// Three of them.
+    Vector(Kind),
+    /// A direction.
+    Direction,
+    /// A list.
+    List,
+    /// A table.
+    Table,
+}
 
 /// What all readers of one scenario share.
 pub(super) struct Context {
     /// What is wrong so far.
     pub faults: RefCell<Diagnostics>,
-    /// Paths of all keys that were asked for, with `[]` for any index and `*` for any name.
-    pub asked: RefCell<BTreeSet<String>>,
+    /// What was looked for, with the path of the value or, of a key, of its table.
+    #[cfg(test)]
+    pub sought: RefCell<Vec<(String, Sought)>>,
 }
 
 impl Context {
+    /// Nothing is wrong yet but what is told.
+    pub fn new(faults: Diagnostics) -> Self {
+        Self {
+            faults: RefCell::new(faults),
+            #[cfg(test)]
+            sought: RefCell::new(Vec::new()),
+        }
+    }
+
+    /// Notes in tests what is looked for.
+    #[cfg_attr(not(test), allow(unused_variables, clippy::unused_self))]
+    fn seeks(&self, path: &str, sought: impl FnOnce() -> Sought) {
+        #[cfg(test)]
+        self.sought.borrow_mut().push((path.to_string(), sought()));
+    }
+
     /// Notes a fault at the value of a path.
     pub fn fault(&self, path: &str, message: impl Into<String>, help: Option<String>) {
         self.faults.borrow_mut().push(path, message, help);
@@ -57,8 +100,6 @@ pub(super) struct Item<'a> {
     pub node: &'a Node,
     /// Path from the root: `wall[1].radius`.
     pub path: String,
-    /// The same with `[]` for any index and `*` for any name.
-    pub pattern: String,
     /// The key, for messages.
     pub name: String,
 }
@@ -69,8 +110,14 @@ impl<'a> Item<'a> {
         self.context.fault(&self.path, message, help);
     }
 
+    /// Notes in tests what is looked for here.
+    pub fn seeks(&self, sought: impl FnOnce() -> Sought) {
+        self.context.seeks(&self.path, sought);
+    }
+
     /// The text of a value that must be a text.
     pub fn text(&self) -> String {
+        self.seeks(|| Sought::Text);
         match &self.node.value {
             Value::String(text) => text.clone(),
             other => {
@@ -97,6 +144,7 @@ impl<'a> Item<'a> {
 
     /// True or false.
     pub fn boolean(&self) -> bool {
+        self.seeks(|| Sought::Boolean);
         match &self.node.value {
             Value::Boolean(value) => *value,
             other => {
@@ -110,6 +158,7 @@ impl<'a> Item<'a> {
 
     /// A whole number within bounds, both allowed.
     pub fn integer(&self, lower: i64, upper: i64) -> i64 {
+        self.seeks(|| Sought::Integer);
         match &self.node.value {
             Value::Integer(value) if (lower..=upper).contains(value) => *value,
             Value::Integer(value) => {
@@ -131,6 +180,7 @@ impl<'a> Item<'a> {
 
     /// One of a list of words; the index of the word.
     pub fn choice(&self, known: &[&str]) -> Option<usize> {
+        self.seeks(|| Sought::Choice(known.iter().map(ToString::to_string).collect()));
         let Value::String(text) = &self.node.value else {
             let words: Vec<String> = known.iter().map(|k| format!("\"{k}\"")).collect();
             let kind = self.node.value.kind();
@@ -148,13 +198,13 @@ impl<'a> Item<'a> {
 
     /// The elements of a list.
     pub fn items(&self) -> Vec<Item<'a>> {
+        self.seeks(|| Sought::List);
         match &self.node.value {
             Value::Array(nodes) => (nodes.iter().enumerate())
                 .map(|(index, node)| Item {
                     context: self.context,
                     node,
                     path: format!("{}[{index}]", self.path),
-                    pattern: format!("{}[]", self.pattern),
                     name: self.name.clone(),
                 })
                 .collect(),
@@ -179,12 +229,12 @@ impl<'a> Item<'a> {
 
     /// The table.
     pub fn table(&self) -> Option<TableReader<'a>> {
+        self.seeks(|| Sought::Table);
         match &self.node.value {
             Value::Table(entries) => Some(TableReader {
                 context: self.context,
                 entries,
                 path: self.path.clone(),
-                pattern: self.pattern.clone(),
                 asked: RefCell::new(Vec::new()),
             }),
             other => {
@@ -203,7 +253,6 @@ pub(super) struct TableReader<'a> {
     pub context: &'a Context,
     entries: &'a [Entry],
     pub path: String,
-    pattern: String,
     asked: RefCell<Vec<String>>,
 }
 
@@ -218,7 +267,6 @@ impl<'a> TableReader<'a> {
             context,
             entries,
             path: String::new(),
-            pattern: String::new(),
             asked: RefCell::new(Vec::new()),
         }
     }
@@ -235,15 +283,22 @@ impl<'a> TableReader<'a> {
 
     /// The value of a key, when it is there.
     pub fn optional(&self, key: &str) -> Option<Item<'a>> {
+        self.ask(key, false)
+    }
+
+    fn ask(&self, key: &str, required: bool) -> Option<Item<'a>> {
         self.asked.borrow_mut().push(key.to_string());
-        self.context.asked.borrow_mut().insert(join(&self.pattern, key));
+        self.context.seeks(&self.path, || Sought::Key {
+            key: key.to_string(),
+            required,
+        });
         let entry = self.entries.iter().find(|e| e.key == key)?;
         Some(self.item(entry, key.to_string()))
     }
 
     /// The value of a key that must be there; `meaning` says what it is, for the message.
     pub fn required(&self, key: &str, meaning: &str) -> Option<Item<'a>> {
-        let item = self.optional(key);
+        let item = self.ask(key, true);
         if item.is_none() {
             self.fault(format!("`{key}` is missing: {meaning}"), None);
         }
@@ -265,19 +320,10 @@ impl<'a> TableReader<'a> {
 
     /// All entries of a table whose keys are names chosen by the user.
     pub fn named(&self) -> Vec<Item<'a>> {
-        let pattern = if self.pattern.is_empty() {
-            "*".to_string()
-        } else {
-            format!("{}.*", self.pattern)
-        };
-        self.context.asked.borrow_mut().insert(pattern.clone());
         (self.entries.iter())
             .map(|entry| {
                 self.asked.borrow_mut().push(entry.key.clone());
-                Item {
-                    pattern: pattern.clone(),
-                    ..self.item(entry, entry.key.clone())
-                }
+                self.item(entry, entry.key.clone())
             })
             .collect()
     }
@@ -287,7 +333,6 @@ impl<'a> TableReader<'a> {
             context: self.context,
             node: &entry.node,
             path: join(&self.path, &entry.key),
-            pattern: join(&self.pattern, &entry.key),
             name,
         }
     }

@@ -1,6 +1,6 @@
 mod faults;
+mod reference;
 
-use super::reader::Context;
 use super::*;
 use crate::insertion::{Amount, Basis, LatticeKind, Region, SizeDistribution, Source};
 use crate::measure::{ContactNetwork, ForceDistribution};
@@ -28,79 +28,6 @@ fn parse(text: &str, overrides: &[&str]) -> Result<Scenario, Diagnostics> {
 
 fn settle() -> &'static str {
     template("settle").unwrap()
-}
-
-/// Every key that reading a text asks for.
-fn asked(text: &str, base: &Path) -> BTreeSet<String> {
-    let document = tree(text, "case", &[]).unwrap();
-    let context = Context {
-        faults: RefCell::new(Diagnostics::new("case", Arc::clone(&document))),
-        asked: RefCell::new(BTreeSet::new()),
-    };
-    Scenario::walk(&context, text, "case", base, document);
-    context.asked.into_inner()
-}
-
-/// The section of the reference and the key in it, of the path of a key.
-fn place_in_reference(path: &str) -> Option<(String, String)> {
-    let mut path = path.to_string();
-    while path.contains("stage[].stage[]") {
-        path = path.replace("stage[].stage[]", "stage[]");
-    }
-    let path = path
-        .replace("stop[]", "stop")
-        .replace("region[]", "region")
-        .replace("removal[].region.", "measure[].region.")
-        .replace("tag[].region.", "measure[].region.")
-        .replace("feed[].diameter.", "grains[].diameter.")
-        .replace("wall[].motion.", "motion.")
-        .replace("stage[].motion.*.", "motion.")
-        .replace("stage[].deform.", "deform.")
-        .replace("domain.deform.", "deform.");
-    let path = ["x", "y", "z", "isotropic"].iter().fold(path, |path, axis| {
-        path.replace(&format!("deform.{axis}."), "deform.direction.")
-    });
-    let (section, key) = path.rsplit_once('.').unwrap_or(("", &path));
-    let of_a_law = ["normal", "tangential", "rolling"]
-        .iter()
-        .any(|family| section.ends_with(family));
-    (key != "*" && !of_a_law).then(|| (section.to_string(), key.to_string()))
-}
-
-#[test]
-fn the_reference_lists_exactly_the_keys_that_are_read() {
-    let mut read = BTreeSet::new();
-    for file in std::fs::read_dir(good()).unwrap().map(|f| f.unwrap().path()) {
-        if file.extension().is_some_and(|e| e == "toml") {
-            read.extend(asked(&std::fs::read_to_string(file).unwrap(), &good()));
-        }
-    }
-    let read: BTreeSet<_> = read.iter().filter_map(|path| place_in_reference(path)).collect();
-    let mut listed = BTreeSet::new();
-    let mut sections: Vec<String> = Vec::new();
-    for line in REFERENCE.lines() {
-        if let Some(heading) = line.strip_prefix("## `") {
-            let heading = heading.split(": ").next().unwrap_or_default();
-            sections = heading
-                .split(", ")
-                .map(|s| s.trim_matches(['`', ' ']).to_string())
-                .collect();
-        } else if let Some(row) = line.strip_prefix("| `") {
-            let key = row.split('`').next().unwrap_or_default();
-            // keys of `[output]` alone stand in the section that it shares with the output of a stage
-            let shared = sections.iter().any(|s| s == "output");
-            let alone = shared && ["picture", "strain", "plots"].contains(&key);
-            for section in sections.iter().filter(|s| !alone || *s == "output") {
-                listed.insert((section.clone(), key.to_string()));
-            }
-        }
-    }
-    let missing: Vec<_> = read.difference(&listed).collect();
-    let stale: Vec<_> = listed.difference(&read).collect();
-    assert!(
-        missing.is_empty() && stale.is_empty(),
-        "missing: {missing:?}\nnot read: {stale:?}"
-    );
 }
 
 #[test]

@@ -1,0 +1,222 @@
+//! JSON schemas of the files that Demeter reads, for editors that complete and check while one writes.
+//!
+//! They follow from what the readers follow: the keys from the tables of the references (`reference.md`, `impact.md`,
+//! `fit_file.md`, `packing_file.md`), the laws with their parameters from the registries, the units from the table of
+//! units. A schema tells unknown keys, wrong types, unknown words, units that do not exist, and missing keys. What
+//! depends on other values (a name that no wall has, bounds that are reversed) only the reader tells.
+
+mod laws;
+mod quantities;
+
+use super::reference::{Form, Row, Section, sections};
+use super::{FIT_REFERENCE, IMPACT_REFERENCE, PACKING_FIT_REFERENCE, REFERENCE};
+use serde_json::{Map, Value, json};
+
+/// A kind of file that Demeter reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileKind {
+    /// A scenario, of `demeter run`.
+    Scenario,
+    /// Two bodies, of `demeter collide`, `demeter contact-curve` and `demeter sticking`.
+    TwoBodies,
+    /// Observed collisions, of `demeter fit`.
+    Fit,
+    /// A measured force curve of a packing, of `demeter fit`.
+    PackingFit,
+}
+
+impl FileKind {
+    /// All kinds.
+    pub const ALL: [Self; 4] = [Self::Scenario, Self::TwoBodies, Self::Fit, Self::PackingFit];
+
+    /// Name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Scenario => "scenario",
+            Self::TwoBodies => "two-bodies",
+            Self::Fit => "fit",
+            Self::PackingFit => "packing-fit",
+        }
+    }
+
+    /// Name of the file that its schema is written to beside a file of this kind.
+    pub fn schema_file(self) -> String {
+        format!("demeter-{}.schema.json", self.name())
+    }
+
+    fn title(self) -> &'static str {
+        match self {
+            Self::Scenario => "A scenario of Demeter",
+            Self::TwoBodies => "Two bodies, for demeter collide, contact-curve and sticking",
+            Self::Fit => "Observed collisions, for demeter fit",
+            Self::PackingFit => "A measured force curve of a packing, for demeter fit",
+        }
+    }
+
+    /// The tables of keys of this file. Those that it shares with others come from their reference.
+    fn sections(self) -> Vec<Section> {
+        let scenario = || sections(REFERENCE).into_iter();
+        let of_scenario = |names: &'static [&'static str]| {
+            scenario().filter(move |s| names.iter().any(|name| s.name.starts_with(name)))
+        };
+        match self {
+            Self::Scenario => scenario().collect(),
+            Self::TwoBodies => {
+                let own = sections(IMPACT_REFERENCE).into_iter();
+                own.chain(of_scenario(&["material.", "contact"])).collect()
+            }
+            Self::Fit => {
+                let bodies = sections(IMPACT_REFERENCE).into_iter();
+                let bodies = bodies.filter(|s| s.name == "a" || s.name == "b");
+                let own = sections(FIT_REFERENCE).into_iter();
+                own.chain(bodies).chain(of_scenario(&["material."])).collect()
+            }
+            Self::PackingFit => sections(PACKING_FIT_REFERENCE),
+        }
+    }
+}
+
+/// The schema of a file, JSON Schema draft 7.
+pub fn schema(of: FileKind) -> Value {
+    let mut definitions = Map::new();
+    let mut root = Map::from_iter([
+        ("$schema".to_string(), json!("http://json-schema.org/draft-07/schema#")),
+        ("title".to_string(), json!(of.title())),
+    ]);
+    for section in of.sections() {
+        let value = table(&section, &mut definitions);
+        if section.name.is_empty() {
+            root.extend(value.as_object().cloned().unwrap_or_default());
+        } else {
+            definitions.insert(definition_name(&section.name), value);
+        }
+    }
+    root.insert("definitions".to_string(), Value::Object(definitions));
+    Value::Object(root)
+}
+
+/// Name of a section among the definitions: `measure[].region` is `measure.region`.
+fn definition_name(section: &str) -> String {
+    section.replace("[]", "").replace('*', "NAME")
+}
+
+fn reference(name: &str) -> Value {
+    json!({ "$ref": format!("#/definitions/{name}") })
+}
+
+/// The table of a section; one alternative for every kind of it.
+fn table(section: &Section, shared: &mut Map<String, Value>) -> Value {
+    match section.kinds() {
+        None => table_of_kind(section, None, shared),
+        Some((key, kinds)) => {
+            let one = |kind: &String| table_of_kind(section, Some((key, kind)), shared);
+            json!({ "type": "object", "oneOf": kinds.iter().map(one).collect::<Vec<Value>>() })
+        }
+    }
+}
+
+fn table_of_kind(section: &Section, kind: Option<(&str, &str)>, shared: &mut Map<String, Value>) -> Value {
+    let mut properties = Map::new();
+    let mut required = Vec::new();
+    for row in &section.rows {
+        let Some(must) = row.belongs(kind.map(|(_, kind)| kind)) else {
+            continue;
+        };
+        let value = match kind {
+            Some((key, kind)) if key == row.key => json!({ "const": kind }),
+            _ => any_of(
+                row.value
+                    .iter()
+                    .map(|form| value(form, &section.name, shared))
+                    .collect(),
+            ),
+        };
+        if must {
+            required.push(row.key.clone());
+        }
+        properties.insert(row.key.clone(), described(value, row));
+    }
+    let mut table = json!({ "type": "object", "properties": properties, "additionalProperties": false });
+    if !required.is_empty() {
+        table["required"] = json!(required);
+    }
+    table
+}
+
+/// The value with what the reference tells of it. A reference cannot carry a description of its own in draft 7.
+fn described(value: Value, row: &Row) -> Value {
+    let mut text = row.meaning.replace('`', "");
+    if !row.otherwise.is_empty() {
+        text = format!("{text}. Otherwise: {}", row.otherwise.replace('`', ""));
+    }
+    if text.is_empty() {
+        return value;
+    }
+    match value {
+        Value::Object(mut fields) if !fields.contains_key("$ref") => {
+            let said = fields.get("description").and_then(Value::as_str);
+            let text = said.map_or_else(|| text.clone(), |said| format!("{text} ({said})"));
+            fields.insert("description".to_string(), json!(text));
+            Value::Object(fields)
+        }
+        value => json!({ "allOf": [value], "description": text }),
+    }
+}
+
+fn any_of(mut values: Vec<Value>) -> Value {
+    match values.len() {
+        1 => values.remove(0),
+        _ => json!({ "anyOf": values }),
+    }
+}
+
+/// The schema of a value; what many share goes to `shared`.
+fn value(form: &Form, section: &str, shared: &mut Map<String, Value>) -> Value {
+    let mut share = |name: &str, made: Value| {
+        shared.insert(name.to_string(), made);
+        reference(name)
+    };
+    match form {
+        Form::Text => json!({ "type": "string" }),
+        Form::Name => json!({ "type": "string", "minLength": 1, "maxLength": 200 }),
+        Form::Boolean => json!({ "type": "boolean" }),
+        Form::False => json!({ "const": false }),
+        Form::Integer => json!({ "type": "integer" }),
+        Form::Words(words) => json!({ "enum": words }),
+        Form::Quantity(kind) => share(&quantities::name(*kind), quantities::quantity(*kind)),
+        Form::AnyQuantity => share("any-quantity", quantities::any()),
+        Form::Vector(kind) => {
+            share(&quantities::name(*kind), quantities::quantity(*kind));
+            share(
+                &format!("{}-vector", quantities::name(*kind)),
+                quantities::vector(*kind),
+            )
+        }
+        Form::Direction => share("direction", quantities::direction()),
+        Form::List(items) => json!({ "type": "array", "items": value(items, section, shared) }),
+        Form::Table(name) => reference(&definition_name(name)),
+        Form::TablesByName(name) => {
+            json!({ "type": "object", "additionalProperties": reference(&definition_name(name)), "minProperties": 1 })
+        }
+        Form::ByName(of) => json!({ "type": "object", "additionalProperties": value(of, section, shared) }),
+        Form::Law(family) if section.ends_with("pair[]") => {
+            share(&format!("{family}-law-of-a-pair"), laws::law_of_pair(family))
+        }
+        Form::Law(family) => share(&format!("{family}-law"), laws::law(family)),
+        Form::LawName => laws::name("normal"),
+        Form::KnownParameters => laws::known("normal"),
+        Form::UnknownParameters => laws::unknown("normal"),
+        Form::MeasuredPoint => quantities::measured_point(),
+        Form::Motion => {
+            let one = reference("motion");
+            share(
+                "motions",
+                json!({ "anyOf": [{ "const": "rest" }, one, { "type": "array", "items": one, "minItems": 1 }] }),
+            )
+        }
+        Form::Unreadable(_) => json!(false),
+    }
+}
+
+#[cfg(test)]
+mod tests;
