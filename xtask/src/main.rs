@@ -1,6 +1,7 @@
 //! What Demeter's developers do often, as `cargo xtask <command>`.
 
 mod bench;
+mod book;
 mod checks;
 mod house_rules;
 mod imports;
@@ -54,6 +55,8 @@ enum Command {
         /// Name in the scenario, such as `thornton-ning`
         name: String,
     },
+    /// Make the book, with all that is generated for it, and check its links
+    Book,
     /// Verification cases at full size, in release mode
     Verify {
         /// Only cases whose name contains this
@@ -95,6 +98,7 @@ fn main() -> ExitCode {
         Command::Doc => checks::documentation(),
         Command::Layers => checks::layers(),
         Command::NewLaw { family, name } => new_law::run(family, &name),
+        Command::Book => book::make(),
         Command::Verify { filter } => checks::verify(filter.as_deref()),
         Command::Validate { arguments } => validate::run(&arguments),
         Command::Instructions { accept } => instructions::run(accept),
