@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// Modules of the engine from the lowest to the highest. A module imports from its own line and from those above it
 /// in this table, never from one below.
-const ORDER: [&[&str]; 10] = [
+const ORDER: [&[&str]; 11] = [
     &["particles", "materials", "comm", "threads"],
     &["neighbours", "walls"],
     &["contacts"],
@@ -14,6 +14,7 @@ const ORDER: [&[&str]; 10] = [
     &["step", "simulation", "checkpoint"],
     &["measure", "output"],
     &["results"],
+    &["report"],
     &["compare"],
     &["scenario"],
     &["calibrate"],

@@ -2,6 +2,7 @@
 
 mod bench;
 mod book;
+mod browser;
 mod checks;
 mod house_rules;
 mod imports;
@@ -32,6 +33,8 @@ enum Command {
     Test,
     /// Run a small scenario and open what it wrote with PyVista
     Python,
+    /// Run small scenarios and open their pages in headless Chromium (needs Node.js and Chromium)
+    Browser,
     /// Bundle the pages for browsers into crates/web/dist (needs Node.js)
     Web {
         /// Change nothing, fail where dist is not what the sources make
@@ -93,6 +96,7 @@ fn main() -> ExitCode {
         Command::Ci => checks::ci(),
         Command::Test => checks::test(),
         Command::Python => python::test(),
+        Command::Browser => browser::test(),
         Command::Web { check } => web::build(check),
         Command::Fmt { check } => checks::format(check),
         Command::Doc => checks::documentation(),

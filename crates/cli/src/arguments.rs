@@ -27,6 +27,9 @@ pub enum Command {
     /// Go on with an interrupted or killed run from its latest checkpoint
     #[command(after_help = exit::HELP)]
     Resume(ResumeArguments),
+    /// Write the report of a run anew from what is in its folder, also while it goes on or after a kill
+    #[command(after_help = exit::HELP)]
+    Report(ReportArguments),
     /// Collide two bodies: restitution, contact time, outcome, energies
     #[command(after_help = exit::HELP)]
     Collide(CollideArguments),
@@ -62,6 +65,7 @@ impl Command {
             Self::Run(a) => a.output.json,
             Self::Check(a) => a.json,
             Self::Resume(a) => a.output.json,
+            Self::Report(a) => a.json,
             Self::Collide(a) => a.json,
             Self::ContactCurve(a) => a.json,
             Self::Sticking(a) => a.json,
@@ -125,6 +129,19 @@ pub struct HowToRun {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
     /// Write one JSON object to standard output at the end; everything else goes to standard error
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Of `demeter report`.
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// The folder of the run
+    ///
+    /// `report.html` in it is replaced: one page for browsers that needs no network. What is missing or damaged in the
+    /// folder is left out of the page and told.
+    pub folder: PathBuf,
+    /// Write one JSON object to standard output
     #[arg(long)]
     pub json: bool,
 }

@@ -5,6 +5,7 @@ use crate::exit::Exit;
 use demeter::calibrate::CalibrateError;
 use demeter::checkpoint::CheckpointError;
 use demeter::output::OutputError;
+use demeter::report::ReportError;
 use demeter::scenario::{Diagnostics, RunError};
 use serde_json::{Value, json};
 
@@ -107,6 +108,17 @@ impl From<CalibrateError> for Failure {
         };
         let message = error.to_string();
         Self::Other { exit, message }
+    }
+}
+
+impl From<ReportError> for Failure {
+    fn from(error: ReportError) -> Self {
+        let message = error.to_string();
+        if error.is_io() {
+            Self::io(message)
+        } else {
+            Self::wrong(message)
+        }
     }
 }
 

@@ -23,6 +23,7 @@ mod new;
 mod profile;
 mod progress;
 mod readable;
+mod report;
 mod run;
 mod schema;
 mod sticking;
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Resume(arguments) => run::resume(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Report(arguments) => report::report(&arguments),
         Command::Collide(arguments) => collide::collide(&arguments),
         Command::ContactCurve(arguments) => contact_curve::contact_curve(&arguments),
         Command::Sticking(arguments) => sticking::sticking(&arguments),

@@ -144,6 +144,11 @@ fn picture(report: &Report) -> Option<PathBuf> {
     picture.is_file().then_some(picture)
 }
 
+fn page(report: &Report) -> Option<PathBuf> {
+    let page = RunFolder::find(&report.folder).ok()?.report();
+    page.is_file().then_some(page)
+}
+
 fn to_json(report: &Report, exit: Exit) -> Result<Value, Failure> {
     let mut value = serde_json::to_value(&report.summary)
         .map_err(|error| Failure::io(format!("the summary is no JSON: {error}")))?;
@@ -157,6 +162,7 @@ fn to_json(report: &Report, exit: Exit) -> Result<Value, Failure> {
     value["exit_code"] = json!(exit as u8);
     value["folder"] = json!(report.folder.display().to_string());
     value["picture"] = json!(picture(report).map(|p| p.display().to_string()));
+    value["report"] = json!(page(report).map(|p| p.display().to_string()));
     Ok(value)
 }
 
@@ -173,6 +179,9 @@ fn to_text(report: &Report) -> String {
     };
     let mut rows = Rows::default();
     rows.add("results", folder.to_string());
+    if let Some(page) = page(report) {
+        rows.add("report", format!("{} (open it in a browser)", page.display()));
+    }
     if let Some(picture) = picture(report) {
         rows.add("picture", picture.display().to_string());
     }

@@ -20,6 +20,7 @@ pub mod measure;
 pub mod neighbours;
 pub mod output;
 pub mod particles;
+pub mod report;
 pub mod results;
 pub mod scenario;
 pub mod simulation;

@@ -1,5 +1,6 @@
 // A packing in 3D: grains as exact spheres, force chains as cylinders, walls translucent. Shared by report and viewer.
 import * as THREE from "three";
+import { Axes } from "./scene/axes";
 import { CameraRig, type ViewName } from "./scene/camera";
 import { Chains } from "./scene/chains";
 import { automaticRange, categoryTexture, mapTexture, NO_VALUE_COLOUR, type MapName } from "./scene/colours";
@@ -93,6 +94,7 @@ export class PackingScene {
     readonly #spheres: Spheres;
     readonly #chains: Chains;
     readonly #walls: Walls;
+    readonly #axes = new Axes();
     readonly #watch: ResizeObserver;
     #grains: Grains = { position: new Float32Array(), radius: new Float32Array(), id: new Uint32Array(), scalars: new Map() };
     #contacts: Contacts | null = null;
@@ -128,7 +130,7 @@ export class PackingScene {
         this.canvas.tabIndex = 0;
         this.canvas.setAttribute("role", "application");
         this.canvas.setAttribute("aria-label", options.label);
-        container.replaceChildren(this.canvas);
+        container.replaceChildren(this.canvas, this.#axes.element);
         this.#rig = new CameraRig(this.canvas, () => this.render());
 
         const noValue = { value: rgb(NO_VALUE_COLOUR) };
@@ -295,6 +297,12 @@ export class PackingScene {
         return blob;
     }
 
+    /** The picture as it is now, as the address of an image, for printing. */
+    picture(): string {
+        this.#draw();
+        return this.canvas.toDataURL("image/png");
+    }
+
     /** Asks for a picture; many requests make one. */
     render(): void {
         this.#pending ||= requestAnimationFrame(() => this.#draw());
@@ -311,7 +319,7 @@ export class PackingScene {
             map.dispose();
         }
         this.#renderer.dispose();
-        this.canvas.remove();
+        this.#container.replaceChildren();
     }
 
     #fitFirst(): void {
@@ -382,6 +390,7 @@ export class PackingScene {
         camera.updateMatrixWorld();
         this.#space.projection.value.copy(camera.projectionMatrix);
         this.#placeClip(camera.matrixWorldInverse);
+        this.#axes.follow(camera);
         this.#renderer.render(this.#scene, camera);
     }
 

@@ -194,6 +194,11 @@ impl RunFolder {
         self.root.join("packing.png")
     }
 
+    /// The report, a page for browsers.
+    pub fn report(&self) -> PathBuf {
+        self.root.join("report.html")
+    }
+
     /// The folder of the frames.
     pub fn frames(&self) -> PathBuf {
         self.root.join("frames")

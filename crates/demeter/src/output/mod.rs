@@ -18,7 +18,7 @@ mod rows;
 pub mod series;
 mod summary;
 mod tables;
-mod ticks;
+pub(crate) mod ticks;
 mod vti;
 pub(crate) mod vtk;
 pub mod vtp;

@@ -59,7 +59,7 @@ pub(super) fn round_up(value: f64) -> f64 {
 }
 
 /// The SI prefix with which a number of this magnitude is best written, and its value.
-pub(super) fn si_prefix(magnitude: f64) -> (&'static str, f64) {
+pub(crate) fn si_prefix(magnitude: f64) -> (&'static str, f64) {
     const PREFIXES: [(&str, f64); 9] = [
         ("G", 1e9),
         ("M", 1e6),

@@ -214,6 +214,7 @@ impl Scenario {
             output: OutputSpec {
                 cadence: protocol.cadence,
                 picture: !told.no_picture,
+                report: !told.no_report,
                 plots: told.plots,
                 strain: told.strain,
             },

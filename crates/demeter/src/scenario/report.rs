@@ -7,6 +7,7 @@ use super::run_error::RunError;
 use crate::contacts::Fault;
 use crate::output::picture::{PictureOptions, render_packing};
 use crate::output::{OutputError, Summary, path_lines};
+use crate::report;
 use crate::simulation::Phase;
 use std::path::{Path, PathBuf};
 
@@ -63,6 +64,21 @@ impl Runner<'_> {
             ));
         }
         warnings
+    }
+
+    /// Writes the report. Without one the run is as good, so that it is only warned of.
+    fn write_page(&mut self) -> Result<(), RunError> {
+        if !self.scenario.output.report {
+            return Ok(());
+        }
+        let problems = match report::write_at_the_end(self.folder.root()) {
+            Ok(written) => written.problems,
+            Err(error) => vec![format!("no report: {error}")],
+        };
+        for problem in problems {
+            self.say(&format!("warning: {problem}"))?;
+        }
+        Ok(())
     }
 
     /// Writes the paths of grains, which are tables so far, as lines.
@@ -131,6 +147,7 @@ impl Runner<'_> {
         self.sim.took(Phase::Output);
         summary.profile = self.sim.profile();
         summary.write(&self.folder)?;
+        self.write_page()?;
         Ok(Report {
             end,
             summary,

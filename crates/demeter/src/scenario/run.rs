@@ -352,7 +352,7 @@ impl<'a> Runner<'a> {
     }
 
     /// Tells the observer and the log.
-    fn say(&mut self, text: &str) -> Result<(), RunError> {
+    pub(super) fn say(&mut self, text: &str) -> Result<(), RunError> {
         self.observer.message(text);
         Ok(self.folder.log_line(text)?)
     }

@@ -196,6 +196,8 @@ pub struct OutputSpec {
     pub cadence: Cadence,
     /// Whether the report shows a picture of the last state.
     pub picture: bool,
+    /// Whether the run ends with a report for browsers.
+    pub report: bool,
     /// Plots beside those that every run has.
     pub plots: Vec<PlotSpec>,
     /// The wall whose displacement tells the strain of the packing.
@@ -260,6 +262,7 @@ pub(super) fn cadence(told: Intervals, duration: f64) -> Cadence {
 pub(super) struct OutputTold {
     pub intervals: Intervals,
     pub no_picture: bool,
+    pub no_report: bool,
     pub plots: Vec<PlotSpec>,
     pub strain: Option<StrainGauge>,
 }
@@ -271,6 +274,7 @@ pub(super) fn output(root: &TableReader<'_>, walls: &[WallSpec]) -> OutputTold {
     };
     told.intervals = intervals(&table);
     told.no_picture = table.optional("picture").is_some_and(|i| !i.boolean());
+    told.no_report = table.optional("report").is_some_and(|i| !i.boolean());
     told.strain = table
         .optional("strain")
         .and_then(|i| i.table())

@@ -1,6 +1,6 @@
 // The legend of a plot: buttons that show and hide lines, and the values under the cursor.
 import type uPlot from "uplot";
-import { readable, titled } from "./table";
+import { readable, titled } from "../units";
 
 export interface LegendEntry {
     label: string;

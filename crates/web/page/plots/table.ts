@@ -1,4 +1,5 @@
 // Tables that say in numbers what a plot draws.
+import { readable, titled } from "../units";
 
 export interface TableColumn {
     label: string;
@@ -7,22 +8,6 @@ export interface TableColumn {
 }
 
 const MOST_ROWS = 200;
-
-/** A number with at most five digits, as people write it. */
-export function readable(value: number): string {
-    if (!Number.isFinite(value)) {
-        return Number.isNaN(value) ? "–" : value > 0 ? "∞" : "−∞";
-    }
-    const size = Math.abs(value);
-    const text =
-        value === 0 ? "0" : size >= 1e5 || size < 1e-3 ? value.toExponential(3).replace(/\.?0+e/, "e") : String(Number(value.toPrecision(5)));
-    return text.replaceAll("-", "−").replace("e+", "e");
-}
-
-/** A heading with its unit. */
-export function titled(label: string, unit: string): string {
-    return unit === "" ? label : `${label} [${unit}]`;
-}
 
 /** A table of columns; of long ones every so many rows, which its caption tells. */
 export function dataTable(caption: string, columns: TableColumn[]): HTMLElement {
@@ -48,7 +33,7 @@ export function dataTable(caption: string, columns: TableColumn[]): HTMLElement 
     scroller.className = "table-scroller";
     scroller.tabIndex = 0;
     scroller.setAttribute("role", "region");
-    scroller.setAttribute("aria-label", caption);
+    scroller.setAttribute("aria-label", `Numbers of ${caption}`);
     scroller.append(table);
     return scroller;
 }

@@ -66,6 +66,6 @@ export function zoomButtons(plot: () => uPlot, whole: () => Ranges): HTMLElement
     };
     add("−", "Zoom out", () => stretch(plot(), 1.4));
     add("+", "Zoom in", () => stretch(plot(), 1 / 1.4));
-    add("Reset", "See everything", () => reset(plot(), whole()));
+    add("Reset", "Reset: see everything", () => reset(plot(), whole()));
     return group;
 }

@@ -1,0 +1,44 @@
+// What colours mean: a bar with its ends, or the names of categories.
+import { make } from "../dom";
+import { readable, scaled, titled } from "../units";
+import type { ColourScale } from "../scene";
+import { categoryColour, mapGradient, NO_VALUE_COLOUR } from "./colours";
+
+/** Most names of categories that are listed. */
+const MOST_NAMES = 20;
+
+/** The key of the colours of a scene. */
+export function colourKey(scale: ColourScale, unit: string, values: Float32Array | undefined): HTMLElement {
+    const key = make("div", { class: "colour-key" });
+    if (scale.names) {
+        const present = new Set(values ?? []);
+        const shown = scale.names.map((name, k) => [name, k] as const).filter(([, k]) => present.has(k));
+        key.append(make("span", { class: "key-title" }, scale.scalar));
+        for (const [name, k] of shown.slice(0, MOST_NAMES)) {
+            const swatch = make("span", { class: "key-swatch" });
+            swatch.style.background = categoryColour(k);
+            key.append(make("span", { class: "key-name" }, swatch, name));
+        }
+        if (shown.length > MOST_NAMES) {
+            key.append(`and ${shown.length - MOST_NAMES} more`);
+        }
+        return key;
+    }
+    const [low, high] = scale.range;
+    const { unit: shown, factor } = scaled(Math.max(Math.abs(low), Math.abs(high)), unit);
+    const bar = make("span", { class: "key-bar" });
+    bar.style.background = mapGradient(scale.map);
+    const [below, above] = scale.beyond;
+    key.append(
+        make("span", { class: "key-title" }, titled(scale.scalar, shown)),
+        make("span", { class: "key-end" }, `${below ? "≤ " : ""}${readable(low / factor, 3)}`),
+        bar,
+        make("span", { class: "key-end" }, `${above ? "≥ " : ""}${readable(high / factor, 3)}`),
+    );
+    if (values?.some((value) => !Number.isFinite(value))) {
+        const swatch = make("span", { class: "key-swatch" });
+        swatch.style.background = NO_VALUE_COLOUR;
+        key.append(make("span", { class: "key-name" }, swatch, "no value"));
+    }
+    return key;
+}

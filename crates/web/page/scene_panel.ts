@@ -1,0 +1,327 @@
+// A scene with its controls: colours, force chains, opacities, clip plane, views, and what is known of a picked grain.
+import { button, choice, group, make, save, slider, tick, type Slider } from "./dom";
+import { CAMERA_KEYS, createScene, type Contacts, type Grains, type MapName, type PackingScene, type ViewName, type WallSurface } from "./scene";
+import { colourKey } from "./scene/colour_key";
+import { quantity, readable, scaled } from "./units";
+
+/** A scalar of grains, for the list of colours. */
+export interface ScalarInfo {
+    name: string;
+    unit: string;
+    meaning: string;
+}
+
+/** What is shown at a moment. */
+export interface PackingState {
+    grains: Grains;
+    contacts: (Contacts & { wall: Float32Array; meanForce: number }) | null;
+    walls: WallSurface[];
+    scalars: ScalarInfo[];
+}
+
+export interface PanelOptions {
+    label: string;
+    /** Name of saved pictures, without extension. */
+    fileName: string;
+    /** Whether what is known of a picked grain is told below the view; otherwise whoever listens to `onPick` tells it. */
+    describes?: boolean;
+    /** Called with the id of the picked grain, or null. */
+    onPick?: (id: number | null) => void;
+}
+
+type Axis = "x" | "y" | "z";
+const MAPS: [MapName, string][] = [
+    ["viridis", "Viridis"],
+    ["cividis", "Cividis"],
+    ["coolwarm", "Cool to warm"],
+    ["grey", "Grey"],
+];
+const VIEWS: [ViewName, string][] = [
+    ["oblique", "Oblique"],
+    ["front", "Front"],
+    ["side", "Side"],
+    ["top", "Top"],
+];
+/** Grains become this opaque when force chains are shown, so that these are seen. */
+const BESIDE_CHAINS = 0.12;
+const NOTHING_PICKED = "Click a grain to see its values.";
+/** Most contacts of a grain that are listed. */
+const MOST_LISTED = 30;
+
+const percent = (share: number) => `${Math.round(100 * share)} %`;
+
+/** A 3D view with controls; without WebGL a message in the place of the view, and no controls. */
+export class ScenePanel {
+    readonly scene: PackingScene | null;
+    readonly element = make("div", { class: "scene-panel" });
+    /** The column of the view, for what belongs below it. */
+    readonly view = make("div", { class: "scene-view" });
+    /** The column of the controls; not on the page without WebGL. */
+    readonly controls = make("div", { class: "scene-controls" });
+    readonly #options: PanelOptions;
+    readonly #key = make("div", { class: "key-holder" });
+    readonly #picked = make("div", { class: "picked", role: "status" });
+    readonly #chainsTold = make("p", { class: "hint" });
+    #state: PackingState = { grains: { position: new Float32Array(), radius: new Float32Array(), id: new Uint32Array(), scalars: new Map() }, contacts: null, walls: [], scalars: [] };
+    #colour: { scalar: string; map: MapName; range: [number, number] | null } = { scalar: "", map: "viridis", range: null };
+    #chains = { shown: false, threshold: 1 };
+    #clip: { axis: Axis | ""; share: number; flipped: boolean } = { axis: "", share: 0.5, flipped: false };
+    #scalars!: HTMLSelectElement;
+    #range!: [HTMLInputElement, HTMLInputElement];
+    #grainOpacity!: Slider;
+
+    constructor(container: HTMLElement, options: PanelOptions) {
+        this.#options = options;
+        const frame = make("div", { class: "scene-frame" });
+        this.view.append(frame, this.#key);
+        this.element.append(this.view);
+        container.replaceChildren(this.element);
+        this.scene = createScene(frame, { label: this.#label(), onPick: (id) => this.pick(id) });
+        if (this.scene) {
+            this.element.append(this.controls);
+            this.controls.append(this.#colourControls(), this.#grainControls(), this.#chainControls(), this.#clipControls(), this.#viewControls(this.scene));
+            if (options.describes ?? true) {
+                this.view.append(this.#picked);
+                this.#picked.textContent = NOTHING_PICKED;
+            }
+            printAsImage(frame, this.scene);
+        }
+    }
+
+    #label(): string {
+        const keys = CAMERA_KEYS.map(([key, what]) => `${key}: ${what}`).join("; ");
+        return `${this.#options.label}, a 3D view. ${keys}.`;
+    }
+
+    /** Shows a state; colours, chains and the clip plane stay as they are chosen. */
+    show(state: PackingState): void {
+        if (!this.scene) {
+            return;
+        }
+        this.#state = state;
+        const names = state.scalars.map((scalar) => scalar.name);
+        if (names.join() !== Array.from(this.#scalars.options, (o) => o.value).join()) {
+            this.#scalars.replaceChildren(...names.map((name) => make("option", { value: name }, name)));
+        }
+        if (!names.includes(this.#colour.scalar)) {
+            this.#colour.scalar = firstTelling(state);
+        }
+        this.#scalars.value = this.#colour.scalar;
+        this.scene.setGrains(state.grains);
+        this.scene.setContacts(state.contacts);
+        this.scene.setWalls(state.walls);
+        this.#recolour();
+        this.#redrawChains();
+        this.#recut();
+    }
+
+    /** Colours the grains by a scalar. */
+    colourBy(scalar: string): void {
+        this.#colour = { ...this.#colour, scalar, range: null };
+        this.#scalars.value = scalar;
+        this.#recolour();
+    }
+
+    /** Picks a grain, or none. */
+    pick(id: number | null): void {
+        this.scene?.highlight(id === null ? [] : [id]);
+        this.#picked.replaceChildren(...(id === null ? [NOTHING_PICKED] : this.#describe(id)));
+        this.#options.onPick?.(id);
+    }
+
+    #colourControls(): HTMLElement {
+        const scalars = choice("Colour grains by", [], (value) => this.colourBy(value));
+        this.#scalars = scalars.select;
+        const maps = choice("Colours", MAPS, (value) => {
+            this.#colour.map = value as MapName;
+            this.#recolour();
+        });
+        const end = (label: string) => {
+            const input = make("input", { type: "number", step: "any", "aria-label": label });
+            input.addEventListener("change", () => this.#rangeTyped());
+            return input;
+        };
+        this.#range = [end("From"), end("To")];
+        const automatic = button("Automatic", () => {
+            this.#colour.range = null;
+            this.#recolour();
+        });
+        const range = make("div", { class: "range-row" }, this.#range[0], make("span", {}, "to"), this.#range[1], automatic);
+        return group("Colours", scalars.element, maps.element, range);
+    }
+
+    #rangeTyped(): void {
+        const [low, high] = this.#range.map((input) => input.valueAsNumber) as [number, number];
+        const { factor } = this.#shownUnit();
+        const ok = Number.isFinite(low) && Number.isFinite(high) && low < high;
+        this.#range.forEach((input) => input.setAttribute("aria-invalid", String(!ok)));
+        if (ok) {
+            this.#colour.range = [low * factor, high * factor];
+            this.#recolour();
+        }
+    }
+
+    #shownUnit(): { unit: string; factor: number } {
+        const [low, high] = this.scene?.colourScale.range ?? [0, 1];
+        const unit = this.#state.scalars.find((s) => s.name === this.#colour.scalar)?.unit ?? "";
+        return scaled(Math.max(Math.abs(low), Math.abs(high)), unit);
+    }
+
+    #recolour(): void {
+        const { scalar, range, map } = this.#colour;
+        const scale = this.scene!.colourBy(scalar, range, map);
+        const info = this.#state.scalars.find((s) => s.name === scalar);
+        this.#key.replaceChildren(colourKey(scale, info?.unit ?? "", this.#state.grains.scalars.get(scalar)));
+        if (info?.meaning) {
+            this.#key.append(make("span", { class: "key-meaning" }, info.meaning));
+        }
+        const { factor } = this.#shownUnit();
+        scale.range.forEach((value, k) => {
+            const input = this.#range[k as 0 | 1];
+            input.value = String(Number((value / factor).toPrecision(4)));
+            input.disabled = scale.names !== null;
+            input.setAttribute("aria-invalid", "false");
+        });
+    }
+
+    #grainControls(): HTMLElement {
+        const scene = this.scene!;
+        this.#grainOpacity = slider("Opacity of grains", { min: 0, max: 1, step: 0.02, value: 1 }, percent, (v) => scene.setGrainOpacity(v));
+        const size = slider("Size of grains", { min: 0.1, max: 1, step: 0.05, value: 1 }, percent, (v) => scene.setGrainSize(v));
+        const walls = slider("Opacity of walls", { min: 0, max: 1, step: 0.02, value: 0.18 }, percent, (v) => scene.setWallOpacity(v));
+        return group("Grains and walls", this.#grainOpacity.element, size.element, walls.element);
+    }
+
+    #chainControls(): HTMLElement {
+        const shown = tick("Show force chains", false, (value) => {
+            this.#chains.shown = value;
+            if (value && this.#grainOpacity.input.valueAsNumber === 1) {
+                this.#grainOpacity.set(BESIDE_CHAINS);
+            } else if (!value && this.#grainOpacity.input.valueAsNumber === BESIDE_CHAINS) {
+                this.#grainOpacity.set(1);
+            }
+            this.#redrawChains();
+        });
+        const told = (v: number) => (v === 0 ? "all contacts" : `from ${readable(v, 2)} × mean`);
+        const threshold = slider("Normal force", { min: 0, max: 5, step: 0.1, value: 1 }, told, (v) => {
+            this.#chains.threshold = v;
+            this.#redrawChains();
+        });
+        return group("Force chains", shown.element, threshold.element, this.#chainsTold);
+    }
+
+    #redrawChains(): void {
+        const contacts = this.#state.contacts;
+        const mean = contacts?.meanForce ?? 0;
+        const drawn = this.scene!.showChains(this.#chains.shown, this.#chains.threshold * mean);
+        const all = contacts?.idI.length ?? 0;
+        const none = all === 0 ? "No contact carries a force in this state." : `Mean normal force ${quantity(mean, "N")}.`;
+        this.#chainsTold.textContent = this.#chains.shown && all > 0 ? `${drawn} of ${all} contacts; thicker is stronger. ${none}` : none;
+    }
+
+    #clipControls(): HTMLElement {
+        const position = slider("Position", { min: 0, max: 1, step: 0.01, value: 0.5 }, (share) => this.#clipTold(share), (share) => {
+            this.#clip.share = share;
+            this.#recut();
+        });
+        const axes: [string, string][] = [["", "off"], ["x", "across x"], ["y", "across y"], ["z", "across z"]];
+        const axis = choice("Cut", axes, (value) => {
+            this.#clip.axis = value as Axis | "";
+            position.input.disabled = value === "";
+            position.set(position.input.valueAsNumber);
+        });
+        const flip = tick("Show the other side", false, (value) => {
+            this.#clip.flipped = value;
+            this.#recut();
+        });
+        position.input.disabled = true;
+        return group("Clip plane", axis.element, position.element, flip.element);
+    }
+
+    #clipPlace(share: number): number {
+        const box = this.scene!.bounds();
+        const axis = this.#clip.axis || "x";
+        return box.isEmpty() ? 0 : box.min[axis] + share * (box.max[axis] - box.min[axis]);
+    }
+
+    #clipTold(share: number): string {
+        return this.#clip?.axis ? `${this.#clip.axis} = ${quantity(this.#clipPlace(share), "m")}` : "";
+    }
+
+    #recut(): void {
+        const { axis, share, flipped } = this.#clip;
+        if (axis === "") {
+            this.scene!.setClipPlane(null);
+            return;
+        }
+        // the side towards the oblique view is cut away unless told otherwise
+        const sign = (axis === "y" ? -1 : 1) * (flipped ? -1 : 1);
+        const normal: [number, number, number] = [axis === "x" ? sign : 0, axis === "y" ? sign : 0, axis === "z" ? sign : 0];
+        this.scene!.setClipPlane({ normal, offset: sign * this.#clipPlace(share) });
+    }
+
+    #viewControls(scene: PackingScene): HTMLElement {
+        const views = VIEWS.map(([name, text]) => button(text, () => scene.view(name)));
+        const picture = button("Save picture", () => void scene.screenshot().then((blob) => save(blob, `${this.#options.fileName}.png`)));
+        const full = button("Full screen", () => void (document.fullscreenElement ? document.exitFullscreen() : this.element.requestFullscreen()));
+        full.hidden = !document.fullscreenEnabled;
+        const keys = make("dl", { class: "keys" }, ...CAMERA_KEYS.flatMap(([key, what]) => [make("dt", {}, key), make("dd", {}, what)]));
+        const help = make("details", {}, make("summary", {}, "Mouse and keys"), make("p", {}, "Drag to turn, drag with the right button to move; the wheel zooms once the view has the focus. With the focus on the view:"), keys);
+        return group("View", make("div", { class: "button-row" }, ...views), make("div", { class: "button-row" }, picture, full), help);
+    }
+
+    /** The values and contacts of a grain. */
+    #describe(id: number): Node[] {
+        const { grains, contacts, scalars } = this.#state;
+        const k = grains.id.indexOf(id);
+        if (k < 0) {
+            return [make("p", {}, `Grain ${id} is not there.`)];
+        }
+        const list = make("dl", { class: "values" });
+        const add = (name: string, value: string) => list.append(make("div", {}, make("dt", {}, name), make("dd", {}, value)));
+        const centre = Array.from(grains.position.subarray(3 * k, 3 * k + 3), (x) => quantity(x, "m"));
+        add("centre", `(${centre.join(", ")})`);
+        for (const { name, unit } of scalars) {
+            const value = grains.scalars.get(name)?.[k] ?? NaN;
+            const names = grains.categories?.get(name);
+            add(name, names ? (names[value] ?? String(value)) : quantity(value, unit));
+        }
+        const parts: Node[] = [make("h3", {}, `Grain ${id}`), list];
+        const lines = contacts ? this.#contactsOf(id) : [];
+        if (lines.length > 0) {
+            const more = lines.length > MOST_LISTED ? [make("li", {}, `and ${lines.length - MOST_LISTED} more`)] : [];
+            parts.push(make("details", {}, make("summary", {}, `${lines.length} contacts`), make("ul", {}, ...lines.slice(0, MOST_LISTED).map((line) => make("li", {}, line)), ...more)));
+        }
+        return parts;
+    }
+
+    #contactsOf(id: number): string[] {
+        const { contacts, walls } = this.#state;
+        const { idI, idJ, wall, normalForce, totalForce } = contacts!;
+        const found: [number, string][] = [];
+        for (let k = 0; k < idI.length; k++) {
+            if (idI[k] === id || (wall[k]! < 0 && idJ[k] === id)) {
+                const name = walls.find((w) => w.index === wall[k])?.name;
+                const partner = wall[k]! >= 0 ? `wall ${name ?? wall[k]}` : `grain ${idI[k] === id ? idJ[k] : idI[k]}`;
+                found.push([totalForce[k]!, `${partner}: normal force ${quantity(normalForce[k]!, "N")}, force ${quantity(totalForce[k]!, "N")}`]);
+            }
+        }
+        return found.sort((a, b) => b[0] - a[0]).map(([, text]) => text);
+    }
+}
+
+/** The first scalar that tells grains apart, in the order of the list. */
+function firstTelling(state: PackingState): string {
+    const tells = (name: string) => {
+        const values = state.grains.scalars.get(name);
+        return values !== undefined && values.some((v) => v !== values[0]);
+    };
+    return (state.scalars.find((s) => tells(s.name)) ?? state.scalars[0])?.name ?? "";
+}
+
+/** Puts an image in the place of the canvas while the page is printed: browsers forget what WebGL has drawn. */
+function printAsImage(frame: HTMLElement, scene: PackingScene): void {
+    const image = make("img", { class: "print-only", alt: "The 3D view as it was on the screen" });
+    frame.append(image);
+    window.addEventListener("beforeprint", () => (image.src = scene.picture()));
+}

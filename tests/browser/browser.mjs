@@ -1,0 +1,86 @@
+// Headless Chromium, with WebGL in software, and what tests ask of a page.
+import assert from "node:assert/strict";
+import { existsSync, mkdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { chromium } from "playwright-core";
+
+const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+
+/** Where Chromium is: DEMETER_CHROMIUM, or on the path. */
+export function executable() {
+    const told = process.env.DEMETER_CHROMIUM;
+    const places = (process.env.PATH ?? "").split(":").flatMap((folder) => NAMES.map((name) => join(folder, name)));
+    const found = told ?? places.find((place) => existsSync(place));
+    assert.ok(found, "no Chromium on the path; install it or tell its place with DEMETER_CHROMIUM");
+    return found;
+}
+
+/** Starts Chromium; `webgl: false` without WebGL. */
+export function launch({ webgl = true } = {}) {
+    const gl = webgl ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"] : ["--disable-3d-apis"];
+    return chromium.launch({ executablePath: executable(), args: ["--no-sandbox", ...gl] });
+}
+
+/** A page that remembers what went wrong on it: messages of errors, requests to a network, dialogs. */
+export async function open(browser, address, options = {}) {
+    const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, ...options });
+    const faults = [];
+    page.on("console", (message) => ["error", "warning"].includes(message.type()) && faults.push(`console: ${message.text()}`));
+    page.on("pageerror", (error) => faults.push(`error: ${error.message}`));
+    page.on("dialog", (dialog) => {
+        faults.push(`dialog: ${dialog.message()}`);
+        void dialog.dismiss();
+    });
+    page.on("request", (request) => {
+        if (!/^(file|data|blob):/.test(request.url()) && !options.allows?.test(request.url())) {
+            faults.push(`request: ${request.url()}`);
+        }
+    });
+    await page.goto(address);
+    return { page, faults };
+}
+
+/** How many different colours a picture has, and how much of it differs from another of the same size. */
+export async function compare(browser, a, b = a) {
+    const page = await browser.newPage();
+    const result = await page.evaluate(
+        async (pictures) => {
+            const pixels = [];
+            for (const picture of pictures) {
+                const image = new Image();
+                image.src = `data:image/png;base64,${picture}`;
+                await image.decode();
+                const canvas = new OffscreenCanvas(image.width, image.height);
+                const context = canvas.getContext("2d");
+                context.drawImage(image, 0, 0);
+                pixels.push(new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer));
+            }
+            const [first, second] = pixels;
+            let different = 0;
+            first.forEach((pixel, k) => (different += pixel === second[k] ? 0 : 1));
+            return { colours: new Set(first).size, different: different / first.length };
+        },
+        [a.toString("base64"), b.toString("base64")],
+    );
+    await page.close();
+    return result;
+}
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** What axe-core finds wrong with a page, one line each. */
+export async function accessibility(page) {
+    await page.evaluate(axe);
+    const { violations } = await page.evaluate(() => window.axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"] }));
+    return violations.flatMap((rule) => rule.nodes.map((node) => `${rule.id}: ${rule.help}: ${node.target.join(" ")} ${node.failureSummary}`));
+}
+
+/** Keeps a picture for people to look at, where DEMETER_PICTURES tells a folder. */
+export async function keep(page, name, options = { fullPage: true }) {
+    const folder = process.env.DEMETER_PICTURES;
+    if (folder) {
+        mkdirSync(folder, { recursive: true });
+        await page.screenshot({ path: join(folder, `${name}.png`), ...options });
+    }
+}
