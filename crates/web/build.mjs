@@ -13,7 +13,7 @@ const dist = join(here, "dist");
 const check = process.argv.includes("--check");
 // every page that has an entry point; each becomes NAME.js and NAME.css
 const pages = ["report", "viewer"].filter((name) => existsSync(join(here, "page", `${name}.ts`)));
-const bundled = ["three", "uplot"];
+const bundled = ["three", "uplot", "fflate", "webm-muxer"];
 
 const licences = bundled
     .map((name) => {

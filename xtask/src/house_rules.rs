@@ -5,7 +5,7 @@ use crate::shell::{read, rust_files};
 use std::path::Path;
 
 /// Crates that neither print nor exit; only the command line does.
-const SILENT: [&str; 4] = ["physics", "demeter", "web", "python"];
+const SILENT: [&str; 5] = ["physics", "demeter", "web", "viewer", "python"];
 const PRINTING: [&str; 5] = ["print", "println", "eprint", "eprintln", "dbg"];
 /// Names that say nothing of what is inside.
 const EMPTY_NAMES: [&str; 5] = ["utils", "util", "common", "misc", "helpers"];

@@ -21,20 +21,22 @@ const ORDER: [&[&str]; 11] = [
 ];
 
 /// Crates and those of the workspace that they may depend on.
-const CRATES: [(&str, &[&str]); 6] = [
+const CRATES: [(&str, &[&str]); 7] = [
     ("physics", &[]),
     ("web", &[]),
     ("demeter", &["demeter-physics", "demeter-web"]),
-    ("cli", &["demeter", "demeter-physics"]),
+    ("viewer", &["demeter", "demeter-physics", "demeter-web"]),
+    ("cli", &["demeter", "demeter-physics", "demeter-viewer"]),
     ("python", &["demeter", "demeter-physics"]),
     ("validation", &["demeter"]),
 ];
 
 /// Names of the workspace's crates.
-const PACKAGES: [&str; 6] = [
+const PACKAGES: [&str; 7] = [
     "demeter",
     "demeter-physics",
     "demeter-web",
+    "demeter-viewer",
     "demeter-cli",
     "demeter-py",
     "demeter-validation",

@@ -30,6 +30,9 @@ pub enum Command {
     /// Write the report of a run anew from what is in its folder, also while it goes on or after a kill
     #[command(after_help = exit::HELP)]
     Report(ReportArguments),
+    /// Look at a run in the browser: its whole history, also while it goes on
+    #[command(after_help = exit::HELP)]
+    View(ViewArguments),
     /// Collide two bodies: restitution, contact time, outcome, energies
     #[command(after_help = exit::HELP)]
     Collide(CollideArguments),
@@ -66,6 +69,7 @@ impl Command {
             Self::Check(a) => a.json,
             Self::Resume(a) => a.output.json,
             Self::Report(a) => a.json,
+            Self::View(_) => false,
             Self::Collide(a) => a.json,
             Self::ContactCurve(a) => a.json,
             Self::Sticking(a) => a.json,
@@ -144,6 +148,25 @@ pub struct ReportArguments {
     /// Write one JSON object to standard output
     #[arg(long)]
     pub json: bool,
+}
+
+/// Of `demeter view`.
+#[derive(Debug, Args)]
+pub struct ViewArguments {
+    /// The folder of the run
+    ///
+    /// It is served at 127.0.0.1 until Ctrl-C, to programs of this machine only, whoever runs them; nothing outside the
+    /// folder is read, and nothing is written.
+    pub folder: PathBuf,
+    /// The port; a free one when left out
+    #[arg(long, default_value_t = 0, hide_default_value = true)]
+    pub port: u16,
+    /// Only print the address
+    #[arg(long)]
+    pub no_browser: bool,
+    /// Compress what is sent: for slow connections, such as a tunnel to a cluster
+    #[arg(long)]
+    pub compress: bool,
 }
 
 /// Of `demeter check`.

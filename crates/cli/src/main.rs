@@ -29,6 +29,7 @@ mod schema;
 mod sticking;
 mod suggestion;
 mod table;
+mod view;
 
 use answer::note;
 use arguments::{Arguments, Command};
@@ -50,6 +51,7 @@ fn main() -> ExitCode {
         Command::Resume(arguments) => run::resume(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Report(arguments) => report::report(&arguments),
+        Command::View(arguments) => view::view(&arguments),
         Command::Collide(arguments) => collide::collide(&arguments),
         Command::ContactCurve(arguments) => contact_curve::contact_curve(&arguments),
         Command::Sticking(arguments) => sticking::sticking(&arguments),

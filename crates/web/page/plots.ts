@@ -5,7 +5,7 @@ import { button } from "./dom";
 import "uplot/dist/uPlot.min.css";
 import { describe, entry, extent, grows, loopPlot, nearest, timePlot } from "./plots/drawing";
 import { Legend, valuesAt } from "./plots/legend";
-import { drawMarks } from "./plots/marks";
+import { drawMarks, drawNow } from "./plots/marks";
 import { foldedTable, type TableColumn } from "./plots/table";
 import { listenToKeys, reset, zoomButtons, type Ranges } from "./plots/zoom";
 
@@ -34,6 +34,8 @@ export interface PlotOptions {
     yLabel?: string;
     /** Offers to make the vertical axis logarithmic. */
     canBeLog?: boolean;
+    /** Called with the horizontal value of a place that was clicked. */
+    onPlace?: (value: number) => void;
     /** Plots with the same link zoom together and show the values of the same place. */
     link?: Link;
 }
@@ -80,6 +82,7 @@ export class Plot {
     #plot!: uPlot;
     #legend!: Legend;
     #whole: Ranges = {};
+    #now: number | null = null;
 
     constructor(container: HTMLElement, options: PlotOptions) {
         this.#options = options;
@@ -126,6 +129,14 @@ export class Plot {
         this.#plot.setScale("x", { min, max });
     }
 
+    /** Marks a place of the horizontal axis: the moment that is shown elsewhere. */
+    setNow(value: number | null): void {
+        if (value !== this.#now) {
+            this.#now = value;
+            this.#plot.redraw(false, false);
+        }
+    }
+
     reset(): void {
         reset(this.#plot, this.#whole);
     }
@@ -157,6 +168,20 @@ export class Plot {
         }
     }
 
+    /** A click, but not the end of a drag, tells the place. */
+    #listen(plot: uPlot): void {
+        const { onPlace } = this.#options;
+        if (onPlace) {
+            let down = NaN;
+            plot.over.addEventListener("mousedown", (event) => (down = event.clientX));
+            plot.over.addEventListener("click", (event) => {
+                if (Math.abs(event.clientX - down) < 4) {
+                    onPlace(plot.posToVal(event.offsetX, "x"));
+                }
+            });
+        }
+    }
+
     #size(): { width: number; height: number } {
         return { width: Math.max(this.#surface.clientWidth, 200), height: this.#options.height ?? HEIGHT };
     }
@@ -180,7 +205,8 @@ export class Plot {
         const made = loop ? loopPlot(options, entries) : timePlot(options, entries);
         made.options.hooks = {
             setCursor: [(plot) => this.#legend.show(...(loop ? nearest(plot) : valuesAt(plot)))],
-            draw: [(plot) => drawMarks(plot, options.marks ?? [])],
+            draw: [(plot) => drawMarks(plot, options.marks ?? []), (plot) => drawNow(plot, this.#now)],
+            ready: [(plot) => this.#listen(plot)],
             setScale: [(plot, scale) => this.#tell(plot, scale)],
         };
         if (options.link && !loop) {

@@ -30,6 +30,8 @@ export interface PanelOptions {
 }
 
 type Axis = "x" | "y" | "z";
+type Direction = [number, number, number];
+const DIRECTIONS: Record<Axis, Direction> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 const MAPS: [MapName, string][] = [
     ["viridis", "Viridis"],
     ["cividis", "Cividis"],
@@ -64,8 +66,9 @@ export class ScenePanel {
     readonly #chainsTold = make("p", { class: "hint" });
     #state: PackingState = { grains: { position: new Float32Array(), radius: new Float32Array(), id: new Uint32Array(), scalars: new Map() }, contacts: null, walls: [], scalars: [] };
     #colour: { scalar: string; map: MapName; range: [number, number] | null } = { scalar: "", map: "viridis", range: null };
+    #chosen = false;
     #chains = { shown: false, threshold: 1 };
-    #clip: { axis: Axis | ""; share: number; flipped: boolean } = { axis: "", share: 0.5, flipped: false };
+    #clip: { axis: Axis | "any" | ""; normal: Direction; share: number; flipped: boolean } = { axis: "", normal: [1, -1, 1], share: 0.5, flipped: false };
     #scalars!: HTMLSelectElement;
     #range!: [HTMLInputElement, HTMLInputElement];
     #grainOpacity!: Slider;
@@ -103,9 +106,7 @@ export class ScenePanel {
         if (names.join() !== Array.from(this.#scalars.options, (o) => o.value).join()) {
             this.#scalars.replaceChildren(...names.map((name) => make("option", { value: name }, name)));
         }
-        if (!names.includes(this.#colour.scalar)) {
-            this.#colour.scalar = firstTelling(state);
-        }
+        this.#chooseScalar(names);
         this.#scalars.value = this.#colour.scalar;
         this.scene.setGrains(state.grains);
         this.scene.setContacts(state.contacts);
@@ -115,8 +116,18 @@ export class ScenePanel {
         this.#recut();
     }
 
+    /** Until somebody chooses: the first scalar of the list that has told grains apart in a state that was shown. */
+    #chooseScalar(names: string[]): void {
+        const at = names.indexOf(this.#colour.scalar);
+        if (at < 0 || !this.#chosen) {
+            const telling = firstTelling(this.#state);
+            this.#colour.scalar = at >= 0 && at < names.indexOf(telling) ? this.#colour.scalar : telling;
+        }
+    }
+
     /** Colours the grains by a scalar. */
     colourBy(scalar: string): void {
+        this.#chosen = true;
         this.#colour = { ...this.#colour, scalar, range: null };
         this.#scalars.value = scalar;
         this.#recolour();
@@ -146,7 +157,11 @@ export class ScenePanel {
             this.#colour.range = null;
             this.#recolour();
         });
-        const range = make("div", { class: "range-row" }, this.#range[0], make("span", {}, "to"), this.#range[1], automatic);
+        const hold = button("Hold", () => {
+            this.#colour.range = [...this.scene!.colourScale.range];
+            this.#recolour();
+        }, { title: "Keep this range in other frames" });
+        const range = make("div", { class: "range-row" }, this.#range[0], make("span", {}, "to"), this.#range[1], automatic, hold);
         return group("Colours", scalars.element, maps.element, range);
     }
 
@@ -224,10 +239,12 @@ export class ScenePanel {
             this.#clip.share = share;
             this.#recut();
         });
-        const axes: [string, string][] = [["", "off"], ["x", "across x"], ["y", "across y"], ["z", "across z"]];
+        const axes: [string, string][] = [["", "off"], ["x", "across x"], ["y", "across y"], ["z", "across z"], ["any", "across any direction"]];
+        const normal = this.#normalControls(() => position.set(position.input.valueAsNumber));
         const axis = choice("Cut", axes, (value) => {
-            this.#clip.axis = value as Axis | "";
+            this.#clip.axis = value as Axis | "any" | "";
             position.input.disabled = value === "";
+            normal.hidden = value !== "any";
             position.set(position.input.valueAsNumber);
         });
         const flip = tick("Show the other side", false, (value) => {
@@ -235,17 +252,48 @@ export class ScenePanel {
             this.#recut();
         });
         position.input.disabled = true;
-        return group("Clip plane", axis.element, position.element, flip.element);
+        return group("Clip plane", axis.element, normal, position.element, flip.element);
     }
 
-    #clipPlace(share: number): number {
+    /** Fields for the direction across which the plane lies. */
+    #normalControls(changed: () => void): HTMLElement {
+        const fields = (["x", "y", "z"] as const).map((name, k) => {
+            const input = make("input", { type: "number", step: "any", value: this.#clip.normal[k]!, "aria-label": `${name} of the direction of the cut` });
+            input.addEventListener("input", () => {
+                const typed = fields.map((field) => field.valueAsNumber);
+                const ok = typed.every(Number.isFinite) && typed.some((v) => v !== 0);
+                fields.forEach((field) => field.setAttribute("aria-invalid", String(!ok)));
+                if (ok) {
+                    this.#clip.normal = typed as Direction;
+                    changed();
+                }
+            });
+            return input;
+        });
+        const row = make("div", { class: "range-row direction" }, "along ", ...fields);
+        row.hidden = true;
+        return row;
+    }
+
+    /** Unit vector across the plane, and the plane's place along it. */
+    #clipPlane(share: number): { normal: Direction; place: number } {
+        const { axis, normal: any } = this.#clip;
+        const given = axis === "any" || axis === "" ? any : DIRECTIONS[axis];
+        const length = Math.hypot(...given);
+        const normal = given.map((c) => c / length) as Direction;
         const box = this.scene!.bounds();
-        const axis = this.#clip.axis || "x";
-        return box.isEmpty() ? 0 : box.min[axis] + share * (box.max[axis] - box.min[axis]);
+        if (box.isEmpty()) {
+            return { normal, place: 0 };
+        }
+        const [low, high] = [box.min.toArray(), box.max.toArray()];
+        const end = (upper: boolean) => normal.reduce((sum, c, k) => sum + c * (c > 0 === upper ? high : low)[k]!, 0);
+        return { normal, place: end(false) + share * (end(true) - end(false)) };
     }
 
     #clipTold(share: number): string {
-        return this.#clip?.axis ? `${this.#clip.axis} = ${quantity(this.#clipPlace(share), "m")}` : "";
+        const { axis } = this.#clip ?? { axis: "" };
+        const name = axis === "any" ? "distance from the origin" : axis;
+        return axis === "" ? "" : `${name} = ${quantity(this.#clipPlane(share).place, "m")}`;
     }
 
     #recut(): void {
@@ -256,8 +304,8 @@ export class ScenePanel {
         }
         // the side towards the oblique view is cut away unless told otherwise
         const sign = (axis === "y" ? -1 : 1) * (flipped ? -1 : 1);
-        const normal: [number, number, number] = [axis === "x" ? sign : 0, axis === "y" ? sign : 0, axis === "z" ? sign : 0];
-        this.scene!.setClipPlane({ normal, offset: sign * this.#clipPlace(share) });
+        const { normal, place } = this.#clipPlane(share);
+        this.scene!.setClipPlane({ normal: normal.map((c) => sign * c) as Direction, offset: sign * place });
     }
 
     #viewControls(scene: PackingScene): HTMLElement {

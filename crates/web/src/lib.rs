@@ -33,5 +33,8 @@ macro_rules! page {
 /// The report of a run.
 pub const REPORT: Page = page!("report");
 
+/// The viewer of `demeter view`.
+pub const VIEWER: Page = page!("viewer");
+
 /// Licences of the libraries that the pages hold.
 pub const LICENCES: &str = include_str!("../dist/LICENCES.txt");

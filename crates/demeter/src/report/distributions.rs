@@ -1,7 +1,8 @@
 //! Distributions of the last state.
 
 use super::figures::{number, quantity};
-use super::packing::{Packing, mean};
+use super::packing::mean;
+use crate::results::Packing;
 use serde_json::{Value, json};
 
 /// Bins of a distribution of forces or overlaps.
@@ -115,7 +116,7 @@ fn by_partner(packing: &Packing, values: &[f64], x: &str, unit: &str) -> Option<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::packing::{Contacts, Grains};
+    use crate::results::{PackedContacts as Contacts, PackedGrains as Grains};
 
     fn packing(normal: &[f64], wall: &[i32]) -> Packing {
         Packing {

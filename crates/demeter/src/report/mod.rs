@@ -20,9 +20,8 @@ mod thin;
 
 pub use error::ReportError;
 
-use crate::results::{Columns, ResultsError, Run};
+use crate::results::{Columns, Packing, ResultsError, Run};
 use outcome::Outcome;
-use packing::Packing;
 use parameters::Parameters;
 use std::fmt::Display;
 use std::io::{Read, Seek, SeekFrom};

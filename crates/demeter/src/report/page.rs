@@ -3,9 +3,9 @@
 use super::distributions::{Distribution, distributions};
 use super::figures::{count, quantity};
 use super::html::{Html, escaped, json_for_script};
-use super::packing::Packing;
 use super::parameters::Parameters;
 use super::{Contents, ledger, outcome, series};
+use crate::results::Packing;
 use serde_json::{Map, Value, json};
 
 /// The parts of the page, by the names of their places and their titles.

@@ -6,12 +6,14 @@
 
 mod columns;
 mod error;
+mod packing;
 mod poly_data;
 pub(crate) mod rows;
 mod run;
 
 pub use columns::{Cells, Column, Columns, Update};
 pub use error::ResultsError;
+pub use packing::{PackedContacts, PackedGrains, PackedWall, Packing, Scalar};
 pub use poly_data::TableFile;
 pub use rows::{column_name, position_of};
 pub use run::{FrameTables, Moment, Run, TableKind};

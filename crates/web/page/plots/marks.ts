@@ -32,3 +32,20 @@ export function drawMarks(plot: uPlot, marks: Mark[]): void {
     ctx.restore();
 }
 
+
+/** A line at the moment that is shown elsewhere. */
+export function drawNow(plot: uPlot, now: number | null): void {
+    const { ctx, bbox } = plot;
+    const x = now === null ? NaN : plot.valToPos(now, "x", true);
+    if (!(x >= bbox.left && x <= bbox.left + bbox.width)) {
+        return;
+    }
+    ctx.save();
+    ctx.strokeStyle = css("--accent");
+    ctx.lineWidth = 2 * window.devicePixelRatio;
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.restore();
+}

@@ -1,0 +1,28 @@
+//! Serves the folder of a run to a browser on this machine: `demeter view`.
+//!
+//! The server listens on 127.0.0.1 only and answers `GET` only. A request names numbers, never files: steps, ids of grains,
+//! indices of columns. What it reads is read by [`demeter::results`], which opens nothing outside the folder.
+//!
+//! | path | answer |
+//! |---|---|
+//! | `/`, `/viewer.js`, `/viewer.css`, `/licences.txt` | the page |
+//! | `/api/state?moments=M` | the run, its moments from the `M`-th on, columns and stages of the series (JSON) |
+//! | `/api/series?columns=A,B&from=N` | columns of the series from row `N` on ([packed](pack)) |
+//! | `/api/frame/STEP` | grains and contacts of a step, with the key of its walls ([packed](pack)) |
+//! | `/api/walls/STEP` | triangles of the walls at a step ([packed](pack)) |
+//! | `/api/grain/STEP/ID` | a grain with its contacts at a step (JSON) |
+//! | `/api/history/ID?from=K&count=N` | the grain at the moments from the `K`-th on (JSON) |
+
+mod api;
+mod cache;
+mod error;
+mod frame;
+mod grain;
+pub mod pack;
+mod page;
+mod request;
+mod server;
+mod watch;
+
+pub use error::ViewerError;
+pub use server::{Options, Viewer};

@@ -1,0 +1,282 @@
+// `demeter view` in headless Chromium.
+//
+// DEMETER is the program; DEMETER_RUN the folder of a run with several frames, contacts, walls and a series. A run of its own,
+// viewer-scenario.toml, is watched while it goes on. `cargo xtask browser` tells both.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { inflateRawSync } from "node:zlib";
+import { accessibility, compare, keep, launch, open } from "./browser.mjs";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const PATIENCE = { timeout: 60_000 };
+const program = () => {
+    assert.ok(process.env.DEMETER, "DEMETER does not tell the program");
+    return resolve(process.env.DEMETER);
+};
+
+let browser;
+const servers = [];
+before(async () => (browser = await launch()));
+after(async () => {
+    await browser.close();
+    servers.forEach((server) => server.kill("SIGINT"));
+});
+
+/** Serves a folder; the address. */
+async function serve(folder) {
+    const server = spawn(program(), ["view", folder, "--no-browser"]);
+    servers.push(server);
+    return new Promise((done, failed) => {
+        server.stdout.once("data", (text) => done(String(text).trim()));
+        server.once("exit", (code) => failed(new Error(`demeter view ended with ${code}`)));
+    });
+}
+
+/** The viewer of a folder, once a frame is drawn. */
+async function viewer(folder, options = {}) {
+    const address = await serve(folder);
+    const opened = await open(browser, address, { allows: new RegExp(`^${address}`), ...options });
+    const { page } = opened;
+    await page.waitForFunction(() => / frame \d+ of /.test(document.querySelector(".time-told")?.textContent ?? ""), null, PATIENCE);
+    const told = () => page.textContent(".time-told");
+    const frame = async () => Number(/frame (\d+) of/.exec(await told())?.[1]);
+    const count = async () => Number(/of (\d+)/.exec(await told())?.[1]);
+    const reaches = (at) => page.waitForFunction((k) => document.querySelector(".time-told").textContent.includes(`frame ${k} of`), at, PATIENCE);
+    const picture = async () => {
+        await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+        return page.locator(".scene-frame").screenshot();
+    };
+    return { ...opened, address, told, frame, count, reaches, picture };
+}
+
+const finished = () => {
+    assert.ok(process.env.DEMETER_RUN, "DEMETER_RUN names no folder");
+    return process.env.DEMETER_RUN;
+};
+
+/** Names and contents of the files in a ZIP without compression. */
+function unzip(bytes) {
+    const files = new Map();
+    for (let at = 0; bytes.readUInt32LE(at) === 0x04034b50; ) {
+        const [method, name, extra] = [bytes.readUInt16LE(at + 8), bytes.readUInt16LE(at + 26), bytes.readUInt16LE(at + 28)];
+        const start = at + 30 + name + extra;
+        let end = bytes.indexOf(Buffer.from([0x50, 0x4b, 0x07, 0x08]), start);
+        assert.ok(end > 0, "a file without its length");
+        const content = bytes.subarray(start, end);
+        files.set(bytes.toString("utf8", at + 30, at + 30 + name), method === 0 ? content : inflateRawSync(content));
+        at = end + 16;
+    }
+    return files;
+}
+
+describe("the timeline", () => {
+    test("scrubs, plays, and does both by keys", async () => {
+        const { page, faults, frame, count, reaches, picture } = await viewer(finished());
+        const all = await count();
+        assert.ok(all > 3, `${all} frames`);
+        assert.equal(await page.textContent(".badge"), "finished");
+        const first = await picture();
+        await keep(page, "viewer-first");
+        await page.evaluate(() => document.activeElement.blur());
+        await page.keyboard.press("End");
+        await reaches(all);
+        const { different } = await compare(browser, first, await picture());
+        assert.ok(different > 0.005, `the last frame differs by ${different}`);
+        await page.keyboard.press("ArrowLeft");
+        await reaches(all - 1);
+        assert.match(await page.textContent(".timeline [role=status]"), new RegExp(`frame ${all - 1} of ${all}`));
+        await page.keyboard.press("Home");
+        await reaches(1);
+        await page.keyboard.press("ArrowRight");
+        await reaches(2);
+        await page.keyboard.press(",");
+        await reaches(1);
+        await page.getByLabel("Frame", { exact: true }).fill(String(all - 2));
+        await reaches(all - 1);
+        await page.keyboard.press("Home");
+        await reaches(1);
+        await page.getByLabel("Frames per second").selectOption("30");
+        await page.evaluate(() => document.activeElement.blur());
+        await page.keyboard.press("Space");
+        await page.getByRole("button", { name: "Pause" }).waitFor(PATIENCE);
+        await reaches(all);
+        await page.getByRole("button", { name: "Play" }).waitFor(PATIENCE);
+        assert.equal(await frame(), all, "it stops at the end");
+        await page.getByLabel("Loop").check();
+        await page.getByRole("button", { name: "Play" }).click();
+        await page.waitForFunction((n) => !document.querySelector(".time-told").textContent.includes(`frame ${n} of`), all, PATIENCE);
+        await page.getByRole("button", { name: "Pause" }).click();
+        assert.deepEqual(faults, []);
+        await page.close();
+    });
+});
+
+describe("the picture", () => {
+    test("changes with colours, chains, walls and the clip plane", async () => {
+        const { page, faults, picture, count, reaches } = await viewer(finished());
+        await page.keyboard.press("End");
+        await reaches(await count());
+        let last = await picture();
+        const changes = async (what) => {
+            const now = await picture();
+            const { different } = await compare(browser, last, now);
+            assert.ok(different > 0.002, `${what} changed ${different} of the picture`);
+            last = now;
+        };
+        await page.getByLabel("Colour grains by").selectOption("radius");
+        await changes("another scalar");
+        await page.getByLabel("Cut").selectOption("any");
+        await changes("a cut across any direction");
+        await page.getByLabel("z of the direction of the cut").fill("-3");
+        await changes("another direction");
+        await page.getByLabel("Cut").selectOption("");
+        await changes("no cut");
+        await page.getByLabel("Show force chains").check();
+        await changes("force chains");
+        const walls = page.getByRole("group", { name: "Walls", exact: true }).getByRole("checkbox");
+        assert.ok((await walls.count()) > 0);
+        await walls.first().uncheck();
+        await changes("a wall that is hidden");
+        await keep(page, "viewer-chains");
+        assert.deepEqual(faults, []);
+        await page.close();
+    });
+
+    test("tells what is picked, with contacts and history, and leads from the plot to the moment", async () => {
+        const { page, faults, count, reaches, frame } = await viewer(finished());
+        await page.keyboard.press("End");
+        await reaches(await count());
+        const { width, height } = await page.locator("canvas").first().boundingBox();
+        // somewhere around the middle there is a grain
+        for (let k = 0; k < 40 && !(await page.locator(".grain-values dl").count()); k++) {
+            await page.locator("canvas").first().click({ position: { x: width * (0.5 + 0.01 * (k % 8) - 0.04), y: height * (0.4 + 0.04 * Math.floor(k / 8)) } });
+            await page.waitForTimeout(400);
+        }
+        const id = await page.getByLabel("Id of a grain").inputValue();
+        assert.match(id, /^\d+$/);
+        await page.locator(".grain-plots .plot").waitFor(PATIENCE);
+        await keep(page, "viewer-picked");
+        const over = page.locator(".grain-plots .u-over");
+        await over.scrollIntoViewIfNeeded();
+        const box = await over.boundingBox();
+        await over.click({ position: { x: 3, y: box.height / 2 } });
+        await reaches(1);
+        assert.equal(await frame(), 1);
+        // the neighbour of a grain that touches others
+        await page.keyboard.press("End");
+        const partner = page.locator(".grain-values button.link").first();
+        if (await partner.count()) {
+            const name = (await partner.textContent()).replace("grain ", "");
+            await partner.click();
+            await page.waitForFunction((n) => document.querySelector("[aria-label='Id of a grain']").value === n, name, PATIENCE);
+        }
+        await page.getByLabel("Id of a grain").fill("999999999");
+        await page.getByRole("button", { name: "Show", exact: true }).click();
+        await page.getByText("there is no such grain").waitFor(PATIENCE);
+        assert.deepEqual(faults.filter((fault) => !fault.includes("404")), []);
+        await page.close();
+    });
+
+    test("is saved as PNG, as numbered PNGs, and as a film", async () => {
+        const { page, faults } = await viewer(finished(), { acceptDownloads: true });
+        await page.getByLabel("Last frame").last().fill("3");
+        const saves = async (name) => {
+            const download = page.waitForEvent("download", { timeout: 120_000 });
+            await page.getByRole("button", { name, exact: true }).click();
+            const bytes = readFileSync(await (await download).path());
+            await page.getByText(/^Saved/).waitFor(PATIENCE);
+            return bytes;
+        };
+        const png = await saves("PNG");
+        assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [1280, 720]);
+        assert.ok((await compare(browser, png)).colours > 100);
+        const files = unzip(await saves("PNGs (ZIP)"));
+        assert.deepEqual([...files.keys()], ["frame_00000.png", "frame_00001.png", "frame_00002.png"]);
+        const [first, last] = [files.get("frame_00000.png"), files.get("frame_00002.png")];
+        assert.ok((await compare(browser, first, last)).different > 0.001, "the pictures are of different moments");
+        if (await page.getByRole("button", { name: "Film (WebM)" }).count()) {
+            const film = await saves("Film (WebM)");
+            assert.equal(film.readUInt32BE(0), 0x1a45dfa3);
+            const seconds = await page.evaluate(async (data) => {
+                const video = document.createElement("video");
+                video.src = URL.createObjectURL(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))], { type: "video/webm" }));
+                await new Promise((done, failed) => ((video.onloadedmetadata = done), (video.onerror = failed)));
+                return video.duration;
+            }, film.toString("base64"));
+            assert.ok(Math.abs(seconds - 3 / 25) < 0.05, `the film lasts ${seconds} s`);
+        }
+        assert.deepEqual(faults, []);
+        await page.close();
+    });
+});
+
+test("the series shows its columns, and a click in it leads to the moment", async () => {
+    const { page, faults, reaches } = await viewer(finished());
+    await page.keyboard.press("End");
+    await page.getByLabel("Find columns").fill("coordination");
+    await page.getByLabel("coordination", { exact: true }).first().check();
+    await page.getByText("coordination over time").first().waitFor(PATIENCE);
+    const over = page.locator(".series-plot .u-over");
+    await over.scrollIntoViewIfNeeded();
+    await over.click({ position: { x: 2, y: 40 } });
+    await reaches(1);
+    assert.deepEqual(faults, []);
+    await page.close();
+});
+
+test("a run that goes on is followed until it ends", async () => {
+    const folder = mkdtempSync(join(tmpdir(), "demeter-live-"));
+    const out = join(folder, "run");
+    const run = spawn(program(), ["run", join(here, "viewer-scenario.toml"), "--out", out, "--threads", "1"], { stdio: "ignore" });
+    const ended = new Promise((done) => run.once("exit", done));
+    while (!existsSync(join(out, "series.csv"))) {
+        await new Promise((done) => setTimeout(done, 50));
+    }
+    const { page, faults, count, frame } = await viewer(out);
+    assert.equal(await page.textContent(".badge"), "running");
+    assert.ok(await page.getByLabel("Live").isChecked());
+    const early = await count();
+    await page.waitForFunction((n) => Number(/of (\d+)/.exec(document.querySelector(".time-told").textContent)?.[1]) > n, early, PATIENCE);
+    await keep(page, "viewer-live");
+    // scrubbing back stops following
+    await page.getByRole("button", { name: "First frame" }).click();
+    assert.ok(!(await page.getByLabel("Live").isChecked()));
+    assert.equal(await ended, 0);
+    await page.waitForFunction(() => document.querySelector(".badge").textContent === "finished", null, PATIENCE);
+    assert.equal(await frame(), 1);
+    await page.getByLabel("Live").check();
+    await page.waitForFunction(() => /frame (\d+) of \1$/.test(document.querySelector(".time-told").textContent), null, PATIENCE);
+    const lines = readFileSync(join(out, "series.csv"), "utf8").trim().split("\n").length - 1;
+    await page.getByText(`${lines} rows`).waitFor(PATIENCE);
+    assert.deepEqual(faults, []);
+    await page.close();
+    rmSync(folder, { recursive: true });
+});
+
+test("the page can be read and used by everybody", async () => {
+    const dark = await viewer(finished(), { colorScheme: "dark" });
+    await dark.page.getByLabel("Id of a grain").fill("1");
+    await dark.page.getByRole("button", { name: "Show", exact: true }).click();
+    await dark.page.locator(".grain-plots .plot").waitFor(PATIENCE);
+    await keep(dark.page, "viewer-dark");
+    assert.deepEqual(await accessibility(dark.page), []);
+    await dark.page.close();
+    const small = await viewer(finished(), { viewport: { width: 420, height: 800 } });
+    await keep(small.page, "viewer-small");
+    assert.deepEqual(await accessibility(small.page), []);
+    const wide = await small.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    assert.ok(wide <= 0, `the page is ${wide} pixels wider than the window`);
+    await small.page.close();
+});
+
+test("without the server the page says so", async () => {
+    const { page } = await viewer(finished());
+    servers.pop().kill("SIGINT");
+    await page.getByText("Is `demeter view` still running?").waitFor(PATIENCE);
+    await page.close();
+});
