@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Modules of the engine from the lowest to the highest. A module imports from its own line and from those above it
 /// in this table, never from one below.
 const ORDER: [&[&str]; 11] = [
-    &["particles", "materials", "comm", "threads"],
+    &["particles", "materials", "comm", "threads", "grain_files"],
     &["neighbours", "walls"],
     &["contacts"],
     &["insertion"],
@@ -17,7 +17,7 @@ const ORDER: [&[&str]; 11] = [
     &["report"],
     &["compare"],
     &["scenario"],
-    &["calibrate"],
+    &["calibrate", "interchange", "render"],
 ];
 
 /// Crates and those of the workspace that they may depend on.

@@ -3,8 +3,8 @@
 //! The crate is the engine as a library; the binary `demeter` is in `demeter-cli`. Modules import in one direction:
 //!
 //! ```text
-//! particles, materials, comm <- neighbours, walls <- contacts <- insertion <- step, simulation, checkpoint
-//!     <- measure, output <- results <- compare <- scenario <- calibrate
+//! particles, materials, comm, grain_files <- neighbours, walls <- contacts <- insertion <- step, simulation, checkpoint
+//!     <- measure, output <- results <- report <- compare <- scenario <- calibrate, interchange, render
 //! ```
 //!
 //! Every quantity is SI `f64`; units exist in [`scenario`] only.
@@ -14,12 +14,15 @@ pub mod checkpoint;
 pub mod comm;
 pub mod compare;
 pub mod contacts;
+pub mod grain_files;
 pub mod insertion;
+pub mod interchange;
 pub mod materials;
 pub mod measure;
 pub mod neighbours;
 pub mod output;
 pub mod particles;
+pub mod render;
 pub mod report;
 pub mod results;
 pub mod scenario;

@@ -4,14 +4,15 @@ use super::Info;
 use crate::answer::Rows;
 use crate::failure::Failure;
 use crate::readable::{count, number, vector};
-use demeter::insertion::{GrainTable, read_grain_file};
+use demeter::grain_files::{GrainTable, ReadOptions, Which, read_grain_file};
 use demeter_physics::DVec3;
 use serde_json::json;
 use std::path::Path;
 
 /// Tells what is in a file of grains.
 pub fn grains(path: &Path) -> Result<Info, Failure> {
-    let table = read_grain_file(path).map_err(|error| Failure::wrong(error.to_string()))?;
+    let table = read_grain_file(path, &ReadOptions::default(), Which::Last)
+        .map_err(|error| Failure::wrong(error.to_string()))?;
     let number_of_grains = table.positions.len();
     let smallest = table.diameters.iter().copied().fold(f64::INFINITY, f64::min);
     let largest = table.diameters.iter().copied().fold(0.0, f64::max);
@@ -36,8 +37,8 @@ pub fn grains(path: &Path) -> Result<Info, Failure> {
         format!("{} m, surfaces counted", vector(lower.to_array())),
     );
     rows.add("upper corner", format!("{} m", vector(upper.to_array())));
-    if let Some((lower, upper)) = table.bounds {
-        let (lower, upper) = (vector(lower.to_array()), vector(upper.to_array()));
+    if let Some(cell) = table.cell {
+        let (lower, upper) = (vector(cell.lower.to_array()), vector(cell.upper.to_array()));
         rows.add("box of the file", format!("{lower} m to {upper} m"));
     }
     rows.add("columns", columns.join(", "));
@@ -51,7 +52,7 @@ pub fn grains(path: &Path) -> Result<Info, Failure> {
         "upper": upper.to_array(),
         "columns": columns,
         "materials": table.type_names,
-        "box": table.bounds.map(|(lower, upper)| [lower.to_array(), upper.to_array()]),
+        "box": table.cell.map(|cell| [cell.lower.to_array(), cell.upper.to_array()]),
     });
     Ok(Info {
         kind: "grains",

@@ -83,10 +83,14 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
         _ if series::looks_like_one(&start) => Kind::Series,
         Some("stl" | "obj" | "ply") => Kind::Surface,
         Some("toml") => Kind::Scenario,
-        Some("csv" | "txt" | "dat" | "data" | "lammps" | "liggghts" | "xyz") => Kind::Grains,
+        Some(
+            "csv" | "txt" | "dat" | "data" | "lammps" | "lmp" | "liggghts" | "dump" | "lammpstrj" | "xyz" | "extxyz"
+            | "yade" | "spheres" | "gz",
+        ) => Kind::Grains,
         _ if start.starts_with(b"solid ") || start.starts_with(b"ply\n") || start.starts_with(b"ply\r") => {
             Kind::Surface
         }
+        _ if start.starts_with(b"ITEM:") || start.starts_with(b"#format ") => Kind::Grains,
         _ => Kind::Unknown,
     })
 }
@@ -94,7 +98,7 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
 fn unknown(path: &Path) -> Failure {
     Failure::wrong(format!(
         "`{}` is none of the files that Demeter reads: a scenario (.toml), the folder of a run, a checkpoint, a file of \
-         grains (.csv, .txt, .dat, .data), a surface (.stl, .obj, .ply), or a series (series.csv of a run). Frames (.vtp, .pvd) open \
+         grains (.csv, .txt, .data, .dump, .xyz, .yade), a surface (.stl, .obj, .ply), or a series (series.csv of a run). Frames (.vtp, .pvd) open \
          in ParaView, PyVista and OVITO.",
         path.display()
     ))

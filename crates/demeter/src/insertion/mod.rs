@@ -3,8 +3,6 @@
 //! The same description gives the same grains, to the bit, on every machine: random numbers come from one PCG generator
 //! per purpose, functions from `libm`, and everything runs in one order on one thread.
 
-mod file_columns;
-mod file_lammps;
 mod grain_file;
 mod lattice;
 mod mesh_places;
@@ -20,7 +18,6 @@ mod size_distribution;
 mod spec;
 mod stream;
 
-pub use grain_file::{FileError, FileProblem, GrainTable, Location, MAX_FILE_BYTES, TypeOfGrain, read_grain_file};
 pub use lattice::LatticeError;
 pub use mesh_places::MeshInlet;
 pub use overlap::{Overlap, first_overlap};
@@ -30,6 +27,7 @@ pub use size_distribution::{SizeError, SizeSampler};
 pub use spec::{Amount, Basis, Insertion, LatticeKind, Region, SizeDistribution, Source};
 pub use stream::{Inlet, MAX_AT_ONCE, Occupied, Stream, Streaming};
 
+use crate::grain_files::FileError;
 use crate::materials::Material;
 use crate::particles::{Domain, NewGrain};
 use glam::DVec3;

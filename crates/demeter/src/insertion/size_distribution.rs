@@ -6,14 +6,13 @@
 use super::random::{RandomNumbers, normal_below, normal_quantile};
 use super::rosin_rammler::RosinRammlerSampler;
 use super::spec::{Basis, SizeDistribution};
+pub(super) use crate::grain_files::DIAMETERS;
 use libm::{exp, log};
 use std::f64::consts::PI;
 use thiserror::Error;
 
 /// Smallest share of a distribution that its bounds must hold.
 const SMALLEST_SHARE: f64 = 1e-9;
-/// Range of diameters that make sense [m]; keeps masses and moments away from under- and overflow.
-pub(super) const DIAMETERS: std::ops::RangeInclusive<f64> = 1e-12..=1e6;
 
 /// Why a size distribution cannot be used.
 #[derive(Clone, Debug, PartialEq, Error)]

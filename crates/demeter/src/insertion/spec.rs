@@ -1,5 +1,6 @@
 //! How grains are described before they exist.
 
+use crate::grain_files::{ReadOptions, Which};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -124,7 +125,7 @@ pub enum LatticeKind {
 /// Where grains come from.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Source {
-    /// A file: CSV/text with named columns, or a LAMMPS/LIGGGHTS data file of `atom_style sphere`, told by content.
+    /// A file of grains, of any format of [`crate::grain_files`].
     File {
         /// The file.
         path: PathBuf,
@@ -136,6 +137,10 @@ pub enum Source {
         scale: f64,
         /// Shift after scaling [m].
         shift: DVec3,
+        /// What the file does not tell itself.
+        reading: ReadOptions,
+        /// Which moment of the file.
+        which: Which,
     },
     /// A lattice inside a region, all sites inside it up to `count`.
     Lattice {

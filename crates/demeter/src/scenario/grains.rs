@@ -6,6 +6,7 @@ use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::sizes::{diameter, positive_lengths};
 use super::zones::tag_value;
+use crate::grain_files::{FileUnits, Format, ReadOptions, Which};
 use crate::insertion::{Amount, Insertion, LatticeKind, Region, Source};
 use crate::materials::Material;
 use demeter_physics::dimension::Dimension;
@@ -188,6 +189,33 @@ fn file(table: &TableReader<'_>, base: &Path) -> Source {
             .optional_quantity("scale", Kind::Number, Range::POSITIVE)
             .unwrap_or(1.0),
         shift: table.vector_or_zero("shift", Kind::Physical(Dimension::LENGTH)),
+        reading: reading(table),
+        which: match table.optional("frame") {
+            Some(item) => Which::Number(item.integer(0, i64::from(u32::MAX)) as usize),
+            None => Which::Last,
+        },
+    }
+}
+
+/// What a file of grains does not tell itself.
+fn reading(table: &TableReader<'_>) -> ReadOptions {
+    let formats: Vec<&str> = Format::names().collect();
+    let format = table.optional("format").and_then(|item| item.choice(&formats));
+    let units = table
+        .optional("units")
+        .and_then(|item| match item.text().parse::<FileUnits>() {
+            Ok(units) => Some(units),
+            Err(error) => {
+                item.fault(error.to_string(), None);
+                None
+            }
+        });
+    ReadOptions {
+        format: format.map(|k| Format::ALL[k]),
+        units,
+        diameter: table.optional_quantity("diameter", Kind::Physical(Dimension::LENGTH), Range::POSITIVE),
+        style: table.optional("atom_style").map(|item| item.text().to_owned()),
+        extra_columns: false,
     }
 }
 

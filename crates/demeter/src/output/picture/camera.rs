@@ -1,10 +1,25 @@
-//! The camera: a perspective view from the front, a little from above, z up, that shows the whole box.
+//! The camera: a perspective view, from the front and a little from above unless told, z up, that shows the whole box.
 
 use glam::{DVec2, DVec3};
 
-/// Direction of view: degrees about z from the x axis, and above the horizon.
-const AZIMUTH: f64 = -62.0;
-const ELEVATION: f64 = 17.0;
+/// Where one looks from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Degrees about z from the x axis.
+    pub azimuth: f64,
+    /// Degrees above the horizon, -90 to 90.
+    pub elevation: f64,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            azimuth: -62.0,
+            elevation: 17.0,
+        }
+    }
+}
+
 /// Half of the opening angle of the wider side of the view, as its tangent: a mild perspective.
 const OPENING: f64 = 0.14;
 
@@ -54,10 +69,10 @@ pub(super) struct Camera {
 
 impl Camera {
     /// The camera that shows a box as large as an area of the picture allows.
-    pub fn showing(bounds: &Bounds, area: &Area) -> Self {
+    pub fn showing(bounds: &Bounds, area: &Area, view: View) -> Self {
         let radians = std::f64::consts::PI / 180.0;
-        let (sin_azimuth, cos_azimuth) = libm::sincos(AZIMUTH * radians);
-        let (sin_elevation, cos_elevation) = libm::sincos(ELEVATION * radians);
+        let (sin_azimuth, cos_azimuth) = libm::sincos(view.azimuth * radians);
+        let (sin_elevation, cos_elevation) = libm::sincos(view.elevation.clamp(-90.0, 90.0) * radians);
         let forward = -DVec3::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, sin_elevation);
         let right = DVec3::new(-sin_azimuth, cos_azimuth, 0.0);
         let mut camera = Self {
@@ -132,7 +147,7 @@ mod tests {
                 lower: -0.3 * upper,
                 upper,
             };
-            let camera = Camera::showing(&bounds, &area);
+            let camera = Camera::showing(&bounds, &area, View::default());
             let pixels = bounds.corners().map(|corner| camera.pixel(camera.local(corner)));
             let low = pixels.iter().fold(DVec2::INFINITY, |a, b| a.min(*b));
             let high = pixels.iter().fold(DVec2::NEG_INFINITY, |a, b| a.max(*b));
@@ -156,7 +171,7 @@ mod tests {
             width: 400.0,
             height: 300.0,
         };
-        let camera = Camera::showing(&bounds, &area);
+        let camera = Camera::showing(&bounds, &area, View::default());
         let p = camera.local(DVec3::new(0.2, 0.9, 0.4));
         let at = camera.pixel(p);
         let ray = camera.ray(at.x as usize, at.y as usize);

@@ -36,6 +36,25 @@ pub enum ColourBy {
     Coordination,
     /// Material.
     Material,
+    /// Angular speed [1/s].
+    Spin,
+    /// Mean normal stress of the contacts of a grain over its volume, compression positive [Pa].
+    Pressure,
+}
+
+impl ColourBy {
+    /// What can be told on the command line, by name.
+    pub const NAMED: [(&'static str, Self); 9] = [
+        ("automatic", Self::Automatic),
+        ("force", Self::ContactForce),
+        ("speed", Self::Speed),
+        ("diameter", Self::Diameter),
+        ("radius", Self::Diameter),
+        ("coordination", Self::Coordination),
+        ("material", Self::Material),
+        ("spin", Self::Spin),
+        ("pressure", Self::Pressure),
+    ];
 }
 
 /// The colour bar.
@@ -57,6 +76,7 @@ pub(super) struct Colouring {
     pub colours: Vec<[u8; 3]>,
     pub label: String,
     pub legend: Legend,
+    end: Option<f64>,
 }
 
 /// The colour of a share from 0 to 1.
@@ -66,7 +86,8 @@ pub(super) fn map(share: f64) -> [u8; 3] {
 }
 
 impl Colouring {
-    pub fn new(frame: &Frame, by: ColourBy) -> Self {
+    /// The colours of a frame; the bar ends at `high`, in SI, or where most values do.
+    pub fn new(frame: &Frame, by: ColourBy, high: Option<f64>) -> Self {
         let g = frame.grains;
         match by {
             ColourBy::Automatic => {
@@ -75,24 +96,29 @@ impl Colouring {
                 } else {
                     ColourBy::Diameter
                 };
-                Self::new(frame, by)
+                Self::new(frame, by, high)
             }
             ColourBy::ContactForce => {
                 let forces = frame.sum_over_contacts(0.0, |sum, c| sum + c.normal_force.length());
-                Self::by_value("contact force", "N", &forces)
+                Self::by_value("contact force", "N", &forces, high)
             }
             ColourBy::Speed => {
                 let speeds: Vec<f64> = g.velocity.iter().map(|v| v.length()).collect();
-                Self::by_value("speed", "m/s", &speeds)
+                Self::by_value("speed", "m/s", &speeds, high)
             }
             ColourBy::Diameter => {
                 let diameters: Vec<f64> = g.radii().map(|r| 2.0 * r).collect();
-                Self::by_value("diameter", "m", &diameters)
+                Self::by_value("diameter", "m", &diameters, high)
             }
             ColourBy::Coordination => {
                 let contacts = frame.sum_over_contacts(0.0, |sum, _| sum + 1.0);
-                Self::by_value("contacts", "", &contacts)
+                Self::by_value("contacts", "", &contacts, high)
             }
+            ColourBy::Spin => {
+                let speeds: Vec<f64> = g.angular_velocity.iter().map(|w| w.length()).collect();
+                Self::by_value("spin", "1/s", &speeds, high)
+            }
+            ColourBy::Pressure => Self::by_value("pressure", "Pa", &pressures(frame), high),
             ColourBy::Material => Self::by_material(frame),
         }
     }
@@ -104,10 +130,16 @@ impl Colouring {
             colours: frame.grains.material.iter().map(|&m| colour(usize::from(m))).collect(),
             label: "material".to_owned(),
             legend: Legend::Names(materials.map(|(k, m)| (m.name.clone(), colour(k))).collect()),
+            end: None,
         }
     }
 
-    fn by_value(name: &str, unit: &str, values: &[f64]) -> Self {
+    /// The end of the bar, in SI; nothing for names.
+    pub fn end(&self) -> Option<f64> {
+        self.end
+    }
+
+    fn by_value(name: &str, unit: &str, values: &[f64], end: Option<f64>) -> Self {
         let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
         sorted.sort_by(f64::total_cmp);
         let largest = sorted.last().copied().unwrap_or(0.0);
@@ -116,7 +148,9 @@ impl Colouring {
             .copied()
             .unwrap_or(largest);
         let positive = [covered, largest].into_iter().find(|&v| v > f64::MIN_POSITIVE);
-        let high = positive.map_or(1.0, round_up);
+        let high = end
+            .filter(|end| *end > 0.0)
+            .unwrap_or_else(|| positive.map_or(1.0, round_up));
         let (prefix, factor) = if unit.is_empty() { ("", 1.0) } else { si_prefix(high) };
         let label = if unit.is_empty() {
             name.to_owned()
@@ -130,8 +164,26 @@ impl Colouring {
                 high: high / factor,
                 saturated: largest > high,
             }),
+            end: Some(high),
         }
     }
+}
+
+/// Mean normal stress of every grain: the normal forces times their levers, over three times its volume [Pa].
+fn pressures(frame: &Frame) -> Vec<f64> {
+    let sums = frame.sum_over_contacts((0.0, 0.0), |(force, moment), contact| {
+        let normal = contact.normal_force.dot(contact.normal);
+        (force + normal, moment + normal * 0.5 * contact.overlap)
+    });
+    let radii = frame.grains.radii();
+    let pressure = |((force, moment), radius): ((f64, f64), f64)| {
+        (force * radius - moment) / (4.0 * std::f64::consts::PI * radius * radius * radius)
+    };
+    sums.into_iter()
+        .zip(radii)
+        .map(pressure)
+        .map(|pressure| pressure.max(0.0))
+        .collect()
 }
 
 #[cfg(test)]
@@ -142,7 +194,7 @@ mod tests {
     fn the_bar_covers_most_values_with_round_ends() {
         let mut values: Vec<f64> = (0..1000).map(|k| 1e-3 * f64::from(k) / 137.0).collect();
         values[999] = 5.0;
-        let colouring = Colouring::by_value("force", "N", &values);
+        let colouring = Colouring::by_value("force", "N", &values, None);
         let Legend::Bar(bar) = colouring.legend else {
             panic!("no bar")
         };
@@ -155,7 +207,7 @@ mod tests {
     #[test]
     fn values_that_are_all_zero_or_not_finite_have_a_bar_too() {
         for values in [vec![], vec![0.0; 5], vec![f64::NAN, f64::INFINITY]] {
-            let colouring = Colouring::by_value("speed", "m/s", &values);
+            let colouring = Colouring::by_value("speed", "m/s", &values, None);
             let Legend::Bar(bar) = colouring.legend else {
                 panic!("no bar")
             };

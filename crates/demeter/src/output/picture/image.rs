@@ -15,7 +15,7 @@ pub struct Image {
 
 /// A typeface.
 #[derive(Clone, Copy)]
-pub(super) struct Font {
+pub(crate) struct Font {
     weight: FontWeight,
     size: RasterHeight,
 }
@@ -62,6 +62,29 @@ impl Image {
         Self { width: small, pixels }
     }
 
+    /// An image of pixels that are there, row by row from the top.
+    pub(crate) fn of_pixels(width: usize, pixels: Vec<[u8; 3]>) -> Self {
+        Self { width, pixels }
+    }
+
+    /// Lays another image over this one, turned to run upwards, where that one is darker; its lower left corner is at
+    /// a pixel.
+    pub(crate) fn stamp_upwards(&mut self, other: &Self, left: usize, bottom: usize) {
+        for (k, colour) in other.pixels.iter().enumerate() {
+            let (along, down) = (k % other.width, k / other.width);
+            let (x, Some(y)) = (left + down, bottom.checked_sub(along)) else {
+                continue;
+            };
+            if x < self.width
+                && let Some(pixel) = self.pixels.get_mut(y * self.width + x)
+            {
+                for (old, new) in pixel.iter_mut().zip(colour) {
+                    *old = (*old).min(*new);
+                }
+            }
+        }
+    }
+
     /// Width [pixels].
     pub fn width(&self) -> usize {
         self.width
@@ -99,7 +122,7 @@ impl Image {
     }
 
     /// Writes a text with its upper left corner at a pixel; what has no place in the image is left out.
-    pub(super) fn text(&mut self, x: usize, y: usize, text: &str, font: Font, colour: [u8; 3]) {
+    pub(crate) fn text(&mut self, x: usize, y: usize, text: &str, font: Font, colour: [u8; 3]) {
         let advance = get_raster_width(font.weight, font.size);
         for (k, letter) in text.chars().enumerate() {
             let raster = get_raster(letter, font.weight, font.size).or_else(|| get_raster('?', font.weight, font.size));

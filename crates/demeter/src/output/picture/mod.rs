@@ -3,14 +3,18 @@
 //! The same frame gives the same picture on every machine and with any number of threads.
 
 mod camera;
+mod chains;
 mod colouring;
 mod edges;
+mod faces;
 mod image;
 mod shading;
 mod spheres;
 mod viridis;
 
+pub use camera::View;
 pub use colouring::ColourBy;
+pub(crate) use image::Font;
 pub use image::Image;
 
 use super::frame::Frame;
@@ -18,7 +22,7 @@ use super::ticks::Ticks;
 use camera::{Area, Bounds, Camera};
 use colouring::{Colouring, Legend};
 use glam::DVec3;
-use image::{Font, to_linear};
+use image::to_linear;
 use shading::{Lighting, Rgb};
 use spheres::Sphere;
 
@@ -28,6 +32,7 @@ const PAPER: [u8; 3] = [255, 255, 255];
 const INK: [u8; 3] = [38, 44, 52];
 const FAINT: [u8; 3] = [104, 112, 122];
 const LINE: [u8; 3] = [70, 78, 88];
+const FACE: [u8; 3] = [96, 125, 160];
 
 /// How a picture is made.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +45,29 @@ pub struct PictureOptions {
     pub width: usize,
     /// Height [pixels], 300 to 6000.
     pub height: usize,
+    /// Where one looks from.
+    pub view: View,
+    /// Lower and upper corner of what is shown [m]; all grains and the walls near them when absent.
+    pub region: Option<(DVec3, DVec3)>,
+    /// Value at the end of the colour bar, in SI; where most values end when absent.
+    pub colour_end: Option<f64>,
+    /// How walls are drawn.
+    pub walls: WallLook,
+    /// Whether the contacts are drawn as cylinders between the centres, thick and bright where the force is large, and the
+    /// grains faintly behind them.
+    pub chains: bool,
+}
+
+/// How walls are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum WallLook {
+    /// Where surfaces end, bend, or turn away.
+    #[default]
+    Lines,
+    /// These lines, and the surfaces between them translucent.
+    Faces,
+    /// Not at all.
+    Hidden,
 }
 
 impl Default for PictureOptions {
@@ -49,6 +77,11 @@ impl Default for PictureOptions {
             colour: ColourBy::Automatic,
             width: 1200,
             height: 900,
+            view: View::default(),
+            region: None,
+            colour_end: None,
+            walls: WallLook::Lines,
+            chains: false,
         }
     }
 }
@@ -57,10 +90,13 @@ impl Default for PictureOptions {
 pub fn render_packing(frame: &Frame, options: &PictureOptions) -> Image {
     let width = options.width.clamp(400, 8000);
     let height = options.height.clamp(300, 6000);
-    let colouring = Colouring::new(frame, options.colour);
-    let mut image = scene(frame, &colouring, width, height);
+    let colouring = Colouring::new(frame, options.colour, options.colour_end);
+    let bar = options.chains.then(|| chains::Chains::new(frame, options.colour_end));
+    let mut image = scene(frame, &colouring, bar.as_ref(), (width, height), options);
     write_titles(&mut image, frame, options);
-    if !frame.grains.is_empty() {
+    if let Some(chains) = &bar {
+        draw_bar(&mut image, &chains.label, chains.bar.high, chains.bar.saturated);
+    } else if !frame.grains.is_empty() {
         match &colouring.legend {
             Legend::Bar(bar) => draw_bar(&mut image, &colouring.label, bar.high, bar.saturated),
             Legend::Names(names) => draw_names(&mut image, &colouring.label, names),
@@ -80,7 +116,13 @@ fn scene_area(width: usize, height: usize) -> Area {
     }
 }
 
-fn scene(frame: &Frame, colouring: &Colouring, width: usize, height: usize) -> Image {
+fn scene(
+    frame: &Frame,
+    colouring: &Colouring,
+    chains: Option<&chains::Chains>,
+    (width, height): (usize, usize),
+    options: &PictureOptions,
+) -> Image {
     let scale = SCALE as f64;
     let area = scene_area(width, height);
     let area = Area {
@@ -90,39 +132,120 @@ fn scene(frame: &Frame, colouring: &Colouring, width: usize, height: usize) -> I
         height: scale * area.height,
     };
     let (columns, rows) = (SCALE * width, SCALE * height);
-    let camera = Camera::showing(&bounds(frame), &area);
+    let region = options
+        .region
+        .map_or_else(|| bounds(frame, options.walls), |(lower, upper)| thick(lower, upper));
+    let camera = Camera::showing(&region, &area, options.view);
     let grains = frame.grains;
-    let spheres: Vec<Sphere> = (grains.position.iter().zip(grains.radii()))
-        .map(|(&p, radius)| Sphere {
-            centre: camera.local(p),
-            radius,
-        })
-        .collect();
-    let seen = spheres::draw(&spheres, &camera, columns, rows);
+    let spheres = grains.position.iter().zip(grains.radii()).map(|(&p, r)| (p, r));
     let albedo: Vec<Rgb> = colouring.colours.iter().map(|colour| colour.map(to_linear)).collect();
-    let paper = PAPER.map(to_linear);
-    let mut colours = Lighting::new(&spheres, &seen, &camera).shade(&seen, columns, &albedo, paper);
+    let mut layer = Layer::new(spheres, &albedo, &camera, (columns, rows));
+    if let Some(chains) = chains {
+        let front = Layer::new(chains.beads.iter().copied(), &chains.albedo, &camera, (columns, rows));
+        layer.fade_behind(front);
+    }
+    if options.walls != WallLook::Hidden {
+        // A wall that goes on far beyond the grains must not run through the title and the legend.
+        let first_row = (area.top - 20.0 * scale) as usize;
+        let last_column = (area.left + area.width + 20.0 * scale) as usize;
+        layer.draw_walls(frame, &camera, columns, options.walls, (first_row, last_column));
+    }
+    Image::reduce(&layer.colours, columns, SCALE)
+}
 
-    let own = |t: &[DVec3; 3]| t.map(|p| camera.local(p));
-    let lines: Vec<edges::Line> = (frame.walls.iter())
-        .flat_map(|wall| edges::feature_lines(&wall.triangles.iter().map(own).collect::<Vec<_>>()))
-        .collect();
-    let cover = edges::draw(&lines, &camera, &seen, columns, 0.7 * scale);
-    let ink = LINE.map(to_linear);
-    // A wall that goes on far beyond the grains must not run through the title and the legend.
-    let (first_row, last_column) = (
-        (area.top - 20.0 * scale) as usize,
-        (area.left + area.width + 20.0 * scale) as usize,
-    );
+/// Lit spheres: what every pixel sees, and its colour.
+struct Layer {
+    seen: Vec<spheres::Seen>,
+    colours: Vec<Rgb>,
+}
+
+impl Layer {
+    /// How much of the colour of grains is left behind force chains.
+    const FADED: f32 = 0.22;
+
+    fn new(
+        spheres: impl Iterator<Item = (DVec3, f64)>,
+        albedo: &[Rgb],
+        camera: &Camera,
+        (columns, rows): (usize, usize),
+    ) -> Self {
+        let spheres: Vec<Sphere> = spheres
+            .map(|(p, radius)| Sphere {
+                centre: camera.local(p),
+                radius,
+            })
+            .collect();
+        let seen = spheres::draw(&spheres, camera, columns, rows);
+        let paper = PAPER.map(to_linear);
+        let colours = Lighting::new(&spheres, &seen, camera).shade(&seen, columns, albedo, paper);
+        Self { seen, colours }
+    }
+
+    /// Fades this layer and lays another over it.
+    fn fade_behind(&mut self, front: Self) {
+        let paper = PAPER.map(to_linear);
+        for (k, colour) in self.colours.iter_mut().enumerate() {
+            if front.seen[k].sphere == u32::MAX {
+                (0..3).for_each(|c| colour[c] = paper[c] + Self::FADED * (colour[c] - paper[c]));
+            } else {
+                *colour = front.colours[k];
+                self.seen[k] = front.seen[k];
+            }
+        }
+    }
+
+    fn draw_walls(
+        &mut self,
+        frame: &Frame,
+        camera: &Camera,
+        columns: usize,
+        look: WallLook,
+        (first_row, last_column): (usize, usize),
+    ) {
+        let own = |t: &[DVec3; 3]| t.map(|p| camera.local(p));
+        let surfaces: Vec<Vec<[DVec3; 3]>> = frame
+            .walls
+            .iter()
+            .map(|wall| wall.triangles.iter().map(own).collect())
+            .collect();
+        let free = |k: usize| k / columns >= first_row && k % columns <= last_column;
+        if look == WallLook::Faces {
+            let cover = faces::draw(&surfaces, camera, &self.seen, columns);
+            lay_over(&mut self.colours, &cover, FACE.map(to_linear), free);
+        }
+        let lines: Vec<edges::Line> = surfaces
+            .iter()
+            .flat_map(|surface| edges::feature_lines(surface))
+            .collect();
+        let cover = edges::draw(&lines, camera, &self.seen, columns, 0.7 * SCALE as f64);
+        lay_over(&mut self.colours, &cover, LINE.map(to_linear), free);
+    }
+}
+
+/// Lays a colour over pixels, as much as covers them.
+fn lay_over(colours: &mut [Rgb], cover: &[f32], ink: Rgb, free: impl Fn(usize) -> bool) {
     let pixels = colours.iter_mut().zip(cover).enumerate();
-    for (_, (colour, share)) in pixels.filter(|(k, _)| k / columns >= first_row && k % columns <= last_column) {
+    for (_, (colour, share)) in pixels.filter(|(k, _)| free(*k)) {
         (0..3).for_each(|c| colour[c] += share * (ink[c] - colour[c]));
     }
-    Image::reduce(&colours, columns, SCALE)
+}
+
+/// The end of the colour bar of a frame, in SI, so that other frames can have the same; nothing for names.
+pub fn colour_end(frame: &Frame, options: &PictureOptions) -> Option<f64> {
+    match options.chains {
+        true => Some(chains::Chains::new(frame, options.colour_end).end),
+        false => Colouring::new(frame, options.colour, options.colour_end).end(),
+    }
+}
+
+/// What a picture of a frame shows: lower and upper corner [m].
+pub fn shown_region(frame: &Frame, options: &PictureOptions) -> (DVec3, DVec3) {
+    let bounds = bounds(frame, options.walls);
+    (bounds.lower, bounds.upper)
 }
 
 /// What the picture shows: all grains, and the walls as far as they are near them.
-fn bounds(frame: &Frame) -> Bounds {
+fn bounds(frame: &Frame, walls: WallLook) -> Bounds {
     let mut lower = DVec3::INFINITY;
     let mut upper = DVec3::NEG_INFINITY;
     for (&p, r) in frame.grains.position.iter().zip(frame.grains.radii()) {
@@ -131,8 +254,10 @@ fn bounds(frame: &Frame) -> Bounds {
             upper = upper.max(p + r);
         }
     }
+    let shown = if walls == WallLook::Hidden { &[] } else { frame.walls };
     let corners = || {
-        (frame.walls.iter())
+        shown
+            .iter()
             .flat_map(|w| w.triangles.iter().flatten())
             .filter(|p| p.is_finite())
     };
@@ -149,7 +274,11 @@ fn bounds(frame: &Frame) -> Bounds {
     if lower.x > upper.x {
         (lower, upper) = (DVec3::ZERO, DVec3::ONE);
     }
-    // A single plane has no thickness: the camera needs some.
+    thick(lower, upper)
+}
+
+/// A box with some extent in every direction: a single plane has no thickness, and the camera needs some.
+fn thick(lower: DVec3, upper: DVec3) -> Bounds {
     let thickness = (1e-3 * (upper - lower).max_element()).max(f64::MIN_POSITIVE);
     Bounds {
         lower: lower - thickness,

@@ -123,7 +123,7 @@ pub(super) fn hit(s: &Sphere, ray: DVec3) -> DVec3 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::camera::{Area, Bounds};
+    use super::super::camera::{Area, Bounds, View};
     use super::*;
 
     fn camera() -> Camera {
@@ -137,7 +137,7 @@ mod tests {
             width: 200.0,
             height: 150.0,
         };
-        Camera::showing(&bounds, &area)
+        Camera::showing(&bounds, &area, View::default())
     }
 
     fn scene(camera: &Camera) -> Vec<Sphere> {

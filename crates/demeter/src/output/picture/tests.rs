@@ -64,6 +64,7 @@ fn picture(grains: &Grains, contacts: &[ContactRecord], walls: &[WallSurface], c
         colour,
         width: 600,
         height: 450,
+        ..PictureOptions::default()
     };
     render_packing(&frame, &options)
 }

@@ -1,7 +1,8 @@
 //! Axes: values to pixels, ticks.
 
 use super::super::ticks::Ticks;
-use super::{AxisSpec, Plot, escape};
+use super::canvas::Label;
+use super::{AxisSpec, Plot};
 
 /// One axis.
 pub(super) struct Axis {
@@ -11,7 +12,7 @@ pub(super) struct Axis {
     from: f64,
     to: f64,
     logarithmic: bool,
-    ticks: Ticks,
+    ticks: Vec<(f64, Label)>,
     /// Values of grid lines without a number.
     minor: Vec<f64>,
     /// Power of ten by which the numbers at the ticks are multiplied.
@@ -41,7 +42,7 @@ impl Axis {
             from,
             to,
             logarithmic: false,
-            ticks: Ticks::inside(low / power, high / power, count),
+            ticks: plain(Ticks::inside(low / power, high / power, count)),
             minor: Vec::new(),
             exponent,
         }
@@ -49,10 +50,7 @@ impl Axis {
 
     fn logarithmic(values: impl Iterator<Item = f64>, spec: AxisSpec, (from, to): (f64, f64)) -> Self {
         let (low, high) = spec.range.unwrap_or_else(|| logarithmic_range(values));
-        let mut ticks = Ticks {
-            values: Vec::new(),
-            labels: Vec::new(),
-        };
+        let mut ticks = Vec::new();
         let mut minor = Vec::new();
         let decades = libm::log10(high / low);
         let few = decades < MANY_DECADES;
@@ -73,8 +71,7 @@ impl Axis {
                     continue;
                 }
                 if factor == 1 || (few && (factor == 2 || factor == 5)) {
-                    ticks.values.push(value);
-                    ticks.labels.push(logarithmic_label(factor, exponent));
+                    ticks.push((value, logarithmic_label(factor, exponent)));
                 } else {
                     minor.push(value);
                 }
@@ -109,10 +106,11 @@ impl Axis {
     }
 
     /// Pixels and labels of the ticks.
-    pub fn ticks(&self) -> impl Iterator<Item = (f64, &String)> {
+    pub fn ticks(&self) -> impl Iterator<Item = (f64, &Label)> {
         let power = libm::pow(10.0, f64::from(self.exponent));
-        let values = self.ticks.values.iter().map(move |v| self.pixel(v * power));
-        values.zip(&self.ticks.labels)
+        self.ticks
+            .iter()
+            .map(move |(value, label)| (self.pixel(value * power), label))
     }
 
     /// Pixels of grid lines without a number.
@@ -126,11 +124,13 @@ impl Axis {
     }
 
     /// The label of the axis with the power of ten that its numbers leave out.
-    pub fn label(&self, label: &str) -> String {
-        let label = escape(label);
+    pub fn label(&self, label: &str) -> Label {
         match self.exponent {
-            0 => label,
-            n => format!("{label} × 10<tspan dy=\"-6\" font-size=\"11\">{n}</tspan>"),
+            0 => Label::plain(label),
+            n => Label {
+                text: format!("{label} × 10"),
+                power: Some(n.to_string()),
+            },
         }
     }
 }
@@ -144,6 +144,15 @@ pub(super) fn axes(plot: &Plot, [left, right, top, bottom]: [f64; 4]) -> (Axis, 
     let x = Axis::new(points().map(|p| p.0), plot.x, (left, right), 7.0);
     let y = Axis::new(points().map(|p| p.1), plot.y, (bottom, top), 6.0);
     (x, y)
+}
+
+/// Ticks with plain numbers.
+fn plain(ticks: Ticks) -> Vec<(f64, Label)> {
+    ticks
+        .values
+        .into_iter()
+        .zip(ticks.labels.into_iter().map(Label::plain))
+        .collect()
 }
 
 fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
@@ -186,15 +195,13 @@ fn logarithmic_range(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 /// The number at a tick of a logarithmic axis.
-fn logarithmic_label(factor: i32, exponent: i32) -> String {
+fn logarithmic_label(factor: i32, exponent: i32) -> Label {
     match exponent {
-        0..=3 => format!("{}", i64::from(factor) * 10_i64.pow(exponent.unsigned_abs())),
+        0..=3 => Label::plain(format!("{}", i64::from(factor) * 10_i64.pow(exponent.unsigned_abs()))),
         -3..0 => {
             let decimals = exponent.unsigned_abs() as usize;
-            format!(
-                "{:.decimals$}",
-                f64::from(factor) * libm::pow(10.0, f64::from(exponent))
-            )
+            let value = f64::from(factor) * libm::pow(10.0, f64::from(exponent));
+            Label::plain(format!("{value:.decimals$}"))
         }
         _ => {
             let times = if factor == 1 {
@@ -202,7 +209,10 @@ fn logarithmic_label(factor: i32, exponent: i32) -> String {
             } else {
                 format!("{factor}·")
             };
-            format!("{times}10<tspan dy=\"-6\" font-size=\"11\">{exponent}</tspan>")
+            Label {
+                text: format!("{times}10"),
+                power: Some(exponent.to_string()),
+            }
         }
     }
 }
@@ -224,9 +234,9 @@ mod tests {
         {
             assert!((axis.pixel(k) - value).abs() < 1e-9, "{k}");
         }
-        let labels: Vec<&str> = axis.ticks().map(|(_, label)| label.as_str()).collect();
+        let labels: Vec<&str> = axis.ticks().map(|(_, label)| label.text.as_str()).collect();
         assert_eq!(labels[2..], ["0.001", "0.01", "0.1", "1", "10", "100"]);
-        assert!(labels[0].contains(">-5<") && axis.minor().count() == 7 * 8);
+        assert!(axis.ticks().next().unwrap().1.power.as_deref() == Some("-5") && axis.minor().count() == 7 * 8);
         assert!(!axis.shows(0.0) && !axis.shows(-1.0) && axis.shows(1.0));
     }
 
@@ -237,7 +247,7 @@ mod tests {
             range: None,
         };
         let axis = Axis::new([0.1, 1.0].into_iter(), spec, (0.0, 1.0), 6.0);
-        let labels: Vec<&str> = axis.ticks().map(|(_, label)| label.as_str()).collect();
+        let labels: Vec<&str> = axis.ticks().map(|(_, label)| label.text.as_str()).collect();
         assert_eq!(labels, ["0.1", "0.2", "0.5", "1"]);
         // nothing to show, one value, the whole range of numbers
         for values in [vec![], vec![-1.0], vec![3.0], vec![5e-324, f64::MAX]] {

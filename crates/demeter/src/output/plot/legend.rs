@@ -1,13 +1,16 @@
 //! The legend of a plot.
 
 use super::axis::Axis;
-use super::{BOTTOM, HEIGHT, LEFT, Look, Plot, RIGHT, Series, TOP, WIDTH, colour, escape, put};
+use super::canvas::{Anchor, Canvas, Label, Letters, Pen};
+use super::{BOTTOM, HEIGHT, LEFT, Look, Plot, RIGHT, Series, TOP, WIDTH, colour};
 
+/// Width of a letter [pixels].
+const LETTER: f64 = 7.4;
 /// Height of an entry [pixels].
 const ENTRY: f64 = 22.0;
 
 /// Draws the legend, in the corner where it hides least; none when fewer than two series have names.
-pub(super) fn legend(plot: &Plot, svg: &mut String, x: &Axis, y: &Axis) {
+pub(super) fn legend(plot: &Plot, on: &mut dyn Canvas, x: &Axis, y: &Axis) {
     let named: Vec<(usize, &Series)> = plot
         .series
         .iter()
@@ -18,38 +21,32 @@ pub(super) fn legend(plot: &Plot, svg: &mut String, x: &Axis, y: &Axis) {
         return;
     }
     let longest = named.iter().map(|(_, s)| s.name.chars().count()).max().unwrap_or(0);
-    let width = 56.0 + 7.4 * longest as f64;
+    let width = 60.0 + LETTER * longest as f64;
     let height = 12.0 + ENTRY * named.len() as f64;
     let Some((left, top)) = place(plot, x, y, (width, height)) else {
         return;
     };
-    put(
-        svg,
-        format_args!(
-            "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" rx=\"3\" \
-             fill=\"#ffffff\" fill-opacity=\"0.85\" stroke=\"#d5d9dd\"/>"
-        ),
-    );
+    on.card([left, top, width, height]);
     for (entry, (place, series)) in named.into_iter().enumerate() {
         let line = top + 17.0 + ENTRY * entry as f64;
-        let (start, end, text, base) = (left + 10.0, left + 38.0, left + 46.0, line + 5.0);
-        let (colour, look) = (colour(series, place), series.look.attributes());
-        let sample = match series.look {
-            Look::Circles => format!(
-                "<circle fill=\"none\" cx=\"{:.1}\" cy=\"{line:.1}\" r=\"4\"",
-                left + 24.0
-            ),
-            _ => format!("<path fill=\"none\" stroke-linecap=\"round\" d=\"M{start:.1} {line:.1}H{end:.1}\""),
-        };
-        let thick = if series.look == Look::Circles {
-            ""
+        let width = if series.look == Look::Circles {
+            series.look.width()
         } else {
-            " stroke-width=\"2\""
+            2.0
         };
-        put(svg, format_args!("{sample} stroke=\"{colour}\"{thick}{look}/>"));
-        put(
-            svg,
-            format_args!("<text x=\"{text:.1}\" y=\"{base:.1}\">{}</text>", escape(&series.name)),
+        let pen = Pen {
+            colour: colour(series, place),
+            width,
+            look: series.look,
+        };
+        match series.look {
+            Look::Circles => on.circles(&[(left + 24.0, line)], pen),
+            _ => on.lines(&[vec![(left + 10.0, line), (left + 38.0, line)]], pen),
+        }
+        on.text(
+            (left + 46.0, line + 5.0),
+            &Label::plain(&*series.name),
+            Letters::new(Anchor::Start),
         );
     }
 }

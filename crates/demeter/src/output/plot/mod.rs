@@ -1,17 +1,23 @@
-//! Line plots as SVG: axes with round ticks, linear or logarithmic, labels, a legend; several in one picture.
+//! Line plots as SVG or PNG: axes with round ticks, linear or logarithmic, labels, a legend; several in one picture.
 
 mod axis;
+mod canvas;
 mod legend;
+mod raster;
 mod sheet;
+mod svg;
 
 pub use sheet::Sheet;
 
 use super::error::OutputError;
+use super::picture::Image;
 use crate::checkpoint::{Durability, write_atomically};
 use axis::{Axis, axes};
+use canvas::{Anchor, Canvas, Label, Letters, Pen};
 use legend::legend;
-use std::fmt::Write as _;
+use raster::Raster;
 use std::path::Path;
+use svg::Svg;
 
 /// Colours of the lines (Okabe and Ito, 2008).
 const COLOURS: [&str; 8] = [
@@ -28,6 +34,8 @@ const RIGHT: f64 = 28.0;
 const CLOSE: f64 = 0.5;
 /// Radius of a circle [pixels].
 const CIRCLE: f64 = 4.0;
+/// Colour of letters.
+const INK: [u8; 3] = [38, 44, 52];
 
 /// A line plot.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -70,14 +78,9 @@ pub enum Look {
 }
 
 impl Look {
-    /// Attributes of the path.
-    fn attributes(self) -> &'static str {
-        match self {
-            Self::Line => "",
-            Self::Dashed => " stroke-dasharray=\"9 6\"",
-            Self::Dotted => " stroke-dasharray=\"1 5\"",
-            Self::Circles => " stroke-width=\"1.4\"",
-        }
+    /// Width of the line [pixels].
+    fn width(self) -> f64 {
+        if self == Self::Circles { 1.4 } else { 1.8 }
     }
 }
 
@@ -114,34 +117,18 @@ impl Series {
 impl Plot {
     /// The plot as an SVG document.
     pub fn to_svg(&self) -> String {
-        let mut svg = document(WIDTH, HEIGHT);
+        let mut svg = Svg::new(WIDTH, HEIGHT);
         self.draw(&mut svg);
-        svg.push_str("</svg>\n");
-        svg
+        svg.finish()
     }
 
-    /// The plot without the document around it.
-    fn draw(&self, svg: &mut String) {
-        let (x, y) = axes(self, [LEFT, WIDTH - RIGHT, TOP, HEIGHT - BOTTOM]);
-        put(
-            svg,
-            format_args!(
-                "<text x=\"{LEFT}\" y=\"32\" font-size=\"18\" font-weight=\"bold\">{}</text>",
-                escape(&self.title)
-            ),
-        );
-        self.write_axes(svg, &x, &y);
-        svg.push_str("<g fill=\"none\" stroke-width=\"1.8\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
-        for (k, series) in self.series.iter().enumerate() {
-            let path = match series.look {
-                Look::Circles => circles(&series.points, &x, &y),
-                _ => path(&series.points, &x, &y),
-            };
-            let (colour, look) = (colour(series, k), series.look.attributes());
-            put(svg, format_args!("<path stroke=\"{colour}\"{look} d=\"{path}\"/>"));
+    /// The plot as a picture of 1260 by 840 pixels.
+    pub fn to_image(&self) -> Image {
+        Sheet {
+            plots: vec![self.clone()],
+            columns: 1,
         }
-        svg.push_str("</g>\n");
-        legend(self, svg, &x, &y);
+        .to_image()
     }
 
     /// Writes the plot as an SVG file, whole or not at all.
@@ -149,81 +136,75 @@ impl Plot {
         write_atomically(path, self.to_svg().as_bytes(), Durability::Kill).map_err(OutputError::io("write", path))
     }
 
-    fn write_axes(&self, svg: &mut String, x: &Axis, y: &Axis) {
+    /// Writes the plot as a PNG file, whole or not at all.
+    pub fn write_png(&self, path: &Path) -> Result<(), OutputError> {
+        self.to_image().write_png(path)
+    }
+
+    /// The plot without the document around it.
+    fn draw(&self, on: &mut dyn Canvas) {
+        let (x, y) = axes(self, [LEFT, WIDTH - RIGHT, TOP, HEIGHT - BOTTOM]);
+        let title = Letters {
+            title: true,
+            ..Letters::new(Anchor::Start)
+        };
+        on.text((LEFT, 32.0), &Label::plain(&*self.title), title);
+        self.draw_axes(on, &x, &y);
+        for (k, series) in self.series.iter().enumerate() {
+            let pen = Pen {
+                colour: colour(series, k),
+                width: series.look.width(),
+                look: series.look,
+            };
+            match series.look {
+                Look::Circles => {
+                    let shown = series.points.iter().filter(|p| x.shows(p.0) && y.shows(p.1));
+                    let centres: Vec<(f64, f64)> = shown.map(|p| (x.pixel(p.0), y.pixel(p.1))).collect();
+                    on.circles(&centres, pen);
+                }
+                _ => on.lines(&lines(&series.points, &x, &y), pen),
+            }
+        }
+        legend(self, on, &x, &y);
+    }
+
+    fn draw_axes(&self, on: &mut dyn Canvas, x: &Axis, y: &Axis) {
+        const FAINT: &str = "#f1f3f5";
+        const GRID: &str = "#e4e7ea";
+        const FRAME: &str = "#262c34";
         let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
         for at in x.minor() {
-            put(
-                svg,
-                format_args!("<path stroke=\"#f1f3f5\" d=\"M{at:.1} {TOP}V{bottom}\"/>"),
-            );
+            on.rule((at, TOP), (at, bottom), FAINT);
         }
         for at in y.minor() {
-            put(
-                svg,
-                format_args!("<path stroke=\"#f1f3f5\" d=\"M{LEFT} {at:.1}H{right}\"/>"),
-            );
+            on.rule((LEFT, at), (right, at), FAINT);
         }
         for (at, label) in x.ticks() {
-            put(
-                svg,
-                format_args!("<path stroke=\"#e4e7ea\" d=\"M{at:.1} {TOP}V{bottom}\"/>"),
-            );
-            let below = bottom + 20.0;
-            put(
-                svg,
-                format_args!("<text x=\"{at:.1}\" y=\"{below}\" text-anchor=\"middle\">{label}</text>"),
-            );
+            on.rule((at, TOP), (at, bottom), GRID);
+            on.text((at, bottom + 20.0), label, Letters::new(Anchor::Middle));
         }
         for (at, label) in y.ticks() {
-            put(
-                svg,
-                format_args!("<path stroke=\"#e4e7ea\" d=\"M{LEFT} {at:.1}H{right}\"/>"),
-            );
-            let (beside, base) = (LEFT - 8.0, at + 5.0);
-            put(
-                svg,
-                format_args!("<text x=\"{beside}\" y=\"{base:.1}\" text-anchor=\"end\">{label}</text>"),
-            );
+            on.rule((LEFT, at), (right, at), GRID);
+            on.text((LEFT - 8.0, at + 5.0), label, Letters::new(Anchor::End));
         }
         if y.crosses_zero() {
             let zero = y.pixel(0.0);
-            put(
-                svg,
-                format_args!("<path stroke=\"#9aa2ab\" d=\"M{LEFT} {zero:.1}H{right}\"/>"),
-            );
+            on.rule((LEFT, zero), (right, zero), "#9aa2ab");
         }
-        put(
-            svg,
-            format_args!("<path stroke=\"#262c34\" fill=\"none\" d=\"M{LEFT} {TOP}V{bottom}H{right}\"/>"),
-        );
+        on.rule((LEFT, TOP), (LEFT, bottom), FRAME);
+        on.rule((LEFT, bottom), (right, bottom), FRAME);
         let (middle_x, middle_y) = (0.5 * (LEFT + right), 0.5 * (TOP + bottom));
-        let base = HEIGHT - 22.0;
-        let label = x.label(&self.x_label);
-        put(
-            svg,
-            format_args!("<text x=\"{middle_x}\" y=\"{base}\" text-anchor=\"middle\">{label}</text>"),
+        on.text(
+            (middle_x, HEIGHT - 22.0),
+            &x.label(&self.x_label),
+            Letters::new(Anchor::Middle),
         );
-        let label = y.label(&self.y_label);
-        let turn = format!("translate(26 {middle_y}) rotate(-90)");
-        put(
-            svg,
-            format_args!("<text transform=\"{turn}\" text-anchor=\"middle\">{label}</text>"),
-        );
+        let upwards = Letters {
+            upwards: true,
+            ..Letters::new(Anchor::Middle)
+        };
+        on.text((26.0, middle_y), &y.label(&self.y_label), upwards);
     }
-}
-
-/// The start of a document of this size.
-fn document(width: f64, height: f64) -> String {
-    format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-         viewBox=\"0 0 {width} {height}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"14\" \
-         fill=\"#262c34\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
-    )
-}
-
-/// Adds a line of text. Writing to a String cannot fail.
-fn put(svg: &mut String, line: std::fmt::Arguments) {
-    let _ = writeln!(svg, "{line}");
 }
 
 /// Colour of a series at its place.
@@ -231,35 +212,21 @@ fn colour(series: &Series, place: usize) -> &'static str {
     COLOURS[series.colour.unwrap_or(place) % COLOURS.len()]
 }
 
-/// The path of circles around points.
-fn circles(points: &[(f64, f64)], x: &Axis, y: &Axis) -> String {
-    let mut path = String::new();
-    for &(px, py) in points.iter().filter(|p| x.shows(p.0) && y.shows(p.1)) {
-        let (left, middle) = (x.pixel(px) - CIRCLE, y.pixel(py));
-        // Writing to a String cannot fail.
-        let _ = write!(path, "M{left:.2} {middle:.2}");
-        for turn in [2.0 * CIRCLE, -2.0 * CIRCLE] {
-            let _ = write!(path, "a{CIRCLE} {CIRCLE} 0 1 0 {turn} 0");
-        }
-    }
-    path
-}
-
-/// The path of a line, without points that nobody could see.
-fn path(points: &[(f64, f64)], x: &Axis, y: &Axis) -> String {
-    let mut path = String::new();
+/// The lines of a series, without points that nobody could see.
+fn lines(points: &[(f64, f64)], x: &Axis, y: &Axis) -> Vec<Vec<(f64, f64)>> {
+    let mut lines: Vec<Vec<(f64, f64)>> = Vec::new();
     // The last point drawn, and the last one left out after it.
     let mut pen: Option<(f64, f64)> = None;
     let mut skipped: Option<(f64, f64)> = None;
-    let mut draw = |command: char, at: (f64, f64)| {
-        // Writing to a String cannot fail.
-        let _ = write!(path, "{command}{:.2} {:.2}", at.0, at.1);
+    let mut draw = |begin: bool, at: (f64, f64)| match lines.last_mut() {
+        Some(line) if !begin => line.push(at),
+        _ => lines.push(vec![at]),
     };
     for &(px, py) in points.iter().chain([&(f64::NAN, f64::NAN)]) {
         if !(x.shows(px) && y.shows(py)) {
             // The end of a line is always drawn.
             if let Some(at) = skipped.take() {
-                draw('L', at);
+                draw(false, at);
             }
             pen = None;
             continue;
@@ -268,29 +235,12 @@ fn path(points: &[(f64, f64)], x: &Axis, y: &Axis) -> String {
         match pen {
             Some(last) if (at.0 - last.0).abs() < CLOSE && (at.1 - last.1).abs() < CLOSE => skipped = Some(at),
             _ => {
-                draw(if pen.is_some() { 'L' } else { 'M' }, at);
+                draw(pen.is_none(), at);
                 (pen, skipped) = (Some(at), None);
             }
         }
     }
-    path
-}
-
-/// A text as XML.
-fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            // XML knows no other control characters.
-            c if c.is_control() && !matches!(c, '\t' | '\n') => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out
+    lines
 }
 
 #[cfg(test)]
@@ -325,7 +275,8 @@ mod tests {
         // Both axes start at 0, at the lower left corner.
         let start = format!("d=\"M{LEFT:.2} {:.2}L", HEIGHT - BOTTOM);
         assert!(svg.contains(&start), "{svg}");
-        assert_eq!(svg.matches("L").count(), 3);
+        // three pieces of lines, and a sample of each line in the legend
+        assert_eq!(svg.matches("L").count(), 5);
     }
 
     #[test]
@@ -392,5 +343,27 @@ mod tests {
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
         // one name: no legend
         assert!(!svg.contains("fill-opacity"));
+    }
+
+    #[test]
+    fn a_picture_shows_the_lines_and_letters() {
+        let mut plot = plot(vec![(0.0, 0.0), (1e-6, 2.3e7)]);
+        plot.series
+            .push(Series::line("circles", vec![(0.5e-6, 1e7)]).with(Look::Circles, 1));
+        plot.series
+            .push(Series::line("dots", vec![(0.0, 2e7), (1e-6, 1e7)]).with(Look::Dotted, 2));
+        let image = plot.to_image();
+        assert_eq!((image.width(), image.height()), (1260, 840));
+        let count = |of: [u8; 3]| image.pixels().iter().filter(|p| **p == of).count();
+        // blue line, orange circle, green dots, ink of letters and axes
+        for (colour, least) in [
+            ([0, 0x72, 0xb2], 1000),
+            ([0xd5, 0x5e, 0], 10),
+            ([0, 0x9e, 0x73], 50),
+            (INK, 300),
+        ] {
+            assert!(count(colour) > least, "{colour:?}: {}", count(colour));
+        }
+        assert!(image.to_png().unwrap().starts_with(b"\x89PNG"));
     }
 }

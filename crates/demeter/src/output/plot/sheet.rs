@@ -1,8 +1,9 @@
 //! Several plots in one picture.
 
-use super::{HEIGHT, Plot, WIDTH, document, put};
+use super::{HEIGHT, Plot, Raster, Svg, WIDTH};
 use crate::checkpoint::{Durability, write_atomically};
 use crate::output::OutputError;
+use crate::output::picture::Image;
 use std::path::Path;
 
 /// Plots in one picture, row by row.
@@ -17,17 +18,42 @@ pub struct Sheet {
 impl Sheet {
     /// The picture as an SVG document.
     pub fn to_svg(&self) -> String {
-        let columns = self.columns.clamp(1, self.plots.len().max(1));
-        let rows = self.plots.len().div_ceil(columns);
-        let mut svg = document(WIDTH * columns as f64, HEIGHT * rows as f64);
-        for (k, plot) in self.plots.iter().enumerate() {
-            let (left, top) = (WIDTH * (k % columns) as f64, HEIGHT * (k / columns) as f64);
-            put(&mut svg, format_args!("<g transform=\"translate({left} {top})\">"));
+        let (width, height) = self.size();
+        let mut svg = Svg::new(width, height);
+        for (plot, (left, top)) in self.plots.iter().zip(self.places()) {
+            svg.begin_shift(left, top);
             plot.draw(&mut svg);
-            svg.push_str("</g>\n");
+            svg.end_shift();
         }
-        svg.push_str("</svg>\n");
-        svg
+        svg.finish()
+    }
+
+    /// The picture as pixels, half as many again on a side as the SVG has.
+    pub fn to_image(&self) -> Image {
+        let (width, height) = self.size();
+        let Some(mut raster) = Raster::new(width, height) else {
+            return Image::of_pixels(0, Vec::new());
+        };
+        for (plot, (left, top)) in self.plots.iter().zip(self.places()) {
+            raster.shift(left, top);
+            plot.draw(&mut raster);
+        }
+        raster.finish()
+    }
+
+    fn columns(&self) -> usize {
+        self.columns.clamp(1, self.plots.len().max(1))
+    }
+
+    fn size(&self) -> (f64, f64) {
+        let rows = self.plots.len().div_ceil(self.columns());
+        (WIDTH * self.columns() as f64, HEIGHT * rows as f64)
+    }
+
+    /// Upper left corners of the plots.
+    fn places(&self) -> impl Iterator<Item = (f64, f64)> {
+        let columns = self.columns();
+        (0..self.plots.len()).map(move |k| (WIDTH * (k % columns) as f64, HEIGHT * (k / columns) as f64))
     }
 
     /// Writes the picture as an SVG file, whole or not at all.

@@ -1,0 +1,265 @@
+//! LAMMPS and LIGGGHTS dumps as text (<https://docs.lammps.org/dump.html>): one moment after the other, each with its box
+//! and the names of its columns.
+
+use super::error::{FileProblem, Located};
+use super::lines::Lines;
+use super::numbers::{not_allowed, number, shown};
+use super::read::{Context, Notes};
+use super::rows::{Column, MOST_COLUMNS, Quantity, Rows};
+use super::table::{Cell, GrainTable};
+use super::units::FileUnits;
+
+/// Whether a text is a dump.
+pub(super) fn looks_like(text: &str) -> bool {
+    text.trim_start().starts_with("ITEM:")
+}
+
+/// The head of a moment.
+#[derive(Default)]
+struct Head {
+    step: Option<u64>,
+    time: Option<f64>,
+    atoms: Option<u64>,
+    units: Option<String>,
+    bounds: Option<Bounds>,
+    columns: String,
+}
+
+/// The box as the file tells it, in its units.
+#[derive(Clone, Copy)]
+struct Bounds {
+    rows: [[f64; 3]; 3],
+    tilted: bool,
+    periodic: [bool; 3],
+}
+
+/// Reads the next moment; nothing at the end.
+pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> Result<Option<GrainTable>, Located> {
+    let Some(head) = read_head(lines)? else {
+        return Ok(None);
+    };
+    let at = lines.number();
+    let units = context.units(head.units.as_deref(), notes)?;
+    let cell = head.bounds.map(|bounds| cell(&bounds, &units));
+    let mut extras = Vec::new();
+    let columns = columns(&head.columns, &units, &mut extras).map_err(|problem| problem.at(at, None))?;
+    notes.add_extras(&extras);
+    let expected = head.atoms.unwrap_or(0);
+    let mut rows = Rows::new(&columns, &extras);
+    for found in 0..expected {
+        let Some((line, row)) = lines.peek()? else {
+            let found = found as usize;
+            return Err(FileProblem::FrameCutShort { found, expected }.at(at, None));
+        };
+        if row.starts_with("ITEM:") {
+            let found = found as usize;
+            return Err(FileProblem::FrameCutShort { found, expected }.at(line, None));
+        }
+        if let Some((line, row)) = lines.next()? {
+            rows.read(line, row.split_whitespace())?;
+        }
+    }
+    let mut table = rows.finish(context.options.diameter, cell)?;
+    table.step = head.step;
+    table.time = head.time.map(|time| time * units.time);
+    Ok(Some(table))
+}
+
+/// Takes the next moment without reading its grains; tells whether there was one.
+pub(super) fn skip(lines: &mut Lines, context: &Context, notes: &mut Notes) -> Result<bool, Located> {
+    let Some(head) = read_head(lines)? else {
+        return Ok(false);
+    };
+    context.units(head.units.as_deref(), notes)?;
+    let expected = head.atoms.unwrap_or(0);
+    let found = lines.skip(expected)?;
+    if found < expected {
+        let found = usize::try_from(found).unwrap_or(usize::MAX);
+        return Err(FileProblem::FrameCutShort { found, expected }.at(lines.number(), None));
+    }
+    Ok(true)
+}
+
+fn read_head(lines: &mut Lines) -> Result<Option<Head>, Located> {
+    const ITEM: &str = "a line such as `ITEM: TIMESTEP`";
+    while lines.peek()?.is_some_and(|(_, line)| line.trim().is_empty()) {
+        lines.next()?;
+    }
+    if lines.peek()?.is_none() {
+        return Ok(None);
+    }
+    let mut head = Head::default();
+    loop {
+        let (at, line) = lines.expect(ITEM)?;
+        let Some(item) = line.strip_prefix("ITEM:").map(|item| item.trim().to_owned()) else {
+            let found = shown(line);
+            return Err(FileProblem::Expected { found, expected: ITEM }.at(at, None));
+        };
+        let (name, rest) = match item.split_once(' ') {
+            _ if item.starts_with("NUMBER OF ATOMS") => ("NUMBER OF ATOMS", ""),
+            _ if item.starts_with("BOX BOUNDS") => ("BOX BOUNDS", &item["BOX BOUNDS".len()..]),
+            Some((name, rest)) => (name, rest),
+            None => (item.as_str(), ""),
+        };
+        match name {
+            "TIMESTEP" => {
+                let (at, text) = lines.expect("the number of steps")?;
+                let step = text
+                    .trim()
+                    .parse()
+                    .map_err(|_| not_allowed(text, "allowed are whole numbers from 0"));
+                head.step = Some(step.map_err(|problem| problem.at(at, None))?);
+            }
+            "TIME" => {
+                let (at, text) = lines.expect("the time")?;
+                head.time = Some(number(text.trim()).map_err(|problem| problem.at(at, None))?);
+            }
+            "UNITS" => head.units = Some(shown(lines.expect("the units")?.1.trim())),
+            "NUMBER OF ATOMS" => {
+                let (at, text) = lines.expect("the number of atoms")?;
+                let atoms = text
+                    .trim()
+                    .parse()
+                    .map_err(|_| not_allowed(text, "allowed are whole numbers from 0"));
+                head.atoms = Some(atoms.map_err(|problem| problem.at(at, None))?);
+            }
+            "BOX BOUNDS" => head.bounds = Some(read_bounds(lines, rest, at)?),
+            "ATOMS" => {
+                if head.atoms.is_none() {
+                    let found = "ITEM: ATOMS".to_owned();
+                    return Err(FileProblem::Expected {
+                        found,
+                        expected: "`ITEM: NUMBER OF ATOMS`",
+                    }
+                    .at(at, None));
+                }
+                head.columns = rest.to_owned();
+                return Ok(Some(head));
+            }
+            "ENTRIES" => {
+                let what = "a dump of contacts (`dump local`)".to_owned();
+                let remedy = "dump the atoms: `dump ID all custom N FILE id type x y z radius ...`";
+                return Err(FileProblem::NotRead { what, remedy }.at(at, None));
+            }
+            // Other items, such as LIGGGHTS' LABEL, have one line of their own.
+            _ => {
+                lines.expect("the value of an item")?;
+            }
+        }
+    }
+}
+
+fn read_bounds(lines: &mut Lines, told: &str, at: usize) -> Result<Bounds, Located> {
+    let words: Vec<&str> = told.split_whitespace().collect();
+    let tilted = words.starts_with(&["xy", "xz", "yz"]);
+    if words.contains(&"abc") {
+        let what = "a box of any three vectors".to_owned();
+        let remedy = "dump it as `xy xz yz` (without `triclinic/general`)";
+        return Err(FileProblem::NotRead { what, remedy }.at(at, None));
+    }
+    let flags = &words[if tilted { 3 } else { 0 }..];
+    let mut bounds = Bounds {
+        rows: [[0.0; 3]; 3],
+        tilted,
+        periodic: [0, 1, 2].map(|k| flags.get(k).is_some_and(|flag| flag.starts_with('p'))),
+    };
+    for row in &mut bounds.rows {
+        let (at, line) = lines.expect("a side of the box")?;
+        let values: Vec<&str> = line.split_whitespace().take(5).collect();
+        let expected = if tilted { 3 } else { 2 };
+        if values.len() != expected {
+            let (found, expected) = (values.len(), expected.to_string());
+            return Err(FileProblem::ValueCount { found, expected }.at(at, None));
+        }
+        for (slot, text) in row.iter_mut().zip(values) {
+            *slot = number(text).map_err(|problem| problem.at(at, None))?;
+        }
+        if row[0] > row[1] {
+            return Err(not_allowed(line, "the lower side must not be above the upper").at(at, None));
+        }
+    }
+    Ok(bounds)
+}
+
+/// The box in SI. Of a tilted one, the file tells what lies around it.
+fn cell(bounds: &Bounds, units: &FileUnits) -> Cell {
+    let [x, y, z] = bounds.rows.map(|row| row.map(|value| value * units.length));
+    let mut cell = Cell {
+        lower: [x[0], y[0], z[0]].into(),
+        upper: [x[1], y[1], z[1]].into(),
+        tilt: if bounds.tilted { [x[2], y[2], z[2]] } else { [0.0; 3] },
+        periodic: bounds.periodic,
+    };
+    if bounds.tilted {
+        let over = cell.overhang();
+        for (axis, [low, high]) in over.into_iter().enumerate() {
+            cell.lower[axis] -= low;
+            cell.upper[axis] -= high;
+        }
+    }
+    cell
+}
+
+/// The quantity of a column of a dump, and its unit in SI.
+fn quantity(name: &str, units: &FileUnits) -> Option<(Quantity, f64)> {
+    let axis = |prefix: &str, suffix: &str| {
+        let middle = name.strip_prefix(prefix)?.strip_suffix(suffix)?;
+        ["x", "y", "z"].iter().position(|axis| *axis == middle)
+    };
+    let position = axis("", "").or_else(|| axis("", "u"));
+    if let Some(k) = position {
+        return Some((Quantity::Position(k), units.length));
+    }
+    if let Some(k) = axis("", "s").or_else(|| axis("", "su")) {
+        return Some((Quantity::ScaledPosition(k), 1.0));
+    }
+    if let Some(k) = axis("v", "") {
+        return Some((Quantity::Velocity(k), units.velocity()));
+    }
+    if let Some(k) = axis("omega", "") {
+        return Some((Quantity::AngularVelocity(k), units.rate()));
+    }
+    if let Some(k) = axis("f", "") {
+        return Some((Quantity::Force(k), units.force()));
+    }
+    if let Some(k) = axis("tq", "") {
+        return Some((Quantity::Torque(k), units.torque()));
+    }
+    Some(match name {
+        "id" => (Quantity::Id, 1.0),
+        "type" => (Quantity::Type, 1.0),
+        "radius" => (Quantity::Size { is_radius: true }, units.length),
+        "diameter" => (Quantity::Size { is_radius: false }, units.length),
+        "mass" => (Quantity::Mass, units.mass),
+        "density" => (Quantity::Density, units.density()),
+        "ix" | "iy" | "iz" => (Quantity::Image, 1.0),
+        "element" | "mol" | "proc" | "procp1" => (Quantity::Skipped, 1.0),
+        _ => return None,
+    })
+}
+
+fn columns(told: &str, units: &FileUnits, extras: &mut Vec<(String, String)>) -> Result<Vec<Column>, FileProblem> {
+    let mut columns: Vec<Column> = Vec::new();
+    for name in told.split_whitespace().take(MOST_COLUMNS) {
+        let found = quantity(name, units);
+        let (mut quantity, factor) = found.unwrap_or_else(|| {
+            extras.push((shown(name), String::new()));
+            (Quantity::Extra(extras.len() - 1), 1.0)
+        });
+        // The same told in another way, as `x` and `xs`, or `radius` and `diameter`: the first counts.
+        if columns.iter().any(|c| c.quantity.is_same(quantity)) {
+            quantity = Quantity::Skipped;
+        }
+        columns.push(Column::new(name, quantity, factor));
+    }
+    for (k, name) in ["x", "y", "z"].into_iter().enumerate() {
+        if !columns.iter().any(|c| c.quantity.is_same(Quantity::Position(k))) {
+            return Err(FileProblem::MissingColumn { name });
+        }
+    }
+    Ok(columns)
+}
+
+#[cfg(test)]
+#[path = "dump_tests.rs"]
+mod tests;

@@ -1,0 +1,140 @@
+use crate::grain_files::read::parse;
+use crate::grain_files::{GrainFile, ReadOptions, TypeOfGrain, Which, read_grain_file};
+use glam::DVec3;
+
+const TWO: &str = "ITEM: UNITS\ncgs\nITEM: TIME\n0.5\nITEM: TIMESTEP\n100\nITEM: NUMBER OF ATOMS\n2\n\
+    ITEM: BOX BOUNDS pp ff fs\n0 10\n0 20\n-5 5\n\
+    ITEM: ATOMS id type xs ys z radius mass vx vy vz c_stress ix element\n\
+    2 1 0.5 0.25 1 0.5 2 10 0 0 7.5 -1 H\n1 2 0 0 0 0.25 1 0 0 0 8 0 He\n\
+    ITEM: TIMESTEP\n200\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp ff ff\n0 10\n0 20\n-5 5\n\
+    ITEM: ATOMS id x y z diameter\n1 1 2 3 1\n";
+
+#[test]
+fn moments_columns_units_and_boxes_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("two.dump");
+    std::fs::write(&path, TWO).unwrap();
+    let mut file = GrainFile::open(&path, &ReadOptions::default()).unwrap();
+    let first = file.next_frame().unwrap().unwrap();
+    assert_eq!((first.step, first.time), (Some(100), Some(0.5)));
+    assert_eq!(first.ids, Some(vec![2, 1]));
+    assert_eq!(first.types, Some(vec![TypeOfGrain::Number(1), TypeOfGrain::Number(2)]));
+    assert_eq!(first.positions[0], DVec3::new(0.05, 0.05, 0.01));
+    assert_eq!(first.diameters, [0.01, 0.005]);
+    assert_eq!(first.velocities.as_ref().unwrap()[0], DVec3::new(0.1, 0.0, 0.0));
+    let volume = 4.0 / 3.0 * std::f64::consts::PI * 0.005f64.powi(3);
+    assert!((first.densities.as_ref().unwrap()[0] * volume - 2e-3).abs() < 1e-15);
+    assert_eq!(
+        (first.extras[0].name.as_str(), first.extras[0].values[0]),
+        ("c_stress", 7.5)
+    );
+    let cell = first.cell.unwrap();
+    assert_eq!(
+        (cell.upper, cell.periodic),
+        (DVec3::new(0.1, 0.2, 0.05), [true, false, false])
+    );
+    // units are named once
+    let second = file.next_frame().unwrap().unwrap();
+    assert_eq!(
+        (second.positions[0], second.diameters[0]),
+        (DVec3::new(0.01, 0.02, 0.03), 0.01)
+    );
+    assert!(file.next_frame().unwrap().is_none());
+    assert!(
+        file.notes().iter().any(|note| note.contains("c_stress")),
+        "{:?}",
+        file.notes()
+    );
+
+    let options = ReadOptions::default();
+    assert_eq!(read_grain_file(&path, &options, Which::Last).unwrap(), second);
+    assert_eq!(read_grain_file(&path, &options, Which::Number(0)).unwrap(), first);
+    let found = read_grain_file(&path, &options, Which::Number(2))
+        .unwrap_err()
+        .to_string();
+    assert!(found.contains("there is no moment number 2; there are 2"), "{found}");
+}
+
+#[test]
+fn a_tilted_box_is_told_by_what_lies_around_it() {
+    let text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n-1 14 3\n0 12 -1\n0 10 2\n\
+        ITEM: ATOMS xs ys zs radius\n0.5 0.5 0.5 1\n";
+    let table = parse(text).unwrap();
+    let cell = table.cell.unwrap();
+    assert_eq!((cell.lower, cell.upper), (DVec3::ZERO, DVec3::new(11.0, 10.0, 10.0)));
+    assert_eq!(cell.tilt, [3.0, -1.0, 2.0]);
+    assert_eq!(table.positions[0], DVec3::new(6.5, 6.0, 5.0));
+}
+
+#[test]
+fn wrong_dumps_are_refused_with_place_and_remedy() {
+    let head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n";
+    for (text, part) in [
+        (
+            format!("{head}ITEM: ATOMS id x y z radius\n1 0 0 0 1\n"),
+            "line 9: 1 rows where 2 are told",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y z radius\n1 0 0 0 1\nITEM: TIMESTEP\n"),
+            "line 11: 1 rows where 2 are told",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y z radius\n1 0 0 0 1\n1 0 0 0 1\n"),
+            "line 11: id 1 is there twice",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y z radius\n1 0 b 0 1\n"),
+            "line 10, column `y`: `b` is not a number",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y z radius\n1 0 0 0 1 5\n"),
+            "line 10: 6 values where 5 are needed",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y z radius\n1 0 0 0 -1\n"),
+            "column `radius`: `-1` is not allowed",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y radius\n1 0 0 1\n"),
+            "line 9: column `z` is missing",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y z\n1 0 0 0\n2 0 0 0\n"),
+            "tells no sizes",
+        ),
+        (
+            head.replace("0 1\n0 1\n0 1", "0 1\n1 0\n0 1"),
+            "line 7: `1 0` is not allowed; the lower side",
+        ),
+        (
+            head.replace("0 1\n0 1\n0 1", "0 1\n0 1 2\n0 1"),
+            "line 7: 3 values where 2 are needed",
+        ),
+        (
+            head.replace("ff ff ff", "abc origin"),
+            "a box of any three vectors is not read",
+        ),
+        (head.replace("\n2\n", "\n-2\n"), "line 4: `-2` is not allowed"),
+        (
+            "ITEM: TIMESTEP\n".to_owned(),
+            "line 2: the file ends where the number of steps is needed",
+        ),
+        (
+            "ITEM: TIMESTEP\n0\nhello\n".to_owned(),
+            "line 3: `hello` stands where a line such as `ITEM: TIMESTEP`",
+        ),
+        (
+            format!("ITEM: UNITS\nlj\n{head}ITEM: ATOMS id x y z radius\n"),
+            "in `lj` units of LAMMPS; tell",
+        ),
+        (
+            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n3\nITEM: ENTRIES c_1\n".to_owned(),
+            "a dump of contacts",
+        ),
+    ] {
+        match parse(&text) {
+            Ok(table) => panic!("{text} is read as {table:?}"),
+            Err(found) => assert!(found.to_string().contains(part), "expected {part}, found {found}"),
+        }
+    }
+}

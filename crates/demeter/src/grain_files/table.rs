@@ -1,0 +1,167 @@
+//! What a file tells of grains at one moment.
+
+use glam::DVec3;
+
+/// Grains of one moment, in SI units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GrainTable {
+    /// Ids, all different, at least 1.
+    pub ids: Option<Vec<u32>>,
+    /// Types or materials.
+    pub types: Option<Vec<TypeOfGrain>>,
+    /// Names that [`TypeOfGrain::Name`] points to.
+    pub type_names: Vec<String>,
+    /// Centres [m].
+    pub positions: Vec<DVec3>,
+    /// Diameters [m].
+    pub diameters: Vec<f64>,
+    /// Densities [kg/m^3].
+    pub densities: Option<Vec<f64>>,
+    /// Velocities [m/s].
+    pub velocities: Option<Vec<DVec3>>,
+    /// Angular velocities [1/s].
+    pub angular_velocities: Option<Vec<DVec3>>,
+    /// Forces [N].
+    pub forces: Option<Vec<DVec3>>,
+    /// Torques [N m].
+    pub torques: Option<Vec<DVec3>>,
+    /// Other columns, in the unit of the file.
+    pub extras: Vec<Extra>,
+    /// The box of the file.
+    pub cell: Option<Cell>,
+    /// Steps done.
+    pub step: Option<u64>,
+    /// Simulated time [s].
+    pub time: Option<f64>,
+}
+
+/// How a file names the material of a grain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TypeOfGrain {
+    /// A type number, from 1.
+    Number(u32),
+    /// A name: index into [`GrainTable::type_names`].
+    Name(u32),
+}
+
+/// A column that only some codes know.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Extra {
+    /// Its name, without blanks.
+    pub name: String,
+    /// Its unit; empty when none is known.
+    pub unit: String,
+    /// One value per grain.
+    pub values: Vec<f64>,
+}
+
+/// A box: edges `(lx, 0, 0)`, `(xy, ly, 0)` and `(xz, yz, lz)` from its lower corner.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cell {
+    /// Lower corner [m].
+    pub lower: DVec3,
+    /// Upper corner of the box that is not tilted: `lower + (lx, ly, lz)` [m].
+    pub upper: DVec3,
+    /// `xy`, `xz`, `yz` [m].
+    pub tilt: [f64; 3],
+    /// Which directions are periodic.
+    pub periodic: [bool; 3],
+}
+
+impl Cell {
+    /// Whether its edges are not at right angles.
+    pub fn is_tilted(&self) -> bool {
+        self.tilt != [0.0; 3]
+    }
+
+    /// The three edges [m].
+    pub fn edges(&self) -> [DVec3; 3] {
+        let length = self.upper - self.lower;
+        let [xy, xz, yz] = self.tilt;
+        [
+            DVec3::new(length.x, 0.0, 0.0),
+            DVec3::new(xy, length.y, 0.0),
+            DVec3::new(xz, yz, length.z),
+        ]
+    }
+
+    /// How far the corners lie beyond `lower` and `upper` along x and y, as dumps count it [m].
+    pub(super) fn overhang(&self) -> [[f64; 2]; 2] {
+        let [xy, xz, yz] = self.tilt;
+        let over_x = [0.0, xy, xz, xy + xz];
+        let ends = |values: &[f64]| {
+            [
+                values.iter().copied().fold(f64::INFINITY, f64::min),
+                values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            ]
+        };
+        [ends(&over_x), ends(&[0.0, yz])]
+    }
+}
+
+impl GrainTable {
+    /// Number of grains.
+    pub fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Whether there is no grain.
+    pub fn is_empty(&self) -> bool {
+        self.positions.is_empty()
+    }
+
+    /// The id of a grain; its place, from 1, when the file tells none.
+    pub fn id(&self, grain: usize) -> u32 {
+        // A table has less than 2^32 grains.
+        self.ids.as_ref().map_or(grain as u32 + 1, |ids| ids[grain])
+    }
+
+    /// Type numbers, from 1: those of the file; names get numbers above the largest of them, in order.
+    pub fn type_numbers(&self) -> Vec<u32> {
+        let Some(types) = &self.types else {
+            return vec![1; self.len()];
+        };
+        let base = self.largest_number();
+        let number = |kind: &TypeOfGrain| match *kind {
+            TypeOfGrain::Number(number) => number,
+            TypeOfGrain::Name(index) => base.saturating_add(index).saturating_add(1),
+        };
+        types.iter().map(number).collect()
+    }
+
+    /// The largest type number that is no name's.
+    pub(super) fn largest_number(&self) -> u32 {
+        let numbers = self.types.iter().flatten().filter_map(|kind| match *kind {
+            TypeOfGrain::Number(number) => Some(number),
+            TypeOfGrain::Name(_) => None,
+        });
+        numbers.max().unwrap_or(0)
+    }
+
+    /// Gives names to type numbers: `names[k]` to type `k + 1`. Numbers beyond stay.
+    pub fn name_types(&mut self, names: &[String]) {
+        let types = self
+            .types
+            .get_or_insert_with(|| vec![TypeOfGrain::Number(1); self.positions.len()]);
+        let first = self.type_names.len() as u32;
+        let mut used = false;
+        for kind in types {
+            if let TypeOfGrain::Number(number @ 1..) = *kind
+                && (number as usize) <= names.len()
+            {
+                *kind = TypeOfGrain::Name(first + number - 1);
+                used = true;
+            }
+        }
+        if used {
+            self.type_names.extend_from_slice(names);
+        }
+    }
+
+    /// Mass of a grain [kg], when the file tells densities.
+    pub fn mass(&self, grain: usize) -> Option<f64> {
+        let radius = 0.5 * self.diameters[grain];
+        let volume = 4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius;
+        self.densities.as_ref().map(|densities| densities[grain] * volume)
+    }
+}

@@ -1,0 +1,212 @@
+//! What is converted: a file of grains, a run, or one frame of it.
+
+use super::error::ConvertError;
+use super::run_frames::{domain_of, table_of_run};
+use crate::grain_files::{GrainFile, GrainTable, ReadOptions};
+use crate::particles::Domain;
+use crate::results::{Moment, Run};
+use std::path::{Path, PathBuf};
+
+/// Which moments are converted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Frames {
+    /// All where the output holds many, else the last.
+    #[default]
+    Automatic,
+    /// All of them.
+    All,
+    /// The last one.
+    Last,
+    /// One by its number, from 0.
+    Number(usize),
+}
+
+/// What moments are read from.
+pub struct Source {
+    path: PathBuf,
+    reading: ReadOptions,
+    kind: Kind,
+}
+
+enum Kind {
+    File {
+        file: Box<GrainFile>,
+        /// Moments taken so far.
+        taken: usize,
+    },
+    Run {
+        run: Run,
+        moments: Vec<Moment>,
+        domain: Result<Domain, String>,
+    },
+}
+
+/// Numbers of the moments that are converted.
+pub(super) enum Numbers {
+    One(Option<usize>),
+    From(usize),
+}
+
+impl Source {
+    /// Opens a file of grains, the folder of a run, its `grains.pvd`, or one `.vtp` of its frames.
+    pub fn open(path: &Path, reading: &ReadOptions) -> Result<Self, ConvertError> {
+        let kind = match run_of(path) {
+            None => Kind::File {
+                file: Box::new(GrainFile::open(path, reading)?),
+                taken: 0,
+            },
+            Some((folder, step)) => {
+                let run = Run::open(&folder)?;
+                let mut moments = run.moments()?;
+                if let Some(step) = step {
+                    moments.retain(|moment| moment.step == step);
+                }
+                let domain = domain_of(&run);
+                Kind::Run { run, moments, domain }
+            }
+        };
+        Ok(Self {
+            path: path.to_owned(),
+            reading: reading.clone(),
+            kind,
+        })
+    }
+
+    /// What it is, in words.
+    pub fn kind(&self) -> String {
+        match &self.kind {
+            Kind::File { file, .. } => file.format().to_string(),
+            Kind::Run { .. } => "demeter".to_owned(),
+        }
+    }
+
+    /// What was noticed while reading.
+    pub fn notes(&self) -> Vec<String> {
+        match &self.kind {
+            Kind::File { file, .. } => file.notes().to_vec(),
+            Kind::Run { domain, .. } => domain.as_ref().err().cloned().into_iter().collect(),
+        }
+    }
+
+    /// The moments that are asked for.
+    pub(super) fn numbers(&mut self, frames: Frames, many: bool) -> Result<Numbers, ConvertError> {
+        let last = match frames {
+            Frames::All => false,
+            Frames::Automatic => !many,
+            Frames::Last => true,
+            Frames::Number(number) => return Ok(Numbers::One(Some(number))),
+        };
+        if !last {
+            return Ok(Numbers::From(0));
+        }
+        let count = match &mut self.kind {
+            Kind::Run { moments, .. } => moments.len(),
+            Kind::File { file, .. } => {
+                let mut count = 0;
+                while file.skip_frame()? {
+                    count += 1;
+                }
+                **file = GrainFile::open(&self.path, &self.reading)?;
+                count
+            }
+        };
+        Ok(Numbers::One(Some(count.saturating_sub(1))))
+    }
+
+    /// A moment by its number, which never goes back; nothing behind the last of several.
+    pub fn table(&mut self, number: usize) -> Result<Option<GrainTable>, ConvertError> {
+        match &mut self.kind {
+            Kind::Run { run, moments, domain } => {
+                let Some(moment) = moments.get(number) else {
+                    return Ok(None);
+                };
+                Ok(Some(table_of_run(run, moment.step, domain.as_ref().ok())?))
+            }
+            Kind::File { file, taken } => {
+                while *taken < number {
+                    if !file.skip_frame()? {
+                        return Ok(None);
+                    }
+                    *taken += 1;
+                }
+                *taken += 1;
+                Ok(file.next_frame()?)
+            }
+        }
+    }
+
+    /// Number of moments taken or there.
+    fn there(&self) -> usize {
+        match &self.kind {
+            Kind::Run { moments, .. } => moments.len(),
+            Kind::File { taken, .. } => *taken,
+        }
+    }
+
+    fn missing(&self, number: usize) -> ConvertError {
+        let there = self.there().min(number);
+        ConvertError::NoMoment {
+            path: self.path.clone(),
+            number,
+            there,
+        }
+    }
+}
+
+impl Numbers {
+    /// The next number, as long as there is a moment of it. One that was asked for must be there.
+    pub fn next(&mut self, source: &mut Source) -> Result<Option<usize>, ConvertError> {
+        match self {
+            Self::From(next) => {
+                *next += 1;
+                if let Kind::Run { moments, .. } = &source.kind
+                    && moments.is_empty()
+                {
+                    return Err(source.missing(0));
+                }
+                Ok(Some(*next - 1))
+            }
+            Self::One(number) => {
+                let Some(number) = number.take() else { return Ok(None) };
+                let there = match &mut source.kind {
+                    Kind::Run { moments, .. } => number < moments.len(),
+                    Kind::File { file, taken } => {
+                        let mut there = true;
+                        while there && *taken < number {
+                            there = file.skip_frame()?;
+                            *taken += usize::from(there);
+                        }
+                        there && !file.at_end()?
+                    }
+                };
+                if there {
+                    Ok(Some(number))
+                } else {
+                    Err(source.missing(number))
+                }
+            }
+        }
+    }
+}
+
+/// The folder of the run that a path is of, and the step of a single frame.
+fn run_of(path: &Path) -> Option<(PathBuf, Option<u64>)> {
+    if path.is_dir() {
+        return Some((path.to_owned(), None));
+    }
+    let name = path.file_name()?.to_string_lossy().into_owned();
+    let folder = || {
+        path.parent().map(|parent| {
+            if parent.as_os_str().is_empty() {
+                Path::new(".")
+            } else {
+                parent
+            }
+        })
+    };
+    if name.ends_with(".pvd") {
+        return Some((folder()?.to_owned(), None));
+    }
+    let step = name.strip_suffix(".vtp")?.rsplit_once('_')?.1.parse().ok()?;
+    Some((folder()?.join(".."), Some(step)))
+}

@@ -1,0 +1,124 @@
+use super::*;
+use crate::grain_files::{Format, Which, read_grain_file};
+use std::fs;
+
+const DATA: &str = "LAMMPS data file, units = si\n\n2 atoms\n2 atom types\n\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\n\
+    Atoms # sphere\n\n1 1 0.1 2500 0.2 0.3 0.4\n2 2 0.2 7800 0.5 0.6 0.7\n\nVelocities\n\n1 1 2 3 4 5 6\n2 0 0 0 0 0 0\n";
+
+fn how(target: Target) -> Conversion {
+    Conversion {
+        reading: ReadOptions::default(),
+        frames: Frames::Automatic,
+        target,
+        writing: WriteOptions::default(),
+        density: None,
+        type_names: Vec::new(),
+        overwrite: false,
+    }
+}
+
+fn dump(moments: usize) -> String {
+    let moment = |k: usize| {
+        format!(
+            "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n\
+             ITEM: ATOMS id type x y z radius\n1 1 0.{k} 0 0 0.05\n",
+            100 * k
+        )
+    };
+    (0..moments).map(moment).collect()
+}
+
+#[test]
+fn a_data_file_becomes_every_other_format_and_comes_back() {
+    let place = tempfile::tempdir().unwrap();
+    let input = place.path().join("in.data");
+    fs::write(&input, DATA).unwrap();
+    let first = read_grain_file(&input, &ReadOptions::default(), Which::Last).unwrap();
+    for format in Format::ALL {
+        let output = place.path().join(format!("out-{format}"));
+        let done = convert(&input, &output, &how(Target::Grains(format))).unwrap();
+        assert_eq!((done.moments, done.grains, done.from.as_str()), (1, 2, "lammps-data"));
+        let back = read_grain_file(&output, &ReadOptions::default(), Which::Last).unwrap();
+        assert_eq!(back.positions, first.positions, "{format}");
+        assert_eq!(back.diameters, first.diameters, "{format}");
+        assert_eq!(
+            done.notes.iter().any(|n| n.contains("ids, velocities")),
+            format == Format::Yade,
+            "{:?}",
+            done.notes
+        );
+    }
+    let error = convert(
+        &input,
+        &place.path().join("out-csv"),
+        &how(Target::Grains(Format::Columns)),
+    )
+    .unwrap_err();
+    assert!(error.to_string().contains("is there already"), "{error}");
+    let mut same = how(Target::Grains(Format::LammpsData));
+    same.overwrite = true;
+    assert!(
+        convert(&input, &input, &same)
+            .unwrap_err()
+            .to_string()
+            .contains("is input and output")
+    );
+}
+
+#[test]
+fn moments_are_chosen_and_a_star_makes_a_file_of_each() {
+    let place = tempfile::tempdir().unwrap();
+    let input = place.path().join("in.dump");
+    fs::write(&input, dump(3)).unwrap();
+    let at = |name: &str| place.path().join(name);
+    let done = convert(&input, &at("all.xyz.gz"), &how(Target::Grains(Format::ExtendedXyz))).unwrap();
+    assert_eq!(done.moments, 3);
+    let last = read_grain_file(&at("all.xyz.gz"), &ReadOptions::default(), Which::Last).unwrap();
+    assert_eq!((last.step, last.positions[0].x), (Some(200), 0.2));
+    let done = convert(&input, &at("last.yade"), &how(Target::Grains(Format::Yade))).unwrap();
+    assert_eq!(done.moments, 1);
+    let mut all = how(Target::Grains(Format::Yade));
+    all.frames = Frames::All;
+    let error = convert(&input, &at("each.yade"), &all).unwrap_err().to_string();
+    assert!(error.contains("as `each-*.yade`"), "{error}");
+    assert!(!at("each.yade").exists() && !at("each.yade.part").exists());
+    let done = convert(&input, &at("each-*.yade"), &all).unwrap();
+    assert_eq!(
+        done.files,
+        [at("each-0.yade"), at("each-100.yade"), at("each-200.yade")]
+    );
+    let mut second = how(Target::Vtp);
+    second.frames = Frames::Number(1);
+    convert(&input, &at("second.vtp"), &second).unwrap();
+    assert!(fs::read(at("second.vtp")).unwrap().starts_with(b"<VTKFile"));
+    second.frames = Frames::Number(7);
+    let error = convert(&input, &at("none.vtp"), &second).unwrap_err().to_string();
+    assert!(error.contains("no moment number 7; there are 3"), "{error}");
+}
+
+#[test]
+fn what_fails_leaves_no_file() {
+    let place = tempfile::tempdir().unwrap();
+    let input = place.path().join("in.dump");
+    fs::write(&input, dump(2) + "ITEM: TIMESTEP\nten\n").unwrap();
+    let output = place.path().join("out.xyz");
+    let error = convert(&input, &output, &how(Target::Grains(Format::ExtendedXyz)))
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("line 22: `ten` is not allowed"), "{error}");
+    assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
+    let error = convert(&input, &output, &how(Target::Grains(Format::LammpsData)))
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("line 22"), "{error}");
+    fs::write(&input, dump(1)).unwrap();
+    let error = convert(&input, &output, &how(Target::Grains(Format::LammpsData)))
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("needs densities"), "{error}");
+    let mut dense = how(Target::Grains(Format::LammpsData));
+    dense.density = Some(2500.0);
+    dense.type_names = vec!["glass".to_owned()];
+    let done = convert(&input, &output, &dense).unwrap();
+    assert!(done.notes.iter().any(|n| n.contains("1 = glass")), "{:?}", done.notes);
+}
