@@ -1,5 +1,11 @@
 //! The command line.
 
+mod files;
+mod pictures;
+
+pub use files::{CompletionsArguments, ConvertArguments, ManArguments};
+pub use pictures::{PlotArguments, RenderArguments};
+
 use crate::exit;
 use clap::{Args, Parser, Subcommand};
 use demeter::scenario::schema::FileKind;
@@ -51,6 +57,15 @@ pub enum Command {
     /// Average the cycles of runs and compare them with a run or an experiment: forces, contacts, force distributions
     #[command(after_help = exit::HELP)]
     Compare(CompareArguments),
+    /// Draw columns of what runs left, as SVG or PNG, or list them
+    #[command(after_help = exit::HELP)]
+    Plot(PlotArguments),
+    /// Draw pictures of the packing, without a browser or a graphics card
+    #[command(after_help = exit::HELP)]
+    Render(RenderArguments),
+    /// Convert packings from and to LAMMPS, LIGGGHTS, OVITO (extended XYZ), YADE, CSV, ParaView
+    #[command(after_help = exit::HELP)]
+    Convert(ConvertArguments),
     /// List the contact laws, or explain one
     Laws(LawsArguments),
     /// Tell the JSON schema by which editors complete and check files
@@ -59,6 +74,10 @@ pub enum Command {
     New(NewArguments),
     /// Tell what is in a file or in the folder of a run
     Info(InfoArguments),
+    /// Write the completions of a shell to standard output
+    Completions(CompletionsArguments),
+    /// Write the pages of the manual into a folder
+    Man(ManArguments),
 }
 
 impl Command {
@@ -77,7 +96,10 @@ impl Command {
             Self::Fit(a) => a.output.json,
             Self::Compare(a) => a.json,
             Self::Laws(a) => a.json,
-            Self::Schema(_) | Self::New(_) => false,
+            Self::Plot(a) => a.json,
+            Self::Render(a) => a.json,
+            Self::Convert(a) => a.json,
+            Self::Schema(_) | Self::New(_) | Self::Completions(_) | Self::Man(_) => false,
             Self::Info(a) => a.json,
         }
     }

@@ -11,6 +11,7 @@ mod check_walls;
 mod collide;
 mod compare;
 mod contact_curve;
+mod convert;
 mod exit;
 mod failure;
 mod figure;
@@ -20,12 +21,15 @@ mod info;
 mod interrupt;
 mod laws;
 mod new;
+mod plot;
 mod profile;
 mod progress;
 mod readable;
+mod render;
 mod report;
 mod run;
 mod schema;
+mod shell;
 mod sticking;
 mod suggestion;
 mod table;
@@ -58,6 +62,11 @@ fn main() -> ExitCode {
         Command::Fit(arguments) => fit::fit(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Figure(arguments) => figure::figure(&arguments),
+        Command::Plot(arguments) => plot::plot(&arguments),
+        Command::Render(arguments) => render::render(&arguments),
+        Command::Convert(arguments) => convert::convert(&arguments),
+        Command::Completions(arguments) => shell::completions(&arguments),
+        Command::Man(arguments) => shell::man(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
         Command::New(arguments) => new::new(&arguments),

@@ -1,0 +1,330 @@
+//! `demeter plot`: columns of what runs left, as SVG or PNG.
+
+use crate::answer::{Rows, answer, answer_json, note};
+use crate::arguments::PlotArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::suggestion::did_you_mean;
+use demeter::output::{AxisSpec, Look, Plot, Series};
+use demeter::results::{Column, Columns, ResultsError, Run};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Folders of a run that hold tables.
+const FOLDERS: [&str; 5] = ["distributions", "profiles", "fields", "paths", "chains"];
+
+/// Draws columns, or lists them.
+pub fn plot(arguments: &PlotArguments) -> Result<Exit, Failure> {
+    let Some(x) = &arguments.x else {
+        list(arguments)?;
+        return Ok(Exit::Finished);
+    };
+    let mut tables = Vec::new();
+    for path in std::iter::once(&arguments.run).chain(&arguments.with) {
+        tables.push((name_of(path), read(path)?));
+    }
+    let drawing = Drawing { arguments, x };
+    let plot = drawing.plot(&tables)?;
+    let out = arguments.out.clone().unwrap_or_else(|| default_name(x, &arguments.y));
+    write(&plot, &out)?;
+    let shown = out.display().to_string();
+    if arguments.json {
+        let points: usize = plot.series.iter().map(|series| series.points.len()).sum();
+        answer_json(&json!({ "file": shown, "lines": plot.series.len(), "points": points }))?;
+    } else {
+        answer(&format!("wrote {shown}\n"))?;
+    }
+    Ok(Exit::Finished)
+}
+
+/// The series of a run, or a table.
+fn read(path: &Path) -> Result<Columns, Failure> {
+    if path.is_dir() {
+        let series = Run::open(path)?.series()?;
+        return series.ok_or_else(|| Failure::wrong(format!("the run in `{}` has no series yet", path.display())));
+    }
+    if !path.exists() {
+        return Err(Failure::wrong(format!(
+            "there is no run and no file `{}`",
+            path.display()
+        )));
+    }
+    Ok(Columns::read(path)?)
+}
+
+/// A short name of a run or table.
+fn name_of(path: &Path) -> String {
+    let name = path.file_stem().map_or_else(
+        || path.display().to_string(),
+        |name| name.to_string_lossy().into_owned(),
+    );
+    match (name.as_str(), path.parent().and_then(Path::file_name)) {
+        ("series", Some(folder)) => folder.to_string_lossy().into_owned(),
+        _ => name,
+    }
+}
+
+/// Writes by the ending of the name.
+fn write(plot: &Plot, out: &Path) -> Result<(), Failure> {
+    let ending = out.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    let written = match ending.as_deref() {
+        Some("svg") => plot.write_svg(out),
+        Some("png") => plot.write_png(out),
+        _ => {
+            let message = format!("`{}` ends with neither .svg nor .png; name it so", out.display());
+            return Err(Failure::wrong(message));
+        }
+    };
+    written.map_err(|error| Failure::io(error.to_string()))
+}
+
+fn default_name(x: &str, y: &[String]) -> PathBuf {
+    let stem = |text: &str| {
+        let text = text.split(" [").next().unwrap_or(text).trim_start_matches('-');
+        let words = text
+            .split(|c: char| !c.is_alphanumeric())
+            .filter(|word| !word.is_empty());
+        words.collect::<Vec<_>>().join("-").to_lowercase()
+    };
+    let names: Vec<String> = y.iter().take(3).map(|y| stem(y)).collect();
+    PathBuf::from(format!("{}-over-{}.svg", names.join("-"), stem(x)))
+}
+
+/// Lists the columns, and the other tables of a run.
+fn list(arguments: &PlotArguments) -> Result<(), Failure> {
+    let columns = read(&arguments.run)?;
+    let others = other_tables(&arguments.run);
+    if arguments.json {
+        let one = |column: &Column| json!({ "name": column.name(), "unit": column.unit(), "words": column.numbers().is_none() });
+        let all: Vec<Value> = columns.all().iter().map(one).collect();
+        return answer_json(&json!({ "columns": all, "rows": columns.rows(), "tables": others }));
+    }
+    let mut rows = Rows::default();
+    for column in columns.all() {
+        let unit = match column.numbers() {
+            Some(_) => column.unit(),
+            None => "words",
+        };
+        rows.add(column.name(), unit);
+    }
+    answer(&rows.lines())?;
+    let shown = arguments.run.display();
+    note(&format!("draw two with `demeter plot {shown} time 'kinetic energy'`"));
+    for table in others {
+        note(&format!("more columns: `demeter plot {table}`"));
+    }
+    Ok(())
+}
+
+/// Paths of the tables of a run beside its series.
+fn other_tables(run: &Path) -> Vec<String> {
+    let mut tables = Vec::new();
+    for folder in FOLDERS {
+        let entries = std::fs::read_dir(run.join(folder)).into_iter().flatten().flatten();
+        let paths = entries
+            .map(|entry| entry.path())
+            .filter(|path| path.extension().is_some_and(|e| e == "csv"));
+        tables.extend(paths.map(|path| path.display().to_string()));
+    }
+    tables.sort();
+    tables
+}
+
+/// Rows that are drawn as one line, and what tells them apart.
+type Moment = (Option<String>, std::ops::Range<usize>);
+
+/// What is drawn of tables.
+struct Drawing<'a> {
+    arguments: &'a PlotArguments,
+    x: &'a str,
+}
+
+impl Drawing<'_> {
+    fn plot(&self, tables: &[(String, Columns)]) -> Result<Plot, Failure> {
+        let log = self.arguments.log.as_deref().unwrap_or_default();
+        let x = axis(log.contains('x'), "--x-range", self.arguments.x_range.as_deref())?;
+        let y = axis(log.contains('y'), "--y-range", self.arguments.y_range.as_deref())?;
+        let mut series = Vec::new();
+        for (name, table) in tables {
+            for asked in &self.arguments.y {
+                let several = (tables.len() > 1, self.arguments.y.len() > 1);
+                series.extend(self.series(table, name, asked, several)?);
+            }
+        }
+        for line in &mut series {
+            cut(&mut line.points, x, y);
+        }
+        if series
+            .iter()
+            .all(|line| line.points.iter().all(|p| !(p.0.is_finite() && p.1.is_finite())))
+        {
+            return Err(Failure::wrong(
+                "there is nothing to draw: no row has numbers in these columns and ranges",
+            ));
+        }
+        let (_, table) = &tables[0];
+        let title = |name: &str| column(table, name).map(|column| column.title.clone());
+        Ok(Plot {
+            title: self.arguments.title.clone().unwrap_or_else(|| tables[0].0.clone()),
+            x_label: title(self.x)?,
+            y_label: self.y_label(table)?,
+            x,
+            y,
+            series,
+        })
+    }
+
+    /// Name and unit of the one column, or the unit that all have.
+    fn y_label(&self, table: &Columns) -> Result<String, Failure> {
+        if let [only] = &self.arguments.y[..] {
+            let (sign, name) = signed(only);
+            return Ok(format!("{sign}{}", column(table, name)?.title));
+        }
+        let mut units = Vec::new();
+        for asked in &self.arguments.y {
+            units.push(column(table, signed(asked).1)?.unit());
+        }
+        units.dedup();
+        match units[..] {
+            [""] | [] => Ok(String::new()),
+            [unit] => Ok(format!("[{unit}]")),
+            _ => {
+                note("the columns have different units; the legend names them");
+                Ok(String::new())
+            }
+        }
+    }
+
+    /// The lines of a column: one, or one for every moment.
+    fn series(&self, table: &Columns, run: &str, asked: &str, several: (bool, bool)) -> Result<Vec<Series>, Failure> {
+        let (sign, name) = signed(asked);
+        let factor = if sign.is_empty() { 1.0 } else { -1.0 };
+        let (x, y) = (numbers(table, self.x)?, numbers(table, name)?);
+        let title = &column(table, name)?.title;
+        let label = match several {
+            (true, true) => format!("{run}: {sign}{title}"),
+            (true, false) => run.to_owned(),
+            (false, _) => format!("{sign}{title}"),
+        };
+        let look = if self.arguments.points {
+            Look::Circles
+        } else {
+            Look::Line
+        };
+        let mut lines = Vec::new();
+        for (moment, rows) in self.moments(table)? {
+            let points = rows.map(|row| (x[row], factor * y[row])).collect();
+            let name = moment.map_or_else(|| label.clone(), |moment| format!("{label}, {moment}"));
+            lines.push(Series {
+                look,
+                ..Series::line(name, points)
+            });
+        }
+        Ok(lines)
+    }
+
+    /// The rows that are drawn as lines of their own. A table that tells a step more than once holds moments.
+    fn moments(&self, table: &Columns) -> Result<Vec<Moment>, Failure> {
+        let steps = table.find("step").and_then(Column::numbers).unwrap_or_default();
+        let mut spans: Vec<(f64, std::ops::Range<usize>)> = Vec::new();
+        for (row, step) in steps.iter().enumerate() {
+            match spans.last_mut() {
+                Some((last, range)) if last == step => range.end = row + 1,
+                _ => spans.push((*step, row..row + 1)),
+            }
+        }
+        if spans.len() == steps.len() {
+            return Ok(vec![(None, 0..table.rows())]);
+        }
+        match self.arguments.at.as_str() {
+            "all" => Ok(spans
+                .into_iter()
+                .map(|(step, rows)| (Some(format!("step {step}")), rows))
+                .collect()),
+            "last" => Ok(spans.pop().map(|(_, rows)| (None, rows)).into_iter().collect()),
+            text => {
+                let asked: Option<f64> = text.parse::<u64>().ok().map(|step| step as f64);
+                let found = spans.iter().find(|(step, _)| Some(*step) == asked);
+                let (first, last) = (spans[0].0, spans[spans.len() - 1].0);
+                found.map(|(_, rows)| vec![(None, rows.clone())]).ok_or_else(|| {
+                    let there = spans.len();
+                    Failure::wrong(format!(
+                        "--at: there is no step `{text}`; there are {there}, from {first} to {last}, and `last` and `all`"
+                    ))
+                })
+            }
+        }
+    }
+}
+
+/// A sign and the name behind it.
+fn signed(asked: &str) -> (&str, &str) {
+    asked.strip_prefix('-').map_or(("", asked), |name| ("-", name))
+}
+
+fn axis(logarithmic: bool, flag: &str, range: Option<&str>) -> Result<AxisSpec, Failure> {
+    let read = |text: &str| -> Option<(f64, f64)> {
+        let (low, high) = text.split_once("..")?;
+        let range = (low.trim().parse().ok()?, high.trim().parse().ok()?);
+        let (low, high): (f64, f64) = range;
+        let positive = !logarithmic || low > 0.0;
+        (low < high && low.is_finite() && high.is_finite() && positive).then_some(range)
+    };
+    let range = range.map(|text| {
+        let positive = if logarithmic {
+            " above 0, since the axis is logarithmic"
+        } else {
+            ""
+        };
+        let wrong =
+            format!("{flag}: `{text}` is no range; give two numbers{positive}, the smaller first, as `0.1..2.5`");
+        read(text).ok_or_else(|| Failure::wrong(wrong))
+    });
+    Ok(AxisSpec {
+        logarithmic,
+        range: range.transpose()?,
+    })
+}
+
+/// Breaks lines where they leave the ranges.
+fn cut(points: &mut [(f64, f64)], x: AxisSpec, y: AxisSpec) {
+    let inside = |value: f64, range: Option<(f64, f64)>| range.is_none_or(|(low, high)| (low..=high).contains(&value));
+    for point in points {
+        if !(inside(point.0, x.range) && inside(point.1, y.range)) {
+            *point = (f64::NAN, f64::NAN);
+        }
+    }
+}
+
+fn column<'t>(table: &'t Columns, name: &str) -> Result<&'t Column, Failure> {
+    table.find(name).ok_or_else(|| {
+        let meant = did_you_mean(name, table.all().iter().map(Column::name));
+        let file = table.path();
+        let folder = file.parent().filter(|_| file.ends_with("series.csv"));
+        let path = folder.unwrap_or(file).display();
+        Failure::wrong(format!(
+            "`{path}` has no column `{name}`.{meant} `demeter plot {path}` lists them"
+        ))
+    })
+}
+
+fn numbers<'t>(table: &'t Columns, name: &str) -> Result<&'t [f64], Failure> {
+    let column = column(table, name)?;
+    column.numbers().ok_or_else(|| {
+        let example = column.word(0).unwrap_or_default();
+        Failure::wrong(format!(
+            "column `{name}` holds words, such as `{example}`, which cannot be drawn; name one of numbers"
+        ))
+    })
+}
+
+impl From<ResultsError> for Failure {
+    fn from(error: ResultsError) -> Self {
+        let message = error.to_string();
+        if error.is_io() {
+            Self::io(message)
+        } else {
+            Self::wrong(message)
+        }
+    }
+}

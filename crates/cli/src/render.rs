@@ -1,0 +1,252 @@
+//! `demeter render`: pictures of the frames of a run.
+
+use crate::answer::{answer, answer_json, note};
+use crate::arguments::RenderArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::suggestion::did_you_mean;
+use demeter::output::picture::{ColourBy, PictureOptions, View, WallLook};
+use demeter::render::{Cut, LoadedFrame};
+use demeter::results::{Moment, Run};
+use demeter::scenario::units;
+use demeter_physics::dimension::Dimension;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// Views that have a name: degrees about z from the x axis, and above the horizon.
+const VIEWS: [(&str, f64, f64); 7] = [
+    ("corner", -62.0, 17.0),
+    ("front", -90.0, 0.0),
+    ("back", 90.0, 0.0),
+    ("right", 0.0, 0.0),
+    ("left", 180.0, 0.0),
+    ("top", -90.0, 90.0),
+    ("bottom", -90.0, -90.0),
+];
+
+/// Draws frames of a run.
+pub fn render(arguments: &RenderArguments) -> Result<Exit, Failure> {
+    let run = Run::open(&arguments.run)?;
+    let moments = run.moments()?;
+    let Some(last) = moments.last().copied() else {
+        let message = format!(
+            "the run in `{}` has no frames; tell `output.frames` in its scenario",
+            arguments.run.display()
+        );
+        return Err(Failure::wrong(message));
+    };
+    let mut options = options(arguments, &run)?;
+    let cuts = cuts(arguments)?;
+    if arguments.frame == "all" {
+        let files = movie(arguments, &run, &moments, &mut options, &cuts)?;
+        return tell(arguments, &files, Some(&files[0]));
+    }
+    let moment = one(&arguments.frame, &moments, last)?;
+    let file = arguments
+        .out
+        .clone()
+        .unwrap_or_else(|| PathBuf::from(format!("{}-{}.png", name_of(&arguments.run), moment.step)));
+    if !file
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
+    {
+        return Err(Failure::wrong(format!(
+            "--out: `{}` does not end with .png",
+            file.display()
+        )));
+    }
+    draw(&LoadedFrame::read(&run, moment.step, &cuts)?, &options, &file)?;
+    tell(arguments, &[file], None)
+}
+
+fn tell(arguments: &RenderArguments, files: &[PathBuf], movie: Option<&PathBuf>) -> Result<Exit, Failure> {
+    if arguments.json {
+        let files: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+        answer_json(&json!({ "files": files }))?;
+        return Ok(Exit::Finished);
+    }
+    match (files, movie.and_then(|first| first.parent())) {
+        ([only], None) => answer(&format!("wrote {}\n", only.display()))?,
+        (_, folder) => {
+            let folder = folder.unwrap_or(Path::new("."));
+            let shown = folder.display();
+            answer(&format!("wrote {} pictures into {shown}\n", files.len()))?;
+            note(&format!(
+                "a film of them: ffmpeg -framerate 25 -i {shown}/%05d.png -c:v libx264 -pix_fmt yuv420p {shown}.mp4"
+            ));
+        }
+    }
+    Ok(Exit::Finished)
+}
+
+/// All frames, seen from one place and with one colour bar, into a folder.
+fn movie(
+    arguments: &RenderArguments,
+    run: &Run,
+    moments: &[Moment],
+    options: &mut PictureOptions,
+    cuts: &[Cut],
+) -> Result<Vec<PathBuf>, Failure> {
+    let folder = arguments
+        .out
+        .clone()
+        .unwrap_or_else(|| PathBuf::from(format!("{}-frames", name_of(&arguments.run))));
+    if folder.extension().is_some_and(|ending| ending == "png") {
+        return Err(Failure::wrong("--out: name a folder for the pictures of `--frame all`"));
+    }
+    std::fs::create_dir_all(&folder)
+        .map_err(|error| Failure::io(format!("cannot make the folder `{}`: {error}", folder.display())))?;
+    // The first, the middle and the last frame tell what all show.
+    let mut looked = vec![0, moments.len() / 2, moments.len() - 1];
+    looked.dedup();
+    let mut region = None;
+    for k in looked {
+        let frame = LoadedFrame::read(run, moments[k].step, cuts)?;
+        let (low, high) = frame.region(options);
+        let union = |(a, b): (demeter_physics::DVec3, demeter_physics::DVec3)| (a.min(low), b.max(high));
+        region = Some(region.map_or((low, high), union));
+        let end = frame.colour_end(options);
+        if arguments.colour_end.is_none() && k + 1 == moments.len() {
+            options.colour_end = end;
+        }
+    }
+    options.region = region;
+    let mut files = Vec::with_capacity(moments.len());
+    for (k, moment) in moments.iter().enumerate() {
+        let file = folder.join(format!("{k:05}.png"));
+        draw(&LoadedFrame::read(run, moment.step, cuts)?, options, &file)?;
+        files.push(file);
+    }
+    Ok(files)
+}
+
+fn draw(frame: &LoadedFrame, options: &PictureOptions, file: &Path) -> Result<(), Failure> {
+    frame
+        .picture(options)
+        .write_png(file)
+        .map_err(|error| Failure::io(error.to_string()))
+}
+
+fn name_of(run: &Path) -> String {
+    let real = run.canonicalize().unwrap_or_else(|_| run.to_owned());
+    real.file_name()
+        .map_or_else(|| "run".to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+/// The moment that is asked for: `last`, a number from 0, or the one nearest to a time.
+fn one(told: &str, moments: &[Moment], last: Moment) -> Result<Moment, Failure> {
+    if told == "last" {
+        return Ok(last);
+    }
+    if let Ok(number) = told.parse::<usize>() {
+        return moments.get(number).copied().ok_or_else(|| {
+            let there = moments.len();
+            Failure::wrong(format!(
+                "--frame: there is no frame number {number}; there are {there}, from 0"
+            ))
+        });
+    }
+    match units::parse(told) {
+        Ok(time) if time.dimension == Dimension::TIME => {
+            let away = |moment: &&Moment| (moment.time - time.value).abs();
+            let nearest = moments.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+            Ok(nearest.copied().unwrap_or(last))
+        }
+        _ => Err(Failure::wrong(format!(
+            "--frame: `{told}` is no frame; tell `last`, `all`, a number from 0, or a time, as \"0.5 s\""
+        ))),
+    }
+}
+
+fn options(arguments: &RenderArguments, run: &Run) -> Result<PictureOptions, Failure> {
+    let (width, height) = size(&arguments.size)?;
+    let names = || ColourBy::NAMED.iter().map(|(name, _)| *name);
+    let colour = ColourBy::NAMED
+        .iter()
+        .find(|(name, _)| *name == arguments.colour)
+        .ok_or_else(|| {
+            let known = names().collect::<Vec<_>>().join(", ");
+            let meant = did_you_mean(&arguments.colour, names());
+            Failure::wrong(format!(
+                "--colour: `{}` is no quantity of grains; there are {known}.{meant}",
+                arguments.colour
+            ))
+        })?;
+    let title = match &arguments.title {
+        Some(title) => title.clone(),
+        None => {
+            let summary = run.summary().ok().flatten();
+            let title = summary.as_ref().and_then(|summary| summary["title"].as_str());
+            title.map_or_else(|| name_of(&arguments.run), str::to_owned)
+        }
+    };
+    Ok(PictureOptions {
+        title,
+        colour: colour.1,
+        width,
+        height,
+        view: view(&arguments.view)?,
+        colour_end: arguments.colour_end.as_deref().map(colour_end).transpose()?,
+        walls: match arguments.walls.as_str() {
+            "faces" => WallLook::Faces,
+            "none" => WallLook::Hidden,
+            _ => WallLook::Lines,
+        },
+        chains: arguments.chains,
+        ..PictureOptions::default()
+    })
+}
+
+/// A value with a unit, or a number in SI.
+fn colour_end(text: &str) -> Result<f64, Failure> {
+    match units::parse(text) {
+        Ok(quantity) if quantity.value > 0.0 => Ok(quantity.value),
+        _ => Err(Failure::wrong(format!(
+            "--colour-end: `{text}` is no value above 0, as \"2 m/s\" or \"5 mN\""
+        ))),
+    }
+}
+
+/// `WIDTHxHEIGHT`, both made even, as films need them.
+fn size(text: &str) -> Result<(usize, usize), Failure> {
+    let read = || -> Option<(usize, usize)> {
+        let (width, height) = text.split_once('x')?;
+        let (width, height) = (width.parse().ok()?, height.parse().ok()?);
+        ((400..=8000).contains(&width) && (300..=6000).contains(&height)).then_some((width, height))
+    };
+    let (width, height) = read().ok_or_else(|| {
+        Failure::wrong(format!(
+            "--size: `{text}` is no size; tell width and height, as `1200x900`, from 400x300 to 8000x6000"
+        ))
+    })?;
+    Ok((width & !1, height & !1))
+}
+
+fn view(text: &str) -> Result<View, Failure> {
+    if let Some((_, azimuth, elevation)) = VIEWS.iter().find(|(name, ..)| *name == text) {
+        return Ok(View {
+            azimuth: *azimuth,
+            elevation: *elevation,
+        });
+    }
+    let read = || -> Option<View> {
+        let (azimuth, elevation) = text.split_once(',')?;
+        let (azimuth, elevation): (f64, f64) = (azimuth.trim().parse().ok()?, elevation.trim().parse().ok()?);
+        ((-720.0..=720.0).contains(&azimuth) && (-90.0..=90.0).contains(&elevation))
+            .then_some(View { azimuth, elevation })
+    };
+    read().ok_or_else(|| {
+        let names = VIEWS.map(|(name, ..)| name).join(", ");
+        Failure::wrong(format!(
+            "--view: `{text}` is no view; tell one of {names}, or degrees about z and above the horizon, as `-62,17`"
+        ))
+    })
+}
+
+fn cuts(arguments: &RenderArguments) -> Result<Vec<Cut>, Failure> {
+    let read = |text: &String| {
+        text.parse::<Cut>()
+            .map_err(|error| Failure::wrong(format!("--clip: {error}")))
+    };
+    arguments.clip.iter().map(read).collect()
+}

@@ -1,0 +1,233 @@
+//! `demeter convert`, `plot`, `render`, `completions` and `man`.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
+
+mod demeter;
+
+use demeter::{FALL, Place};
+use std::fs;
+
+/// A place with a small run in the folder `run`.
+fn with_run() -> Place {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    place.expect(0, &["run", "fall.toml", "--out", "run"]);
+    place
+}
+
+#[test]
+fn a_run_becomes_a_file_of_every_code_and_what_is_lost_is_said() {
+    let place = with_run();
+    for (name, start) in [
+        ("a.data", "LAMMPS data file of Demeter"),
+        ("a.liggghts", "LIGGGHTS data file of Demeter"),
+        ("a.dump", "ITEM: UNITS\nsi\nITEM: TIME\n"),
+        ("a.yade", "#format x_y_z_r\n"),
+        ("a.csv", "id,x [m],y [m],z [m],diameter [m],material,density [kg/m^3],"),
+        ("a.vtp", "<VTKFile"),
+    ] {
+        let said = place.expect(0, &["convert", "run", name]);
+        assert!(
+            said.out.contains("read   demeter") && said.out.contains(name),
+            "{}",
+            said.out
+        );
+        let bytes = fs::read(place.path(name)).unwrap();
+        assert!(
+            bytes.starts_with(start.as_bytes()),
+            "{name}: {}",
+            String::from_utf8_lossy(&bytes[..60])
+        );
+        assert_eq!(
+            name == "a.yade",
+            said.out.contains("does not carry it: ids, velocities"),
+            "{}",
+            said.out
+        );
+    }
+    let said = place
+        .expect(0, &["convert", "run", "b.xyz", "--frame", "all", "--json"])
+        .json();
+    let moments = said["moments"].as_u64().unwrap();
+    assert!(moments > 1, "{said}");
+    let said = place
+        .expect(0, &["convert", "run", "each-*.data", "--frame", "all", "--json"])
+        .json();
+    assert_eq!(said["files"].as_array().unwrap().len() as u64, moments);
+    // there and back again
+    place.expect(0, &["convert", "b.xyz", "c.csv", "--frame", "last"]);
+    place.expect(0, &["convert", "run", "d.csv"]);
+    let column = |name: &str| -> Vec<String> {
+        let text = fs::read_to_string(place.path(name)).unwrap();
+        text.lines()
+            .skip(1)
+            .map(|line| line.split(',').nth(3).unwrap().to_owned())
+            .collect()
+    };
+    assert_eq!(column("c.csv"), column("d.csv"));
+    let said = place.expect(0, &["info", "b.xyz"]);
+    assert!(said.out.contains("grains"), "{}", said.out);
+}
+
+#[test]
+fn wrong_conversions_are_refused() {
+    let place = with_run();
+    place.expect(0, &["convert", "run", "a.csv"]);
+    place.write(
+        "bad.dump",
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x y z radius\n1 0 0 0 1\n",
+    );
+    for (arguments, part) in [
+        (&["convert", "run", "a.csv"][..], "is there already"),
+        (&["convert", "run", "a.txt"], "tells no format"),
+        (
+            &["convert", "run", "b.csv", "--to", "lamps-data"],
+            "Did you mean `lammps-data`?",
+        ),
+        (&["convert", "run", "b.csv", "--columns", "x,sped"], "no column `sped`"),
+        (
+            &["convert", "run", "b.csv", "--frame", "12345"],
+            "no moment number 12345",
+        ),
+        (
+            &["convert", "run", "b.csv", "--frame", "first"],
+            "neither `all` nor `last`",
+        ),
+        (&["convert", "run", "b.yade", "--frame", "all"], "as `b-*.yade`"),
+        (
+            &["convert", "bad.dump", "b.csv"],
+            "bad.dump, line 5: 1 rows where 2 are told",
+        ),
+        (&["convert", "a.csv", "b.data", "--units", "lj"], "is no set of units"),
+        (&["convert", "a.csv", "b.data", "--density", "1 m"], "another unit"),
+        (&["convert", "nothing", "b.data"], "nothing: cannot be read"),
+    ] {
+        let said = place.expect(2, arguments);
+        assert!(said.err.contains(part), "{arguments:?}: {}", said.err);
+        assert!(!place.path("b.csv").exists() && !place.path("b.data").exists());
+    }
+}
+
+#[test]
+fn columns_are_listed_and_drawn() {
+    let place = with_run();
+    let said = place.expect(0, &["plot", "run"]);
+    assert!(
+        said.out.contains("kinetic energy") && said.out.contains("J"),
+        "{}",
+        said.out
+    );
+    place.expect(0, &["plot", "run", "time", "kinetic energy"]);
+    let svg = fs::read_to_string(place.path("kinetic-energy-over-time.svg")).unwrap();
+    assert!(svg.contains(">kinetic energy [J]<") && svg.contains(">time [s]<"));
+    place.expect(
+        0,
+        &[
+            "plot",
+            "run",
+            "time",
+            "kinetic energy",
+            "--with",
+            "run/series.csv",
+            "--log",
+            "y",
+            "--out",
+            "two.png",
+        ],
+    );
+    assert!(fs::read(place.path("two.png")).unwrap().starts_with(b"\x89PNG"));
+    for (arguments, part) in [
+        (
+            &["plot", "run", "time", "kinetc energy"][..],
+            "Did you mean `kinetic energy`? `demeter plot run` lists them",
+        ),
+        (&["plot", "run", "time", "stage"], "holds words"),
+        (
+            &["plot", "run", "time", "contacts", "--out", "a.gif"],
+            "neither .svg nor .png",
+        ),
+        (&["plot", "run", "time", "contacts", "--x-range", "2..1"], "is no range"),
+        (
+            &["plot", "run", "time", "contacts", "--x-range", "100..200"],
+            "there is nothing to draw",
+        ),
+        (
+            &["plot", "nothing", "time", "contacts"],
+            "there is no run and no file `nothing`",
+        ),
+    ] {
+        let said = place.expect(2, arguments);
+        assert!(said.err.contains(part), "{arguments:?}: {}", said.err);
+    }
+}
+
+#[test]
+fn frames_become_pictures() {
+    let place = with_run();
+    let said = place
+        .expect(0, &["render", "run", "--size", "400x300", "--json"])
+        .json();
+    let file = said["files"][0].as_str().unwrap().to_owned();
+    assert!(fs::read(place.path(&file)).unwrap().starts_with(b"\x89PNG"));
+    let draw = |name: &str, options: &[&str]| {
+        place.expect(
+            0,
+            &[&["render", "run", "--size", "400x300", "--out", name], options].concat(),
+        );
+        fs::read(place.path(name)).unwrap()
+    };
+    let plain = draw("a.png", &["--colour", "material"]);
+    for (k, options) in [
+        &["--colour", "diameter"][..],
+        &["--colour", "material", "--view", "top"],
+        &["--colour", "material", "--walls", "faces"],
+        &["--colour", "material", "--frame", "0"],
+        &["--chains"],
+        &["--colour", "material", "--clip", "x > 0 m"],
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert!(draw(&format!("{k}.png"), options) != plain, "{options:?}");
+    }
+    let said = place.expect(
+        0,
+        &["render", "run", "--size", "400x300", "--frame", "all", "--out", "film"],
+    );
+    assert!(
+        said.err.contains("ffmpeg -framerate 25 -i film/%05d.png"),
+        "{}",
+        said.err
+    );
+    assert!(place.path("film/00000.png").exists() && place.path("film/00001.png").exists());
+    for (arguments, part) in [
+        (&["render", "run", "--colour", "sped"][..], "Did you mean `speed`?"),
+        (&["render", "run", "--view", "above"], "tell one of corner, front"),
+        (&["render", "run", "--size", "10x10"], "as `1200x900`"),
+        (&["render", "run", "--frame", "999"], "there is no frame number 999"),
+        (&["render", "run", "--frame", "soon"], "a time, as \"0.5 s\""),
+        (&["render", "run", "--clip", "y"], "as `y > 10 mm`"),
+        (&["render", "run", "--out", "a.svg"], "does not end with .png"),
+        (&["render", "nothing"], "nothing"),
+    ] {
+        let said = place.expect(2, arguments);
+        assert!(said.err.contains(part), "{arguments:?}: {}", said.err);
+    }
+}
+
+#[test]
+fn shells_and_man_know_every_command() {
+    let place = Place::new();
+    for (shell, part) in [
+        ("bash", "_demeter"),
+        ("zsh", "#compdef demeter"),
+        ("fish", "complete -c demeter"),
+        ("powershell", "demeter"),
+    ] {
+        let said = place.expect(0, &["completions", shell]);
+        assert!(said.out.contains(part) && said.out.contains("convert"), "{shell}");
+    }
+    place.expect(0, &["man", "pages"]);
+    let page = fs::read_to_string(place.path("pages/demeter-convert.1")).unwrap();
+    assert!(page.contains(".TH") && page.contains("lammps"), "{page}");
+    assert!(place.path("pages/demeter.1").exists());
+}
