@@ -4,9 +4,11 @@ mod bench;
 mod book;
 mod browser;
 mod checks;
+mod dist;
 mod house_rules;
 mod imports;
 mod instructions;
+mod interchange;
 mod layers;
 mod new_law;
 mod python;
@@ -41,6 +43,12 @@ enum Command {
         #[arg(long)]
         check: bool,
     },
+    /// Let LAMMPS, LIGGGHTS, YADE, OVITO and ASE, as far as they are installed, read converted files, and read theirs
+    Interchange,
+    /// Build the release binary, static where it can be, and pack it with completions, manual and licences
+    Dist,
+    /// Tell the licences of everything in the binary
+    Licences,
     /// Format all sources, also those that only a macro declares as modules
     Fmt {
         /// Change nothing, fail where something would change
@@ -97,6 +105,9 @@ fn main() -> ExitCode {
         Command::Test => checks::test(),
         Command::Python => python::test(),
         Command::Browser => browser::test(),
+        Command::Dist => dist::pack(),
+        Command::Licences => dist::licences(),
+        Command::Interchange => interchange::test(),
         Command::Web { check } => web::build(check),
         Command::Fmt { check } => checks::format(check),
         Command::Doc => checks::documentation(),

@@ -1,0 +1,266 @@
+"""Files for other codes, read by those codes, and what they wrote, read here.
+
+Needs DEMETER (the binary) and DEMETER_RUN (the folder of a run). Each test runs where its program is installed: `lmp`,
+`liggghts`, `yade` on the path, the packages `ovito` and `ase`.
+"""
+
+import csv
+import gzip
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+DEMETER = os.environ["DEMETER"]
+RUN = os.environ["DEMETER_RUN"]
+
+
+def program(name):
+    return pytest.mark.skipif(shutil.which(name) is None, reason=f"`{name}` is not installed")
+
+
+def convert(source, target, *options):
+    done = subprocess.run([DEMETER, "convert", str(source), str(target), "--overwrite", *options], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def columns(path):
+    """The columns of a CSV file by name, sorted by id."""
+    with open(path) as file:
+        rows = list(csv.DictReader(file))
+    table = {}
+    for title in rows[0]:
+        values = [row[title] for row in rows]
+        try:
+            table[title.split(" [")[0]] = np.array(values, dtype=float)
+        except ValueError:
+            table[title.split(" [")[0]] = np.array(values)
+    if "id" in table:
+        order = np.argsort(table["id"], kind="stable")
+        table = {name: values[order] for name, values in table.items()}
+    return table
+
+
+def same(table, other, names, relative=0.0):
+    for name in names.split():
+        scale = np.abs(table[name]).max()
+        np.testing.assert_allclose(other[name], table[name], rtol=relative, atol=relative * scale, err_msg=name)
+
+
+MOVING = "x y z vx vy vz wx wy wz"
+
+
+@pytest.fixture
+def ours(tmp_path):
+    """The last frame of the run as CSV, and its columns."""
+    convert(RUN, tmp_path / "ours.csv")
+    return columns(tmp_path / "ours.csv")
+
+
+def call(tmp_path, command, script):
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, f"{script}\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
+
+
+@program("lmp")
+def test_lammps_reads_our_data_and_we_its_data_and_dumps(tmp_path, ours):
+    convert(RUN, tmp_path / "in.data")
+    form = "modify format float %.17g"
+    script = f"""units si
+atom_style sphere
+boundary f f f
+read_data in.data
+write_dump all custom back.dump id type x y z radius mass vx vy vz omegax omegay omegaz {form} units yes
+write_dump all custom back.dump.gz id type x y z radius mass vx vy vz omegax omegay omegaz {form} units yes
+write_data back.data
+change_box all triclinic
+change_box all xy final 0.001 boundary p p p
+write_dump all custom tilted.dump id type xs ys zs radius mass {form}
+write_data tilted.data
+"""
+    (tmp_path / "in.lammps").write_text(script)
+    call(tmp_path, ["lmp", "-in", "in.lammps", "-log", "none"], script)
+    for name in ["back.dump", "back.dump.gz"]:
+        convert(tmp_path / name, tmp_path / "back.csv")
+        back = columns(tmp_path / "back.csv")
+        same(ours, back, f"id {MOVING} diameter")
+        same(ours, back, "density", 1e-14)
+    # `write_data` writes 6 or 16 digits, by the version
+    convert(tmp_path / "back.data", tmp_path / "back.csv")
+    same(ours, columns(tmp_path / "back.csv"), f"{MOVING} diameter density", 2e-5)
+    for name in ["tilted.dump", "tilted.data"]:
+        convert(tmp_path / name, tmp_path / "tilted.xyz")
+        lattice = (tmp_path / "tilted.xyz").read_text().splitlines()[1].split('"')[1].split()
+        assert abs(float(lattice[3]) - 0.001) < 1e-12, name
+        convert(tmp_path / name, tmp_path / "tilted.csv")
+        same(ours, columns(tmp_path / "tilted.csv"), "x y z", 2e-5)
+
+
+@program("lmp")
+def test_lammps_reads_our_dump(tmp_path, ours):
+    convert(RUN, tmp_path / "in.data", "--frame", "0")
+    convert(RUN, tmp_path / "in.dump", "--frame", "all")
+    steps = [line for line in (tmp_path / "in.dump").read_text().splitlines()]
+    last = steps[len(steps) - 1 - steps[::-1].index("ITEM: TIMESTEP") + 1]
+    script = f"""units si
+atom_style sphere
+boundary f f f
+read_data in.data
+read_dump in.dump {last} x y z vx vy vz box yes replace yes
+write_dump all custom back.dump id x y z radius vx vy vz modify format float %.17g
+"""
+    (tmp_path / "in.lammps").write_text(script)
+    call(tmp_path, ["lmp", "-in", "in.lammps", "-log", "none"], script)
+    convert(tmp_path / "back.dump", tmp_path / "back.csv")
+    # places pass through shares of the box there
+    same(ours, columns(tmp_path / "back.csv"), "id x y z vx vy vz", 1e-14)
+
+
+@program("lmp")
+def test_a_hybrid_style_of_lammps_is_read(tmp_path):
+    script = """units si
+atom_style hybrid sphere charge
+boundary f f f
+region box block 0 1 0 1 0 1
+create_box 2 box
+create_atoms 1 single 0.1 0.2 0.3
+create_atoms 2 single 0.4 0.2 0.3
+set group all diameter 0.01 density 2500 charge 0.5
+mass * 1
+write_data hybrid.data
+"""
+    (tmp_path / "in.lammps").write_text(script)
+    call(tmp_path, ["lmp", "-in", "in.lammps", "-log", "none"], script)
+    # LAMMPS writes `Atoms # hybrid`, without the parts
+    command = [DEMETER, "convert", "hybrid.data", "hybrid.csv"]
+    refused = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert refused.returncode == 2 and "--atom-style" in refused.stderr, refused.stderr
+    convert(tmp_path / "hybrid.data", tmp_path / "hybrid.csv", "--atom-style", "hybrid sphere charge")
+    table = columns(tmp_path / "hybrid.csv")
+    assert list(table["charge"]) == [0.5, 0.5] and list(table["diameter"]) == [0.01, 0.01]
+
+
+@program("liggghts")
+def test_liggghts_reads_our_data_and_we_its_data_and_dumps(tmp_path, ours):
+    convert(RUN, tmp_path / "in.liggghts")
+    script = f"""atom_style granular
+atom_modify map array sort 0 0.0
+boundary f f f
+newton off
+communicate single vel yes
+units si
+read_data in.liggghts
+neighbor 0.001 bin
+pair_style none
+timestep 1e-9
+fix move all nve/sphere
+dump d all custom 1 back.dump id type mass x y z radius density vx vy vz omegax omegay omegaz
+dump_modify d format "%d %d{' %.17g' * 12}"
+run 0
+write_data back.data
+"""
+    (tmp_path / "in.script").write_text(script)
+    call(tmp_path, ["liggghts", "-in", "in.script", "-log", "none"], script)
+    for name in ["back.dump", "back.data"]:
+        convert(tmp_path / name, tmp_path / "back.csv")
+        back = columns(tmp_path / "back.csv")
+        same(ours, back, f"id {MOVING} diameter")
+        # kept as a mass there
+        same(ours, back, "density", 1e-15)
+
+
+@program("yade")
+def test_yade_reads_our_packing_and_we_its(tmp_path, ours):
+    convert(RUN, tmp_path / "in.yade")
+    script = """from yade import export, ymport
+O.bodies.append(ymport.text('in.yade'))
+with open('exact.csv', 'w') as out:
+    out.write('x,y,z,radius\\n')
+    for b in O.bodies:
+        out.write('%r,%r,%r,%r\\n' % (*(float(v) for v in b.state.pos), float(b.shape.radius)))
+export.text('back.txt')
+export.textExt('material.txt', format='x_y_z_r_matId')
+export.textExt('attributes.txt', format='x_y_z_r_attrs', attrs=['b.id', 'b.state.vel'], comment='number vx vy vz')
+"""
+    (tmp_path / "script.py").write_text(script)
+    call(tmp_path, ["yade", "-n", "-x", "script.py"], script)
+    # ids are those of the order in the file
+    convert(RUN, tmp_path / "order.yade")
+    convert(tmp_path / "order.yade", tmp_path / "order.csv")
+    order = columns(tmp_path / "order.csv")
+    same(order, columns(tmp_path / "exact.csv"), "x y z")
+    # YADE writes 6 digits
+    for name in ["back.txt", "material.txt", "attributes.txt"]:
+        convert(tmp_path / name, tmp_path / "back.csv")
+        back = columns(tmp_path / "back.csv")
+        same(order, back, "x y z diameter", 1e-5)
+    assert list(back["number"]) == list(range(len(order["x"])))
+
+
+def test_ovito_reads_our_files_and_we_its(tmp_path, ours):
+    io = pytest.importorskip("ovito.io")
+    convert(RUN, tmp_path / "in.xyz", "--frame", "all")
+    convert(RUN, tmp_path / "in.dump", "--frame", "all")
+    convert(RUN, tmp_path / "in.data")
+    for name, atom_style in [("in.xyz", None), ("in.dump", None), ("in.data", "sphere")]:
+        pipeline = io.import_file(str(tmp_path / name), **({"atom_style": atom_style} if atom_style else {}))
+        if name != "in.data":
+            assert pipeline.source.num_frames > 5
+        data = pipeline.compute(pipeline.source.num_frames - 1)
+        particles = data.particles
+        order = np.argsort(np.asarray(particles["Particle Identifier"]))
+        read = {axis: np.asarray(particles.positions)[order, k] for k, axis in enumerate("xyz")}
+        # its reader of numbers errs in the last bit
+        same(ours, read, "x y z", 1e-15)
+        np.testing.assert_allclose(2 * np.asarray(particles["Radius"])[order], ours["diameter"], rtol=1e-6)
+        velocity = np.asarray(particles["Velocity"])[order]
+        same(ours, {f"v{axis}": velocity[:, k] for k, axis in enumerate("xyz")}, "vx vy vz", 1e-15)
+        if name == "in.xyz":
+            types = particles.particle_types
+            assert {kind.name for kind in types.types if kind.id in set(types)} == {"soft"}
+            assert data.attributes["Time"] == pytest.approx(0.1, abs=1e-4)
+            assert np.asarray(particles["Orientation"]).shape == (len(order), 4)
+        exported = ["Particle Identifier", "Particle Type", "Position.X", "Position.Y", "Position.Z", "Radius"]
+        exported += ["Velocity.X", "Velocity.Y", "Velocity.Z"]
+        for form, ending in [("xyz", "xyz"), ("lammps/dump", "dump")]:
+            if form == "lammps/dump" and data.cell is None:
+                continue
+            back = tmp_path / f"back.{ending}"
+            precision = {"precision": 17} if form == "xyz" else {}
+            io.export_file(pipeline, str(back), form, columns=exported, frame=pipeline.source.num_frames - 1, **precision)
+            convert(back, tmp_path / "back.csv")
+            same(ours, columns(tmp_path / "back.csv"), "x y z vx vy vz diameter", 1e-6 if form != "xyz" else 1e-7)
+
+
+def test_ase_reads_our_extended_xyz_and_we_its(tmp_path, ours):
+    io = pytest.importorskip("ase.io")
+    convert(RUN, tmp_path / "in.xyz", "--frame", "all", "--columns", "type,x,y,z,id,radius,density,vx,vy,vz")
+    frames = io.read(tmp_path / "in.xyz", index=":")
+    assert len(frames) > 5
+    last = frames[-1]
+    order = np.argsort(last.arrays["id"])
+    read = {axis: last.positions[order, k] for k, axis in enumerate("xyz")}
+    same(ours, read, "x y z", 1e-15)
+    np.testing.assert_array_equal(2 * last.arrays["radius"][order], ours["diameter"])
+    assert last.info["Time"] == pytest.approx(0.1, abs=1e-4)
+    io.write(tmp_path / "back.xyz", last, format="extxyz")
+    convert(tmp_path / "back.xyz", tmp_path / "back.csv")
+    # ASE writes 8 decimals, which are metres here
+    np.testing.assert_allclose(columns(tmp_path / "back.csv")["x"], ours["x"], atol=1e-8)
+
+
+def test_a_packing_of_a_dump_is_grains_of_a_run(tmp_path, ours):
+    convert(RUN, tmp_path / "start.dump", "--frame", "all")
+    with open(tmp_path / "start.dump", "rb") as plain, gzip.open(tmp_path / "start.dump.gz", "wb") as packed:
+        packed.write(plain.read())
+    scenario = Path(__file__).parent.parent / "python" / "scenario.toml"
+    command = [DEMETER, "run", str(scenario), "--out", "again", "--set", "stage[0].duration='1 us'"]
+    source = f'grains=[{{ material = "soft", source = "file", file = "{tmp_path}/start.dump.gz" }}]'
+    done = subprocess.run([*command, "--set", source], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    convert(tmp_path / "again", tmp_path / "again.csv", "--frame", "0")
+    same(ours, columns(tmp_path / "again.csv"), "id x y z vx vy vz diameter")
