@@ -108,9 +108,10 @@ export class ScenePanel {
         }
         this.#chooseScalar(names);
         this.#scalars.value = this.#colour.scalar;
+        // walls first: the first grains decide what is looked at, together with the walls around them
+        this.scene.setWalls(state.walls);
         this.scene.setGrains(state.grains);
         this.scene.setContacts(state.contacts);
-        this.scene.setWalls(state.walls);
         this.#recolour();
         this.#redrawChains();
         this.#recut();

@@ -35,6 +35,22 @@ impl Html {
         self.0.push_str(&escaped(text));
     }
 
+    /// Adds a text whose parts between backticks are names or commands.
+    pub fn prose(&mut self, text: &str) {
+        let parts: Vec<&str> = text.split('`').collect();
+        if parts.len().is_multiple_of(2) {
+            // a backtick alone means itself
+            return self.text(text);
+        }
+        for (k, part) in parts.iter().enumerate() {
+            if k % 2 == 0 {
+                self.text(part);
+            } else {
+                self.element("code", part);
+            }
+        }
+    }
+
     /// Adds an element that holds a text.
     pub fn element(&mut self, tag: &str, text: &str) {
         let _ = write!(self.0, "<{tag}>{}</{tag}>", escaped(text));
@@ -117,6 +133,10 @@ mod tests {
             "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;"
         );
         assert_eq!(escaped("bell\u{7}\n"), "bell\u{fffd}\n");
+        let mut html = Html::default();
+        html.prose("a `<b>` c");
+        html.prose("a ` <d>");
+        assert_eq!(html.as_str(), "a <code>&lt;b&gt;</code> ca ` &lt;d&gt;");
         let mut html = Html::default();
         html.table("<x>", &["<t>"], &[vec!["<r>".into(), "<c>".into()]]);
         for tag in ["<x>", "<t>", "<r>", "<c>"] {

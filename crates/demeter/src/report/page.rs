@@ -102,7 +102,7 @@ fn about(contents: &Contents) -> String {
 fn notices(contents: &Contents, html: &mut Html) {
     let (_, class) = contents.outcome.end.mark();
     html.raw(&format!("<p class=\"notice {class}\"><strong>How it ended: </strong>"));
-    html.text(&contents.outcome.reason);
+    html.prose(&contents.outcome.reason);
     html.raw("</p>");
     for (title, class, texts) in [
         ("Warnings", "warn", &contents.outcome.warnings),
@@ -113,7 +113,9 @@ fn notices(contents: &Contents, html: &mut Html) {
         }
         html.raw(&format!("<div class=\"notice {class}\"><strong>{title}</strong><ul>"));
         for text in texts {
-            html.element("li", text);
+            html.raw("<li>");
+            html.prose(text);
+            html.raw("</li>");
         }
         html.raw("</ul></div>");
     }
@@ -194,7 +196,7 @@ fn with_series(contents: &Contents, html: &mut Html, write: fn(&crate::results::
 fn parameters(contents: &Contents, html: &mut Html) {
     if !contents.outcome.time_step_reason.is_empty() {
         html.raw("<p><strong>Time step: </strong>");
-        html.text(&contents.outcome.time_step_reason);
+        html.prose(&contents.outcome.time_step_reason);
         html.raw("</p>");
     }
     if let Some(parameters) = &contents.parameters {

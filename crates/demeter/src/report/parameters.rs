@@ -95,7 +95,7 @@ impl Parameters {
         let own: Vec<&String> = contact.keys().filter(|key| *key != "pair").collect();
         let mut families = own.clone();
         for key in pairs.iter().flat_map(|pair| pair.keys()) {
-            if key != "materials" && !families.contains(&key) {
+            if key != "between" && !families.contains(&key) {
                 families.push(key);
             }
         }
@@ -116,7 +116,7 @@ impl Parameters {
             pairs
                 .iter()
                 .take(MOST_ROWS)
-                .map(|pair| row(pair.get("materials").map_or_else(String::new, shown), pair)),
+                .map(|pair| row(pair.get("between").map_or_else(String::new, shown), pair)),
         );
         let labels: Vec<String> = families.iter().map(|key| words(key)).collect();
         let titles: Vec<&str> = std::iter::once("materials")
@@ -288,7 +288,7 @@ mod tests {
             [contact]
             normal = { law = "hertz-tsuji", restitution = 0.9 }
             [[contact.pair]]
-            materials = ["glass", "steel"]
+            between = ["glass", "steel"]
             normal = { law = "jkr", surface_energy = "20 mJ/m^2" }
             "#,
         );
