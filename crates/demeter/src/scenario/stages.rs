@@ -288,28 +288,31 @@ fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
 
 /// One wall, or a list of some.
 fn walls_of(table: &TableReader<'_>, walls: &[WallSpec]) -> Vec<usize> {
-    match table.optional("wall") {
-        Some(item) if matches!(item.node.value, Value::Array(_)) => {
-            let names = walls.iter().map(|w| w.name.as_str());
-            let chosen = chosen(&item, "wall", names);
-            if item.items().is_empty() {
-                item.fault("there is no wall in `wall`", Some("name one at least".to_string()));
-            }
-            chosen
-        }
-        _ => vec![wall_of(table, walls)],
+    let Some(item) = table.required("wall", "the name of the wall, or a list of names") else {
+        return vec![0];
+    };
+    if !matches!(item.node.value, Value::Array(_)) {
+        return vec![wall_named(&item, walls)];
     }
+    let names = walls.iter().map(|w| w.name.as_str());
+    let chosen = chosen(&item, "wall", names);
+    if item.items().is_empty() {
+        item.fault("there is no wall in `wall`", Some("name one at least".to_string()));
+    }
+    chosen
 }
 
 pub(super) fn wall_of(table: &TableReader<'_>, walls: &[WallSpec]) -> usize {
-    let Some(item) = table.required("wall", "the name of the wall") else {
-        return 0;
-    };
+    let item = table.required("wall", "the name of the wall");
+    item.map_or(0, |item| wall_named(&item, walls))
+}
+
+fn wall_named(item: &Item<'_>, walls: &[WallSpec]) -> usize {
     let name = item.text();
     if name.is_empty() {
         0
     } else {
-        wall_index(&item, &name, walls)
+        wall_index(item, &name, walls)
     }
 }
 
