@@ -8,6 +8,7 @@
 //! | `{{#laws}}` | the list of the contact laws; every law gets a page of its own |
 //! | `{{#repo PATH}}` | a text of the repository |
 //! | `{{#run demeter ARGUMENTS}}` | the command and what it says, run in a folder that the chapters share |
+//! | `{{#chapter PATH TITLE}}` | a line of the contents, where there is such a chapter |
 //! | `{{#picture PATH TEXT}}` | a picture that such a command wrote, or one of the repository |
 //!
 //! Formulas between `$` become MathML, which browsers draw without a script and without a network.
@@ -27,18 +28,33 @@ const MDBOOK: &str = "0.5.4";
 
 /// Makes the book and checks its links.
 pub fn make() -> Result<(), String> {
-    let mdbook = std::env::var("MDBOOK").unwrap_or_else(|_| "mdbook".to_string());
-    if !answers(&mdbook, &["--version"]) {
-        return Err(format!(
+    match build()? {
+        true => Ok(()),
+        false => Err(format!(
             "mdbook is not there; `cargo install mdbook --locked --version {MDBOOK}` installs it (or set MDBOOK to its path)"
-        ));
+        )),
     }
+}
+
+/// The same; without mdbook all that is generated is made, and the pages are not.
+pub fn check() -> Result<(), String> {
+    if !build()? {
+        println!("==> mdbook is not there: the pages of the book are not made, nor are their links checked");
+    }
+    Ok(())
+}
+
+/// Whether mdbook is there and made the pages.
+fn build() -> Result<bool, String> {
+    let mdbook = std::env::var("MDBOOK").unwrap_or_else(|_| "mdbook".to_string());
     let target = target_folder()?;
     let build = target.join("book-source");
     let pages = target.join("book");
     run_cargo(&["build", "-p", "demeter-cli"], &[])?;
     sources(&build, &target.join("debug/demeter"))?;
-    println!("==> mdbook build {}", build.display());
+    if !answers(&mdbook, &["--version"]) {
+        return Ok(false);
+    }
     let (build_shown, pages_shown) = (build.display().to_string(), pages.display().to_string());
     run(&mdbook, &["build", &build_shown, "--dest-dir", &pages_shown], &[])?;
     let broken = links::broken(&pages)?;
@@ -46,7 +62,7 @@ pub fn make() -> Result<(), String> {
         return Err(format!("links that lead nowhere:\n{}", broken.join("\n")));
     }
     println!("==> the book is {}", pages.join("index.html").display());
-    Ok(())
+    Ok(true)
 }
 
 /// Writes the sources of the book with all that is generated.

@@ -1,7 +1,7 @@
 //! The checks of a merge, one by one and all together.
 
 use crate::shell::{answers, cargo, root, run, run_cargo, rust_files};
-use crate::{browser, house_rules, instructions, layers, python, web};
+use crate::{book, browser, house_rules, instructions, layers, python, web};
 use std::process::Command;
 
 /// The Python crate is left out of what needs linking: it is checked on its own.
@@ -16,6 +16,7 @@ pub fn ci() -> Result<(), String> {
     documentation()?;
     web::check_where_possible()?;
     test()?;
+    book::check()?;
     instructions::run(false)?;
     python::test()?;
     browser::test_where_possible()?;

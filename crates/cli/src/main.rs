@@ -5,6 +5,8 @@
 
 mod answer;
 mod arguments;
+#[cfg(test)]
+mod book;
 mod bug_report;
 mod check;
 mod check_walls;

@@ -7,6 +7,10 @@
 //!     <- measure, output <- results <- report <- compare <- scenario <- calibrate, interchange, render
 //! ```
 //!
+//! The book (`book/src`; `cargo xtask book` makes it) begins with a first run, lists all keys of a scenario, and tells how this works:
+//! contacts over the window of a step (`time-centred.md`), the energy books (`ledger.md`), the same bits everywhere
+//! (`same-bits.md`).
+//!
 //! Every quantity is SI `f64`; units exist in [`scenario`] only.
 
 pub mod calibrate;

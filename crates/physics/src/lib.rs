@@ -9,6 +9,9 @@
 //! * [`integrator`]: velocity Verlet and the rotation of a rigid sphere.
 //!
 //! Every quantity is SI. Nothing here knows of grains in number, neighbours, files or units.
+//!
+//! The book tells how a law is added (`book/src/adding-a-law.md`), and why contacts are taken over the window of a step
+//! (`book/src/time-centred.md`); `cargo xtask book` makes it.
 
 pub mod collision;
 pub mod contact;
@@ -21,3 +24,8 @@ pub mod restitution;
 pub mod root;
 
 pub use glam::{DQuat, DVec3};
+
+/// The examples in the book's chapter on adding a law.
+#[cfg(doctest)]
+#[doc = include_str!("../../../book/src/adding-a-law.md")]
+mod book {}

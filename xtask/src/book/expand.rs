@@ -68,6 +68,14 @@ pub fn expand(text: &str, chapter: &Path, workplace: &mut Workplace, laws: &[Law
                 let (path, text) = argument.split_once(' ').unwrap_or((argument, ""));
                 format!("![{text}](pictures/{})", workplace.picture(path)?)
             }
+            // a chapter that may not be written yet
+            "chapter" => {
+                let (path, title) = argument.split_once(' ').unwrap_or((argument, argument));
+                match chapter.with_file_name(path).is_file() {
+                    true => format!("- [{title}]({path})"),
+                    false => continue,
+                }
+            }
             // those of mdBook
             "include" => line.to_string(),
             other => return Err(format!("{}: unknown line {{{{#{other}}}}}", chapter.display())),
