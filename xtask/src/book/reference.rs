@@ -5,7 +5,10 @@ pub fn tables(reference: &str) -> String {
     let sections: Vec<String> = reference.lines().filter_map(section).collect();
     let mut lines: Vec<String> = Vec::new();
     let mut own = String::new();
-    for line in reference.lines() {
+    // what stands before the first heading is for readers of the code where it names its items
+    let lead = reference.split("\n# ").next().unwrap_or_default();
+    let skipped = if lead.contains("[`") { lead.lines().count() } else { 0 };
+    for line in reference.lines().skip(skipped) {
         if let Some(name) = section(line) {
             own.clone_from(&name);
             let (_, told) = line.split_once("`: ").unwrap_or(("", ""));
@@ -94,7 +97,7 @@ fn linked(row: &str, own: &str, sections: &[String]) -> String {
 
 /// A line without the links that only rustdoc knows.
 fn plain(line: &str) -> String {
-    let mut made = line.to_string();
+    let mut made = line.replace("[`units`]", "[units](units.md)");
     while let Some((before, rest)) = made.split_once("[`")
         && let Some((name, after)) = rest.split_once("`]")
         && !after.starts_with('(')
