@@ -121,13 +121,22 @@ export function timePlot(options: PlotOptions, entries: LegendEntry[]): Made {
             series: [{}, ...shared.series],
             scales: {
                 x: { time: false, range: (_, min, max) => seen(min, max) },
-                y: log ? { distr: 3 } : options.bars ? { range: (_, __, max) => [0, 1.05 * max || 1] } : {},
+                y: log ? { distr: 3 } : options.bars ? { range: (_, __, max) => [0, 1.05 * max || 1] } : { range: (_, min, max) => around(min, max) },
             },
             cursor: { drag: { x: true, y: false }, y: false, points: { show: !options.bars } },
         },
         data: [Array.from(options.x.values), ...options.lines.map((line) => drawable(line.values, log))],
         whole: { x: whole },
     };
+}
+
+/** A vertical range with a little room; about a value that never changes, too. */
+function around(min: number | null, max: number | null): [number, number] {
+    if (min == null || max == null) {
+        return [0, 1];
+    }
+    const pad = Math.abs(min) || 1;
+    return min === max ? [min - pad, max + pad] : (uPlot.rangeNum(min, max, 0.1, true) as [number, number]);
 }
 
 /** Keeps a range within another. */
