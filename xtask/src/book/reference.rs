@@ -6,8 +6,10 @@ pub fn tables(reference: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     let mut own = String::new();
     // what stands before the first heading is for readers of the code where it names its items
-    let lead = reference.split("\n# ").next().unwrap_or_default();
-    let skipped = if lead.contains("[`") { lead.lines().count() } else { 0 };
+    let skipped = match reference.split_once("\n# ") {
+        Some((lead, _)) if !lead.starts_with('#') && lead.contains("[`") => lead.lines().count(),
+        _ => 0,
+    };
     for line in reference.lines().skip(skipped) {
         if let Some(name) = section(line) {
             own.clone_from(&name);
