@@ -104,15 +104,30 @@ fn reference(name: &str) -> Value {
     json!({ "$ref": format!("#/definitions/{name}") })
 }
 
-/// The table of a section; one alternative for every kind of it.
+/// The table of a section. Where keys depend on its kind, all of them are there to be completed, and a rule for every kind tells
+/// which belong to it: of alternatives an editor could only say that none fits.
 fn table(section: &Section, shared: &mut Map<String, Value>) -> Value {
-    match section.kinds() {
-        None => table_of_kind(section, None, shared),
-        Some((key, kinds)) => {
-            let one = |kind: &String| table_of_kind(section, Some((key, kind)), shared);
-            json!({ "type": "object", "oneOf": kinds.iter().map(one).collect::<Vec<Value>>() })
+    let Some((key, kinds)) = section.kinds() else {
+        return table_of_kind(section, None, shared);
+    };
+    let mut properties = Map::new();
+    for row in &section.rows {
+        let same = section.rows.iter().filter(|other| other.key == row.key);
+        let mut forms: Vec<&Form> = Vec::new();
+        for form in same.flat_map(|row| &row.value) {
+            if !forms.contains(&form) {
+                forms.push(form);
+            }
         }
+        let values = forms.iter().map(|form| value(form, &section.name, shared)).collect();
+        (properties.entry(row.key.clone())).or_insert_with(|| described(any_of(values), row));
     }
+    let mut rules = Vec::new();
+    for kind in kinds {
+        let is_kind = json!({ "properties": { key: { "const": kind } }, "required": [key] });
+        rules.push(json!({ "if": is_kind, "then": table_of_kind(section, Some((key, kind)), shared) }));
+    }
+    json!({ "type": "object", "properties": properties, "required": [key], "allOf": rules })
 }
 
 fn table_of_kind(section: &Section, kind: Option<(&str, &str)>, shared: &mut Map<String, Value>) -> Value {
