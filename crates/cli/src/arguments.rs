@@ -64,6 +64,10 @@ pub enum Command {
     #[command(after_help = exit::HELP)]
     Render(RenderArguments),
     /// Convert packings from and to LAMMPS, LIGGGHTS, OVITO (extended XYZ), YADE, CSV, ParaView
+    ///
+    /// Formats: csv (named columns with units), lammps-data, liggghts-data, lammps-dump, liggghts-dump (text, several moments),
+    /// xyz (extended XYZ for OVITO and ASE, several moments), yade (text packing), vtp (ParaView; output only). A run of Demeter is
+    /// told by its folder, or by one .vtp file of its frames. What cannot be carried over is said.
     #[command(after_help = exit::HELP)]
     Convert(ConvertArguments),
     /// List the contact laws, or explain one

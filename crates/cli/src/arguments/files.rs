@@ -5,10 +5,6 @@ use clap_complete::Shell;
 use std::path::PathBuf;
 
 /// Of `demeter convert`.
-///
-/// Formats: csv (named columns with units), lammps-data, liggghts-data, lammps-dump, liggghts-dump (text, several moments, also .gz),
-/// xyz (extended XYZ for OVITO and ASE, several moments), yade (text packing), vtp (ParaView; output only). A run of Demeter is told
-/// by its folder, or by one .vtp file of its frames. What could not be carried over is said.
 #[derive(Debug, Args)]
 pub struct ConvertArguments {
     /// A file of grains, the folder of a run, or one `grains_*.vtp` of its frames

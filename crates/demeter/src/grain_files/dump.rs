@@ -25,11 +25,38 @@ struct Head {
     columns: String,
 }
 
+/// How a file tells its box.
+#[derive(Clone, Copy, PartialEq)]
+enum Told {
+    /// Ends along x, y and z.
+    Ends,
+    /// Ends of what lies around a tilted box, and the tilts.
+    Tilted,
+    /// Three edges, each with a coordinate of the corner behind it: OVITO writes this.
+    Edges,
+}
+
+impl Told {
+    /// Values of a line.
+    fn values(self) -> usize {
+        match self {
+            Self::Ends => 2,
+            Self::Tilted => 3,
+            Self::Edges => 4,
+        }
+    }
+
+    /// Words before the kinds of the sides.
+    fn words(self) -> usize {
+        [0, 3, 2][self.values() - 2]
+    }
+}
+
 /// The box as the file tells it, in its units.
 #[derive(Clone, Copy)]
 struct Bounds {
-    rows: [[f64; 3]; 3],
-    tilted: bool,
+    rows: [[f64; 4]; 3],
+    told: Told,
     periodic: [bool; 3],
 }
 
@@ -40,7 +67,7 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
     };
     let at = lines.number();
     let units = context.units(head.units.as_deref(), notes)?;
-    let cell = head.bounds.map(|bounds| cell(&bounds, &units));
+    let cell = head.bounds.map(|bounds| cell(&bounds, &units)).transpose()?;
     let mut extras = Vec::new();
     let columns = columns(&head.columns, &units, &mut extras).map_err(|problem| problem.at(at, None))?;
     notes.add_extras(&extras);
@@ -123,7 +150,7 @@ fn read_head(lines: &mut Lines) -> Result<Option<Head>, Located> {
                     .map_err(|_| not_allowed(text, "allowed are whole numbers from 0"));
                 head.atoms = Some(atoms.map_err(|problem| problem.at(at, None))?);
             }
-            "BOX BOUNDS" => head.bounds = Some(read_bounds(lines, rest, at)?),
+            "BOX BOUNDS" => head.bounds = Some(read_bounds(lines, rest)?),
             "ATOMS" => {
                 if head.atoms.is_none() {
                     let found = "ITEM: ATOMS".to_owned();
@@ -149,32 +176,30 @@ fn read_head(lines: &mut Lines) -> Result<Option<Head>, Located> {
     }
 }
 
-fn read_bounds(lines: &mut Lines, told: &str, at: usize) -> Result<Bounds, Located> {
+fn read_bounds(lines: &mut Lines, told: &str) -> Result<Bounds, Located> {
     let words: Vec<&str> = told.split_whitespace().collect();
-    let tilted = words.starts_with(&["xy", "xz", "yz"]);
-    if words.contains(&"abc") {
-        let what = "a box of any three vectors".to_owned();
-        let remedy = "dump it as `xy xz yz` (without `triclinic/general`)";
-        return Err(FileProblem::NotRead { what, remedy }.at(at, None));
-    }
-    let flags = &words[if tilted { 3 } else { 0 }..];
+    let told = match words[..] {
+        ["xy", "xz", "yz", ..] => Told::Tilted,
+        ["abc", "origin", ..] => Told::Edges,
+        _ => Told::Ends,
+    };
+    let flags = &words[told.words()..];
     let mut bounds = Bounds {
-        rows: [[0.0; 3]; 3],
-        tilted,
+        rows: [[0.0; 4]; 3],
+        told,
         periodic: [0, 1, 2].map(|k| flags.get(k).is_some_and(|flag| flag.starts_with('p'))),
     };
     for row in &mut bounds.rows {
         let (at, line) = lines.expect("a side of the box")?;
         let values: Vec<&str> = line.split_whitespace().take(5).collect();
-        let expected = if tilted { 3 } else { 2 };
-        if values.len() != expected {
-            let (found, expected) = (values.len(), expected.to_string());
+        if values.len() != told.values() {
+            let (found, expected) = (values.len(), told.values().to_string());
             return Err(FileProblem::ValueCount { found, expected }.at(at, None));
         }
         for (slot, text) in row.iter_mut().zip(values) {
             *slot = number(text).map_err(|problem| problem.at(at, None))?;
         }
-        if row[0] > row[1] {
+        if told != Told::Edges && row[0] > row[1] {
             return Err(not_allowed(line, "the lower side must not be above the upper").at(at, None));
         }
     }
@@ -182,22 +207,31 @@ fn read_bounds(lines: &mut Lines, told: &str, at: usize) -> Result<Bounds, Locat
 }
 
 /// The box in SI. Of a tilted one, the file tells what lies around it.
-fn cell(bounds: &Bounds, units: &FileUnits) -> Cell {
+fn cell(bounds: &Bounds, units: &FileUnits) -> Result<Cell, FileProblem> {
     let [x, y, z] = bounds.rows.map(|row| row.map(|value| value * units.length));
+    let periodic = bounds.periodic;
+    if bounds.told == Told::Edges {
+        let edges = [x, y, z].map(|row| [row[0], row[1], row[2]].into());
+        let cell = Cell::of_edges(edges, [x[3], y[3], z[3]].into());
+        return cell
+            .map(|cell| Cell { periodic, ..cell })
+            .ok_or_else(|| FileProblem::NotRead {
+                what: "a box with other directions than x, y, z".to_owned(),
+                remedy: "turn it so that its first edge lies along x and its second in the plane of x and y",
+            });
+    }
     let mut cell = Cell {
         lower: [x[0], y[0], z[0]].into(),
         upper: [x[1], y[1], z[1]].into(),
-        tilt: if bounds.tilted { [x[2], y[2], z[2]] } else { [0.0; 3] },
-        periodic: bounds.periodic,
+        tilt: [x[2], y[2], z[2]],
+        periodic,
     };
-    if bounds.tilted {
-        let over = cell.overhang();
-        for (axis, [low, high]) in over.into_iter().enumerate() {
-            cell.lower[axis] -= low;
-            cell.upper[axis] -= high;
-        }
+    let over = cell.overhang();
+    for (axis, [low, high]) in over.into_iter().enumerate() {
+        cell.lower[axis] -= low;
+        cell.upper[axis] -= high;
     }
-    cell
+    Ok(cell)
 }
 
 /// The quantity of a column of a dump, and its unit in SI.

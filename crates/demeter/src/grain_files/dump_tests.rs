@@ -67,6 +67,18 @@ fn a_tilted_box_is_told_by_what_lies_around_it() {
 }
 
 #[test]
+fn a_box_of_three_edges_is_read_as_ovito_writes_it() {
+    let text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp ff pp\n11 0 0 -1\n3 10 0 -2\n-1 2 9 -3\n\
+        ITEM: ATOMS x y z radius\n0 0 0 1\n";
+    let cell = parse(text).unwrap().cell.unwrap();
+    assert_eq!(
+        (cell.lower, cell.upper),
+        (DVec3::new(-1.0, -2.0, -3.0), DVec3::new(10.0, 8.0, 6.0))
+    );
+    assert_eq!((cell.tilt, cell.periodic), ([3.0, -1.0, 2.0], [true, false, true]));
+}
+
+#[test]
 fn wrong_dumps_are_refused_with_place_and_remedy() {
     let head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n";
     for (text, part) in [
@@ -111,8 +123,11 @@ fn wrong_dumps_are_refused_with_place_and_remedy() {
             "line 7: 3 values where 2 are needed",
         ),
         (
-            head.replace("ff ff ff", "abc origin"),
-            "a box of any three vectors is not read",
+            head.replace(
+                "ff ff ff\n0 1\n0 1\n0 1",
+                "abc origin ff ff ff\n0 1 0 0\n0 1 0 0\n0 0 1 0",
+            ) + "ITEM: ATOMS x y z radius\n",
+            "a box with other directions than x, y, z is not read; turn it",
         ),
         (head.replace("\n2\n", "\n-2\n"), "line 4: `-2` is not allowed"),
         (

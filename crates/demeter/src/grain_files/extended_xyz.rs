@@ -146,28 +146,24 @@ fn cell<'k>(
         Some(origin) => numbers(origin, "Origin=\"x y z\"")?,
         None => [0.0; 3],
     };
-    let [ax, ay, az, bx, by, bz, cx, cy, cz] = edges;
-    let size = edges.iter().fold(0.0_f64, |size, edge| size.max(edge.abs()));
-    if [ay, az, bz].iter().any(|value| value.abs() > 1e-9 * size) || ax <= 0.0 || by <= 0.0 || cz <= 0.0 {
+    let corner = DVec3::from_array(origin) * units.length;
+    let edges = [0, 3, 6].map(|k| DVec3::from_slice(&edges[k..k + 3]));
+    let Some(cell) = Cell::of_edges(edges, corner) else {
         notes.add("the box has another direction than x, y, z; it is left out".to_owned());
         return Ok(None);
-    }
-    let lower = DVec3::from_array(origin) * units.length;
-    let upper = lower + DVec3::new(ax, by, cz);
-    if upper.abs().max_element() > LARGEST {
+    };
+    if cell.upper.abs().max_element() > LARGEST {
         return Err(not_allowed(lattice, "a box ends within 1e12 m"));
     }
     // A box without a word on its sides is periodic.
     let flags: Vec<&str> = value(&["pbc"]).unwrap_or("T T T").split_whitespace().collect();
     Ok(Some(Cell {
-        lower,
-        upper,
-        tilt: [bx, cx, cy],
         periodic: [0, 1, 2].map(|k| {
             flags
                 .get(k)
                 .is_some_and(|flag| ["T", "1", "True", "true"].contains(flag))
         }),
+        ..cell
     }))
 }
 

@@ -69,6 +69,21 @@ pub struct Cell {
 }
 
 impl Cell {
+    /// The box of three edges from a corner [m], all of whose sides are open; nothing when they lie in other directions
+    /// than ours: the first along x, the second in the plane of x and y.
+    pub(super) fn of_edges(edges: [DVec3; 3], corner: DVec3) -> Option<Self> {
+        let [a, b, c] = edges;
+        let size = edges.iter().map(|edge| edge.abs().max_element()).fold(0.0, f64::max);
+        let astray = [a.y, a.z, b.z].iter().any(|value| value.abs() > 1e-9 * size);
+        let upper = corner + DVec3::new(a.x, b.y, c.z);
+        (!astray && a.x > 0.0 && b.y > 0.0 && c.z > 0.0).then_some(Self {
+            lower: corner,
+            upper,
+            tilt: [b.x, c.x, c.y],
+            periodic: [false; 3],
+        })
+    }
+
     /// Whether its edges are not at right angles.
     pub fn is_tilted(&self) -> bool {
         self.tilt != [0.0; 3]
