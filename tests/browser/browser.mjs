@@ -41,6 +41,19 @@ export async function open(browser, address, options = {}) {
     return { page, faults };
 }
 
+/** Waits until everything is drawn, in the whole resolution: what moves may be drawn more coarsely. */
+export function settled(page) {
+    return page.evaluate(
+        () =>
+            new Promise((done) => {
+                const whole = () => [...document.querySelectorAll("canvas[data-share]")].every((canvas) => canvas.dataset.share === "1");
+                const twice = (then) => requestAnimationFrame(() => requestAnimationFrame(then));
+                const look = () => (whole() ? twice(done) : setTimeout(look, 30));
+                twice(look);
+            }),
+    );
+}
+
 /** How many different colours a picture has, and how much of it differs from another of the same size. */
 export async function compare(browser, a, b = a) {
     const page = await browser.newPage();

@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { join, resolve } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { accessibility, compare, keep, launch, open } from "./browser.mjs";
+import { accessibility, compare, keep, launch, open, settled } from "./browser.mjs";
 
 const EVIL = "</script><script>alert(1)</script><img src=x onerror=alert(1)>";
 const address = (variable) => {
@@ -24,7 +24,7 @@ async function report(options = {}, variable = "DEMETER_RUN") {
     await opened.page.waitForSelector("#scene canvas");
     const view = opened.page.locator("#scene .scene-frame");
     const picture = async () => {
-        await opened.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+        await settled(opened.page);
         return view.screenshot();
     };
     return { ...opened, view, picture };

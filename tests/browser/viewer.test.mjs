@@ -10,7 +10,7 @@ import { dirname, join, resolve } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { inflateRawSync } from "node:zlib";
-import { accessibility, compare, keep, launch, open } from "./browser.mjs";
+import { accessibility, compare, keep, launch, open, settled } from "./browser.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const PATIENCE = { timeout: 60_000 };
@@ -48,7 +48,7 @@ async function viewer(folder, options = {}) {
     const count = async () => Number(/of (\d+)/.exec(await told())?.[1]);
     const reaches = (at) => page.waitForFunction((k) => document.querySelector(".time-told").textContent.includes(`frame ${k} of`), at, PATIENCE);
     const picture = async () => {
-        await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+        await settled(page);
         return page.locator(".scene-frame").screenshot();
     };
     return { ...opened, address, told, frame, count, reaches, picture };
@@ -89,7 +89,7 @@ describe("the timeline", () => {
         assert.ok(different > 0.005, `the last frame differs by ${different}`);
         await page.keyboard.press("ArrowLeft");
         await reaches(all - 1);
-        assert.match(await page.textContent(".timeline [role=status]"), new RegExp(`frame ${all - 1} of ${all}`));
+        await page.locator(".timeline [role=status]", { hasText: `frame ${all - 1} of ${all}` }).waitFor({ state: "attached", ...PATIENCE });
         await page.keyboard.press("Home");
         await reaches(1);
         await page.keyboard.press("ArrowRight");
@@ -130,11 +130,11 @@ describe("the picture", () => {
         };
         await page.getByLabel("Colour grains by").selectOption("radius");
         await changes("another scalar");
-        await page.getByLabel("Cut").selectOption("any");
+        await page.getByLabel("Cut", { exact: true }).selectOption("any");
         await changes("a cut across any direction");
-        await page.getByLabel("z of the direction of the cut").fill("-3");
+        await page.getByLabel("z of the normal").fill("-3");
         await changes("another direction");
-        await page.getByLabel("Cut").selectOption("");
+        await page.getByLabel("Cut", { exact: true }).selectOption("");
         await changes("no cut");
         await page.getByLabel("Show force chains").check();
         await changes("force chains");
@@ -220,7 +220,7 @@ test("the series shows its columns, and a click in it leads to the moment", asyn
     await page.keyboard.press("End");
     await page.getByLabel("Find columns").fill("coordination");
     await page.getByLabel("coordination", { exact: true }).first().check();
-    await page.getByText("coordination over time").first().waitFor(PATIENCE);
+    await page.locator(".series-plot figcaption", { hasText: /coordination,.* over time/ }).waitFor(PATIENCE);
     const over = page.locator(".series-plot .u-over");
     await over.scrollIntoViewIfNeeded();
     await over.click({ position: { x: 2, y: 40 } });

@@ -27,8 +27,10 @@ pub fn test() -> Result<(), String> {
     };
     npm(&["ci", "--no-audit", "--no-fund", "--loglevel=error"], &[])?;
     let pictures = target_folder()?.join("browser-pictures").display().to_string();
+    let program = target_folder()?.join("debug/demeter").display().to_string();
     let runs = [
-        ("DEMETER_RUN", whole.as_str()),
+        ("DEMETER", program.as_str()),
+        ("DEMETER_RUN", &whole),
         ("DEMETER_RUN_ALONE", &alone),
         ("DEMETER_PICTURES", &pictures),
     ];

@@ -4,6 +4,7 @@ import { Axes } from "./scene/axes";
 import { CameraRig, type ViewName } from "./scene/camera";
 import { Chains } from "./scene/chains";
 import { automaticRange, categoryTexture, mapTexture, NO_VALUE_COLOUR, type MapName } from "./scene/colours";
+import { Pace } from "./scene/pace";
 import { firstSphere, type Plane } from "./scene/pick";
 import { Spheres } from "./scene/spheres";
 import { Walls } from "./scene/walls";
@@ -106,6 +107,8 @@ export class PackingScene {
     #marked = new Set<number>();
     #fitted = false;
     #pending = 0;
+    readonly #pace: Pace;
+    #share = 1;
     #maps = new Map<string, THREE.DataTexture>();
 
     // what the shaders share
@@ -146,6 +149,7 @@ export class PackingScene {
         if (options.onPick) {
             this.#listenForClicks(options.onPick);
         }
+        this.#pace = new Pace(this.#renderer.getContext() as WebGL2RenderingContext, () => this.#draw());
         this.#watch = new ResizeObserver(() => this.#resize());
         this.#watch.observe(container);
         this.#resize();
@@ -282,6 +286,7 @@ export class PackingScene {
     /** The picture as it is now, as PNG; by default as large as on the screen. */
     async screenshot(size?: { width: number; height: number }): Promise<Blob> {
         if (size) {
+            this.#share = 1;
             this.#renderer.setPixelRatio(1);
             this.#renderer.setSize(size.width, size.height, false);
             this.#rig.camera.aspect = size.width / size.height;
@@ -305,11 +310,12 @@ export class PackingScene {
 
     /** Asks for a picture; many requests make one. */
     render(): void {
-        this.#pending ||= requestAnimationFrame(() => this.#draw());
+        this.#pending ||= requestAnimationFrame(() => this.#draw(this.#pace.share));
     }
 
     dispose(): void {
         cancelAnimationFrame(this.#pending);
+        this.#pace.stop();
         this.#watch.disconnect();
         this.#rig.dispose();
         for (const part of [this.#spheres, this.#chains, this.#walls]) {
@@ -371,16 +377,23 @@ export class PackingScene {
     #resize(): void {
         const { clientWidth, clientHeight } = this.#container;
         if (clientWidth > 0 && clientHeight > 0) {
-            this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+            this.#share = 1;
+            this.#renderer.setPixelRatio(pixelRatio());
             this.#renderer.setSize(clientWidth, clientHeight);
             this.#rig.resize(clientWidth / clientHeight);
             this.#draw();
         }
     }
 
-    #draw(): void {
+    /** Draws with a share of the resolution. */
+    #draw(share = 1): void {
         cancelAnimationFrame(this.#pending);
         this.#pending = 0;
+        if (share !== this.#share) {
+            this.#share = share;
+            this.#renderer.setPixelRatio(share * pixelRatio());
+        }
+        this.canvas.dataset["share"] = String(share);
         const camera = this.#rig.camera;
         // near and far around the content, which has a size of about 1, so that depths stay exact
         const distance = camera.position.length();
@@ -392,6 +405,7 @@ export class PackingScene {
         this.#placeClip(camera.matrixWorldInverse);
         this.#axes.follow(camera);
         this.#renderer.render(this.#scene, camera);
+        this.#pace.drawn(share);
     }
 
     /** The clip plane in view space. */
@@ -416,6 +430,10 @@ export class PackingScene {
             down = null;
         });
     }
+}
+
+function pixelRatio(): number {
+    return Math.min(window.devicePixelRatio, 2);
 }
 
 /** A colour as it is, not turned into linear light. */

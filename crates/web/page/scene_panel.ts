@@ -259,7 +259,7 @@ export class ScenePanel {
     /** Fields for the direction across which the plane lies. */
     #normalControls(changed: () => void): HTMLElement {
         const fields = (["x", "y", "z"] as const).map((name, k) => {
-            const input = make("input", { type: "number", step: "any", value: this.#clip.normal[k]!, "aria-label": `${name} of the direction of the cut` });
+            const input = make("input", { type: "number", step: "any", value: this.#clip.normal[k]!, "aria-label": `${name} of the normal` });
             input.addEventListener("input", () => {
                 const typed = fields.map((field) => field.valueAsNumber);
                 const ok = typed.every(Number.isFinite) && typed.some((v) => v !== 0);
@@ -271,7 +271,7 @@ export class ScenePanel {
             });
             return input;
         });
-        const row = make("div", { class: "range-row direction" }, "along ", ...fields);
+        const row = make("div", { class: "range-row direction" }, "normal ", ...fields);
         row.hidden = true;
         return row;
     }

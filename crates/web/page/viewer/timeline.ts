@@ -34,12 +34,19 @@ export class Timeline {
     readonly #loop: HTMLInputElement;
     #times: number[] = [];
     #steps: number[] = [];
+    /** The frame that is shown. */
     #index = -1;
+    /** The frame that was asked for last, from which steps are counted. */
+    #aim = -1;
     #speed = 10;
     #playing = false;
     /** The frame that is wanted; a newer wish replaces it. */
     #wanted = -1;
     #busy = false;
+    /** The frame that is being shown on request. */
+    #job = Promise.resolve();
+    /** Counts starts, so that of two that follow each other quickly only the last one plays. */
+    #turn = 0;
 
     constructor(events: TimelineEvents) {
         this.#events = events;
@@ -57,9 +64,9 @@ export class Timeline {
             "div",
             { class: "time-buttons" },
             go("|◀", "First frame", () => this.seek(0)),
-            go("◀", "One frame back", () => this.seek(this.#index - 1)),
+            go("◀", "One frame back", () => this.seek(this.#aim - 1)),
             this.#play,
-            go("▶", "One frame on", () => this.seek(this.#index + 1)),
+            go("▶", "One frame on", () => this.seek(this.#aim + 1)),
             go("▶|", "Last frame", () => this.seek(this.#times.length - 1)),
         );
         const choices = make("div", { class: "time-choices" }, speed.element, loop.element, live.element);
@@ -93,7 +100,7 @@ export class Timeline {
         this.#slider.max = String(Math.max(times.length - 1, 0));
         this.#slider.disabled = times.length < 2;
         if (this.#index >= times.length) {
-            this.#index = -1;
+            this.#index = this.#aim = -1;
         }
         if (times.length > 0 && (this.#index < 0 || this.live)) {
             this.#goTo(this.live ? times.length - 1 : 0);
@@ -157,11 +164,11 @@ export class Timeline {
 
     /** Shows a frame; while one is being read the newest wish waits. */
     #goTo(index: number): void {
-        this.#wanted = index;
+        this.#wanted = this.#aim = index;
         this.#slider.value = String(index);
         this.#tellAt(index);
         if (!this.#busy) {
-            void this.#work();
+            this.#job = this.#work();
         }
     }
 
@@ -187,10 +194,12 @@ export class Timeline {
 
     /** Plays until it is paused or at the end. */
     async #run(): Promise<void> {
+        const turn = ++this.#turn;
+        await this.#job;
         if (this.#index >= this.#times.length - 1) {
             this.#index = -1;
         }
-        while (this.#playing) {
+        while (this.#playing && turn === this.#turn) {
             const next = this.#index + 1;
             const begun = performance.now();
             if (next >= this.#times.length && !this.#loop.checked) {
@@ -198,6 +207,7 @@ export class Timeline {
                 break;
             }
             const index = next % this.#times.length;
+            this.#aim = index;
             this.#events.ahead(this.#following(index));
             this.#busy = true;
             await this.#show(index);
@@ -205,8 +215,8 @@ export class Timeline {
             const wait = Math.max(1000 / this.#speed - (performance.now() - begun), 0);
             await new Promise((resolve) => setTimeout(resolve, wait));
         }
-        if (this.#wanted >= 0) {
-            void this.#work();
+        if (this.#wanted >= 0 && !this.#busy) {
+            this.#job = this.#work();
         }
     }
 
@@ -217,7 +227,7 @@ export class Timeline {
     }
 
     #tell(): void {
-        this.#tellAt(this.#index);
+        this.#tellAt(this.#aim);
     }
 
     #tellAt(index: number): void {
@@ -255,13 +265,13 @@ export class Timeline {
             ...(moves
                 ? {}
                 : {
-                      ArrowLeft: () => this.seek(this.#index - 1),
-                      ArrowRight: () => this.seek(this.#index + 1),
+                      ArrowLeft: () => this.seek(this.#aim - 1),
+                      ArrowRight: () => this.seek(this.#aim + 1),
                       Home: () => this.seek(0),
                       End: () => this.seek(this.#times.length - 1),
                   }),
-            ",": () => this.seek(this.#index - 1),
-            ".": () => this.seek(this.#index + 1),
+            ",": () => this.seek(this.#aim - 1),
+            ".": () => this.seek(this.#aim + 1),
         };
         const act = keys[event.key];
         if (act) {
