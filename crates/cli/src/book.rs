@@ -1,4 +1,5 @@
 //! The commands that the book and the README show are commands that there are.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 use crate::arguments::Arguments;
 use clap::Parser;
