@@ -60,7 +60,7 @@ describe("the 3D view", () => {
         await changes("force chains");
         await controls.getByLabel("Opacity of walls").fill("0.6");
         await changes("the opacity of walls");
-        await controls.getByLabel("Cut").selectOption("across y");
+        await controls.getByLabel("Cut", { exact: true }).selectOption("across y");
         await changes("the clip plane");
         await controls.getByRole("button", { name: "Top" }).click();
         await changes("the view from above");
