@@ -9,7 +9,6 @@ use crate::table::{Cell, write_csv, write_plot};
 use demeter::calibrate::{CollideReport, Engine, collide as run};
 use demeter::output::{Plot, Series};
 use demeter::scenario::ImpactFile;
-use serde_json::{Value, json};
 
 /// Rows of the course of a collision.
 const MOMENTS: usize = 501;
@@ -33,7 +32,7 @@ pub fn collide(arguments: &CollideArguments) -> Result<Exit, Failure> {
         write_plot(path, &plot(&file, &report))?;
     }
     if arguments.json {
-        answer_json(&to_json(&report))?;
+        answer_json(&report.to_json())?;
     } else {
         answer(&to_text(&report))?;
     }
@@ -76,7 +75,7 @@ fn to_text(report: &CollideReport) -> String {
             );
         }
     }
-    for (name, value) in energies(report) {
+    for (name, value) in report.energies() {
         if value != 0.0 {
             rows.add(name.replace('_', " "), format!("{} J", number(value)));
         }
@@ -88,48 +87,4 @@ fn to_text(report: &CollideReport) -> String {
         rows.add("time step", format!("{} s", number(dt)));
     }
     format!("{}\n{}", report.method, rows.lines())
-}
-
-/// The entries of the ledger, those of the start first.
-fn energies(report: &CollideReport) -> [(&'static str, f64); 12] {
-    let (before, after) = (&report.before, &report.after);
-    [
-        ("kinetic_before", before.kinetic),
-        ("rotational_before", before.rotational),
-        ("elastic_before", before.elastic),
-        ("kinetic", after.kinetic),
-        ("rotational", after.rotational),
-        ("elastic", after.elastic),
-        ("tangential", after.tangential),
-        ("rolling", after.rolling),
-        ("viscous_dissipated", after.viscous_dissipated),
-        ("plastic_dissipated", after.plastic_dissipated),
-        ("friction_dissipated", after.friction_dissipated),
-        ("rolling_dissipated", after.rolling_dissipated),
-    ]
-}
-
-fn to_json(report: &CollideReport) -> Value {
-    let mut energy: serde_json::Map<String, Value> = energies(report)
-        .into_iter()
-        .map(|(name, value)| (name.to_string(), json!(value)))
-        .collect();
-    energy.insert("residual".to_string(), json!(report.after.residual));
-    let of = |values: &[demeter_physics::DVec3; 2]| json!({ "a": values[0].to_array(), "b": values[1].to_array() });
-    json!({
-        "restitution": report.restitution,
-        "contact_time": report.contact_time,
-        "max_overlap": report.max_overlap,
-        "max_force": report.max_force,
-        "outcome": report.outcome.name(),
-        "energy": energy,
-        "tangential_restitution": report.tangential_restitution,
-        "angle_out": report.angle_out,
-        "velocity": of(&report.velocity),
-        "spin": of(&report.spin),
-        "estimated_error": report.estimated_error,
-        "time_step": report.time_step,
-        "steps": report.steps,
-        "method": report.method,
-    })
 }

@@ -7,11 +7,10 @@ use crate::failure::Failure;
 use crate::readable::number;
 use demeter::compare::{
     CompareError, Comparison, ContactMisfit, LeftOut, Level, Mean, Metric, Phase, Position, Reading, Strokes,
-    Thresholds, compare as compare_strokes, read_measured, read_run, tells_strain,
+    Thresholds, compare as compare_strokes, comparisons_to_json, read_measured, read_run, tells_strain,
 };
 use demeter::scenario::units;
 use demeter_physics::dimension::Dimension;
-use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 
 impl From<CompareError> for Failure {
@@ -55,7 +54,8 @@ pub fn compare(arguments: &CompareArguments) -> Result<Exit, Failure> {
         write(folder, &compared, &reference, thresholds)?;
     }
     if arguments.json {
-        answer_json(&to_json(&compared, &reference))?;
+        let pairs: Vec<_> = compared.iter().map(|c| (&c.strokes, &c.comparison)).collect();
+        answer_json(&comparisons_to_json(&pairs, &reference))?;
     } else {
         answer(&to_text(&compared, &reference, thresholds))?;
     }
@@ -136,7 +136,7 @@ fn to_text(compared: &[Compared], reference: &Strokes, thresholds: Thresholds) -
         lines(&rows)
     );
     for Compared { strokes, comparison } in compared {
-        for (metric, LeftOut(reason)) in left_out(comparison) {
+        for (metric, LeftOut(reason)) in comparison.left_out() {
             text += &format!("{}: {metric} is left out: {reason}\n", strokes.name);
         }
         for remark in &comparison.remarks {
@@ -160,52 +160,6 @@ fn lines(rows: &[Vec<String>]) -> String {
         format!("  {}\n", cells.join("  ").trim_end())
     };
     rows.iter().map(line).collect()
-}
-
-/// The metrics that cannot be told.
-fn left_out(comparison: &Comparison) -> Vec<(&'static str, LeftOut)> {
-    let mut all = Vec::new();
-    let mut add = |name, reason: Option<&LeftOut>| all.extend(reason.map(|r| (name, r.clone())));
-    add("Rtop", comparison.rtop.as_ref().err());
-    add("errf", comparison.errf.as_ref().err());
-    add("errZ", comparison.errz.as_ref().err());
-    if comparison.errz.is_ok() {
-        let at = comparison.errz_at.as_ref();
-        add("errZ at the threshold", at.and_then(|metric| metric.as_ref().err()));
-    }
-    add("bhat", comparison.bhat.as_ref().err());
-    all
-}
-
-fn to_json(compared: &[Compared], reference: &Strokes) -> Value {
-    let runs = compared.iter().map(|Compared { strokes, comparison }| {
-        let misfit =
-            |m: &ContactMisfit| json!({ "value": m.misfit.value, "threshold": m.threshold, "levels": m.misfit.levels });
-        let reasons: Map<String, Value> = left_out(comparison)
-            .into_iter()
-            .map(|(name, LeftOut(reason))| (name.to_string(), json!(reason)))
-            .collect();
-        json!({
-            "run": strokes.name,
-            "cycles": strokes.cycles.map(|c| c.0),
-            "discarded": strokes.cycles.map(|c| c.1),
-            "rtop": comparison.rtop.as_ref().ok().map(|r| json!({
-                "value": r.value, "deviation": r.deviation, "cycles": r.cycles,
-                "position": r.position, "reference_force": r.reference,
-            })),
-            "errf": comparison.errf.as_ref().ok().map(|m| json!({ "value": m.value, "levels": m.levels })),
-            "errz": comparison.errz.as_ref().ok().map(misfit),
-            "errz_at_threshold": comparison.errz_at.as_ref().and_then(|m| m.as_ref().ok()).map(misfit),
-            "bhat": comparison.bhat.as_ref().ok().map(|m| json!({ "value": m.value, "levels": m.levels })),
-            "left_out": reasons,
-            "remarks": comparison.remarks,
-        })
-    });
-    json!({
-        "reference": reference.name,
-        "position": reference.position.name(),
-        "runs": runs.collect::<Vec<Value>>(),
-    })
 }
 
 /// Writes `metrics.csv`, and `cycles.csv` of every run into a folder of its name.
@@ -285,7 +239,8 @@ fn metrics_row(compared: &Compared, thresholds: Thresholds) -> Vec<String> {
         let at = comparison.errz_at.as_ref().and_then(|m| m.as_ref().ok());
         row.extend([told(at.map(|m| m.misfit.value)), told(thresholds.run)]);
     }
-    let reasons = left_out(comparison)
+    let reasons = comparison
+        .left_out()
         .into_iter()
         .map(|(name, LeftOut(why))| format!("{name}: {why}"));
     row.extend([

@@ -6,14 +6,9 @@ use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::fit_packing::fit_packing;
 use crate::readable::number;
-use demeter::calibrate::fit::{Combination, FitReport, FittedParameter, Residual, fit as find, written};
+use demeter::calibrate::fit::{Combination, FitReport, FittedParameter, Residual, fit as find};
 use demeter::scenario::{FitFile, FitTask};
 use demeter_physics::dimension::Dimension;
-use serde_json::{Value, json};
-
-/// Deviations beyond so many errors say that the law does not fit.
-const TOO_FAR: f64 = 3.0;
-
 /// Finds the parameters of a law from observations, or a number of a scenario from a measured curve.
 pub fn fit(arguments: &FitArguments) -> Result<Exit, Failure> {
     match FitTask::read(&arguments.file, &arguments.set)? {
@@ -30,7 +25,7 @@ fn fit_law(file: &FitFile, arguments: &FitArguments) -> Result<Exit, Failure> {
     }
     let report = find(file)?;
     if arguments.output.json {
-        answer_json(&to_json(&report))?;
+        answer_json(&report.to_json())?;
     } else {
         answer(&to_text(&report))?;
     }
@@ -86,7 +81,7 @@ fn to_text(report: &FitReport) -> String {
         rows.add(format!("[{}] {}", r.observation, r.observable.name()), residual(r));
     }
     text += &rows.lines();
-    if report.worst() > TOO_FAR {
+    if !report.fits() {
         text += "the law does not show these observations within their errors: another law, or larger errors\n";
     }
     if let Some(other) = &report.ambiguous {
@@ -128,40 +123,4 @@ fn identifiability(report: &FitReport) -> String {
         text += &format!("  measure {}{at}\n", advice.observable.name());
     }
     text
-}
-
-fn to_json(report: &FitReport) -> Value {
-    let parameters = report.parameters.iter().map(|p| {
-        json!({
-            "name": p.name, "value": p.value, "unit": p.dimension.unit(), "written": written(p.value, p.dimension),
-            "identified": p.identified, "relative_error": p.error, "at_bound": p.at_bound,
-        })
-    });
-    let residuals = report.residuals.iter().map(|r| {
-        json!({
-            "observation": r.observation, "quantity": r.observable.name(), "measured": r.measured,
-            "found": r.found, "deviation": r.deviation,
-        })
-    });
-    let fixed = report.fixed.iter().map(|c| {
-        let powers: serde_json::Map<String, Value> = c.powers.iter().map(|(n, p)| (n.clone(), json!(p))).collect();
-        json!({ "powers": powers, "value": c.value })
-    });
-    let advice = report
-        .advice
-        .iter()
-        .map(|a| json!({ "measure": a.observable.name(), "velocity": a.velocity, "sensitivity": a.sensitivity }));
-    json!({
-        "method": report.method,
-        "parameters": parameters.collect::<Vec<Value>>(),
-        "residuals": residuals.collect::<Vec<Value>>(),
-        "not_identified": report.not_identified().collect::<Vec<_>>(),
-        "fixed": fixed.collect::<Vec<Value>>(),
-        "advice": advice.collect::<Vec<Value>>(),
-        "ambiguous": report.ambiguous,
-        "fits": report.worst() <= TOO_FAR,
-        "singular_values": report.singular_values,
-        "contact": report.contact,
-        "material": report.material,
-    })
 }

@@ -10,7 +10,6 @@ use crate::readable::{number, things};
 use demeter::calibrate::packing::{Answer, Outcome, PackingError, PackingReport, Trial, fit_packing as find};
 use demeter::compare::{Comparison, LeftOut};
 use demeter::scenario::{Match, PackingFile, UnknownNumber};
-use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 impl From<PackingError> for Failure {
@@ -35,7 +34,7 @@ pub fn fit_packing(file: &PackingFile, arguments: &FitArguments) -> Result<Exit,
     watch.end();
     let report = report?;
     if arguments.output.json {
-        answer_json(&to_json(file, &report))?;
+        answer_json(&report.to_json(file))?;
     } else {
         answer(&to_text(file, &report))?;
     }
@@ -138,40 +137,4 @@ fn to_text(file: &PackingFile, report: &PackingReport) -> String {
         }
     }
     text
-}
-
-fn to_json(file: &PackingFile, report: &PackingReport) -> Value {
-    let unknown = &file.unknown;
-    let trials = report.trials.iter().map(|trial| {
-        let comparison = trial.comparison();
-        let rtop = comparison.and_then(|c| c.rtop.as_ref().ok());
-        let beyond = match &trial.outcome {
-            Outcome::BeyondFold(fault) => Some(fault),
-            Outcome::Compared(_) => None,
-        };
-        json!({
-            "value": trial.value, "folder": trial.folder.display().to_string(), "reused": trial.reused,
-            "rtop": rtop.map(|r| r.value), "rtop_deviation": rtop.and_then(|r| r.deviation),
-            "errf": comparison.and_then(|c| c.errf.as_ref().ok()).map(|m| m.value),
-            "beyond_fold": beyond,
-        })
-    });
-    let (found, at_end, bracket, scatter) = match report.answer {
-        Answer::Inside { bracket, scatter } => (true, None, Some([bracket.0, bracket.1]), scatter),
-        Answer::LowerEnd => (false, Some("lower"), None, None),
-        Answer::UpperEnd => (false, Some("upper"), None, None),
-    };
-    json!({
-        "key": unknown.key,
-        "unit": unknown.dimension.unit(),
-        "match": match file.matched { Match::Top => "top", Match::Curve => "curve" },
-        "found": found,
-        "value": report.best().filter(|_| found).map(|(trial, _)| trial.value),
-        "written": report.best().filter(|_| found).map(|(trial, _)| unknown.written(trial.value)),
-        "bracket": bracket,
-        "scatter": scatter,
-        "at_end": at_end,
-        "best": report.best,
-        "trials": trials.collect::<Vec<Value>>(),
-    })
 }

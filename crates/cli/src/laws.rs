@@ -5,6 +5,7 @@ use crate::arguments::LawsArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::suggestion::did_you_mean;
+use demeter::materials::{law_example, law_to_json, written_value};
 use demeter_physics::contact::{LawInfo, laws as all_laws};
 use demeter_physics::parameters::{ParameterInfo, ParameterKind, Presence};
 use serde_json::{Value, json};
@@ -13,7 +14,7 @@ use serde_json::{Value, json};
 pub fn laws(arguments: &LawsArguments) -> Result<Exit, Failure> {
     let Some(name) = &arguments.name else {
         if arguments.json {
-            answer_json(&json!({ "laws": all_laws().map(to_json).collect::<Vec<Value>>() }))?;
+            answer_json(&json!({ "laws": all_laws().map(law_to_json).collect::<Vec<Value>>() }))?;
         } else {
             answer(&list())?;
         }
@@ -26,7 +27,7 @@ pub fn laws(arguments: &LawsArguments) -> Result<Exit, Failure> {
         return Err(Failure::wrong(message));
     }
     if arguments.json {
-        answer_json(&json!({ "laws": found.into_iter().map(to_json).collect::<Vec<Value>>() }))?;
+        answer_json(&json!({ "laws": found.into_iter().map(law_to_json).collect::<Vec<Value>>() }))?;
     } else {
         let texts: Vec<String> = found.into_iter().map(explain).collect();
         answer(&texts.join("\n"))?;
@@ -65,7 +66,7 @@ fn explain(law: &LawInfo) -> String {
         law.summary,
         law.family,
         law.doc.trim(),
-        example(law)
+        law_example(law)
     )
 }
 
@@ -83,7 +84,7 @@ fn allowed(parameter: &ParameterInfo) -> String {
     } else {
         format!("in {unit}")
     };
-    let typical = value(parameter, parameter.typical);
+    let typical = written_value(parameter, parameter.typical);
     let stand_in = match parameter.presence {
         Presence::Required => format!("must be given, typically {typical}"),
         Presence::Usual => format!("the usual one of several alternatives, typically {typical}"),
@@ -93,71 +94,10 @@ fn allowed(parameter: &ParameterInfo) -> String {
     format!("{kind}, {}; {stand_in}", parameter.range)
 }
 
-/// A value as the scenario writes it.
-fn value(parameter: &ParameterInfo, value: f64) -> String {
-    let number = match value.abs() {
-        x if x == 0.0 || (1e-3..1e6).contains(&x) => value.to_string(),
-        _ => format!("{value:e}"),
-    };
-    let unit = parameter.dimension.unit();
-    match unit.is_empty() {
-        true => number,
-        false => format!("\"{number} {unit}\""),
-    }
-}
-
-/// A line of a scenario that chooses the law.
-fn example(law: &LawInfo) -> String {
-    let shown = law.parameters.iter().filter(|p| p.in_example());
-    let given: String = shown
-        .map(|p| format!(", {} = {}", p.name, value(p, p.typical)))
-        .collect();
-    format!("{} = {{ law = \"{}\"{given} }}", key(law), law.name)
-}
-
-/// The family as the scenario writes it.
-fn key(law: &LawInfo) -> String {
-    law.family.replace('-', "_")
-}
-
-fn to_json(law: &LawInfo) -> Value {
-    let finite = |value: f64| value.is_finite().then_some(value);
-    let parameter = |p: &ParameterInfo| {
-        json!({
-            "name": p.name,
-            "unit": p.dimension.unit(),
-            "quantity": p.dimension.name(),
-            "minimum": finite(p.range.lower),
-            "minimum_allowed": p.range.lower_allowed,
-            "maximum": finite(p.range.upper),
-            "maximum_allowed": p.range.upper_allowed,
-            "range": p.range.to_string(),
-            "default": p.default(),
-            "required": p.presence == Presence::Required,
-            "may_depend_on_speed": p.kind == ParameterKind::Restitution,
-            "choices": match p.kind {
-                ParameterKind::Choice(words) => json!(words),
-                ParameterKind::Number | ParameterKind::Restitution => Value::Null,
-            },
-            "typical": p.typical,
-            "meaning": p.doc,
-        })
-    };
-    json!({
-        "name": law.name,
-        "family": law.family,
-        "summary": law.summary,
-        "doc": law.doc,
-        "parameters": law.parameters.iter().map(parameter).collect::<Vec<Value>>(),
-        "alternatives": law.alternatives.iter().map(|group| json!({ "of": group.of, "with": group.with }))
-            .collect::<Vec<Value>>(),
-        "example": example(law),
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use demeter::materials::law_key;
     use demeter::scenario::{Scenario, template};
     use std::path::Path;
 
@@ -166,13 +106,13 @@ mod tests {
     fn every_example_runs() {
         let text = template("settle").unwrap();
         for law in all_laws() {
-            let start = format!("{} = {{ law", key(law));
+            let start = format!("{} = {{ law", law_key(law));
             let mut replaced: Vec<String> = (text.lines())
                 .filter(|line| !line.starts_with(&start))
                 .map(str::to_string)
                 .collect();
             let contact = replaced.iter().position(|line| line == "[contact]").unwrap();
-            replaced.insert(contact + 1, example(law));
+            replaced.insert(contact + 1, law_example(law));
             let replaced = replaced.join("\n");
             let scenario = match Scenario::parse(&replaced, law.name, Path::new(""), &["grains[0].count=1".to_string()])
             {

@@ -15,6 +15,7 @@ mod extrapolate;
 pub mod figure;
 pub mod fit;
 mod flight;
+mod json;
 pub mod packing;
 mod sticking;
 

@@ -16,6 +16,7 @@
 mod cycles;
 mod error;
 mod forces;
+mod json;
 mod measured;
 mod metrics;
 mod run;
@@ -26,6 +27,7 @@ mod tests;
 pub use cycles::{BEYOND, Level, Mean, Phase, Position, SAME};
 pub use error::CompareError;
 pub use forces::{Bins, Contacts};
+pub use json::comparisons_to_json;
 pub use measured::{MEASURED_COLUMNS, measured_points, read_measured};
 pub use metrics::{Comparison, ContactMisfit, LeftOut, Metric, Misfit, Pair, Thresholds, TopRatio, compare};
 pub use run::{Reading, is_repeat, read_run, tells_strain};

@@ -1,5 +1,9 @@
 //! Materials and the contact laws of every pair of them.
 
+mod law_list;
+
+pub use law_list::{law_example, law_key, law_to_json, written_value};
+
 use demeter_physics::contact::multi_contact::{Independent, MultiContactLaw};
 use demeter_physics::contact::normal::NormalLaw;
 use demeter_physics::contact::rolling::RollingLaw;
