@@ -137,6 +137,7 @@ impl From<RunError> for Failure {
             ),
             RunError::Checkpoint(ref checkpoint) => matches!(checkpoint, CheckpointError::Missing { .. }),
             RunError::Finished { .. }
+            | RunError::NoFolder
             | RunError::State(_)
             | RunError::Motion { .. }
             | RunError::Deformation { .. }

@@ -42,6 +42,7 @@ impl Simulation {
         let motion = self.beyond_affine(motion);
         self.follow_box();
         self.took(Phase::Motion);
+        self.drive_walls();
         self.move_walls();
         self.took(Phase::Walls);
         self.check_places(&motion)?;
@@ -61,7 +62,7 @@ impl Simulation {
         self.book_step();
         self.took(Phase::Books);
         self.count_work();
-        Ok(())
+        self.custom_failure()
     }
 
     /// Forces at the very start, before any step.
@@ -216,6 +217,7 @@ impl Simulation {
         if let Some(fault) = self.contacts.fault() {
             return Err(fault.clone());
         }
+        self.add_custom_loads();
         let bad = match (self.integrator, moment) {
             (Integrator::Gear, Moment::Step) => self.correct(),
             (Integrator::VelocityVerlet, Moment::Step) => self.kick(0.5 * self.dt),
@@ -223,7 +225,13 @@ impl Simulation {
             (_, Moment::Start) => self.kick(0.0),
         };
         match bad {
-            None => Ok(()),
+            None => {
+                self.book_custom(match moment {
+                    Moment::Step => self.dt,
+                    Moment::Start => 0.0,
+                });
+                Ok(())
+            }
             Some(g) => Err(Fault::NotFinite {
                 step: self.step,
                 id: self.grains.id[g],

@@ -90,6 +90,19 @@ pub enum Fault {
         /// Length that it must have [m].
         least: f64,
     },
+    /// A custom force or motion had no answer. The step was completed without it.
+    #[error(
+        "step {step}: the custom {what} failed: {reason}. The step was completed with its last answer (a force) or at rest (a \
+         wall). Remedy: correct the function; the run may go on from here"
+    )]
+    Custom {
+        /// Step.
+        step: u64,
+        /// What failed: `"force"`, ``"motion of wall `lid`"``.
+        what: String,
+        /// Why.
+        reason: String,
+    },
     /// A value is not a finite number.
     #[error(
         "step {step}: the {quantity} of grain {id} (last seen near {}) is not a finite number. Cause: a time step far \
@@ -114,7 +127,7 @@ fn place(p: &DVec3) -> String {
 }
 
 impl Fault {
-    /// Id of the grain at fault.
+    /// Id of the grain at fault; 0 where it is no grain.
     pub fn grain(&self) -> u32 {
         match self {
             Self::Overlap { id, .. }
@@ -122,6 +135,7 @@ impl Fault {
             | Self::BeyondFold { id, .. }
             | Self::BoxTooSmall { id, .. }
             | Self::NotFinite { id, .. } => *id,
+            Self::Custom { .. } => 0,
         }
     }
 }

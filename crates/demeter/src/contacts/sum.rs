@@ -322,6 +322,18 @@ impl Sums {
     }
 }
 
+impl Sums {
+    /// Adds loads on all grains that are not of contacts: forces [N] and torques [N m].
+    pub(crate) fn add_loads(&mut self, forces: &[DVec3], torques: &[DVec3]) {
+        for ((sum, force), torque) in self.sums.iter_mut().zip(forces).zip(torques) {
+            for axis in 0..3 {
+                sum.force[axis] += force[axis];
+                sum.arms[axis] -= torque[axis];
+            }
+        }
+    }
+}
+
 impl<'a> Task<'a> {
     fn work<S>(self, work: &Work<S>)
     where

@@ -31,7 +31,9 @@ pub use folder::{RunFolder, RunLock};
 pub use frame::{ContactRecord, Frame, WallSurface};
 pub use plot::{AxisSpec, Look, Plot, Series, Sheet};
 pub use profile::ProfileWriter;
-pub use series::{COLUMNS, Column, NETWORK_COLUMNS, SeriesLabels, SeriesWriter, WALL_COLUMNS};
+pub use series::{
+    COLUMNS, Column, NETWORK_COLUMNS, SeriesLabels, SeriesTable, SeriesValues, SeriesWriter, WALL_COLUMNS,
+};
 pub use summary::{EnergySummary, StageSummary, Summary, WallSummary, wall_summaries};
 pub use tables::{
     MomentTable, path_lines, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows,

@@ -163,6 +163,12 @@ pub const COLUMNS: &[Column<Measures>] = {
             |m| Number(m.energies.wall_work),
         ),
         column(
+            "custom work",
+            "J",
+            "work done on the grains by custom forces, and by changes from outside, since the start (Python, Rust)",
+            |m| Number(m.energies.custom_work),
+        ),
+        column(
             "multi-contact energy",
             "J",
             "what the displacements of contacts by each other add to the elastic energy (part of it)",
@@ -361,6 +367,22 @@ impl SeriesLabels {
         COLUMNS.iter().chain(self.strain.then_some(&STRAIN_COLUMN))
     }
 
+    /// The values of a row, in the order of the titles.
+    fn cells(&self, row: &Measures) -> Vec<Cell> {
+        let mut cells: Vec<Cell> = self.columns().map(|c| (c.value)(row)).collect();
+        for wall in &row.walls {
+            cells.extend(WALL_COLUMNS.iter().map(|c| (c.value)(wall)));
+        }
+        for network in &row.networks {
+            cells.extend(NETWORK_COLUMNS.iter().map(|c| (c.value)(network)));
+        }
+        cells.extend(row.told.iter().map(|value| match *value {
+            Value::Count(n) => Cell::Count(n),
+            Value::Number(x) => Cell::Number(x),
+        }));
+        cells
+    }
+
     /// Titles of all columns, as in the header.
     pub fn header(&self) -> Vec<String> {
         let mut names: Vec<String> = self.columns().map(Column::title).collect();
@@ -372,6 +394,60 @@ impl SeriesLabels {
         }
         names.extend(self.told.iter().cloned());
         names
+    }
+}
+
+/// A column of a series in memory.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SeriesValues {
+    /// Numbers of things.
+    Counts(Vec<u64>),
+    /// Quantities in SI.
+    Numbers(Vec<f64>),
+    /// Names of stages.
+    Names(Vec<String>),
+}
+
+/// The series of a run in memory, column by column.
+#[derive(Clone, Debug)]
+pub struct SeriesTable {
+    labels: SeriesLabels,
+    /// Title and values of every column, as in the file; none before the first row.
+    columns: Vec<(String, SeriesValues)>,
+}
+
+impl SeriesTable {
+    /// A series without rows.
+    pub fn new(labels: SeriesLabels) -> Self {
+        let columns = Vec::new();
+        Self { labels, columns }
+    }
+
+    /// Title and values of every column; none before the first row.
+    pub fn columns(&self) -> &[(String, SeriesValues)] {
+        &self.columns
+    }
+
+    /// Adds a row.
+    pub fn add(&mut self, row: &Measures) {
+        let cells = self.labels.cells(row);
+        if self.columns.is_empty() {
+            let empty = |cell: &Cell| match cell {
+                Cell::Count(_) => SeriesValues::Counts(Vec::new()),
+                Cell::Stage(_) => SeriesValues::Names(Vec::new()),
+                Cell::Number(_) => SeriesValues::Numbers(Vec::new()),
+            };
+            self.columns = self.labels.header().into_iter().zip(cells.iter().map(empty)).collect();
+        }
+        for ((_, values), cell) in self.columns.iter_mut().zip(cells) {
+            match (values, cell) {
+                (SeriesValues::Counts(values), Cell::Count(n)) => values.push(n),
+                (SeriesValues::Numbers(values), Cell::Number(x)) => values.push(x),
+                (SeriesValues::Names(values), Cell::Stage(k)) => values.push(stage_name(&self.labels.stages, k)),
+                // a column keeps its kind
+                (SeriesValues::Counts(_) | SeriesValues::Numbers(_) | SeriesValues::Names(_), _) => {}
+            }
+        }
     }
 }
 
@@ -413,17 +489,8 @@ impl SeriesWriter {
                 });
             }
         }
-        let mut cells: Vec<String> = self.labels.columns().map(|c| self.text(&(c.value)(row))).collect();
-        for wall in &row.walls {
-            cells.extend(WALL_COLUMNS.iter().map(|c| self.text(&(c.value)(wall))));
-        }
-        for network in &row.networks {
-            cells.extend(NETWORK_COLUMNS.iter().map(|c| self.text(&(c.value)(network))));
-        }
-        cells.extend(row.told.iter().map(|value| match *value {
-            Value::Count(n) => n.to_string(),
-            Value::Number(x) => number(x),
-        }));
+        let cells = self.labels.cells(row);
+        let cells: Vec<String> = cells.iter().map(|cell| self.text(cell)).collect();
         self.file.add(&[cells])
     }
 

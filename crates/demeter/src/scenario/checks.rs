@@ -334,7 +334,7 @@ fn largest_speed(motions: &Motions, bounds: Option<(DVec3, DVec3)>) -> Option<f6
         Motion::TorqueServo {
             point, axis, max_speed, ..
         } => max_speed * reach(*point, *axis),
-        Motion::Rest | Motion::Free(_) | Motion::With(_) => 0.0,
+        Motion::Rest | Motion::Free(_) | Motion::With(_) | Motion::Driven { .. } => 0.0,
     };
     let sum: f64 = motions.parts.iter().map(|part| speed(&part.motion)).sum();
     (sum > 0.0).then_some(sum)

@@ -35,18 +35,22 @@ impl FitTask {
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
         let name = path.display().to_string();
         let text = read_text(path).map_err(|fault| lone_fault(&name, fault))?;
-        let document = tree(&text, &name, overrides)?;
+        Self::parse(&text, &name, path.parent().unwrap_or(Path::new("")), overrides)
+    }
+
+    /// Reads a text. Relative paths in it start from `base`.
+    pub fn parse(text: &str, name: &str, base: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
+        let document = tree(text, name, overrides)?;
         let tells_packing = match &document.root.value {
             Value::Table(entries) => entries.iter().any(|entry| entry.key == "packing"),
             _ => false,
         };
         if tells_packing {
-            let base = path.parent().unwrap_or(Path::new(""));
             return Ok(Self::Packing(Box::new(PackingFile::parse(
-                &text, &name, base, overrides,
+                text, name, base, overrides,
             )?)));
         }
-        Ok(Self::Collisions(Box::new(FitFile::parse(&text, &name, overrides)?)))
+        Ok(Self::Collisions(Box::new(FitFile::parse(text, name, overrides)?)))
     }
 }
 

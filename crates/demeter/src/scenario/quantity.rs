@@ -146,6 +146,7 @@ impl Item<'_> {
         }
         match kind {
             Kind::Number | Kind::Angle => Some((value, written)),
+            _ if self.context.plain_si.get() => Some((value, written)),
             _ => {
                 let message = format!(
                     "`{}` must be {} with a unit, found {written}",

@@ -6,8 +6,9 @@
 
 use super::diagnostics::Diagnostics;
 use super::document::{Entry, Node, Value, join};
+use super::plain::PLAIN_NUMBERS;
 use super::quantity::Kind;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// What a getter looks for. Tests hold it against what the reference tells.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +40,8 @@ pub(super) enum Sought {
 pub(super) struct Context {
     /// What is wrong so far.
     pub faults: RefCell<Diagnostics>,
+    /// Whether numbers without a unit are SI values.
+    pub plain_si: Cell<bool>,
     /// What was looked for, with the path of the value or, of a key, of its table.
     #[cfg(test)]
     pub sought: RefCell<Vec<(String, Sought)>>,
@@ -49,6 +52,7 @@ impl Context {
     pub fn new(faults: Diagnostics) -> Self {
         Self {
             faults: RefCell::new(faults),
+            plain_si: Cell::new(false),
             #[cfg(test)]
             sought: RefCell::new(Vec::new()),
         }
@@ -263,12 +267,16 @@ impl<'a> TableReader<'a> {
             Value::Table(entries) => entries,
             _ => &[],
         };
-        Self {
+        let table = Self {
             context,
             entries,
             path: String::new(),
             asked: RefCell::new(Vec::new()),
+        };
+        if let Some(item) = table.optional(PLAIN_NUMBERS) {
+            context.plain_si.set(item.choice(&["SI"]).is_some());
         }
+        table
     }
 
     /// Notes a fault at the table.

@@ -2,11 +2,11 @@
 
 use super::measures::MeasureKind;
 use super::plots;
-use super::run::Runner;
+use super::run::{Observer, Runner};
 use super::run_error::RunError;
 use crate::contacts::Fault;
 use crate::output::picture::{PictureOptions, render_packing};
-use crate::output::{OutputError, Summary, path_lines};
+use crate::output::{OutputError, RunFolder, Summary, path_lines};
 use crate::report;
 use crate::simulation::Phase;
 use std::path::{Path, PathBuf};
@@ -46,8 +46,9 @@ impl Runner<'_> {
         if !self.scenario.output.picture || stage >= MAX_STAGE_PICTURES {
             return Ok(());
         }
+        let Some(files) = &self.files else { return Ok(()) };
         let name = &self.scenario.stages[stage].name;
-        let path = self.folder.stage_picture(stage + 1, name);
+        let path = files.folder.stage_picture(stage + 1, name);
         self.draw(&path, &format!("{}: end of {name}", self.scenario.title))?;
         self.sim.took(Phase::Output);
         Ok(())
@@ -67,45 +68,64 @@ impl Runner<'_> {
     }
 
     /// Writes the report. Without one the run is as good, so that it is only warned of.
-    fn write_page(&mut self) -> Result<(), RunError> {
+    fn write_page(&mut self, folder: &RunFolder, observer: &mut dyn Observer) -> Result<(), RunError> {
         if !self.scenario.output.report {
             return Ok(());
         }
-        let problems = match report::write_at_the_end(self.folder.root()) {
+        let problems = match report::write_at_the_end(folder.root()) {
             Ok(written) => written.problems,
             Err(error) => vec![format!("no report: {error}")],
         };
         for problem in problems {
-            self.say(&format!("warning: {problem}"))?;
+            self.say(&format!("warning: {problem}"), observer)?;
         }
         Ok(())
     }
 
     /// Writes the paths of grains, which are tables so far, as lines.
-    fn write_path_lines(&self) -> Result<(), OutputError> {
+    fn write_path_lines(&self, folder: &RunFolder) -> Result<(), OutputError> {
         for measure in &self.scenario.measures {
             if let MeasureKind::Paths(_) = measure.kind {
-                let lines = self.folder.path_lines(&measure.name);
+                let lines = folder.path_lines(&measure.name);
                 let moment = (self.sim.step, self.sim.time());
-                let bytes = path_lines(&self.folder.path_table(&measure.name), &lines, moment)?;
-                self.folder.write(&lines, &bytes)?;
+                let bytes = path_lines(&folder.path_table(&measure.name), &lines, moment)?;
+                folder.write(&lines, &bytes)?;
             }
         }
         Ok(())
     }
 
-    fn draw(&mut self, path: &Path, title: &str) -> Result<(), OutputError> {
+    fn draw(&self, path: &Path, title: &str) -> Result<(), OutputError> {
         let options = PictureOptions {
             title: title.to_string(),
             ..PictureOptions::default()
         };
-        self.with_frame(|_, frame| render_packing(frame, &options))
-            .write_png(path)
+        self.with_frame(|frame| render_packing(frame, &options)).write_png(path)
     }
 
     /// Writes the summary and, after whole runs and faults, the picture and the plots.
-    pub(super) fn report(&mut self, end: RunEnd) -> Result<Report, RunError> {
+    pub(super) fn report(&mut self, end: &RunEnd, observer: &mut dyn Observer) -> Result<Summary, RunError> {
         self.sim.took(Phase::Other);
+        let mut summary = self.summary(end);
+        let Some(files) = &self.files else {
+            summary.profile = self.sim.profile();
+            return Ok(summary);
+        };
+        let folder = files.folder.clone();
+        if self.scenario.output.picture {
+            self.draw(&folder.picture(), &self.scenario.title)?;
+        }
+        plots::write(&folder, &self.scenario.output.plots)?;
+        self.write_path_lines(&folder)?;
+        self.sim.took(Phase::Output);
+        summary.profile = self.sim.profile();
+        summary.write(&folder)?;
+        self.write_page(&folder, observer)?;
+        Ok(summary)
+    }
+
+    /// What `summary.json` tells, but for the profile.
+    fn summary(&self, end: &RunEnd) -> Summary {
         let seconds_here = self.started.elapsed().as_secs_f64();
         let speed = self.particle_steps as f64 / seconds_here.max(1e-9);
         let mut summary = Summary {
@@ -113,8 +133,8 @@ impl Runner<'_> {
             title: self.scenario.title.clone(),
             scenario: self.scenario.name.clone(),
             seed: self.scenario.seed,
-            finished: end == RunEnd::Finished,
-            stopped_by: match &end {
+            finished: *end == RunEnd::Finished,
+            stopped_by: match end {
                 RunEnd::Finished => "all stages are done".to_string(),
                 RunEnd::Interrupted => "interrupted; continue with `demeter resume`".to_string(),
                 RunEnd::Fault(fault) => fault.to_string(),
@@ -139,19 +159,6 @@ impl Runner<'_> {
         // the latest row may be older than the state
         summary.steps = self.sim.step;
         summary.simulated_time = self.sim.time();
-        if self.scenario.output.picture {
-            self.draw(&self.folder.picture(), &self.scenario.title)?;
-        }
-        plots::write(&self.folder, &self.scenario.output.plots)?;
-        self.write_path_lines()?;
-        self.sim.took(Phase::Output);
-        summary.profile = self.sim.profile();
-        summary.write(&self.folder)?;
-        self.write_page()?;
-        Ok(Report {
-            end,
-            summary,
-            folder: self.folder.root().to_owned(),
-        })
+        summary
     }
 }

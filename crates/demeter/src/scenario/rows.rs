@@ -8,19 +8,25 @@ use crate::measure::{
     box_titles, box_values, measure, wear_values,
 };
 use crate::output::{
-    DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesWriter, path_row, path_titles,
-    residence_row, residence_titles, ring_row, ring_titles, rose_rows, rose_titles,
+    DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesTable, SeriesWriter, path_row,
+    path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows, rose_titles,
 };
 use crate::simulation::Simulation;
 
 /// All files of rows, open at their ends.
 pub(super) struct Rows<'a> {
     scenario: &'a Scenario,
-    series: SeriesWriter,
+    series: Series,
     networks: Vec<&'a ContactNetwork>,
     distributions: Vec<(&'a ForceDistribution, DistributionWriter)>,
     profiles: Vec<(&'a Profile, ProfileWriter)>,
     tables: Vec<(Told<'a>, MomentTable)>,
+}
+
+/// Where the rows of the series go.
+enum Series {
+    File(SeriesWriter),
+    Memory(SeriesTable),
 }
 
 /// What is told in a table of its own.
@@ -43,6 +49,26 @@ impl<'a> Rows<'a> {
             |name, bins, stages| DistributionWriter::create(&folder.distribution(name), bins, stages),
             |name, stages| ProfileWriter::create(&folder.profile(name), stages),
         )
+    }
+
+    /// Without files: the series alone, kept in memory.
+    pub fn in_memory(scenario: &'a Scenario) -> Self {
+        Self {
+            scenario,
+            series: Series::Memory(SeriesTable::new(labels(scenario))),
+            networks: networks(&scenario.measures).map(|(_, network)| network).collect(),
+            distributions: Vec::new(),
+            profiles: Vec::new(),
+            tables: Vec::new(),
+        }
+    }
+
+    /// The series so far, where it is kept in memory.
+    pub fn series(&self) -> Option<&SeriesTable> {
+        match &self.series {
+            Series::File(_) => None,
+            Series::Memory(table) => Some(table),
+        }
     }
 
     /// Goes on with all files after a step.
@@ -76,7 +102,7 @@ impl<'a> Rows<'a> {
             distributions(&scenario.measures).map(|(name, bins)| Ok((bins, open(name, bins, stages.clone())?)));
         Ok(Self {
             scenario,
-            series,
+            series: Series::File(series),
             networks: networks(&scenario.measures).map(|(_, network)| network).collect(),
             profiles: profiles(measures)
                 .map(|(name, profile)| Ok((profile, open_profile(name, stages.clone())?)))
@@ -86,13 +112,8 @@ impl<'a> Rows<'a> {
         })
     }
 
-    /// Measures the present state and adds it to all files.
-    pub fn write(
-        &mut self,
-        sim: &mut Simulation,
-        traffic: &mut Traffic<'_>,
-        moment: Moment,
-    ) -> Result<Measures, OutputError> {
+    /// Measures the present state.
+    pub fn measure(&self, sim: &mut Simulation, traffic: &mut Traffic<'_>, moment: Moment) -> Measures {
         let mut row = measure(sim, moment, self.scenario.output.strain.as_ref());
         row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
         row.told = traffic.values(sim);
@@ -100,7 +121,21 @@ impl<'a> Rows<'a> {
         if self.scenario.deforms() {
             row.told.extend(box_values(sim, row.energies.boundary_work));
         }
-        self.series.write(&row)?;
+        row
+    }
+
+    /// Measures the present state and adds it to all files.
+    pub fn write(
+        &mut self,
+        sim: &mut Simulation,
+        traffic: &mut Traffic<'_>,
+        moment: Moment,
+    ) -> Result<Measures, OutputError> {
+        let row = self.measure(sim, traffic, moment);
+        match &mut self.series {
+            Series::File(writer) => writer.write(&row)?,
+            Series::Memory(table) => table.add(&row),
+        }
         for (bins, writer) in &mut self.distributions {
             writer.write(&row, &bins.measure(sim))?;
         }

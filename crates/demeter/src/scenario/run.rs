@@ -1,7 +1,10 @@
 //! Running a scenario: stages in order, output at its cadence, checkpoints, and how it ends.
 
+mod writing;
+
 use super::deformation::reached;
 use super::field_files::FieldFiles;
+use super::live::{Pause, Until};
 use super::prepare::{Prepared, prepare, prepare_to_resume};
 use super::report::{Report, RunEnd};
 use super::rows::{Rows, told_titles};
@@ -9,17 +12,16 @@ use super::run_error::RunError;
 use super::run_options::RunOptions;
 use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
-use crate::checkpoint::{self, Header};
+use crate::checkpoint;
 use crate::contacts::Fault;
-use crate::measure::{Measures, Moment, contact_records, kinetic_over_elastic, wall_surfaces};
-use crate::output::{Frame, FrameWriter, RunFolder, SeriesLabels, StageSummary, wall_summaries};
+use crate::measure::{Measures, kinetic_over_elastic};
+use crate::output::{FrameWriter, RunFolder, SeriesLabels, StageSummary, Summary, wall_summaries};
 use crate::particles::Domain;
-use crate::simulation::{Phase, Setup, Simulation, SimulationState, Stage, StopCondition};
-use crate::walls::Wall;
+use crate::simulation::{Setup, Simulation, SimulationState, Stage, StopCondition};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Steps between two looks at the energies for a stop condition.
 const ENERGY_INTERVAL: u64 = 50;
@@ -99,13 +101,13 @@ pub fn run(
 ) -> Result<Report, RunError> {
     options.check()?;
     let prepared = prepare(scenario)?;
-    with_threads(options.threads, || {
+    thread_pool(options.threads)?.install(|| {
         let folder = RunFolder::create(folder, options.overwrite)?;
         let _lock = folder.lock()?;
         folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
-        let mut runner = Runner::begin(scenario, prepared, folder, observer)?;
+        let mut runner = Runner::begin(scenario, prepared, Some(&folder), observer)?;
         options.apply(&mut runner.sim);
-        runner.run_to_the_end()
+        runner.run_to_the_end(&folder, observer)
     })
 }
 
@@ -114,6 +116,20 @@ pub fn resume(folder: &Path, options: RunOptions, observer: &mut dyn Observer) -
     options.check()?;
     let folder = RunFolder::open(folder)?;
     let _lock = folder.lock()?;
+    let (scenario, state) = read_run(&folder, observer)?;
+    if state.place.stage >= scenario.stages.len() {
+        let folder = folder.root().to_owned();
+        return Err(RunError::Finished { folder });
+    }
+    thread_pool(options.threads)?.install(|| {
+        let mut runner = Runner::resume(&scenario, state, &folder, observer)?;
+        options.apply(&mut runner.sim);
+        runner.run_to_the_end(&folder, observer)
+    })
+}
+
+/// The scenario and the latest checkpoint of a folder.
+pub(super) fn read_run(folder: &RunFolder, observer: &mut dyn Observer) -> Result<(Scenario, RunState), RunError> {
     let mut scenario = Scenario::read(&folder.scenario(), &[])?;
     let restored = checkpoint::read_latest::<RunState>(folder.root())?;
     // a scenario without a title is named after its file, which has another name here
@@ -121,29 +137,17 @@ pub fn resume(folder: &Path, options: RunOptions, observer: &mut dyn Observer) -
     for warning in &restored.warnings {
         observer.message(&format!("warning: {warning}"));
     }
-    if restored.value.place.stage >= scenario.stages.len() {
-        let folder = folder.root().to_owned();
-        return Err(RunError::Finished { folder });
-    }
-    with_threads(options.threads, || {
-        let mut runner = Runner::resume(&scenario, restored.value, folder, observer)?;
-        options.apply(&mut runner.sim);
-        runner.run_to_the_end()
-    })
+    Ok((scenario, restored.value))
 }
 
-fn with_threads<T: Send>(
-    threads: Option<usize>,
-    work: impl FnOnce() -> Result<T, RunError> + Send,
-) -> Result<T, RunError> {
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.unwrap_or(0))
-        .build();
-    let failed = |e: rayon::ThreadPoolBuildError| RunError::Threads {
-        threads: threads.unwrap_or(0),
-        reason: e.to_string(),
-    };
-    pool.map_err(failed)?.install(work)
+/// Threads of a run; as many as there are cores when none are asked for.
+pub(super) fn thread_pool(threads: Option<usize>) -> Result<rayon::ThreadPool, RunError> {
+    let threads = threads.unwrap_or(0);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.map_err(|error| RunError::Threads {
+        threads,
+        reason: error.to_string(),
+    })
 }
 
 /// Steps that a stage takes when no other condition ends it.
@@ -164,34 +168,42 @@ fn steps_in(seconds: f64, dt: f64) -> u64 {
 pub(super) struct Runner<'a> {
     pub(super) scenario: &'a Scenario,
     pub(super) sim: Simulation,
-    pub(super) folder: RunFolder,
+    /// `None` for a run that writes nothing.
+    pub(super) files: Option<Files<'a>>,
     pub(super) place: Place,
     pub(super) started: Instant,
     pub(super) first_step: u64,
+    /// Seconds of computing when it paused last.
+    computed: f64,
     /// Sum over the steps of this process of the number of grains.
     pub(super) particle_steps: u64,
     /// What the latest row told.
     pub(super) latest: Option<Measures>,
     traffic: Traffic<'a>,
     steps: u64,
-    rows: Rows<'a>,
-    frames: FrameWriter,
-    fields: FieldFiles<'a>,
-    observer: &'a mut dyn Observer,
+    pub(super) rows: Rows<'a>,
     told: f64,
     cancelled: bool,
 }
 
+/// What a run writes beside its rows.
+pub(super) struct Files<'a> {
+    pub(super) folder: RunFolder,
+    frames: FrameWriter,
+    fields: FieldFiles<'a>,
+}
+
 impl<'a> Runner<'a> {
-    fn begin(
+    /// A run before its first step; without a folder nothing is written.
+    pub(super) fn begin(
         scenario: &'a Scenario,
         prepared: Prepared,
-        folder: RunFolder,
-        observer: &'a mut dyn Observer,
+        folder: Option<&RunFolder>,
+        observer: &mut dyn Observer,
     ) -> Result<Self, RunError> {
         let mut say = |text: String| {
             observer.message(&text);
-            folder.log_line(&text)
+            folder.map_or(Ok(()), |folder| folder.log_line(&text))
         };
         say(format!("time step {}", prepared.time_step_reason))?;
         for warning in &prepared.warnings {
@@ -209,11 +221,18 @@ impl<'a> Runner<'a> {
             time_step_reason: prepared.time_step_reason,
             warnings: prepared.warnings,
         };
-        let rows = Rows::create(scenario, &folder)?;
-        let frames = (
-            FrameWriter::create(&folder)?,
-            FieldFiles::open(scenario, &folder, None)?,
-        );
+        let rows = match folder {
+            Some(folder) => Rows::create(scenario, folder)?,
+            None => Rows::in_memory(scenario),
+        };
+        let files = |folder: &RunFolder| -> Result<Files, RunError> {
+            Ok(Files {
+                frames: FrameWriter::create(folder)?,
+                fields: FieldFiles::open(scenario, folder, None)?,
+                folder: folder.clone(),
+            })
+        };
+        let files = folder.map(files).transpose()?;
         let (skin, coupling) = (prepared.setup.skin, prepared.setup.coupling);
         let mut sim = Simulation::new(prepared.setup);
         if !scenario.feeds.is_empty() {
@@ -227,41 +246,54 @@ impl<'a> Runner<'a> {
             })?;
         }
         let traffic = Traffic::begin(scenario, sim.domain(), prepared.origins)?;
-        let mut runner = Self::new(scenario, (sim, traffic), folder, place, (rows, frames), observer);
+        let mut runner = Self::new(scenario, (sim, traffic), place, (rows, files));
         runner.begin_stage()?;
         Ok(runner)
     }
 
-    fn resume(
+    /// A run that goes on from a state.
+    pub(super) fn resume(
         scenario: &'a Scenario,
         state: RunState,
-        folder: RunFolder,
-        observer: &'a mut dyn Observer,
+        folder: &RunFolder,
+        observer: &mut dyn Observer,
     ) -> Result<Self, RunError> {
         let mut setup: Setup = prepare_to_resume(scenario, state.domain)?;
         setup.dt = state.simulation.dt;
         let step = state.simulation.step;
+        let had_custom_force = state.simulation.had_custom_force();
         let sim = Simulation::resume(setup, state.simulation)?;
         let traffic = Traffic::resume(scenario, sim.domain(), state.traffic)?;
-        let rows = Rows::resume(scenario, &folder, step)?;
-        let frames = (
-            FrameWriter::resume(&folder, step)?,
-            FieldFiles::open(scenario, &folder, Some(step))?,
-        );
-        let text = format!("going on from step {step}, time {:.4e} s", sim.time());
-        observer.message(&text);
-        folder.log_line(&text)?;
-        let runner = Self::new(scenario, (sim, traffic), folder, state.place, (rows, frames), observer);
-        Ok(runner)
+        let rows = Rows::resume(scenario, folder, step)?;
+        let files = Files {
+            frames: FrameWriter::resume(folder, step)?,
+            fields: FieldFiles::open(scenario, folder, Some(step))?,
+            folder: folder.clone(),
+        };
+        let mut told = vec![format!("going on from step {step}, time {:.4e} s", sim.time())];
+        if had_custom_force {
+            told.push(
+                "warning: a custom force acted, which a checkpoint does not hold: it must be added again".to_string(),
+            );
+        }
+        let walls = sim.undriven_walls().into_iter();
+        told.extend(walls.map(|wall| {
+            format!(
+                "warning: wall `{wall}` had a custom motion, which a checkpoint does not hold: it rests until told anew"
+            )
+        }));
+        for text in told {
+            observer.message(&text);
+            folder.log_line(&text)?;
+        }
+        Ok(Self::new(scenario, (sim, traffic), state.place, (rows, Some(files))))
     }
 
     fn new(
         scenario: &'a Scenario,
         (sim, traffic): (Simulation, Traffic<'a>),
-        folder: RunFolder,
         place: Place,
-        (rows, (frames, fields)): (Rows<'a>, (FrameWriter, FieldFiles<'a>)),
-        observer: &'a mut dyn Observer,
+        (rows, files): (Rows<'a>, Option<Files<'a>>),
     ) -> Self {
         let steps = scenario
             .stages
@@ -273,88 +305,133 @@ impl<'a> Runner<'a> {
             first_step: sim.step,
             particle_steps: 0,
             started: Instant::now(),
+            computed: 0.0,
             sim,
-            folder,
+            files,
             place,
             latest: None,
             traffic,
             steps,
             rows,
-            frames,
-            fields,
-            observer,
             told: 0.0,
             cancelled: false,
         }
     }
 
-    fn run_to_the_end(&mut self) -> Result<Report, RunError> {
-        let end = match self.run_stages()? {
-            Ok(end) => end,
-            Err(fault) => {
-                self.say(&format!("error: {fault}"))?;
-                self.write_frame()?;
-                RunEnd::Fault(fault)
+    fn run_to_the_end(&mut self, folder: &RunFolder, observer: &mut dyn Observer) -> Result<Report, RunError> {
+        let end = loop {
+            if let Pause::End(end) = self.advance(&Until::default(), observer)? {
+                break end;
             }
         };
+        let summary = self.finish(&end, observer)?;
+        let folder = folder.root().to_owned();
+        Ok(Report { end, summary, folder })
+    }
+
+    /// Writes what a run leaves behind at its end.
+    pub(super) fn finish(&mut self, end: &RunEnd, observer: &mut dyn Observer) -> Result<Summary, RunError> {
+        self.started = clock_after(self.computed);
+        if let RunEnd::Fault(fault) = &end {
+            self.say(&format!("error: {fault}"), observer)?;
+            self.write_frame()?;
+        }
         self.place.wall_clock += self.started.elapsed().as_secs_f64();
-        let report = self.report(end)?;
-        if report.end == RunEnd::Finished {
+        let summary = self.report(end, observer)?;
+        if *end == RunEnd::Finished {
             // last of all: a run whose checkpoint says that it is finished has its report
             self.write_checkpoint()?;
         }
-        Ok(report)
+        Ok(summary)
     }
 
-    /// Runs all stages; the inner result tells a fault of the simulation.
-    fn run_stages(&mut self) -> Result<Result<RunEnd, Fault>, RunError> {
-        if !self.sim.is_started() {
-            if let Err(fault) = self.sim.start() {
-                return Ok(Err(fault));
-            }
-            self.traffic.tag(&self.sim);
-            self.write_row()?;
-            self.write_frame()?;
-            // a run that is killed before its first interval ends can go on, too
-            self.write_checkpoint()?;
+    /// Runs on, stage by stage. Where it pauses changes no bit of the results.
+    pub(super) fn advance(&mut self, until: &Until, observer: &mut dyn Observer) -> Result<Pause, RunError> {
+        self.started = clock_after(self.computed);
+        let pause = self.run_on(until, observer);
+        self.computed = self.started.elapsed().as_secs_f64();
+        pause
+    }
+
+    fn run_on(&mut self, until: &Until, observer: &mut dyn Observer) -> Result<Pause, RunError> {
+        if let Err(fault) = self.start()? {
+            return Ok(Pause::End(RunEnd::Fault(fault)));
         }
-        while self.place.stage < self.scenario.stages.len() {
-            if let Some(reason) = self.stage_is_over() {
-                self.end_stage(&reason)?;
+        let began_in = self.place.stage;
+        loop {
+            let is_over = self.place.stage >= self.scenario.stages.len();
+            if is_over && !until.beyond {
+                return Ok(Pause::End(RunEnd::Finished));
+            }
+            if let (false, Some(reason)) = (is_over, self.stage_is_over()) {
+                self.end_stage(&reason, observer)?;
                 continue;
             }
-            if self.cancelled {
+            if until.stage && self.place.stage > began_in {
+                return Ok(Pause::Stage);
+            }
+            if std::mem::take(&mut self.cancelled) {
                 self.write_checkpoint()?;
-                return Ok(Ok(RunEnd::Interrupted));
+                return Ok(Pause::End(RunEnd::Interrupted));
             }
-            // right after a restart it would only push the one before it out
-            if self.sim.step > self.first_step && self.is_due(self.stage().cadence.checkpoints) {
-                self.write_checkpoint()?;
+            if until.step.is_some_and(|step| self.sim.step >= step) {
+                return Ok(Pause::Step);
             }
-            for text in self.traffic.exchange(&mut self.sim)? {
-                self.say(&text)?;
+            if until.deadline.is_some_and(|deadline| Instant::now() >= deadline) {
+                return Ok(Pause::Deadline);
             }
-            if let Err(fault) = self.sim.step() {
-                return Ok(Err(fault));
+            if let Err(fault) = self.one_step(is_over, observer)? {
+                return Ok(Pause::End(RunEnd::Fault(fault)));
             }
-            self.traffic.watch(&self.sim);
-            self.particle_steps += self.sim.grains.len() as u64;
-            let cadence = self.stage().cadence;
-            if self.is_due(cadence.series) {
-                self.write_row()?;
-            }
-            if self.is_due(cadence.frames) {
-                self.write_frame()?;
-            }
-            self.tell();
         }
-        Ok(Ok(RunEnd::Finished))
+    }
+
+    /// The moment before the first step; the inner result tells a fault of the simulation.
+    fn start(&mut self) -> Result<Result<(), Fault>, RunError> {
+        if self.sim.is_started() {
+            return Ok(Ok(()));
+        }
+        if let Err(fault) = self.sim.start() {
+            return Ok(Err(fault));
+        }
+        self.traffic.tag(&self.sim);
+        self.write_row()?;
+        self.write_frame()?;
+        // a run that is killed before its first interval ends can go on, too
+        self.write_checkpoint()?;
+        Ok(Ok(()))
+    }
+
+    /// One step, with what is written before and after it; nothing is when the protocol is over.
+    fn one_step(&mut self, is_over: bool, observer: &mut dyn Observer) -> Result<Result<(), Fault>, RunError> {
+        // right after a restart it would only push the one before it out
+        if !is_over && self.sim.step > self.first_step && self.is_due(self.stage().cadence.checkpoints) {
+            self.write_checkpoint()?;
+        }
+        for text in self.traffic.exchange(&mut self.sim)? {
+            self.say(&text, observer)?;
+        }
+        if let Err(fault) = self.sim.step() {
+            return Ok(Err(fault));
+        }
+        self.traffic.watch(&self.sim);
+        self.particle_steps += self.sim.grains.len() as u64;
+        let cadence = self.stage().cadence;
+        if !is_over && self.is_due(cadence.series) {
+            self.write_row()?;
+        }
+        if !is_over && self.is_due(cadence.frames) {
+            self.write_frame()?;
+        }
+        self.tell(observer);
+        Ok(Ok(()))
     }
 
     /// Tells the observer and the log.
-    pub(super) fn say(&mut self, text: &str) -> Result<(), RunError> {
-        self.observer.message(text);
-        Ok(self.folder.log_line(text)?)
+    pub(super) fn say(&mut self, text: &str, observer: &mut dyn Observer) -> Result<(), RunError> {
+        observer.message(text);
+        let log = |files: &Files| files.folder.log_line(text);
+        Ok(self.files.as_ref().map_or(Ok(()), log)?)
     }
 
     fn stage(&self) -> &'a Stage {
@@ -391,19 +468,17 @@ impl<'a> Runner<'a> {
         })
     }
 
-    fn end_stage(&mut self, reason: &str) -> Result<(), RunError> {
+    fn end_stage(&mut self, reason: &str, observer: &mut dyn Observer) -> Result<(), RunError> {
         self.write_row()?;
         self.write_frame()?;
         self.draw_stage()?;
         let stage = self.stage();
         let (start, dt) = (self.place.stage_step, self.sim.dt);
-        self.say(&format!(
-            "stage `{}` ended at {:.4e} s: {reason}",
-            stage.name,
-            self.sim.time()
-        ))?;
+        let name = &stage.name;
+        let text = format!("stage `{name}` ended at {:.4e} s: {reason}", self.sim.time());
+        self.say(&text, observer)?;
         self.place.stages_done.push(StageSummary {
-            name: stage.name.clone(),
+            name: name.clone(),
             first_step: start,
             last_step: self.sim.step,
             start: start as f64 * dt,
@@ -486,82 +561,7 @@ impl<'a> Runner<'a> {
         (self.sim.walls[wall].displacement() - self.place.stage_displacement[wall]).length()
     }
 
-    fn write_row(&mut self) -> Result<(), RunError> {
-        if self.place.last_row == Some(self.sim.step) {
-            return Ok(());
-        }
-        self.sim.took(Phase::Other);
-        let moment = self.moment();
-        let row = self.rows.write(&mut self.sim, &mut self.traffic, moment)?;
-        self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
-        self.place.last_row = Some(self.sim.step);
-        self.latest = Some(row);
-        self.sim.took(Phase::Output);
-        Ok(())
-    }
-
-    fn moment(&self) -> Moment {
-        Moment {
-            stage: self.place.stage,
-            stage_time: (self.sim.step - self.place.stage_step) as f64 * self.sim.dt,
-        }
-    }
-
-    fn write_frame(&mut self) -> Result<(), RunError> {
-        if self.place.last_frame == Some(self.sim.step) {
-            return Ok(());
-        }
-        self.sim.took(Phase::Other);
-        self.with_frame(|frames, frame| frames.write(frame))?;
-        let moment = self.moment();
-        self.fields.write(&self.sim, &mut self.traffic, moment)?;
-        self.sim.walls.iter_mut().for_each(Wall::begin_interval);
-        self.place.last_frame = Some(self.sim.step);
-        self.sim.took(Phase::Output);
-        Ok(())
-    }
-
-    /// Hands the present state to a writer.
-    pub(super) fn with_frame<T>(&mut self, work: impl FnOnce(&mut FrameWriter, &Frame) -> T) -> T {
-        let contacts = contact_records(&self.sim);
-        let walls = wall_surfaces(&self.sim);
-        let frame = Frame {
-            step: self.sim.step,
-            time: self.sim.time(),
-            grains: &self.sim.grains,
-            materials: self.sim.materials.list(),
-            contacts: &contacts,
-            walls: &walls,
-            tags: self.traffic.tags(&self.sim),
-        };
-        work(&mut self.frames, &frame)
-    }
-
-    fn write_checkpoint(&mut self) -> Result<(), RunError> {
-        self.sim.took(Phase::Other);
-        let simulation = self.sim.state();
-        let header = Header {
-            engine_version: crate::VERSION.to_string(),
-            title: self.scenario.title.clone(),
-            step: self.sim.step,
-            time: self.sim.time(),
-            grains: self.sim.grains.len() as u64,
-            contacts: simulation.contact_count() as u64,
-        };
-        let mut place = self.place.clone();
-        place.wall_clock += self.started.elapsed().as_secs_f64();
-        let state = RunState {
-            simulation,
-            place,
-            domain: *self.sim.domain(),
-            traffic: self.traffic.state(),
-        };
-        checkpoint::write_latest(self.folder.root(), &header, &state)?;
-        self.sim.took(Phase::Output);
-        Ok(())
-    }
-
-    fn tell(&mut self) {
+    fn tell(&mut self, observer: &mut dyn Observer) {
         let elapsed = self.started.elapsed().as_secs_f64();
         if elapsed - self.told < PROGRESS_INTERVAL {
             return;
@@ -577,8 +577,14 @@ impl<'a> Runner<'a> {
             elapsed,
             steps_here: self.sim.step - self.first_step,
         };
-        self.cancelled = !self.observer.progress(&progress);
+        self.cancelled = !observer.progress(&progress);
     }
+}
+
+/// A clock that has run for so many seconds.
+fn clock_after(seconds: f64) -> Instant {
+    let now = Instant::now();
+    now.checked_sub(Duration::from_secs_f64(seconds)).unwrap_or(now)
 }
 
 pub(super) fn labels(scenario: &Scenario) -> SeriesLabels {

@@ -30,6 +30,9 @@ pub enum RunError {
         /// The folder of the run.
         folder: PathBuf,
     },
+    /// A run without a folder has none to write into.
+    #[error("this run writes no folder: tell one for the checkpoint")]
+    NoFolder,
     /// A stage tells a wall a motion that it cannot make.
     #[error("stage `{stage}`: {source}")]
     Motion {

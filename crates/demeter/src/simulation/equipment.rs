@@ -28,6 +28,7 @@ impl Simulation {
         let leader = leader.map_or(Pose::START, |leader| leader.pose());
         let before = self.walls[wall].energy();
         self.walls[wall].set_motion_behind(motions, leader)?;
+        self.forget_driver(wall);
         if self.is_started() {
             let after = self.walls[wall].energy();
             self.books.drive_walls(after - before);

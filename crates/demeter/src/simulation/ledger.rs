@@ -40,6 +40,8 @@ pub struct Energies {
     /// Work done on the grains by a box that deforms since the start: by contacts across its sides, by the grains that pass
     /// them, and by the affine flow.
     pub boundary_work: f64,
+    /// Work done on the grains by custom forces since the start, with what changes of places and velocities from outside brought.
+    pub custom_work: f64,
     /// What multi-contact displacements add to the stored energy at this moment: part of `elastic`.
     pub multi_contact: f64,
     /// Put into the stored energy by multi-contact displacements since the start, without work of the contacts: because
@@ -102,6 +104,10 @@ pub struct Books {
     inserted_throughput: f64,
     /// Number of grains inserted since the start.
     pub inserted_grains: u64,
+    /// Work of custom forces [J], the sum of its magnitudes in every step, and their power in the latest one [W].
+    custom: f64,
+    custom_throughput: f64,
+    custom_power: f64,
 }
 
 impl Books {
@@ -165,6 +171,18 @@ impl Books {
         self.removed += stored;
     }
 
+    /// Books the power of custom forces at the end of a step of `dt` [s]: their work in it is the mean of both ends.
+    pub(crate) fn book_custom(&mut self, power: f64, dt: f64) {
+        self.intervene(0.5 * dt * (self.custom_power + power));
+        self.custom_power = power;
+    }
+
+    /// Books work that was done on grains from outside [J].
+    pub(crate) fn intervene(&mut self, work: f64) {
+        self.custom += work;
+        self.custom_throughput += work.abs();
+    }
+
     /// Books the removal of grains that carried these energies.
     pub(crate) fn remove(&mut self, grains: u64, gone: &Energies) {
         self.removed_grains += grains;
@@ -192,18 +210,20 @@ impl Books {
         now.rolling_dissipated = self.done.rolling;
         now.wall_work = self.done.wall_work;
         now.boundary_work = self.boundary;
+        now.custom_work = self.custom;
         now.wall_dissipated = self.wall_dissipated;
         now.multi_contact_input = self.done.multi_contact;
         now.inserted = self.inserted;
         now.removed = self.removed;
         self.lowest_gravitational = self.lowest_gravitational.min(now.gravitational);
         self.lowest_elastic = self.lowest_elastic.min(now.elastic);
-        let explained = self.initial + now.wall_work + now.boundary_work + now.multi_contact_input + now.inserted
-            - now.removed
-            - now.dissipated();
+        let work = now.wall_work + now.boundary_work + now.custom_work;
+        let explained =
+            self.initial + work + now.multi_contact_input + now.inserted - now.removed - now.dissipated();
         let passed = self.initial_throughput
             + self.wall_throughput
             + self.boundary_throughput
+            + self.custom_throughput
             + self.highest_wall_kinetic
             + (self.initial_gravitational - self.lowest_gravitational)
             - self.lowest_elastic

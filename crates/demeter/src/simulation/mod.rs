@@ -1,9 +1,11 @@
 //! The state of a run and its protocol.
 
+mod custom;
 mod deformation;
 mod deforming_box;
 mod equipment;
 mod exchange;
+mod intervention;
 mod ledger;
 mod memory;
 pub(crate) mod profile;
@@ -16,10 +18,12 @@ mod tests;
 mod time_step;
 
 pub use crate::step::Effort;
+pub use custom::{CustomForce, CustomMotion, CustomMotionError, ForceMoment, GrainLoads, NumberCourse, VectorCourse};
 pub use deformation::{Deformation, DeformationError, Drive, Misfit, Shear};
 pub use deforming_box::BoxState;
 pub use equipment::WallInTheWay;
 pub use exchange::ExchangeError;
+pub use intervention::ChangeError;
 pub use ledger::{Books, Energies};
 pub use memory::MemoryPart;
 pub use profile::{Phase, PhaseTime, ProfileReport};
@@ -114,6 +118,8 @@ pub struct Simulation {
     /// Whether some wall records what contacts do to it.
     pub(crate) records_walls: bool,
     pub(crate) instructions: Instructions,
+    /// `None` where no force and no motion is custom.
+    customs: Option<Box<custom::Customs>>,
     /// `None` where nobody asked where the time goes.
     pub(crate) profile: Option<Box<profile::Profile>>,
     /// The highest id that was ever given.
@@ -189,6 +195,7 @@ impl Simulation {
             resists_rolling,
             records_walls,
             instructions: Instructions::widest(),
+            customs: None,
             profile: None,
             order: SpatialOrder::default(),
             puts_in_order: true,

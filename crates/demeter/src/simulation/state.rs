@@ -34,6 +34,8 @@ pub struct SimulationState {
     bounds: (DVec3, DVec3),
     max_reach: f64,
     latest_id: u32,
+    /// Whether a custom force acted, which the state does not hold.
+    had_custom_force: bool,
     /// Nothing where contacts are independent.
     coupling: Option<CouplingMemory>,
     /// Nothing where the box keeps its shape.
@@ -69,6 +71,11 @@ pub enum StateError {
 }
 
 impl SimulationState {
+    /// Whether a custom force acted, which the state does not hold.
+    pub fn had_custom_force(&self) -> bool {
+        self.had_custom_force
+    }
+
     /// Number of contacts.
     pub fn contact_count(&self) -> usize {
         self.contacts.len()
@@ -136,6 +143,7 @@ impl Simulation {
             bounds: self.bounds,
             max_reach: self.max_reach,
             latest_id: self.latest_id,
+            had_custom_force: self.has_custom_force(),
             coupling: self.coupling.as_ref().map(|c| c.memory.clone()),
             deforming: self.deforming_state(),
         }

@@ -33,7 +33,7 @@ pub use motion::{FreeMotion, Freedom, Motion, MotionPart, Motions};
 pub use motion_checks::MAX_PARTS;
 pub use motion_file::{MotionFile, MotionFileError, MotionFileProblem, read_motion_file};
 pub use motion_table::{AtEnd, Interpolation, MAX_TABLE_ROWS, MotionTable, TableRows};
-pub use motor::FreeStep;
+pub use motor::{Driven, FreeStep};
 pub use pace::Pace;
 pub use pose::Pose;
 pub(crate) use record::Mark;

@@ -78,6 +78,11 @@ pub enum Motion {
     Free(FreeMotion),
     /// Moves as one body with another wall, told by its index.
     With(usize),
+    /// Stands where [`Wall::drive`](super::Wall::drive) puts it before every step, and rests when nobody does.
+    Driven {
+        /// A point [m] and the unit vector of the axis that it turns about; `None` where it is shifted.
+        axis: Option<(DVec3, DVec3)>,
+    },
 }
 
 /// A wall that moves freely along an axis, or about a hinge.

@@ -39,7 +39,11 @@ fn check_pace(pace: Pace, motion: &Motion) -> Result<Pace, WallError> {
     }
     let is_prescribed = !matches!(
         motion,
-        Motion::Servo { .. } | Motion::TorqueServo { .. } | Motion::Free(_) | Motion::With(_)
+        Motion::Servo { .. }
+            | Motion::TorqueServo { .. }
+            | Motion::Free(_)
+            | Motion::With(_)
+            | Motion::Driven { .. }
     );
     if !is_prescribed {
         return Err(WallError::PaceOfForce);
@@ -58,7 +62,15 @@ fn check_pace(pace: Pace, motion: &Motion) -> Result<Pace, WallError> {
 fn check_motion(motion: Motion) -> Result<Motion, WallError> {
     let any = |_: f64| true;
     Ok(match motion {
-        Motion::Rest | Motion::Table(_) | Motion::With(_) => motion,
+        Motion::Rest | Motion::Table(_) | Motion::With(_) | Motion::Driven { axis: None } => motion,
+        Motion::Driven {
+            axis: Some((point, axis)),
+        } => Motion::Driven {
+            axis: Some((
+                finite("the point of the axis of rotation", point)?,
+                unit("the axis of rotation", axis)?,
+            )),
+        },
         Motion::Velocity(velocity) => Motion::Velocity(finite("the velocity", velocity)?),
         Motion::Rotation {
             point,

@@ -45,6 +45,21 @@ enum Drive {
     Servo { servo: Servo, way: f64, speed: f64 },
     /// The load itself.
     Free(FreeBody),
+    /// Somebody who tells place and rate before every step.
+    Driver {
+        told: Driven,
+        /// Whether it was told for this step.
+        is_fresh: bool,
+    },
+}
+
+/// Where a driven wall stands relative to where it stood when the motion was told, and how fast it moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Driven {
+    /// Displacement [m]; of a wall that turns, the angle [rad] in its first component.
+    pub place: DVec3,
+    /// Its rate [m/s or 1/s].
+    pub rate: DVec3,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -64,6 +79,10 @@ impl Part {
             Motion::Servo { force, max_speed, .. } => servo(force, max_speed),
             Motion::TorqueServo { torque, max_speed, .. } => servo(torque, max_speed),
             Motion::Free(free) => Drive::Free(FreeBody::new(free)),
+            Motion::Driven { .. } => Drive::Driver {
+                told: Driven::default(),
+                is_fresh: false,
+            },
             _ => Drive::Clock,
         };
         Part { told, drive }
@@ -77,11 +96,25 @@ impl Part {
             }
             Drive::Servo { way, speed, .. } => (*way, *speed),
             Drive::Free(body) => (body.coordinate, body.speed),
+            Drive::Driver { told, .. } => return self.driven(told),
         };
         match self.joint() {
             Some(Joint::Along(axis)) => Movement::along(axis, way, speed),
             Some(Joint::About(point, axis)) => Movement::about(point, axis, way, speed),
             None => Movement::default(),
+        }
+    }
+
+    fn driven(&self, told: &Driven) -> Movement {
+        match self.told.motion {
+            Motion::Driven {
+                axis: Some((point, axis)),
+            } => Movement::about(point, axis, told.place.x, told.rate.x),
+            _ => Movement {
+                turn: None,
+                shift: told.place,
+                velocity: told.rate,
+            },
         }
     }
 
@@ -186,10 +219,32 @@ impl Motor {
                     *way += *speed * dt;
                 }
                 Drive::Free(body) => body.advance(dt),
+                Drive::Driver { told, is_fresh } => {
+                    if !std::mem::take(is_fresh) {
+                        told.rate = DVec3::ZERO;
+                    }
+                }
             }
         }
         self.clock.advance(dt);
         self.evaluate(origin);
+    }
+
+    /// Tells the driven part where the wall stands at the end of the next step; without one nothing happens.
+    pub(super) fn drive(&mut self, next: Driven) {
+        for part in &mut self.parts {
+            if let Drive::Driver { told, is_fresh } = &mut part.drive {
+                (*told, *is_fresh) = (next, true);
+            }
+        }
+    }
+
+    /// What the driven part was told last, if there is one.
+    pub(super) fn driven(&self) -> Option<Driven> {
+        self.parts.iter().find_map(|part| match &part.drive {
+            Drive::Driver { told, .. } => Some(*told),
+            _ => None,
+        })
     }
 
     /// Takes the load of the grains in this step: force [N] and torque about the origin [N m].

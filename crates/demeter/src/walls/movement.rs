@@ -34,9 +34,12 @@ impl Movement {
     /// A prescribed motion at its own time, which passes at a rate; none for motions that follow forces.
     pub(super) fn prescribed(motion: &Motion, time: f64, rate: f64) -> Self {
         match motion {
-            Motion::Rest | Motion::Servo { .. } | Motion::TorqueServo { .. } | Motion::Free(_) | Motion::With(_) => {
-                Self::default()
-            }
+            Motion::Rest
+            | Motion::Servo { .. }
+            | Motion::TorqueServo { .. }
+            | Motion::Free(_)
+            | Motion::With(_)
+            | Motion::Driven { .. } => Self::default(),
             Motion::Velocity(velocity) => Self::along(*velocity, time, rate),
             Motion::Oscillation {
                 amplitude,

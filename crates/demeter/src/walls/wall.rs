@@ -5,7 +5,7 @@ use super::error::WallError;
 use super::mesh::Mesh;
 use super::motion::Motions;
 use super::motion_checks::check_motions;
-use super::motor::{FreeStep, Motor};
+use super::motor::{Driven, FreeStep, Motor};
 use super::outline;
 use super::pose::Pose;
 use super::record::{ElementRecord, Mark, Record, Recording};
@@ -201,6 +201,17 @@ impl Wall {
     /// The wall that this one moves with as one body, if any; then [`follow`](Self::follow) moves it.
     pub fn leader(&self) -> Option<usize> {
         self.motor.leader()
+    }
+
+    /// Tells a wall with the motion [`Motion::Driven`](super::Motion::Driven) where it stands at the end of the next step, and
+    /// how fast it moves then. Not told before a step it rests. Nothing happens to a wall with other motions.
+    pub fn drive(&mut self, next: Driven) {
+        self.motor.drive(next);
+    }
+
+    /// What a driven wall was told last; `None` for walls with other motions.
+    pub fn driven(&self) -> Option<Driven> {
+        self.motor.driven()
     }
 
     /// Moves the wall by one step of `dt` [s]; servos and free walls answer to the load of the last step.

@@ -214,6 +214,7 @@ fn is_traced(form: &Form) -> bool {
 
 /// Values that the good scenarios do not show, whether or not they make sense together.
 const MORE: &str = r#"
+plain_numbers = "SI"
 [simulation]
 coupling_tolerance = 1e-6
 [domain]
@@ -293,6 +294,7 @@ fn audit_files(references: &[&str], texts: &[String], read: impl Fn(&Context, &N
 }
 
 const BODIES: &str = r#"
+plain_numbers = "SI"
 title = "two"
 [material.mcc]
 young_modulus = "6 GPa"
@@ -375,6 +377,7 @@ error = "2 %"
 fn the_reference_of_a_packing_is_what_is_read() {
     let told = r#"
 title = "packing"
+plain_numbers = "SI"
 [packing]
 scenario = "scenario.toml"
 set = ["stage[2].repeat=7"]

@@ -1,0 +1,111 @@
+//! What a run writes while it goes on: rows, frames, checkpoints.
+
+use super::{Files, RunState, Runner, labels};
+use crate::checkpoint::{self, Header};
+use crate::measure::{Moment, contact_records, wall_surfaces};
+use crate::output::{Frame, SeriesTable};
+use crate::scenario::run_error::RunError;
+use crate::simulation::Phase;
+use crate::walls::Wall;
+use std::path::Path;
+
+impl<'a> Runner<'a> {
+    pub(super) fn write_row(&mut self) -> Result<(), RunError> {
+        if self.place.last_row == Some(self.sim.step) {
+            return Ok(());
+        }
+        self.sim.took(Phase::Other);
+        let moment = self.moment();
+        let row = self.rows.write(&mut self.sim, &mut self.traffic, moment)?;
+        self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
+        self.place.last_row = Some(self.sim.step);
+        self.latest = Some(row);
+        self.sim.took(Phase::Output);
+        Ok(())
+    }
+
+    /// What a row of the series would tell now, as a series of one row.
+    pub(in crate::scenario) fn present(&mut self) -> SeriesTable {
+        let moment = self.moment();
+        let row = self.rows.measure(&mut self.sim, &mut self.traffic, moment);
+        let mut table = SeriesTable::new(labels(self.scenario));
+        table.add(&row);
+        table
+    }
+
+    pub(super) fn moment(&self) -> Moment {
+        Moment {
+            stage: self.place.stage,
+            stage_time: (self.sim.step - self.place.stage_step) as f64 * self.sim.dt,
+        }
+    }
+
+    pub(super) fn write_frame(&mut self) -> Result<(), RunError> {
+        if self.place.last_frame == Some(self.sim.step) {
+            return Ok(());
+        }
+        let Some(mut files) = self.files.take() else {
+            return Ok(());
+        };
+        self.sim.took(Phase::Other);
+        let written = self.write_files(&mut files);
+        self.files = Some(files);
+        written?;
+        self.sim.walls.iter_mut().for_each(Wall::begin_interval);
+        self.place.last_frame = Some(self.sim.step);
+        self.sim.took(Phase::Output);
+        Ok(())
+    }
+
+    fn write_files(&mut self, files: &mut Files<'a>) -> Result<(), RunError> {
+        self.with_frame(|frame| files.frames.write(frame))?;
+        let moment = self.moment();
+        Ok(files.fields.write(&self.sim, &mut self.traffic, moment)?)
+    }
+
+    /// Hands the present state to a writer.
+    pub(in crate::scenario) fn with_frame<T>(&self, work: impl FnOnce(&Frame) -> T) -> T {
+        let contacts = contact_records(&self.sim);
+        let walls = wall_surfaces(&self.sim);
+        let frame = Frame {
+            step: self.sim.step,
+            time: self.sim.time(),
+            grains: &self.sim.grains,
+            materials: self.sim.materials.list(),
+            contacts: &contacts,
+            walls: &walls,
+            tags: self.traffic.tags(&self.sim),
+        };
+        work(&frame)
+    }
+
+    pub(super) fn write_checkpoint(&mut self) -> Result<(), RunError> {
+        let root = self.files.as_ref().map(|files| files.folder.root().to_owned());
+        root.map_or(Ok(()), |root| self.save_checkpoint(&root))
+    }
+
+    /// Writes a checkpoint into a folder.
+    pub(in crate::scenario) fn save_checkpoint(&mut self, root: &Path) -> Result<(), RunError> {
+        self.sim.took(Phase::Other);
+        let simulation = self.sim.state();
+        let header = Header {
+            engine_version: crate::VERSION.to_string(),
+            title: self.scenario.title.clone(),
+            step: self.sim.step,
+            time: self.sim.time(),
+            grains: self.sim.grains.len() as u64,
+            contacts: simulation.contact_count() as u64,
+        };
+        let mut place = self.place.clone();
+        place.wall_clock += self.started.elapsed().as_secs_f64();
+        let state = RunState {
+            simulation,
+            place,
+            domain: *self.sim.domain(),
+            traffic: self.traffic.state(),
+        };
+        checkpoint::write_latest(root, &header, &state)?;
+        self.sim.took(Phase::Output);
+        Ok(())
+    }
+}

@@ -1,0 +1,115 @@
+//! Places and velocities that are changed from outside, between two steps.
+
+use super::Simulation;
+use crate::contacts::Fault;
+use crate::particles::HigherDerivatives;
+use glam::DVec3;
+
+/// Forces at new places are found with a step that is so much shorter, in which springs hardly move.
+const SHORT_STEP: f64 = 1e-3;
+
+/// Why grains cannot be changed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ChangeError {
+    /// Not one vector per grain.
+    #[error("{found} vectors for {grains} grains: one for each is needed")]
+    Length {
+        /// Vectors given.
+        found: usize,
+        /// Grains.
+        grains: usize,
+    },
+    /// A component is not finite.
+    #[error("the {what} of grain {id} would be {value}, which is not finite")]
+    NotFinite {
+        /// What.
+        what: &'static str,
+        /// Id of the grain.
+        id: u32,
+        /// The value given.
+        value: DVec3,
+    },
+    /// The box deforms.
+    #[error("grains cannot be put elsewhere while the periodic box deforms")]
+    Deforms,
+    /// The new state is one that the model does not cover.
+    #[error(transparent)]
+    Fault(#[from] Fault),
+}
+
+impl Simulation {
+    /// Gives all grains other velocities [m/s], by index. The change of kinetic energy is booked as work of custom forces.
+    pub fn set_velocities(&mut self, velocities: &[DVec3]) -> Result<(), ChangeError> {
+        self.check_change("velocity", velocities)?;
+        self.change(|sim| {
+            for (old, new) in sim.grains.velocity.iter_mut().zip(velocities) {
+                *old = *new;
+            }
+            Ok(())
+        })
+    }
+
+    /// Gives all grains other angular velocities [1/s], by index. The change of energy is booked as work of custom forces.
+    pub fn set_angular_velocities(&mut self, velocities: &[DVec3]) -> Result<(), ChangeError> {
+        self.check_change("angular velocity", velocities)?;
+        self.change(|sim| {
+            for (old, new) in sim.grains.angular_velocity.iter_mut().zip(velocities) {
+                *old = *new;
+            }
+            Ok(())
+        })
+    }
+
+    /// Puts all grains elsewhere [m], by index. Candidates and forces are found anew; contacts that last keep what they remember;
+    /// the change of energy is booked as work of custom forces. The grains may lie in another order in memory afterwards.
+    /// On error the grains are at the new places, and the next step finds the same fault unless they are put elsewhere.
+    pub fn set_positions(&mut self, positions: &[DVec3]) -> Result<(), ChangeError> {
+        self.check_change("position", positions)?;
+        if self.deforms() {
+            return Err(ChangeError::Deforms);
+        }
+        self.change(|sim| {
+            for (old, new) in sim.grains.position.iter_mut().zip(positions) {
+                *old = *new;
+            }
+            if sim.is_started() {
+                sim.find_forces_anew()?;
+            }
+            Ok(())
+        })
+    }
+
+    fn find_forces_anew(&mut self) -> Result<(), Fault> {
+        let dt = self.dt;
+        self.dt = SHORT_STEP * dt;
+        let found = self.find_first_forces();
+        self.dt = dt;
+        found
+    }
+
+    fn check_change(&self, what: &'static str, values: &[DVec3]) -> Result<(), ChangeError> {
+        let grains = self.grains.len();
+        if values.len() != grains {
+            let found = values.len();
+            return Err(ChangeError::Length { found, grains });
+        }
+        match values.iter().zip(&self.grains.id).find(|(value, _)| !value.is_finite()) {
+            None => Ok(()),
+            Some((&value, &id)) => Err(ChangeError::NotFinite { what, id, value }),
+        }
+    }
+
+    /// Changes grains and books what that did.
+    fn change(&mut self, work: impl FnOnce(&mut Self) -> Result<(), Fault>) -> Result<(), ChangeError> {
+        let before = self.mechanical_energies().present();
+        let done = work(self);
+        // what was remembered of the motion belongs to the one before
+        self.grains.higher.fill(HigherDerivatives::default());
+        self.book_custom(0.0);
+        if self.is_started() {
+            let after = self.mechanical_energies().present();
+            self.books.intervene(after - before);
+        }
+        Ok(done?)
+    }
+}
