@@ -1,0 +1,222 @@
+//! How far a run goes, and what is called on the way.
+
+use crate::convert::{kind, quantity};
+use demeter_physics::dimension::Dimension;
+use engine::scenario::{Observer, Progress};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyInt};
+
+/// Steps between two questions for a condition, when none are told.
+const CONDITION_EVERY: u64 = 100;
+
+/// A number of steps, or a time [s].
+#[derive(Clone, Copy)]
+pub enum Interval {
+    Steps(u64),
+    Time(f64),
+}
+
+impl Interval {
+    /// An int counts steps; a text or a float is a time.
+    pub fn of(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Self> {
+        if value.is_instance_of::<PyInt>() && !value.is_instance_of::<PyBool>() {
+            let steps: i64 = value.extract()?;
+            let steps = u64::try_from(steps).ok().filter(|steps| *steps > 0);
+            return steps
+                .map(Self::Steps)
+                .ok_or_else(|| PyValueError::new_err(format!("`{name}` is {value} steps; at least one is needed")));
+        }
+        let time = quantity(value, name, Dimension::TIME)?;
+        if time > 0.0 && time.is_finite() {
+            return Ok(Self::Time(time));
+        }
+        Err(PyValueError::new_err(format!(
+            "`{name}` is {time} s; it must be above 0"
+        )))
+    }
+
+    /// Whole steps nearest to it, at least one.
+    pub fn steps(self, dt: f64) -> u64 {
+        match self {
+            Self::Steps(steps) => steps,
+            Self::Time(time) => (time / dt).round().max(1.0) as u64,
+        }
+    }
+}
+
+/// A function that is called again and again.
+pub struct Callback {
+    interval: u64,
+    next: u64,
+    function: Py<PyAny>,
+}
+
+impl Callback {
+    pub fn new(interval: u64, step: u64, function: Py<PyAny>) -> Self {
+        Self {
+            interval,
+            next: step + interval,
+            function,
+        }
+    }
+
+    /// The step at which it is called next.
+    pub fn next(&self) -> u64 {
+        self.next
+    }
+
+    pub fn function(&self) -> &Py<PyAny> {
+        &self.function
+    }
+
+    pub fn is(&self, py: Python<'_>, function: &Bound<'_, PyAny>) -> bool {
+        // bound methods are made anew whenever they are asked for
+        self.function.bind(py).eq(function).unwrap_or(false)
+    }
+
+    /// The function, when its moment has come.
+    pub fn take_due(&mut self, step: u64, py: Python<'_>) -> Option<Py<PyAny>> {
+        if step < self.next {
+            return None;
+        }
+        self.next += self.interval * ((step - self.next) / self.interval + 1);
+        Some(self.function.clone_ref(py))
+    }
+}
+
+/// How far a run goes.
+#[derive(Default)]
+pub struct Limit {
+    pub step: Option<u64>,
+    pub stage: bool,
+    pub beyond: bool,
+    /// A function that tells whether to end, and how often it is asked, counted from a step.
+    pub condition: Option<(Py<PyAny>, u64, u64)>,
+}
+
+impl Limit {
+    /// The end of the protocol.
+    pub fn end() -> Self {
+        Self::default()
+    }
+
+    /// The end of the stage.
+    pub fn stage() -> Self {
+        Self {
+            stage: true,
+            ..Self::default()
+        }
+    }
+
+    /// A step.
+    pub fn step(step: u64) -> Self {
+        Self {
+            step: Some(step),
+            beyond: true,
+            ..Self::default()
+        }
+    }
+
+    /// A time or a condition; the run is at a step and has a time step.
+    pub fn until(
+        until: &Bound<'_, PyAny>,
+        every: Option<&Bound<'_, PyAny>>,
+        at_most: Option<&Bound<'_, PyAny>>,
+        (step, dt): (u64, f64),
+    ) -> PyResult<Self> {
+        let step_of = |value: &Bound<'_, PyAny>, name: &str| -> PyResult<u64> {
+            let time = quantity(value, name, Dimension::TIME)?;
+            if !time.is_finite() {
+                return Err(PyValueError::new_err(format!("`{name}` is not a finite time")));
+            }
+            Ok((time / dt - 1e-9).ceil().max(0.0) as u64)
+        };
+        let last = at_most.map(|at_most| step_of(at_most, "at_most")).transpose()?;
+        if until.is_callable() {
+            let every = every.map(|every| Interval::of(every, "every")).transpose()?;
+            let every = every.map_or(CONDITION_EVERY, |every| every.steps(dt));
+            return Ok(Self {
+                step: last,
+                stage: false,
+                beyond: last.is_some(),
+                condition: Some((until.clone().unbind(), every, step)),
+            });
+        }
+        if every.is_some() || last.is_some() {
+            let message = "`every` and `at_most` belong to a condition, which is a function";
+            return Err(PyTypeError::new_err(message));
+        }
+        let until = match step_of(until, "until") {
+            Err(error) if error.is_instance_of::<PyTypeError>(until.py()) => {
+                return Err(PyTypeError::new_err(format!(
+                    "`until` must be a time (\"20 ms\", or seconds) or a function of the simulation, not {}",
+                    kind(until)
+                )));
+            }
+            step => step?,
+        };
+        if until < step {
+            return Err(PyValueError::new_err(format!(
+                "`until` is {:.6e} s, and the run is at {:.6e} s already",
+                until as f64 * dt,
+                step as f64 * dt
+            )));
+        }
+        Ok(Self::step(until))
+    }
+
+    /// Whether what was asked for is so at the end of the protocol.
+    pub fn holds(&self, simulation: &Bound<'_, PyAny>) -> PyResult<bool> {
+        match &self.condition {
+            Some((function, ..)) => function.bind(simulation.py()).call1((simulation,))?.is_truthy(),
+            None => Ok(self.step.is_none()),
+        }
+    }
+
+    /// The condition, when it is to be asked at a step.
+    pub fn due(&self, step: u64) -> Option<&Py<PyAny>> {
+        let (function, every, from) = self.condition.as_ref()?;
+        (step - from).is_multiple_of(*every).then_some(function)
+    }
+
+    /// The next step at which to pause.
+    pub fn next(&self, step: u64) -> Option<u64> {
+        let asked = self
+            .condition
+            .as_ref()
+            .map(|(_, every, from)| from + every * ((step - from) / every + 1));
+        [self.step, asked].into_iter().flatten().min()
+    }
+}
+
+/// What a run says.
+#[derive(Default)]
+pub struct Messages(pub Vec<String>);
+
+impl Messages {
+    /// Tells those from a number on to `logging`: warnings as such, all else as information.
+    pub fn tell(&self, py: Python<'_>, from: usize) -> PyResult<()> {
+        if self.0.len() <= from {
+            return Ok(());
+        }
+        let log = py.import("logging")?.call_method1("getLogger", ("demeter",))?;
+        for text in &self.0[from..] {
+            match text.strip_prefix("warning: ") {
+                Some(warning) => log.call_method1("warning", ("%s", warning))?,
+                None => log.call_method1("info", ("%s", text))?,
+            };
+        }
+        Ok(())
+    }
+}
+
+impl Observer for Messages {
+    fn progress(&mut self, _progress: &Progress) -> bool {
+        true
+    }
+
+    fn message(&mut self, text: &str) {
+        self.0.push(text.to_string());
+    }
+}

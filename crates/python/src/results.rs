@@ -1,0 +1,148 @@
+//! What runs left in their folders, as arrays.
+
+use crate::convert::{path, vectors};
+use crate::errors::OrRaise;
+use engine::output::vtp::{Array, PolyData, Values};
+use engine::output::{ContactRecord, SeriesTable, SeriesValues};
+use engine::results::{Cells, Columns, Run};
+use glam::DVec3;
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+
+/// A series in memory as a dict of columns.
+pub fn series_dict<'py>(py: Python<'py>, table: &SeriesTable) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    for (title, values) in table.columns() {
+        match values {
+            SeriesValues::Counts(counts) => dict.set_item(title, counts.clone().into_pyarray(py))?,
+            SeriesValues::Numbers(numbers) => dict.set_item(title, numbers.clone().into_pyarray(py))?,
+            SeriesValues::Names(names) => dict.set_item(title, PyList::new(py, names)?)?,
+        }
+    }
+    Ok(dict)
+}
+
+/// Contacts as a dict of arrays.
+pub fn contacts_dict<'py>(py: Python<'py>, records: &[ContactRecord]) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    dict.set_item("i", PyArray1::from_iter(py, records.iter().map(|c| c.id_i)))?;
+    dict.set_item("j", PyArray1::from_iter(py, records.iter().map(|c| c.id_j)))?;
+    dict.set_item("wall", PyArray1::from_iter(py, records.iter().map(|c| c.wall)))?;
+    dict.set_item("overlap", PyArray1::from_iter(py, records.iter().map(|c| c.overlap)))?;
+    let of = |get: fn(&ContactRecord) -> DVec3| vectors(py, records.iter().map(move |c| get(c).to_array()));
+    dict.set_item("position", of(|c| c.position)?)?;
+    dict.set_item("normal", of(|c| c.normal)?)?;
+    dict.set_item("force", of(|c| c.normal_force + c.tangential_force)?)?;
+    dict.set_item("normal_force", of(|c| c.normal_force)?)?;
+    dict.set_item("tangential_force", of(|c| c.tangential_force)?)?;
+    dict.set_item("rolling_torque", of(|c| c.rolling_torque)?)?;
+    Ok(dict)
+}
+
+/// A table of a file as a dict of columns.
+pub fn columns_dict<'py>(py: Python<'py>, columns: &Columns) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    for column in columns.all() {
+        match &column.cells {
+            Cells::Numbers(numbers) => dict.set_item(&column.title, numbers.clone().into_pyarray(py))?,
+            Cells::Words { words, rows } => {
+                let words = rows.iter().map(|k| words.get(*k as usize).map_or("", String::as_str));
+                dict.set_item(&column.title, PyList::new(py, words.collect::<Vec<_>>())?)?;
+            }
+        }
+    }
+    Ok(dict)
+}
+
+/// The series of a run as a dict of columns, titled with their units: ``pandas.DataFrame(demeter.read_series(folder))``.
+///
+/// Parameters
+/// ----------
+/// folder : path
+///     Folder of a run, or a table that a run wrote, as ``runs/drum/profiles/height.csv``.
+#[pyfunction]
+pub fn read_series<'py>(py: Python<'py>, folder: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyDict>> {
+    let folder = path(folder, "folder")?;
+    let columns = py.detach(|| {
+        if folder.is_file() {
+            Columns::read(&folder)
+        } else {
+            Columns::series_of(&folder)
+        }
+    });
+    columns_dict(py, &columns.or_raise(py)?)
+}
+
+/// The frames of a run: a list of (step, time [s]).
+#[pyfunction]
+pub fn frames(py: Python<'_>, folder: &Bound<'_, PyAny>) -> PyResult<Vec<(u64, f64)>> {
+    let moments = Run::open(&path(folder, "folder")?)
+        .or_raise(py)?
+        .moments()
+        .or_raise(py)?;
+    Ok(moments.iter().map(|moment| (moment.step, moment.time)).collect())
+}
+
+/// A frame of a run, by its number; negative ones count from the end.
+///
+/// Returns
+/// -------
+/// dict
+///     ``step``, ``time`` [s], and ``grains``, ``contacts`` and ``walls``: dicts of arrays with a row for each (of walls: for each
+///     triangle), named as in the files for ParaView, with ``points`` [m].
+#[pyfunction]
+#[pyo3(signature = (folder, frame=-1))]
+pub fn read_frame<'py>(py: Python<'py>, folder: &Bound<'py, PyAny>, frame: isize) -> PyResult<Bound<'py, PyDict>> {
+    let run = Run::open(&path(folder, "folder")?).or_raise(py)?;
+    let moments = run.moments().or_raise(py)?;
+    let at = if frame < 0 {
+        frame + moments.len() as isize
+    } else {
+        frame
+    };
+    let Some(moment) = usize::try_from(at).ok().and_then(|at| moments.get(at)) else {
+        return Err(PyIndexError::new_err(format!(
+            "there is no frame {frame}; the run has {}",
+            moments.len()
+        )));
+    };
+    let tables = py.detach(|| run.frame(moment.step)).or_raise(py)?;
+    let dict = PyDict::new(py);
+    dict.set_item("step", moment.step)?;
+    dict.set_item("time", moment.time)?;
+    for (name, table) in [
+        ("grains", &tables.grains),
+        ("contacts", &tables.contacts),
+        ("walls", &tables.walls),
+    ] {
+        dict.set_item(name, table_dict(py, table)?)?;
+    }
+    Ok(dict)
+}
+
+fn table_dict<'py>(py: Python<'py>, table: &PolyData) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    dict.set_item("points", vectors(py, table.points.iter().map(|p| p.to_array()))?)?;
+    for array in table.point_data.iter().chain(&table.cell_data) {
+        dict.set_item(array.name.as_ref(), numbers(py, array)?)?;
+    }
+    for (name, texts) in &table.texts {
+        dict.set_item(name.as_ref(), texts)?;
+    }
+    Ok(dict)
+}
+
+fn numbers<'py>(py: Python<'py>, array: &Array) -> PyResult<Bound<'py, PyAny>> {
+    let flat = match &array.values {
+        Values::Float64(values) => values.clone().into_pyarray(py).into_any(),
+        Values::Int32(values) => values.clone().into_pyarray(py).into_any(),
+        Values::UInt32(values) => values.clone().into_pyarray(py).into_any(),
+        Values::Int64(values) => values.clone().into_pyarray(py).into_any(),
+    };
+    if array.components == 1 {
+        return Ok(flat);
+    }
+    flat.call_method1("reshape", ((-1, array.components),))
+}

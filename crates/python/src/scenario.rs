@@ -1,0 +1,257 @@
+//! The class `Scenario`.
+
+use crate::convert::{from_json, kind, overrides, path, plain};
+use crate::errors::OrRaise;
+use engine::scenario::{FitTask, ImpactFile, Scenario as EngineScenario, TEMPLATES, prepare, template};
+use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyString};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// What was handed in: a text, where it is from, and where relative paths in it start.
+pub struct Source {
+    pub text: String,
+    pub name: String,
+    pub base: PathBuf,
+    /// The file, where it is one.
+    pub file: Option<PathBuf>,
+}
+
+impl Source {
+    /// A path, a text or a dict.
+    pub fn of(value: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let here = || std::env::current_dir().unwrap_or_default();
+        if value.is_instance_of::<PyDict>() {
+            let base = here();
+            return Ok(Self {
+                text: plain(value, "")?.to_toml(&base),
+                name: "dict".to_string(),
+                base,
+                file: None,
+            });
+        }
+        if let Ok(text) = value.cast::<PyString>() {
+            let text = text.to_string();
+            if text.contains('\n') || text.contains('=') && !Path::new(&text).exists() {
+                return Ok(Self {
+                    text,
+                    name: "text".to_string(),
+                    base: here(),
+                    file: None,
+                });
+            }
+        } else if !value.hasattr("__fspath__")? {
+            let message = format!("a scenario is a path, a TOML text or a dict, not {}", kind(value));
+            return Err(PyTypeError::new_err(message));
+        }
+        let file = path(value, "scenario")?;
+        Ok(Self {
+            text: String::new(),
+            name: file.display().to_string(),
+            base: file.parent().map_or_else(PathBuf::new, Path::to_path_buf),
+            file: Some(file),
+        })
+    }
+
+    /// Reads a scenario.
+    pub fn scenario(&self, py: Python<'_>, set: &[String]) -> PyResult<EngineScenario> {
+        let base = std::path::absolute(&self.base).unwrap_or_else(|_| self.base.clone());
+        let mut read = match &self.file {
+            Some(file) => EngineScenario::read(file, set),
+            None => EngineScenario::parse(&self.text, &self.name, &base, set),
+        }
+        .or_raise(py)?;
+        // the scenario in the run folder must find its files from anywhere
+        read.base = base;
+        Ok(read)
+    }
+
+    /// Reads a file of two bodies.
+    pub fn impact(&self, py: Python<'_>, set: &[String]) -> PyResult<ImpactFile> {
+        match &self.file {
+            Some(file) => ImpactFile::read(file, set),
+            None => ImpactFile::parse(&self.text, &self.name, set),
+        }
+        .or_raise(py)
+    }
+
+    /// Reads a file of a fit.
+    pub fn fit(&self, py: Python<'_>, set: &[String]) -> PyResult<FitTask> {
+        match &self.file {
+            Some(file) => FitTask::read(file, set),
+            None => FitTask::parse(&self.text, &self.name, &self.base, set),
+        }
+        .or_raise(py)
+    }
+}
+
+/// A scenario: everything that a run is made of, read and checked.
+///
+/// Values are texts with a unit, as `"2 mm"`, or, in dicts, plain numbers in SI. All keys:
+/// the scenario reference of the book.
+///
+/// Examples
+/// --------
+/// >>> scenario = demeter.Scenario.template("drum")
+/// >>> scenario = scenario.set({"grains[0].count": 200})
+#[pyclass(module = "demeter", frozen)]
+pub struct Scenario {
+    source: Source,
+    set: Vec<String>,
+    pub read: EngineScenario,
+}
+
+impl Scenario {
+    fn new(py: Python<'_>, source: Source, set: Vec<String>) -> PyResult<Self> {
+        let read = source.scenario(py, &set)?;
+        Ok(Self { source, set, read })
+    }
+
+    /// What a function takes for a scenario: one, a path, a text or a dict.
+    pub fn engine_of(value: &Bound<'_, PyAny>) -> PyResult<EngineScenario> {
+        match value.cast::<Self>() {
+            Ok(scenario) => Ok(scenario.get().read.clone()),
+            Err(_) => Source::of(value)?.scenario(value.py(), &[]),
+        }
+    }
+}
+
+#[pymethods]
+impl Scenario {
+    /// Reads a scenario from a TOML file or text.
+    ///
+    /// Parameters
+    /// ----------
+    /// source : path of a file, or a TOML text
+    /// set : dict, optional
+    ///     Changes of the scenario before it is checked, as ``{"grains[0].count": 200, "wall.lid.point": "0 0 5 cm"}``.
+    ///
+    /// Raises
+    /// ------
+    /// ScenarioError
+    ///     With all faults at once.
+    #[staticmethod]
+    #[pyo3(signature = (source, *, set=None))]
+    fn from_toml(source: &Bound<'_, PyAny>, set: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        if source.is_instance_of::<PyDict>() {
+            return Err(PyTypeError::new_err("this is a dict: use Scenario.from_dict"));
+        }
+        Self::new(source.py(), Source::of(source)?, overrides(set)?)
+    }
+
+    /// Builds a scenario from nested dicts and lists, with the keys of the TOML file.
+    ///
+    /// Quantities are texts with units or plain numbers in SI; arrays of NumPy serve as lists. Relative
+    /// paths start from the present folder.
+    ///
+    /// Raises
+    /// ------
+    /// ScenarioError
+    ///     With all faults at once, each with the path of its key.
+    #[staticmethod]
+    #[pyo3(signature = (tables, *, set=None))]
+    fn from_dict(tables: &Bound<'_, PyDict>, set: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        Self::new(tables.py(), Source::of(tables.as_any())?, overrides(set)?)
+    }
+
+    /// One of the templates that ``demeter new`` writes: see `templates`.
+    #[staticmethod]
+    #[pyo3(signature = (name, *, set=None))]
+    fn template(py: Python<'_>, name: &str, set: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let Some(text) = template(name) else {
+            let known: Vec<&str> = TEMPLATES.iter().map(|(name, ..)| *name).collect();
+            return Err(PyKeyError::new_err(format!(
+                "no template `{name}`; there are {}",
+                known.join(", ")
+            )));
+        };
+        let source = Source {
+            text: text.to_string(),
+            name: format!("{name}.toml"),
+            base: std::env::current_dir().unwrap_or_default(),
+            file: None,
+        };
+        Self::new(py, source, overrides(set)?)
+    }
+
+    /// Names of the templates.
+    #[staticmethod]
+    fn templates() -> Vec<&'static str> {
+        TEMPLATES.iter().map(|(name, ..)| *name).collect()
+    }
+
+    /// The same scenario with changes, checked anew. Keys as ``"grains[0].count"`` or ``"wall.lid.velocity"``.
+    fn set(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let mut set = self.set.clone();
+        set.extend(overrides(Some(changes))?);
+        let source = Source {
+            text: self.source.text.clone(),
+            name: self.source.name.clone(),
+            base: self.source.base.clone(),
+            file: self.source.file.clone(),
+        };
+        Self::new(py, source, set)
+    }
+
+    /// Makes the scenario ready to run, without running it: places the grains, finds the time step.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    ///     ``time_step`` [s] and ``time_step_reason``, ``grains``, ``materials``, ``walls``, ``stages``, ``steps``,
+    ///     ``memory`` [bytes], ``run_time`` on one thread [s], ``warnings``.
+    fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let scenario = &self.read;
+        let prepared = py.detach(|| prepare(scenario)).or_raise(py)?;
+        let stages = scenario.stages.iter().zip(&prepared.stage_steps);
+        let told = json!({
+            "title": scenario.title,
+            "time_step": prepared.setup.dt,
+            "time_step_reason": prepared.time_step_reason,
+            "grains": prepared.setup.grains.len(),
+            "materials": scenario.materials.iter().map(|m| m.name.clone()).collect::<Vec<_>>(),
+            "walls": scenario.walls.iter().map(|w| w.name.clone()).collect::<Vec<_>>(),
+            "stages": stages.map(|(s, steps)| json!({ "name": s.name, "steps": steps })).collect::<Vec<_>>(),
+            "steps": prepared.steps,
+            "memory": prepared.memory,
+            "run_time": prepared.run_time,
+            "warnings": prepared.warnings,
+        });
+        from_json(py, &told)
+    }
+
+    /// The scenario as TOML, with all changes put in and the paths of files absolute.
+    fn to_toml(&self) -> String {
+        self.read.to_resolved_toml()
+    }
+
+    /// Its title.
+    #[getter]
+    fn title(&self) -> &str {
+        &self.read.title
+    }
+
+    /// Names of its stages, repeats unrolled.
+    #[getter]
+    fn stages(&self) -> Vec<String> {
+        self.read.stages.iter().map(|stage| stage.name.clone()).collect()
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<demeter.Scenario {:?}, {} stages>",
+            self.read.title,
+            self.read.stages.len()
+        )
+    }
+
+    fn __reduce__(slf: &Bound<'_, Self>) -> PyResult<(Py<PyAny>, (String,))> {
+        let read = slf.getattr("from_toml")?.unbind();
+        let text = slf.get().to_toml();
+        if text.is_empty() {
+            return Err(PyValueError::new_err("an empty scenario cannot be pickled"));
+        }
+        Ok((read, (text,)))
+    }
+}

@@ -1,0 +1,315 @@
+//! How the simulation goes on: until a limit, with callbacks and signals.
+
+use super::{Live, Simulation, locked};
+use crate::control::{Callback, Limit, Messages};
+use crate::convert::path;
+use crate::errors::{OrRaise, Raise, RunError};
+use crate::functions::Function;
+use crate::scenario::Scenario;
+use crate::views::{Showing, Table, Views};
+use engine::contacts::Fault as EngineFault;
+use engine::scenario::{LiveRun, Pause, RunEnd, RunOptions, Until};
+use engine::simulation::{CustomMotion, Simulation as EngineSimulation};
+use glam::DVec3;
+use numpy::PyArray1;
+use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
+use std::time::{Duration, Instant};
+
+/// The run looks so often whether Python wants something, as Ctrl-C.
+const LOOK_EVERY: Duration = Duration::from_millis(50);
+
+/// Says on drop that no run goes on.
+struct Running<'a>(&'a AtomicBool);
+
+impl Drop for Running<'_> {
+    fn drop(&mut self) {
+        self.0.store(false, Ordering::SeqCst);
+    }
+}
+
+impl Simulation {
+    pub(super) fn of(run: LiveRun, messages: Messages) -> Self {
+        Self {
+            live: Mutex::new(Live {
+                run,
+                views: Views::default(),
+            }),
+            is_running: AtomicBool::new(false),
+            is_asked_to_stop: AtomicBool::new(false),
+            callbacks: Mutex::new(Vec::new()),
+            functions: Mutex::new(Vec::new()),
+            messages: Mutex::new(messages.0),
+        }
+    }
+
+    /// A simulation of a scenario.
+    pub fn build(
+        py: Python<'_>,
+        scenario: &Bound<'_, PyAny>,
+        out: Option<&Bound<'_, PyAny>>,
+        threads: Option<usize>,
+        overwrite: bool,
+    ) -> PyResult<Self> {
+        let scenario = Scenario::engine_of(scenario)?;
+        let out = out.map(|out| path(out, "out")).transpose()?;
+        let options = options(threads, overwrite)?;
+        let mut messages = Messages::default();
+        let run = py
+            .detach(|| LiveRun::new(scenario, out.as_deref(), options, &mut messages))
+            .or_raise(py)?;
+        messages.tell(py, 0)?;
+        Ok(Self::of(run, messages))
+    }
+
+    /// The run, unless it is in the middle of a step.
+    pub(super) fn live(&self) -> PyResult<MutexGuard<'_, Live>> {
+        match self.live.try_lock() {
+            Ok(live) => Ok(live),
+            Err(TryLockError::Poisoned(poisoned)) => Ok(poisoned.into_inner()),
+            Err(TryLockError::WouldBlock) => Err(RunError::new_err(
+                "the simulation is in the middle of a step: look at it between steps, or in a callback of `every`; a custom \
+                 force uses the state that it is given",
+            )),
+        }
+    }
+
+    pub(super) fn look<T>(&self, look: impl FnOnce(&EngineSimulation) -> T) -> PyResult<T> {
+        Ok(self.live()?.run.with_simulation(look))
+    }
+
+    /// Index of a wall.
+    pub(super) fn wall(&self, name: &str) -> PyResult<usize> {
+        self.look(|sim| {
+            sim.walls.iter().position(|wall| wall.name == name).ok_or_else(|| {
+                let names: Vec<String> = sim.walls.iter().map(|wall| format!("`{}`", wall.name)).collect();
+                let known = if names.is_empty() {
+                    "none".to_string()
+                } else {
+                    names.join(", ")
+                };
+                PyKeyError::new_err(format!("there is no wall `{name}`; there are {known}"))
+            })
+        })?
+    }
+
+    /// Runs on, with callbacks, until a limit, a condition, or the end.
+    pub(super) fn go(slf: &Bound<'_, Self>, limit: &Limit) -> PyResult<bool> {
+        let this = slf.get();
+        if this.is_running.swap(true, Ordering::SeqCst) {
+            return Err(RunError::new_err(
+                "the simulation runs already: a callback looks and changes, it cannot run it; sim.stop() ends the run",
+            ));
+        }
+        let _running = Running(&this.is_running);
+        this.is_asked_to_stop.store(false, Ordering::SeqCst);
+        loop {
+            let step = this.look(|sim| sim.step)?;
+            if let Some(condition) = limit.due(step)
+                && condition.call1(slf.py(), (slf,))?.is_truthy(slf.py())?
+            {
+                return Ok(true);
+            }
+            let due = locked(&this.callbacks).iter().map(Callback::next).min();
+            let until = Until {
+                step: [due, limit.next(step)].into_iter().flatten().min(),
+                deadline: Some(Instant::now() + LOOK_EVERY),
+                stage: limit.stage,
+                beyond: limit.beyond,
+            };
+            let pause = this.advance(slf.py(), &until)?;
+            this.check_signals(slf.py())?;
+            this.call_back(slf)?;
+            match pause {
+                Pause::Stage => return Ok(true),
+                Pause::End(RunEnd::Fault(fault)) => return Err(this.raised(slf.py(), fault)),
+                Pause::End(_) => return limit.holds(slf.as_any()),
+                Pause::Step | Pause::Deadline => {}
+            }
+            let is_there = limit
+                .step
+                .is_some_and(|last| this.look(|sim| sim.step).is_ok_and(|step| step >= last));
+            if is_there {
+                return Ok(limit.condition.is_none());
+            }
+            if this.is_asked_to_stop.swap(false, Ordering::SeqCst) {
+                return Ok(false);
+            }
+        }
+    }
+
+    /// Goes on without the interpreter.
+    fn advance(&self, py: Python<'_>, until: &Until) -> PyResult<Pause> {
+        let mut live = self.live()?;
+        live.part();
+        let mut messages = Messages::default();
+        let run = &mut live.run;
+        let pause = py.detach(|| run.advance(until, &mut messages));
+        drop(live);
+        self.note(py, messages)?;
+        pause.or_raise(py)
+    }
+
+    fn note(&self, py: Python<'_>, messages: Messages) -> PyResult<()> {
+        let mut all = locked(&self.messages);
+        let told = all.len();
+        all.extend(messages.0);
+        let copy = Messages(all.clone());
+        drop(all);
+        copy.tell(py, told)
+    }
+
+    /// Ctrl-C: a run with a folder leaves a checkpoint.
+    fn check_signals(&self, py: Python<'_>) -> PyResult<()> {
+        py.check_signals().inspect_err(|_| {
+            let Ok(mut live) = self.live() else { return };
+            let run = &mut live.run;
+            if run.folder().is_some()
+                && let Err(error) = py.detach(|| run.checkpoint(None))
+            {
+                locked(&self.messages).push(format!("warning: no checkpoint was written: {error}"));
+            }
+        })
+    }
+
+    /// Calls those callbacks whose moment has come.
+    fn call_back(&self, slf: &Bound<'_, Self>) -> PyResult<()> {
+        let step = self.look(|sim| sim.step)?;
+        let mut due = Vec::new();
+        for callback in locked(&self.callbacks).iter_mut() {
+            due.extend(callback.take_due(step, slf.py()));
+        }
+        for function in due {
+            function.call1(slf.py(), (slf,))?;
+        }
+        Ok(())
+    }
+
+    /// A fault as an exception: the one that a function of the user raised, unchanged.
+    fn raised(&self, py: Python<'_>, fault: EngineFault) -> PyErr {
+        let raised = || {
+            locked(&self.functions)
+                .iter()
+                .find_map(|function| function.take_raised())
+        };
+        match fault {
+            EngineFault::Custom { .. } => raised().unwrap_or_else(|| fault.raise(py)),
+            fault => fault.raise(py),
+        }
+    }
+
+    /// A function that the engine asks from now on.
+    pub(super) fn keep(&self, function: Py<PyAny>) -> Arc<Function> {
+        let function = Function::new(function);
+        locked(&self.functions).push(Arc::clone(&function));
+        function
+    }
+
+    /// Rows of grains by their ids, or of all in their order.
+    pub(super) fn rows_of<'py>(&self, py: Python<'py>, ids: Option<Vec<u32>>) -> PyResult<Bound<'py, PyArray1<u64>>> {
+        let mut order: Vec<(u32, u64)> = self.look(|sim| sim.grains.id.iter().copied().zip(0..).collect())?;
+        order.sort_unstable();
+        let Some(ids) = ids else {
+            return Ok(PyArray1::from_iter(py, order.into_iter().map(|(_, row)| row)));
+        };
+        let row = |id: u32| {
+            let at = order.binary_search_by_key(&id, |(id, _)| *id);
+            at.map(|k| order[k].1)
+                .map_err(|_| PyKeyError::new_err(format!("there is no grain {id}")))
+        };
+        let rows: Vec<u64> = ids.into_iter().map(row).collect::<PyResult<_>>()?;
+        Ok(PyArray1::from_vec(py, rows))
+    }
+
+    pub(super) fn show<'py>(
+        slf: &Bound<'py, Self>,
+        table: Table,
+        show: impl FnOnce(Showing<'_, 'py>, &EngineSimulation) -> PyResult<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let mut live = slf.get().live()?;
+        let Live { run, views } = &mut *live;
+        let showing = Showing {
+            owner: slf,
+            views,
+            table,
+        };
+        run.with_simulation(|sim| show(showing, sim))
+    }
+}
+
+pub(super) fn options(threads: Option<usize>, overwrite: bool) -> PyResult<RunOptions> {
+    if threads == Some(0) {
+        return Err(PyValueError::new_err("`threads` is 0; at least one is needed"));
+    }
+    Ok(RunOptions {
+        threads,
+        overwrite,
+        ..RunOptions::default()
+    })
+}
+
+/// A motion that a Python function tells; exactly one way of telling it.
+pub(super) fn motion(function: Arc<Function>, how: &str, axis: Option<(DVec3, DVec3)>) -> CustomMotion {
+    let vector = |f: Arc<Function>| Box::new(move |t: f64| f.vector(t));
+    let number = |f: Arc<Function>| Box::new(move |t: f64| f.number(t));
+    let (point, axis) = axis.unwrap_or((DVec3::ZERO, DVec3::Z));
+    match how {
+        "position" => CustomMotion::Place(vector(function)),
+        "velocity" => CustomMotion::Velocity(vector(function)),
+        "angle" => CustomMotion::Angle {
+            point,
+            axis,
+            angle: number(function),
+        },
+        _ => CustomMotion::AngularVelocity {
+            point,
+            axis,
+            rate: number(function),
+        },
+    }
+}
+
+/// Runs a scenario to its end and hands out the simulation.
+///
+/// Parameters
+/// ----------
+/// scenario : Scenario, path, TOML text or dict
+/// out : path, optional
+///     Folder for the results; without it nothing is written.
+/// threads : int, optional
+///     Number of threads; all cores without it.
+/// overwrite : bool
+///     Whether an earlier run in the folder may be replaced.
+///
+/// Examples
+/// --------
+/// >>> sim = demeter.run("drum.toml", out="runs/drum")
+/// >>> pandas.DataFrame(sim.series()).plot(x="time [s]", y="kinetic energy [J]")
+#[pyfunction]
+#[pyo3(signature = (scenario, *, out=None, threads=None, overwrite=false))]
+pub fn run<'py>(
+    py: Python<'py>,
+    scenario: &Bound<'py, PyAny>,
+    out: Option<&Bound<'py, PyAny>>,
+    threads: Option<usize>,
+    overwrite: bool,
+) -> PyResult<Bound<'py, Simulation>> {
+    let simulation = Bound::new(py, Simulation::build(py, scenario, out, threads, overwrite)?)?;
+    Simulation::go(&simulation, &Limit::end())?;
+    Ok(simulation)
+}
+
+/// Goes on with the run in a folder to its end, from its latest checkpoint: `Simulation.resume` and `run`.
+#[pyfunction]
+#[pyo3(signature = (folder, *, threads=None))]
+pub fn resume<'py>(
+    py: Python<'py>,
+    folder: &Bound<'py, PyAny>,
+    threads: Option<usize>,
+) -> PyResult<Bound<'py, Simulation>> {
+    let simulation = Bound::new(py, Simulation::resume(py, folder, threads)?)?;
+    Simulation::go(&simulation, &Limit::end())?;
+    Ok(simulation)
+}

@@ -1,0 +1,158 @@
+//! Arrays that show tables of a simulation without a copy.
+//!
+//! The memory of a table belongs to the simulation until this is to change it. Then, if any array still shows the table, the
+//! simulation goes on with a copy and leaves the old memory to the arrays. So an array shows the moment at which it was
+//! taken for as long as it lives; nobody ever sees a table half changed, and nobody waits.
+
+use crate::simulation::Simulation;
+use engine::particles::{Grains, Rows};
+use engine::simulation::Simulation as EngineSimulation;
+use numpy::ndarray::{ArrayView1, ArrayView2, ShapeBuilder};
+use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use std::any::Any;
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+
+/// The tables that arrays show.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Table {
+    Position,
+    Velocity,
+    AngularVelocity,
+    Force,
+    Torque,
+    Mass,
+    Id,
+    Material,
+}
+
+/// Keeps the memory of a table alive for the arrays that show it.
+struct Keeper {
+    table: Table,
+    held: Mutex<Held>,
+}
+
+enum Held {
+    /// The memory is the simulation's.
+    BySimulation { _owner: Py<Simulation> },
+    /// The memory is here.
+    Here { _memory: Box<dyn Any + Send + Sync> },
+}
+
+/// What the arrays have for a base.
+#[pyclass(module = "demeter", name = "_Memory", frozen)]
+struct Memory {
+    _keeper: Arc<Keeper>,
+}
+
+/// The arrays of one simulation.
+#[derive(Default)]
+pub struct Views {
+    keepers: Vec<Weak<Keeper>>,
+}
+
+impl Views {
+    /// Something to keep the memory of a table alive.
+    fn keeper<'py>(&mut self, owner: &Bound<'py, Simulation>, table: Table) -> PyResult<Bound<'py, PyAny>> {
+        let alive = self.keepers.iter().filter_map(Weak::upgrade).find(|k| k.table == table);
+        let keeper = alive.unwrap_or_else(|| {
+            let held = Held::BySimulation {
+                _owner: owner.clone().unbind(),
+            };
+            let keeper = Arc::new(Keeper {
+                table,
+                held: Mutex::new(held),
+            });
+            self.keepers.push(Arc::downgrade(&keeper));
+            keeper
+        });
+        Ok(Bound::new(owner.py(), Memory { _keeper: keeper })?.into_any())
+    }
+
+    /// Gives the tables that arrays show to these arrays; the simulation goes on with copies. To be called before anything
+    /// changes or moves a table.
+    pub fn part(&mut self, simulation: &mut EngineSimulation) {
+        for keeper in self.keepers.drain(..).filter_map(|keeper| keeper.upgrade()) {
+            let memory = take(&mut simulation.grains, keeper.table);
+            let mut held = keeper.held.lock().unwrap_or_else(PoisonError::into_inner);
+            *held = Held::Here { _memory: memory };
+        }
+    }
+
+    /// Whether any array shows a table.
+    pub fn any(&self) -> bool {
+        self.keepers.iter().any(|keeper| keeper.strong_count() > 0)
+    }
+}
+
+/// The memory of a table, in whose place a copy is put.
+fn take(grains: &mut Grains, table: Table) -> Box<dyn Any + Send + Sync> {
+    fn swap<T: Clone + Send + Sync + 'static>(place: &mut T) -> Box<dyn Any + Send + Sync> {
+        let copy = place.clone();
+        Box::new(std::mem::replace(place, copy))
+    }
+    match table {
+        Table::Position => swap(&mut grains.position),
+        Table::Velocity => swap(&mut grains.velocity),
+        Table::AngularVelocity => swap(&mut grains.angular_velocity),
+        Table::Force => swap(&mut grains.force),
+        Table::Torque => swap(&mut grains.torque),
+        Table::Mass => swap(&mut grains.mass),
+        Table::Id => swap(&mut grains.id),
+        Table::Material => swap(&mut grains.material),
+    }
+}
+
+/// A table of a simulation, about to be shown.
+pub struct Showing<'a, 'py> {
+    pub owner: &'a Bound<'py, Simulation>,
+    pub views: &'a mut Views,
+    pub table: Table,
+}
+
+impl<'py> Showing<'_, 'py> {
+    /// The vectors of rows, as an array of three columns.
+    pub fn vectors(self, rows: &Rows) -> PyResult<Bound<'py, PyAny>> {
+        let numbers = rows.table().as_flattened();
+        let view = ArrayView2::from_shape((rows.len(), 3).strides((4, 1)), numbers);
+        self.show2(view.map_err(|e| PyRuntimeError::new_err(e.to_string()))?)
+    }
+
+    /// The numbers beside the vectors.
+    pub fn scalars(self, rows: &Rows) -> PyResult<Bound<'py, PyAny>> {
+        let numbers = rows.table().as_flattened();
+        let behind = numbers.get(3..).unwrap_or(&[]);
+        let view = ArrayView1::from_shape((rows.len(),).strides((4,)), behind);
+        self.show1(view.map_err(|e| PyRuntimeError::new_err(e.to_string()))?)
+    }
+
+    /// A list as it is.
+    pub fn list<T: Element>(self, list: &[T]) -> PyResult<Bound<'py, PyAny>> {
+        self.show1(ArrayView1::from(list))
+    }
+
+    #[allow(
+        unsafe_code,
+        reason = "the base of the array keeps the memory, which `Views::part` never lets change"
+    )]
+    fn show1<T: Element>(self, view: ArrayView1<'_, T>) -> PyResult<Bound<'py, PyAny>> {
+        let keeper = self.views.keeper(self.owner, self.table)?;
+        // SAFETY: the memory is the table's, and lives until the keeper is dropped
+        let array = unsafe { PyArray1::borrow_from_array(&view, keeper) };
+        array.readwrite().make_nonwriteable();
+        Ok(array.into_any())
+    }
+
+    #[allow(
+        unsafe_code,
+        reason = "the base of the array keeps the memory, which `Views::part` never lets change"
+    )]
+    fn show2<T: Element>(self, view: ArrayView2<'_, T>) -> PyResult<Bound<'py, PyAny>> {
+        let keeper = self.views.keeper(self.owner, self.table)?;
+        // SAFETY: the memory is the table's, and lives until the keeper is dropped
+        let array = unsafe { PyArray2::borrow_from_array(&view, keeper) };
+        array.readwrite().make_nonwriteable();
+        Ok(array.into_any())
+    }
+}

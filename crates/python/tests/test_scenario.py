@@ -1,0 +1,74 @@
+"""Scenarios from dicts and texts, and what is said of wrong ones."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import demeter
+
+
+def test_a_dict_and_its_toml_are_the_same_scenario(bed):
+    scenario = demeter.Scenario.from_dict(bed)
+    again = demeter.Scenario.from_toml(scenario.to_toml())
+    assert scenario.check() == again.check()
+    assert scenario.title == "A small bed" and scenario.stages == ["settle", "press"]
+    assert pickle.loads(pickle.dumps(scenario)).to_toml() == scenario.to_toml()
+
+
+def test_numpy_and_tuples_serve(bed):
+    bed["wall"][1]["point"] = np.array([0, 0, 0.07])
+    bed["simulation"]["gravity"] = (0.0, np.float64(0.0), -9.81)
+    bed["grains"][0]["count"] = np.int32(5)
+    assert demeter.Scenario.from_dict(bed).check()["grains"] == 5
+
+
+def test_all_faults_come_at_once_with_their_paths(bed):
+    bed["stage"][0]["duration"] = "20 mm"
+    bed["wall"][1]["normel"] = "z"
+    bed["material"]["glass"]["density"] = -1
+    with pytest.raises(demeter.ScenarioError) as caught:
+        demeter.Scenario.from_dict(bed)
+    paths = {fault["path"] for fault in caught.value.faults}
+    assert paths >= {"stage[0].duration", "wall[1].normel", "material.glass.density"}
+    assert "did you mean `normal`?" in str(caught.value)
+    assert isinstance(caught.value, demeter.Error)
+
+
+def test_wrong_types_are_told_with_the_key(bed):
+    bed["grains"][0]["diameter"] = None
+    with pytest.raises(TypeError, match=r"grains\[0\].diameter.*None"):
+        demeter.Scenario.from_dict(bed)
+    bed["grains"][0]["diameter"] = {1, 2}
+    with pytest.raises(TypeError, match="type set"):
+        demeter.Scenario.from_dict(bed)
+    with pytest.raises(TypeError, match="from_dict"):
+        demeter.Scenario.from_toml(bed)
+    with pytest.raises(TypeError, match="a path, a TOML text or a dict"):
+        demeter.Simulation(3)
+
+
+def test_a_file_that_is_not_there(tmp_path):
+    with pytest.raises(demeter.ScenarioError, match="no such file"):
+        demeter.Scenario.from_toml(tmp_path / "none.toml")
+
+
+def test_changes_are_put_in(bed):
+    scenario = demeter.Scenario.from_dict(bed).set({"grains[0].count": 7, "stage[0].duration": "1 ms"})
+    assert scenario.check()["grains"] == 7
+    with pytest.raises(demeter.ScenarioError):
+        scenario.set({"grains[0].cuont": 7})
+
+
+def test_templates():
+    assert "drum" in demeter.Scenario.templates()
+    assert demeter.Scenario.template("settle", set={"grains[0].count": 20}).check()["grains"] == 20
+    with pytest.raises(KeyError):
+        demeter.Scenario.template("dram")
+
+
+def test_quantities():
+    assert demeter.si("23.3 kPa") == 23300.0
+    assert demeter.si(2) == 2.0
+    with pytest.raises(ValueError):
+        demeter.si("2 mmm")

@@ -1,0 +1,366 @@
+"""Runs in one's hands: pauses, callbacks, arrays, functions, folders."""
+
+import gc
+import signal
+import threading
+import time
+import weakref
+
+import numpy as np
+import pytest
+
+import demeter
+
+
+def same(one, other):
+    return np.array_equal(one.positions, other.positions) and np.array_equal(one.ids, other.ids)
+
+
+def test_pauses_change_nothing(bed):
+    whole = demeter.run(bed, threads=1)
+    assert whole.finished and whole.summary["finished"]
+    pieces = demeter.Simulation(bed, threads=2)
+    assert pieces.stage == "settle"
+    assert pieces.run_stage() and pieces.stage == "press"
+    assert pieces.run_until("21 ms")
+    assert pieces.time == pytest.approx(0.021, abs=pieces.dt)
+    pieces.step(3)
+    assert pieces.run()
+    assert same(whole, pieces)
+    for title, column in whole.series().items():
+        assert list(column) == list(pieces.series()[title]), title
+    pieces.step(10)  # beyond the protocol
+    assert pieces.steps == whole.steps + 10
+
+
+def test_conditions(bed):
+    sim = demeter.Simulation(bed)
+    assert sim.run_until(lambda s: s.velocities[:, 2].min() < -0.1, every=10)
+    assert sim.velocities[:, 2].min() < -0.1 and sim.time < 0.015
+    assert not sim.run_until(lambda s: False, at_most="16 ms")
+    assert sim.time == pytest.approx(0.016, abs=sim.dt)
+    with pytest.raises(ValueError, match="already"):
+        sim.run_until("1 ms")
+    with pytest.raises(TypeError, match="a time"):
+        sim.run_until(None)
+    with pytest.raises(ValueError, match="time"):
+        sim.run_until("1 mm")
+    with pytest.raises(ZeroDivisionError):
+        sim.run_until(lambda s: 1 / 0)
+    sim.step()
+
+
+def test_callbacks(bed):
+    sim = demeter.Simulation(bed)
+    seen, counted = [], []
+
+    @sim.every("1 ms")
+    def watch(s):
+        seen.append(s.time)
+
+    sim.every(100, lambda s: counted.append(s.steps))
+    sim.run()
+    assert 29 <= len(seen) <= 31 and np.allclose(np.diff(seen), 1e-3, rtol=1e-2)
+    assert counted == list(range(100, sim.steps + 1, 100))
+    sim.cancel(watch)
+    calls = len(seen)
+    sim.step(1000)
+    assert len(seen) == calls
+    with pytest.raises(ValueError):
+        sim.every(0, watch)
+    with pytest.raises(TypeError, match="callable"):
+        sim.every(1, 3)
+
+
+def test_what_a_callback_raises_comes_out_and_the_run_goes_on(bed):
+    class Mine(Exception):
+        pass
+
+    error = Mine("as it was")
+    sim = demeter.Simulation(bed, threads=1)
+
+    def fails(s):
+        raise error
+
+    sim.every(500, fails)
+    with pytest.raises(Mine) as caught:
+        sim.run()
+    assert caught.value is error and sim.steps == 500
+    sim.cancel(fails)
+    assert sim.run()
+    assert same(sim, demeter.run(bed, threads=1))
+
+
+def test_a_callback_may_stop_but_not_run(bed):
+    sim = demeter.Simulation(bed)
+    sim.every(200, lambda s: s.stop())
+    assert not sim.run() and sim.steps == 200
+    sim = demeter.Simulation(bed)
+    sim.every(10, lambda s: s.step())
+    with pytest.raises(demeter.RunError, match="runs already"):
+        sim.run()
+
+
+def test_arrays_share_memory_and_never_dangle(bed):
+    sim = demeter.Simulation(bed)
+    sim.step(10)
+    positions, radii, velocities = sim.positions, sim.radii, sim.velocities
+    assert positions.shape == (50, 3) and radii.shape == (50,) and sim.ids.dtype == np.uint32
+    assert not positions.flags.owndata and not positions.flags.writeable
+    assert np.shares_memory(positions, sim.positions)
+    with pytest.raises(ValueError):
+        positions[0, 0] = 1.0
+    before, speeds = positions.copy(), velocities.copy()
+    sim.run()
+    # they show the moment at which they were taken
+    assert np.array_equal(positions, before) and np.array_equal(velocities, speeds)
+    assert not np.shares_memory(positions, sim.positions)
+    assert not np.array_equal(positions, sim.positions)
+    del sim
+    gc.collect()
+    assert np.array_equal(positions, before) and np.allclose(radii, 2e-3)
+
+
+def test_an_array_keeps_its_simulation(bed):
+    sim = demeter.Simulation(bed)
+    sim.step()
+    gone = weakref.ref(sim)
+    positions = sim.positions
+    copy = positions.copy()
+    del sim
+    gc.collect()
+    assert gone() is not None and np.array_equal(positions, copy)
+    del positions
+    gc.collect()
+    assert gone() is None
+
+
+def test_a_cycle_through_a_callback_is_collected(bed):
+    sim = demeter.Simulation(bed)
+    sim.every(10, lambda s, own=sim: None)
+    sim.add_force(lambda state, own=sim: None)
+    gone = weakref.ref(sim)
+    del sim
+    gc.collect()
+    assert gone() is None
+
+
+def test_rows_are_found_by_id(bed):
+    sim = demeter.run(bed)
+    assert list(sim.ids[sim.indices()]) == list(range(1, 51))
+    assert list(sim.ids[sim.indices([7, 3])]) == [7, 3]
+    with pytest.raises(KeyError, match="99"):
+        sim.indices([99])
+
+
+def test_setters_keep_the_books(bed):
+    sim = demeter.Simulation(bed)
+    sim.run_until("18 ms")
+    sim.velocities = sim.velocities * 0.5
+    sim.angular_velocities = np.zeros((50, 3))
+    sim.positions = sim.positions + [0, 0, 1e-5]
+    sim.step(500)
+    assert abs(sim.residual) < 1e-3
+    assert sim.energies()["custom_work"] != 0
+    with pytest.raises(ValueError, match="49 vectors for 50 grains"):
+        sim.positions = sim.positions[1:]
+    with pytest.raises(ValueError, match="not finite"):
+        sim.velocities = np.full((50, 3), np.nan)
+    with pytest.raises(TypeError, match="array of numbers"):
+        sim.velocities = "fast"
+    with pytest.raises(ValueError, match=r"\(n, 3\)"):
+        sim.velocities = np.zeros((50, 2))
+    one = sim.positions.copy()
+    one[0] = one[1]
+    with pytest.raises(demeter.Fault, match="overlaps"):
+        sim.positions = one
+
+
+def test_contacts_walls_and_measures(bed):
+    sim = demeter.run(bed)
+    contacts = sim.contacts()
+    assert len(contacts["i"]) > 50 and np.allclose(np.linalg.norm(contacts["normal"], axis=1), 1)
+    total = np.zeros(3)
+    for i, j, force in zip(contacts["i"], contacts["j"], contacts["force"]):
+        total += force if j == 0 else 0
+    walls = sum(wall["force"] for wall in sim.walls.values())
+    assert np.allclose(total, -walls, rtol=1e-6, atol=1e-9)
+    measures = sim.measures()
+    assert measures["grains"] == 50 and measures["time [s]"] == sim.time
+    assert measures["energy residual"] == pytest.approx(sim.residual)
+    assert sim.walls["plate"]["displacement"][2] == pytest.approx(-0.002, rel=1e-3)
+
+
+def test_a_custom_force_acts_and_is_booked(bed):
+    sim = demeter.Simulation(bed, threads=1)
+
+    @sim.add_force
+    def trap(state):
+        away = state.positions - [0.01, 0.01, 0.01]
+        return -0.05 * away - 1e-4 * state.velocities
+
+    sim.run()
+    assert abs(sim.residual) < 1e-3 and sim.energies()["custom_work"] != 0
+    other = demeter.Simulation(bed, threads=2)
+
+    def fills(state):
+        state.forces[:] = trap(state)
+
+    other.add_force(fills)
+    other.run()
+    assert same(sim, other)
+    assert not same(sim, demeter.run(bed))
+
+
+def test_a_torque_turns(bed):
+    bed["simulation"]["gravity"] = [0, 0, 0]
+    sim = demeter.Simulation(bed)
+    sim.add_force(lambda state: (np.zeros((len(state), 3)), np.tile([0, 0, 1e-9], (len(state), 1))))
+    sim.step(100)
+    inertia = 0.4 * sim.masses * sim.radii**2
+    expected = 1e-9 * sim.time / inertia
+    free = np.isin(sim.ids, sim.contacts()["i"], invert=True)
+    assert np.allclose(sim.angular_velocities[free, 2], expected[free], rtol=0.02)
+    assert sim.clear_forces() is None
+
+
+@pytest.mark.parametrize(
+    "answer, error",
+    [
+        (lambda state: 1 / 0, ZeroDivisionError),
+        (lambda state: np.zeros((3, 3)), ValueError),
+        (lambda state: "strong", TypeError),
+        (lambda state: np.full((len(state), 3), np.nan), demeter.Fault),
+    ],
+)
+def test_a_force_that_fails_leaves_a_whole_step(bed, answer, error):
+    sim = demeter.Simulation(bed)
+    sim.step(50)
+    sim.add_force(answer)
+    with pytest.raises(error):
+        sim.step(10)
+    assert sim.steps == 51 and np.isfinite(sim.positions).all()
+    sim.clear_forces()
+    sim.step(10)
+    assert abs(sim.residual) < 1e-3
+
+
+def test_a_wall_moves_as_a_function_tells(bed):
+    sim = demeter.Simulation(bed)
+    start = sim.walls["plate"]["position"][2]
+    sim.move_wall("plate", position=lambda t: (0, 0, -0.01 * np.sin(100 * t)))
+    sim.step(1000)
+    plate = sim.walls["plate"]
+    assert plate["position"][2] - start == pytest.approx(-0.01 * np.sin(100 * sim.time), abs=1e-12)
+    assert plate["velocity"][2] == pytest.approx(-np.cos(100 * sim.time), rel=1e-4)
+    sim.move_wall("plate", angular_velocity=lambda t: 2.0, axis=(0, 0, 1), point=(0.01, 0.01, 0))
+    sim.step(10)
+    assert sim.walls["plate"]["angular_velocity"][2] == 2.0
+    with pytest.raises(KeyError, match="there are `box`, `plate`"):
+        sim.move_wall("lid", velocity=lambda t: (0, 0, 0))
+    with pytest.raises(TypeError, match="give one"):
+        sim.move_wall("plate")
+    with pytest.raises(TypeError, match="axis"):
+        sim.move_wall("plate", angle=lambda t: t)
+    with pytest.raises(TypeError, match="three numbers"):
+        sim.move_wall("plate", velocity=lambda t: 3)
+    with pytest.raises(ZeroDivisionError):
+        sim.move_wall("plate", velocity=lambda t: 1 / 0)
+
+
+def test_the_interpreter_is_free_and_other_threads_are_refused(bed):
+    sim = demeter.Simulation(bed)
+    refused, ticks = [], 0
+    worker = threading.Thread(target=sim.run)
+    worker.start()
+    while worker.is_alive():
+        ticks += 1
+        try:
+            sim.positions
+        except demeter.RunError as error:
+            refused.append(error)
+        time.sleep(0.001)
+    worker.join()
+    assert ticks > 1 and sim.finished
+    assert all("middle of a step" in str(error) for error in refused)
+
+
+def test_ctrl_c(bed, tmp_path):
+    bed["stage"][0]["duration"] = "60 s"
+    sim = demeter.Simulation(bed, out=tmp_path / "run")
+    timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        sim.run()
+    steps = sim.steps
+    assert steps > 0 and (tmp_path / "run" / "checkpoint.latest").is_file()
+    sim.step(5)
+    assert sim.steps == steps + 5
+
+
+def test_folders_series_frames_and_resume(bed, tmp_path):
+    folder = tmp_path / "run"
+    sim = demeter.Simulation(bed, out=folder)
+    sim.run_until("12 ms")
+    sim.checkpoint()
+    positions, indices = sim.positions, sim.indices()
+    with pytest.raises(demeter.OutputError):
+        demeter.Simulation.resume(folder)
+    sim.run()
+    final = sim.positions[sim.indices()]
+    series = sim.series()
+    assert list(series) == list(demeter.read_series(folder)) and len(series["time [s]"]) >= 31
+    assert set(series["stage"]) == {"settle", "press"}
+    assert len(demeter.frames(folder)) >= 7
+    frame = demeter.read_frame(folder)
+    assert frame["time"] == pytest.approx(sim.time) and frame["grains"]["points"].shape == (50, 3)
+    assert np.array_equal(np.sort(frame["grains"]["id"]), np.arange(1, 51))
+    with pytest.raises(IndexError):
+        demeter.read_frame(folder, 99)
+    del sim, positions, indices
+    gc.collect()
+    with pytest.raises(demeter.OutputError, match="holds a run|overwrite"):
+        demeter.Simulation(bed, out=folder)
+    half = demeter.Simulation(bed)
+    half.run_until("12 ms")
+    saved = half.checkpoint(tmp_path / "half")
+    resumed = demeter.resume(saved)
+    assert np.array_equal(resumed.positions[resumed.indices()], final)
+    with pytest.raises(demeter.Error):
+        demeter.Simulation.resume(tmp_path / "nowhere")
+
+
+def test_a_resumed_run_says_what_it_lacks(bed, tmp_path):
+    def push(state):
+        return np.tile([0, 0, 1e-4], (len(state), 1))
+
+    sim = demeter.Simulation(bed)
+    sim.add_force(push)
+    sim.move_wall("plate", velocity=lambda t: (0, 0, -0.1))
+    sim.step(200)
+    sim.checkpoint(tmp_path / "saved")
+    sim.step(200)
+    resumed = demeter.Simulation.resume(tmp_path / "saved")
+    told = " ".join(resumed.messages)
+    assert "custom force" in told and "`plate`" in told
+    resumed.add_force(push)
+    resumed.step(200)
+    assert np.array_equal(sim.velocities[sim.indices()], resumed.velocities[resumed.indices()])
+
+
+def test_a_fault_has_its_message(bed):
+    bed["simulation"]["max_overlap"] = 1e-6
+    with pytest.raises(demeter.Fault, match="overlaps") as caught:
+        demeter.run(bed)
+    assert caught.value.grain > 0 and isinstance(caught.value, demeter.RunError)
+
+
+def test_threads(bed):
+    with pytest.raises(ValueError, match="threads"):
+        demeter.Simulation(bed, threads=0)
+
+
+def test_pandas(bed):
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame(demeter.run(bed).series())
+    assert len(table) >= 31 and table["energy residual"].abs().max() < 1e-2

@@ -1,0 +1,108 @@
+"""Two bodies, fits, comparisons and closed forms."""
+
+import numpy as np
+import pytest
+
+import demeter
+
+MCC = {
+    "material": {"mcc": {"young_modulus": "6 GPa", "poisson_ratio": 0.3, "density": 1500}},
+    "a": {"material": "mcc", "radius": 5e-3},
+    "b": {"material": "mcc", "radius": "5 mm"},
+    "contact": {"normal": {"law": "hertz-tsuji", "restitution": 0.54}},
+    "impact": {"velocity": 1.0},
+}
+
+
+def test_collide():
+    report = demeter.collide(MCC, course=101)
+    assert report["restitution"] == pytest.approx(0.54, rel=1e-9) and report["outcome"] == "rebound"
+    assert report["course"]["force"].max() == pytest.approx(report["max_force"], rel=1e-2)
+    slower = demeter.collide(MCC, set={"impact.velocity": "0.1 m/s"})
+    assert slower["contact_time"] > report["contact_time"]
+    assert demeter.collide(MCC, engine=True)["restitution"] == pytest.approx(0.54, abs=1e-4)
+
+
+def test_the_closed_form_is_what_the_collision_shows():
+    report = demeter.collide(MCC)
+    mass = 1500 * 4 / 3 * np.pi * 5e-3**3 / 2
+    effective = 6e9 / (1 - 0.3**2) / 2
+    spring = demeter.damped_spring(
+        "hertz", mass=mass, velocity="1 m/s", restitution=0.54, stiffness=4 / 3 * effective * np.sqrt(2.5e-3)
+    )
+    for name in ("contact_time", "max_overlap", "max_force"):
+        assert spring[name] == pytest.approx(report[name], rel=1e-6)
+    back = demeter.damped_spring(
+        "hertz", mass=mass, velocity=1, contact_time=spring["contact_time"], max_overlap=spring["max_overlap"]
+    )
+    assert back["restitution"] == pytest.approx(0.54, rel=1e-9)
+    with pytest.raises(TypeError, match="give `restitution`"):
+        demeter.damped_spring("linear", mass=1, velocity=1, restitution=0.5)
+    with pytest.raises(demeter.CollisionError, match="restitution is 1.5"):
+        demeter.damped_spring("linear", mass=1, velocity=1, restitution=1.5, stiffness="1 kN/m")
+    with pytest.raises(ValueError, match="`mass` must be a mass"):
+        demeter.damped_spring("linear", mass="1 m", velocity=1, restitution=0.5, stiffness=1)
+
+
+def test_contact_curve():
+    curve = demeter.contact_curve(MCC)
+    assert set(curve["branch"]) >= {"load", "unload"}
+    assert curve["force"].max() > 0 and len(curve["force"]) == len(curve["branch"])
+
+
+def test_sticking():
+    bodies = dict(MCC, contact={"normal": {"law": "jkr", "work_of_adhesion": "0.1 N/m"}})
+    found = demeter.sticking(bodies, ("0.1 um", 1e-6), points=3)
+    assert np.all(np.diff(found["velocity"]) < 0)
+    assert len(demeter.sticking(bodies, "1 um")["velocity"]) == 1
+    with pytest.raises(ValueError, match="rise"):
+        demeter.sticking(bodies, ("1 um", "0.1 um"))
+
+
+def test_fit():
+    task = {
+        "material": MCC["material"],
+        "a": MCC["a"],
+        "b": MCC["b"],
+        "fit": {
+            "law": "hertz-tsuji",
+            "unknown": {"restitution": "free", "material.mcc.young_modulus": ["0.1 GPa", "100 GPa"]},
+        },
+        "observation": [{"velocity": "1 m/s", "restitution": 0.54, "contact_time": 69.51e-6}],
+    }
+    report = demeter.fit(task)
+    values = {parameter["name"]: parameter["value"] for parameter in report["parameters"]}
+    assert values["restitution"] == pytest.approx(0.54)
+    assert values["material.mcc.young_modulus"] == pytest.approx(6e9, rel=1e-2)
+    with pytest.raises(TypeError, match="packing"):
+        demeter.fit(task, out="runs")
+
+
+def test_compare(bed, tmp_path):
+    bed["stage"][1]["name"] = "squeeze"
+    for count in (50, 55):
+        bed["grains"][0]["count"] = count
+        demeter.run(bed, out=tmp_path / str(count))
+    told = demeter.compare(
+        [tmp_path / "50"], tmp_path / "55", unload=None, force="-wall box force z"
+    )
+    value = told["runs"][0]["rtop"]["value"]
+    assert 0.5 < value < 2 and value != 1
+    assert len(told["runs"][0]["forces"]["run"]) > 3
+    with pytest.raises(demeter.OutputError):
+        demeter.compare(tmp_path / "none", tmp_path / "55")
+
+
+def test_laws():
+    names = {law["name"] for law in demeter.laws()}
+    assert {"hertz-tsuji", "jkr", "coulomb"} <= names
+    (law,) = demeter.laws("hertz-tsuji")
+    assert "restitution" in {parameter["name"] for parameter in law["parameters"]}
+    assert law["example"].startswith("normal = {")
+    with pytest.raises(KeyError, match="hertz-tsuji"):
+        demeter.laws("hertz")
+
+
+def test_faults_of_bodies_are_those_of_the_command_line():
+    with pytest.raises(demeter.ScenarioError, match="unknown key"):
+        demeter.collide(dict(MCC, impcat={}))
