@@ -60,7 +60,7 @@ pub(crate) struct Api {
 impl Api {
     pub fn new(run: Run, cache: usize) -> Result<Self, ResultsError> {
         let root = run.folder().root();
-        let name = root.canonicalize().map_or_else(|_| root.to_owned(), |path| path);
+        let name = root.canonicalize().unwrap_or_else(|_| root.to_owned());
         Ok(Self {
             name: name
                 .file_name()

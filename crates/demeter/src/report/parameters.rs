@@ -99,7 +99,13 @@ impl Parameters {
                 families.push(key);
             }
         }
-        let without = |table: &Table| if std::ptr::eq(table, contact) { "–" } else { "as other pairs" };
+        let without = |table: &Table| {
+            if std::ptr::eq(table, contact) {
+                "–"
+            } else {
+                "as other pairs"
+            }
+        };
         let cell = |table: &Table, key: &String| table.get(key).map_or_else(|| without(table).to_string(), shown);
         let row = |name: String, table: &Table| {
             std::iter::once(name)
