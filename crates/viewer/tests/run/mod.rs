@@ -1,4 +1,5 @@
 //! A small run in a folder, served; and a client that sends what it is told to.
+#![allow(clippy::unwrap_used, reason = "helpers of tests may fail as tests do")]
 
 use demeter::output::RunFolder;
 use demeter::output::vtp::{Array, Cells, PolyData, Values};
