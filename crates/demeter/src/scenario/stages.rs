@@ -289,17 +289,15 @@ fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
 /// One wall, or a list of some.
 fn walls_of(table: &TableReader<'_>, walls: &[WallSpec]) -> Vec<usize> {
     let Some(item) = table.required("wall", "the name of the wall, or a list of names") else {
-        return vec![0];
+        return Vec::new();
     };
     if !matches!(item.node.value, Value::Array(_)) {
         return vec![wall_named(&item, walls)];
     }
-    let names = walls.iter().map(|w| w.name.as_str());
-    let chosen = chosen(&item, "wall", names);
     if item.items().is_empty() {
         item.fault("there is no wall in `wall`", Some("name one at least".to_string()));
     }
-    chosen
+    chosen(&item, "wall", walls.iter().map(|w| w.name.as_str()))
 }
 
 pub(super) fn wall_of(table: &TableReader<'_>, walls: &[WallSpec]) -> usize {

@@ -218,8 +218,7 @@ impl Books {
         self.lowest_gravitational = self.lowest_gravitational.min(now.gravitational);
         self.lowest_elastic = self.lowest_elastic.min(now.elastic);
         let work = now.wall_work + now.boundary_work + now.custom_work;
-        let explained =
-            self.initial + work + now.multi_contact_input + now.inserted - now.removed - now.dissipated();
+        let explained = self.initial + work + now.multi_contact_input + now.inserted - now.removed - now.dissipated();
         let passed = self.initial_throughput
             + self.wall_throughput
             + self.boundary_throughput

@@ -39,11 +39,7 @@ fn check_pace(pace: Pace, motion: &Motion) -> Result<Pace, WallError> {
     }
     let is_prescribed = !matches!(
         motion,
-        Motion::Servo { .. }
-            | Motion::TorqueServo { .. }
-            | Motion::Free(_)
-            | Motion::With(_)
-            | Motion::Driven { .. }
+        Motion::Servo { .. } | Motion::TorqueServo { .. } | Motion::Free(_) | Motion::With(_) | Motion::Driven { .. }
     );
     if !is_prescribed {
         return Err(WallError::PaceOfForce);
