@@ -235,9 +235,14 @@ fn a_force_that_fails_leaves_a_whole_step() {
     assert!(text.contains("not finite"), "{text}");
 }
 
-/// The plate after the first stage, moved by a function.
+/// A run whose first stage lasts, so that no other takes the plate back.
+fn still() -> LiveRun {
+    live_with(&["stage[0].duration=\"1 s\""], 1, None)
+}
+
+/// The plate, moved by a function after a while.
 fn moved(motion: CustomMotion) -> LiveRun {
-    let mut run = live(1);
+    let mut run = still();
     steps(&mut run, 1000);
     run.change(|sim| sim.drive_wall(1, motion)).unwrap();
     steps(&mut run, 4000);
@@ -247,7 +252,7 @@ fn moved(motion: CustomMotion) -> LiveRun {
 #[test]
 fn a_wall_follows_a_function_as_it_follows_a_motion() {
     let told = |motion: Motion| {
-        let mut run = live(1);
+        let mut run = still();
         steps(&mut run, 1000);
         run.change(|sim| sim.set_wall_motion(1, motion.into())).unwrap();
         steps(&mut run, 4000);

@@ -125,6 +125,21 @@ impl LiveRun {
     /// Goes on. At the end of the protocol, and at a fault, what a run leaves behind is written; after a custom force or motion
     /// failed it is not, for the run may go on.
     pub fn advance(&mut self, until: &Until, observer: &mut dyn Observer) -> Result<Pause, RunError> {
+        if until.beyond && self.end.is_none() {
+            // what a run leaves behind at its end is written before it goes beyond
+            let within = Until {
+                beyond: false,
+                ..*until
+            };
+            let pause = self.advance_to(&within, observer)?;
+            if pause != Pause::End(RunEnd::Finished) {
+                return Ok(pause);
+            }
+        }
+        self.advance_to(until, observer)
+    }
+
+    fn advance_to(&mut self, until: &Until, observer: &mut dyn Observer) -> Result<Pause, RunError> {
         let is_done = self.end.is_some();
         let (pause, summary) = self.in_threads(|runner| {
             let pause = runner.advance(until, observer)?;

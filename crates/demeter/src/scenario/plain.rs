@@ -82,6 +82,11 @@ mod tests {
     }
 
     fn two_grains(duration: Plain) -> Plain {
+        let glass = table(&[
+            ("young_modulus", text("10 MPa")),
+            ("poisson_ratio", Plain::Number(0.25)),
+            ("density", Plain::Integer(2500)),
+        ]);
         let law = table(&[
             ("law", text("linear")),
             ("stiffness", Plain::Number(1e3)),
@@ -89,10 +94,7 @@ mod tests {
         ]);
         let position = Plain::List(vec![numbers(&[0.0, 0.0, 0.0]), numbers(&[0.0, 0.0, 3e-3])]);
         table(&[
-            (
-                "material",
-                table(&[("glass", table(&[("density", Plain::Integer(2500))]))]),
-            ),
+            ("material", table(&[("glass", glass)])),
             ("contact", table(&[("normal", law)])),
             (
                 "grains",
@@ -135,6 +137,6 @@ mod tests {
         assert!(faults.to_string().contains("with a unit"), "{faults}");
         let toml = format!("plain_numbers = \"cgs\"\n{toml}");
         let faults = Scenario::parse(&toml, "dict", Path::new(""), &[]).unwrap_err();
-        assert!(faults.to_string().contains("\"SI\""), "{faults}");
+        assert!(faults.to_string().contains("known are `SI`"), "{faults}");
     }
 }
