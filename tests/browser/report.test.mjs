@@ -129,7 +129,8 @@ describe("plots", () => {
         const { page } = await report();
         const plot = page.locator("#plots-energy .plot").first();
         await plot.getByText("Numbers").click();
-        assert.ok((await plot.locator("tbody tr").count()) > 1);
+        // the table is filled when it has opened
+        await plot.locator("tbody tr").nth(1).waitFor({ state: "attached" });
         const line = plot.locator(".plot-legend button").first();
         const before = await plot.locator(".plot-surface").screenshot();
         await line.click();
