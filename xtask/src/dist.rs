@@ -23,10 +23,11 @@ const LICENCES: [&str; 5] = ["license", "licence", "copying", "copyright", "unli
 pub fn pack() -> Result<(), String> {
     let target = target()?;
     let cargo_flags = ["build", "--release", "--locked", "-p", BINARY, "--target", &target];
+    // line tables are for those who build it themselves
     let flags = if target.contains("-linux-") {
-        "-C target-feature=+crt-static"
+        "-C strip=debuginfo -C target-feature=+crt-static"
     } else {
-        ""
+        "-C strip=debuginfo"
     };
     run_cargo(&cargo_flags, &[("RUSTFLAGS", flags)])?;
     let built = target_folder()?;
