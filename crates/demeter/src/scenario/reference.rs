@@ -37,6 +37,8 @@ pub(super) enum Of {
     Only(Vec<(String, bool)>),
     /// All but these.
     Not(Vec<String>),
+    /// Tables that do not have this key.
+    Without(String),
 }
 
 /// What a value may be.
@@ -152,6 +154,9 @@ fn of(text: &str) -> Of {
     if text.is_empty() {
         return Of::All;
     }
+    if let Some(key) = text.strip_prefix("without `") {
+        return Of::Without(key.trim_end_matches('`').to_string());
+    }
     if let Some(others) = text.strip_prefix("all but ") {
         return Of::Not(words(others));
     }
@@ -238,7 +243,7 @@ impl Section {
     /// The key that tells the kind of the table, and its words, when other keys depend on it.
     pub fn kinds(&self) -> Option<(&str, &[String])> {
         let mut named = self.rows.iter().filter_map(|row| match &row.of {
-            Of::All => None,
+            Of::All | Of::Without(_) => None,
             Of::Only(words) => words.first().map(|(word, _)| word),
             Of::Not(words) => words.first(),
         });
@@ -254,7 +259,7 @@ impl Row {
     /// Whether the key belongs to a table of this kind, and whether it must be given there.
     pub fn belongs(&self, kind: Option<&str>) -> Option<bool> {
         match (&self.of, kind) {
-            (Of::All, _) | (_, None) => Some(self.required),
+            (Of::All | Of::Without(_), _) | (_, None) => Some(self.required),
             (Of::Only(words), Some(kind)) => words
                 .iter()
                 .find(|(word, _)| word == kind)

@@ -2,15 +2,18 @@
 //!
 //! They follow from what the readers follow: the keys from the tables of the references (`reference.md`, `impact.md`,
 //! `fit_file.md`, `packing_file.md`), the laws with their parameters from the registries, the units from the table of
-//! units. A schema tells unknown keys, wrong types, unknown words, units that do not exist, and missing keys. What
-//! depends on other values (a name that no wall has, bounds that are reversed) only the reader tells.
+//! units. A schema tells unknown keys, wrong types, unknown words, units that do not exist or are missing, and missing keys.
+//! What depends on other values (a name that no wall has, bounds that are reversed) only the reader tells.
 
 mod laws;
+mod needs_unit;
 mod quantities;
 
-use super::reference::{Form, Row, Section, sections};
+use super::plain::PLAIN_NUMBERS;
+use super::reference::{Form, Of, Row, Section, sections};
 use super::{FIT_REFERENCE, IMPACT_REFERENCE, PACKING_FIT_REFERENCE, REFERENCE};
 use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
 
 /// A kind of file that Demeter reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,16 +90,20 @@ pub fn schema(of: FileKind) -> Value {
         let value = table(&section, &mut definitions);
         if section.name.is_empty() {
             root.extend(value.as_object().cloned().unwrap_or_default());
+            root.insert("if".to_string(), json!({ "not": { "required": [PLAIN_NUMBERS] } }));
+            root.insert("then".to_string(), needs_unit::table(&section));
         } else {
-            definitions.insert(definition_name(&section.name), value);
+            definitions.insert(schema_name(&section.name), value);
+            definitions.insert(needs_unit::name(&section.name), needs_unit::table(&section));
         }
     }
+    definitions.insert("with-unit".to_string(), needs_unit::quantity());
     root.insert("definitions".to_string(), Value::Object(definitions));
     Value::Object(root)
 }
 
 /// Name of a section among the definitions: `measure[].region` is `measure.region`.
-fn definition_name(section: &str) -> String {
+fn schema_name(section: &str) -> String {
     section.replace("[]", "").replace('*', "NAME")
 }
 
@@ -124,10 +131,26 @@ fn table(section: &Section, shared: &mut Map<String, Value>) -> Value {
     }
     let mut rules = Vec::new();
     for kind in kinds {
-        let is_kind = json!({ "properties": { key: { "const": kind } }, "required": [key] });
-        rules.push(json!({ "if": is_kind, "then": table_of_kind(section, Some((key, kind)), shared) }));
+        rules.push(json!({ "if": is_of_kind(key, kind), "then": table_of_kind(section, Some((key, kind)), shared) }));
     }
     json!({ "type": "object", "properties": properties, "required": [key], "allOf": rules })
+}
+
+/// That a table is of a kind.
+fn is_of_kind(key: &str, kind: &str) -> Value {
+    json!({ "properties": { key: { "const": kind } }, "required": [key] })
+}
+
+/// For every key that shuts others out: the rule that it does.
+fn exclusions(section: &Section) -> Vec<Value> {
+    let mut shut_out: BTreeMap<&str, Map<String, Value>> = BTreeMap::new();
+    for row in &section.rows {
+        if let Of::Without(other) = &row.of {
+            shut_out.entry(other).or_default().insert(row.key.clone(), json!(false));
+        }
+    }
+    let rule = |(key, keys): (&str, Map<String, Value>)| json!({ "if": { "required": [key] }, "then": { "properties": keys } });
+    shut_out.into_iter().map(rule).collect()
 }
 
 fn table_of_kind(section: &Section, kind: Option<(&str, &str)>, shared: &mut Map<String, Value>) -> Value {
@@ -154,6 +177,10 @@ fn table_of_kind(section: &Section, kind: Option<(&str, &str)>, shared: &mut Map
     let mut table = json!({ "type": "object", "properties": properties, "additionalProperties": false });
     if !required.is_empty() {
         table["required"] = json!(required);
+    }
+    let exclusions = exclusions(section);
+    if kind.is_none() && !exclusions.is_empty() {
+        table["allOf"] = json!(exclusions);
     }
     table
 }
@@ -209,9 +236,9 @@ fn value(form: &Form, section: &str, shared: &mut Map<String, Value>) -> Value {
         }
         Form::Direction => share("direction", quantities::direction()),
         Form::List(items) => json!({ "type": "array", "items": value(items, section, shared) }),
-        Form::Table(name) => reference(&definition_name(name)),
+        Form::Table(name) => reference(&schema_name(name)),
         Form::TablesByName(name) => {
-            json!({ "type": "object", "additionalProperties": reference(&definition_name(name)), "minProperties": 1 })
+            json!({ "type": "object", "additionalProperties": reference(&schema_name(name)), "minProperties": 1 })
         }
         Form::ByName(of) => json!({ "type": "object", "additionalProperties": value(of, section, shared) }),
         Form::Law(family) if section.ends_with("pair[]") => {

@@ -1,6 +1,7 @@
 //! Schemas of the contact laws, from their registries.
 
 use super::quantities::quantity;
+use super::{is_of_kind, needs_unit, reference};
 use crate::scenario::quantity::Kind;
 use demeter_physics::contact::{LawInfo, laws};
 use demeter_physics::dimension::Dimension;
@@ -83,6 +84,61 @@ pub(super) fn unknown(family: &str) -> Value {
     })
 }
 
+/// The parameters of the laws of a family with their units. One that is a pure number in some laws is asked of by law.
+pub(super) fn needs_unit(family: &str) -> Value {
+    let laws = of_family(family);
+    let all = |name: &str| {
+        laws.iter()
+            .flat_map(|law| law.parameters)
+            .filter(move |p| p.name == name)
+            .collect::<Vec<_>>()
+    };
+    let mut always: Map<String, Value> = Map::new();
+    let mut rules = Vec::new();
+    for law in &laws {
+        let mut own: Map<String, Value> = Map::new();
+        for parameter in law.parameters {
+            let Some(asked) = parameter_needs_unit(parameter) else {
+                continue;
+            };
+            let is_everywhere = all(parameter.name)
+                .into_iter()
+                .all(|p| parameter_needs_unit(p).is_some());
+            let place = if is_everywhere { &mut always } else { &mut own };
+            place.insert(parameter.name.to_string(), asked);
+        }
+        if !own.is_empty() {
+            rules.push(json!({ "if": is_of_kind("law", law.name), "then": { "properties": own } }));
+        }
+    }
+    match rules.is_empty() {
+        true => json!({ "properties": always }),
+        false => json!({ "properties": always, "allOf": rules }),
+    }
+}
+
+fn parameter_needs_unit(parameter: &ParameterInfo) -> Option<Value> {
+    let with_unit = || reference("with-unit");
+    match parameter.kind {
+        ParameterKind::Choice(_) => None,
+        ParameterKind::Restitution => Some(json!({ "items": { "items": [with_unit(), {}] } })),
+        ParameterKind::Number => needs_unit::needs_unit(Kind::of(parameter.dimension)).then(with_unit),
+    }
+}
+
+/// The bounds of what a fit seeks with their units.
+pub(super) fn unknown_needs_unit(family: &str) -> Value {
+    let bounds = || json!({ "items": reference("with-unit") });
+    let parameters = of_family(family).into_iter().flat_map(|law| law.parameters);
+    let with_units = parameters
+        .filter(|p| p.kind == ParameterKind::Number && needs_unit::needs_unit(Kind::of(p.dimension)))
+        .map(|p| (p.name.to_string(), bounds()));
+    json!({
+        "properties": with_units.collect::<Map<_, _>>(),
+        "patternProperties": { r"^material\..+\.young_modulus$": bounds() },
+    })
+}
+
 /// The parameters of several laws; one that differs between them may be any of those.
 fn all_parameters(laws: &[&LawInfo]) -> Map<String, Value> {
     let mut merged: Map<String, Value> = Map::new();
@@ -140,13 +196,11 @@ fn value(parameter: &ParameterInfo) -> Value {
 
 /// A pure number in a range; percentages are not checked for it.
 fn number(range: Range) -> Value {
-    let mut choices = quantity(Kind::Number);
-    choices["anyOf"][0] = ranged(range);
-    choices
+    limited(quantity(Kind::Number), range)
 }
 
-fn ranged(range: Range) -> Value {
-    let mut number = json!({ "type": "number" });
+/// The same with limits, which are for numbers alone.
+fn limited(mut number: Value, range: Range) -> Value {
     if range.lower.is_finite() {
         let key = if range.lower_allowed {
             "minimum"
@@ -174,7 +228,8 @@ fn restitution(range: Range) -> Value {
         "minItems": 2,
         "maxItems": 2,
     });
-    json!({ "anyOf": [ranged(range), { "type": "string" }, { "type": "array", "items": row, "minItems": 1 }] })
+    let restitution = json!({ "type": ["number", "string", "array"], "items": row, "minItems": 1 });
+    limited(restitution, range)
 }
 
 fn description(parameter: &ParameterInfo) -> String {

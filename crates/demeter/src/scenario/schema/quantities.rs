@@ -78,22 +78,25 @@ fn told(kind: Kind) -> (String, Vec<Value>) {
     (format!("{}, as {example}", word(kind)), examples)
 }
 
-/// A quantity.
+/// A quantity. Whether it may be a plain number depends on the file: see `needs_unit`.
 pub(super) fn quantity(kind: Kind) -> Value {
     let (description, examples) = told(kind);
-    let text = |unit: &str| json!({ "type": "string", "pattern": format!(r"^\s*{NUMBER}\s*{unit}\s*$") });
+    // a pattern is for texts alone
+    let number_or = |unit: &str, description: &str| {
+        json!({
+            "description": description,
+            "type": ["number", "string"],
+            "pattern": format!(r"^\s*{NUMBER}\s*{unit}\s*$"),
+        })
+    };
     match kind {
-        Kind::Number => json!({
-            "description": "pure number, as 0.5 or \"50 %\"",
-            "anyOf": [{ "type": "number" }, text("%")],
-        }),
-        Kind::Angle => json!({
-            "description": "angle, as \"30 deg\", or a plain number in radian",
-            "anyOf": [{ "type": "number" }, text(&format!("({})?", unit(kind)))],
-        }),
+        Kind::Number => number_or("%", "pure number, as 0.5 or \"50 %\""),
+        Kind::Angle => number_or(
+            &format!("({})?", unit(kind)),
+            "angle, as \"30 deg\", or a plain number in radian",
+        ),
         _ => {
-            let mut quantity = text(&unit(kind));
-            quantity["description"] = json!(description);
+            let mut quantity = number_or(&unit(kind), &description);
             quantity["examples"] = json!(examples);
             quantity
         }
@@ -104,7 +107,7 @@ pub(super) fn quantity(kind: Kind) -> Value {
 pub(super) fn any() -> Value {
     let symbol = symbols(UNITS.iter());
     let text = format!(r"^\s*{NUMBER}\s*({symbol}|{}|%)?\s*$", compound());
-    json!({ "anyOf": [{ "type": "number" }, { "type": "string", "pattern": text }] })
+    json!({ "type": ["number", "string"], "pattern": text })
 }
 
 /// Three quantities, in a list or in one text.
@@ -115,10 +118,11 @@ pub(super) fn vector(kind: Kind) -> Value {
     let (description, _) = told(kind);
     json!({
         "description": format!("vector: three of {description}; or three numbers and the unit in one text"),
-        "anyOf": [
-            { "type": "array", "items": part, "minItems": 3, "maxItems": 3 },
-            { "type": "string", "pattern": text },
-        ],
+        "type": ["array", "string"],
+        "items": part,
+        "minItems": 3,
+        "maxItems": 3,
+        "pattern": text,
     })
 }
 
