@@ -11,12 +11,15 @@
 //! | `{{#chapter PATH TITLE}}` | a line of the contents, where there is such a chapter |
 //! | `{{#picture PATH TEXT}}` | a picture that such a command wrote, or one of the repository |
 //!
-//! Formulas between `$` become MathML, which browsers draw without a script and without a network.
+//! Formulas between `$` become MathML, which browsers draw without a script and without a network. So do those of the laws, which are
+//! written for a terminal, too.
 
 mod expand;
+mod law_text;
 mod laws;
 mod links;
 mod maths;
+mod plain_maths;
 mod reference;
 
 use crate::shell::{answers, read, root, run, run_cargo, target_folder, write};

@@ -1,6 +1,6 @@
 //! A page for every contact law, from the registries.
 
-use super::said;
+use super::{law_text, said};
 use crate::shell::write;
 use serde_json::Value;
 use std::path::Path;
@@ -81,19 +81,21 @@ pub fn pages(source: &Path, laws: &[Law]) -> Result<(), String> {
         let page = source.join(law.page());
         let folder = page.parent().unwrap_or(source);
         std::fs::create_dir_all(folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
-        write(&page, &text(law))?;
+        let text = text(law).map_err(|error| format!("the law {}: {error}", law.name))?;
+        write(&page, &text)?;
     }
     Ok(())
 }
 
-fn text(law: &Law) -> String {
+fn text(law: &Law) -> Result<String, String> {
     let parameters: Vec<&Value> = law.told["parameters"].as_array().into_iter().flatten().collect();
+    let names: Vec<&str> = parameters.iter().filter_map(|p| p["name"].as_str()).collect();
     let mut page = format!(
         "# `{}`\n\n*A {} law: {}.*\n\n{}\n\n",
         law.name,
         law.family,
         law.summary,
-        law.text("doc").trim()
+        law_text::with_formulas(law.text("doc").trim(), &names)?
     );
     page.push_str("## Parameters\n\n");
     if parameters.is_empty() {
@@ -113,7 +115,7 @@ fn text(law: &Law) -> String {
         law.text("example"),
         law.name
     ));
-    page
+    Ok(page)
 }
 
 fn row(parameter: &Value) -> String {
