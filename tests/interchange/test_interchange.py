@@ -253,6 +253,42 @@ def test_ase_reads_our_extended_xyz_and_we_its(tmp_path, ours):
     np.testing.assert_allclose(columns(tmp_path / "back.csv")["x"], ours["x"], atol=1e-8)
 
 
+BOOK = Path(__file__).parents[2] / "book/src/files"
+TOP = 0.06
+
+
+def settled(path, tmp_path):
+    """The last moment of what another code wrote of its box in the book: 300 beads that lie in it."""
+    convert(path, tmp_path / "theirs.csv", "--density", "2500 kg/m^3")
+    beads = columns(tmp_path / "theirs.csv")
+    assert len(beads["x"]) == 300
+    assert (beads["z"] > 0).all() and (beads["z"] < TOP).all()
+    if "vx" in beads:
+        speeds = np.sqrt(beads["vx"] ** 2 + beads["vy"] ** 2 + beads["vz"] ** 2)
+        assert np.median(speeds) < 0.05
+
+
+@program("lmp")
+def test_the_input_for_lammps_in_the_book_runs(tmp_path):
+    call(tmp_path, ["lmp", "-in", str(BOOK / "box.lammps"), "-log", "none"], "box.lammps")
+    settled(tmp_path / "grains.dump", tmp_path)
+
+
+@program("liggghts")
+def test_the_input_for_liggghts_in_the_book_runs(tmp_path):
+    call(tmp_path, ["liggghts", "-in", str(BOOK / "box.liggghts"), "-log", "none"], "box.liggghts")
+    settled(tmp_path / "grains.30000.dump", tmp_path)
+
+
+@program("yade")
+def test_the_script_for_yade_in_the_book_runs(tmp_path):
+    # ends by itself only where it says so
+    script = (BOOK / "box.yade.py").read_text() + "\nfrom yade import export\nexport.text('packing.txt')\n"
+    (tmp_path / "box.py").write_text(script)
+    call(tmp_path, ["yade", "-n", "-x", "box.py"], script)
+    settled(tmp_path / "packing.txt", tmp_path)
+
+
 def test_a_packing_of_a_dump_is_grains_of_a_run(tmp_path, ours):
     convert(RUN, tmp_path / "start.dump", "--frame", "all")
     with open(tmp_path / "start.dump", "rb") as plain, gzip.open(tmp_path / "start.dump.gz", "wb") as packed:
