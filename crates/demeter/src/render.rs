@@ -189,6 +189,7 @@ impl LoadedFrame {
             contacts: &self.contacts,
             walls: &walls,
             tags: None,
+            cell: None,
         })
     }
 }

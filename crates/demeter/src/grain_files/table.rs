@@ -71,7 +71,7 @@ pub struct Cell {
 impl Cell {
     /// The box of three edges from a corner [m], all of whose sides are open; nothing when they lie in other directions
     /// than ours: the first along x, the second in the plane of x and y.
-    pub(super) fn of_edges(edges: [DVec3; 3], corner: DVec3) -> Option<Self> {
+    pub(crate) fn of_edges(edges: [DVec3; 3], corner: DVec3) -> Option<Self> {
         let [a, b, c] = edges;
         let size = edges.iter().map(|edge| edge.abs().max_element()).fold(0.0, f64::max);
         let astray = [a.y, a.z, b.z].iter().any(|value| value.abs() > 1e-9 * size);

@@ -92,10 +92,7 @@ fn complete(table: &mut GrainTable, how: &Conversion) {
 fn losses_of(table: &GrainTable, target: Target) -> Vec<String> {
     match target {
         Target::Grains(format) => losses(table, format),
-        Target::Vtp => match table.cell {
-            Some(_) => vec!["box: left out, vtp does not carry it".to_owned()],
-            None => Vec::new(),
-        },
+        Target::Vtp => Vec::new(),
     }
 }
 

@@ -1,19 +1,25 @@
 //! The grains of a frame of a run as a table.
 
 use crate::grain_files::{Cell, Extra, GrainTable, TypeOfGrain, density_of};
-use crate::particles::Domain;
+use crate::output::vtp::Values;
+use crate::output::{BOX, BOX_PERIODIC};
 use crate::results::{ResultsError, Run, TableFile, TableKind};
 use crate::scenario::Scenario;
 use glam::DVec3;
 
-/// Reads the grains of the frame of a step, with their box where the scenario tells one that does not deform.
-pub fn table_of_run(run: &Run, step: u64, domain: Option<&Domain>) -> Result<GrainTable, ResultsError> {
+/// Reads the grains of the frame of a step, with the box of that moment; where there is none, says why.
+pub fn table_of_run(run: &Run, step: u64) -> Result<(GrainTable, Option<String>), ResultsError> {
     let mut file = run.open_table(TableKind::Grains, step)?;
-    table_of_grains(&mut file, domain)
+    let cell = match file.field(BOX) {
+        Some(_) => cell_of_frame(&file),
+        None => cell_of_scenario(run),
+    };
+    let note = cell.as_ref().err().map(|why| format!("box: {why}"));
+    Ok((table_of_grains(&mut file, cell.ok())?, note))
 }
 
 /// The table of a file of grains.
-pub(super) fn table_of_grains(file: &mut TableFile, domain: Option<&Domain>) -> Result<GrainTable, ResultsError> {
+fn table_of_grains(file: &mut TableFile, cell: Option<Cell>) -> Result<GrainTable, ResultsError> {
     let type_names = file.texts("material_names").to_vec();
     let radii = file.floats("radius", 1)?;
     let masses = file.floats("mass", 1)?;
@@ -50,7 +56,7 @@ pub(super) fn table_of_grains(file: &mut TableFile, domain: Option<&Domain>) -> 
         forces: Some(vectors(file.floats("force", 3)?)),
         torques: Some(vectors(file.floats("torque", 3)?)),
         extras,
-        cell: domain.map(cell),
+        cell,
         step: Some(file.step()),
         time: Some(file.time()),
         type_names,
@@ -65,32 +71,45 @@ fn extra(name: &str, values: impl Iterator<Item = f64>) -> Extra {
     }
 }
 
-fn cell(domain: &Domain) -> Cell {
-    Cell {
-        lower: domain.lower,
-        upper: domain.upper,
-        tilt: [0.0; 3],
-        periodic: domain.periodic,
+/// The box that a frame tells, or why it cannot be had.
+fn cell_of_frame(file: &TableFile) -> Result<Cell, &'static str> {
+    let damaged = "the frame tells one that is no box; it is left out";
+    let (Some(rows), Some(sides)) = (file.field(BOX), file.field(BOX_PERIODIC)) else {
+        return Err(damaged);
+    };
+    let (Values::Float64(rows), Values::Int32(sides)) = (&rows.values, &sides.values) else {
+        return Err(damaged);
+    };
+    let ([corner, edges @ ..], [x, y, z]) = (rows.as_chunks::<3>().0, sides.as_slice()) else {
+        return Err(damaged);
+    };
+    let edges: [DVec3; 3] = match edges {
+        [a, b, c] => [a, b, c].map(|edge| DVec3::from_array(*edge)),
+        _ => return Err(damaged),
+    };
+    let corner = DVec3::from_array(*corner);
+    if !(corner.is_finite() && edges.iter().all(|edge| edge.is_finite())) {
+        return Err(damaged);
     }
+    let cell = Cell::of_edges(edges, corner).ok_or(
+        "it is sheared along z, or with its gradient along x, which files of other codes do not know; it is left out",
+    )?;
+    let periodic = [*x != 0, *y != 0, *z != 0];
+    Ok(Cell { periodic, ..cell })
 }
 
-/// The domain that the scenario of a run tells, or why there is none.
-pub(super) fn domain_of(run: &Run) -> Result<Domain, String> {
-    let path = run.folder().scenario();
-    let scenario = Scenario::read(&path, &[])
-        .map_err(|_| "box: the scenario of the run cannot be read any more (files that it names?)".to_owned())?;
-    let stages = scenario.stages.iter().any(|stage| stage.deformation.is_some());
-    if scenario.domain.deform.is_some() || stages {
-        return Err("box: it deforms with time, and is left out".to_owned());
+/// The box that the scenario of a run tells, for frames that tell none; or why there is none.
+fn cell_of_scenario(run: &Run) -> Result<Cell, &'static str> {
+    let scenario = Scenario::read(&run.folder().scenario(), &[])
+        .map_err(|_| "the scenario of the run cannot be read any more (files that it names?)")?;
+    if scenario.domain.deform.is_some() || scenario.stages.iter().any(|stage| stage.deformation.is_some()) {
+        return Err("it deforms with time, and the frames of this run do not tell it; it is left out");
     }
-    let (lower, upper) = scenario
-        .domain
-        .bounds
-        .ok_or_else(|| "box: the scenario tells no domain".to_owned())?;
-    Ok(Domain {
+    let (lower, upper) = scenario.domain.bounds.ok_or("the scenario tells no domain")?;
+    Ok(Cell {
         lower,
         upper,
+        tilt: [0.0; 3],
         periodic: scenario.domain.periodic,
-        outside: scenario.domain.outside,
     })
 }

@@ -1,9 +1,8 @@
 //! What is converted: a file of grains, a run, or one frame of it.
 
 use super::error::ConvertError;
-use super::run_frames::{domain_of, table_of_run};
+use super::run_frames::table_of_run;
 use crate::grain_files::{GrainFile, GrainTable, ReadOptions};
-use crate::particles::Domain;
 use crate::results::{Moment, Run};
 use std::path::{Path, PathBuf};
 
@@ -37,7 +36,8 @@ enum Kind {
     Run {
         run: Run,
         moments: Vec<Moment>,
-        domain: Result<Domain, String>,
+        /// Why a moment that was read has no box.
+        note: Option<String>,
     },
 }
 
@@ -61,8 +61,11 @@ impl Source {
                 if let Some(step) = step {
                     moments.retain(|moment| moment.step == step);
                 }
-                let domain = domain_of(&run);
-                Kind::Run { run, moments, domain }
+                Kind::Run {
+                    run,
+                    moments,
+                    note: None,
+                }
             }
         };
         Ok(Self {
@@ -84,7 +87,7 @@ impl Source {
     pub fn notes(&self) -> Vec<String> {
         match &self.kind {
             Kind::File { file, .. } => file.notes().to_vec(),
-            Kind::Run { domain, .. } => domain.as_ref().err().cloned().into_iter().collect(),
+            Kind::Run { note, .. } => note.iter().cloned().collect(),
         }
     }
 
@@ -116,11 +119,15 @@ impl Source {
     /// A moment by its number, which never goes back; nothing behind the last of several.
     pub fn table(&mut self, number: usize) -> Result<Option<GrainTable>, ConvertError> {
         match &mut self.kind {
-            Kind::Run { run, moments, domain } => {
+            Kind::Run { run, moments, note } => {
                 let Some(moment) = moments.get(number) else {
                     return Ok(None);
                 };
-                Ok(Some(table_of_run(run, moment.step, domain.as_ref().ok())?))
+                let (table, why) = table_of_run(run, moment.step)?;
+                if note.is_none() {
+                    *note = why;
+                }
+                Ok(Some(table))
             }
             Kind::File { file, taken } => {
                 while *taken < number {

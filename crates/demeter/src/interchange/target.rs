@@ -3,8 +3,9 @@
 use super::Conversion;
 use super::error::ConvertError;
 use crate::checkpoint::part_path;
-use crate::grain_files::{Format, GrainTable, GrainWriter};
+use crate::grain_files::{Cell, Format, GrainTable, GrainWriter};
 use crate::output::vtp::{Array, Cells, PolyData, Values};
+use crate::output::{FrameBox, box_fields};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use std::fs::{self, File};
@@ -246,6 +247,14 @@ fn stream(path: &Path) -> Result<Stream, ConvertError> {
     })
 }
 
+fn frame_box(cell: &Cell) -> FrameBox {
+    FrameBox {
+        corner: cell.lower,
+        edges: cell.edges(),
+        periodic: cell.periodic,
+    }
+}
+
 /// The table as points, with the arrays of the frames of a run as far as it tells them.
 fn poly_data(table: &GrainTable) -> PolyData {
     let count = table.len();
@@ -280,6 +289,11 @@ fn poly_data(table: &GrainTable) -> PolyData {
         step: table.step.unwrap_or(0),
         time: table.time.unwrap_or(0.0),
         texts: vec![("material_names".into(), table.type_names.clone())],
+        fields: table
+            .cell
+            .iter()
+            .flat_map(|cell| box_fields(&frame_box(cell)))
+            .collect(),
         points: table.positions.clone(),
         cells: Cells::Vertices,
         point_data,

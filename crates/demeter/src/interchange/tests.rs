@@ -122,3 +122,98 @@ fn what_fails_leaves_no_file() {
     let done = convert(&input, &output, &dense).unwrap();
     assert!(done.notes.iter().any(|n| n.contains("1 = glass")), "{:?}", done.notes);
 }
+
+/// A box that is sheared and stretched: every frame has the box of its moment, and so has what is made of it.
+#[test]
+fn boxes_of_a_run_that_deform_are_written_and_read() {
+    let place = tempfile::tempdir().unwrap();
+    let at = |name: &str| place.path().join(name);
+    let run = |name: &str, directions: &str| {
+        let text = SHEARED.replace("DIRECTIONS", directions);
+        let scenario = crate::scenario::Scenario::parse(&text, "sheared", place.path(), &[]).unwrap();
+        let options = crate::scenario::RunOptions::default();
+        crate::scenario::run(&scenario, &at(name), options, &mut Quiet).unwrap();
+    };
+    run("run", "flow = \"x\", gradient = \"z\"");
+    for format in [Format::LammpsDump, Format::ExtendedXyz] {
+        let output = at(&format!("out-{format}"));
+        let done = convert(&at("run"), &output, &how(Target::Grains(format))).unwrap();
+        assert!(!done.notes.iter().any(|note| note.contains("box")), "{:?}", done.notes);
+        let mut tilts = Vec::new();
+        for k in 0..done.moments {
+            let table = read_grain_file(&output, &ReadOptions::default(), Which::Number(k)).unwrap();
+            let (cell, time) = (table.cell.unwrap(), table.time.unwrap());
+            let slid = 20.0 * time * 0.01;
+            let expected = slid - (slid / 0.01).round() * 0.01;
+            // half a box may be told on either side
+            let off = (cell.tilt[1] - expected).abs();
+            assert!(
+                off.min((off - 0.01).abs()) < 1e-6,
+                "{k}: {:?}, not {expected}",
+                cell.tilt
+            );
+            assert!(cell.tilt[0] == 0.0 && cell.tilt[2] == 0.0 && cell.periodic == [true; 3]);
+            tilts.push(cell.tilt[1]);
+        }
+        assert!(
+            tilts.len() > 5 && tilts.iter().any(|tilt| tilt.abs() > 1e-3),
+            "{tilts:?}"
+        );
+    }
+    // a data file has one moment, with its tilts
+    convert(&at("run"), &at("last.data"), &how(Target::Grains(Format::LammpsData))).unwrap();
+    let text = fs::read_to_string(at("last.data")).unwrap();
+    assert!(text.lines().any(|line| line.ends_with("xy xz yz")), "{text}");
+    run("other", "flow = \"z\", gradient = \"x\"");
+    let done = convert(
+        &at("other"),
+        &at("other.xyz"),
+        &how(Target::Grains(Format::ExtendedXyz)),
+    )
+    .unwrap();
+    assert!(
+        done.notes
+            .iter()
+            .any(|note| note.contains("files of other codes do not know")),
+        "{:?}",
+        done.notes
+    );
+}
+
+const SHEARED: &str = r#"
+[simulation]
+max_overlap = 0.3
+[domain]
+lower = "0 0 0 mm"
+upper = "10 10 10 mm"
+periodic = ["x", "y", "z"]
+deform = { shear = { DIRECTIONS, rate = "20 1/s" } }
+[material.m]
+young_modulus = "1 MPa"
+poisson_ratio = 0.3
+density = "2500 kg/m^3"
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.5 }
+[[grains]]
+material = "m"
+source = "random"
+region = { shape = "box", lower = "1 1 1 mm", upper = "9 9 9 mm" }
+diameter = "1.5 mm"
+count = 20
+[[stage]]
+duration = "60 ms"
+[output]
+frames = "5 ms"
+checkpoints = "never"
+picture = false
+"#;
+
+struct Quiet;
+
+impl crate::scenario::Observer for Quiet {
+    fn progress(&mut self, _: &crate::scenario::Progress) -> bool {
+        true
+    }
+
+    fn message(&mut self, _: &str) {}
+}

@@ -40,6 +40,7 @@ impl ChainWriter {
             step,
             time,
             texts: Vec::new(),
+            fields: Vec::new(),
             points: links.iter().flat_map(|link| [link.from, link.to]).collect(),
             cells: Cells::Lines(vec![2; links.len()]),
             point_data: Vec::new(),

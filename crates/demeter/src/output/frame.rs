@@ -47,6 +47,17 @@ pub struct WallSurface<'a> {
     pub records: Option<Vec<ElementRecord>>,
 }
 
+/// The domain of a run at one moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameBox {
+    /// Lower corner [m].
+    pub corner: DVec3,
+    /// What leads from the corner along its sides; across a periodic side, from a grain to its image [m].
+    pub edges: [DVec3; 3],
+    /// Which directions are periodic.
+    pub periodic: [bool; 3],
+}
+
 /// One moment of a run.
 #[derive(Clone, Debug)]
 pub struct Frame<'a> {
@@ -64,6 +75,8 @@ pub struct Frame<'a> {
     pub walls: &'a [WallSurface<'a>],
     /// Tags of the grains, by index; nothing where none has a tag.
     pub tags: Option<Vec<i32>>,
+    /// The domain, where one is told.
+    pub cell: Option<FrameBox>,
 }
 
 impl Frame<'_> {

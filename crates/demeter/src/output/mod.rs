@@ -28,7 +28,7 @@ pub use distribution::DistributionWriter;
 pub use error::OutputError;
 pub use fields::FieldWriter;
 pub use folder::{RunFolder, RunLock};
-pub use frame::{ContactRecord, Frame, WallSurface};
+pub use frame::{ContactRecord, Frame, FrameBox, WallSurface};
 pub use plot::{AxisSpec, Look, Plot, Series, Sheet};
 pub use profile::ProfileWriter;
 pub use series::{
@@ -39,4 +39,5 @@ pub use tables::{
     MomentTable, path_lines, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows,
     rose_titles,
 };
-pub use vtk::{FrameWriter, MATERIAL_NAMES, WALL_NAMES};
+pub(crate) use vtk::box_fields;
+pub use vtk::{BOX, BOX_PERIODIC, FrameWriter, MATERIAL_NAMES, WALL_NAMES};

@@ -165,6 +165,7 @@ pub fn path_lines(table: &Path, lines: &Path, (step, time): (u64, f64)) -> Resul
         step,
         time,
         texts: Vec::new(),
+        fields: Vec::new(),
         points: points.iter().map(|p| p.3).collect(),
         cells: Cells::Lines(lengths),
         point_data: vec![

@@ -33,7 +33,7 @@ impl ImageData {
             numbers(self.lower),
             numbers(self.spacing)
         ));
-        field_data(&mut file, self.step, self.time, &[]);
+        field_data(&mut file, (self.step, self.time), &[], &[]);
         file.line(&format!("<Piece Extent=\"{extent}\">\n<PointData>\n</PointData>"));
         file.arrays("CellData", &self.cell_data)?;
         file.line("</Piece>\n</ImageData>");

@@ -7,12 +7,13 @@
 //! | `contacts` | a point at the contact, of those that act: their normal force is not 0 | `id_i`, `id_j` (0: wall), `wall` (-1: none), `element`, `normal` (towards i), `overlap` [m], `normal_force`, `tangential_force` and their vector sum `force` [N], all on i, `normal_force_magnitude`, `force_magnitude` [N], `rolling_torque` [N m] |
 //! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s]; where a wall records loads or wear, of the element (triangle of a mesh, face of a box, else all of the wall) `mean_force` [N], `pressure` and `shear_stress` [Pa], means since the last frame; `impact_energy` and `sliding_energy` [J] and `wear_depth` [m] since the start |
 //!
-//! Every file carries `TimeValue` [s] and `step`; `grains` the names of the materials, `walls` those of the walls.
+//! Every file carries `TimeValue` [s] and `step`; `grains` the names of the materials and, where there is a domain, `box` (its lower corner
+//! and three edges [m], as they are at that moment) and `box_periodic`; `walls` the names of the walls.
 
 use super::collection::Collection;
 use super::error::OutputError;
 use super::folder::RunFolder;
-use super::frame::Frame;
+use super::frame::{Frame, FrameBox};
 use super::vtp::{Array, Cells, PolyData, Values};
 use crate::walls::ElementRecord;
 use glam::DVec3;
@@ -28,6 +29,10 @@ pub struct FrameWriter {
 pub(crate) const KINDS: [&str; 3] = ["grains", "contacts", "walls"];
 /// Name of the texts that a file of grains carries.
 pub const MATERIAL_NAMES: &str = "material_names";
+/// Name of the box that a file of grains carries: its lower corner, then its three edges [m].
+pub const BOX: &str = "box";
+/// Name of the flags that tell which sides of the box are periodic.
+pub const BOX_PERIODIC: &str = "box_periodic";
 /// Name of the texts that a file of walls carries.
 pub const WALL_NAMES: &str = "wall_names";
 
@@ -84,6 +89,16 @@ impl FrameWriter {
     }
 }
 
+/// A box as arrays of the whole file.
+pub(crate) fn box_fields(cell: &FrameBox) -> [Array; 2] {
+    let rows = std::iter::once(&cell.corner).chain(&cell.edges);
+    let periodic = cell.periodic.iter().map(|periodic| i32::from(*periodic)).collect();
+    [
+        Array::vectors(BOX, rows),
+        Array::new(BOX_PERIODIC, 1, Values::Int32(periodic)),
+    ]
+}
+
 /// The table of the grains.
 pub(crate) fn grains(frame: &Frame) -> PolyData {
     let g = frame.grains;
@@ -113,6 +128,7 @@ pub(crate) fn grains(frame: &Frame) -> PolyData {
             MATERIAL_NAMES.into(),
             frame.materials.iter().map(|m| m.name.clone()).collect(),
         )],
+        fields: frame.cell.iter().flat_map(box_fields).collect(),
         points: g.position.iter().copied().collect(),
         cells: Cells::Vertices,
         point_data,
@@ -128,6 +144,7 @@ pub(crate) fn contacts(frame: &Frame) -> PolyData {
         step: frame.step,
         time: frame.time,
         texts: Vec::new(),
+        fields: Vec::new(),
         points: c.iter().map(|k| k.position).collect(),
         cells: Cells::Vertices,
         point_data: vec![
@@ -171,6 +188,7 @@ pub(crate) fn walls(frame: &Frame) -> PolyData {
             WALL_NAMES.into(),
             frame.walls.iter().map(|w| w.name.to_owned()).collect(),
         )],
+        fields: Vec::new(),
         points: cells().flat_map(|(_, _, triangle)| *triangle).collect(),
         cells: Cells::Triangles,
         point_data: Vec::new(),

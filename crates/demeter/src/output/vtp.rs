@@ -157,6 +157,8 @@ pub struct PolyData {
     pub time: f64,
     /// Texts that belong to the file as a whole, by name.
     pub texts: Vec<(Cow<'static, str>, Vec<String>)>,
+    /// Arrays that belong to the file as a whole.
+    pub fields: Vec<Array>,
     /// The points [m].
     pub points: Vec<DVec3>,
     /// The cells.
@@ -218,7 +220,7 @@ impl PolyData {
         file.line(&format!(
             "<VTKFile type=\"PolyData\" version=\"1.0\" {ENCODING}>\n<PolyData>"
         ));
-        field_data(&mut file, self.step, self.time, &self.texts);
+        field_data(&mut file, (self.step, self.time), &self.texts, &self.fields);
         file.line(&format!(
             "<Piece NumberOfPoints=\"{points}\" NumberOfVerts=\"{vertices}\" NumberOfLines=\"{lines}\" \
              NumberOfStrips=\"0\" NumberOfPolys=\"{triangles}\">"
@@ -237,8 +239,13 @@ impl PolyData {
     }
 }
 
-/// Time, step and texts, readable in the head of the file.
-pub(super) fn field_data(file: &mut Writer, step: u64, time: f64, texts: &[(Cow<'static, str>, Vec<String>)]) {
+/// Time, step, arrays and texts, readable in the head of the file.
+pub(super) fn field_data(
+    file: &mut Writer,
+    (step, time): (u64, f64),
+    texts: &[(Cow<'static, str>, Vec<String>)],
+    fields: &[Array],
+) {
     file.line("<FieldData>");
     file.line(&format!(
         "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:?}</DataArray>",
@@ -248,6 +255,23 @@ pub(super) fn field_data(file: &mut Writer, step: u64, time: f64, texts: &[(Cow<
         "<DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>",
         step
     ));
+    for array in fields {
+        let numbers: Vec<String> = (0..array.values.len())
+            .filter_map(|k| array.values.number(k))
+            .map(|number| match array.values {
+                Values::Float64(_) => format!("{number:?}"),
+                _ => number.to_string(),
+            })
+            .collect();
+        file.line(&format!(
+            "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">{}</DataArray>",
+            array.values.kind(),
+            array.name,
+            array.components,
+            numbers.len() / array.components.max(1),
+            numbers.join(" ")
+        ));
+    }
     for (name, texts) in texts {
         file.line(&format!(
             "<DataArray type=\"String\" Name=\"{name}\" NumberOfTuples=\"{}\" format=\"ascii\">",

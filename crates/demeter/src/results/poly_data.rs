@@ -38,6 +38,7 @@ struct Head {
     step: u64,
     time: f64,
     texts: Vec<(String, Vec<String>)>,
+    fields: Vec<Array>,
     points: usize,
     cells: usize,
     element: String,
@@ -108,6 +109,11 @@ impl TableFile {
     pub fn texts(&self, name: &str) -> &[String] {
         let found = self.head.texts.iter().find(|texts| texts.0 == name);
         found.map_or(&[], |texts| &texts.1)
+    }
+
+    /// An array of the file as a whole, by its name.
+    pub fn field(&self, name: &str) -> Option<&Array> {
+        self.head.fields.iter().find(|array| array.name == name)
     }
 
     /// Names of the arrays of the points and cells.
@@ -195,6 +201,7 @@ impl TableFile {
                 .iter()
                 .map(|(name, texts)| (name.clone().into(), texts.clone()))
                 .collect(),
+            fields: self.head.fields.clone(),
             points: self.points()?,
             cells: self.cells()?,
             point_data: section(self, "PointData")?,
@@ -426,6 +433,7 @@ impl Head {
             step: field(fields, "step")?,
             time: field(fields, "TimeValue")?,
             texts: Vec::new(),
+            fields: elements(fields).filter_map(whole_array).collect(),
             points: count("NumberOfPoints")?,
             cells: counts.iter().copied().max().unwrap_or(0),
             element: String::new(),
@@ -483,6 +491,19 @@ fn field<T: std::str::FromStr>(fields: Node<'_, '_>, name: &str) -> Result<T, St
     let found = elements(fields).find(|node| node.attribute("Name") == Some(name));
     let value = found.and_then(|node| node.text()?.trim().parse().ok());
     value.ok_or_else(|| format!("it tells no `{name}`"))
+}
+
+/// An array that belongs to the file as a whole: those of rows of numbers.
+fn whole_array(node: Node<'_, '_>) -> Option<Array> {
+    let components = number(node, "NumberOfComponents").filter(|components| *components > 0)?;
+    let words = node.text().unwrap_or_default().split_ascii_whitespace();
+    let values = match node.attribute("type")? {
+        "Float64" => Values::Float64(words.map(|word| word.parse().ok()).collect::<Option<_>>()?),
+        "Int32" => Values::Int32(words.map(|word| word.parse().ok()).collect::<Option<_>>()?),
+        _ => return None,
+    };
+    let name = node.attribute("Name")?.to_string();
+    Some(Array::new(name, components, values))
 }
 
 /// Texts from the codes of their bytes, each closed by a zero.

@@ -16,6 +16,7 @@ fn table(points: usize) -> PolyData {
             ("material_names".into(), vec!["glass".into(), "Stärke <&\">".into()]),
             ("none".into(), Vec::new()),
         ],
+        fields: vec![Array::vectors("box", [&DVec3::NEG_ONE, &DVec3::new(0.1, 2e-300, 0.0)])],
         points: (0..points)
             .map(|k| DVec3::new(number(k), number(k + 1), -0.0))
             .collect(),

@@ -263,6 +263,16 @@ impl Simulation {
         self.comm.domain()
     }
 
+    /// The edges of the domain: what leads from its lower corner along its sides; across a periodic side, from a grain to its image [m].
+    pub fn box_edges(&self) -> [DVec3; 3] {
+        let domain = self.domain();
+        let size = domain.size();
+        std::array::from_fn(|axis| match domain.periodic[axis] {
+            true => self.comm.edge(axis),
+            false => DVec3::AXES[axis] * size[axis],
+        })
+    }
+
     /// Place of a grain's centre, counted on across periodic sides [m].
     pub fn unwrapped(&self, grain: usize) -> DVec3 {
         self.comm

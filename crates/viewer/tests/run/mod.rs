@@ -91,6 +91,7 @@ fn grains(step: u64, time: f64) -> PolyData {
         step,
         time,
         texts: vec![("material_names".into(), vec!["glass".into(), "steel".into()])],
+        fields: Vec::new(),
         points: vec![DVec3::new(9.0, 0.0, 1.0), DVec3::Z, DVec3::new(0.0, 0.0, 3.75)],
         cells: Cells::Vertices,
         point_data: vec![
@@ -113,6 +114,7 @@ fn contacts(step: u64, time: f64) -> PolyData {
         step,
         time,
         texts: Vec::new(),
+        fields: Vec::new(),
         points: vec![DVec3::new(0.0, 0.0, 1.875), DVec3::ZERO],
         cells: Cells::Vertices,
         point_data: vec![
@@ -143,6 +145,7 @@ fn walls(step: u64, time: f64) -> PolyData {
         step,
         time,
         texts: vec![("wall_names".into(), vec!["floor".into(), "lid".into()])],
+        fields: Vec::new(),
         points: [triangle(0.0), triangle(9.0 - time)].concat(),
         cells: Cells::Triangles,
         point_data: Vec::new(),

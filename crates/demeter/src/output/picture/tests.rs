@@ -58,6 +58,7 @@ fn picture(grains: &Grains, contacts: &[ContactRecord], walls: &[WallSurface], c
         contacts,
         walls,
         tags: None,
+        cell: None,
     };
     let options = PictureOptions {
         title: "Grains in a row ".repeat(9),

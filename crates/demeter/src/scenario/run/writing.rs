@@ -3,9 +3,9 @@
 use super::{Files, RunState, Runner, labels};
 use crate::checkpoint::{self, Header};
 use crate::measure::{Moment, contact_records, wall_surfaces};
-use crate::output::{Frame, SeriesTable};
+use crate::output::{Frame, FrameBox, SeriesTable};
 use crate::scenario::run_error::RunError;
-use crate::simulation::Phase;
+use crate::simulation::{Phase, Simulation};
 use crate::walls::Wall;
 use std::path::Path;
 
@@ -75,6 +75,7 @@ impl<'a> Runner<'a> {
             contacts: &contacts,
             walls: &walls,
             tags: self.traffic.tags(&self.sim),
+            cell: self.scenario.domain.bounds.map(|_| frame_box(&self.sim)),
         };
         work(&frame)
     }
@@ -107,5 +108,15 @@ impl<'a> Runner<'a> {
         checkpoint::write_latest(root, &header, &state)?;
         self.sim.took(Phase::Output);
         Ok(())
+    }
+}
+
+/// The domain as it is now.
+fn frame_box(simulation: &Simulation) -> FrameBox {
+    let domain = simulation.domain();
+    FrameBox {
+        corner: domain.lower,
+        edges: simulation.box_edges(),
+        periodic: domain.periodic,
     }
 }
