@@ -253,6 +253,71 @@ def test_ase_reads_our_extended_xyz_and_we_its(tmp_path, ours):
     np.testing.assert_allclose(columns(tmp_path / "back.csv")["x"], ours["x"], atol=1e-8)
 
 
+SHEARED = """
+[simulation]
+max_overlap = 0.3
+[domain]
+lower = "0 0 0 mm"
+upper = "10 10 10 mm"
+periodic = ["x", "y", "z"]
+deform = { shear = { flow = "x", gradient = "z", rate = "20 1/s" } }
+[material.m]
+young_modulus = "1 MPa"
+poisson_ratio = 0.3
+density = "2500 kg/m^3"
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.5 }
+[[grains]]
+material = "m"
+source = "random"
+region = { shape = "box", lower = "0 0 0 mm", upper = "10 10 10 mm" }
+diameter = "1.5 mm"
+count = 60
+[[stage]]
+duration = "20 ms"
+[output]
+frames = "5 ms"
+"""
+
+
+def nearest(places, edges):
+    """Distances between all grains, of the nearest images."""
+    apart = places[:, None] - places[None]
+    shifts = np.array([[i, j, k] for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1)]) @ edges
+    whole = np.round(apart @ np.linalg.inv(edges)) @ edges
+    return np.sqrt((((apart - whole)[:, :, None] + shifts) ** 2).sum(axis=-1)).min(axis=-1)
+
+
+@program("lmp")
+def test_lammps_reads_a_box_that_was_sheared(tmp_path):
+    (tmp_path / "sheared.toml").write_text(SHEARED)
+    command = [DEMETER, "run", "sheared.toml", "--out", "run"]
+    call(tmp_path, command, SHEARED)
+    convert(tmp_path / "run", tmp_path / "in.data")
+    script = """units si
+atom_style sphere
+boundary p p p
+read_data in.data
+write_dump all custom back.dump id type x y z radius mass modify format float %.17g
+"""
+    (tmp_path / "in.lammps").write_text(script)
+    call(tmp_path, ["lmp", "-in", "in.lammps", "-log", "none"], script)
+    convert(tmp_path / "run", tmp_path / "ours.xyz", "--frame", "last")
+    convert(tmp_path / "back.dump", tmp_path / "back.xyz")
+    boxes = []
+    for name in ["ours.xyz", "back.xyz"]:
+        lattice = (tmp_path / name).read_text().splitlines()[1].split('Lattice="')[1].split('"')[0]
+        boxes.append(np.array(lattice.split(), dtype=float).reshape(3, 3))
+    # 20 ms at 20 1/s: 0.4 of the height
+    np.testing.assert_allclose(boxes[0][2, 0], 4e-3, rtol=1e-3)
+    np.testing.assert_allclose(boxes[1], boxes[0], atol=1e-15)
+    convert(tmp_path / "run", tmp_path / "ours.csv")
+    convert(tmp_path / "back.dump", tmp_path / "back.csv")
+    ours, back = columns(tmp_path / "ours.csv"), columns(tmp_path / "back.csv")
+    places = [np.stack([table[axis] for axis in "xyz"], axis=1) for table in (ours, back)]
+    np.testing.assert_allclose(nearest(places[1], boxes[0]), nearest(places[0], boxes[0]), atol=1e-12)
+
+
 BOOK = Path(__file__).parents[2] / "book/src/files"
 TOP = 0.06
 
