@@ -42,6 +42,7 @@ _Set = Optional[Mapping[str, Any]]
 _Floats = npt.NDArray[np.float64]
 _Columns = dict[str, Any]
 _F = TypeVar("_F", bound=Callable[..., Any])
+_Progress = Union[bool, Callable[[dict[str, Any]], Any], None]
 
 class Error(Exception):
     """Everything that Demeter refuses or cannot do."""
@@ -104,7 +105,7 @@ class Scenario:
 
 @final
 class ForceState:
-    """The grains at the moment at which a custom force acts."""
+    """The grains at the moment at which a custom force acts; arrays are copies, made when they are asked for."""
 
     @property
     def time(self) -> float:
@@ -120,10 +121,10 @@ class ForceState:
         """Centres [m], (n, 3)."""
     @property
     def velocities(self) -> _Floats:
-        """Velocities [m/s], (n, 3)."""
+        """Velocities, as predicted for the end of the step [m/s], (n, 3)."""
     @property
     def angular_velocities(self) -> _Floats:
-        """Angular velocities [rad/s], (n, 3)."""
+        """Angular velocities, as predicted for the end of the step [rad/s], (n, 3)."""
     @property
     def radii(self) -> _Floats:
         """Radii [m], (n,)."""
@@ -138,10 +139,10 @@ class ForceState:
         """Indices of the materials, (n,)."""
     @property
     def forces(self) -> _Floats:
-        """Forces to fill [N], (n, 3)."""
+        """Forces to fill [N], (n, 3); zero at first. Used when the function returns None."""
     @property
     def torques(self) -> _Floats:
-        """Torques to fill [N m], (n, 3)."""
+        """Torques to fill [N m], (n, 3); zero at first. Used when the function returns None or forces alone."""
     def __len__(self) -> int: ...
 
 _ForceAnswer = Union[None, npt.ArrayLike, tuple[npt.ArrayLike, npt.ArrayLike]]
@@ -182,8 +183,8 @@ class Simulation:
     @staticmethod
     def resume(folder: _Path, *, threads: Optional[int] = None) -> Simulation:
         """The run in a folder, from its latest checkpoint on."""
-    def run(self) -> bool:
-        """Runs to the end of the protocol. Tells whether the end was reached."""
+    def run(self, *, progress: _Progress = None) -> bool:
+        """Runs to the end of the protocol. Tells whether the end was reached. `progress`: True for a bar, or a function of a dict."""
     def step(self, n: int = 1) -> None:
         """Runs so many steps, also beyond the end of the protocol."""
     def run_until(
@@ -192,9 +193,10 @@ class Simulation:
         *,
         every: Union[int, _Quantity, None] = None,
         at_most: Optional[_Quantity] = None,
+        progress: _Progress = None,
     ) -> bool:
-        """Runs until a time, or until a condition holds."""
-    def run_stage(self) -> bool:
+        """Runs until a time [s], or until a condition holds, asked `every` so many steps (int) or so much time [s]."""
+    def run_stage(self, *, progress: _Progress = None) -> bool:
         """Runs to the end of the present stage. Tells whether a stage is left."""
     def stop(self) -> None:
         """Ends the run that goes on, after the present step."""
@@ -206,7 +208,7 @@ class Simulation:
     def cancel(self, function: Callable[..., Any]) -> None:
         """Calls a function of `every` no more."""
     def add_force(self, function: Callable[[ForceState], _ForceAnswer]) -> Callable[[ForceState], _ForceAnswer]:
-        """Adds a force on the grains, asked once in every step."""
+        """Adds a force on the grains, asked once in every step: forces (n, 3) [N], (forces, torques (n, 3) [N m]), or None."""
     def clear_forces(self) -> None:
         """Takes all custom forces away."""
     def move_wall(
@@ -220,7 +222,7 @@ class Simulation:
         axis: Optional[Sequence[float]] = None,
         point: Optional[Sequence[float]] = None,
     ) -> None:
-        """Moves a wall as a function of simulated time tells."""
+        """Moves a wall as one function of simulated time [s] tells: `position` [m], `velocity` [m/s], `angle` [rad], `angular_velocity` [rad/s]."""
     def checkpoint(self, folder: Optional[_Path] = None) -> PathLike[str]:
         """Writes a checkpoint. Tells the folder."""
     @property
@@ -282,17 +284,17 @@ class Simulation:
         """Indices of the materials, (n,)."""
     @property
     def orientations(self) -> _Floats:
-        """Orientations as quaternions x, y, z, w, (n, 4)."""
+        """Orientations as unit quaternions x, y, z, w, (n, 4)."""
     @property
     def material_names(self) -> list[str]:
         """Names of the materials."""
     def indices(self, ids: Optional[Sequence[int]] = None) -> npt.NDArray[np.uint64]:
-        """Rows of the grains with these ids; of all in the order of their ids when none are told."""
+        """Rows of the grains with these ids, (n,); of all in the order of their ids when none are told."""
     def contacts(self) -> _Contacts:
-        """All contacts that act."""
+        """All contacts that act: lengths [m], forces [N] and torques [N m], of shape (c,) or (c, 3)."""
     @property
     def walls(self) -> dict[str, _Wall]:
-        """The walls by name."""
+        """The walls by name: force [N], torque [N m], position and displacement [m], velocities [m/s], [rad/s], (3,)."""
     def energies(self) -> dict[str, float]:
         """The energy ledger [J]."""
     @property
@@ -310,10 +312,11 @@ def run(
     out: Optional[_Path] = None,
     threads: Optional[int] = None,
     overwrite: bool = False,
+    progress: _Progress = None,
 ) -> Simulation:
     """Runs a scenario to its end and hands out the simulation."""
 
-def resume(folder: _Path, *, threads: Optional[int] = None) -> Simulation:
+def resume(folder: _Path, *, threads: Optional[int] = None, progress: _Progress = None) -> Simulation:
     """Goes on with the run in a folder to its end, from its latest checkpoint."""
 
 def read_series(folder: _Path) -> _Columns:
@@ -323,18 +326,18 @@ def frames(folder: _Path) -> list[tuple[int, float]]:
     """The frames of a run: a list of (step, time [s])."""
 
 def read_frame(folder: _Path, frame: int = ...) -> dict[str, Any]:
-    """A frame of a run, by its number."""
+    """A frame of a run, by its number: step, time [s], and tables of grains, contacts and walls, in SI, (n,) or (n, 3)."""
 
 def collide(bodies: _Source, *, engine: bool = False, course: int = 0, set: _Set = None) -> dict[str, Any]:
-    """Collides two bodies and tells what became of them."""
+    """Collides two bodies and tells what became of them, in SI."""
 
 def contact_curve(bodies: _Source, *, set: _Set = None) -> _Columns:
-    """The quasi-static curve of the normal law between two bodies."""
+    """The quasi-static curve of the normal law between two bodies: branch, overlap [m], force [N], stored [J], (n,)."""
 
 def sticking(
     bodies: _Source, radius: Union[_Quantity, tuple[_Quantity, _Quantity]], *, points: int = 20, set: _Set = None
 ) -> dict[str, _Floats]:
-    """The speed below which two bodies stick, against their size."""
+    """The speed [m/s] below which two bodies stick, against their effective radius [m], (points,)."""
 
 def fit(
     task: _Source, *, out: Optional[_Path] = None, threads: Optional[int] = None, set: _Set = None
@@ -369,7 +372,7 @@ def damped_spring(
     max_force: Optional[_Quantity] = None,
     contact_end: Literal["zero-overlap", "zero-force"] = "zero-overlap",
 ) -> dict[str, float]:
-    """Closed forms of the damped springs: from what a head-on collision shows to stiffness and damping, and back."""
+    """Closed forms of the damped springs: from what a head-on collision shows to stiffness and damping, and back, in SI."""
 
 def si(value: _Quantity) -> float:
     """The value of a quantity in SI."""

@@ -5,7 +5,7 @@ use demeter_physics::dimension::Dimension;
 use engine::scenario::{Observer, Progress};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyInt};
+use pyo3::types::{PyBool, PyDict, PyInt};
 
 /// Steps between two questions for a condition, when none are told.
 const CONDITION_EVERY: u64 = 100;
@@ -190,18 +190,96 @@ impl Limit {
     }
 }
 
+/// Where a run is, for those who watch it.
+pub struct Place {
+    stage: String,
+    stage_of: (usize, usize),
+    step: u64,
+    steps: u64,
+    time: f64,
+    grains: usize,
+    elapsed: f64,
+    steps_here: u64,
+}
+
+impl Place {
+    fn dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        let speed = self.steps_here as f64 / self.elapsed.max(f64::MIN_POSITIVE);
+        dict.set_item("stage", &self.stage)?;
+        dict.set_item("stage_number", self.stage_of.0)?;
+        dict.set_item("stages", self.stage_of.1)?;
+        dict.set_item("step", self.step)?;
+        dict.set_item("steps", self.steps)?;
+        dict.set_item("time", self.time)?;
+        dict.set_item("grains", self.grains)?;
+        dict.set_item("elapsed", self.elapsed)?;
+        dict.set_item("steps_per_second", speed)?;
+        dict.set_item("seconds_left", self.steps.saturating_sub(self.step) as f64 / speed)?;
+        Ok(dict)
+    }
+}
+
+/// A function that is told how far a run is; a bar, when it is ours, which is closed at the end.
+pub struct Watcher<'py> {
+    function: Bound<'py, PyAny>,
+    is_bar: bool,
+}
+
+impl<'py> Watcher<'py> {
+    /// None for False, a bar for True, or a function of the user.
+    pub fn of(progress: Option<&Bound<'py, PyAny>>) -> PyResult<Option<Self>> {
+        let Some(progress) = progress.filter(|told| !told.is_none()) else {
+            return Ok(None);
+        };
+        if let Ok(wanted) = progress.cast::<PyBool>() {
+            let bar = || progress.py().import("demeter._progress")?.call_method0("Bar");
+            return (wanted.is_true())
+                .then(bar)
+                .transpose()
+                .map(|bar| bar.map(|function| Self { function, is_bar: true }));
+        }
+        if !progress.is_callable() {
+            let message = format!(
+                "`progress` must be True, False or a function of a dict, not {}",
+                kind(progress)
+            );
+            return Err(PyTypeError::new_err(message));
+        }
+        Ok(Some(Self {
+            function: progress.clone(),
+            is_bar: false,
+        }))
+    }
+
+    pub fn tell(&self, place: &Place) -> PyResult<()> {
+        self.function.call1((place.dict(self.function.py())?,)).map(drop)
+    }
+
+    pub fn close(&self) -> PyResult<()> {
+        match self.is_bar {
+            true => self.function.call_method0("close").map(drop),
+            false => Ok(()),
+        }
+    }
+}
+
 /// What a run says.
 #[derive(Default)]
-pub struct Messages(pub Vec<String>);
+pub struct Messages {
+    pub list: Vec<String>,
+    /// Where it was when it told last.
+    pub place: Option<Place>,
+}
 
 impl Messages {
     /// Tells those from a number on to `logging`: warnings as such, all else as information.
     pub fn tell(&self, py: Python<'_>, from: usize) -> PyResult<()> {
-        if self.0.len() <= from {
+        if self.list.len() <= from {
             return Ok(());
         }
         let log = py.import("logging")?.call_method1("getLogger", ("demeter",))?;
-        for text in &self.0[from..] {
+        for text in &self.list[from..] {
             match text.strip_prefix("warning: ") {
                 Some(warning) => log.call_method1("warning", ("%s", warning))?,
                 None => log.call_method1("info", ("%s", text))?,
@@ -212,11 +290,21 @@ impl Messages {
 }
 
 impl Observer for Messages {
-    fn progress(&mut self, _progress: &Progress) -> bool {
+    fn progress(&mut self, progress: &Progress) -> bool {
+        self.place = Some(Place {
+            stage: progress.stage.to_string(),
+            stage_of: progress.stage_of,
+            step: progress.step,
+            steps: progress.steps,
+            time: progress.time,
+            grains: progress.grains,
+            elapsed: progress.elapsed,
+            steps_here: progress.steps_here,
+        });
         true
     }
 
     fn message(&mut self, text: &str) {
-        self.0.push(text.to_string());
+        self.list.push(text.to_string());
     }
 }

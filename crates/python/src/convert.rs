@@ -1,8 +1,8 @@
 //! Values between Python and the engine.
 
-use crate::errors::Error;
+use crate::errors::{Error, Raise};
 use demeter_physics::dimension::Dimension;
-use engine::scenario::{Plain, units};
+use engine::scenario::{Foreign, Plain, faults_with_foreign, units};
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -13,70 +13,93 @@ use std::path::PathBuf;
 /// Deepest nesting of a dict.
 const DEEPEST: usize = 32;
 
-/// A Python value as one of a scenario; `path` is that of its key, for messages.
-pub fn plain(value: &Bound<'_, PyAny>, path: &str) -> PyResult<Plain> {
-    plain_below(value, path, DEEPEST)
+/// Reads Python values as those of a scenario, and notes which are none.
+#[derive(Default)]
+pub struct PlainReader {
+    pub foreign: Vec<Foreign>,
 }
 
-fn plain_below(value: &Bound<'_, PyAny>, path: &str, deepest: usize) -> PyResult<Plain> {
-    if deepest == 0 {
-        return Err(PyValueError::new_err(format!("`{path}` is nested too deeply")));
+impl PlainReader {
+    /// A value; `path` is that of its key, for messages.
+    pub fn read(&mut self, value: &Bound<'_, PyAny>, path: &str) -> PyResult<Plain> {
+        self.below(value, path, DEEPEST)
     }
-    if let Ok(text) = value.cast::<PyString>() {
-        return Ok(Plain::Text(text.to_string()));
-    }
-    if value.is_instance_of::<PyBool>() {
-        return Ok(Plain::Boolean(value.extract()?));
-    }
-    if let Ok(entries) = value.cast::<PyDict>() {
-        return table(entries, path, deepest);
-    }
-    if value.is_instance_of::<PyFloat>() {
-        return Ok(Plain::Number(value.extract()?));
-    }
-    if value.is_instance_of::<PyInt>() {
-        let integer = value.extract::<i64>();
-        return integer
-            .map(Plain::Integer)
-            .map_err(|_| PyValueError::new_err(format!("`{path}` is {value}, which does not fit 64 bits")));
-    }
-    if value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>() {
-        let items = value.try_iter()?.enumerate();
-        let items = items.map(|(k, item)| plain_below(&item?, &format!("{path}[{k}]"), deepest - 1));
-        return Ok(Plain::List(items.collect::<PyResult<_>>()?));
-    }
-    // arrays and numbers of NumPy
-    if value.hasattr("tolist")? {
-        return plain_below(&value.call_method0("tolist")?, path, deepest - 1);
-    }
-    if value.hasattr("__fspath__")? {
-        return Ok(Plain::Text(value.call_method0("__fspath__")?.extract()?));
-    }
-    Err(PyTypeError::new_err(format!(
-        "`{path}` is {}; a scenario holds texts (as \"2 mm\"), numbers, True and False, lists and dicts",
-        kind(value)
-    )))
-}
 
-fn table(entries: &Bound<'_, PyDict>, path: &str, deepest: usize) -> PyResult<Plain> {
-    let mut read = Vec::with_capacity(entries.len());
-    for (key, value) in entries {
-        let Ok(key) = key.extract::<String>() else {
-            let place = if path.is_empty() { "the scenario" } else { path };
-            return Err(PyTypeError::new_err(format!(
-                "a key of {place} is {}; keys are texts",
-                kind(&key)
-            )));
-        };
-        let path = if path.is_empty() {
-            key.clone()
-        } else {
-            format!("{path}.{key}")
-        };
-        let value = plain_below(&value, &path, deepest - 1)?;
-        read.push((key, value));
+    /// Notes a value that is none of a scenario; a text stands in for it.
+    fn wrong(&mut self, path: &str, found: &str, message: String) -> Plain {
+        self.foreign.push(Foreign {
+            path: path.to_string(),
+            message,
+        });
+        Plain::Text(found.to_string())
     }
-    Ok(Plain::Table(read))
+
+    fn below(&mut self, value: &Bound<'_, PyAny>, path: &str, deepest: usize) -> PyResult<Plain> {
+        if deepest == 0 {
+            return Ok(self.wrong(path, "...", format!("`{path}` is nested too deeply")));
+        }
+        if let Ok(text) = value.cast::<PyString>() {
+            return Ok(Plain::Text(text.to_string()));
+        }
+        if value.is_instance_of::<PyBool>() {
+            return Ok(Plain::Boolean(value.extract()?));
+        }
+        if let Ok(entries) = value.cast::<PyDict>() {
+            return self.table(entries, path, deepest);
+        }
+        if value.is_instance_of::<PyFloat>() {
+            return Ok(Plain::Number(value.extract()?));
+        }
+        if value.is_instance_of::<PyInt>() {
+            return Ok(match value.extract::<i64>() {
+                Ok(integer) => Plain::Integer(integer),
+                Err(_) => self.wrong(
+                    path,
+                    "a large int",
+                    format!("`{path}` is {value}, which does not fit 64 bits"),
+                ),
+            });
+        }
+        if value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>() {
+            let items = value.try_iter()?.enumerate();
+            let items = items.map(|(k, item)| self.below(&item?, &format!("{path}[{k}]"), deepest - 1));
+            return Ok(Plain::List(items.collect::<PyResult<_>>()?));
+        }
+        // arrays and numbers of NumPy
+        if value.hasattr("tolist")? {
+            return self.below(&value.call_method0("tolist")?, path, deepest - 1);
+        }
+        if value.hasattr("__fspath__")? {
+            return Ok(Plain::Text(value.call_method0("__fspath__")?.extract()?));
+        }
+        let found = kind(value);
+        let message = format!(
+            "`{path}` is {found}; a scenario holds texts (as \"2 mm\"), numbers, True and False, lists and dicts"
+        );
+        Ok(self.wrong(path, &found, message))
+    }
+
+    fn table(&mut self, entries: &Bound<'_, PyDict>, path: &str, deepest: usize) -> PyResult<Plain> {
+        let mut read = Vec::with_capacity(entries.len());
+        for (key, value) in entries {
+            let Ok(key) = key.extract::<String>() else {
+                let place = if path.is_empty() { "the scenario" } else { path };
+                self.foreign.push(Foreign {
+                    path: path.to_string(),
+                    message: format!("a key of {place} is {}; keys are texts", kind(&key)),
+                });
+                continue;
+            };
+            let path = if path.is_empty() {
+                key.clone()
+            } else {
+                format!("{path}.{key}")
+            };
+            let value = self.below(&value, &path, deepest - 1)?;
+            read.push((key, value));
+        }
+        Ok(Plain::Table(read))
+    }
 }
 
 /// The type of a value, for messages: `None`, `a value of type set`.
@@ -91,14 +114,18 @@ pub fn kind(value: &Bound<'_, PyAny>) -> String {
 /// Overrides as the command line takes them: a dict of keys and values.
 pub fn overrides(set: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<String>> {
     let Some(set) = set else { return Ok(Vec::new()) };
+    let mut reader = PlainReader::default();
     let mut all = Vec::new();
     for (key, value) in set {
         let key: String = key
             .extract()
             .map_err(|_| PyTypeError::new_err("the keys of `set` are texts, as \"grains[0].count\""))?;
-        all.push(format!("{key}={}", plain(&value, &key)?.inline()));
+        all.push(format!("{key}={}", reader.read(&value, &key)?.inline()));
     }
-    Ok(all)
+    match reader.foreign.is_empty() {
+        true => Ok(all),
+        false => Err(faults_with_foreign("", "set", &reader.foreign, None).raise(set.py())),
+    }
 }
 
 /// A quantity: a text with a unit of this dimension, or a number in SI.

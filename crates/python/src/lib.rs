@@ -5,6 +5,7 @@
 mod control;
 mod convert;
 mod errors;
+mod force_state;
 mod functions;
 mod results;
 mod scenario;
@@ -27,7 +28,7 @@ fn demeter(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", engine::VERSION)?;
     module.add_class::<scenario::Scenario>()?;
     module.add_class::<simulation::Simulation>()?;
-    module.add_class::<functions::ForceState>()?;
+    module.add_class::<force_state::ForceState>()?;
     errors::register(module)?;
     module.add_function(wrap_pyfunction!(simulation::run, module)?)?;
     module.add_function(wrap_pyfunction!(simulation::resume, module)?)?;

@@ -1,8 +1,11 @@
 //! The class `Scenario`.
 
-use crate::convert::{from_json, kind, overrides, path, plain};
-use crate::errors::OrRaise;
-use engine::scenario::{FitTask, ImpactFile, Scenario as EngineScenario, TEMPLATES, prepare, template};
+use crate::convert::{PlainReader, from_json, kind, overrides, path};
+use crate::errors::{OrRaise, Raise};
+use engine::scenario::{
+    Diagnostics, FitTask, Foreign, ImpactFile, Scenario as EngineScenario, TEMPLATES, faults_with_foreign, prepare,
+    template,
+};
 use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
@@ -16,6 +19,8 @@ pub struct Source {
     pub base: PathBuf,
     /// The file, where it is one.
     pub file: Option<PathBuf>,
+    /// Values of a dict that are none of a scenario.
+    foreign: Vec<Foreign>,
 }
 
 impl Source {
@@ -24,22 +29,18 @@ impl Source {
         let here = || std::env::current_dir().unwrap_or_default();
         if value.is_instance_of::<PyDict>() {
             let base = here();
+            let mut reader = PlainReader::default();
+            let text = reader.read(value, "")?.to_toml(&base);
             return Ok(Self {
-                text: plain(value, "")?.to_toml(&base),
-                name: "dict".to_string(),
-                base,
-                file: None,
+                text,
+                foreign: reader.foreign,
+                ..Self::text(String::new(), "dict", base)
             });
         }
         if let Ok(text) = value.cast::<PyString>() {
             let text = text.to_string();
             if text.contains('\n') || text.contains('=') && !Path::new(&text).exists() {
-                return Ok(Self {
-                    text,
-                    name: "text".to_string(),
-                    base: here(),
-                    file: None,
-                });
+                return Ok(Self::text(text, "text", here()));
             }
         } else if !value.hasattr("__fspath__")? {
             let message = format!("a scenario is a path, a TOML text or a dict, not {}", kind(value));
@@ -51,17 +52,36 @@ impl Source {
             name: file.display().to_string(),
             base: file.parent().map_or_else(PathBuf::new, Path::to_path_buf),
             file: Some(file),
+            foreign: Vec::new(),
         })
+    }
+
+    fn text(text: String, name: &str, base: PathBuf) -> Self {
+        Self {
+            text,
+            name: name.to_string(),
+            base,
+            file: None,
+            foreign: Vec::new(),
+        }
+    }
+
+    /// What was read, unless values of the dict are wrong; then these are told with all else that is.
+    fn whole<T>(&self, py: Python<'_>, read: Result<T, Diagnostics>) -> PyResult<T> {
+        if self.foreign.is_empty() {
+            return read.or_raise(py);
+        }
+        Err(faults_with_foreign(&self.text, &self.name, &self.foreign, read.err()).raise(py))
     }
 
     /// Reads a scenario.
     pub fn scenario(&self, py: Python<'_>, set: &[String]) -> PyResult<EngineScenario> {
         let base = std::path::absolute(&self.base).unwrap_or_else(|_| self.base.clone());
-        let mut read = match &self.file {
+        let read = match &self.file {
             Some(file) => EngineScenario::read(file, set),
             None => EngineScenario::parse(&self.text, &self.name, &base, set),
-        }
-        .or_raise(py)?;
+        };
+        let mut read = self.whole(py, read)?;
         // the scenario in the run folder must find its files from anywhere
         read.base = base;
         Ok(read)
@@ -69,20 +89,20 @@ impl Source {
 
     /// Reads a file of two bodies.
     pub fn impact(&self, py: Python<'_>, set: &[String]) -> PyResult<ImpactFile> {
-        match &self.file {
+        let read = match &self.file {
             Some(file) => ImpactFile::read(file, set),
             None => ImpactFile::parse(&self.text, &self.name, set),
-        }
-        .or_raise(py)
+        };
+        self.whole(py, read)
     }
 
     /// Reads a file of a fit.
     pub fn fit(&self, py: Python<'_>, set: &[String]) -> PyResult<FitTask> {
-        match &self.file {
+        let read = match &self.file {
             Some(file) => FitTask::read(file, set),
             None => FitTask::parse(&self.text, &self.name, &self.base, set),
-        }
-        .or_raise(py)
+        };
+        self.whole(py, read)
     }
 }
 
@@ -148,7 +168,7 @@ impl Scenario {
     /// Raises
     /// ------
     /// ScenarioError
-    ///     With all faults at once, each with the path of its key.
+    ///     With all faults at once, each with the path of its key, values of wrong types among them.
     #[staticmethod]
     #[pyo3(signature = (tables, *, set=None))]
     fn from_dict(tables: &Bound<'_, PyDict>, set: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
@@ -166,12 +186,8 @@ impl Scenario {
                 known.join(", ")
             )));
         };
-        let source = Source {
-            text: text.to_string(),
-            name: format!("{name}.toml"),
-            base: std::env::current_dir().unwrap_or_default(),
-            file: None,
-        };
+        let here = std::env::current_dir().unwrap_or_default();
+        let source = Source::text(text.to_string(), &format!("{name}.toml"), here);
         Self::new(py, source, overrides(set)?)
     }
 
@@ -190,6 +206,7 @@ impl Scenario {
             name: self.source.name.clone(),
             base: self.source.base.clone(),
             file: self.source.file.clone(),
+            foreign: Vec::new(),
         };
         Self::new(py, source, set)
     }

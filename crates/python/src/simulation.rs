@@ -1,18 +1,19 @@
 //! The class `Simulation`.
 
 mod going;
+mod looking;
 
 use going::options;
 pub use going::{resume, run};
+use looking::{live_series, present_dict, walls_dict};
 
 use crate::control::{Callback, Interval, Limit, Messages};
-use crate::convert::{from_json, kind, path, vector};
-use crate::errors::{Error, OrRaise, OutputError, Raise};
+use crate::convert::{from_json, kind, path};
+use crate::errors::{Error, OrRaise, Raise};
 use crate::functions::{Function, PythonForce, rows};
-use crate::results::{contacts_dict, series_dict};
+use crate::results::contacts_dict;
 use crate::views::{Table, Views};
 use engine::measure::contact_records;
-use engine::results::Columns;
 use engine::scenario::LiveRun;
 use engine::simulation::Simulation as EngineSimulation;
 use glam::DVec3;
@@ -121,8 +122,15 @@ impl Simulation {
     ///
     /// Other Python threads run meanwhile. Ctrl-C raises KeyboardInterrupt after the present step; the simulation can go
     /// on, and a run with a folder has left a checkpoint.
-    fn run(slf: &Bound<'_, Self>) -> PyResult<bool> {
-        Self::go(slf, &Limit::end())
+    ///
+    /// Parameters
+    /// ----------
+    /// progress : bool or callable
+    ///     True draws a bar. A function is called some times in a second with a dict: ``stage``, ``stage_number`` of ``stages``,
+    ///     ``step`` of ``steps``, simulated ``time`` [s], ``grains``, ``elapsed`` [s], ``steps_per_second``, ``seconds_left`` [s].
+    #[pyo3(signature = (*, progress=None))]
+    fn run<'py>(slf: &Bound<'py, Self>, progress: Option<&Bound<'py, PyAny>>) -> PyResult<bool> {
+        Self::go_watched(slf, &Limit::end(), progress)
     }
 
     /// Runs so many steps, also beyond the end of the protocol.
@@ -142,26 +150,30 @@ impl Simulation {
     ///     How often a function is asked: steps (int) or time.
     /// at_most : str or float, optional
     ///     Simulated time at which to end in any case. Without it a condition is waited for until the end of the protocol.
+    /// progress : bool or callable
+    ///     As in `run`.
     ///
     /// Returns
     /// -------
     /// bool
     ///     Whether the time was reached, or the condition holds.
-    #[pyo3(signature = (until, *, every=None, at_most=None))]
-    fn run_until(
-        slf: &Bound<'_, Self>,
-        until: &Bound<'_, PyAny>,
-        every: Option<&Bound<'_, PyAny>>,
-        at_most: Option<&Bound<'_, PyAny>>,
+    #[pyo3(signature = (until, *, every=None, at_most=None, progress=None))]
+    fn run_until<'py>(
+        slf: &Bound<'py, Self>,
+        until: &Bound<'py, PyAny>,
+        every: Option<&Bound<'py, PyAny>>,
+        at_most: Option<&Bound<'py, PyAny>>,
+        progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<bool> {
         let (step, dt) = slf.get().look(|sim| (sim.step, sim.dt))?;
         let limit = Limit::until(until, every, at_most, (step, dt))?;
-        Self::go(slf, &limit)
+        Self::go_watched(slf, &limit, progress)
     }
 
-    /// Runs to the end of the present stage. Tells whether a stage is left.
-    fn run_stage(slf: &Bound<'_, Self>) -> PyResult<bool> {
-        Self::go(slf, &Limit::stage())?;
+    /// Runs to the end of the present stage. Tells whether a stage is left. `progress` as in `run`.
+    #[pyo3(signature = (*, progress=None))]
+    fn run_stage<'py>(slf: &Bound<'py, Self>, progress: Option<&Bound<'py, PyAny>>) -> PyResult<bool> {
+        Self::go_watched(slf, &Limit::stage(), progress)?;
         Ok(slf.get().live()?.run.stage().is_some())
     }
 
@@ -226,7 +238,7 @@ impl Simulation {
             return Err(PyTypeError::new_err(message));
         }
         let mut live = self.live()?;
-        let force = PythonForce(self.keep(function.clone().unbind()));
+        let force = PythonForce::new(self.keep(function.clone().unbind()));
         live.run.change(|sim| sim.add_force(Box::new(force)));
         Ok(function.clone())
     }
@@ -447,18 +459,10 @@ impl Simulation {
         Self::show(slf, Table::Material, |s, sim| s.list(&sim.grains.material))
     }
 
-    /// Orientations as quaternions x, y, z, w, (n, 4).
+    /// Orientations as unit quaternions x, y, z, w, (n, 4); read-only and without a copy, as `positions`.
     #[getter]
-    fn orientations<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let numbers = self.look(|sim| {
-            sim.grains
-                .orientation
-                .iter()
-                .flat_map(|q| q.to_array())
-                .collect::<Vec<f64>>()
-        })?;
-        let count = numbers.len() / 4;
-        PyArray1::from_vec(py, numbers).call_method1("reshape", ((count, 4),))
+    fn orientations<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        Self::show(slf, Table::Orientation, |s, sim| s.quaternions(&sim.grains.orientation))
     }
 
     /// Names of the materials.
@@ -476,40 +480,23 @@ impl Simulation {
         self.rows_of(py, ids)
     }
 
-    /// All contacts that act, as a dict of arrays with one row for each (copies: the engine holds contacts in pieces).
+    /// All contacts that act, as a dict of arrays with one row for each of the c contacts: copies, put together once from the pieces
+    /// in which the engine holds contacts.
     ///
-    /// ``i`` and ``j`` (ids; ``j`` is 0 for a wall), ``wall`` (index, -1 between grains), ``position`` [m], ``normal`` (from
-    /// j to i), ``overlap`` [m], ``force``, ``normal_force`` and ``tangential_force`` on i [N], ``rolling_torque`` [N m].
+    /// ``i`` and ``j`` (ids; ``j`` is 0 for a wall), ``wall`` (index, -1 between grains) and ``overlap`` [m], of shape (c,);
+    /// ``position`` [m], ``normal`` (from j to i), ``force``, ``normal_force`` and ``tangential_force`` on i [N], and
+    /// ``rolling_torque`` [N m], of shape (c, 3).
     fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let records = self.look(contact_records)?;
         contacts_dict(py, &records)
     }
 
     /// The walls by name, each a dict: ``force`` [N] and ``torque`` [N m] (about ``position``) of the grains on it, ``position``
-    /// of its origin [m], ``displacement`` since the start [m], ``velocity`` [m/s], ``angular_velocity`` [rad/s], ``present``.
+    /// of its origin [m], ``displacement`` since the start [m], ``velocity`` [m/s], ``angular_velocity`` [rad/s], arrays of shape
+    /// (3,), and ``present``, a bool.
     #[getter]
     fn walls<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let all = PyDict::new(py);
-        let live = self.live()?;
-        live.run.with_simulation(|sim| {
-            for wall in &sim.walls {
-                let (force, torque) = wall.load();
-                let one = PyDict::new(py);
-                for (name, value) in [
-                    ("force", force),
-                    ("torque", torque),
-                    ("position", wall.origin()),
-                    ("displacement", wall.displacement()),
-                    ("velocity", wall.velocity_at(wall.origin())),
-                    ("angular_velocity", wall.angular_velocity()),
-                ] {
-                    one.set_item(name, vector(py, value.to_array()))?;
-                }
-                one.set_item("present", wall.is_present())?;
-                all.set_item(&wall.name, one)?;
-            }
-            Ok(all)
-        })
+        walls_dict(py, &self.live()?.run)
     }
 
     /// The energy ledger [J], as a dict: what is there (``kinetic``, ``rotational``, ``gravitational``, ``elastic``, ...), what was
@@ -528,33 +515,12 @@ impl Simulation {
 
     /// Everything that a row of the series tells, now, as a dict: ``{"time [s]": 0.1, "coordination": 4.2, ...}``.
     fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let present = self.live()?.run.present();
-        let columns = series_dict(py, &present)?;
-        let dict = PyDict::new(py);
-        for (title, column) in &columns {
-            let value = column.get_item(0)?;
-            let value = if value.hasattr("item")? {
-                value.call_method0("item")?
-            } else {
-                value
-            };
-            dict.set_item(title, value)?;
-        }
-        Ok(dict)
+        present_dict(py, &mut self.live()?.run)
     }
 
     /// The series so far as a dict of columns, titled with their units: ``pandas.DataFrame(sim.series())``.
     fn series<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let live = self.live()?;
-        if let Some(columns) = live.run.with_series(|table| series_dict(py, table)) {
-            return columns;
-        }
-        let folder = live
-            .run
-            .folder()
-            .ok_or_else(|| OutputError::new_err("this run has no folder"))?;
-        let columns = Columns::series_of(folder).or_raise(py)?;
-        crate::results::columns_dict(py, &columns)
+        live_series(py, &self.live()?.run)
     }
 
     fn __len__(&self) -> PyResult<usize> {

@@ -155,7 +155,7 @@ pub fn sticking<'py>(
 /// Parameters
 /// ----------
 /// task : path, TOML text or dict
-///     As ``demeter fit`` reads it.
+///     As ``demeter fit`` reads it. Where a number of a scenario is sought, the ends of ``unknown`` tell its unit: ``"30 kPa"``.
 /// out : path, optional
 ///     Of a force curve: the folder for the runs; needed there.
 /// threads : int, optional

@@ -7,6 +7,7 @@
 use crate::simulation::Simulation;
 use engine::particles::{Grains, Rows};
 use engine::simulation::Simulation as EngineSimulation;
+use glam::DQuat;
 use numpy::ndarray::{ArrayView1, ArrayView2, ShapeBuilder};
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
@@ -20,6 +21,7 @@ pub enum Table {
     Position,
     Velocity,
     AngularVelocity,
+    Orientation,
     Force,
     Torque,
     Mass,
@@ -96,6 +98,7 @@ fn take(grains: &mut Grains, table: Table) -> Box<dyn Any + Send + Sync> {
         Table::Position => swap(&mut grains.position),
         Table::Velocity => swap(&mut grains.velocity),
         Table::AngularVelocity => swap(&mut grains.angular_velocity),
+        Table::Orientation => swap(&mut grains.orientation),
         Table::Force => swap(&mut grains.force),
         Table::Torque => swap(&mut grains.torque),
         Table::Mass => swap(&mut grains.mass),
@@ -125,6 +128,12 @@ impl<'py> Showing<'_, 'py> {
         let behind = numbers.get(3..).unwrap_or(&[]);
         let view = ArrayView1::from_shape((rows.len(),).strides((4,)), behind);
         self.show1(view.map_err(|e| PyRuntimeError::new_err(e.to_string()))?)
+    }
+
+    /// Quaternions, as an array of four columns.
+    pub fn quaternions(self, list: &[DQuat]) -> PyResult<Bound<'py, PyAny>> {
+        let view = ArrayView2::from_shape((list.len(), 4), bytemuck::cast_slice::<DQuat, f64>(list));
+        self.show2(view.map_err(|e| PyRuntimeError::new_err(e.to_string()))?)
     }
 
     /// A list as it is.

@@ -35,13 +35,38 @@ def test_all_faults_come_at_once_with_their_paths(bed):
     assert isinstance(caught.value, demeter.Error)
 
 
-def test_wrong_types_are_told_with_the_key(bed):
+def test_every_wrong_type_is_told_with_its_key_and_all_other_faults(bed):
     bed["grains"][0]["diameter"] = None
-    with pytest.raises(TypeError, match=r"grains\[0\].diameter.*None"):
+    bed["grains"][0]["region"]["lower"] = {0, 1, 2}
+    bed["wall"][0]["upper"] = [0.02, 0.02, 2j]
+    bed["stage"][1]["motion"]["plate"][3] = "a key that is no text"
+    bed["seed"] = 2**70
+    bed["stage"][0]["duration"] = "20 mm"
+    with pytest.raises(demeter.ScenarioError) as caught:
         demeter.Scenario.from_dict(bed)
-    bed["grains"][0]["diameter"] = {1, 2}
-    with pytest.raises(TypeError, match="type set"):
-        demeter.Scenario.from_dict(bed)
+    faults = {fault["path"]: fault for fault in caught.value.faults}
+    assert set(faults) == {
+        "grains[0].diameter",
+        "grains[0].region.lower",
+        "wall[0].upper[2]",
+        "stage[1].motion.plate",
+        "seed",
+        "stage[0].duration",
+    }
+    assert "is None; a scenario holds texts" in faults["grains[0].diameter"]["message"]
+    assert "type set" in faults["grains[0].region.lower"]["message"]
+    assert "type complex" in faults["wall[0].upper[2]"]["message"]
+    assert "64 bits" in faults["seed"]["message"] and "keys are texts" in faults["stage[1].motion.plate"]["message"]
+    assert all(fault["source"] == "dict" and fault["line"] > 0 for fault in faults.values())
+    assert 'diameter = "None"' in str(caught.value)  # drawn with its line, as by the command line
+
+
+def test_wrong_types_elsewhere(bed):
+    with pytest.raises(demeter.ScenarioError) as caught:
+        demeter.Scenario.from_dict(bed).set({"grains[0].count": None, "stage[0].duration": {1}})
+    assert [fault["path"] for fault in caught.value.faults] == ["grains[0].count", "stage[0].duration"]
+    with pytest.raises(demeter.ScenarioError, match="type object"):
+        demeter.collide({"impact": {"velocity": object()}})
     with pytest.raises(TypeError, match="from_dict"):
         demeter.Scenario.from_toml(bed)
     with pytest.raises(TypeError, match="a path, a TOML text or a dict"):

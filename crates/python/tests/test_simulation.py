@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import demeter
+from demeter._progress import Bar
 
 
 def same(one, other):
@@ -121,6 +122,18 @@ def test_arrays_share_memory_and_never_dangle(bed):
     assert np.array_equal(positions, before) and np.allclose(radii, 2e-3)
 
 
+def test_orientations_are_shown_without_a_copy(bed):
+    sim = demeter.run(bed)
+    orientations = sim.orientations
+    assert orientations.shape == (50, 4) and not orientations.flags.owndata and not orientations.flags.writeable
+    assert np.shares_memory(orientations, sim.orientations)
+    assert np.allclose(np.linalg.norm(orientations, axis=1), 1, rtol=0, atol=1e-9)
+    assert (np.abs(orientations[:, 3]) < 1).any(), "some grain has turned"
+    before = orientations.copy()
+    sim.step(100)
+    assert np.array_equal(orientations, before) and not np.array_equal(orientations, sim.orientations)
+
+
 def test_an_array_keeps_its_simulation(bed):
     sim = demeter.Simulation(bed)
     sim.step()
@@ -212,6 +225,80 @@ def test_a_custom_force_acts_and_is_booked(bed):
     assert not same(sim, demeter.run(bed))
 
 
+def test_what_a_force_was_shown_can_be_kept(bed):
+    sim = demeter.Simulation(bed, threads=1)
+    kept, moments = [], []
+
+    @sim.add_force
+    def watch(state):
+        positions, velocities = state.positions, state.velocities
+        assert state.positions is positions and positions.flags.writeable
+        assert state.radii.shape == state.masses.shape == state.ids.shape == (len(state),)
+        assert not state.forces.any() and not state.torques.any()
+        state.forces[:, 2] = 1e-9
+        if state.step % 10 == 0:
+            kept.append((positions, positions.copy(), velocities[:, 2], velocities[:, 2].copy()))
+        moments.append(state)
+
+    sim.step(50)
+    assert len(kept) == 6  # once before the first step
+    for positions, copy, speeds, speeds_then in kept:
+        assert np.array_equal(positions, copy) and np.array_equal(speeds, speeds_then)
+    assert not np.array_equal(kept[0][0], kept[-1][0])
+    last = moments[-1]
+    assert last.positions.shape == (50, 3) and last.time == pytest.approx(sim.time)
+    with pytest.raises(demeter.RunError, match="which is over"):
+        last.angular_velocities
+
+
+def test_a_force_answers_with_any_array(bed):
+    runs = []
+    for answer in (
+        lambda state: np.full((len(state), 3), 1e-5),
+        lambda state: np.full((len(state), 3), 1e-5, dtype=np.float32).astype(float),
+        lambda state: np.full((3, len(state)), 1e-5).T,
+        lambda state: [[1e-5] * 3] * len(state),
+        lambda state: (np.full((len(state), 3), 1e-5), np.zeros((len(state), 3))),
+    ):
+        sim = demeter.Simulation(bed, threads=1)
+        sim.add_force(answer)
+        sim.step(20)
+        runs.append(sim.velocities)
+    assert np.allclose(runs[0], runs[1], rtol=1e-6)
+    assert all(np.array_equal(runs[0], run) for run in runs[2:])
+
+
+def test_progress_is_told(bed, capsys, monkeypatch):
+    bed["stage"][0]["duration"] = "60 s"
+    sim = demeter.Simulation(bed)
+    told = []
+    enough = sim.every("1 ms", lambda s: s.stop() if len(told) > 2 else None)
+    assert not sim.run(progress=told.append)
+    sim.cancel(enough)
+    last = told[-1]
+    assert last["stage"] == "settle" and (last["stage_number"], last["stages"]) == (1, 2)
+    assert 0 < last["step"] < last["steps"] and last["grains"] == 50 and last["time"] == pytest.approx(last["step"] * sim.dt)
+    assert last["steps_per_second"] > 0 and last["seconds_left"] > 0 and told[0]["elapsed"] < last["elapsed"]
+    bar = Bar()
+    bar(last)
+    bar.close()
+    line = capsys.readouterr().err
+    assert "settle (1/2)" in line and line.endswith("left\n")
+    closed = []
+    monkeypatch.setattr(Bar, "close", lambda bar: closed.append(bar))
+    sim.run_until(sim.time + 1e-4, progress=True)
+    assert len(closed) == 1
+    with pytest.raises(TypeError, match="progress"):
+        sim.run(progress=3)
+
+    def fails(place):
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        sim.run(progress=fails)
+    sim.run_until(sim.time + 1e-4, progress=False)
+
+
 def test_a_torque_turns(bed):
     bed["simulation"]["gravity"] = [0, 0, 0]
     sim = demeter.Simulation(bed)
@@ -286,10 +373,19 @@ def test_the_interpreter_is_free_and_other_threads_are_refused(bed):
 
 
 def test_ctrl_c(bed, tmp_path):
+    # a process that was started in the background does not hear it by itself
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        interrupted(bed, tmp_path)
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def interrupted(bed, tmp_path):
     bed["stage"][0]["duration"] = "60 s"
     sim = demeter.Simulation(bed, out=tmp_path / "run")
     timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
-    timer.start()
+    sim.every(10, lambda s: timer.start() if s.steps == 10 else None)
     with pytest.raises(KeyboardInterrupt):
         sim.run()
     steps = sim.steps

@@ -1,5 +1,7 @@
 """Two bodies, fits, comparisons and closed forms."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -21,6 +23,28 @@ def test_collide():
     slower = demeter.collide(MCC, set={"impact.velocity": "0.1 m/s"})
     assert slower["contact_time"] > report["contact_time"]
     assert demeter.collide(MCC, engine=True)["restitution"] == pytest.approx(0.54, abs=1e-4)
+
+
+def test_an_oblique_collision_slides_or_sticks_as_rigid_bodies_do():
+    bodies = {
+        "material": {"glass": {"young_modulus": "70 GPa", "poisson_ratio": 0.22, "density": 2500}},
+        "a": {"material": "glass", "radius": "2.5 mm"},
+        "b": {"material": "glass", "wall": True},
+        "contact": {
+            "normal": {"law": "hertz-tsuji", "restitution": 0.98},
+            "tangential": {"law": "mindlin-history", "friction": 0.09},
+        },
+        "impact": {"velocity": 2, "angle": np.pi / 3},
+    }
+    report = demeter.collide(bodies)
+    # sliding all the time: friction takes mu times the change of the normal velocity
+    normal, along = 2 * np.cos(np.pi / 3), 2 * np.sin(np.pi / 3)
+    assert report["restitution"] == pytest.approx(0.98, rel=1e-3)
+    assert -report["tangential_restitution"] == pytest.approx(1 - 0.09 * 1.98 * normal / along * 7 / 2, rel=1e-2)
+    head_on = demeter.collide(bodies, set={"impact.angle": 0})
+    assert head_on["restitution"] == pytest.approx(0.98, rel=1e-6)
+    told = demeter.collide(bodies, set={"impact.angle": "60 deg"})
+    assert told["restitution"] == report["restitution"]
 
 
 def test_the_closed_form_is_what_the_collision_shows():
@@ -76,6 +100,32 @@ def test_fit():
     assert values["material.mcc.young_modulus"] == pytest.approx(6e9, rel=1e-2)
     with pytest.raises(TypeError, match="packing"):
         demeter.fit(task, out="runs")
+
+
+def test_fit_of_a_packing(tmp_path):
+    """The modulus of a squeezed packing is found again from the force at its largest compression."""
+    scenario = Path(__file__).parents[2] / "demeter/src/calibrate/packing/squeeze.toml"
+    series = demeter.run(demeter.Scenario.from_toml(scenario)).series()
+    squeezed = [k for k, stage in enumerate(series["stage"]) if stage.startswith("squeeze")]
+    top = max(squeezed, key=lambda k: series["strain"][k])
+    task = {
+        "packing": {
+            "scenario": str(scenario),
+            "unknown": {"key": "material.gel.young_modulus", "from": "30 kPa", "to": "70 kPa"},
+            "match": "top",
+            "unload": False,
+            "measured": {"loading": [[series["strain"][top], series["wall top force z [N]"][top]]]},
+        }
+    }
+    with pytest.raises(TypeError, match="`out` is missing"):
+        demeter.fit(task)
+    report = demeter.fit(task, out=tmp_path / "trials", threads=1)
+    assert report["value"] == pytest.approx(50e3, abs=800)
+    assert report["bracket"][0] <= report["value"] <= report["bracket"][1]
+    assert 2 < len(report["trials"]) < 10 and len(list((tmp_path / "trials").iterdir())) >= len(report["trials"])
+    task["packing"]["unknown"]["from"] = set()
+    with pytest.raises(demeter.ScenarioError, match="type set"):
+        demeter.fit(task, out=tmp_path / "trials")
 
 
 def test_compare(bed, tmp_path):

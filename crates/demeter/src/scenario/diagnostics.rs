@@ -82,6 +82,11 @@ impl Diagnostics {
         self.list.insert(at, diagnostic);
     }
 
+    /// Keeps some faults alone.
+    pub(super) fn retain(&mut self, keep: impl FnMut(&Diagnostic) -> bool) {
+        self.list.retain(keep);
+    }
+
     /// The faults.
     pub fn list(&self) -> &[Diagnostic] {
         &self.list

@@ -62,7 +62,7 @@ pub use measures::{MAX_MEASURES, MeasureKind, MeasureSpec};
 pub use meshes::{MeshOrigin, MeshSource};
 pub use observed::{Measured, Observable, Observation, Target, Unknown};
 pub use packing_file::{FitTask, Match, PACKING_FIT_REFERENCE, PackingFile, UnknownNumber};
-pub use plain::Plain;
+pub use plain::{Foreign, Plain, faults_with_foreign};
 pub use prepare::{Prepared, prepare};
 pub use report::{Report, RunEnd};
 pub use run::{Observer, Progress, RunState, resume, run};

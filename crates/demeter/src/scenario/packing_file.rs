@@ -2,6 +2,7 @@
 
 use super::document::Value;
 use super::fit_file::FitFile;
+use super::plain::PLAIN_NUMBERS;
 use super::quantity::Kind;
 use super::reader::{Context, Item, TableReader};
 use super::run::labels;
@@ -236,7 +237,7 @@ pub(super) fn walk(table: &TableReader<'_>, base: &Path) -> Option<PackingFile> 
     for entry in table
         .named()
         .iter()
-        .filter(|e| e.name != "packing" && e.name != "title")
+        .filter(|e| !["packing", "title", PLAIN_NUMBERS].contains(&e.name.as_str()))
     {
         entry.fault(
             format!("unknown key `{}` in a file of a packing", entry.name),

@@ -1,8 +1,10 @@
 //! Scenarios that a program makes: values without places, written as TOML.
 
-use super::document::{Entry, Node, Span, Value};
-use super::resolved;
+use super::diagnostics::Diagnostics;
+use super::document::{Document, Entry, Node, Span, Value};
+use super::{resolved, tree};
 use std::path::Path;
+use std::sync::Arc;
 
 /// A value that a program makes.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +53,36 @@ impl Plain {
         let span = Span::default();
         Node { value, span }
     }
+}
+
+/// A value of a program that is none of a scenario, where a text stands in for it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Foreign {
+    /// The path of its key, as `grains[0].diameter`.
+    pub path: String,
+    /// What it is and what is allowed.
+    pub message: String,
+}
+
+/// Everything that is wrong with a text in which texts stand in for foreign values: those, and what its reader found in other
+/// places (`read`).
+pub fn faults_with_foreign(text: &str, name: &str, foreign: &[Foreign], read: Option<Diagnostics>) -> Diagnostics {
+    let mut faults = read.unwrap_or_else(|| match tree(text, name, &[]) {
+        Ok(document) => Diagnostics::new(name, document),
+        Err(_) => Diagnostics::new(name, Arc::new(Document::without_keys(Vec::new()))),
+    });
+    faults.retain(|fault| foreign.iter().all(|value| !is_at_or_below(&fault.path, &value.path)));
+    for value in foreign {
+        faults.push(&value.path, value.message.as_str(), None);
+    }
+    faults
+}
+
+fn is_at_or_below(path: &str, above: &str) -> bool {
+    !above.is_empty()
+        && path
+            .strip_prefix(above)
+            .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
 /// The key that says what numbers without a unit stand for.
@@ -127,6 +159,26 @@ mod tests {
         let toml = two_grains(text("250 mm")).to_toml(Path::new(""));
         let faults = Scenario::parse(&toml, "dict", Path::new(""), &[]).unwrap_err();
         assert_eq!(faults.list()[0].path, "stage[0].duration");
+    }
+
+    #[test]
+    fn foreign_values_are_told_with_all_other_faults() {
+        let toml = two_grains(text("a value of type set")).to_toml(Path::new(""));
+        let toml = toml.replace("poisson_ratio = 0.25", "poisson_ratio = 3");
+        let read = Scenario::parse(&toml, "dict", Path::new(""), &[]).unwrap_err();
+        let foreign = Foreign {
+            path: "stage[0].duration".to_string(),
+            message: "`stage[0].duration` is a value of type set".to_string(),
+        };
+        let faults = faults_with_foreign(&toml, "dict", std::slice::from_ref(&foreign), Some(read));
+        let told: Vec<(&str, bool)> = faults.list().iter().map(|f| (f.path.as_str(), f.line > 0)).collect();
+        assert_eq!(
+            told,
+            [("material.glass.poisson_ratio", true), ("stage[0].duration", true)]
+        );
+        assert!(faults.to_string().contains("type set"), "{faults}");
+        let alone = faults_with_foreign(&toml, "dict", &[foreign], None);
+        assert_eq!(alone.list().len(), 1);
     }
 
     #[test]

@@ -85,6 +85,8 @@ pub(crate) struct Customs {
     loads: GrainLoads,
     ids: Vec<u32>,
     one: GrainLoads,
+    /// Memory for those of the present step.
+    next: GrainLoads,
     drivers: Vec<(usize, Driver)>,
     failure: Option<Fault>,
 }
@@ -310,8 +312,8 @@ impl Customs {
     /// The loads of all forces; on error they are those of the step before.
     fn ask(&mut self, moment: &ForceMoment) -> Result<(), String> {
         let grains = moment.grains.len();
-        let mut all = GrainLoads::default();
-        all.resize(grains);
+        let all = &mut self.next;
+        all.clear(grains);
         for force in &mut self.forces {
             self.one.clear(grains);
             force.loads(moment, &mut self.one)?;
@@ -323,7 +325,7 @@ impl Customs {
                 *sum += *one;
             }
         }
-        self.loads = all;
+        std::mem::swap(&mut self.loads, &mut self.next);
         self.ids.clone_from(&moment.grains.id);
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! How the simulation goes on: until a limit, with callbacks and signals.
 
 use super::{Live, Simulation, locked};
-use crate::control::{Callback, Limit, Messages};
+use crate::control::{Callback, Limit, Messages, Place, Watcher};
 use crate::convert::path;
 use crate::errors::{OrRaise, Raise, RunError};
 use crate::functions::Function;
@@ -41,7 +41,7 @@ impl Simulation {
             is_asked_to_stop: AtomicBool::new(false),
             callbacks: Mutex::new(Vec::new()),
             functions: Mutex::new(Vec::new()),
-            messages: Mutex::new(messages.0),
+            messages: Mutex::new(messages.list),
         }
     }
 
@@ -97,6 +97,22 @@ impl Simulation {
 
     /// Runs on, with callbacks, until a limit, a condition, or the end.
     pub(super) fn go(slf: &Bound<'_, Self>, limit: &Limit) -> PyResult<bool> {
+        Self::go_watched(slf, limit, None)
+    }
+
+    /// The same, while a function is told how far it is.
+    pub(super) fn go_watched<'py>(
+        slf: &Bound<'py, Self>,
+        limit: &Limit,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<bool> {
+        let watcher = Watcher::of(progress)?;
+        let ended = Self::go_on(slf, limit, watcher.as_ref());
+        let closed = watcher.map_or(Ok(()), |watcher| watcher.close());
+        ended.and_then(|reached| closed.map(|()| reached))
+    }
+
+    fn go_on(slf: &Bound<'_, Self>, limit: &Limit, watcher: Option<&Watcher<'_>>) -> PyResult<bool> {
         let this = slf.get();
         if this.is_running.swap(true, Ordering::SeqCst) {
             return Err(RunError::new_err(
@@ -119,7 +135,10 @@ impl Simulation {
                 stage: limit.stage,
                 beyond: limit.beyond,
             };
-            let pause = this.advance(slf.py(), &until)?;
+            let (pause, place) = this.advance(slf.py(), &until)?;
+            if let (Some(watcher), Some(place)) = (watcher, place) {
+                watcher.tell(&place)?;
+            }
             this.check_signals(slf.py())?;
             this.call_back(slf)?;
             match pause {
@@ -141,24 +160,17 @@ impl Simulation {
     }
 
     /// Goes on without the interpreter.
-    fn advance(&self, py: Python<'_>, until: &Until) -> PyResult<Pause> {
+    fn advance(&self, py: Python<'_>, until: &Until) -> PyResult<(Pause, Option<Place>)> {
         let mut live = self.live()?;
         live.part();
         let mut messages = Messages::default();
         let run = &mut live.run;
         let pause = py.detach(|| run.advance(until, &mut messages));
         drop(live);
-        self.note(py, messages)?;
-        pause.or_raise(py)
-    }
-
-    fn note(&self, py: Python<'_>, messages: Messages) -> PyResult<()> {
-        let mut all = locked(&self.messages);
-        let told = all.len();
-        all.extend(messages.0);
-        let copy = Messages(all.clone());
-        drop(all);
-        copy.tell(py, told)
+        let place = messages.place.take();
+        messages.tell(py, 0)?;
+        locked(&self.messages).extend(messages.list);
+        Ok((pause.or_raise(py)?, place))
     }
 
     /// Ctrl-C: a run with a folder leaves a checkpoint.
@@ -282,34 +294,38 @@ pub(super) fn motion(function: Arc<Function>, how: &str, axis: Option<(DVec3, DV
 ///     Number of threads; all cores without it.
 /// overwrite : bool
 ///     Whether an earlier run in the folder may be replaced.
+/// progress : bool or callable
+///     True draws a bar; a function is told where the run is, some times in a second: see `Simulation.run`.
 ///
 /// Examples
 /// --------
-/// >>> sim = demeter.run("drum.toml", out="runs/drum")
+/// >>> sim = demeter.run("drum.toml", out="runs/drum", progress=True)
 /// >>> pandas.DataFrame(sim.series()).plot(x="time [s]", y="kinetic energy [J]")
 #[pyfunction]
-#[pyo3(signature = (scenario, *, out=None, threads=None, overwrite=false))]
+#[pyo3(signature = (scenario, *, out=None, threads=None, overwrite=false, progress=None))]
 pub fn run<'py>(
     py: Python<'py>,
     scenario: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
     threads: Option<usize>,
     overwrite: bool,
+    progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, Simulation>> {
     let simulation = Bound::new(py, Simulation::build(py, scenario, out, threads, overwrite)?)?;
-    Simulation::go(&simulation, &Limit::end())?;
+    Simulation::go_watched(&simulation, &Limit::end(), progress)?;
     Ok(simulation)
 }
 
 /// Goes on with the run in a folder to its end, from its latest checkpoint: `Simulation.resume` and `run`.
 #[pyfunction]
-#[pyo3(signature = (folder, *, threads=None))]
+#[pyo3(signature = (folder, *, threads=None, progress=None))]
 pub fn resume<'py>(
     py: Python<'py>,
     folder: &Bound<'py, PyAny>,
     threads: Option<usize>,
+    progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, Simulation>> {
     let simulation = Bound::new(py, Simulation::resume(py, folder, threads)?)?;
-    Simulation::go(&simulation, &Limit::end())?;
+    Simulation::go_watched(&simulation, &Limit::end(), progress)?;
     Ok(simulation)
 }
