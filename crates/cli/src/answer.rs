@@ -2,9 +2,22 @@
 
 use crate::failure::Failure;
 use std::io::{self, IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Whether another process speaks for this one.
+static SILENT: AtomicBool = AtomicBool::new(false);
+
+/// Lets this process be silent, as another speaks for it, or speak again.
+#[cfg(feature = "mpi")]
+pub fn be_silent(silent: bool) {
+    SILENT.store(silent, Ordering::Relaxed);
+}
 
 /// Writes the answer of a command to standard output.
 pub fn answer(text: &str) -> Result<(), Failure> {
+    if SILENT.load(Ordering::Relaxed) {
+        return Ok(());
+    }
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
@@ -21,6 +34,9 @@ pub fn answer_json(value: &serde_json::Value) -> Result<(), Failure> {
 
 /// Tells something on standard error; there is nowhere to complain when that is gone.
 pub fn note(text: &str) {
+    if SILENT.load(Ordering::Relaxed) {
+        return;
+    }
     let _ = writeln!(io::stderr().lock(), "{text}");
 }
 

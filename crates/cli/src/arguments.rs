@@ -155,7 +155,7 @@ pub struct Engine {
 /// Of `run` and `resume`.
 #[derive(Debug, Args)]
 pub struct HowToRun {
-    /// Number of threads; all cores when absent. The results are the same for any number
+    /// Number of threads; when absent all cores, or one for each process under `mpirun`. The results are the same for any number
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
     /// Write one JSON object to standard output at the end; everything else goes to standard error

@@ -40,6 +40,14 @@ impl Failure {
         }
     }
 
+    /// The failure of one of several processes.
+    fn of_process(mut self, rank: usize) -> Self {
+        if let Self::Other { message, .. } = &mut self {
+            *message = format!("process {rank}: {message}");
+        }
+        self
+    }
+
     /// Tells the user and gives the exit code.
     pub fn tell(&self, as_json: bool) -> Exit {
         if !as_json || answer_json(&self.to_json()).is_err() {
@@ -136,7 +144,10 @@ impl From<RunError> for Failure {
                     | OutputError::OtherSeries { .. }
             ),
             RunError::Checkpoint(ref checkpoint) => matches!(checkpoint, CheckpointError::Missing { .. }),
+            RunError::ThisProcess { rank, source } => return Self::from(*source).of_process(rank),
             RunError::Finished { .. }
+            | RunError::OtherProcess { .. }
+            | RunError::OtherInputs { .. }
             | RunError::NoFolder
             | RunError::State(_)
             | RunError::Motion { .. }

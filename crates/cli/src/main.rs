@@ -21,6 +21,7 @@ mod fit;
 mod fit_packing;
 mod info;
 mod interrupt;
+mod job;
 mod laws;
 mod new;
 mod plot;

@@ -5,6 +5,7 @@ use crate::arguments::{Engine, HowToRun, ResumeArguments, RunArguments};
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::job::Job;
 use crate::profile;
 use crate::progress::Watch;
 use crate::readable::{count, number, things, vector, wait};
@@ -20,30 +21,38 @@ const MOST_STAGE_WALLS: usize = 4;
 
 /// Runs a scenario.
 pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
+    let job = Job::join()?;
     let interrupt = Interrupt::listen();
-    let mut scenario = Scenario::read(&arguments.file, &arguments.set)?;
+    let mut scenario = job.agree(Scenario::read(&arguments.file, &arguments.set))?;
     // The scenario in the run folder must find its files wherever `resume` is called.
     scenario.base = absolute(&scenario.base)?;
     let folder = match &arguments.out {
         Some(folder) => folder.clone(),
         None => default_folder(&arguments.file, arguments.overwrite)?,
     };
-    let options = options(&arguments.output, &arguments.engine, arguments.overwrite);
+    let options = options(&job, &arguments.output, &arguments.engine, arguments.overwrite);
     let mut watch = Watch::new(interrupt);
-    let report = demeter::scenario::run(&scenario, &folder, options, &mut watch);
+    let report = match job.ranks() {
+        None => demeter::scenario::run(&scenario, &folder, options, &mut watch),
+        Some(ranks) => demeter::scenario::run_shared(&scenario, &folder, options, ranks, &mut watch),
+    };
     watch.end();
-    tell(&report?, arguments.output.json)
+    tell(&report.map_err(|error| job.fail(error))?, arguments.output.json)
 }
 
 /// Goes on with a run.
 pub fn resume(arguments: &ResumeArguments) -> Result<Exit, Failure> {
+    let job = Job::join()?;
     let mut watch = Watch::new(Interrupt::listen());
-    let options = options(&arguments.output, &arguments.engine, false);
-    let report = demeter::scenario::resume(&arguments.folder, options, &mut watch);
+    let options = options(&job, &arguments.output, &arguments.engine, false);
+    let report = match job.ranks() {
+        None => demeter::scenario::resume(&arguments.folder, options, &mut watch),
+        Some(ranks) => demeter::scenario::resume_shared(&arguments.folder, options, ranks, &mut watch),
+    };
     watch.end();
     match report {
         Err(RunError::Finished { folder }) => finished(&folder, arguments.output.json),
-        report => tell(&report?, arguments.output.json),
+        report => tell(&report.map_err(|error| job.fail(error))?, arguments.output.json),
     }
 }
 
@@ -69,9 +78,11 @@ fn read_summary(folder: &Path) -> Result<Value, Failure> {
     serde_json::from_slice(&bytes).map_err(|error| fail(&error))
 }
 
-fn options(how: &HowToRun, engine: &Engine, overwrite: bool) -> RunOptions {
+fn options(job: &Job, how: &HowToRun, engine: &Engine, overwrite: bool) -> RunOptions {
+    // processes that share a machine must not each take all of its cores
+    let alone = job.ranks().is_none();
     RunOptions {
-        threads: how.threads.map(usize::from),
+        threads: how.threads.map(usize::from).or((!alone).then_some(1)),
         overwrite,
         instructions: engine.instructions,
         profile: engine.profile,

@@ -31,15 +31,16 @@ impl Simulation {
     /// Advances the run by one time step (see [`demeter_physics::integrator`]).
     pub fn step(&mut self) -> Result<(), Fault> {
         self.start()?;
+        self.divide();
         // small runs are the work of one thread
-        if self.coupling.is_some() || parts(self.grains.len()) > 1 {
+        if self.coupling.is_some() || parts(self.own_grains().len()) > 1 {
             self.awake.keep();
         }
         self.step += 1;
         self.took(Phase::Other);
         self.deform_box();
         let motion = self.move_grains();
-        let motion = self.beyond_affine(motion);
+        let motion = self.motion_of_all(self.beyond_affine(motion));
         self.follow_box();
         self.took(Phase::Motion);
         self.drive_walls();
@@ -52,8 +53,12 @@ impl Simulation {
             self.foresee_bulges();
         }
         self.took(Phase::Search);
+        self.exchange_borders();
+        self.took(Phase::Ranks);
         self.find_contacts(&motion)?;
         self.took(self.phase_of_contacts());
+        self.sum_up_work()?;
+        self.took(Phase::Ranks);
         self.sum_and_correct(Moment::Step)?;
         self.note_across();
         self.took(Phase::Sums);
@@ -76,6 +81,7 @@ impl Simulation {
         self.find_candidates();
         self.foresee_bulges();
         self.find_contacts(&motion)?;
+        self.sum_up_work()?;
         self.sum_and_correct(Moment::Start)?;
         self.note_across();
         self.load_walls(0.0);
@@ -95,6 +101,7 @@ impl Simulation {
         if motion.misplaced.is_none() && self.step > 0 {
             return Ok(());
         }
+        self.make_whole();
         let domain = *self.comm.domain();
         let outside: Vec<usize> = (0..self.grains.len())
             .filter(|&g| !domain.contains(self.grains.position[g]))
@@ -109,7 +116,7 @@ impl Simulation {
             return Err(Fault::NotFinite {
                 step: self.step,
                 id: self.grains.id[g],
-                quantity: "position",
+                quantity: "position".into(),
                 position,
             });
         }
@@ -125,6 +132,7 @@ impl Simulation {
             });
         }
         self.remove(&outside);
+        self.divide();
         Ok(())
     }
 
@@ -138,7 +146,7 @@ impl Simulation {
         let wall = self.wall_displacement();
         let (bulges, margin) = (self.coupling.as_ref()).map_or((0.0, 0.0), |c| (c.bulges_of_two(), c.memory.margin));
         let used = (2.0 * grain).max(grain + wall) - (margin - bulges);
-        let counts = || Counts::new(&self.neighbours, self.contacts.pair_count());
+        let counts = || Counts::new(&self.neighbours, self.engaged_contacts());
         let is_old = self.neighbours.reference.len() != self.grains.len();
         if is_old || used > self.skin {
             return Some(self.tuner.after_use(self.skin, self.step, counts()));
@@ -182,10 +190,12 @@ impl Simulation {
         };
         let window = scene.widest_window();
         scene.near = (self.near).advance(motion.max_step, window);
+        let (own, segments) = (self.own_grains(), self.segments_here());
         let (neighbours, profile) = (&self.neighbours, self.profile.as_deref());
         let Contacts { pairs, walls, .. } = &mut self.contacts;
         let work = Work {
             neighbours,
+            segments,
             instructions: self.instructions,
             // forces across the sides of a box that deforms are summed up apart
             waits: scene.is_deforming(),
@@ -199,7 +209,7 @@ impl Simulation {
         let sums = &mut self.sums;
         // the few contacts with walls fill the gaps of the others
         join(
-            || sums.work(pairs, grains, parts(grains), &work),
+            || sums.work(pairs, grains, parts(own.len()), &work),
             || {
                 walls.par_iter_mut().enumerate().for_each(|(c, chunk)| {
                     let mut clock = Profile::chunk(profile);
@@ -214,9 +224,6 @@ impl Simulation {
 
     /// Sum per grain, body force, and what the new forces change of the motion.
     fn sum_and_correct(&mut self, moment: Moment) -> Result<(), Fault> {
-        if let Some(fault) = self.contacts.fault() {
-            return Err(fault.clone());
-        }
         self.add_custom_loads();
         let bad = match (self.integrator, moment) {
             (Integrator::Gear, Moment::Step) => self.correct(),
@@ -224,21 +231,18 @@ impl Simulation {
             // at the start of a run the velocities are those given
             (_, Moment::Start) => self.kick(0.0),
         };
-        match bad {
-            None => {
-                self.book_custom(match moment {
-                    Moment::Step => self.dt,
-                    Moment::Start => 0.0,
-                });
-                Ok(())
-            }
-            Some(g) => Err(Fault::NotFinite {
-                step: self.step,
-                id: self.grains.id[g],
-                quantity: self.not_finite(g),
-                position: self.grains.position[g],
-            }),
-        }
+        let fault = bad.map(|g| Fault::NotFinite {
+            step: self.step,
+            id: self.grains.id[g],
+            quantity: self.not_finite(g).into(),
+            position: self.grains.position[g],
+        });
+        self.fault_of_any(fault)?;
+        self.book_custom(match moment {
+            Moment::Step => self.dt,
+            Moment::Start => 0.0,
+        });
+        Ok(())
     }
 
     /// Which quantity of a grain is not finite: the cause before its effects.

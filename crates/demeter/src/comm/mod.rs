@@ -3,10 +3,19 @@
 //! One process ([`Single`]) meets periodic images only. A contact across a border uses the *difference* of positions
 //! plus a shift, never a shifted position, so that both partners see the same bits. Where the box deforms
 //! ([`Rates`]), the shifts follow it, and a contact across a border adds the velocity of its shift to that of its grains.
+//!
+//! Several processes share a run through [`Ranks`]: each has the tables of all grains and keeps those up to date that are its own
+//! or touch these.
 
 mod deforming;
+#[cfg(feature = "mpi")]
+mod mpi;
+mod ranks;
 mod single;
 
 pub(crate) use deforming::{Carry, Deforming};
 pub use deforming::{Rates, ShearAxes};
+#[cfg(feature = "mpi")]
+pub use mpi::{MpiError, MpiJob, MpiRanks};
+pub use ranks::{Message, Ranks, Traffic};
 pub use single::Single;

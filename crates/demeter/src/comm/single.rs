@@ -3,6 +3,7 @@
 use super::deforming::{Deforming, Rates, ShearAxes};
 use crate::particles::{Domain, Grains, Row};
 use glam::DVec3;
+use std::ops::Range;
 
 /// Codes of the shifts to the next image in x, y and z.
 const NEXT: [usize; 3] = [13 + 9, 13 + 3, 13 + 1];
@@ -130,9 +131,16 @@ impl Single {
 
     /// Puts every grain back into the periodic box and counts its crossings.
     pub fn wrap(&self, grains: &mut Grains) {
+        self.wrap_some(grains, 0..grains.len());
+    }
+
+    /// The same of some grains.
+    pub(crate) fn wrap_some(&self, grains: &mut Grains, some: Range<usize>) {
         let size = self.domain.size();
         for axis in (0..3).filter(|&k| self.domain.periodic[k]) {
-            for (position, image) in grains.position.iter_mut().zip(&mut grains.image) {
+            let positions = grains.position.rows_mut()[some.clone()].iter_mut();
+            for (position, image) in positions.zip(&mut grains.image[some.clone()]) {
+                let position = &mut position.vector;
                 // one crossing at a time keeps the bits of the ordinary case simple; a lost grain is caught by the watch
                 if position[axis] >= self.domain.upper[axis] {
                     position[axis] -= size[axis];

@@ -1,9 +1,11 @@
 //! What stops a run: a state that the model does not cover.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// Why a run stopped: what, where, since when, with whom, why, and what to change.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum Fault {
     /// Two bodies overlap more than the scenario allows.
     #[error(
@@ -84,7 +86,7 @@ pub enum Fault {
         /// Id of the largest grain.
         id: u32,
         /// The direction.
-        direction: &'static str,
+        direction: Cow<'static, str>,
         /// Length of the box [m].
         size: f64,
         /// Length that it must have [m].
@@ -116,7 +118,7 @@ pub enum Fault {
         /// Id of the grain.
         id: u32,
         /// What is not finite: `"position"`, `"force"`.
-        quantity: &'static str,
+        quantity: Cow<'static, str>,
         /// The last position known [m].
         position: DVec3,
     },

@@ -20,6 +20,7 @@ mod meetings;
 pub mod narrow;
 mod near;
 mod respond;
+pub(crate) mod step_work;
 pub mod sum;
 mod transfer;
 mod wall_contacts;
@@ -94,7 +95,7 @@ impl Load {
 pub(crate) type EightVectors = [[f64; MOST_LANES]; 3];
 
 /// What survives of a contact from one step to the next.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Kept {
     /// Contacts of candidate `c` of a chunk with walls: `start[c]..start[c + 1]`.
     pub(crate) start: Vec<u32>,
@@ -167,15 +168,20 @@ impl Kept {
     }
 }
 
-/// Contacts of one chunk of candidates.
-#[derive(Clone, Debug, Default)]
+/// Contacts of one chunk of candidates. Other processes are told what can be asked of it after a step.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct ContactChunk {
     pub(crate) now: Kept,
+    #[serde(skip)]
     pub(crate) before: Kept,
     /// Whether a contact of the step before goes on.
+    #[serde(skip)]
     pub(crate) goes_on: Vec<bool>,
+    #[serde(skip)]
     touched: wall_contacts::Touched,
+    #[serde(skip)]
     pub(crate) coupling: Scratch,
+    #[serde(skip)]
     found: meetings::Found,
     /// The material pair of all contacts.
     pub(crate) law: u32,
@@ -184,29 +190,39 @@ pub struct ContactChunk {
     /// Index of the second grain, or of the wall.
     pub j: Vec<u32>,
     /// Code of the shift across periodic sides, where there are any; found from the candidates when needed.
+    #[serde(skip)]
     shift: Vec<u8>,
     /// Bits of the contacts between grains that are engaged, a word for each block; empty where all are.
     engaged: Vec<u64>,
     /// What every contact with a wall does to both bodies; nothing between grains, whose loads are summed up at once.
+    #[serde(skip)]
     pub(crate) load: Vec<Load>,
     /// Torque of the rolling laws on the first body [N m]; empty where no law resists rolling.
     pub(crate) rolling: Vec<[f64; 4]>,
     /// Work of this step.
+    #[serde(skip)]
     pub tally: Tally,
     /// Force and torque on every wall (torque about its origin), for chunks of wall contacts.
+    #[serde(skip)]
     pub wall_load: Vec<(DVec3, DVec3)>,
     /// What every contact lost in this step, by its normal law and by friction [J], and what that did to the walls: where
     /// walls record it.
+    #[serde(skip)]
     losses: Vec<[f64; 2]>,
     /// Normal forces that do not depend on the rate [N], where contacts feel each other.
+    #[serde(skip)]
     elastic: Vec<f64>,
     /// How the surfaces of walls move at the contacts.
+    #[serde(skip)]
     surfaces: kinematics::Surfaces,
+    #[serde(skip)]
     pub(crate) marks: Vec<Mark>,
     /// The fault with the lowest id, if any.
+    #[serde(skip)]
     pub fault: Option<Fault>,
     /// Force of the contacts across periodic sides on their first bodies, times the boxes to the image of the second, by
     /// direction [N]; only where the box deforms.
+    #[serde(skip)]
     across: [DVec3; 3],
 }
 
@@ -401,38 +417,6 @@ impl Contacts {
     /// Number of contacts with walls, those without force counted.
     pub fn wall_count(&self) -> usize {
         self.walls.iter().map(ContactChunk::len).sum()
-    }
-
-    /// Work of this step, summed in a fixed order.
-    pub fn tally(&self) -> Tally {
-        let mut total = Tally::default();
-        for chunk in self.pairs.iter().chain(&self.walls) {
-            total.add(&chunk.tally);
-        }
-        total
-    }
-
-    /// Forces across the periodic sides of a box that deforms, summed in a fixed order: for each direction, the force of every
-    /// contact on its first body times the boxes that lead to the image of its second [N].
-    pub(crate) fn across(&self) -> [DVec3; 3] {
-        let mut total = [DVec3::ZERO; 3];
-        for chunk in &self.pairs {
-            for (total, across) in total.iter_mut().zip(chunk.across) {
-                *total += across;
-            }
-        }
-        total
-    }
-
-    /// Force and torque on a wall, summed in a fixed order.
-    pub fn wall_load(&self, wall: usize) -> (DVec3, DVec3) {
-        let mut load = (DVec3::ZERO, DVec3::ZERO);
-        for chunk in &self.walls {
-            let part = chunk.wall_load[wall];
-            load.0 += part.0;
-            load.1 += part.1;
-        }
-        load
     }
 
     /// The first fault, between grains before walls.

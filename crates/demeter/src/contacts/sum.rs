@@ -282,6 +282,8 @@ struct Task<'a> {
 /// How the work of a step on contacts between grains is done.
 pub(crate) struct Work<'a, S> {
     pub(crate) neighbours: &'a Neighbours,
+    /// Segments of the table of pairs that are worked on.
+    pub(crate) segments: Range<usize>,
     pub(crate) instructions: Instructions,
     /// Whether what contacts do is asked for one by one before it is added.
     pub(crate) waits: bool,
@@ -296,22 +298,28 @@ impl Sums {
         set_aside(&self.sums) + self.strays.iter().map(stray).sum::<usize>()
     }
 
-    /// Works on all chunks, in parallel in `parts`, and sums up: into how many parts the work is cut changes no sum.
+    /// Works on the chunks of all segments, in parallel in `parts`, and sums up: into how many parts the work is cut changes no sum.
     pub(crate) fn work<S>(&mut self, chunks: &mut [ContactChunk], grains: usize, parts: usize, work: &Work<S>)
     where
         S: Fn(usize, &mut ContactChunk, &mut Collector) + Sync,
     {
-        let segments = work.neighbours.segments();
-        let parts = parts.clamp(1, segments.max(1));
+        let Range { start, end } = work.segments;
         self.sums.resize(grains, Sum::default());
+        if start == end {
+            return;
+        }
+        let parts = parts.clamp(1, end - start);
+        let first_chunk = work.neighbours.chunks_of_segment(start).start;
+        let end_chunk = work.neighbours.chunks_of_segment(end - 1).end;
+        let first_grain = work.neighbours.grains_of_segment(start).start;
         self.strays.resize_with(parts, Strays::default);
         self.strays.iter_mut().for_each(Strays::clear);
         let all = Task {
-            segments: 0..segments,
-            chunks,
-            first_chunk: 0,
-            sums: &mut self.sums,
-            first_grain: 0,
+            segments: start..end,
+            chunks: &mut chunks[first_chunk..end_chunk],
+            first_chunk,
+            sums: &mut self.sums[first_grain..],
+            first_grain,
             strays: &mut self.strays,
         };
         all.work(work);

@@ -14,13 +14,17 @@ mod order;
 mod pairs;
 mod ranges;
 mod search;
+mod shared;
+mod surroundings;
 mod table;
 #[cfg(test)]
 mod tests;
 mod visit;
 
 pub use order::{GONE, SpatialOrder};
+pub(crate) use search::LEAST_OF_A_SEGMENT;
 pub use search::SearchEffort;
+pub(crate) use shared::SegmentsOfCandidates;
 pub use table::CHUNK;
 
 use crate::comm::Single;
@@ -32,7 +36,7 @@ use pairs::PairTable;
 use search::Search;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
-use table::Table;
+use table::{Segment, Table};
 
 /// A candidate pair of grains; `i` has the lower id.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -92,6 +96,8 @@ pub struct Neighbours {
     #[serde(skip)]
     search: Search,
     effort: SearchEffort,
+    /// Number of pairs, of all processes.
+    total: usize,
     /// Where the grains were when the pairs were found [m].
     pub reference: Rows,
     /// Where the walls were.
@@ -106,6 +112,7 @@ impl Clone for Neighbours {
             incidence: self.incidence.as_ref().map(|_| Incidence::default()),
             walls: self.walls.saved(),
             effort: self.effort,
+            total: self.total,
             reference: self.reference.clone(),
             wall_reference: self.wall_reference.clone(),
             ..Self::default()
@@ -116,8 +123,21 @@ impl Clone for Neighbours {
 impl Neighbours {
     /// Finds all pairs closer than `skin` [m] to touching.
     pub fn find(&mut self, grains: &Grains, walls: &[Wall], materials: &Materials, comm: &Single, skin: f64) {
-        self.effort = self.search.pairs(&mut self.pairs, grains, (materials, comm), skin);
-        self.search.walls(&mut self.walls, grains, (walls, materials), skin);
+        self.find_of(&(0..grains.len()), grains, (walls, materials, comm), skin);
+    }
+
+    /// Finds all pairs closer than `skin` [m] to touching that one of the `own` grains is in.
+    pub(crate) fn find_of(
+        &mut self,
+        own: &Range<usize>,
+        grains: &Grains,
+        (walls, materials, comm): (&[Wall], &Materials, &Single),
+        skin: f64,
+    ) {
+        let search = &mut self.search;
+        self.effort = search.pairs(&mut self.pairs, grains, (materials, comm), skin, own);
+        search.walls(&mut self.walls, grains, (walls, materials), skin, own);
+        self.total = self.pairs.table.len();
         self.find_incidence(grains);
         self.reference.copy(&grains.position);
         self.wall_reference.clear();
@@ -140,11 +160,15 @@ impl Neighbours {
     /// unless a file was tampered with.
     pub fn restore(&mut self, grains: &Grains, walls: usize, materials: usize) -> bool {
         let n = grains.len();
+        let is_own = |(s, segment): (usize, &Segment<WallPair>)| {
+            let own = self.pairs.grains_of(s, n);
+            (segment.candidates.iter()).all(|p| own.contains(&(p.grain as usize)) && (p.wall as usize) < walls)
+        };
         let fits = self.reference.len() == n
             && self.wall_reference.len() == walls
             && self.walls.is_whole(materials.pow(2))
-            && (self.walls.segments.iter().flat_map(|s| &s.candidates))
-                .all(|p| (p.grain as usize) < n && (p.wall as usize) < walls)
+            && self.walls.segments.len() == self.pairs.table.segments.len()
+            && self.walls.segments.iter().enumerate().all(is_own)
             && self.pairs.restore(n, materials.pow(2));
         if !fits {
             return false;
@@ -180,9 +204,14 @@ impl Neighbours {
         self.walls.chunk(chunk)
     }
 
-    /// Number of candidate pairs of grains.
+    /// Number of candidate pairs of grains in the table.
     pub fn pair_count(&self) -> usize {
         self.pairs.table.len()
+    }
+
+    /// Number of candidate pairs of grains, of all processes.
+    pub(crate) fn total(&self) -> usize {
+        self.total
     }
 
     /// Number of candidate pairs of grain and wall.
@@ -211,6 +240,11 @@ impl Neighbours {
     /// Chunks of a segment.
     pub(crate) fn chunks_of_segment(&self, segment: usize) -> Range<usize> {
         self.pairs.table.chunks_of(segment)
+    }
+
+    /// Chunks of pairs with walls of a segment.
+    pub(crate) fn wall_chunks_of_segment(&self, segment: usize) -> Range<usize> {
+        self.walls.chunks_of(segment)
     }
 
     /// Whether the pairs of a segment are of several laws, so that its chunks do not follow each other in the order of the sums.
@@ -256,7 +290,7 @@ impl Neighbours {
 
     /// Share of the candidates whose grains lie far apart in memory.
     pub(crate) fn scattered(&self) -> f64 {
-        self.effort.scattered as f64 / self.pairs.table.len().max(1) as f64
+        self.effort.scattered as f64 / self.total.max(1) as f64
     }
 
     /// Bytes in use: of the table, and of what a search needs.

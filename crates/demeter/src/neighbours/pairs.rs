@@ -171,6 +171,15 @@ impl PairTable {
         None
     }
 
+    /// A table of segments; [`PairTable::restore`] finds the rest.
+    pub(super) fn of_segments(segments: Vec<Segment<Pair>>, per_segment: usize) -> Self {
+        Self {
+            table: Table::of_segments(segments),
+            per_segment,
+            ..Self::default()
+        }
+    }
+
     /// Without what is found again.
     pub(super) fn saved(&self) -> Self {
         Self {

@@ -3,6 +3,7 @@
 use super::cells::Cells;
 use super::pairs::{Found, PairTable, Sorter};
 use super::table::{LawOrder, NOWHERE, Segment, Table};
+use super::surroundings::Surroundings;
 use super::visit::Near;
 use super::{Pair, WallPair};
 use crate::comm::Single;
@@ -12,10 +13,11 @@ use crate::walls::Wall;
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 /// Grains handled by one task; more where there are many pairs of materials, so that chunks are worth their while.
-const GRAINS_PER_TASK: usize = 512;
+pub(crate) const LEAST_OF_A_SEGMENT: usize = 512;
 
 /// Pairs of materials that a task of so many grains serves well.
 const FEW_LAWS: usize = 4;
@@ -46,7 +48,6 @@ impl SearchEffort {
 pub(super) struct Search {
     pub(super) cells: Cells,
     workers: Vec<Mutex<Worker>>,
-    near_walls: Vec<Vec<WallPair>>,
 }
 
 /// Memory of one thread.
@@ -72,27 +73,34 @@ impl Search {
         work(&mut worker)
     }
 
-    /// Finds all pairs of grains closer than `skin` to touching.
+    /// Finds all pairs of grains closer than `skin` to touching that one of the `own` grains is in. The effort is that of
+    /// the own ones.
     pub(super) fn pairs(
         &mut self,
         table: &mut PairTable,
         grains: &Grains,
         (materials, comm): (&Materials, &Single),
         skin: f64,
+        own: &Range<usize>,
     ) -> SearchEffort {
         self.prepare();
         self.cells.sort(grains, comm, skin);
         let laws = materials.list().len().pow(2);
-        let per_task = GRAINS_PER_TASK * laws.div_ceil(FEW_LAWS).clamp(1, 16);
+        let per_task = per_task(materials);
         let finder = Finder {
             grains,
             comm,
             skin,
             cells: &self.cells,
+            own: own.clone(),
+            surroundings: Surroundings::of(own, per_task, grains, skin),
         };
         let effort = (table.search(grains.len(), per_task).enumerate())
             .map(|(task, found)| {
                 let of = task * per_task..((task + 1) * per_task).min(grains.len());
+                if !finder.surroundings.may_meet(&of, grains, comm) {
+                    return SearchEffort::default();
+                }
                 self.with_worker(|worker| {
                     if finder.cells.is_periodic() {
                         finder.find::<true>(of, found, &mut worker.near)
@@ -116,37 +124,36 @@ impl Search {
         effort
     }
 
-    /// Finds all pairs of grain and wall closer than `skin` to touching.
+    /// Finds all pairs of grain and wall closer than `skin` to touching, by the segments of the pairs of grains.
     pub(super) fn walls(
         &mut self,
         table: &mut Table<WallPair>,
         grains: &Grains,
         (walls, materials): (&[Wall], &Materials),
         skin: f64,
+        own: &Range<usize>,
     ) {
         self.prepare();
-        self.near_walls
-            .resize_with(grains.len().div_ceil(GRAINS_PER_TASK), Vec::new);
-        self.near_walls.par_iter_mut().enumerate().for_each(|(task, near)| {
-            near.clear();
-            let end = ((task + 1) * GRAINS_PER_TASK).min(grains.len());
-            for first in (task * GRAINS_PER_TASK..end).step_by(GRAINS_PER_GROUP) {
-                group_near_walls(first..(first + GRAINS_PER_GROUP).min(end), grains, walls, skin, near);
-            }
-        });
-        table.segments.resize_with(1, Segment::default);
-        let worker = self.workers[0].get_mut().unwrap_or_else(PoisonError::into_inner);
-        worker.walls.clear();
-        self.near_walls
-            .iter()
-            .for_each(|near| worker.walls.extend_from_slice(near));
+        let per_task = per_task(materials);
+        table
+            .segments
+            .resize_with(grains.len().div_ceil(per_task), Segment::default);
         let law = |p: &WallPair| materials.pair(grains.material[p.grain as usize], walls[p.wall as usize].material);
-        worker.laws.clear();
-        worker.laws.extend(worker.walls.iter().map(law));
         let span = |span: (u32, u32), p: &WallPair| (span.0.min(p.grain), span.1.max(p.grain));
-        let segment = &mut table.segments[0];
-        segment.span = worker.walls.iter().fold(NOWHERE, span);
-        segment.fill(&worker.walls, &worker.laws, &mut worker.order);
+        (table.segments.par_iter_mut().enumerate()).for_each(|(s, segment)| {
+            self.with_worker(|worker| {
+                let near = &mut worker.walls;
+                near.clear();
+                let of = common(&(s * per_task..(s + 1) * per_task), own);
+                for first in of.clone().step_by(GRAINS_PER_GROUP) {
+                    group_near_walls(first..(first + GRAINS_PER_GROUP).min(of.end), grains, walls, skin, near);
+                }
+                worker.laws.clear();
+                worker.laws.extend(near.iter().map(law));
+                segment.span = near.iter().fold(NOWHERE, span);
+                segment.fill(near, &worker.laws, &mut worker.order);
+            });
+        });
         table.cut();
     }
 
@@ -162,10 +169,25 @@ struct Finder<'a> {
     comm: &'a Single,
     skin: f64,
     cells: &'a Cells,
+    /// Grains whose pairs are wanted.
+    own: Range<usize>,
+    surroundings: Surroundings,
+}
+
+/// Grains handled by one task.
+pub(super) fn per_task(materials: &Materials) -> usize {
+    let laws = materials.list().len().pow(2);
+    LEAST_OF_A_SEGMENT * laws.div_ceil(FEW_LAWS).clamp(1, 16)
+}
+
+/// What both ranges hold.
+fn common(one: &Range<usize>, other: &Range<usize>) -> Range<usize> {
+    let start = one.start.max(other.start);
+    start..one.end.min(other.end).max(start)
 }
 
 impl Finder<'_> {
-    fn find<const PERIODIC: bool>(&self, of: std::ops::Range<usize>, found: Found, near: &mut Near) -> SearchEffort {
+    fn find<const PERIODIC: bool>(&self, of: Range<usize>, found: Found, near: &mut Near) -> SearchEffort {
         let Self { grains, comm, .. } = *self;
         let rows = grains.position.rows();
         let half = 0.5 * comm.domain().size();
@@ -175,13 +197,20 @@ impl Finder<'_> {
             let row = rows[g];
             let id = grains.id[g];
             near.clear();
-            effort.tests += (self.cells).visit(g as u32, row.vector, row.scalar, near);
+            let mut tests = (self.cells).visit(g as u32, row.vector, row.scalar, near);
             if let Some(to_image) = below {
-                effort.tests += (self.cells).visit_below(row.vector, row.scalar, to_image, near);
+                tests += (self.cells).visit_below(row.vector, row.scalar, to_image, near);
             }
             let is_fixed = grains.is_fixed(g);
+            let is_own = self.own.contains(&g);
+            if is_own {
+                effort.tests += tests;
+            }
             for &h in near.grains() {
                 let other = &rows[h as usize];
+                if !is_own && !self.own.contains(&(h as usize)) {
+                    continue;
+                }
                 if is_fixed && grains.is_fixed(h as usize) {
                     continue;
                 }
@@ -200,7 +229,7 @@ impl Finder<'_> {
                         j: if is_first { h } else { g },
                         shift: if is_first { shift } else { Single::opposite(shift) },
                     };
-                    effort.scattered += u64::from(!of.contains(&(h as usize)));
+                    effort.scattered += u64::from(is_own && !of.contains(&(h as usize)));
                     if of.contains(&(pair.later() as usize)) {
                         found.own.push(pair);
                     } else {
@@ -215,7 +244,7 @@ impl Finder<'_> {
 
 /// Pairs with walls of grains that are neighbours in memory: a wall that is not near the ball around all of them is near
 /// none.
-fn group_near_walls(of: std::ops::Range<usize>, grains: &Grains, walls: &[Wall], skin: f64, near: &mut Vec<WallPair>) {
+fn group_near_walls(of: Range<usize>, grains: &Grains, walls: &[Wall], skin: f64, near: &mut Vec<WallPair>) {
     let rows = &grains.position.rows()[of.clone()];
     let (mut lower, mut upper, mut largest) = (DVec3::INFINITY, DVec3::NEG_INFINITY, 0.0f64);
     for row in rows {

@@ -81,6 +81,22 @@ impl<C> Default for Segment<C> {
 pub(super) const NOWHERE: (u32, u32) = (u32::MAX, 0);
 
 impl<C: Copy> Segment<C> {
+    /// Those of the candidates that are wanted; [`Table::cut`] and what finds the order come after it.
+    pub(super) fn picked(&self, wanted: impl Fn(&C) -> bool) -> Self {
+        let mut picked = Self::default();
+        let mut start = 0;
+        for run in &self.runs {
+            let candidates = &self.candidates[start..run.end as usize];
+            picked.candidates.extend(candidates.iter().copied().filter(&wanted));
+            let end = picked.candidates.len() as u32;
+            if picked.runs.last().map_or(0, |before| before.end) < end {
+                picked.runs.push(Run { law: run.law, end });
+            }
+            start = run.end as usize;
+        }
+        picked
+    }
+
     /// Takes what was found with its laws, in memory that it has wherever that is enough.
     pub(super) fn fill(&mut self, found: &[C], laws: &[u32], order: &mut LawOrder) {
         self.candidates.clear();
@@ -211,6 +227,14 @@ impl<C> Table<C> {
             self.first_chunks.push(self.places.len() as u32);
         }
         self.count = before as usize;
+    }
+
+    /// A table of segments, not cut yet.
+    pub(super) fn of_segments(segments: Vec<Segment<C>>) -> Self {
+        Self {
+            segments,
+            ..Self::default()
+        }
     }
 
     /// Without what [`Table::cut`] finds again.

@@ -12,9 +12,11 @@ pub use origins::Origins;
 pub use rows::{Row, Rows};
 pub use zone::{Zone, ZonePart, ZoneShape};
 
+use bytemuck::{Pod, Zeroable};
 use demeter_physics::integrator::gear::Derivatives;
 use glam::{DQuat, DVec3};
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// A grain to be added.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +65,8 @@ pub struct Grains {
 }
 
 /// Derivatives of the motion of one grain above the accelerations.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Pod, Zeroable)]
+#[repr(C)]
 pub struct HigherDerivatives {
     /// Third to fifth derivative of place [m/s^3, m/s^4, m/s^5].
     pub translation: Derivatives,
@@ -178,6 +181,44 @@ impl Grains {
         }
     }
 
+    /// What changes of some grains while a run goes on, as bytes.
+    pub(crate) fn pack(&self, some: Range<usize>) -> Vec<u8> {
+        let rows = [
+            &self.position,
+            &self.velocity,
+            &self.angular_velocity,
+            &self.force,
+            &self.torque,
+        ];
+        let mut packed: Vec<u8> = Vec::new();
+        for rows in rows {
+            packed.extend_from_slice(bytemuck::cast_slice(&rows.rows()[some.clone()]));
+        }
+        packed.extend_from_slice(bytemuck::cast_slice(&self.image[some.clone()]));
+        packed.extend_from_slice(bytemuck::cast_slice(&self.orientation[some.clone()]));
+        if !self.higher.is_empty() {
+            packed.extend_from_slice(bytemuck::cast_slice(&self.higher[some]));
+        }
+        packed
+    }
+
+    /// Takes what [`Grains::pack`] made of the same grains; tells whether it fits.
+    pub(crate) fn unpack(&mut self, some: Range<usize>, packed: &[u8]) -> bool {
+        let mut rest = packed;
+        let rows = [
+            &mut self.position,
+            &mut self.velocity,
+            &mut self.angular_velocity,
+            &mut self.force,
+            &mut self.torque,
+        ];
+        let fits = rows.into_iter().all(|rows| take(&mut rest, &mut rows.rows_mut()[some.clone()]))
+            && take(&mut rest, &mut self.image[some.clone()])
+            && take(&mut rest, &mut self.orientation[some.clone()])
+            && (self.higher.is_empty() || take(&mut rest, &mut self.higher[some]));
+        fits && rest.is_empty()
+    }
+
     /// Bytes that the tables have set aside.
     pub(crate) fn bytes(&self) -> usize {
         let rows = [
@@ -215,6 +256,17 @@ impl Grains {
             pick(&mut self.higher, order);
         }
     }
+}
+
+/// Takes values from the front of some bytes; tells whether there were enough.
+fn take<T: Pod>(bytes: &mut &[u8], values: &mut [T]) -> bool {
+    let into: &mut [u8] = bytemuck::cast_slice_mut(values);
+    let Some((front, rest)) = bytes.split_at_checked(into.len()) else {
+        return false;
+    };
+    into.copy_from_slice(front);
+    *bytes = rest;
+    true
 }
 
 /// Sets memory aside for so many in an empty list, with little more: pushed one by one, a list takes up to twice as much.

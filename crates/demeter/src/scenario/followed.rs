@@ -32,6 +32,12 @@ fn picked<'a, T>(scenario: &'a Scenario, pick: impl Fn(&'a MeasureKind) -> Optio
     scenario.measures.iter().filter_map(|m| pick(&m.kind)).collect()
 }
 
+/// Whether a field is sampled after this step.
+fn samples(field: &Field, sim: &Simulation) -> bool {
+    let steps = |seconds: f64| (seconds / sim.dt).round().max(1.0) as u64;
+    field.sample_every.is_some_and(|seconds| sim.step.is_multiple_of(steps(seconds)))
+}
+
 impl<'a> Followed<'a> {
     /// At the start of a run.
     pub fn begin(scenario: &'a Scenario) -> Self {
@@ -89,16 +95,24 @@ impl<'a> Followed<'a> {
         &self.state
     }
 
+    /// Whether anything is looked at after this step.
+    pub fn is_due(&self, sim: &Simulation) -> bool {
+        let remembers = !(self.flows.is_empty() && self.residences.is_empty() && self.displacements.is_empty());
+        remembers && sim.step.is_multiple_of(LOOK_EVERY) || self.needs_contacts(sim)
+    }
+
+    /// Whether contacts are looked at after this step, and not grains alone.
+    pub fn needs_contacts(&self, sim: &Simulation) -> bool {
+        self.fields.iter().any(|field| samples(field, sim))
+    }
+
     /// Looks after every step at what is due.
     pub fn watch(&mut self, sim: &Simulation, origins: &Origins) {
         if sim.step.is_multiple_of(LOOK_EVERY) {
             self.look(sim, origins);
         }
         for (field, state) in self.fields.iter().zip(&mut self.state.fields) {
-            let steps = field
-                .sample_every
-                .map(|seconds| (seconds / sim.dt).round().max(1.0) as u64);
-            if steps.is_some_and(|steps| sim.step.is_multiple_of(steps)) {
+            if samples(field, sim) {
                 field.sample(sim, origins, state);
             }
         }

@@ -108,7 +108,7 @@ impl LiveRun {
         let threads = thread_pool(options.threads)?;
         let runner = threads.install(|| {
             OwnRunner::try_new(scenario, |scenario| -> Result<Runner<'_>, RunError> {
-                let mut runner = Runner::resume(scenario, state, &folder, observer)?;
+                let mut runner = Runner::resume(scenario, state, Some(&folder), observer)?;
                 options.apply(&mut runner.sim);
                 Ok(runner)
             })

@@ -65,7 +65,7 @@ pub use packing_file::{FitTask, Match, PACKING_FIT_REFERENCE, PackingFile, Unkno
 pub use plain::{Foreign, Plain, faults_with_foreign};
 pub use prepare::{Prepared, prepare};
 pub use report::{Report, RunEnd};
-pub use run::{Observer, Progress, RunState, resume, run};
+pub use run::{Observer, Progress, RunState, all_or_none, resume, resume_shared, run, run_shared};
 pub use run_error::RunError;
 pub use run_options::RunOptions;
 pub use settings::{

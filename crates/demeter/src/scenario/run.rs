@@ -1,5 +1,6 @@
 //! Running a scenario: stages in order, output at its cadence, checkpoints, and how it ends.
 
+mod sharing;
 mod writing;
 
 use super::deformation::reached;
@@ -13,6 +14,7 @@ use super::run_options::RunOptions;
 use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::checkpoint;
+use crate::comm::Ranks;
 use crate::contacts::Fault;
 use crate::measure::{Measures, kinetic_over_elastic};
 use crate::output::{FrameWriter, RunFolder, SeriesLabels, StageSummary, Summary, wall_summaries};
@@ -20,6 +22,8 @@ use crate::particles::Domain;
 use crate::simulation::{Setup, Simulation, SimulationState, Stage, StopCondition};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+use sharing::{Inputs, agree};
+pub use sharing::all_or_none;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -99,32 +103,92 @@ pub fn run(
     options: RunOptions,
     observer: &mut dyn Observer,
 ) -> Result<Report, RunError> {
+    run_among(scenario, folder, options, None, observer)
+}
+
+/// Runs a scenario together with other processes, of which each calls this; the first writes the results. They are those of
+/// one process, to the bit.
+pub fn run_shared(
+    scenario: &Scenario,
+    folder: &Path,
+    options: RunOptions,
+    ranks: Box<dyn Ranks>,
+    observer: &mut dyn Observer,
+) -> Result<Report, RunError> {
+    run_among(scenario, folder, options, Some(ranks), observer)
+}
+
+fn run_among(
+    scenario: &Scenario,
+    folder: &Path,
+    options: RunOptions,
+    ranks: Option<Box<dyn Ranks>>,
+    observer: &mut dyn Observer,
+) -> Result<Report, RunError> {
     options.check()?;
-    let prepared = prepare(scenario)?;
+    let prepared = all_or_none(ranks.as_deref(), prepare(scenario).map_err(RunError::from))?;
+    if let Some(ranks) = &ranks {
+        agree(&**ranks, &Inputs::of(scenario, &prepared.setup.grains))?;
+    }
     thread_pool(options.threads)?.install(|| {
-        let folder = RunFolder::create(folder, options.overwrite)?;
-        let _lock = folder.lock()?;
-        folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
-        let mut runner = Runner::begin(scenario, prepared, Some(&folder), observer)?;
+        let create = || -> Result<_, RunError> {
+            let folder = RunFolder::create(folder, options.overwrite)?;
+            let lock = folder.lock()?;
+            folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
+            Ok((folder, lock))
+        };
+        let writes = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
+        let (files, _lock) = all_or_none(ranks.as_deref(), writes.then(create).transpose())?.unzip();
+        let mut runner = Runner::begin(scenario, prepared, files.as_ref(), observer)?;
         options.apply(&mut runner.sim);
-        runner.run_to_the_end(&folder, observer)
+        runner.share(ranks, observer)?;
+        runner.run_to_the_end(folder, observer)
     })
 }
 
 /// Continues the run in a folder from its latest checkpoint.
 pub fn resume(folder: &Path, options: RunOptions, observer: &mut dyn Observer) -> Result<Report, RunError> {
+    resume_among(folder, options, None, observer)
+}
+
+/// Continues the run in a folder together with other processes, of which each calls this, however many there were before.
+pub fn resume_shared(
+    folder: &Path,
+    options: RunOptions,
+    ranks: Box<dyn Ranks>,
+    observer: &mut dyn Observer,
+) -> Result<Report, RunError> {
+    resume_among(folder, options, Some(ranks), observer)
+}
+
+fn resume_among(
+    folder: &Path,
+    options: RunOptions,
+    ranks: Option<Box<dyn Ranks>>,
+    observer: &mut dyn Observer,
+) -> Result<Report, RunError> {
     options.check()?;
-    let folder = RunFolder::open(folder)?;
-    let _lock = folder.lock()?;
-    let (scenario, state) = read_run(&folder, observer)?;
+    let writes = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
+    let mut read = || -> Result<_, RunError> {
+        let folder = RunFolder::open(folder)?;
+        let lock = writes.then(|| folder.lock()).transpose()?;
+        let (scenario, state) = read_run(&folder, observer)?;
+        Ok((folder, lock, scenario, state))
+    };
+    let (folder, _lock, scenario, state) = all_or_none(ranks.as_deref(), read())?;
     if state.place.stage >= scenario.stages.len() {
         let folder = folder.root().to_owned();
         return Err(RunError::Finished { folder });
     }
+    if let Some(ranks) = &ranks {
+        // nobody writes the next checkpoint before all have read this one
+        agree(&**ranks, &Inputs::of(&scenario, &state.simulation.grains))?;
+    }
     thread_pool(options.threads)?.install(|| {
-        let mut runner = Runner::resume(&scenario, state, &folder, observer)?;
+        let mut runner = Runner::resume(&scenario, state, writes.then_some(&folder), observer)?;
         options.apply(&mut runner.sim);
-        runner.run_to_the_end(&folder, observer)
+        runner.share(ranks, observer)?;
+        runner.run_to_the_end(folder.root(), observer)
     })
 }
 
@@ -255,7 +319,7 @@ impl<'a> Runner<'a> {
     pub(super) fn resume(
         scenario: &'a Scenario,
         state: RunState,
-        folder: &RunFolder,
+        folder: Option<&RunFolder>,
         observer: &mut dyn Observer,
     ) -> Result<Self, RunError> {
         let mut setup: Setup = prepare_to_resume(scenario, state.domain)?;
@@ -264,12 +328,18 @@ impl<'a> Runner<'a> {
         let had_custom_force = state.simulation.had_custom_force();
         let sim = Simulation::resume(setup, state.simulation)?;
         let traffic = Traffic::resume(scenario, sim.domain(), state.traffic)?;
-        let rows = Rows::resume(scenario, folder, step)?;
-        let files = Files {
-            frames: FrameWriter::resume(folder, step)?,
-            fields: FieldFiles::open(scenario, folder, Some(step))?,
-            folder: folder.clone(),
+        let rows = match folder {
+            Some(folder) => Rows::resume(scenario, folder, step)?,
+            None => Rows::in_memory(scenario),
         };
+        let files = |folder: &RunFolder| -> Result<Files, RunError> {
+            Ok(Files {
+                frames: FrameWriter::resume(folder, step)?,
+                fields: FieldFiles::open(scenario, folder, Some(step))?,
+                folder: folder.clone(),
+            })
+        };
+        let files = folder.map(files).transpose()?;
         let mut told = vec![format!("going on from step {step}, time {:.4e} s", sim.time())];
         if had_custom_force {
             told.push(
@@ -284,9 +354,24 @@ impl<'a> Runner<'a> {
         }));
         for text in told {
             observer.message(&text);
-            folder.log_line(&text)?;
+            folder.map_or(Ok(()), |folder| folder.log_line(&text))?;
         }
-        Ok(Self::new(scenario, (sim, traffic), state.place, (rows, Some(files))))
+        Ok(Self::new(scenario, (sim, traffic), state.place, (rows, files)))
+    }
+
+    /// Shares the run with other processes, where there are any.
+    fn share(&mut self, ranks: Option<Box<dyn Ranks>>, observer: &mut dyn Observer) -> Result<(), RunError> {
+        let Some(ranks) = ranks else { return Ok(()) };
+        let count = ranks.count();
+        self.sim.share(ranks);
+        self.say(&format!("the run is shared by {count} processes"), observer)?;
+        if let Some(reason) = self.sim.shares_nothing() {
+            let text = format!(
+                "warning: with {reason} every process does the work of all: the results are right, but nothing is gained; run                  one process with more --threads"
+            );
+            self.say(&text, observer)?;
+        }
+        Ok(())
     }
 
     fn new(
@@ -318,20 +403,21 @@ impl<'a> Runner<'a> {
         }
     }
 
-    fn run_to_the_end(&mut self, folder: &RunFolder, observer: &mut dyn Observer) -> Result<Report, RunError> {
+    fn run_to_the_end(&mut self, folder: &Path, observer: &mut dyn Observer) -> Result<Report, RunError> {
         let end = loop {
             if let Pause::End(end) = self.advance(&Until::default(), observer)? {
                 break end;
             }
         };
         let summary = self.finish(&end, observer)?;
-        let folder = folder.root().to_owned();
+        let folder = folder.to_owned();
         Ok(Report { end, summary, folder })
     }
 
     /// Writes what a run leaves behind at its end.
     pub(super) fn finish(&mut self, end: &RunEnd, observer: &mut dyn Observer) -> Result<Summary, RunError> {
         self.started = clock_after(self.computed);
+        self.sim.make_whole();
         if let RunEnd::Fault(fault) = &end {
             self.say(&format!("error: {fault}"), observer)?;
             self.write_frame()?;
@@ -414,7 +500,7 @@ impl<'a> Runner<'a> {
         if let Err(fault) = self.sim.step() {
             return Ok(Err(fault));
         }
-        self.traffic.watch(&self.sim);
+        self.traffic.watch(&mut self.sim);
         self.particle_steps += self.sim.grains.len() as u64;
         let cadence = self.stage().cadence;
         if !is_over && self.is_due(cadence.series) {
@@ -424,6 +510,7 @@ impl<'a> Runner<'a> {
             self.write_frame()?;
         }
         self.tell(observer);
+        self.cancelled |= self.sim.is_asked_to_end();
         Ok(Ok(()))
     }
 
@@ -511,6 +598,9 @@ impl<'a> Runner<'a> {
             StopCondition::Steps(steps) => (elapsed >= *steps).then(|| format!("its {steps} steps are done")),
             StopCondition::KineticOverElastic(share) => {
                 let looks = elapsed > 0 && elapsed.is_multiple_of(ENERGY_INTERVAL);
+                if looks {
+                    self.sim.make_whole();
+                }
                 let energies = looks.then(|| self.sim.energies()).filter(|e| e.elastic > 0.0)?;
                 let ratio = kinetic_over_elastic(&self.sim, &energies);
                 (ratio < *share).then(|| format!("kinetic over elastic energy is {ratio:.3e}, below {share:e}"))
@@ -577,7 +667,15 @@ impl<'a> Runner<'a> {
             elapsed,
             steps_here: self.sim.step - self.first_step,
         };
-        self.cancelled = !observer.progress(&progress);
+        if observer.progress(&progress) {
+            return;
+        }
+        if self.sim.sharing().is_some() {
+            // all end after the same step
+            self.sim.ask_to_end();
+        } else {
+            self.cancelled = true;
+        }
     }
 }
 

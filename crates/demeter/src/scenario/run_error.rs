@@ -63,6 +63,31 @@ pub enum RunError {
          scenario"
     )]
     OtherTraffic,
+    /// Another process that shares the run failed, and tells why.
+    #[error("process {rank} failed")]
+    OtherProcess {
+        /// Number of the process.
+        rank: usize,
+    },
+    /// This process failed and the first one that shares the run did not.
+    #[error("process {rank}: {source}")]
+    ThisProcess {
+        /// Number of the process.
+        rank: usize,
+        /// Why.
+        source: Box<RunError>,
+    },
+    /// Processes that are to share the run do not have the same.
+    #[error(
+        "process {rank} differs from process 0: it has {what}. All processes of a run need the same program and the same \
+         files, on every host"
+    )]
+    OtherInputs {
+        /// Number of the process.
+        rank: usize,
+        /// What it has.
+        what: String,
+    },
     /// A feed cannot serve.
     #[error("feed `{feed}`: {problem}")]
     Feed {

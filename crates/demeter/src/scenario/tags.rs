@@ -55,7 +55,7 @@ pub(super) fn tags(root: &TableReader<'_>, named: &Named<'_>) -> Vec<TagSpec> {
 
 impl TagSpec {
     /// Whether grains get the tag between the latest step and the next.
-    fn is_due(&self, sim: &Simulation) -> bool {
+    pub(super) fn is_due(&self, sim: &Simulation) -> bool {
         let first = (self.at / sim.dt).round() as u64;
         let Some(since) = sim.step.checked_sub(first) else {
             return false;

@@ -138,8 +138,25 @@ impl<'a> Traffic<'a> {
     }
 
     /// Looks where grains are when it is time.
-    pub fn watch(&mut self, sim: &Simulation) {
-        self.followed.watch(sim, &self.state.origins);
+    pub fn watch(&mut self, sim: &mut Simulation) {
+        if self.followed.is_due(sim) {
+            if self.followed.needs_contacts(sim) {
+                sim.make_whole();
+            } else {
+                sim.make_grains_whole();
+            }
+            self.followed.watch(sim, &self.state.origins);
+        }
+    }
+
+    /// Whether grains are looked at between the latest step and the next.
+    fn is_due(&self, sim: &Simulation) -> bool {
+        let (scenario, state) = (self.scenario, &self.state);
+        let mut removals = scenario.removals.iter().zip(&state.removals);
+        let mut feeds = scenario.feeds.iter().zip(&state.feeds);
+        scenario.tags.iter().any(|tag| tag.is_due(sim))
+            || removals.any(|(spec, state)| state.active && is_due(sim, spec.every))
+            || feeds.any(|(spec, state)| state.active && !state.done && is_due(sim, spec.every))
     }
 
     fn look(&mut self, sim: &Simulation) {
@@ -180,6 +197,15 @@ impl<'a> Traffic<'a> {
     /// Lets grains go and come that are due between the latest step and the next; answers with what a user wants to read.
     pub fn exchange(&mut self, sim: &mut Simulation) -> Result<Vec<String>, RunError> {
         let mut messages = Vec::new();
+        if !self.is_due(sim) {
+            return Ok(messages);
+        }
+        // a feed that ends where grains pile up looks at contacts
+        if self.scenario.feeds.iter().any(|feed| feed.end.level.is_some()) {
+            sim.make_whole();
+        } else {
+            sim.make_grains_whole();
+        }
         self.tag(sim);
         let leaving = self.leaving(sim);
         let (come, from) = self.coming(sim, &leaving, &mut messages);

@@ -374,7 +374,7 @@ impl Simulation {
         let Some(mut state) = self.deforming.take() else {
             return;
         };
-        state.across = self.contacts.across();
+        state.across = self.work.across;
         if self.step > 0 {
             self.book_across(&state);
         }
@@ -467,7 +467,7 @@ impl Simulation {
         Err(Fault::BoxTooSmall {
             step: self.step,
             id: largest.map_or(0, |g| self.grains.id[g]),
-            direction: ["x", "y", "z"][axis],
+            direction: ["x", "y", "z"][axis].into(),
             size,
             least: (2.0 * state.largest_radius + self.beyond_touch() + least) / 0.49,
         })

@@ -46,6 +46,7 @@ impl Simulation {
         if coming.is_empty() && going.is_empty() {
             return Ok(());
         }
+        self.make_whole();
         for &wall in &coming {
             self.check_way(wall)?;
         }

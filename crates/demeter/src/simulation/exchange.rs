@@ -63,6 +63,9 @@ impl Simulation {
                 latest: self.latest_id,
             });
         };
+        if !(leave.is_empty() && come.is_empty()) {
+            self.make_whole();
+        }
         if !leave.is_empty() {
             self.remove(leave);
         }

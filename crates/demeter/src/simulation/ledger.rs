@@ -255,7 +255,7 @@ impl Simulation {
 
     /// Work of this step. What the grains do on freely moving walls passes from them to these: no drive does it.
     pub(crate) fn step_tally(&self) -> Tally {
-        let mut tally = self.contacts.tally();
+        let mut tally = self.work.tally;
         tally.wall_work += self.free_walls.power * self.dt;
         tally
     }

@@ -3,6 +3,7 @@
 mod custom;
 mod deformation;
 mod deforming_box;
+mod division;
 mod equipment;
 mod exchange;
 mod intervention;
@@ -21,6 +22,7 @@ pub use crate::step::Effort;
 pub use custom::{CustomForce, CustomMotion, CustomMotionError, ForceMoment, GrainLoads, NumberCourse, VectorCourse};
 pub use deformation::{Deformation, DeformationError, Drive, Misfit, Shear};
 pub use deforming_box::BoxState;
+pub use division::Sharing;
 pub use equipment::WallInTheWay;
 pub use exchange::ExchangeError;
 pub use intervention::ChangeError;
@@ -34,11 +36,13 @@ pub use state::{SimulationState, StateError};
 pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, WallPartner, refusals, shortest_time_scale, unsafe_share};
 
 use deforming_box::DeformingBox;
+use division::Division;
 use skin::SkinTuner;
 pub(crate) use skin::{Counts, ROOM_FOR_BULGES};
 use time_step::largest_reach;
 
 use crate::comm::Single;
+use crate::contacts::step_work::StepWork;
 use crate::contacts::sum::Sums;
 use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTable, laws};
 use crate::materials::Materials;
@@ -112,6 +116,12 @@ pub struct Simulation {
     /// `None` where all contacts are independent.
     pub(crate) coupling: Option<CouplingState>,
     pub(crate) sums: Sums,
+    /// What the contacts did in the latest step.
+    pub(crate) work: StepWork,
+    /// `None` where this process has the run for itself.
+    division: Option<Box<Division>>,
+    /// How often the tables of candidates were found.
+    tables: u64,
     /// `None` where the box keeps its shape.
     pub(crate) deforming: Option<Box<DeformingBox>>,
     pub(crate) resists_rolling: bool,
@@ -191,6 +201,9 @@ impl Simulation {
             max_overlap: setup.max_overlap,
             coupling,
             sums: Sums::default(),
+            work: StepWork::default(),
+            division: None,
+            tables: 0,
             deforming: None,
             resists_rolling,
             records_walls,
@@ -286,9 +299,11 @@ impl Simulation {
 
     /// Finds all candidates anew; contacts keep what they remember.
     pub fn find_candidates(&mut self) {
+        if self.is_divided() {
+            return self.find_candidates_together();
+        }
         self.wrap_grains();
-        let is_scattered = || self.neighbours.scattered() > self.scattered_in_order + DECAY;
-        let is_moved = self.rebuilds == 0 || self.puts_in_order && is_scattered();
+        let is_moved = self.is_out_of_order();
         if is_moved {
             self.order.sort(&mut self.grains);
         }
@@ -297,6 +312,12 @@ impl Simulation {
         if is_moved {
             self.scattered_in_order = self.neighbours.scattered();
         }
+    }
+
+    /// Whether the grains are to be put in order again before candidates are found.
+    fn is_out_of_order(&self) -> bool {
+        let is_scattered = || self.neighbours.scattered() > self.scattered_in_order + DECAY;
+        self.rebuilds == 0 || self.puts_in_order && is_scattered()
     }
 
     /// Puts the grains back into the periodic box, within a step or before the first.
@@ -316,7 +337,11 @@ impl Simulation {
             coupling.take_margin(self.skin);
         }
         let beyond_touch = self.skin + self.beyond_touch();
-        (self.neighbours).find(&self.grains, &self.walls, &self.materials, &self.comm, beyond_touch);
+        let own = self.own_grains();
+        let with = (&self.walls[..], &self.materials, &self.comm);
+        (self.neighbours).find_of(&own, &self.grains, with, beyond_touch);
+        self.tables += 1;
+        self.count_candidates();
         let moved_to = is_moved.then(|| self.order.moved_to());
         self.contacts.hand_over(&self.neighbours, moved_to);
         self.tuner.note_rebuild(self.step);
@@ -333,7 +358,7 @@ impl Simulation {
 
     /// Number of candidate pairs of grains.
     pub fn candidates(&self) -> usize {
-        self.neighbours.pair_count()
+        self.neighbours.total()
     }
 
     /// What solving the coupled equation of the contacts took so far.

@@ -27,6 +27,8 @@ pub enum Phase {
     Motion,
     /// Walls moved, and their loads.
     Walls,
+    /// Other processes told and heard, and waited for.
+    Ranks,
     /// Energy books.
     Books,
     /// Rows, frames, checkpoints, pictures.
@@ -107,6 +109,7 @@ impl Profile {
             ("walls", walls + of(Phase::Walls)),
             ("sums and kick", of(Phase::Sums)),
             ("drift", of(Phase::Motion)),
+            ("other ranks", of(Phase::Ranks)),
             ("books", of(Phase::Books)),
             (OUTPUT, of(Phase::Output)),
             (OTHER, of(Phase::Other)),

@@ -79,7 +79,7 @@ impl Counts {
     pub(crate) fn new(neighbours: &Neighbours, contacts: usize) -> Self {
         Self {
             grains: neighbours.reference.len(),
-            candidates: neighbours.pair_count(),
+            candidates: neighbours.total(),
             contacts,
         }
     }

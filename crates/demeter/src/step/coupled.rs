@@ -229,6 +229,7 @@ impl Simulation {
             });
             let work = Work {
                 neighbours: &self.neighbours,
+                segments: 0..self.neighbours.segments(),
                 instructions: self.instructions,
                 waits: scene.is_deforming(),
                 step: |number: usize, chunk: &mut ContactChunk, collector: &mut Collector| {
@@ -490,7 +491,7 @@ impl Simulation {
             || Fault::NotFinite {
                 step: self.step,
                 id: self.grains.id[0],
-                quantity: "coupled force",
+                quantity: "coupled force".into(),
                 position: self.grains.position[0],
             },
             |(_, fault)| fault,

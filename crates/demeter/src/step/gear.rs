@@ -15,24 +15,25 @@ impl Simulation {
     pub(super) fn predict(&mut self) -> Motion {
         let method = Gear::new(self.dt);
         let domain = *self.comm.domain();
+        let own = self.own_grains();
         let grains = &mut self.grains;
         let n = GRAINS_PER_TASK;
         (
             (
-                grains.position.rows_mut().par_chunks_mut(n),
-                grains.velocity.rows_mut().par_chunks_mut(n),
+                grains.position.rows_mut()[own.clone()].par_chunks_mut(n),
+                grains.velocity.rows_mut()[own.clone()].par_chunks_mut(n),
             ),
             (
-                grains.orientation.par_chunks_mut(n),
-                grains.angular_velocity.rows_mut().par_chunks_mut(n),
+                grains.orientation[own.clone()].par_chunks_mut(n),
+                grains.angular_velocity.rows_mut()[own.clone()].par_chunks_mut(n),
             ),
             (
-                grains.force.rows_mut().par_chunks_mut(n),
-                grains.torque.rows_mut().par_chunks_mut(n),
+                grains.force.rows_mut()[own.clone()].par_chunks_mut(n),
+                grains.torque.rows_mut()[own.clone()].par_chunks_mut(n),
             ),
-            grains.higher.par_chunks_mut(n),
-            grains.mass.par_chunks(n),
-            self.neighbours.reference.rows().par_chunks(n),
+            grains.higher[own.clone()].par_chunks_mut(n),
+            grains.mass[own.clone()].par_chunks(n),
+            self.neighbours.reference.rows()[own.clone()].par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
@@ -61,7 +62,7 @@ impl Simulation {
                         speed2 = speed2.max(velocity[k].vector.length_squared());
                         displacement2 = displacement2.max((position[k].vector - reference[k].vector).length_squared());
                         if motion.misplaced.is_none() && !domain.contains(position[k].vector) {
-                            motion.misplaced = Some(task * n + k);
+                            motion.misplaced = Some(own.start + task * n + k);
                         }
                     }
                     motion.max_speed = speed2.sqrt();
@@ -80,30 +81,31 @@ impl Simulation {
         let method = Gear::new(self.dt);
         let (neighbours, walls, gravity) = (&self.neighbours, &self.contacts.walls, self.gravity);
         let sums = &self.sums;
+        let own = self.own_grains();
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
         (
             (
-                grains.position.rows_mut().par_chunks_mut(n),
-                grains.velocity.rows_mut().par_chunks_mut(n),
+                grains.position.rows_mut()[own.clone()].par_chunks_mut(n),
+                grains.velocity.rows_mut()[own.clone()].par_chunks_mut(n),
             ),
             (
-                grains.orientation.par_chunks_mut(n),
-                grains.angular_velocity.rows_mut().par_chunks_mut(n),
+                grains.orientation[own.clone()].par_chunks_mut(n),
+                grains.angular_velocity.rows_mut()[own.clone()].par_chunks_mut(n),
             ),
             (
-                grains.force.rows_mut().par_chunks_mut(n),
-                grains.torque.rows_mut().par_chunks_mut(n),
+                grains.force.rows_mut()[own.clone()].par_chunks_mut(n),
+                grains.torque.rows_mut()[own.clone()].par_chunks_mut(n),
             ),
-            grains.higher.par_chunks_mut(n),
-            grains.mass.par_chunks(n),
+            grains.higher[own.clone()].par_chunks_mut(n),
+            grains.mass[own.clone()].par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
             .map(
                 |(task, ((position, velocity), (orientation, spin), (force, torque), higher, mass))| {
                     let mut bad = None;
-                    let sums = GrainSums::new(sums, neighbours, walls).behind(task * n);
+                    let sums = GrainSums::new(sums, neighbours, walls).behind(own.start + task * n);
                     for k in 0..velocity.len() {
                         let (contact_force, new_torque) = sums.vectors_of(k);
                         let new_force = contact_force + gravity * mass[k];
@@ -128,7 +130,7 @@ impl Simulation {
                             && new_force.is_finite()
                             && new_torque.is_finite())
                         {
-                            bad = first_by_id(ids, bad, Some(task * n + k));
+                            bad = first_by_id(ids, bad, Some(own.start + task * n + k));
                         }
                     }
                     bad

@@ -2,6 +2,7 @@
 
 use super::{GRAINS_PER_TASK, Motion, first_by_id};
 use crate::contacts::sum::GrainSums;
+use crate::neighbours::LEAST_OF_A_SEGMENT;
 use crate::particles::Domain;
 use crate::simulation::Simulation;
 use crate::threads::{Divisible, divide};
@@ -15,21 +16,23 @@ impl Simulation {
         let dt = self.dt;
         let domain = *self.comm.domain();
         let instructions = self.instructions;
+        let own = self.own_grains();
         let grains = &mut self.grains;
         let all = Drift {
-            first: 0,
-            position: grains.position.table_mut(),
-            velocity: grains.velocity.table_mut(),
-            spin: grains.angular_velocity.table_mut(),
-            orientation: &mut grains.orientation,
-            force: grains.force.table(),
-            torque: grains.torque.table(),
-            reference: self.neighbours.reference.table(),
+            first: own.start,
+            position: &mut grains.position.table_mut()[own.clone()],
+            velocity: &mut grains.velocity.table_mut()[own.clone()],
+            spin: &mut grains.angular_velocity.table_mut()[own.clone()],
+            orientation: &mut grains.orientation[own.clone()],
+            force: &grains.force.table()[own.clone()],
+            torque: &grains.torque.table()[own.clone()],
+            reference: &self.neighbours.reference.table()[own],
             dt,
             domain: &domain,
         };
         let drift = |some: Drift| lanes::run(instructions, some);
-        divide(all, GRAINS_PER_TASK, &drift, &Motion::merge)
+        // the bounds of the speeds depend on how grains are cut: everywhere where segments of candidates may end
+        divide(all, LEAST_OF_A_SEGMENT, &drift, &Motion::merge)
     }
 
     /// Sum per grain, body force, and the kick over `correction` [s] that corrects the predicted velocity. Tells the first
@@ -37,17 +40,18 @@ impl Simulation {
     pub(super) fn kick(&mut self, correction: f64) -> Option<usize> {
         let (neighbours, walls, gravity) = (&self.neighbours, &self.contacts.walls, self.gravity);
         let (sums, instructions) = (&self.sums, self.instructions);
+        let own = self.own_grains();
         let grains = &mut self.grains;
         let ids = &grains.id;
         let all = Kick {
-            first: 0,
+            first: own.start,
             ids,
-            velocity: grains.velocity.table_mut(),
-            spin: grains.angular_velocity.table_mut(),
-            force: grains.force.table_mut(),
-            torque: grains.torque.table_mut(),
-            mass: &grains.mass,
-            sums: GrainSums::new(sums, neighbours, walls),
+            velocity: &mut grains.velocity.table_mut()[own.clone()],
+            spin: &mut grains.angular_velocity.table_mut()[own.clone()],
+            force: &mut grains.force.table_mut()[own.clone()],
+            torque: &mut grains.torque.table_mut()[own.clone()],
+            mass: &grains.mass[own.clone()],
+            sums: GrainSums::new(sums, neighbours, walls).behind(own.start),
             gravity,
             correction,
         };

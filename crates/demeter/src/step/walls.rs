@@ -22,7 +22,7 @@ impl Simulation {
     /// Tells all walls their loads; freely moving ones complete their step. What is recorded counts for `dt` [s].
     pub(super) fn load_walls(&mut self, dt: f64) {
         for (index, wall) in self.walls.iter_mut().enumerate() {
-            let (force, torque) = self.contacts.wall_load(index);
+            let (force, torque) = self.work.walls[index];
             wall.set_load(force, torque);
         }
         for follower in 0..self.walls.len() {
@@ -52,7 +52,10 @@ impl Simulation {
         if dt == 0.0 {
             return;
         }
-        for mark in self.contacts.walls.iter().flat_map(|chunk| &chunk.marks) {
+        let is_divided = self.is_divided();
+        let here = self.contacts.walls.iter().map(|chunk| &chunk.marks);
+        let everywhere = (self.work.marks.iter()).chain(here.filter(|_| !is_divided));
+        for mark in everywhere.flatten() {
             self.walls[mark.wall as usize].mark(mark, dt);
         }
         self.walls.iter_mut().for_each(|wall| wall.pass_recorded(dt));

@@ -44,7 +44,7 @@ pub struct WearCoefficients {
 }
 
 /// What one contact did to an element in a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Mark {
     /// Index of the wall.
     pub(crate) wall: u32,

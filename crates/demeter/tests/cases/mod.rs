@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a set-up that fails is a failed test")]
 
 pub mod beds;
+pub mod ranks;
 
 use demeter::contacts::Coupling;
 use demeter::materials::{Material, Materials, PairChoice};

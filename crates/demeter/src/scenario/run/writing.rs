@@ -15,6 +15,7 @@ impl<'a> Runner<'a> {
             return Ok(());
         }
         self.sim.took(Phase::Other);
+        self.sim.make_whole();
         let moment = self.moment();
         let row = self.rows.write(&mut self.sim, &mut self.traffic, moment)?;
         self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
@@ -44,13 +45,16 @@ impl<'a> Runner<'a> {
         if self.place.last_frame == Some(self.sim.step) {
             return Ok(());
         }
-        let Some(mut files) = self.files.take() else {
+        if self.files.is_none() && self.sim.is_first_process() {
             return Ok(());
-        };
+        }
         self.sim.took(Phase::Other);
-        let written = self.write_files(&mut files);
-        self.files = Some(files);
-        written?;
+        self.sim.make_whole();
+        if let Some(mut files) = self.files.take() {
+            let written = self.write_files(&mut files);
+            self.files = Some(files);
+            written?;
+        }
         self.sim.walls.iter_mut().for_each(Wall::begin_interval);
         self.place.last_frame = Some(self.sim.step);
         self.sim.took(Phase::Output);
@@ -81,6 +85,7 @@ impl<'a> Runner<'a> {
     }
 
     pub(super) fn write_checkpoint(&mut self) -> Result<(), RunError> {
+        self.sim.make_whole();
         let root = self.files.as_ref().map(|files| files.folder.root().to_owned());
         root.map_or(Ok(()), |root| self.save_checkpoint(&root))
     }

@@ -1,0 +1,93 @@
+//! The processes of an MPI job, of which each runs this program.
+
+use crate::answer;
+use crate::failure::Failure;
+use demeter::comm::Ranks;
+use demeter::scenario::{RunError, all_or_none};
+#[cfg(feature = "mpi")]
+use demeter::comm::MpiJob;
+
+/// Seconds after which a process gives up that hears nothing of the others, where `DEMETER_PATIENCE` tells no other.
+#[cfg(feature = "mpi")]
+const PATIENCE: u64 = 600;
+
+/// An MPI job, where a launcher such as `mpirun` has started this process.
+pub struct Job {
+    #[cfg(feature = "mpi")]
+    mpi: Option<(MpiJob, std::time::Duration)>,
+}
+
+impl Job {
+    /// Joins the job. The first of several processes speaks for all.
+    #[cfg(feature = "mpi")]
+    pub fn join() -> Result<Self, Failure> {
+        if !MpiJob::is_launched() {
+            return Ok(Self { mpi: None });
+        }
+        let seconds = match std::env::var("DEMETER_PATIENCE") {
+            Err(_) => PATIENCE,
+            Ok(text) => text.parse().ok().filter(|&seconds| seconds > 0).ok_or_else(|| {
+                Failure::wrong(format!("DEMETER_PATIENCE is `{text}`, not a whole number of seconds above 0"))
+            })?,
+        };
+        let mpi = MpiJob::begin().map_err(|error| Failure::io(error.to_string()))?;
+        let patience = std::time::Duration::from_secs(seconds);
+        if mpi.ranks(patience).rank() > 0 {
+            answer::be_silent(true);
+        }
+        Ok(Self {
+            mpi: Some((mpi, patience)),
+        })
+    }
+
+    /// Refuses to be one of several processes, each of which would run all.
+    #[cfg(not(feature = "mpi"))]
+    pub fn join() -> Result<Self, Failure> {
+        let processes = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"];
+        let several = |name: &&str| {
+            let count = std::env::var(name).ok().and_then(|text| text.parse::<u32>().ok());
+            count.is_some_and(|count| count > 1)
+        };
+        match processes.iter().find(several) {
+            None => Ok(Self {}),
+            Some(_) => Err(Failure::wrong(
+                "this program was built without MPI, so that each process would run all; build it with \
+                 `cargo build --release -p demeter-cli --features mpi`, or run it without `mpirun`",
+            )),
+        }
+    }
+
+    /// The processes that share a run; `None` where there is one.
+    pub fn ranks(&self) -> Option<Box<dyn Ranks>> {
+        #[cfg(feature = "mpi")]
+        if let Some((mpi, patience)) = &self.mpi {
+            let ranks = mpi.ranks(*patience);
+            return (ranks.count() > 1).then(|| Box::new(ranks) as Box<dyn Ranks>);
+        }
+        None
+    }
+
+    /// What all processes have read, or why one could not.
+    pub fn agree<T>(&self, read: Result<T, impl Into<RunError>>) -> Result<T, Failure> {
+        all_or_none(self.ranks().as_deref(), read.map_err(Into::into)).map_err(|error| self.fail(error))
+    }
+
+    /// Why the run failed. Where the other processes do not know, it is told, and they are ended.
+    pub fn fail(&self, error: RunError) -> Failure {
+        let is_first = self.ranks().is_none_or(|ranks| ranks.rank() == 0);
+        match error {
+            RunError::ThisProcess { .. } => self.end_all(Failure::from(error)),
+            RunError::Output(_) | RunError::Checkpoint(_) if is_first => self.end_all(Failure::from(error)),
+            error => Failure::from(error),
+        }
+    }
+
+    fn end_all(&self, failure: Failure) -> Failure {
+        #[cfg(feature = "mpi")]
+        if let Some((mpi, _)) = self.mpi.as_ref().filter(|_| self.ranks().is_some()) {
+            answer::be_silent(false);
+            mpi.abort(failure.tell(false) as i32);
+        }
+        failure
+    }
+}

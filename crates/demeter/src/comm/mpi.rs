@@ -1,0 +1,217 @@
+//! Ranks that are processes of an MPI job.
+
+use super::ranks::{Message, Ranks, Traffic};
+use mpi::datatype::PartitionMut;
+use mpi::environment::Universe;
+use mpi::request::{Request, Scope, scope};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::{Communicator, CommunicatorCollectives, Destination, Source};
+use mpi::{Count, Threading};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Most bytes that all ranks together tell each other at once: MPI counts them with 31 bits.
+const AT_ONCE: usize = 1 << 30;
+
+/// Looks in vain before the core is offered to others, and between two looks at the clock.
+const LOOKS: u32 = 100;
+
+/// Environment variables by which launchers tell a process how many there are: Open MPI, MPICH and its kin, Slurm.
+const LAUNCHERS: [&str; 4] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS", "PMIX_RANK"];
+
+/// Why an MPI job cannot begin.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum MpiError {
+    /// MPI was begun before in this process.
+    #[error("MPI was begun before in this process")]
+    BegunBefore,
+    /// The MPI of this machine does not let another thread than the first speak.
+    #[error(
+        "this MPI lets only the first thread of a process speak ({0}), and Demeter's threads take turns: use an Open MPI or \
+         MPICH that was built with threads"
+    )]
+    Threads(String),
+}
+
+/// An MPI job that goes on until this is dropped.
+pub struct MpiJob {
+    _universe: Universe,
+}
+
+impl std::fmt::Debug for MpiJob {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "an MPI job")
+    }
+}
+
+impl MpiJob {
+    /// Whether a launcher such as `mpirun` has started this process.
+    pub fn is_launched() -> bool {
+        LAUNCHERS.iter().any(|name| std::env::var_os(name).is_some())
+    }
+
+    /// Begins.
+    pub fn begin() -> Result<Self, MpiError> {
+        let (universe, threading) =
+            mpi::initialize_with_threading(Threading::Serialized).ok_or(MpiError::BegunBefore)?;
+        if threading < Threading::Serialized {
+            return Err(MpiError::Threads(format!("{threading:?}")));
+        }
+        Ok(Self { _universe: universe })
+    }
+
+    /// All processes of the job, which give up when one of them says nothing for so long.
+    pub fn ranks(&self, patience: Duration) -> MpiRanks {
+        MpiRanks {
+            patience,
+            traffic: Mutex::default(),
+        }
+    }
+
+    /// Ends all processes of the job at once, with this exit code.
+    pub fn abort(&self, code: i32) -> ! {
+        SimpleCommunicator::world().abort(code)
+    }
+}
+
+/// All processes of an MPI job.
+#[derive(Debug)]
+pub struct MpiRanks {
+    patience: Duration,
+    traffic: Mutex<Traffic>,
+}
+
+impl MpiRanks {
+    /// Waits for a request; gives up when nothing comes for too long.
+    fn wait<'a, T: ?Sized, S: Scope<'a>>(&self, mut request: Request<'a, T, S>, what: &str) {
+        let begun = Instant::now();
+        let mut looks = 0u32;
+        while let Err(again) = request.test() {
+            request = again;
+            looks += 1;
+            if looks.is_multiple_of(LOOKS) {
+                std::thread::yield_now();
+                if begun.elapsed() > self.patience {
+                    self.give_up(&format!(
+                        "process {} has waited for {what} for {} s: another process is gone, stopped or lost its network. The \
+                         latest checkpoint is whole; go on from it with `demeter resume`. Where processes are slow, let \
+                         DEMETER_PATIENCE be more seconds",
+                        self.rank(),
+                        self.patience.as_secs()
+                    ));
+                }
+            }
+        }
+    }
+
+    fn note(&self, begun: Instant, note: impl FnOnce(&mut Traffic)) {
+        let mut traffic = self.traffic.lock().unwrap_or_else(PoisonError::into_inner);
+        note(&mut traffic);
+        traffic.seconds += begun.elapsed().as_secs_f64();
+    }
+}
+
+impl Ranks for MpiRanks {
+    fn rank(&self) -> usize {
+        SimpleCommunicator::world().rank() as usize
+    }
+
+    fn count(&self) -> usize {
+        SimpleCommunicator::world().size() as usize
+    }
+
+    fn gather_even(&self, mine: &[u8]) -> Vec<u8> {
+        let begun = Instant::now();
+        let world = SimpleCommunicator::world();
+        let mut all = vec![0u8; mine.len() * self.count()];
+        scope(|scope| {
+            let request = world.immediate_all_gather_into(scope, mine, &mut all[..]);
+            self.wait(request, "all others");
+        });
+        self.note(begun, |traffic| {
+            traffic.rounds += 1;
+            traffic.round_bytes += mine.len() as u64;
+        });
+        all
+    }
+
+    fn gather(&self, mine: &[u8]) -> Vec<Vec<u8>> {
+        let lengths = self.gather_even(&(mine.len() as u64).to_ne_bytes());
+        let lengths: Vec<usize> = (lengths.chunks_exact(8))
+            .map(|bytes| bytemuck::pod_read_unaligned::<u64>(bytes) as usize)
+            .collect();
+        let begun = Instant::now();
+        let world = SimpleCommunicator::world();
+        let mut all: Vec<Vec<u8>> = lengths.iter().map(|&length| Vec::with_capacity(length)).collect();
+        let most = AT_ONCE / lengths.len();
+        let longest = lengths.iter().copied().max().unwrap_or(0);
+        for first in (0..longest).step_by(most) {
+            let part = |length: usize| length.saturating_sub(first).min(most);
+            let counts: Vec<Count> = lengths.iter().map(|&length| part(length) as Count).collect();
+            let places: Vec<Count> = (counts.iter())
+                .scan(0, |place, count| {
+                    let here = *place;
+                    *place += count;
+                    Some(here)
+                })
+                .collect();
+            let mut heard = vec![0u8; lengths.iter().map(|&length| part(length)).sum()];
+            let told = &mine[first.min(mine.len())..(first + part(mine.len())).min(mine.len())];
+            {
+                let mut parts = PartitionMut::new(&mut heard[..], &counts[..], &places[..]);
+                scope(|scope| {
+                    let request = world.immediate_all_gather_varcount_into(scope, told, &mut parts);
+                    self.wait(request, "all others");
+                });
+            }
+            for ((all, &count), &place) in all.iter_mut().zip(&counts).zip(&places) {
+                all.extend_from_slice(&heard[place as usize..(place + count) as usize]);
+            }
+        }
+        self.note(begun, |traffic| {
+            traffic.rounds += 1;
+            traffic.round_bytes += mine.len() as u64;
+        });
+        all
+    }
+
+    fn exchange(&self, messages: &mut [Message]) {
+        let begun = Instant::now();
+        let world = SimpleCommunicator::world();
+        let (mut count, mut bytes) = (0, 0);
+        scope(|scope| {
+            let mut requests = Vec::with_capacity(messages.len());
+            let mut sent = Vec::with_capacity(messages.len());
+            for message in messages {
+                let other = world.process_at_rank(message.rank as i32);
+                requests.push((
+                    message.rank,
+                    other.immediate_receive_into(scope, &mut message.hear[..]),
+                ));
+                sent.push((message.rank, other.immediate_send(scope, &message.tell[..])));
+                count += 1;
+                bytes += 8 * message.tell.len() as u64;
+            }
+            for (rank, request) in requests {
+                self.wait(request, &format!("process {rank}"));
+            }
+            for (rank, request) in sent {
+                self.wait(request, &format!("process {rank} to listen"));
+            }
+        });
+        self.note(begun, |traffic| {
+            traffic.messages += count;
+            traffic.bytes += bytes;
+        });
+    }
+
+    fn traffic(&self) -> Traffic {
+        *self.traffic.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    #[allow(clippy::print_stderr, reason = "the job ends here, and nobody else can tell why")]
+    fn give_up(&self, reason: &str) -> ! {
+        eprintln!("error: {reason}");
+        SimpleCommunicator::world().abort(70)
+    }
+}

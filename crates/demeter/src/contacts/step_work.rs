@@ -1,0 +1,146 @@
+//! What the contacts of every segment of grains did in a step.
+//!
+//! Sums over all contacts are made of sums over the segments of the table of candidates, in their order: so they are the same
+//! on any number of threads, and of processes, each of which has some of the segments.
+
+use super::{ContactChunk, Contacts, Fault, Tally};
+use crate::neighbours::Neighbours;
+use crate::walls::Mark;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// Force [N] and torque about its origin [N m] on a wall.
+pub(crate) type WallLoad = (DVec3, DVec3);
+
+/// What the contacts of a segment did: those of its grains with others before them, and with walls.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct SegmentWork {
+    tally: Tally,
+    /// Forces across the periodic sides of a box that deforms: for each direction, the force of every contact on its first
+    /// body times the boxes that lead to the image of its second [N].
+    across: [DVec3; 3],
+    /// What every wall feels; empty where no wall is near.
+    walls: Vec<WallLoad>,
+}
+
+impl SegmentWork {
+    fn sum_up(&mut self, pairs: &[ContactChunk], walls: &[ContactChunk]) {
+        self.tally = Tally::default();
+        self.across = [DVec3::ZERO; 3];
+        self.walls.clear();
+        for chunk in pairs.iter().chain(walls) {
+            self.tally.add(&chunk.tally);
+            for (sum, across) in self.across.iter_mut().zip(chunk.across) {
+                *sum += across;
+            }
+        }
+        for chunk in walls {
+            add_loads(&mut self.walls, &chunk.wall_load);
+        }
+    }
+}
+
+fn add_loads(sums: &mut Vec<WallLoad>, loads: &[WallLoad]) {
+    if sums.is_empty() {
+        return sums.extend_from_slice(loads);
+    }
+    for (sum, load) in sums.iter_mut().zip(loads) {
+        sum.0 += load.0;
+        sum.1 += load.1;
+    }
+}
+
+/// What all contacts did in a step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct StepWork {
+    segments: Vec<SegmentWork>,
+    pub(crate) tally: Tally,
+    pub(crate) across: [DVec3; 3],
+    pub(crate) walls: Vec<WallLoad>,
+    /// What the contacts of all processes did to walls that record it, process by process; nothing where there is one.
+    pub(crate) marks: Vec<Vec<Mark>>,
+}
+
+/// What a process tells the others of a step.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(crate) struct WorkShare {
+    segments: Vec<SegmentWork>,
+    marks: Vec<Mark>,
+    /// The first fault between grains, and the first with a wall.
+    faults: [Option<Fault>; 2],
+}
+
+impl StepWork {
+    /// Sums up what the contacts of these segments did.
+    fn sum_up_segments(&mut self, contacts: &Contacts, neighbours: &Neighbours, segments: Range<usize>) {
+        self.segments.resize_with(neighbours.segments(), SegmentWork::default);
+        for segment in segments {
+            let pairs = &contacts.pairs[neighbours.chunks_of_segment(segment)];
+            let walls = &contacts.walls[neighbours.wall_chunks_of_segment(segment)];
+            self.segments[segment].sum_up(pairs, walls);
+        }
+    }
+
+    fn total(&mut self, walls: usize) {
+        self.tally = Tally::default();
+        self.across = [DVec3::ZERO; 3];
+        self.walls.clear();
+        self.walls.resize(walls, WallLoad::default());
+        for segment in &self.segments {
+            self.tally.add(&segment.tally);
+            for (sum, across) in self.across.iter_mut().zip(segment.across) {
+                *sum += across;
+            }
+            for (sum, load) in self.walls.iter_mut().zip(&segment.walls) {
+                sum.0 += load.0;
+                sum.1 += load.1;
+            }
+        }
+    }
+
+    /// Sums up what all contacts did, told the number of walls. The first fault is told.
+    pub(crate) fn of_all(&mut self, contacts: &Contacts, neighbours: &Neighbours, walls: usize) -> Result<(), Fault> {
+        self.marks.clear();
+        self.sum_up_segments(contacts, neighbours, 0..neighbours.segments());
+        self.total(walls);
+        contacts.fault().cloned().map_or(Ok(()), Err)
+    }
+
+    /// What the contacts of some segments did, to be told to other processes.
+    pub(crate) fn share(
+        &mut self,
+        contacts: &Contacts,
+        neighbours: &Neighbours,
+        segments: Range<usize>,
+    ) -> WorkShare {
+        self.sum_up_segments(contacts, neighbours, segments.clone());
+        let pairs = segments.clone().map(|s| &contacts.pairs[neighbours.chunks_of_segment(s)]);
+        let walls = segments.clone().map(|s| &contacts.walls[neighbours.wall_chunks_of_segment(s)]);
+        let fault = |chunk: &ContactChunk| chunk.fault.clone();
+        WorkShare {
+            faults: [pairs.flatten().find_map(fault), walls.clone().flatten().find_map(fault)],
+            marks: walls.flatten().flat_map(|chunk| chunk.marks.iter().copied()).collect(),
+            segments: self.segments[segments].to_vec(),
+        }
+    }
+
+    /// Sums up what the contacts of all processes did, in the order of their segments. The first fault is told.
+    pub(crate) fn of_shares(&mut self, shares: Vec<WorkShare>, walls: usize) -> Result<(), Fault> {
+        self.segments.clear();
+        self.marks.clear();
+        let mut first = [None, None];
+        for share in shares {
+            self.segments.extend(share.segments);
+            self.marks.push(share.marks);
+            for (first, fault) in first.iter_mut().zip(share.faults) {
+                if first.is_none() {
+                    *first = fault;
+                }
+            }
+        }
+        self.total(walls);
+        let [between_grains, with_walls] = first;
+        between_grains.or(with_walls).map_or(Ok(()), Err)
+    }
+}

@@ -1,0 +1,95 @@
+//! Tables of candidates that several processes share: each has the pairs that one of its own grains is in.
+
+use super::pairs::PairTable;
+use super::table::{Segment, Table};
+use super::{Neighbours, Pair, SearchEffort, WallPair};
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// Candidates of some segments, as other processes are told.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct SegmentsOfCandidates {
+    pairs: Vec<Segment<Pair>>,
+    walls: Vec<Segment<WallPair>>,
+}
+
+impl Neighbours {
+    /// Grains of every segment but the last.
+    pub(crate) fn grains_per_segment(&self) -> usize {
+        self.pairs.per_segment
+    }
+
+    /// Number of pairs of grains of a segment.
+    pub(crate) fn candidates_of_segment(&self, segment: usize) -> usize {
+        self.pairs.table.segments[segment].candidates.len()
+    }
+
+    /// Number of pairs of a segment, also with walls: a measure of its work.
+    pub(crate) fn work_of_segment(&self, segment: usize) -> usize {
+        self.candidates_of_segment(segment) + self.walls.segments[segment].candidates.len()
+    }
+
+    /// Segments from the first one of some on, up to the last with any pair.
+    pub(crate) fn segments_in_use(&self, own: &Range<usize>) -> Range<usize> {
+        let segments = &self.pairs.table.segments;
+        let last = segments.iter().rposition(|s| !s.candidates.is_empty());
+        own.start..own.end.max(last.map_or(0, |last| last + 1))
+    }
+
+    /// All pairs of own grains with others, by the index of the own one.
+    pub(crate) fn pairs_across(&self, own: &Range<usize>) -> impl Iterator<Item = (u32, u32)> + '_ {
+        let own = own.clone();
+        let pairs = self.pairs.table.segments.iter().flat_map(|segment| &segment.candidates);
+        pairs.filter_map(move |pair| {
+            match (own.contains(&(pair.i as usize)), own.contains(&(pair.j as usize))) {
+                (true, false) => Some((pair.i, pair.j)),
+                (false, true) => Some((pair.j, pair.i)),
+                _ => None,
+            }
+        })
+    }
+
+    /// Notes the effort and the number of pairs of all processes.
+    pub(crate) fn note_total(&mut self, effort: SearchEffort, total: usize) {
+        self.effort = effort;
+        self.total = total;
+    }
+
+    /// Candidates of some segments.
+    pub(crate) fn of_segments(&self, segments: Range<usize>) -> SegmentsOfCandidates {
+        SegmentsOfCandidates {
+            pairs: self.pairs.table.segments[segments.clone()].to_vec(),
+            walls: self.walls.segments[segments].to_vec(),
+        }
+    }
+
+    /// The candidates that one of the own grains is in.
+    pub(crate) fn picked(&self, own: &Range<usize>) -> SegmentsOfCandidates {
+        let is_own = |grain: u32| own.contains(&(grain as usize));
+        let pairs = self.pairs.table.segments.iter();
+        let walls = self.walls.segments.iter();
+        SegmentsOfCandidates {
+            pairs: pairs.map(|s| s.picked(|p| is_own(p.i) || is_own(p.j))).collect(),
+            walls: walls.map(|s| s.picked(|p| is_own(p.grain))).collect(),
+        }
+    }
+
+    /// A table like this one of other candidates, which are told segment by segment; [`Neighbours::restore`] finds the rest.
+    pub(crate) fn with_candidates(&self, all: impl IntoIterator<Item = SegmentsOfCandidates>) -> Self {
+        let (mut pairs, mut walls) = (Vec::new(), Vec::new());
+        for some in all {
+            pairs.extend(some.pairs);
+            walls.extend(some.walls);
+        }
+        Self {
+            pairs: PairTable::of_segments(pairs, self.pairs.per_segment),
+            walls: Table::of_segments(walls),
+            incidence: self.incidence.as_ref().map(|_| super::Incidence::default()),
+            effort: self.effort,
+            total: self.total,
+            reference: self.reference.clone(),
+            wall_reference: self.wall_reference.clone(),
+            ..Self::default()
+        }
+    }
+}

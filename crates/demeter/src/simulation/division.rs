@@ -1,0 +1,491 @@
+//! A run that several processes share.
+//!
+//! Every process has the tables of all grains, in the same order along the curve, and the same walls and books. Of the segments
+//! of grains that lie behind each other on the curve each process has some of its own, so many that all have as much to do. In a
+//! step it moves its own grains, hears where those are that may touch them, and finds the contacts that one of its own is in. A contact
+//! between grains of two processes is found by both, from the same numbers, so that both know the same. What all contacts did
+//! is summed up segment by segment ([`StepWork`](crate::contacts::step_work::StepWork)).
+//!
+//! What looks at the whole (rows, frames, checkpoints, feeds, stages, grains put in order again) asks for it first
+//! ([`Simulation::make_whole`]): then every process has all grains and contacts, does the same as a single one would, and the next
+//! step divides the tables again.
+
+use super::Simulation;
+use crate::comm::{Message, Ranks, Traffic};
+use crate::contacts::step_work::WorkShare;
+use crate::contacts::{ContactChunk, Contacts, Fault};
+use crate::neighbours::{Neighbours, SearchEffort, SegmentsOfCandidates};
+use crate::step::Motion;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// Grains are divided anew when the busiest process has so much more to do, as a share of the mean, than right after they were
+/// divided.
+const DRIFT: f64 = 0.05;
+
+/// Work of a grain, in candidates.
+const WORK_OF_A_GRAIN: usize = 4;
+
+/// Numbers of a grain that others hear in every step: place, velocity, angular velocity.
+const NUMBERS: usize = 9;
+
+/// How a run is shared, as one process sees it.
+#[derive(Debug)]
+pub(crate) struct Division {
+    ranks: Box<dyn Ranks>,
+    /// The first segment of every process, and the number of all.
+    cuts: Vec<usize>,
+    /// Own grains.
+    own: Range<usize>,
+    borders: Vec<Border>,
+    /// What goes over each of them in a step.
+    messages: Vec<Message>,
+    is_whole: bool,
+    /// The divided tables while those of the whole are in place, and how often tables had been found by then.
+    aside: Option<(u64, Box<(Neighbours, Contacts)>)>,
+    /// Work of the busiest process over the mean: now, and right after grains were divided.
+    imbalance: f64,
+    imbalance_when_divided: f64,
+    divided: u64,
+    wants_to_end: bool,
+}
+
+/// Grains of this process that may touch grains of another, by rising indices, and those of the other.
+#[derive(Debug)]
+struct Border {
+    tell: Vec<u32>,
+    hear: Vec<u32>,
+}
+
+/// How a shared run went, as one process sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sharing {
+    /// Number of processes.
+    pub ranks: usize,
+    /// What this process told others.
+    pub traffic: Traffic,
+    /// Work of the busiest process over the mean.
+    pub imbalance: f64,
+    /// How often the grains were divided.
+    pub divided: u64,
+}
+
+/// Candidates and contacts of the own segments, as all others are told.
+#[derive(Serialize, Deserialize)]
+struct Tables {
+    candidates: SegmentsOfCandidates,
+    pairs: Vec<ContactChunk>,
+    walls: Vec<ContactChunk>,
+}
+
+/// Encodes what is told to others.
+fn encode(value: &impl Serialize) -> Vec<u8> {
+    // encoding into memory fails for no value of ours
+    postcard::to_stdvec(value).unwrap_or_default()
+}
+
+impl Division {
+    fn segments(&self) -> Range<usize> {
+        let rank = self.ranks.rank();
+        self.cuts[rank]..self.cuts[rank + 1]
+    }
+
+    /// What others told.
+    fn decode<T: for<'a> Deserialize<'a>>(&self, bytes: &[u8]) -> T {
+        match postcard::from_bytes(bytes) {
+            Ok(value) => value,
+            Err(error) => self.ranks.give_up(&format!("another process said what cannot be read: {error}")),
+        }
+    }
+
+    /// Sums of what all processes count, and the largest of each.
+    fn counts<const N: usize>(&self, mine: [u64; N]) -> ([u64; N], [u64; N]) {
+        let (mut sums, mut most) = ([0; N], [0; N]);
+        for of in self.ranks.gather_even(bytemuck::cast_slice(&mine)).chunks_exact(8 * N) {
+            for k in 0..N {
+                let count: u64 = bytemuck::pod_read_unaligned(&of[8 * k..8 * (k + 1)]);
+                sums[k] += count;
+                most[k] = count.max(most[k]);
+            }
+        }
+        (sums, most)
+    }
+
+    /// Cuts the segments so that every process has as much to do.
+    fn cut(&mut self, neighbours: &Neighbours, grains: usize) {
+        let segments = neighbours.segments();
+        let mut work = Vec::with_capacity(segments + 1);
+        work.push(0);
+        for segment in 0..segments {
+            let of_grains = WORK_OF_A_GRAIN * neighbours.grains_of_segment(segment).len();
+            work.push(work[segment] + of_grains + neighbours.work_of_segment(segment));
+        }
+        let (ranks, all) = (self.ranks.count(), work[segments]);
+        let cut = |rank: usize| {
+            let wanted = all * rank / ranks;
+            let behind = work.partition_point(|&before| before < wanted);
+            // the nearer of both ends of the segment in which the cut would be
+            let before = behind.saturating_sub(1);
+            if wanted - work[before].min(wanted) < work[behind] - wanted { before } else { behind }
+        };
+        self.cuts = (0..ranks).map(cut).chain([segments]).collect();
+        let (own, per_segment) = (self.segments(), neighbours.grains_per_segment());
+        self.own = (own.start * per_segment).min(grains)..(own.end * per_segment).min(grains);
+        self.divided += 1;
+    }
+
+    /// Finds which grains others must hear of, and which of theirs are heard of here: both sides find the same.
+    fn find_borders(&mut self, neighbours: &Neighbours) {
+        let per_segment = neighbours.grains_per_segment().max(1);
+        let mut lists: Vec<[Vec<u32>; 2]> = vec![Default::default(); self.ranks.count()];
+        for (own, other) in neighbours.pairs_across(&self.own) {
+            let rank = self.cuts.partition_point(|&first| first <= other as usize / per_segment) - 1;
+            lists[rank][0].push(own);
+            lists[rank][1].push(other);
+        }
+        self.borders.clear();
+        self.messages.clear();
+        for (rank, [mut tell, mut hear]) in lists.into_iter().enumerate() {
+            if tell.is_empty() {
+                continue;
+            }
+            for list in [&mut tell, &mut hear] {
+                list.sort_unstable();
+                list.dedup();
+            }
+            self.messages.push(Message {
+                rank,
+                tell: Vec::with_capacity(NUMBERS * tell.len()),
+                hear: vec![0.0; NUMBERS * hear.len()],
+            });
+            self.borders.push(Border { tell, hear });
+        }
+    }
+}
+
+impl Simulation {
+    /// Shares the run with other processes that begin with the same state; each calls this.
+    pub fn share(&mut self, ranks: Box<dyn Ranks>) {
+        self.division = Some(Box::new(Division {
+            ranks,
+            cuts: Vec::new(),
+            own: 0..0,
+            borders: Vec::new(),
+            messages: Vec::new(),
+            is_whole: true,
+            aside: None,
+            imbalance: 1.0,
+            imbalance_when_divided: 1.0,
+            divided: 0,
+            wants_to_end: false,
+        }));
+    }
+
+    /// How the run is shared with other processes; `None` where it is not.
+    pub fn sharing(&self) -> Option<Sharing> {
+        self.division.as_ref().map(|division| Sharing {
+            ranks: division.ranks.count(),
+            traffic: division.ranks.traffic(),
+            imbalance: division.imbalance,
+            divided: division.divided,
+        })
+    }
+
+    /// Why every process does the work of all, though the run is shared; `None` where each does a part.
+    pub fn shares_nothing(&self) -> Option<&'static str> {
+        if self.coupling.is_some() {
+            Some("multi-contact laws")
+        } else if self.deforms() {
+            Some("a box that deforms")
+        } else if self.has_custom_force() {
+            Some("custom forces")
+        } else {
+            None
+        }
+    }
+
+    /// Whether this process has some of the contacts only.
+    pub(crate) fn is_divided(&self) -> bool {
+        self.division.as_ref().is_some_and(|division| !division.is_whole)
+    }
+
+    /// Grains that this process moves.
+    pub(crate) fn own_grains(&self) -> Range<usize> {
+        match &self.division {
+            Some(division) if !division.is_whole => division.own.clone(),
+            _ => 0..self.grains.len(),
+        }
+    }
+
+    /// Segments of the table of candidates that this process works on: its own, and those with pairs of its own grains.
+    pub(crate) fn segments_here(&self) -> Range<usize> {
+        match &self.division {
+            Some(division) if !division.is_whole => self.neighbours.segments_in_use(&division.segments()),
+            _ => 0..self.neighbours.segments(),
+        }
+    }
+
+    /// Divides the tables, where the run is shared and they are whole.
+    pub(crate) fn divide(&mut self) {
+        if self.shares_nothing().is_some() {
+            return;
+        }
+        let Some(mut division) = self.division.take_if(|division| division.is_whole) else {
+            return;
+        };
+        division.is_whole = false;
+        match division.aside.take() {
+            Some((tables, aside)) if tables == self.tables => (self.neighbours, self.contacts) = *aside,
+            _ => {
+                division.cut(&self.neighbours, self.grains.len());
+                let picked = self.neighbours.picked(&division.own);
+                self.neighbours = self.neighbours.with_candidates([picked]);
+                self.restore_neighbours(&division);
+                self.contacts.hand_over(&self.neighbours, None);
+                division.find_borders(&self.neighbours);
+                self.division = Some(division);
+                self.weigh_work();
+                if let Some(division) = &mut self.division {
+                    division.imbalance_when_divided = division.imbalance;
+                }
+                return;
+            }
+        }
+        self.division = Some(division);
+    }
+
+    /// Has every process have all grains and contacts. Each calls this; nothing happens where they have.
+    pub fn make_whole(&mut self) {
+        self.make_grains_whole();
+        let Some(mut division) = self.division.take_if(|division| !division.is_whole) else {
+            return;
+        };
+        let own = division.segments();
+        let chunks = |all: &[ContactChunk], first: Range<usize>, last: Range<usize>| all[first.start..last.end].to_vec();
+        let of_own = |of: fn(&Neighbours, usize) -> Range<usize>| match own.end.checked_sub(1) {
+            Some(last) if own.start <= last => (of(&self.neighbours, own.start), of(&self.neighbours, last)),
+            _ => (0..0, 0..0),
+        };
+        let (first, last) = of_own(Neighbours::chunks_of_segment);
+        let (first_walls, last_walls) = of_own(Neighbours::wall_chunks_of_segment);
+        let mine = encode(&Tables {
+            candidates: self.neighbours.of_segments(own),
+            pairs: chunks(&self.contacts.pairs, first, last),
+            walls: chunks(&self.contacts.walls, first_walls, last_walls),
+        });
+        let (mut candidates, mut pairs, mut walls) = (Vec::new(), Vec::new(), Vec::new());
+        for of in division.ranks.gather(&mine) {
+            let tables: Tables = division.decode(&of);
+            candidates.push(tables.candidates);
+            pairs.extend(tables.pairs);
+            walls.extend(tables.walls);
+        }
+        let whole = self.neighbours.with_candidates(candidates);
+        let contacts = Contacts {
+            pairs,
+            walls,
+            stride: self.contacts.stride,
+            ..Contacts::default()
+        };
+        let aside = (
+            std::mem::replace(&mut self.neighbours, whole),
+            std::mem::replace(&mut self.contacts, contacts),
+        );
+        self.restore_neighbours(&division);
+        division.aside = Some((self.tables, Box::new(aside)));
+        division.is_whole = true;
+        self.division = Some(division);
+    }
+
+    /// Has every process have all grains, where the run is shared.
+    pub fn make_grains_whole(&mut self) {
+        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
+            return;
+        };
+        let per_segment = self.neighbours.grains_per_segment();
+        let mine = self.grains.pack(division.own.clone());
+        for (rank, of) in division.ranks.gather(&mine).iter().enumerate() {
+            let count = self.grains.len();
+            let some = (division.cuts[rank] * per_segment).min(count)..(division.cuts[rank + 1] * per_segment).min(count);
+            if rank != division.ranks.rank() && !self.grains.unpack(some, of) {
+                division.ranks.give_up("another process has other grains");
+            }
+        }
+    }
+
+    fn restore_neighbours(&mut self, division: &Division) {
+        let (walls, materials) = (self.walls.len(), self.materials.list().len());
+        if !self.neighbours.restore(&self.grains, walls, materials) {
+            division.ranks.give_up("another process has other candidates");
+        }
+    }
+
+    /// Tells all processes where all grains are.
+    fn share_places(&mut self) {
+        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
+            return;
+        };
+        let per_segment = self.neighbours.grains_per_segment();
+        let rows = self.grains.position.rows_mut();
+        let all = division.ranks.gather(bytemuck::cast_slice(&rows[division.own.clone()]));
+        for (cut, of) in division.cuts.iter().zip(&all) {
+            let first = (cut * per_segment).min(rows.len());
+            let some = &mut rows[first..first + of.len() / size_of::<crate::particles::Row>()];
+            bytemuck::cast_slice_mut(some).copy_from_slice(of);
+        }
+    }
+
+    /// Finds all candidates anew, each process those of its own grains.
+    pub(super) fn find_candidates_together(&mut self) {
+        let is_uneven = self.division.as_ref().is_some_and(|d| d.imbalance > d.imbalance_when_divided + DRIFT);
+        if is_uneven || self.is_out_of_order() {
+            self.make_whole();
+            self.find_candidates();
+            return self.divide();
+        }
+        let own = self.own_grains();
+        self.comm.wrap_some(&mut self.grains, own);
+        self.share_places();
+        self.rebuilds += 1;
+        self.continue_with_candidates(false);
+        if let Some(division) = &mut self.division {
+            division.find_borders(&self.neighbours);
+        }
+    }
+
+    /// Counts the candidates of all processes, after each has found its own.
+    pub(super) fn count_candidates(&mut self) {
+        if !self.is_divided() {
+            return;
+        }
+        let Some(division) = &mut self.division else { return };
+        let effort = self.neighbours.effort();
+        let own: usize = division.segments().map(|s| self.neighbours.candidates_of_segment(s)).sum();
+        let ([tests, scattered, candidates], _) = division.counts([effort.tests, effort.scattered, own as u64]);
+        (self.neighbours).note_total(SearchEffort { tests, scattered }, candidates as usize);
+        self.weigh_work();
+    }
+
+    /// Notes how unevenly the work is divided.
+    fn weigh_work(&mut self) {
+        let Some(division) = &mut self.division else { return };
+        let candidates = self.neighbours.pair_count() + self.neighbours.wall_pair_count();
+        let work = (WORK_OF_A_GRAIN * division.own.len() + candidates) as u64;
+        let ([all], [most]) = division.counts([work]);
+        division.imbalance = (most * division.ranks.count() as u64) as f64 / all.max(1) as f64;
+    }
+
+    /// Contacts between grains that are engaged, of all processes.
+    pub(crate) fn engaged_contacts(&self) -> usize {
+        match self.division.as_ref().filter(|division| !division.is_whole) {
+            None => self.contacts.pair_count(),
+            Some(division) => {
+                let chunks = division.segments().flat_map(|s| self.neighbours.chunks_of_segment(s));
+                let own: usize = chunks.map(|c| self.contacts.pairs[c].engaged()).sum();
+                division.counts([own as u64]).0[0] as usize
+            }
+        }
+    }
+
+    /// What the motion of the grains of all processes came to.
+    pub(crate) fn motion_of_all(&self, motion: Motion) -> Motion {
+        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
+            return motion;
+        };
+        let misplaced = if motion.misplaced.is_some() { 1.0 } else { 0.0 };
+        let mut largest = [motion.max_speed, motion.max_step, motion.max_displacement, misplaced];
+        division.ranks.largest(&mut largest);
+        Motion {
+            max_speed: largest[0],
+            max_step: largest[1],
+            max_displacement: largest[2],
+            misplaced: (largest[3] > 0.0).then_some(0),
+        }
+    }
+
+    /// Tells the neighbours how the grains near the borders move, and hears it of theirs.
+    pub(crate) fn exchange_borders(&mut self) {
+        let Some(division) = self.division.as_mut().filter(|division| !division.is_whole) else {
+            return;
+        };
+        let Division {
+            ranks,
+            borders,
+            messages,
+            ..
+        } = &mut **division;
+        let grains = &mut self.grains;
+        for (border, message) in borders.iter().zip(messages.iter_mut()) {
+            message.tell.clear();
+            for &g in &border.tell {
+                let g = g as usize;
+                for vector in [grains.position[g], grains.velocity[g], grains.angular_velocity[g]] {
+                    message.tell.extend(vector.to_array());
+                }
+            }
+        }
+        ranks.exchange(messages);
+        for (border, message) in borders.iter().zip(messages.iter()) {
+            for (&g, numbers) in border.hear.iter().zip(message.hear.chunks_exact(NUMBERS)) {
+                let g = g as usize;
+                grains.position[g] = DVec3::from_slice(&numbers[0..3]);
+                grains.velocity[g] = DVec3::from_slice(&numbers[3..6]);
+                grains.angular_velocity[g] = DVec3::from_slice(&numbers[6..9]);
+            }
+        }
+    }
+
+    /// Sums up what the contacts of all processes did in this step. The first fault of any ends the step of all.
+    pub(crate) fn sum_up_work(&mut self) -> Result<(), Fault> {
+        let (contacts, neighbours, walls) = (&self.contacts, &self.neighbours, self.walls.len());
+        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
+            return self.work.of_all(contacts, neighbours, walls);
+        };
+        let mine = encode(&self.work.share(contacts, neighbours, division.segments()));
+        let shares: Vec<WorkShare> = division.ranks.gather(&mine).iter().map(|of| division.decode(of)).collect();
+        self.work.of_shares(shares, walls)
+    }
+
+    /// The fault of the grain with the lowest id, where any process has found one.
+    pub(crate) fn fault_of_any(&mut self, found: Option<Fault>) -> Result<(), Fault> {
+        let Some(division) = self.division.as_mut() else {
+            return found.map_or(Ok(()), Err);
+        };
+        let flag = |is: bool| if is { 1.0 } else { 0.0 };
+        let mut any = [flag(found.is_some()), flag(division.wants_to_end)];
+        division.ranks.largest(&mut any);
+        division.wants_to_end = any[1] > 0.0;
+        if any[0] == 0.0 {
+            return Ok(());
+        }
+        let faults = division.ranks.gather(&encode(&found));
+        let faults = faults.iter().filter_map(|of| division.decode::<Option<Fault>>(of));
+        faults.min_by_key(Fault::grain).map_or(Ok(()), Err)
+    }
+
+    /// Asks all processes to end the run after the next step; where it is not shared, nothing is asked.
+    pub fn ask_to_end(&mut self) {
+        if let Some(division) = &mut self.division {
+            division.wants_to_end = true;
+        }
+    }
+
+    /// Whether any process has asked to end, as all know after the step.
+    pub fn is_asked_to_end(&self) -> bool {
+        self.division.as_ref().is_some_and(|division| division.wants_to_end)
+    }
+
+    /// Whether this process is the one that writes and tells: the first, or the only one.
+    pub fn is_first_process(&self) -> bool {
+        self.division.as_ref().is_none_or(|division| division.ranks.rank() == 0)
+    }
+
+    /// Whether all processes succeeded in what only some may have done.
+    pub fn all_succeeded(&self, here: bool) -> bool {
+        let Some(division) = &self.division else { return here };
+        let mut failed = [if here { 0.0 } else { 1.0 }];
+        division.ranks.largest(&mut failed);
+        failed[0] == 0.0
+    }
+}

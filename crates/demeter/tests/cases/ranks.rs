@@ -1,0 +1,97 @@
+//! Ranks that are threads of one process: what processes would tell each other goes through channels.
+
+use demeter::comm::{Message, Ranks, Traffic};
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+/// One of several ranks.
+#[derive(Debug)]
+pub struct ThreadRank {
+    rank: usize,
+    tell: Vec<Mutex<Sender<Vec<u8>>>>,
+    hear: Vec<Mutex<Receiver<Vec<u8>>>>,
+    traffic: Mutex<Traffic>,
+}
+
+impl ThreadRank {
+    fn all(count: usize) -> Vec<Self> {
+        let mut ranks: Vec<Self> = (0..count)
+            .map(|rank| Self {
+                rank,
+                tell: Vec::new(),
+                hear: Vec::new(),
+                traffic: Mutex::default(),
+            })
+            .collect();
+        for from in 0..count {
+            for to in 0..count {
+                let (tell, hear) = channel();
+                ranks[from].tell.push(Mutex::new(tell));
+                ranks[to].hear.push(Mutex::new(hear));
+            }
+        }
+        ranks
+    }
+
+    fn say(&self, to: usize, bytes: &[u8]) {
+        let mut traffic = self.traffic.lock().unwrap();
+        traffic.messages += 1;
+        traffic.bytes += bytes.len() as u64;
+        self.tell[to].lock().unwrap().send(bytes.to_vec()).unwrap();
+    }
+
+    fn hear(&self, from: usize) -> Vec<u8> {
+        self.hear[from].lock().unwrap().recv().unwrap()
+    }
+}
+
+impl Ranks for ThreadRank {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn count(&self) -> usize {
+        self.tell.len()
+    }
+
+    fn gather(&self, mine: &[u8]) -> Vec<Vec<u8>> {
+        (0..self.count()).for_each(|to| self.say(to, mine));
+        (0..self.count()).map(|from| self.hear(from)).collect()
+    }
+
+    fn exchange(&self, messages: &mut [Message]) {
+        for message in &*messages {
+            self.say(message.rank, bytemuck_bytes(&message.tell).as_slice());
+        }
+        for message in messages {
+            let heard = self.hear(message.rank);
+            assert_eq!(heard.len(), 8 * message.hear.len());
+            for (number, bytes) in message.hear.iter_mut().zip(heard.chunks_exact(8)) {
+                *number = f64::from_ne_bytes(bytes.try_into().unwrap());
+            }
+        }
+    }
+
+    fn traffic(&self) -> Traffic {
+        *self.traffic.lock().unwrap()
+    }
+
+    fn give_up(&self, reason: &str) -> ! {
+        panic!("rank {}: {reason}", self.rank)
+    }
+}
+
+fn bytemuck_bytes(numbers: &[f64]) -> Vec<u8> {
+    numbers.iter().flat_map(|number| number.to_ne_bytes()).collect()
+}
+
+/// What every rank of so many makes of its work, each on a thread.
+pub fn on_ranks<T: Send>(count: usize, work: impl Fn(Box<dyn Ranks>) -> T + Sync) -> Vec<T> {
+    std::thread::scope(|scope| {
+        let work = &work;
+        let running: Vec<_> = (ThreadRank::all(count).into_iter())
+            .map(|rank| scope.spawn(move || work(Box::new(rank))))
+            .collect();
+        running.into_iter().map(|rank| rank.join().unwrap()).collect()
+    })
+}
