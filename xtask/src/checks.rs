@@ -7,6 +7,14 @@ use std::process::Command;
 /// The Python crate is left out of what needs linking: it is checked on its own.
 const ALL_BUT_PYTHON: [&str; 3] = ["--workspace", "--exclude", "demeter-py"];
 
+/// Features that are checked, too, where the machine has what they need, as `.ci/run` sees to and tells by this variable.
+fn features() -> &'static [&'static str] {
+    match std::env::var("DEMETER_MPI").as_deref() {
+        Ok("1") => &["--features", "demeter-cli/mpi"],
+        _ => &[],
+    }
+}
+
 /// Everything that must hold before a merge. The quick checks come first.
 pub fn ci() -> Result<(), String> {
     format(true)?;
@@ -27,10 +35,10 @@ pub fn ci() -> Result<(), String> {
 /// All tests and the examples in the documentation.
 pub fn test() -> Result<(), String> {
     if answers(&cargo(), &["nextest", "--version"]) {
-        run_cargo(&[&["nextest", "run"], &ALL_BUT_PYTHON[..]].concat(), &[])?;
-        run_cargo(&[&["test", "--doc"], &ALL_BUT_PYTHON[..]].concat(), &[])
+        run_cargo(&[&["nextest", "run"], &ALL_BUT_PYTHON[..], features()].concat(), &[])?;
+        run_cargo(&[&["test", "--doc"], &ALL_BUT_PYTHON[..], features()].concat(), &[])
     } else {
-        run_cargo(&[&["test"], &ALL_BUT_PYTHON[..]].concat(), &[])
+        run_cargo(&[&["test"], &ALL_BUT_PYTHON[..], features()].concat(), &[])
     }
 }
 
@@ -38,6 +46,7 @@ fn clippy() -> Result<(), String> {
     let arguments = [
         &["clippy"],
         &ALL_BUT_PYTHON[..],
+        features(),
         &["--all-targets", "--", "-D", "warnings"],
     ];
     run_cargo(&arguments.concat(), &[])

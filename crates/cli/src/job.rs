@@ -2,14 +2,21 @@
 
 use crate::answer;
 use crate::failure::Failure;
-use demeter::comm::Ranks;
-use demeter::scenario::{RunError, all_or_none};
 #[cfg(feature = "mpi")]
 use demeter::comm::MpiJob;
+use demeter::comm::Ranks;
+use demeter::scenario::{RunError, all_or_none};
 
 /// Seconds after which a process gives up that hears nothing of the others, where `DEMETER_PATIENCE` tells no other.
 #[cfg(feature = "mpi")]
 const PATIENCE: u64 = 600;
+
+/// Tells why the job is given up, whoever speaks otherwise.
+#[cfg(feature = "mpi")]
+fn tell(reason: &str) {
+    answer::be_silent(false);
+    answer::note(&format!("error: {reason}"));
+}
 
 /// An MPI job, where a launcher such as `mpirun` has started this process.
 pub struct Job {
@@ -27,12 +34,14 @@ impl Job {
         let seconds = match std::env::var("DEMETER_PATIENCE") {
             Err(_) => PATIENCE,
             Ok(text) => text.parse().ok().filter(|&seconds| seconds > 0).ok_or_else(|| {
-                Failure::wrong(format!("DEMETER_PATIENCE is `{text}`, not a whole number of seconds above 0"))
+                Failure::wrong(format!(
+                    "DEMETER_PATIENCE is `{text}`, not a whole number of seconds above 0"
+                ))
             })?,
         };
         let mpi = MpiJob::begin().map_err(|error| Failure::io(error.to_string()))?;
         let patience = std::time::Duration::from_secs(seconds);
-        if mpi.ranks(patience).rank() > 0 {
+        if mpi.ranks(patience, tell).rank() > 0 {
             answer::be_silent(true);
         }
         Ok(Self {
@@ -61,7 +70,7 @@ impl Job {
     pub fn ranks(&self) -> Option<Box<dyn Ranks>> {
         #[cfg(feature = "mpi")]
         if let Some((mpi, patience)) = &self.mpi {
-            let ranks = mpi.ranks(*patience);
+            let ranks = mpi.ranks(*patience, tell);
             return (ranks.count() > 1).then(|| Box::new(ranks) as Box<dyn Ranks>);
         }
         None

@@ -1,7 +1,7 @@
 //! Where the time of a run went, as a table.
 
 use crate::readable::{number, things};
-use demeter::simulation::{ProfileReport, Roofline};
+use demeter::simulation::{ProfileReport, Roofline, SharingReport};
 
 /// Phases with time in them, the whole, and how far that is from what the machine can do.
 pub fn to_text(profile: &ProfileReport) -> String {
@@ -39,10 +39,30 @@ pub fn to_text(profile: &ProfileReport) -> String {
         );
     }
     text += &format!("  {:<28} {:>10} {held:>12.1}\n", "all", "");
+    if let Some(sharing) = &profile.sharing {
+        text += &with_others(sharing);
+    }
     if let Some(roofline) = &profile.roofline {
         text += &against_the_machine(roofline);
     }
     text
+}
+
+fn with_others(sharing: &SharingReport) -> String {
+    format!(
+        "shared by {} processes\n  the busiest has {} times the work of the mean; grains were divided {}\n  per grain and step {} bytes \
+         went from one process to another, {} of them over borders; {} messages and {} rounds of all per step\n  telling, hearing \
+         and waiting took each {} s, the longest {} s\n",
+        sharing.ranks,
+        number(sharing.imbalance),
+        things(sharing.divided, "time"),
+        number(sharing.bytes),
+        number(sharing.border_bytes),
+        number(sharing.messages),
+        number(sharing.rounds),
+        number(sharing.seconds),
+        number(sharing.most_seconds),
+    )
 }
 
 fn against_the_machine(roofline: &Roofline) -> String {

@@ -17,6 +17,7 @@ use crate::threads::join;
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Grains handled by one task.
 const GRAINS_PER_TASK: usize = 1024;
@@ -39,7 +40,7 @@ impl Simulation {
         self.step += 1;
         self.took(Phase::Other);
         self.deform_box();
-        let motion = self.move_grains();
+        let motion = self.move_and_exchange(Self::move_grains);
         let motion = self.motion_of_all(self.beyond_affine(motion));
         self.follow_box();
         self.took(Phase::Motion);
@@ -51,10 +52,10 @@ impl Simulation {
             self.skin = self.skin_that_fits(skin)?;
             self.find_candidates();
             self.foresee_bulges();
+            // others are neighbours now
+            self.exchange_borders(|_| ());
         }
         self.took(Phase::Search);
-        self.exchange_borders();
-        self.took(Phase::Ranks);
         self.find_contacts(&motion)?;
         self.took(self.phase_of_contacts());
         self.sum_up_work()?;
@@ -88,11 +89,11 @@ impl Simulation {
         Ok(())
     }
 
-    /// Moves the grains to the end of the step and predicts their velocities there.
-    fn move_grains(&mut self) -> Motion {
+    /// Moves some grains to the end of the step and predicts their velocities there.
+    fn move_grains(&mut self, some: Range<usize>) -> Motion {
         match self.integrator {
-            Integrator::VelocityVerlet => self.drift(),
-            Integrator::Gear => self.predict(),
+            Integrator::VelocityVerlet => self.drift(some),
+            Integrator::Gear => self.predict(some),
         }
     }
 
@@ -294,7 +295,7 @@ pub(crate) struct Motion {
 }
 
 impl Motion {
-    fn merge(self, other: Self) -> Self {
+    pub(crate) fn merge(self, other: Self) -> Self {
         Self {
             max_speed: self.max_speed.max(other.max_speed),
             max_step: self.max_step.max(other.max_step),

@@ -548,7 +548,10 @@ fn a_box_that_is_too_small_is_a_fault() {
     let mut sim = case.simulation();
     sim.deform(isotropic(Drive::StrainRate(-50.0))).unwrap();
     let fault = (0..1_000_000).find_map(|_| sim.step().err()).unwrap();
-    assert!(matches!(&fault, Fault::BoxTooSmall { direction, .. } if direction == "x"), "{fault}");
+    assert!(
+        matches!(&fault, Fault::BoxTooSmall { direction, .. } if direction == "x"),
+        "{fault}"
+    );
     assert!(sim.domain().size().x > 4.0 * RADIUS);
 }
 

@@ -1,5 +1,10 @@
 //! A run gives the same bits on any number of processes that share it.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests may fail as tests do"
+)]
 
 mod cases;
 
@@ -23,11 +28,7 @@ struct Outcome {
     saved: String,
 }
 
-fn run(
-    setup: Setup,
-    steps: u64,
-    ranks: Option<Box<dyn Ranks>>,
-) -> Result<(Outcome, Option<Sharing>), Fault> {
+fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outcome, Option<Sharing>), Fault> {
     let skin = Skin::Tuned(setup.skin.first());
     let mut sim = Simulation::new(Setup { skin, ..setup });
     if let Some(ranks) = ranks {
@@ -62,7 +63,10 @@ fn compare(integrator: Integrator, all_ranks: &[usize]) {
             });
             for (rank, (outcome, sharing)) in shared.into_iter().enumerate() {
                 let what = format!("{name}: rank {rank} of {ranks}");
-                assert!(sharing.is_none_or(|sharing| sharing.divided > 0), "{what} shared nothing");
+                assert!(
+                    sharing.is_none_or(|sharing| sharing.divided > 0),
+                    "{what} shared nothing"
+                );
                 assert!(outcome.series == alone.series, "{what}: the series differs");
                 assert!(outcome.contacts == alone.contacts, "{what}: the contacts differ");
                 assert!(outcome.state == alone.state, "{what}: the state differs");

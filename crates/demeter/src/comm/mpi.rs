@@ -16,6 +16,9 @@ const AT_ONCE: usize = 1 << 30;
 /// Looks in vain before the core is offered to others, and between two looks at the clock.
 const LOOKS: u32 = 100;
 
+/// Exit code of a job that was given up: what it could not read or write was another process.
+const GIVEN_UP: i32 = 1;
+
 /// Environment variables by which launchers tell a process how many there are: Open MPI, MPICH and its kin, Slurm.
 const LAUNCHERS: [&str; 4] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS", "PMIX_RANK"];
 
@@ -60,10 +63,11 @@ impl MpiJob {
         Ok(Self { _universe: universe })
     }
 
-    /// All processes of the job, which give up when one of them says nothing for so long.
-    pub fn ranks(&self, patience: Duration) -> MpiRanks {
+    /// All processes of the job, which give up when one of them says nothing for so long; `tell` is told why before the job ends.
+    pub fn ranks(&self, patience: Duration, tell: fn(&str)) -> MpiRanks {
         MpiRanks {
             patience,
+            tell,
             traffic: Mutex::default(),
         }
     }
@@ -78,6 +82,7 @@ impl MpiJob {
 #[derive(Debug)]
 pub struct MpiRanks {
     patience: Duration,
+    tell: fn(&str),
     traffic: Mutex<Traffic>,
 }
 
@@ -175,8 +180,8 @@ impl Ranks for MpiRanks {
         all
     }
 
-    fn exchange(&self, messages: &mut [Message]) {
-        let begun = Instant::now();
+    fn exchange(&self, messages: &mut [Message], meanwhile: &mut dyn FnMut()) {
+        let mut begun = Instant::now();
         let world = SimpleCommunicator::world();
         let (mut count, mut bytes) = (0, 0);
         scope(|scope| {
@@ -184,14 +189,14 @@ impl Ranks for MpiRanks {
             let mut sent = Vec::with_capacity(messages.len());
             for message in messages {
                 let other = world.process_at_rank(message.rank as i32);
-                requests.push((
-                    message.rank,
-                    other.immediate_receive_into(scope, &mut message.hear[..]),
-                ));
+                requests.push((message.rank, other.immediate_receive_into(scope, &mut message.hear[..])));
                 sent.push((message.rank, other.immediate_send(scope, &message.tell[..])));
                 count += 1;
                 bytes += 8 * message.tell.len() as u64;
             }
+            let worked = Instant::now();
+            meanwhile();
+            begun += worked.elapsed();
             for (rank, request) in requests {
                 self.wait(request, &format!("process {rank}"));
             }
@@ -209,9 +214,8 @@ impl Ranks for MpiRanks {
         *self.traffic.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    #[allow(clippy::print_stderr, reason = "the job ends here, and nobody else can tell why")]
     fn give_up(&self, reason: &str) -> ! {
-        eprintln!("error: {reason}");
-        SimpleCommunicator::world().abort(70)
+        (self.tell)(reason);
+        SimpleCommunicator::world().abort(GIVEN_UP)
     }
 }

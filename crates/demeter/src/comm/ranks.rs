@@ -21,9 +21,9 @@ pub trait Ranks: Debug + Send + Sync {
         self.gather(mine).concat()
     }
 
-    /// Tells some others some numbers, and hears from each of them as many as the message has room for. Whoever is told here
-    /// hears on the other side.
-    fn exchange(&self, messages: &mut [Message]);
+    /// Tells some others some numbers, and hears from each of them as many as the message has room for; works while they are
+    /// on their way. Whoever is told here hears on the other side.
+    fn exchange(&self, messages: &mut [Message], meanwhile: &mut dyn FnMut());
 
     /// The largest of what all ranks have, place by place; not a number where any is none.
     fn largest(&self, values: &mut [f64]) {

@@ -108,15 +108,14 @@ impl StepWork {
     }
 
     /// What the contacts of some segments did, to be told to other processes.
-    pub(crate) fn share(
-        &mut self,
-        contacts: &Contacts,
-        neighbours: &Neighbours,
-        segments: Range<usize>,
-    ) -> WorkShare {
+    pub(crate) fn share(&mut self, contacts: &Contacts, neighbours: &Neighbours, segments: Range<usize>) -> WorkShare {
         self.sum_up_segments(contacts, neighbours, segments.clone());
-        let pairs = segments.clone().map(|s| &contacts.pairs[neighbours.chunks_of_segment(s)]);
-        let walls = segments.clone().map(|s| &contacts.walls[neighbours.wall_chunks_of_segment(s)]);
+        let pairs = segments
+            .clone()
+            .map(|s| &contacts.pairs[neighbours.chunks_of_segment(s)]);
+        let walls = segments
+            .clone()
+            .map(|s| &contacts.walls[neighbours.wall_chunks_of_segment(s)]);
         let fault = |chunk: &ContactChunk| chunk.fault.clone();
         WorkShare {
             faults: [pairs.flatten().find_map(fault), walls.clone().flatten().find_map(fault)],

@@ -2,8 +2,8 @@
 
 use super::cells::Cells;
 use super::pairs::{Found, PairTable, Sorter};
-use super::table::{LawOrder, NOWHERE, Segment, Table};
 use super::surroundings::Surroundings;
+use super::table::{LawOrder, NOWHERE, Segment, Table};
 use super::visit::Near;
 use super::{Pair, WallPair};
 use crate::comm::Single;

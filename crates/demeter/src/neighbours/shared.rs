@@ -40,13 +40,13 @@ impl Neighbours {
     pub(crate) fn pairs_across(&self, own: &Range<usize>) -> impl Iterator<Item = (u32, u32)> + '_ {
         let own = own.clone();
         let pairs = self.pairs.table.segments.iter().flat_map(|segment| &segment.candidates);
-        pairs.filter_map(move |pair| {
-            match (own.contains(&(pair.i as usize)), own.contains(&(pair.j as usize))) {
+        pairs.filter_map(
+            move |pair| match (own.contains(&(pair.i as usize)), own.contains(&(pair.j as usize))) {
                 (true, false) => Some((pair.i, pair.j)),
                 (false, true) => Some((pair.j, pair.i)),
                 _ => None,
-            }
-        })
+            },
+        )
     }
 
     /// Notes the effort and the number of pairs of all processes.

@@ -212,7 +212,9 @@ impl Grains {
             &mut self.force,
             &mut self.torque,
         ];
-        let fits = rows.into_iter().all(|rows| take(&mut rest, &mut rows.rows_mut()[some.clone()]))
+        let fits = rows
+            .into_iter()
+            .all(|rows| take(&mut rest, &mut rows.rows_mut()[some.clone()]))
             && take(&mut rest, &mut self.image[some.clone()])
             && take(&mut rest, &mut self.orientation[some.clone()])
             && (self.higher.is_empty() || take(&mut rest, &mut self.higher[some]));

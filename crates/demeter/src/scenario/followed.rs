@@ -35,7 +35,9 @@ fn picked<'a, T>(scenario: &'a Scenario, pick: impl Fn(&'a MeasureKind) -> Optio
 /// Whether a field is sampled after this step.
 fn samples(field: &Field, sim: &Simulation) -> bool {
     let steps = |seconds: f64| (seconds / sim.dt).round().max(1.0) as u64;
-    field.sample_every.is_some_and(|seconds| sim.step.is_multiple_of(steps(seconds)))
+    field
+        .sample_every
+        .is_some_and(|seconds| sim.step.is_multiple_of(steps(seconds)))
 }
 
 impl<'a> Followed<'a> {

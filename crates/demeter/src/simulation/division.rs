@@ -10,15 +10,15 @@
 //! ([`Simulation::make_whole`]): then every process has all grains and contacts, does the same as a single one would, and the next
 //! step divides the tables again.
 
+mod in_step;
+
 use super::Simulation;
 use crate::comm::{Message, Ranks, Traffic};
-use crate::contacts::step_work::WorkShare;
-use crate::contacts::{ContactChunk, Contacts, Fault};
+use crate::contacts::{ContactChunk, Contacts};
 use crate::neighbours::{Neighbours, SearchEffort, SegmentsOfCandidates};
-use crate::step::Motion;
-use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Grains are divided anew when the busiest process has so much more to do, as a share of the mean, than right after they were
 /// divided.
@@ -33,7 +33,7 @@ const NUMBERS: usize = 9;
 /// How a run is shared, as one process sees it.
 #[derive(Debug)]
 pub(crate) struct Division {
-    ranks: Box<dyn Ranks>,
+    ranks: Arc<dyn Ranks>,
     /// The first segment of every process, and the number of all.
     cuts: Vec<usize>,
     /// Own grains.
@@ -41,6 +41,8 @@ pub(crate) struct Division {
     borders: Vec<Border>,
     /// What goes over each of them in a step.
     messages: Vec<Message>,
+    /// For every own segment whether others hear of any of its grains.
+    tells_of: Vec<bool>,
     is_whole: bool,
     /// The divided tables while those of the whole are in place, and how often tables had been found by then.
     aside: Option<(u64, Box<(Neighbours, Contacts)>)>,
@@ -48,7 +50,9 @@ pub(crate) struct Division {
     imbalance: f64,
     imbalance_when_divided: f64,
     divided: u64,
+    /// Whether this process wants to end, and whether all know that one does.
     wants_to_end: bool,
+    is_asked_to_end: bool,
 }
 
 /// Grains of this process that may touch grains of another, by rising indices, and those of the other.
@@ -56,6 +60,29 @@ pub(crate) struct Division {
 struct Border {
     tell: Vec<u32>,
     hear: Vec<u32>,
+}
+
+/// What sharing a run takes: the sums and the extremes of all processes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SharingReport {
+    /// Number of processes.
+    pub ranks: usize,
+    /// Work of the busiest process over the mean, since grains were divided or candidates found last.
+    pub imbalance: f64,
+    /// How often the grains were divided.
+    pub divided: u64,
+    /// Bytes over borders, from one process to another, per grain and step.
+    pub border_bytes: f64,
+    /// The same with what is told to all.
+    pub bytes: f64,
+    /// Messages over borders, per process and step.
+    pub messages: f64,
+    /// Things told to all, per process and step.
+    pub rounds: f64,
+    /// Time that processes spent on telling, hearing and waiting for others: the mean [s].
+    pub seconds: f64,
+    /// The same of the process that spent the most [s].
+    pub most_seconds: f64,
 }
 
 /// How a shared run went, as one process sees it.
@@ -95,7 +122,9 @@ impl Division {
     fn decode<T: for<'a> Deserialize<'a>>(&self, bytes: &[u8]) -> T {
         match postcard::from_bytes(bytes) {
             Ok(value) => value,
-            Err(error) => self.ranks.give_up(&format!("another process said what cannot be read: {error}")),
+            Err(error) => self
+                .ranks
+                .give_up(&format!("another process said what cannot be read: {error}")),
         }
     }
 
@@ -127,7 +156,11 @@ impl Division {
             let behind = work.partition_point(|&before| before < wanted);
             // the nearer of both ends of the segment in which the cut would be
             let before = behind.saturating_sub(1);
-            if wanted - work[before].min(wanted) < work[behind] - wanted { before } else { behind }
+            if wanted - work[before].min(wanted) < work[behind] - wanted {
+                before
+            } else {
+                behind
+            }
         };
         self.cuts = (0..ranks).map(cut).chain([segments]).collect();
         let (own, per_segment) = (self.segments(), neighbours.grains_per_segment());
@@ -140,12 +173,22 @@ impl Division {
         let per_segment = neighbours.grains_per_segment().max(1);
         let mut lists: Vec<[Vec<u32>; 2]> = vec![Default::default(); self.ranks.count()];
         for (own, other) in neighbours.pairs_across(&self.own) {
-            let rank = self.cuts.partition_point(|&first| first <= other as usize / per_segment) - 1;
+            let rank = self
+                .cuts
+                .partition_point(|&first| first <= other as usize / per_segment)
+                - 1;
             lists[rank][0].push(own);
             lists[rank][1].push(other);
         }
         self.borders.clear();
         self.messages.clear();
+        let own = self.segments();
+        self.tells_of.clear();
+        self.tells_of.resize(own.len(), false);
+        for [tell, _] in &lists {
+            tell.iter()
+                .for_each(|&g| self.tells_of[g as usize / per_segment - own.start] = true);
+        }
         for (rank, [mut tell, mut hear]) in lists.into_iter().enumerate() {
             if tell.is_empty() {
                 continue;
@@ -168,17 +211,19 @@ impl Simulation {
     /// Shares the run with other processes that begin with the same state; each calls this.
     pub fn share(&mut self, ranks: Box<dyn Ranks>) {
         self.division = Some(Box::new(Division {
-            ranks,
+            ranks: Arc::from(ranks),
             cuts: Vec::new(),
             own: 0..0,
             borders: Vec::new(),
             messages: Vec::new(),
+            tells_of: Vec::new(),
             is_whole: true,
             aside: None,
             imbalance: 1.0,
             imbalance_when_divided: 1.0,
             divided: 0,
             wants_to_end: false,
+            is_asked_to_end: false,
         }));
     }
 
@@ -189,6 +234,39 @@ impl Simulation {
             traffic: division.ranks.traffic(),
             imbalance: division.imbalance,
             divided: division.divided,
+        })
+    }
+
+    /// What sharing took in so many steps, with so many grains in all of them together; each process calls this.
+    pub(super) fn sharing_of_all(&self, steps: u64, particle_steps: u64) -> Option<SharingReport> {
+        let division = self.division.as_ref()?;
+        let Sharing {
+            ranks,
+            traffic,
+            imbalance,
+            divided,
+        } = self.sharing()?;
+        let nanoseconds = (traffic.seconds * 1e9) as u64;
+        let mine = [
+            traffic.messages,
+            traffic.bytes,
+            traffic.rounds,
+            traffic.round_bytes,
+            nanoseconds,
+        ];
+        let ([messages, bytes, rounds, round_bytes, all], [.., most]) = division.counts(mine);
+        let per_process = |count: u64| count as f64 / (ranks as f64 * steps.max(1) as f64);
+        let per_grain = |bytes: u64| bytes as f64 / particle_steps.max(1) as f64;
+        Some(SharingReport {
+            ranks,
+            imbalance,
+            divided,
+            border_bytes: per_grain(bytes),
+            bytes: per_grain(bytes + round_bytes * (ranks as u64 - 1)),
+            messages: per_process(messages),
+            rounds: per_process(rounds),
+            seconds: all as f64 * 1e-9 / ranks as f64,
+            most_seconds: most as f64 * 1e-9,
         })
     }
 
@@ -262,7 +340,8 @@ impl Simulation {
             return;
         };
         let own = division.segments();
-        let chunks = |all: &[ContactChunk], first: Range<usize>, last: Range<usize>| all[first.start..last.end].to_vec();
+        let chunks =
+            |all: &[ContactChunk], first: Range<usize>, last: Range<usize>| all[first.start..last.end].to_vec();
         let of_own = |of: fn(&Neighbours, usize) -> Range<usize>| match own.end.checked_sub(1) {
             Some(last) if own.start <= last => (of(&self.neighbours, own.start), of(&self.neighbours, last)),
             _ => (0..0, 0..0),
@@ -307,7 +386,8 @@ impl Simulation {
         let mine = self.grains.pack(division.own.clone());
         for (rank, of) in division.ranks.gather(&mine).iter().enumerate() {
             let count = self.grains.len();
-            let some = (division.cuts[rank] * per_segment).min(count)..(division.cuts[rank + 1] * per_segment).min(count);
+            let some =
+                (division.cuts[rank] * per_segment).min(count)..(division.cuts[rank + 1] * per_segment).min(count);
             if rank != division.ranks.rank() && !self.grains.unpack(some, of) {
                 division.ranks.give_up("another process has other grains");
             }
@@ -338,7 +418,10 @@ impl Simulation {
 
     /// Finds all candidates anew, each process those of its own grains.
     pub(super) fn find_candidates_together(&mut self) {
-        let is_uneven = self.division.as_ref().is_some_and(|d| d.imbalance > d.imbalance_when_divided + DRIFT);
+        let is_uneven = self
+            .division
+            .as_ref()
+            .is_some_and(|d| d.imbalance > d.imbalance_when_divided + DRIFT);
         if is_uneven || self.is_out_of_order() {
             self.make_whole();
             self.find_candidates();
@@ -361,7 +444,10 @@ impl Simulation {
         }
         let Some(division) = &mut self.division else { return };
         let effort = self.neighbours.effort();
-        let own: usize = division.segments().map(|s| self.neighbours.candidates_of_segment(s)).sum();
+        let own: usize = division
+            .segments()
+            .map(|s| self.neighbours.candidates_of_segment(s))
+            .sum();
         let ([tests, scattered, candidates], _) = division.counts([effort.tests, effort.scattered, own as u64]);
         (self.neighbours).note_total(SearchEffort { tests, scattered }, candidates as usize);
         self.weigh_work();
@@ -388,82 +474,6 @@ impl Simulation {
         }
     }
 
-    /// What the motion of the grains of all processes came to.
-    pub(crate) fn motion_of_all(&self, motion: Motion) -> Motion {
-        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
-            return motion;
-        };
-        let misplaced = if motion.misplaced.is_some() { 1.0 } else { 0.0 };
-        let mut largest = [motion.max_speed, motion.max_step, motion.max_displacement, misplaced];
-        division.ranks.largest(&mut largest);
-        Motion {
-            max_speed: largest[0],
-            max_step: largest[1],
-            max_displacement: largest[2],
-            misplaced: (largest[3] > 0.0).then_some(0),
-        }
-    }
-
-    /// Tells the neighbours how the grains near the borders move, and hears it of theirs.
-    pub(crate) fn exchange_borders(&mut self) {
-        let Some(division) = self.division.as_mut().filter(|division| !division.is_whole) else {
-            return;
-        };
-        let Division {
-            ranks,
-            borders,
-            messages,
-            ..
-        } = &mut **division;
-        let grains = &mut self.grains;
-        for (border, message) in borders.iter().zip(messages.iter_mut()) {
-            message.tell.clear();
-            for &g in &border.tell {
-                let g = g as usize;
-                for vector in [grains.position[g], grains.velocity[g], grains.angular_velocity[g]] {
-                    message.tell.extend(vector.to_array());
-                }
-            }
-        }
-        ranks.exchange(messages);
-        for (border, message) in borders.iter().zip(messages.iter()) {
-            for (&g, numbers) in border.hear.iter().zip(message.hear.chunks_exact(NUMBERS)) {
-                let g = g as usize;
-                grains.position[g] = DVec3::from_slice(&numbers[0..3]);
-                grains.velocity[g] = DVec3::from_slice(&numbers[3..6]);
-                grains.angular_velocity[g] = DVec3::from_slice(&numbers[6..9]);
-            }
-        }
-    }
-
-    /// Sums up what the contacts of all processes did in this step. The first fault of any ends the step of all.
-    pub(crate) fn sum_up_work(&mut self) -> Result<(), Fault> {
-        let (contacts, neighbours, walls) = (&self.contacts, &self.neighbours, self.walls.len());
-        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
-            return self.work.of_all(contacts, neighbours, walls);
-        };
-        let mine = encode(&self.work.share(contacts, neighbours, division.segments()));
-        let shares: Vec<WorkShare> = division.ranks.gather(&mine).iter().map(|of| division.decode(of)).collect();
-        self.work.of_shares(shares, walls)
-    }
-
-    /// The fault of the grain with the lowest id, where any process has found one.
-    pub(crate) fn fault_of_any(&mut self, found: Option<Fault>) -> Result<(), Fault> {
-        let Some(division) = self.division.as_mut() else {
-            return found.map_or(Ok(()), Err);
-        };
-        let flag = |is: bool| if is { 1.0 } else { 0.0 };
-        let mut any = [flag(found.is_some()), flag(division.wants_to_end)];
-        division.ranks.largest(&mut any);
-        division.wants_to_end = any[1] > 0.0;
-        if any[0] == 0.0 {
-            return Ok(());
-        }
-        let faults = division.ranks.gather(&encode(&found));
-        let faults = faults.iter().filter_map(|of| division.decode::<Option<Fault>>(of));
-        faults.min_by_key(Fault::grain).map_or(Ok(()), Err)
-    }
-
     /// Asks all processes to end the run after the next step; where it is not shared, nothing is asked.
     pub fn ask_to_end(&mut self) {
         if let Some(division) = &mut self.division {
@@ -473,7 +483,7 @@ impl Simulation {
 
     /// Whether any process has asked to end, as all know after the step.
     pub fn is_asked_to_end(&self) -> bool {
-        self.division.as_ref().is_some_and(|division| division.wants_to_end)
+        self.division.as_ref().is_some_and(|division| division.is_asked_to_end)
     }
 
     /// Whether this process is the one that writes and tells: the first, or the only one.

@@ -22,7 +22,7 @@ pub use crate::step::Effort;
 pub use custom::{CustomForce, CustomMotion, CustomMotionError, ForceMoment, GrainLoads, NumberCourse, VectorCourse};
 pub use deformation::{Deformation, DeformationError, Drive, Misfit, Shear};
 pub use deforming_box::BoxState;
-pub use division::Sharing;
+pub use division::{Sharing, SharingReport};
 pub use equipment::WallInTheWay;
 pub use exchange::ExchangeError;
 pub use intervention::ChangeError;

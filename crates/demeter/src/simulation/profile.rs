@@ -4,9 +4,9 @@
 //! up its own time for the narrow phase, the laws (with adding up what contacts do) and the walls; what is left of the pass is adding
 //! what tasks have for the grains of others, and threads that wait.
 
-use super::Simulation;
 use super::memory::MemoryPart;
 use super::roofline::{Machine, Roofline, Work};
+use super::{SharingReport, Simulation};
 use demeter_physics::integrator::Integrator;
 use serde::Serialize;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -156,6 +156,9 @@ pub struct ProfileReport {
     pub memory: Vec<MemoryPart>,
     /// Against what the machine could do; absent without steps.
     pub roofline: Option<Roofline>,
+    /// What sharing the run with other processes took; absent where it is not shared.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sharing: Option<SharingReport>,
 }
 
 /// Time of one phase.
@@ -237,6 +240,7 @@ impl Simulation {
             phases,
             memory: self.memory(),
             roofline,
+            sharing: self.sharing_of_all(profile.steps, particle_steps),
         })
     }
 }

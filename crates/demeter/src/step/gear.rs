@@ -9,31 +9,31 @@ use crate::simulation::Simulation;
 use demeter_physics::integrator::gear::{self, Gear};
 use glam::DVec3;
 use rayon::prelude::*;
+use std::ops::Range;
 
 impl Simulation {
-    /// Predicts places, velocities, orientations, accelerations and their derivatives.
-    pub(super) fn predict(&mut self) -> Motion {
+    /// Predicts of some grains places, velocities, orientations, accelerations and their derivatives.
+    pub(super) fn predict(&mut self, some: Range<usize>) -> Motion {
         let method = Gear::new(self.dt);
         let domain = *self.comm.domain();
-        let own = self.own_grains();
         let grains = &mut self.grains;
         let n = GRAINS_PER_TASK;
         (
             (
-                grains.position.rows_mut()[own.clone()].par_chunks_mut(n),
-                grains.velocity.rows_mut()[own.clone()].par_chunks_mut(n),
+                grains.position.rows_mut()[some.clone()].par_chunks_mut(n),
+                grains.velocity.rows_mut()[some.clone()].par_chunks_mut(n),
             ),
             (
-                grains.orientation[own.clone()].par_chunks_mut(n),
-                grains.angular_velocity.rows_mut()[own.clone()].par_chunks_mut(n),
+                grains.orientation[some.clone()].par_chunks_mut(n),
+                grains.angular_velocity.rows_mut()[some.clone()].par_chunks_mut(n),
             ),
             (
-                grains.force.rows_mut()[own.clone()].par_chunks_mut(n),
-                grains.torque.rows_mut()[own.clone()].par_chunks_mut(n),
+                grains.force.rows_mut()[some.clone()].par_chunks_mut(n),
+                grains.torque.rows_mut()[some.clone()].par_chunks_mut(n),
             ),
-            grains.higher[own.clone()].par_chunks_mut(n),
-            grains.mass[own.clone()].par_chunks(n),
-            self.neighbours.reference.rows()[own.clone()].par_chunks(n),
+            grains.higher[some.clone()].par_chunks_mut(n),
+            grains.mass[some.clone()].par_chunks(n),
+            self.neighbours.reference.rows()[some.clone()].par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
@@ -62,7 +62,7 @@ impl Simulation {
                         speed2 = speed2.max(velocity[k].vector.length_squared());
                         displacement2 = displacement2.max((position[k].vector - reference[k].vector).length_squared());
                         if motion.misplaced.is_none() && !domain.contains(position[k].vector) {
-                            motion.misplaced = Some(own.start + task * n + k);
+                            motion.misplaced = Some(some.start + task * n + k);
                         }
                     }
                     motion.max_speed = speed2.sqrt();

@@ -9,24 +9,24 @@ use crate::threads::{Divisible, divide};
 use demeter_physics::integrator::rotate_wide;
 use demeter_physics::lanes::{self, Kernel, Lanes, MOST_LANES, Quad, Vector};
 use glam::{DQuat, DVec3};
+use std::ops::Range;
 
 impl Simulation {
-    /// Half kick, drift, and the predicted velocity; orientations turn.
-    pub(super) fn drift(&mut self) -> Motion {
+    /// Half kick, drift, and the predicted velocity of some grains; orientations turn.
+    pub(super) fn drift(&mut self, some: Range<usize>) -> Motion {
         let dt = self.dt;
         let domain = *self.comm.domain();
         let instructions = self.instructions;
-        let own = self.own_grains();
         let grains = &mut self.grains;
         let all = Drift {
-            first: own.start,
-            position: &mut grains.position.table_mut()[own.clone()],
-            velocity: &mut grains.velocity.table_mut()[own.clone()],
-            spin: &mut grains.angular_velocity.table_mut()[own.clone()],
-            orientation: &mut grains.orientation[own.clone()],
-            force: &grains.force.table()[own.clone()],
-            torque: &grains.torque.table()[own.clone()],
-            reference: &self.neighbours.reference.table()[own],
+            first: some.start,
+            position: &mut grains.position.table_mut()[some.clone()],
+            velocity: &mut grains.velocity.table_mut()[some.clone()],
+            spin: &mut grains.angular_velocity.table_mut()[some.clone()],
+            orientation: &mut grains.orientation[some.clone()],
+            force: &grains.force.table()[some.clone()],
+            torque: &grains.torque.table()[some.clone()],
+            reference: &self.neighbours.reference.table()[some],
             dt,
             domain: &domain,
         };

@@ -59,10 +59,11 @@ impl Ranks for ThreadRank {
         (0..self.count()).map(|from| self.hear(from)).collect()
     }
 
-    fn exchange(&self, messages: &mut [Message]) {
+    fn exchange(&self, messages: &mut [Message], meanwhile: &mut dyn FnMut()) {
         for message in &*messages {
             self.say(message.rank, bytemuck_bytes(&message.tell).as_slice());
         }
+        meanwhile();
         for message in messages {
             let heard = self.hear(message.rank);
             assert_eq!(heard.len(), 8 * message.hear.len());

@@ -1,0 +1,227 @@
+//! `mpirun demeter run`: the bits of one process, and what goes wrong among several.
+#![cfg(feature = "mpi")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
+
+mod demeter;
+
+use demeter::{Place, Said, assert_same, signal};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Grains for several segments fall through a hopper, so that some leave, contacts come and go, and grains are put in order again.
+const FLOW: [&str; 8] = [
+    "hopper.toml",
+    "--set",
+    "grains[0].diameter=\"2.5 mm\"",
+    "--set",
+    "stage.fill.duration=\"4 ms\"",
+    "--set",
+    "stage.flow.duration=\"6 ms\"",
+    "--threads=1",
+];
+
+const WRITTEN: [&str; 4] = ["--set", "output.series=\"1 ms\"", "--set", "output.frames=\"1 ms\""];
+
+/// Under `mpirun`, also where root runs it on a machine with fewer cores.
+fn mpirun(place: &Place, processes: &[&[&str]]) -> Command {
+    let mut command = Command::new("mpirun");
+    for (k, arguments) in processes.iter().enumerate() {
+        if k > 0 {
+            command.arg(":");
+        }
+        command
+            .args(["-n", "1", env!("CARGO_BIN_EXE_demeter")])
+            .args(*arguments);
+    }
+    let set = [
+        "OMPI_ALLOW_RUN_AS_ROOT",
+        "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
+        "OMPI_MCA_rmaps_base_oversubscribe",
+        "OMPI_MCA_mpi_yield_when_idle",
+    ];
+    command.envs(set.map(|name| (name, "1")));
+    command.env("OMPI_MCA_odls_base_sigkill_timeout", "60");
+    command.current_dir(place.path("")).stdin(Stdio::null());
+    command
+}
+
+fn said(mut command: Command) -> Said {
+    let output = command.output().unwrap();
+    Said {
+        code: output.status.code().unwrap_or(-1),
+        out: String::from_utf8_lossy(&output.stdout).into_owned(),
+        err: String::from_utf8_lossy(&output.stderr).into_owned(),
+    }
+}
+
+fn flow() -> Place {
+    let place = Place::new();
+    place.expect(0, &["new", "hopper"]);
+    place
+}
+
+fn run(out: &'static str) -> Vec<&'static str> {
+    [&["run"], &FLOW[..], &WRITTEN, &["--out", out]].concat()
+}
+
+#[test]
+fn two_and_three_processes_give_the_bits_of_one() {
+    let place = flow();
+    place.expect(0, &run("one"));
+    let one = place.results("one");
+    for (out, count) in [("two", 2), ("three", 3)] {
+        let said = said(mpirun(&place, &vec![&run(out)[..]; count]));
+        assert_eq!(said.code, 0, "{}\n{}", said.out, said.err);
+        assert_eq!(said.out.matches("energy residual").count(), 1, "{}", said.out);
+        assert!(
+            said.err.contains(&format!("shared by {count} processes")),
+            "{}",
+            said.err
+        );
+        assert_same(&one, &place.results(out));
+    }
+}
+
+#[test]
+fn a_run_that_is_asked_to_end_goes_on_with_other_processes() {
+    let place = flow();
+    place.expect(0, &run("one"));
+    let mut shared = started(mpirun(&place, &[&run("parts")[..]; 2]), &place, "parts/frames");
+    // what Ctrl-C does: the launcher ends its processes, and gives them so many seconds
+    signal(&mut shared, "INT");
+    assert!(place.path("parts/checkpoint.latest").exists());
+    place.expect(0, &["resume", "parts", "--threads", "1"]);
+    assert_same(&place.results("one"), &place.results("parts"));
+    let said = said(mpirun(&place, &[&["resume", "parts"][..]; 2]));
+    assert_eq!(
+        (said.code, said.out.matches("finished").count()),
+        (0, 1),
+        "{}",
+        said.err
+    );
+}
+
+/// A job that has written a file or folder.
+fn started(mut command: Command, place: &Place, file: &str) -> Child {
+    let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    let deadline = Instant::now() + Duration::from_secs(120);
+    while !place.path(file).exists() {
+        assert!(Instant::now() < deadline, "`{file}` was not written");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child
+}
+
+#[test]
+fn a_process_that_is_killed_ends_the_job_and_leaves_a_checkpoint() {
+    let place = flow();
+    let long = [
+        &["run"],
+        &FLOW[..3],
+        &["--set", "output.checkpoints=\"1 ms\"", "--out", "long"],
+    ]
+    .concat();
+    let job = started(mpirun(&place, &[&long[..]; 2]), &place, "long/checkpoint.previous");
+    let ranks = children_of(job.id());
+    assert_eq!(ranks.len(), 2);
+    let killed = Command::new("kill").args(["-KILL", &ranks[1]]).status().unwrap();
+    assert!(killed.success());
+    let output = job.wait_with_output().unwrap();
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && err.contains("signal 9"), "{err}");
+    let begun = ["resume", "long", "--json"];
+    let mut resumed = place.command(&begun);
+    let mut resumed = resumed.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    std::thread::sleep(Duration::from_millis(500));
+    assert_eq!(signal(&mut resumed, "INT").code(), Some(130), "it did not go on");
+}
+
+#[test]
+fn a_process_that_says_nothing_is_given_up() {
+    let place = flow();
+    let long = [
+        &["run"],
+        &FLOW[..3],
+        &["--set", "output.checkpoints=\"1 ms\"", "--out", "long"],
+    ]
+    .concat();
+    let mut command = mpirun(&place, &[&long[..]; 2]);
+    command.env("DEMETER_PATIENCE", "2");
+    let job = started(command, &place, "long/checkpoint.latest");
+    let ranks = children_of(job.id());
+    let stopped = Command::new("kill").args(["-STOP", &ranks[1]]).status().unwrap();
+    assert!(stopped.success());
+    let output = job.wait_with_output().unwrap();
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && err.contains("has waited for"), "{err}");
+    assert!(err.contains("demeter resume"), "{err}");
+}
+
+/// Processes that a launcher has started.
+fn children_of(launcher: u32) -> Vec<String> {
+    let found = Command::new("pgrep")
+        .args(["-P", &launcher.to_string(), "demeter"])
+        .output()
+        .unwrap();
+    String::from_utf8(found.stdout)
+        .unwrap()
+        .lines()
+        .map(str::to_string)
+        .collect()
+}
+
+#[test]
+fn processes_with_other_inputs_do_not_begin() {
+    let place = flow();
+    let other = [&run("out")[..], &["--set", "contact.tangential.friction=0.3"]].concat();
+    let said = said(mpirun(&place, &[&run("out"), &other]));
+    assert_eq!(said.code, 2, "{}", said.err);
+    assert!(
+        said.err
+            .contains("process 1 differs from process 0: it has another scenario"),
+        "{}",
+        said.err
+    );
+    assert!(!place.path("out").exists());
+}
+
+#[test]
+fn what_is_wrong_is_told_once() {
+    let place = flow();
+    let wrong = ["run", "hopper.toml", "--set", "stage.flow.duration=\"6 kg\""];
+    let wrong_here = said(mpirun(&place, &[&wrong[..]; 3]));
+    assert_eq!(wrong_here.code, 2, "{}", wrong_here.err);
+    assert_eq!(
+        wrong_here.err.matches("nothing was written").count(),
+        1,
+        "{}",
+        wrong_here.err
+    );
+    let elsewhere = said(mpirun(&place, &[&run("out"), &["run", "missing.toml"]]));
+    assert_ne!(elsewhere.code, 0);
+    assert!(elsewhere.err.contains("missing.toml"), "{}", elsewhere.err);
+    assert!(!place.path("out").exists());
+}
+
+#[test]
+fn contacts_that_feel_each_other_keep_their_bits() {
+    let place = flow();
+    let coupled = |out: &'static str| {
+        let law = "contact.multi_contact={ law = \"half-space\", prefactor = 0.5 }";
+        let short = [
+            "--set",
+            "stage.fill.duration=\"0.5 ms\"",
+            "--set",
+            "stage.flow.duration=\"0.5 ms\"",
+        ];
+        [&run(out)[..], &["--set", law], &short].concat()
+    };
+    place.expect(0, &coupled("one"));
+    let said = said(mpirun(&place, &[&coupled("two")[..]; 2]));
+    assert_eq!(said.code, 0, "{}", said.err);
+    assert!(said.err.contains("nothing is gained"), "{}", said.err);
+    assert_eq!(
+        std::fs::read(place.path("one/series.csv")).unwrap(),
+        std::fs::read(place.path("two/series.csv")).unwrap()
+    );
+}

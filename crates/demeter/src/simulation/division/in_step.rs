@@ -1,0 +1,129 @@
+//! What processes that share a run tell each other in a step.
+
+use super::{NUMBERS, encode};
+use crate::contacts::Fault;
+use crate::contacts::step_work::WorkShare;
+use crate::simulation::Simulation;
+use crate::step::Motion;
+use glam::DVec3;
+use std::ops::Range;
+use std::sync::Arc;
+
+impl Simulation {
+    /// What the motion of the grains of all processes came to.
+    pub(crate) fn motion_of_all(&self, motion: Motion) -> Motion {
+        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
+            return motion;
+        };
+        let misplaced = if motion.misplaced.is_some() { 1.0 } else { 0.0 };
+        let mut largest = [motion.max_speed, motion.max_step, motion.max_displacement, misplaced];
+        division.ranks.largest(&mut largest);
+        Motion {
+            max_speed: largest[0],
+            max_step: largest[1],
+            max_displacement: largest[2],
+            misplaced: (largest[3] > 0.0).then_some(0),
+        }
+    }
+
+    /// Moves the own grains, told by their range; tells the neighbours how those near the borders move, and hears it of theirs while the
+    /// others move.
+    pub(crate) fn move_and_exchange(&mut self, mut moves: impl FnMut(&mut Self, Range<usize>) -> Motion) -> Motion {
+        if !self.is_divided() {
+            return moves(self, 0..self.grains.len());
+        }
+        let mut motion = Motion::default();
+        for near in self.parts_at_borders(true) {
+            motion = motion.merge(moves(self, near));
+        }
+        self.exchange_borders(|sim| {
+            for other in sim.parts_at_borders(false) {
+                motion = std::mem::take(&mut motion).merge(moves(sim, other));
+            }
+        });
+        motion
+    }
+
+    /// Stretches of own segments with grains that others hear of, or those without.
+    fn parts_at_borders(&self, at_borders: bool) -> Vec<Range<usize>> {
+        let Some(division) = &self.division else {
+            return Vec::new();
+        };
+        let mut parts: Vec<Range<usize>> = Vec::new();
+        for segment in division.segments() {
+            if division.tells_of[segment - division.segments().start] != at_borders {
+                continue;
+            }
+            let grains = self.neighbours.grains_of_segment(segment);
+            match parts.last_mut().filter(|before| before.end == grains.start) {
+                Some(before) => before.end = grains.end,
+                None => parts.push(grains),
+            }
+        }
+        parts
+    }
+
+    /// Tells the neighbours how the grains near the borders move, works, and hears it of theirs.
+    pub(crate) fn exchange_borders(&mut self, mut meanwhile: impl FnMut(&mut Self)) {
+        let Some(mut division) = self.division.take_if(|division| !division.is_whole) else {
+            return;
+        };
+        for (border, message) in division.borders.iter().zip(&mut division.messages) {
+            message.tell.clear();
+            for &g in &border.tell {
+                let (g, grains) = (g as usize, &self.grains);
+                for vector in [grains.position[g], grains.velocity[g], grains.angular_velocity[g]] {
+                    message.tell.extend(vector.to_array());
+                }
+            }
+        }
+        let ranks = Arc::clone(&division.ranks);
+        let mut messages = std::mem::take(&mut division.messages);
+        self.division = Some(division);
+        ranks.exchange(&mut messages, &mut || meanwhile(self));
+        let Some(division) = &mut self.division else { return };
+        division.messages = messages;
+        for (border, message) in division.borders.iter().zip(&division.messages) {
+            let grains = &mut self.grains;
+            for (&g, numbers) in border.hear.iter().zip(message.hear.chunks_exact(NUMBERS)) {
+                let g = g as usize;
+                grains.position[g] = DVec3::from_slice(&numbers[0..3]);
+                grains.velocity[g] = DVec3::from_slice(&numbers[3..6]);
+                grains.angular_velocity[g] = DVec3::from_slice(&numbers[6..9]);
+            }
+        }
+    }
+
+    /// Sums up what the contacts of all processes did in this step. The first fault of any ends the step of all.
+    pub(crate) fn sum_up_work(&mut self) -> Result<(), Fault> {
+        let (contacts, neighbours, walls) = (&self.contacts, &self.neighbours, self.walls.len());
+        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
+            return self.work.of_all(contacts, neighbours, walls);
+        };
+        let mine = encode(&self.work.share(contacts, neighbours, division.segments()));
+        let shares: Vec<WorkShare> = division
+            .ranks
+            .gather(&mine)
+            .iter()
+            .map(|of| division.decode(of))
+            .collect();
+        self.work.of_shares(shares, walls)
+    }
+
+    /// The fault of the grain with the lowest id, where any process has found one.
+    pub(crate) fn fault_of_any(&mut self, found: Option<Fault>) -> Result<(), Fault> {
+        let Some(division) = self.division.as_mut() else {
+            return found.map_or(Ok(()), Err);
+        };
+        let flag = |is: bool| if is { 1.0 } else { 0.0 };
+        let mut any = [flag(found.is_some()), flag(division.wants_to_end)];
+        division.ranks.largest(&mut any);
+        division.is_asked_to_end = any[1] > 0.0;
+        if any[0] == 0.0 {
+            return Ok(());
+        }
+        let faults = division.ranks.gather(&encode(&found));
+        let faults = faults.iter().filter_map(|of| division.decode::<Option<Fault>>(of));
+        faults.min_by_key(Fault::grain).map_or(Ok(()), Err)
+    }
+}
