@@ -40,7 +40,6 @@ fn mpirun(place: &Place, processes: &[&[&str]]) -> Command {
         "OMPI_MCA_mpi_yield_when_idle",
     ];
     command.envs(set.map(|name| (name, "1")));
-    command.env("OMPI_MCA_odls_base_sigkill_timeout", "60");
     command.current_dir(place.path("")).stdin(Stdio::null());
     command
 }
@@ -86,7 +85,9 @@ fn two_and_three_processes_give_the_bits_of_one() {
 fn a_run_that_is_asked_to_end_goes_on_with_other_processes() {
     let place = flow();
     place.expect(0, &run("one"));
-    let mut shared = started(mpirun(&place, &[&run("parts")[..]; 2]), &place, "parts/frames");
+    let mut command = mpirun(&place, &[&run("parts")[..]; 2]);
+    command.env("OMPI_MCA_odls_base_sigkill_timeout", "4");
+    let mut shared = started(command, &place, "parts/frames");
     // what Ctrl-C does: the launcher ends its processes, and gives them so many seconds
     signal(&mut shared, "INT");
     assert!(place.path("parts/checkpoint.latest").exists());
