@@ -1,5 +1,6 @@
 //! The processes of an MPI job, of which each runs this program.
 
+#[cfg(feature = "mpi")]
 use crate::answer;
 use crate::failure::Failure;
 #[cfg(feature = "mpi")]
@@ -53,17 +54,17 @@ impl Job {
     #[cfg(not(feature = "mpi"))]
     pub fn join() -> Result<Self, Failure> {
         let processes = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"];
-        let several = |name: &&str| {
+        let several = |name: &str| {
             let count = std::env::var(name).ok().and_then(|text| text.parse::<u32>().ok());
             count.is_some_and(|count| count > 1)
         };
-        match processes.iter().find(several) {
-            None => Ok(Self {}),
-            Some(_) => Err(Failure::wrong(
+        if processes.into_iter().any(several) {
+            return Err(Failure::wrong(
                 "this program was built without MPI, so that each process would run all; build it with \
                  `cargo build --release -p demeter-cli --features mpi`, or run it without `mpirun`",
-            )),
+            ));
         }
+        Ok(Self {})
     }
 
     /// The processes that share a run; `None` where there is one.

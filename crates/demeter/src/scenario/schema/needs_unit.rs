@@ -75,7 +75,7 @@ fn of_forms(forms: &[Form]) -> Option<Value> {
     let others = forms
         .iter()
         .filter(|form| !is_quantity(form) && (lists < 2 || !is_list(form)));
-    asked.extend(others.filter_map(|form| of_form(form)));
+    asked.extend(others.filter_map(of_form));
     match asked.len() {
         0 => None,
         1 => asked.pop(),
