@@ -36,9 +36,8 @@ pub fn render(arguments: &RenderArguments) -> Result<Exit, Failure> {
         return Err(Failure::wrong(message));
     };
     let mut options = options(arguments, &run)?;
-    let cuts = cuts(arguments)?;
     if arguments.frame == "all" {
-        let files = movie(arguments, &run, &moments, &mut options, &cuts)?;
+        let files = movie(arguments, &run, &moments, &mut options)?;
         return tell(arguments, &files, Some(&files[0]));
     }
     let moment = one(&arguments.frame, &moments, last)?;
@@ -55,7 +54,7 @@ pub fn render(arguments: &RenderArguments) -> Result<Exit, Failure> {
             file.display()
         )));
     }
-    draw(&LoadedFrame::read(&run, moment.step, &cuts)?, &options, &file)?;
+    draw(&LoadedFrame::read(&run, moment.step)?, &options, &file)?;
     tell(arguments, &[file], None)
 }
 
@@ -85,7 +84,6 @@ fn movie(
     run: &Run,
     moments: &[Moment],
     options: &mut PictureOptions,
-    cuts: &[Cut],
 ) -> Result<Vec<PathBuf>, Failure> {
     let folder = arguments
         .out
@@ -101,7 +99,7 @@ fn movie(
     looked.dedup();
     let mut region = None;
     for k in looked {
-        let frame = LoadedFrame::read(run, moments[k].step, cuts)?;
+        let frame = LoadedFrame::read(run, moments[k].step)?;
         let (low, high) = frame.region(options);
         let union = |(a, b): (demeter_physics::DVec3, demeter_physics::DVec3)| (a.min(low), b.max(high));
         region = Some(region.map_or((low, high), union));
@@ -114,7 +112,7 @@ fn movie(
     let mut files = Vec::with_capacity(moments.len());
     for (k, moment) in moments.iter().enumerate() {
         let file = folder.join(format!("{k:05}.png"));
-        draw(&LoadedFrame::read(run, moment.step, cuts)?, options, &file)?;
+        draw(&LoadedFrame::read(run, moment.step)?, options, &file)?;
         files.push(file);
     }
     Ok(files)
@@ -193,6 +191,7 @@ fn options(arguments: &RenderArguments, run: &Run) -> Result<PictureOptions, Fai
             _ => WallLook::Lines,
         },
         chains: arguments.chains,
+        cuts: cuts(arguments)?,
         ..PictureOptions::default()
     })
 }

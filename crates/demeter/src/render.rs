@@ -1,6 +1,7 @@
 //! Pictures of the frames that a run left.
 
 use crate::materials::Material;
+pub use crate::output::picture::Cut;
 use crate::output::picture::{Image, PictureOptions, colour_end, render_packing, shown_region};
 use crate::output::vtp::{PolyData, Values};
 use crate::output::{ContactRecord, Frame, MATERIAL_NAMES, WALL_NAMES, WallSurface};
@@ -8,17 +9,6 @@ use crate::particles::Grains;
 use crate::results::{ResultsError, Run, TableFile, TableKind};
 use glam::{DQuat, DVec3};
 use std::str::FromStr;
-
-/// What is cut away: everything on one side of a plane across an axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cut {
-    /// 0 for x, 1 for y, 2 for z.
-    pub axis: usize,
-    /// Whether what is above goes, else what is below.
-    pub above: bool,
-    /// Where [m].
-    pub at: f64,
-}
 
 /// A cut that is not understood.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -51,15 +41,6 @@ impl FromStr for Cut {
     }
 }
 
-impl Cut {
-    fn keeps(&self, place: DVec3) -> bool {
-        match self.above {
-            true => place[self.axis] <= self.at,
-            false => place[self.axis] >= self.at,
-        }
-    }
-}
-
 /// A frame of a run, in memory.
 #[derive(Clone, Debug, Default)]
 pub struct LoadedFrame {
@@ -72,30 +53,26 @@ pub struct LoadedFrame {
 }
 
 impl LoadedFrame {
-    /// Reads the frame of a step, without what cuts take away.
-    pub fn read(run: &Run, step: u64, cuts: &[Cut]) -> Result<Self, ResultsError> {
+    /// Reads the frame of a step.
+    pub fn read(run: &Run, step: u64) -> Result<Self, ResultsError> {
         let mut file = run.open_table(TableKind::Grains, step)?;
         let mut frame = Self {
             step: file.step(),
             time: file.time(),
             ..Self::default()
         };
-        frame.read_grains(&mut file, cuts)?;
-        frame.read_contacts(&mut run.open_table(TableKind::Contacts, step)?, cuts)?;
+        frame.read_grains(&mut file)?;
+        frame.read_contacts(&mut run.open_table(TableKind::Contacts, step)?)?;
         frame.read_walls(&run.table(TableKind::Walls, step)?);
         Ok(frame)
     }
 
-    fn read_grains(&mut self, file: &mut TableFile, cuts: &[Cut]) -> Result<(), ResultsError> {
+    fn read_grains(&mut self, file: &mut TableFile) -> Result<(), ResultsError> {
         let (ids, materials) = (file.counts("id")?, file.integers("material")?);
         let (radii, masses) = (file.floats("radius", 1)?, file.floats("mass", 1)?);
         let places = file.points()?;
         let (velocities, spins) = (vectors(file, "velocity")?, vectors(file, "angular_velocity")?);
-        for (k, place) in places
-            .iter()
-            .enumerate()
-            .filter(|(_, p)| cuts.iter().all(|cut| cut.keeps(**p)))
-        {
+        for (k, place) in places.iter().enumerate() {
             self.grains.id.push(ids[k]);
             self.grains
                 .material
@@ -119,13 +96,12 @@ impl LoadedFrame {
         Ok(())
     }
 
-    fn read_contacts(&mut self, file: &mut TableFile, cuts: &[Cut]) -> Result<(), ResultsError> {
+    fn read_contacts(&mut self, file: &mut TableFile) -> Result<(), ResultsError> {
         let (id_i, id_j, element) = (file.counts("id_i")?, file.counts("id_j")?, file.counts("element")?);
         let (wall, overlap) = (file.integers("wall")?, file.floats("overlap", 1)?);
         let (position, normal) = (file.points()?, vectors(file, "normal")?);
         let (push, drag) = (vectors(file, "normal_force")?, vectors(file, "tangential_force")?);
-        let kept = (0..position.len()).filter(|k| cuts.iter().all(|cut| cut.keeps(position[*k])));
-        self.contacts = kept
+        self.contacts = (0..position.len())
             .map(|k| ContactRecord {
                 id_i: id_i[k],
                 id_j: id_j[k],
@@ -214,9 +190,15 @@ mod tests {
                 at: 0.01
             }
         );
-        assert!(cut.keeps(DVec3::new(5.0, 0.005, 0.0)) && !cut.keeps(DVec3::new(0.0, 0.02, 0.0)));
         let cut: Cut = "x<-1 m".parse().unwrap();
-        assert!(!cut.keeps(DVec3::new(-2.0, 0.0, 0.0)) && cut.keeps(DVec3::ZERO));
+        assert_eq!(
+            cut,
+            Cut {
+                axis: 0,
+                above: false,
+                at: -1.0
+            }
+        );
         for wrong in ["", "y", "w > 1 m", "y > 1", "y > 1 kg", "y > mm", "> 1 m"] {
             let found = wrong.parse::<Cut>().unwrap_err().to_string();
             assert!(found.contains("as `y > 10 mm`"), "{found}");

@@ -67,7 +67,7 @@ pub struct RenderArguments {
     /// Value at the end of the colour bar, as "2 m/s"; where most values end when absent
     #[arg(long, visible_alias = "color-end", value_name = "VALUE")]
     pub colour_end: Option<String>,
-    /// Leave out grains and contacts on one side of a plane, as "y > 10 mm"; may be given many times
+    /// Cut away what is on one side of a plane, as "y > 10 mm"; grains show their sections; may be given many times
     #[arg(long, value_name = "CUT")]
     pub clip: Vec<String>,
     /// Draw force chains: a cylinder for every contact, thick and bright where the force is large

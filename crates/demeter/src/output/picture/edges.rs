@@ -1,7 +1,7 @@
 //! Walls as thin lines: the edges where a surface ends, bends, or turns away from the viewer.
 
 use super::camera::Camera;
-use super::spheres::Seen;
+use super::spheres::{Seen, Sight};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
@@ -49,14 +49,14 @@ pub(super) fn feature_lines(triangles: &[[DVec3; 3]]) -> Vec<Line> {
 }
 
 /// How much of every pixel lines cover, where nothing that is seen is in front of them.
-pub(super) fn draw(lines: &[Line], camera: &Camera, seen: &[Seen], width: usize, half_thickness: f64) -> Vec<f32> {
+pub(super) fn draw(lines: &[Line], sight: Sight, seen: &[Seen], width: usize, half_thickness: f64) -> Vec<f32> {
     let mut cover = vec![0.0; seen.len()];
     if width == 0 {
         return cover;
     }
     let size = DVec2::new(width as f64, (seen.len() / width) as f64);
-    for line in lines {
-        if let Some(stroke) = Stroke::new(line, camera, size) {
+    for line in lines.iter().filter_map(|line| sight.planes.clip(*line)) {
+        if let Some(stroke) = Stroke::new(&line, sight.camera, size) {
             stroke.draw(&mut cover, seen, width, half_thickness);
         }
     }

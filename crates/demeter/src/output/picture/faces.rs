@@ -1,7 +1,6 @@
 //! Walls as translucent surfaces: how much of every pixel they cover, where nothing that is seen is in front of them.
 
-use super::camera::Camera;
-use super::spheres::Seen;
+use super::spheres::{Seen, Sight};
 use glam::DVec3;
 
 /// How much one surface covers.
@@ -10,7 +9,7 @@ const COVER: f32 = 0.13;
 const MOST: f32 = 0.45;
 
 /// Draws the triangles of all walls, which are in the frame of the camera.
-pub(super) fn draw(walls: &[Vec<[DVec3; 3]>], camera: &Camera, seen: &[Seen], width: usize) -> Vec<f32> {
+pub(super) fn draw(walls: &[Vec<[DVec3; 3]>], sight: Sight, seen: &[Seen], width: usize) -> Vec<f32> {
     let mut cover = vec![0.0; seen.len()];
     if width == 0 {
         return cover;
@@ -18,14 +17,14 @@ pub(super) fn draw(walls: &[Vec<[DVec3; 3]>], camera: &Camera, seen: &[Seen], wi
     for triangle in walls.iter().flatten() {
         // What reaches behind the camera is left out; such a wall surrounds the viewer.
         if triangle.iter().all(|p| p.is_finite() && p.z > 0.0) {
-            draw_triangle(&mut cover, triangle, camera, seen, width);
+            draw_triangle(&mut cover, triangle, sight, seen, width);
         }
     }
     cover
 }
 
-fn draw_triangle(cover: &mut [f32], triangle: &[DVec3; 3], camera: &Camera, seen: &[Seen], width: usize) {
-    let corners = triangle.map(|p| camera.pixel(p));
+fn draw_triangle(cover: &mut [f32], triangle: &[DVec3; 3], sight: Sight, seen: &[Seen], width: usize) {
+    let corners = triangle.map(|p| sight.camera.pixel(p));
     let height = seen.len() / width;
     let span = |axis: usize, size: usize| {
         let low = corners.iter().map(|c| c[axis]).fold(f64::INFINITY, f64::min);
@@ -52,7 +51,7 @@ fn draw_triangle(cover: &mut [f32], triangle: &[DVec3; 3], camera: &Camera, seen
             }
             let depth = 1.0 / (0..3).map(|k| weights[k] * inverse[k]).sum::<f64>();
             let index = y * width + x;
-            if depth <= f64::from(seen[index].depth) {
+            if depth <= f64::from(seen[index].depth) && sight.planes.keep(depth * sight.camera.ray(x, y)) {
                 cover[index] = (cover[index] + COVER).min(MOST);
             }
         }

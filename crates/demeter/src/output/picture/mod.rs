@@ -5,6 +5,7 @@
 mod camera;
 mod chains;
 mod colouring;
+mod cut;
 mod edges;
 mod faces;
 mod image;
@@ -14,6 +15,7 @@ mod viridis;
 
 pub use camera::View;
 pub use colouring::ColourBy;
+pub use cut::Cut;
 pub(crate) use image::Font;
 pub use image::Image;
 
@@ -21,10 +23,11 @@ use super::frame::Frame;
 use super::ticks::Ticks;
 use camera::{Area, Bounds, Camera};
 use colouring::{Colouring, Legend};
+use cut::Planes;
 use glam::DVec3;
 use image::to_linear;
 use shading::{Lighting, Rgb};
-use spheres::Sphere;
+use spheres::{Sight, Sphere};
 
 /// Every pixel is the mean of a square of this many pixels on a side.
 const SCALE: usize = 2;
@@ -56,6 +59,8 @@ pub struct PictureOptions {
     /// Whether the contacts are drawn as cylinders between the centres, thick and bright where the force is large, and the
     /// grains faintly behind them.
     pub chains: bool,
+    /// What is cut away.
+    pub cuts: Vec<Cut>,
 }
 
 /// How walls are drawn.
@@ -82,6 +87,7 @@ impl Default for PictureOptions {
             colour_end: None,
             walls: WallLook::Lines,
             chains: false,
+            cuts: Vec::new(),
         }
     }
 }
@@ -134,21 +140,26 @@ fn scene(
     let (columns, rows) = (SCALE * width, SCALE * height);
     let region = options
         .region
-        .map_or_else(|| bounds(frame, options.walls), |(lower, upper)| thick(lower, upper));
+        .map_or_else(|| bounds(frame, options), |(lower, upper)| thick(lower, upper));
     let camera = Camera::showing(&region, &area, options.view);
+    let planes = Planes::new(&options.cuts, &camera);
+    let sight = Sight {
+        camera: &camera,
+        planes: &planes,
+    };
     let grains = frame.grains;
     let spheres = grains.position.iter().zip(grains.radii()).map(|(&p, r)| (p, r));
     let albedo: Vec<Rgb> = colouring.colours.iter().map(|colour| colour.map(to_linear)).collect();
-    let mut layer = Layer::new(spheres, &albedo, &camera, (columns, rows));
+    let mut layer = Layer::new(spheres, &albedo, sight, (columns, rows));
     if let Some(chains) = chains {
-        let front = Layer::new(chains.beads.iter().copied(), &chains.albedo, &camera, (columns, rows));
+        let front = Layer::new(chains.beads.iter().copied(), &chains.albedo, sight, (columns, rows));
         layer.fade_behind(front);
     }
     if options.walls != WallLook::Hidden {
         // A wall that goes on far beyond the grains must not run through the title and the legend.
         let first_row = (area.top - 20.0 * scale) as usize;
         let last_column = (area.left + area.width + 20.0 * scale) as usize;
-        layer.draw_walls(frame, &camera, columns, options.walls, (first_row, last_column));
+        layer.draw_walls(frame, sight, columns, options.walls, (first_row, last_column));
     }
     Image::reduce(&layer.colours, columns, SCALE)
 }
@@ -166,18 +177,18 @@ impl Layer {
     fn new(
         spheres: impl Iterator<Item = (DVec3, f64)>,
         albedo: &[Rgb],
-        camera: &Camera,
+        sight: Sight,
         (columns, rows): (usize, usize),
     ) -> Self {
         let spheres: Vec<Sphere> = spheres
             .map(|(p, radius)| Sphere {
-                centre: camera.local(p),
+                centre: sight.camera.local(p),
                 radius,
             })
             .collect();
-        let seen = spheres::draw(&spheres, camera, columns, rows);
+        let seen = spheres::draw(&spheres, sight, columns, rows);
         let paper = PAPER.map(to_linear);
-        let colours = Lighting::new(&spheres, &seen, camera).shade(&seen, columns, albedo, paper);
+        let colours = Lighting::new(&spheres, &seen, sight).shade(&seen, columns, albedo, paper);
         Self { seen, colours }
     }
 
@@ -197,12 +208,12 @@ impl Layer {
     fn draw_walls(
         &mut self,
         frame: &Frame,
-        camera: &Camera,
+        sight: Sight,
         columns: usize,
         look: WallLook,
         (first_row, last_column): (usize, usize),
     ) {
-        let own = |t: &[DVec3; 3]| t.map(|p| camera.local(p));
+        let own = |t: &[DVec3; 3]| t.map(|p| sight.camera.local(p));
         let surfaces: Vec<Vec<[DVec3; 3]>> = frame
             .walls
             .iter()
@@ -210,14 +221,14 @@ impl Layer {
             .collect();
         let free = |k: usize| k / columns >= first_row && k % columns <= last_column;
         if look == WallLook::Faces {
-            let cover = faces::draw(&surfaces, camera, &self.seen, columns);
+            let cover = faces::draw(&surfaces, sight, &self.seen, columns);
             lay_over(&mut self.colours, &cover, FACE.map(to_linear), free);
         }
         let lines: Vec<edges::Line> = surfaces
             .iter()
             .flat_map(|surface| edges::feature_lines(surface))
             .collect();
-        let cover = edges::draw(&lines, camera, &self.seen, columns, 0.7 * SCALE as f64);
+        let cover = edges::draw(&lines, sight, &self.seen, columns, 0.7 * SCALE as f64);
         lay_over(&mut self.colours, &cover, LINE.map(to_linear), free);
     }
 }
@@ -240,21 +251,25 @@ pub fn colour_end(frame: &Frame, options: &PictureOptions) -> Option<f64> {
 
 /// What a picture of a frame shows: lower and upper corner [m].
 pub fn shown_region(frame: &Frame, options: &PictureOptions) -> (DVec3, DVec3) {
-    let bounds = bounds(frame, options.walls);
+    let bounds = bounds(frame, options);
     (bounds.lower, bounds.upper)
 }
 
-/// What the picture shows: all grains, and the walls as far as they are near them.
-fn bounds(frame: &Frame, walls: WallLook) -> Bounds {
+/// What the picture shows: all grains, and the walls as far as they are near them; of both what is not cut away.
+fn bounds(frame: &Frame, options: &PictureOptions) -> Bounds {
     let mut lower = DVec3::INFINITY;
     let mut upper = DVec3::NEG_INFINITY;
     for (&p, r) in frame.grains.position.iter().zip(frame.grains.radii()) {
-        if p.is_finite() && r.is_finite() {
+        if p.is_finite() && r.is_finite() && options.cuts.iter().all(|cut| cut.keeps_some(p, r)) {
             lower = lower.min(p - r);
             upper = upper.max(p + r);
         }
     }
-    let shown = if walls == WallLook::Hidden { &[] } else { frame.walls };
+    let shown = if options.walls == WallLook::Hidden {
+        &[]
+    } else {
+        frame.walls
+    };
     let corners = || {
         shown
             .iter()
@@ -271,10 +286,11 @@ fn bounds(frame: &Frame, walls: WallLook) -> Bounds {
         lower = lower.min(corner.clamp(near, far));
         upper = upper.max(corner.clamp(near, far));
     }
-    if lower.x > upper.x {
-        (lower, upper) = (DVec3::ZERO, DVec3::ONE);
+    let bounds = (options.cuts.iter()).fold(Bounds { lower, upper }, |bounds, cut| cut.of_box(bounds));
+    if !bounds.lower.cmple(bounds.upper).all() {
+        return thick(DVec3::ZERO, DVec3::ONE);
     }
-    thick(lower, upper)
+    thick(bounds.lower, bounds.upper)
 }
 
 /// A box with some extent in every direction: a single plane has no thickness, and the camera needs some.

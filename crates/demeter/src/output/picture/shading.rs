@@ -1,7 +1,6 @@
 //! Light: a lamp from above with shadows, light from all sides that neighbours hold back, and a soft highlight.
 
-use super::camera::Camera;
-use super::spheres::{Seen, Sphere, hit};
+use super::spheres::{Seen, Sight, Sphere, meet};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -11,6 +10,8 @@ const LAMP: f64 = 0.62;
 const HIGHLIGHT: f64 = 0.07;
 /// What is left of the lamp in a shadow: a hard shadow would hide the colour.
 const IN_SHADOW: f64 = 0.45;
+/// How bright a section is beside the surface of its grain.
+const SECTION: f64 = 0.65;
 /// Neighbours that hold light back, at most; those that matter most are kept.
 const MOST_NEIGHBOURS: usize = 20;
 
@@ -20,7 +21,7 @@ pub(super) type Rgb = [f32; 3];
 /// What is needed to light a pixel.
 pub(super) struct Lighting<'a> {
     spheres: &'a [Sphere],
-    camera: &'a Camera,
+    sight: Sight<'a>,
     /// Towards the lamp, and up, in the frame of the camera.
     lamp: DVec3,
     up: DVec3,
@@ -30,15 +31,15 @@ pub(super) struct Lighting<'a> {
 
 impl<'a> Lighting<'a> {
     /// Prepares the light for what is seen.
-    pub fn new(spheres: &'a [Sphere], seen: &[Seen], camera: &'a Camera) -> Self {
-        let up = camera.turn(DVec3::Z);
+    pub fn new(spheres: &'a [Sphere], seen: &[Seen], sight: Sight<'a>) -> Self {
+        let up = sight.camera.turn(DVec3::Z);
         let lamp = (1.1 * up + DVec3::new(-0.4, 0.0, -0.85)).normalize();
         Self {
             spheres,
-            camera,
+            sight,
             lamp,
             up,
-            neighbours: Neighbours::new(spheres, seen),
+            neighbours: Neighbours::new(spheres, seen, sight),
         }
     }
 
@@ -58,10 +59,20 @@ impl<'a> Lighting<'a> {
 
     fn pixel(&self, x: usize, y: usize, index: usize, albedo: Rgb) -> Rgb {
         let sphere = &self.spheres[index];
-        let ray = self.camera.ray(x, y);
-        let point = hit(sphere, ray);
-        let normal = (point - sphere.centre) / sphere.radius;
-        let (open, lit) = self.light_at(point, normal, index);
+        let ray = self.sight.camera.ray(x, y);
+        let Some(entry) = meet(sphere, self.sight, ray) else {
+            return albedo;
+        };
+        let point = entry.at * ray;
+        let normal = entry.section.unwrap_or((point - sphere.centre) / sphere.radius);
+        let (open, lit, share) = match entry.section {
+            // nothing is left beyond the plane that could hold light back
+            Some(_) => (1.0, 1.0, SECTION),
+            None => {
+                let (open, lit) = self.light_at(point, normal, index);
+                (open, lit, 1.0)
+            }
+        };
         let sky = 0.5 + 0.5 * normal.dot(self.up);
         let ambient = AMBIENT * open * (0.7 + 0.3 * sky);
         let lamp = normal.dot(self.lamp).max(0.0) * lit;
@@ -72,7 +83,7 @@ impl<'a> Lighting<'a> {
         let glance8 = glance2 * glance2 * glance2 * glance2;
         let highlight = HIGHLIGHT * lit * glance8 * glance8 * glance8;
         let diffuse = ambient + LAMP * lamp;
-        albedo.map(|c| (f64::from(c) * diffuse + highlight).min(1.0) as f32)
+        albedo.map(|c| (share * f64::from(c) * diffuse + highlight).min(1.0) as f32)
     }
 
     /// How open the sky is at a point, and how much of the lamp reaches it, with respect to the neighbours.
@@ -117,7 +128,7 @@ impl Neighbours {
         &self.list[self.start[sphere] as usize..self.start[sphere + 1] as usize]
     }
 
-    fn new(spheres: &[Sphere], seen: &[Seen]) -> Self {
+    fn new(spheres: &[Sphere], seen: &[Seen], sight: Sight) -> Self {
         let mut is_seen = vec![false; spheres.len()];
         for pixel in seen.iter().filter(|pixel| pixel.sphere != u32::MAX) {
             is_seen[pixel.sphere as usize] = true;
@@ -127,7 +138,7 @@ impl Neighbours {
             .map(|s| s.radius)
             .filter(|r| r.is_finite())
             .fold(0.0, f64::max);
-        let grid = Grid::new(spheres, 3.0 * largest);
+        let grid = Grid::new(spheres, 3.0 * largest, sight);
         let lists: Vec<Vec<u32>> = (0..spheres.len())
             .into_par_iter()
             .map(|index| if is_seen[index] { grid.around(index) } else { Vec::new() })
@@ -154,13 +165,16 @@ struct Grid<'a> {
 }
 
 impl<'a> Grid<'a> {
-    fn new(spheres: &'a [Sphere], cell: f64) -> Self {
+    fn new(spheres: &'a [Sphere], cell: f64, sight: Sight) -> Self {
         let mut grid = Self {
             spheres,
             cell: if cell > 0.0 { cell } else { 1.0 },
             entries: Vec::new(),
         };
-        let drawn = (0..).zip(spheres).filter(|(_, s)| s.centre.is_finite());
+        // what is cut away holds no light back
+        let drawn = (0..)
+            .zip(spheres)
+            .filter(|(_, s)| s.centre.is_finite() && sight.planes.keep(s.centre));
         grid.entries = drawn.map(|(index, s)| (grid.cell_of(s.centre), index)).collect();
         grid.entries.sort_unstable();
         grid

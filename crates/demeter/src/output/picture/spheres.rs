@@ -1,6 +1,7 @@
 //! Which sphere is seen in every pixel: splatting with a depth buffer.
 
 use super::camera::Camera;
+use super::cut::{Entry, Planes};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -38,8 +39,16 @@ struct Cover {
     rows: (usize, usize),
 }
 
+/// From where what is looked at, and what is cut away.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sight<'a> {
+    pub camera: &'a Camera,
+    pub planes: &'a Planes,
+}
+
 /// Draws spheres. The result depends on neither their order nor the number of threads.
-pub(super) fn draw(spheres: &[Sphere], camera: &Camera, width: usize, height: usize) -> Vec<Seen> {
+pub(super) fn draw(spheres: &[Sphere], sight: Sight, width: usize, height: usize) -> Vec<Seen> {
+    let camera = sight.camera;
     let mut covers: Vec<Cover> = (0..)
         .zip(spheres)
         .filter_map(|(index, sphere)| cover(index, sphere, camera, width, height))
@@ -59,7 +68,7 @@ pub(super) fn draw(spheres: &[Sphere], camera: &Camera, width: usize, height: us
         .enumerate()
         .for_each(|(k, (pixels, covers))| {
             for cover in covers {
-                draw_in_band(pixels, k * BAND, width, cover, &spheres[cover.sphere as usize], camera);
+                draw_in_band(pixels, k * BAND, width, cover, &spheres[cover.sphere as usize], sight);
             }
         });
     seen
@@ -84,26 +93,22 @@ fn cover(sphere: u32, s: &Sphere, camera: &Camera, width: usize, height: usize) 
     (columns.0 < columns.1 && rows.0 < rows.1).then_some(Cover { sphere, columns, rows })
 }
 
-fn draw_in_band(pixels: &mut [Seen], first_row: usize, width: usize, cover: &Cover, s: &Sphere, camera: &Camera) {
+fn draw_in_band(pixels: &mut [Seen], first_row: usize, width: usize, cover: &Cover, s: &Sphere, sight: Sight) {
     let rows = pixels.len() / width;
     let from = cover.rows.0.max(first_row);
     let to = cover.rows.1.min(first_row + rows);
     let nearest = (s.centre.z - s.radius) as f32;
-    let beyond = s.centre.length_squared() - s.radius * s.radius;
     for y in from..to {
         let row = &mut pixels[(y - first_row) * width..][..width];
         for (x, pixel) in (cover.columns.0..).zip(&mut row[cover.columns.0..cover.columns.1]) {
             if pixel.depth <= nearest {
                 continue;
             }
-            let ray = camera.ray(x, y);
-            let (a, b) = (ray.length_squared(), ray.dot(s.centre));
-            let discriminant = b * b - a * beyond;
-            if discriminant <= 0.0 {
+            let Some(entry) = meet(s, sight, sight.camera.ray(x, y)) else {
                 continue;
-            }
+            };
             // The ray has length 1 along the axis: its parameter is the depth.
-            let depth = ((b - discriminant.sqrt()) / a) as f32;
+            let depth = entry.at as f32;
             if (depth, cover.sphere) < (pixel.depth, pixel.sphere) {
                 *pixel = Seen {
                     depth,
@@ -114,11 +119,15 @@ fn draw_in_band(pixels: &mut [Seen], first_row: usize, width: usize, cover: &Cov
     }
 }
 
-/// Where the ray of a pixel meets the sphere that it sees.
-pub(super) fn hit(s: &Sphere, ray: DVec3) -> DVec3 {
+/// Where a ray enters what is left of a sphere, if it meets it.
+pub(super) fn meet(s: &Sphere, sight: Sight, ray: DVec3) -> Option<Entry> {
     let (a, b) = (ray.length_squared(), ray.dot(s.centre));
     let discriminant = b * b - a * (s.centre.length_squared() - s.radius * s.radius);
-    ray * ((b - discriminant.max(0.0).sqrt()) / a)
+    if discriminant <= 0.0 {
+        return None;
+    }
+    let reach = discriminant.sqrt();
+    sight.planes.enter(ray, (b - reach) / a, (b + reach) / a)
 }
 
 #[cfg(test)]
@@ -153,7 +162,12 @@ mod tests {
     fn every_pixel_sees_what_a_search_over_all_spheres_finds() {
         let camera = camera();
         let spheres = scene(&camera);
-        let seen = draw(&spheres, &camera, 200, 150);
+        let planes = Planes::default();
+        let sight = Sight {
+            camera: &camera,
+            planes: &planes,
+        };
+        let seen = draw(&spheres, sight, 200, 150);
         let mut covered = 0;
         for (k, pixel) in seen.iter().enumerate() {
             let ray = camera.ray(k % 200, k / 200);
@@ -185,7 +199,12 @@ mod tests {
                 radius: 0.0,
             },
         ];
-        let seen = draw(&bad, &camera, 20, 10);
+        let planes = Planes::default();
+        let sight = Sight {
+            camera: &camera,
+            planes: &planes,
+        };
+        let seen = draw(&bad, sight, 20, 10);
         assert!(seen.iter().all(|pixel| *pixel == Seen::NOTHING));
     }
 }

@@ -155,3 +155,135 @@ fn numbers_are_written_for_people() {
         ("1.25".into(), "0".into(), "2.000e-7".into())
     );
 }
+
+/// Looked at along y: balls at places, with what cuts leave of them, and what is seen of the scene.
+fn cut_picture(balls: &[(DVec3, f64)], walls: &[WallSurface], cuts: &[Cut]) -> Image {
+    let mut grains = Grains::default();
+    for (id, (position, radius)) in (1..).zip(balls) {
+        grains.push(
+            id,
+            &NewGrain {
+                fixed: false,
+                material: 0,
+                radius: *radius,
+                density: 1000.0,
+                position: *position,
+                velocity: DVec3::ZERO,
+                angular_velocity: DVec3::ZERO,
+            },
+        );
+    }
+    let frame = Frame {
+        step: 0,
+        time: 0.0,
+        grains: &grains,
+        materials: &materials(),
+        contacts: &[],
+        walls,
+        tags: None,
+        cell: None,
+    };
+    let options = PictureOptions {
+        colour: ColourBy::Material,
+        width: 600,
+        height: 600,
+        view: View {
+            azimuth: -90.0,
+            elevation: 0.0,
+        },
+        region: Some((DVec3::splat(-1.2), DVec3::splat(1.2))),
+        cuts: cuts.to_vec(),
+        ..PictureOptions::default()
+    };
+    render_packing(&frame, &options)
+}
+
+/// Cuts away what is in front of a plane.
+fn front_of(at: f64) -> Cut {
+    Cut {
+        axis: 1,
+        above: false,
+        at,
+    }
+}
+
+#[test]
+fn a_cut_sphere_shows_its_section() {
+    let ball = [(DVec3::ZERO, 1.0)];
+    let whole = drawn(&cut_picture(&ball, &[], &[])) as f64;
+    // the disc at 0.6 of the radius has 0.8 of it; the eye is so far away that the region fits into the picture
+    let eye = 1.2 / (0.14 * 360.0 / 460.0) + 1.2;
+    let disc = |at: f64| (0.8 / (eye + at)).powi(2) * (eye * eye - 1.0);
+    let behind = drawn(&cut_picture(&ball, &[], &[front_of(0.6)])) as f64;
+    assert!((behind / whole / disc(0.6) - 1.0).abs() < 0.01, "{behind} of {whole}");
+    let image = cut_picture(&ball, &[], &[front_of(-0.6)]);
+    assert!((drawn(&image) as f64 / whole - 1.0).abs() < 1e-3);
+    let area = scene_area(600, 600);
+    let middle = (area.top + 0.5 * area.height) as usize * 600 + (area.left + 0.5 * area.width) as usize;
+    let uncut = cut_picture(&ball, &[], &[]);
+    let section = image.pixels().iter().zip(uncut.pixels()).filter(|(a, b)| a != b);
+    let share = section.count() as f64 / whole / disc(-0.6);
+    assert!((share - 1.0).abs() < 0.01, "{share}");
+    assert!(
+        uncut.pixels()[middle][0] > image.pixels()[middle][0],
+        "a section is darker"
+    );
+    assert_eq!(drawn(&cut_picture(&ball, &[], &[front_of(1.01)])), 0);
+}
+
+#[test]
+fn what_is_cut_away_hides_and_shades_nothing() {
+    let rear = (DVec3::new(0.0, 0.8, 0.0), 0.4);
+    let front = (DVec3::new(0.1, -0.8, 0.2), 0.35);
+    let both = cut_picture(&[rear, front], &[], &[front_of(0.0)]);
+    let alone = cut_picture(&[rear], &[], &[]);
+    let area = scene_area(600, 600);
+    let inside = |k: usize| k / 600 >= area.top as usize && ((k % 600) as f64) < area.left + area.width;
+    let differ = (0..360_000).filter(|k| inside(*k) && both.pixels()[*k] != alone.pixels()[*k]);
+    assert_eq!(differ.count(), 0);
+    // cut by two planes a quarter is left
+    let whole = drawn(&cut_picture(&[(DVec3::ZERO, 1.0)], &[], &[])) as f64;
+    let cuts = [
+        Cut {
+            axis: 0,
+            above: true,
+            at: 0.0,
+        },
+        Cut {
+            axis: 2,
+            above: true,
+            at: 0.0,
+        },
+    ];
+    let quarter = drawn(&cut_picture(&[(DVec3::ZERO, 1.0)], &[], &cuts)) as f64;
+    assert!((quarter / whole - 0.25).abs() < 0.01, "{quarter} of {whole}");
+}
+
+#[test]
+fn walls_are_cut_like_grains() {
+    let corner = |x: f64, z: f64| DVec3::new(x, 0.0, z);
+    let (a, b, c, d) = (
+        corner(-1.0, -1.0),
+        corner(1.0, -1.0),
+        corner(1.0, 1.0),
+        corner(-1.0, 1.0),
+    );
+    let wall = || WallSurface {
+        name: "pane",
+        triangles: vec![[a, b, c], [a, c, d]],
+        force: DVec3::ZERO,
+        torque: DVec3::ZERO,
+        velocity: DVec3::ZERO,
+        records: None,
+    };
+    let whole = drawn(&cut_picture(&[], &[wall()], &[])) as f64;
+    let right = Cut {
+        axis: 0,
+        above: false,
+        at: 0.0,
+    };
+    let half = drawn(&cut_picture(&[], &[wall()], &[right])) as f64;
+    // of the rim one side and two halves are left
+    assert!((half / whole - 0.5).abs() < 0.02, "{half} of {whole}");
+    assert_eq!(drawn(&cut_picture(&[], &[wall()], &[front_of(0.1)])), 0);
+}
