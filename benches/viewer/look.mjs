@@ -28,7 +28,7 @@ const browser = await chromium.launch({ executablePath: executable(), args: ["--
 const page = await browser.newPage({ viewport: { width: 1400, height: 900 } });
 const begun = performance.now();
 await page.goto(address);
-const drawn = (at) => page.waitForFunction((k) => document.querySelector(".time-told")?.textContent.includes(`frame ${k} of`), at, { timeout: 120_000, polling: 10 });
+const drawn = (at) => page.waitForFunction((k) => document.querySelector(".timeline")?.dataset.shown === String(k), at, { timeout: 120_000, polling: 10 });
 await drawn(1);
 console.log(`first picture after ${seconds(begun)} s (page, first frame, drawn)`);
 const renderer = await page.evaluate(() => {

@@ -22,9 +22,14 @@ export function launch({ webgl = true } = {}) {
     return chromium.launch({ executablePath: executable(), args: ["--no-sandbox", ...gl] });
 }
 
-/** A page that remembers what went wrong on it: messages of errors, requests to a network, dialogs. */
-export async function open(browser, address, options = {}) {
+/** A page that remembers what went wrong on it: messages of errors, requests to a network, dialogs; `init` is run in it first. */
+export async function open(browser, address, { init, ...options } = {}) {
     const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, ...options });
+    if (init) {
+        await page.addInitScript(init);
+    }
+    // a machine that does other work, too, takes its time
+    page.setDefaultTimeout(120_000);
     const faults = [];
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && faults.push(`console: ${message.text()}`));
     page.on("pageerror", (error) => faults.push(`error: ${error.message}`));
@@ -41,12 +46,12 @@ export async function open(browser, address, options = {}) {
     return { page, faults };
 }
 
-/** Waits until everything is drawn, in the whole resolution: what moves may be drawn more coarsely. */
+/** Waits until everything is drawn as finely as it will be: what moves may be drawn more coarsely. */
 export function settled(page) {
     return page.evaluate(
         () =>
             new Promise((done) => {
-                const whole = () => [...document.querySelectorAll("canvas[data-share]")].every((canvas) => canvas.dataset.share === "1");
+                const whole = () => [...document.querySelectorAll("canvas[data-rests]")].every((canvas) => canvas.dataset.rests === "true");
                 const twice = (then) => requestAnimationFrame(() => requestAnimationFrame(then));
                 const look = () => (whole() ? twice(done) : setTimeout(look, 30));
                 twice(look);

@@ -42,11 +42,11 @@ async function viewer(folder, options = {}) {
     const address = await serve(folder);
     const opened = await open(browser, address, { allows: new RegExp(`^${address}`), ...options });
     const { page } = opened;
-    await page.waitForFunction(() => / frame \d+ of /.test(document.querySelector(".time-told")?.textContent ?? ""), null, PATIENCE);
+    await page.locator(".timeline[data-shown]").waitFor(PATIENCE);
     const told = () => page.textContent(".time-told");
     const frame = async () => Number(/frame (\d+) of/.exec(await told())?.[1]);
     const count = async () => Number(/of (\d+)/.exec(await told())?.[1]);
-    const reaches = (at) => page.waitForFunction((k) => document.querySelector(".time-told").textContent.includes(`frame ${k} of`), at, PATIENCE);
+    const reaches = (at) => page.locator(`.timeline[data-shown="${at}"]`).waitFor(PATIENCE);
     const picture = async () => {
         await settled(page);
         return page.locator(".scene-frame").screenshot();
@@ -145,6 +145,65 @@ describe("the picture", () => {
         await keep(page, "viewer-chains");
         assert.deepEqual(faults, []);
         await page.close();
+    });
+
+    test("is the same at rest where drawing is slow and hidden grains are left out", async () => {
+        const looks = async (init) => {
+            const { page, faults, count, reaches, picture } = await viewer(finished(), { init });
+            await page.keyboard.press("End");
+            await reaches(await count());
+            await page.locator("canvas").first().focus();
+            const pictures = [];
+            const look = async () => pictures.push(await picture());
+            await look();
+            for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "+", "+"]) {
+                await page.keyboard.press(key);
+                await page.waitForTimeout(100);
+            }
+            await look();
+            await page.getByLabel("Cut", { exact: true }).selectOption("any");
+            await look();
+            await page.getByLabel("Size of grains").fill("0.6");
+            await look();
+            await page.getByLabel("Opacity of grains").fill("0.5");
+            await look();
+            const seen = await page.evaluate(() => ({ triangles: window.triangles, shares: [...(window.shares ?? [])] }));
+            assert.deepEqual(faults, []);
+            await page.close();
+            return { pictures, ...seen };
+        };
+        // counts what is drawn, and lets the page believe that a GPU draws, but `slow`: that every picture takes 0.2 s
+        const watch = (slow) => {
+            const { drawElements, getParameter, fenceSync } = WebGL2RenderingContext.prototype;
+            window.triangles = [];
+            window.shares = new Set();
+            WebGL2RenderingContext.prototype.drawElements = function (mode, count, ...rest) {
+                window.triangles.push(count / 3);
+                window.shares.add(this.canvas.dataset.share);
+                return drawElements.call(this, mode, count, ...rest);
+            };
+            const begun = new WeakMap();
+            WebGL2RenderingContext.prototype.fenceSync = function (...told) {
+                const sync = fenceSync.apply(this, told);
+                begun.set(sync, performance.now());
+                return sync;
+            };
+            WebGL2RenderingContext.prototype.getSyncParameter = function (sync, name) {
+                return slow && performance.now() - begun.get(sync) < 200 ? this.UNSIGNALED : this.SIGNALED;
+            };
+            const UNMASKED_RENDERER_WEBGL = 0x9246;
+            WebGL2RenderingContext.prototype.getParameter = function (name) {
+                return name === UNMASKED_RENDERER_WEBGL ? "a GPU" : getParameter.call(this, name);
+            };
+        };
+        const quick = await looks(`(${watch})(false)`);
+        const slow = await looks(`(${watch})(true)`);
+        for (const [k, picture] of quick.pictures.entries()) {
+            assert.equal((await compare(browser, picture, slow.pictures[k])).different, 0, `picture ${k}`);
+        }
+        assert.ok(slow.shares.some((share) => Number(share) < 1), `drawn at ${slow.shares} of the resolution`);
+        const all = Math.max(...quick.triangles);
+        assert.ok(slow.triangles.some((n) => n > 1 && n < all), `always all ${all} triangles`);
     });
 
     test("tells what is picked, with contacts and history, and leads from the plot to the moment", async () => {
@@ -272,6 +331,60 @@ test("the page can be read and used by everybody", async () => {
     const wide = await small.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
     assert.ok(wide <= 0, `the page is ${wide} pixels wider than the window`);
     await small.page.close();
+});
+
+test("who knows the port but not the key is told nothing", async () => {
+    const address = await serve(finished());
+    const { origin, pathname } = new URL(address);
+    assert.match(pathname, /^\/[0-9a-f]{32,}\/$/);
+    const page = await browser.newPage();
+    for (const path of ["/", "/viewer.js", "/api/state?moments=0", `/${"0".repeat(pathname.length - 2)}/`]) {
+        const answer = await page.goto(`${origin}${path}`);
+        assert.equal(answer.status(), 403, path);
+        assert.match(await page.textContent("body"), /open the whole address that `demeter view` tells/);
+    }
+    // without its last stroke the address still leads to the page
+    await page.goto(address.slice(0, -1));
+    await page.locator(".time-told", { hasText: "frame 1 of" }).waitFor(PATIENCE);
+    assert.equal(page.url(), address);
+    await page.close();
+});
+
+test("the history of a grain fills its plot while it is read", async () => {
+    const { page, faults } = await viewer(finished());
+    const asked = [];
+    let answered = 0;
+    await page.route("**/api/history/**", async (route) => {
+        const told = new URL(route.request().url()).searchParams;
+        const moments = told.get("moments").split(",").map(Number);
+        asked.push({ moments, contacts: told.get("contacts") });
+        // a server that has time for two moments in each answer
+        const answer = await route.fetch();
+        const json = await answer.json();
+        const some = json.moments.slice(0, 2);
+        answered += some.length;
+        await route.fulfill({ response: answer, json: { ...json, moments: some } });
+    });
+    await page.getByLabel("Id of a grain").fill("1");
+    await page.getByRole("button", { name: "Show", exact: true }).click();
+    const count = Number(/of (\d+)/.exec(await page.textContent(".time-told"))[1]);
+    await page.locator(".grain-plots .plot").waitFor(PATIENCE);
+    while (answered < count) {
+        await page.waitForTimeout(50);
+    }
+    assert.equal(answered, count, "every moment once");
+    await page.waitForTimeout(200);
+    await page.locator(".grain-plots").getByText("Numbers").click();
+    await page.locator(".grain-plots tbody tr").nth(count - 1).waitFor({ state: "attached", ...PATIENCE });
+    assert.equal(await page.locator(".grain-plots tbody tr").count(), count);
+    assert.deepEqual(asked[0].moments.slice(0, 3), [0, count - 1, 2 ** Math.ceil(Math.log2(count) - 1)], "from coarse to fine");
+    assert.ok(asked.every(({ contacts }) => contacts === "0"), "tables of contacts are not read for its speed");
+    await page.getByLabel("History of").selectOption("contact_force");
+    await page.locator(".grain-plots figcaption", { hasText: "contact force of grain 1" }).waitFor(PATIENCE);
+    assert.equal(asked.at(-1).contacts, "1");
+    await page.unrouteAll({ behavior: "wait" });
+    assert.deepEqual(faults, []);
+    await page.close();
 });
 
 test("without the server the page says so", async () => {

@@ -5,13 +5,14 @@ use crate::shell::{answers, root, run};
 /// Where the sources and `package.json` are.
 const FOLDER: &str = "crates/web";
 
-/// Bundles the pages; with `check` it changes nothing and fails where `dist` is not what the sources make.
+/// Bundles the pages and tests their parts that need no browser; with `check` it changes nothing and fails where `dist` is not what the sources make.
 pub fn build(check: bool) -> Result<(), String> {
     if !npm_is_there() {
         return Err("npm is not there; it comes with Node.js 20 or newer, https://nodejs.org".to_string());
     }
     npm(&["ci", "--no-audit", "--no-fund", "--loglevel=error"])?;
     npm(&["run", "--silent", "types"])?;
+    npm(&["run", "--silent", "test"])?;
     npm(&["run", "--silent", if check { "check" } else { "build" }])
 }
 

@@ -181,8 +181,8 @@ pub struct ReportArguments {
 pub struct ViewArguments {
     /// The folder of the run
     ///
-    /// It is served at 127.0.0.1 until Ctrl-C, to programs of this machine only, whoever runs them; nothing outside the
-    /// folder is read, and nothing is written.
+    /// It is served at 127.0.0.1 until Ctrl-C, to programs of this machine only, and only to those that know the key in the
+    /// address that is told; nothing outside the folder is read, and nothing is written.
     pub folder: PathBuf,
     /// The port; a free one when left out
     #[arg(long, default_value_t = 0, hide_default_value = true)]

@@ -18,12 +18,12 @@ pub fn view(arguments: &ViewArguments) -> Result<Exit, Failure> {
     ended_by_user()?;
     answer(&format!("{}\n", viewer.url()))?;
     note(&format!(
-        "showing `{}`; Ctrl-C ends it. Only this machine reaches the address: from another one,\n\
+        "showing `{}`; Ctrl-C ends it. Only this machine reaches the address, and only who knows all of it: from another one,\n\
          ssh -L {port}:127.0.0.1:{port} THIS-MACHINE",
         arguments.folder.display(),
         port = viewer.port()
     ));
-    if !arguments.no_browser && open::that_detached(viewer.url()).is_err() {
+    if !arguments.no_browser && open::that_detached(viewer.url_once()).is_err() {
         note("no browser could be opened: open the address in one");
     }
     match viewer.serve() {
@@ -49,6 +49,6 @@ fn failure(error: ViewerError) -> Failure {
         ViewerError::Results(error) if !error.is_io() && !matches!(error, ResultsError::Damaged { .. }) => {
             Failure::wrong(message)
         }
-        ViewerError::Results(_) | ViewerError::Serve(_) => Failure::io(message),
+        ViewerError::Results(_) | ViewerError::Serve(_) | ViewerError::NoKey(_) => Failure::io(message),
     }
 }

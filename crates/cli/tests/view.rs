@@ -37,22 +37,23 @@ fn a_run_is_served_until_ctrl_c() {
     BufReader::new(viewer.stdout.as_mut().unwrap())
         .read_line(&mut line)
         .unwrap();
-    let address = line
-        .trim()
-        .strip_prefix("http://")
-        .unwrap()
-        .strip_suffix('/')
-        .unwrap()
-        .to_string();
+    let url = line.trim().strip_prefix("http://").unwrap();
+    let (address, key) = url.split_once('/').unwrap();
     assert!(address.starts_with("127.0.0.1:"), "{line}");
-    let mut stream = TcpStream::connect(&address).unwrap();
-    let request = format!("GET /api/state?moments=0 HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n");
-    stream.write_all(request.as_bytes()).unwrap();
-    let mut answer = String::new();
-    stream.read_to_string(&mut answer).unwrap();
+    assert!(key.len() > 32 && key.ends_with('/'), "{line}");
+    let ask = |path: &str| {
+        let mut stream = TcpStream::connect(address).unwrap();
+        let request = format!("GET /{path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n");
+        stream.write_all(request.as_bytes()).unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        answer
+    };
+    let answer = ask(&format!("{key}api/state?moments=0"));
     assert!(
         answer.starts_with("HTTP/1.1 200") && answer.contains("\"count\":0"),
         "{answer}"
     );
+    assert!(ask("api/state?moments=0").starts_with("HTTP/1.1 403"));
     assert_eq!(signal(&mut viewer, "INT").code(), Some(0));
 }

@@ -1,6 +1,7 @@
 //! Answers of the server. Everything here may wait for the disk and runs on threads of its own.
 
-use crate::cache::{Cache, Key};
+use crate::cache::{Cache, Key, lock};
+use crate::grain::Finder;
 use crate::pack::Pack;
 use crate::page::HTML;
 use crate::request::Request;
@@ -12,7 +13,7 @@ use demeter_web::{LICENCES, VIEWER};
 use hyper::StatusCode;
 use serde_json::{Value, json};
 use std::path::PathBuf;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::Mutex;
 
 /// An answer: its type and its bytes.
 #[derive(Clone, Debug)]
@@ -20,6 +21,8 @@ pub(crate) struct Answer {
     pub status: StatusCode,
     pub kind: &'static str,
     pub bytes: Bytes,
+    /// The path to which whoever asks is led.
+    pub leads_to: Option<String>,
 }
 
 impl Answer {
@@ -28,6 +31,7 @@ impl Answer {
             status: StatusCode::OK,
             kind,
             bytes: bytes.into(),
+            leads_to: None,
         }
     }
 
@@ -37,6 +41,15 @@ impl Answer {
 
     fn packed(bytes: impl Into<Bytes>) -> Self {
         Self::new("application/octet-stream", bytes)
+    }
+
+    /// Leads to a path; nothing is kept of the one that was asked for.
+    fn lead_to(path: &str) -> Self {
+        Self {
+            status: StatusCode::SEE_OTHER,
+            leads_to: Some(path.to_owned()),
+            ..Self::new("text/plain; charset=utf-8", Bytes::new())
+        }
     }
 
     /// Tells what is wrong.
@@ -55,6 +68,8 @@ pub(crate) struct Api {
     name: String,
     watch: Mutex<Watch>,
     cache: Mutex<Cache>,
+    /// Columns of ids, by which a grain is found.
+    ids: Mutex<Cache>,
 }
 
 impl Api {
@@ -67,13 +82,15 @@ impl Api {
                 .map_or_else(|| "run".into(), |name| name.to_string_lossy().into_owned()),
             watch: Mutex::new(Watch::new(run.clone())?),
             run,
-            cache: Mutex::new(Cache::new(cache)),
+            cache: Mutex::new(Cache::new(cache - cache / 4)),
+            ids: Mutex::new(Cache::new(cache / 4)),
         })
     }
 
     /// Answers a request.
     pub fn answer(&self, request: &Request) -> Answer {
         let answer = match request {
+            Request::LeadTo(path) => Ok(Answer::lead_to(path)),
             Request::Page => Ok(Answer::new("text/html; charset=utf-8", HTML)),
             Request::Script => Ok(Answer::new("text/javascript; charset=utf-8", VIEWER.script)),
             Request::Style => Ok(Answer::new("text/css; charset=utf-8", VIEWER.style)),
@@ -81,9 +98,14 @@ impl Api {
             Request::State { moments } => self.state(*moments),
             Request::Series { columns, from } => Ok(self.series(columns, *from)),
             Request::Frame { step } => self.kept("frame", *step, TableKind::Grains, frame::frame),
+            Request::Contacts { step } => self.kept("contacts", *step, TableKind::Contacts, frame::contacts),
             Request::Walls { step } => self.kept("walls", *step, TableKind::Walls, frame::walls),
             Request::Grain { step, id } => self.grain(*step, *id),
-            Request::History { id, from, count } => Ok(self.history(*id, *from, *count)),
+            Request::History {
+                id,
+                moments,
+                of_contacts,
+            } => Ok(self.history(*id, moments, *of_contacts)),
         };
         answer.unwrap_or_else(|error| {
             let status = match error {
@@ -180,20 +202,27 @@ impl Api {
     }
 
     fn grain(&self, step: u64, id: u32) -> Result<Answer, ResultsError> {
-        Ok(match grain::grain(&self.run, step, id)? {
+        Ok(match grain::grain(&self.finder(), step, id)? {
             Some(value) => Answer::json(&value),
             None => Answer::fault(StatusCode::NOT_FOUND, "there is no such grain at this step"),
         })
     }
 
-    fn history(&self, id: u32, from: usize, count: usize) -> Answer {
+    fn history(&self, id: u32, asked: &[usize], of_contacts: bool) -> Answer {
         let (epoch, moments) = {
             let watch = lock(&self.watch);
-            let end = from.saturating_add(count).min(watch.moments.len());
-            (watch.epoch, watch.moments.get(from..end).unwrap_or_default().to_vec())
+            let moments = asked.iter().map_while(|k| watch.moments.get(*k).copied());
+            (watch.epoch, moments.collect::<Vec<_>>())
         };
-        let told = grain::history(&self.run, &moments, id);
-        Answer::json(&json!({ "epoch": epoch, "from": from, "moments": told }))
+        let told = grain::history(&self.finder(), &moments, id, of_contacts);
+        Answer::json(&json!({ "epoch": epoch, "moments": told }))
+    }
+
+    fn finder(&self) -> Finder<'_> {
+        Finder {
+            run: &self.run,
+            ids: &self.ids,
+        }
     }
 }
 
@@ -208,9 +237,4 @@ fn describe(series: &Columns) -> Value {
         .into_iter()
         .map(|(name, rows)| json!({ "name": name, "from": rows.start, "to": rows.end }));
     json!({ "rows": series.rows(), "columns": columns.collect::<Vec<_>>(), "stages": stages.collect::<Vec<_>>() })
-}
-
-/// What a thread that panicked left is still whole: every change is made in one piece.
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

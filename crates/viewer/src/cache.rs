@@ -2,6 +2,7 @@
 
 use bytes::Bytes;
 use std::collections::BTreeMap;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::SystemTime;
 
 /// What an answer is known by: its kind and step, and when the file behind it was written.
@@ -57,6 +58,11 @@ impl Cache {
             self.used -= old.len();
         }
     }
+}
+
+/// What a thread that panicked left is still whole: every change is made in one piece.
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 #[cfg(test)]

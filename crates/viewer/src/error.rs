@@ -19,6 +19,9 @@ pub enum ViewerError {
         /// What the system said.
         source: io::Error,
     },
+    /// The system has no random numbers for the key of the address.
+    #[error("cannot make the key of the address: {0}")]
+    NoKey(String),
     /// The system refused threads or timers.
     #[error("cannot serve: {0}")]
     Serve(#[from] io::Error),

@@ -5,13 +5,19 @@ use demeter::results::{PackedWall, Packing, ResultsError, Run};
 use serde_json::{Value, json};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// Grains and contacts of a step.
+/// Grains of a step, and how many contacts push them how much.
 pub(crate) fn frame(run: &Run, step: u64) -> Result<Vec<u8>, ResultsError> {
-    let packing = Packing::read(run, step)?;
+    let packing = Packing::read_grains(run, step)?;
     let mut pack = Pack::default();
     pack.tell("step", json!(packing.step));
     pack.tell("time", json!(packing.time));
     pack.tell("walls", json!(key_of_walls(&packing.walls)));
+    let forces = &packing.contacts.normal;
+    let sum: f64 = forces.iter().map(|force| force.abs()).sum();
+    pack.tell(
+        "contacts",
+        json!({ "count": forces.len(), "mean_force": sum / forces.len().max(1) as f64 }),
+    );
     let g = &packing.grains;
     pack.u32s("id", g.id.iter().copied());
     pack.f32s("position", g.position.iter().flat_map(|p| p.to_array()));
@@ -24,13 +30,14 @@ pub(crate) fn frame(run: &Run, step: u64) -> Result<Vec<u8>, ResultsError> {
         pack.f32s(scalar.name, scalar.values);
     }
     pack.tell("scalars", Value::Array(told));
-    let c = &packing.contacts;
-    pack.u32s("id_i", c.id_i.iter().copied());
-    pack.u32s("id_j", c.id_j.iter().copied());
-    // -1 between grains; as the page compares it with numbers of its own, it needs no integers
-    pack.f32s("wall", c.wall.iter().map(|wall| f64::from(*wall)));
-    pack.f32s("normal_force", c.normal.iter().copied());
-    pack.f32s("total_force", c.total.iter().copied());
+    Ok(pack.encode())
+}
+
+/// Contacts of a step, from where to where their forces go.
+pub(crate) fn contacts(run: &Run, step: u64) -> Result<Vec<u8>, ResultsError> {
+    let packing = Packing::read(run, step)?;
+    let mut pack = Pack::default();
+    pack.f32s("normal_force", packing.contacts.normal.iter().copied());
     pack.f32s("ends", packing.ends().iter().flatten().flat_map(|end| end.to_array()));
     Ok(pack.encode())
 }

@@ -1,14 +1,84 @@
 //! One grain: its values and contacts at a step, and its way over the moments.
 
+use crate::cache::{Cache, lock};
+use crate::watch::modified;
+use bytes::Bytes;
 use demeter::output::vtp::{Array, Values};
 use demeter::results::{Moment, ResultsError, Run, TableFile, TableKind};
 use demeter_physics::DVec3;
 use serde_json::{Value, json};
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+/// How long moments are told about in one answer; one is told in any case. Whoever asks comes back for the others.
+const QUICK: Duration = Duration::from_millis(200);
+
+/// Finds the rows of grains. Columns of ids that were read are kept, so that the next grain is found sooner.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Finder<'a> {
+    pub run: &'a Run,
+    pub ids: &'a Mutex<Cache>,
+}
+
+impl Finder<'_> {
+    /// The rows of a table in which a column of ids holds an id.
+    fn rows(
+        &self,
+        (kind, step): (TableKind, u64),
+        name: &'static str,
+        id: u32,
+        table: &mut TableFile,
+    ) -> Result<Vec<usize>, ResultsError> {
+        let key = (name, step, modified(self.run, self.run.table_path(kind, step)));
+        let kept = lock(self.ids).get(&key);
+        let column = match kept {
+            Some(column) => column,
+            None => {
+                let ids = table.counts(name)?;
+                let column: Bytes = ids.iter().flat_map(|id| id.to_le_bytes()).collect();
+                lock(self.ids).put(key, column.clone());
+                column
+            }
+        };
+        let wanted = id.to_le_bytes();
+        let rows = column.as_chunks().0.iter().enumerate();
+        Ok(rows.filter(|(_, id)| **id == wanted).map(|(row, _)| row).collect())
+    }
+
+    /// The grains of a step, and the row of one; nothing when it is not there.
+    fn grain(&self, step: u64, id: u32) -> Result<Option<(TableFile, usize)>, ResultsError> {
+        let mut grains = self.run.open_table(TableKind::Grains, step)?;
+        let row = self
+            .rows((TableKind::Grains, step), "id", id, &mut grains)?
+            .first()
+            .copied();
+        Ok(row.map(|row| (grains, row)))
+    }
+
+    /// The contacts of a step, and the rows of those of a grain.
+    fn contacts(&self, step: u64, id: u32) -> Result<(TableFile, Vec<usize>), ResultsError> {
+        let mut contacts = self.run.open_table(TableKind::Contacts, step)?;
+        let mut rows = self.rows((TableKind::Contacts, step), "id_i", id, &mut contacts)?;
+        // the second id is of no grain where the contact is with a wall
+        let second = self.rows((TableKind::Contacts, step), "id_j", id, &mut contacts)?;
+        let walls = contacts.rows_at("wall", &second)?;
+        let is_of_grains = |k| walls.values.number(k).is_some_and(|wall| wall < 0.0);
+        rows.extend(
+            second
+                .iter()
+                .enumerate()
+                .filter(|(k, _)| is_of_grains(*k))
+                .map(|(_, row)| *row),
+        );
+        rows.sort_unstable();
+        rows.dedup();
+        Ok((contacts, rows))
+    }
+}
 
 /// A grain with its contacts at a step; nothing when it is not there.
-pub(crate) fn grain(run: &Run, step: u64, id: u32) -> Result<Option<Value>, ResultsError> {
-    let mut grains = run.open_table(TableKind::Grains, step)?;
-    let Some(row) = find(&mut grains, id)? else {
+pub(crate) fn grain(finder: &Finder, step: u64, id: u32) -> Result<Option<Value>, ResultsError> {
+    let Some((mut grains, row)) = finder.grain(step, id)? else {
         return Ok(None);
     };
     let mut values = serde_json::Map::new();
@@ -26,92 +96,92 @@ pub(crate) fn grain(run: &Run, step: u64, id: u32) -> Result<Option<Value>, Resu
     {
         values.insert("material".into(), json!(name));
     }
-    let mut contacts = run.open_table(TableKind::Contacts, step)?;
-    let told: Result<Vec<Value>, ResultsError> = contacts_of(&mut contacts, id)?
-        .into_iter()
-        .map(|row| contact(&mut contacts, row, id))
-        .collect();
+    let contacts = contacts(finder, step, id)?;
     Ok(Some(
-        json!({ "id": id, "step": step, "time": grains.time(), "values": values, "contacts": told? }),
+        json!({ "id": id, "step": step, "time": grains.time(), "values": values, "contacts": contacts }),
     ))
 }
 
-/// A contact as the grain `id` feels it: normal away from its partner, forces on it.
-fn contact(table: &mut TableFile, row: usize, id: u32) -> Result<Value, ResultsError> {
-    let mut vector = |name: &str| -> Result<DVec3, ResultsError> {
-        let array = table.rows_of(name, row..row + 1)?;
-        let at = |k| array.values.number(k).unwrap_or(f64::NAN);
-        Ok(DVec3::new(at(0), at(1), at(2)))
+/// The contacts as the grain `id` feels them: normals away from its partners, forces on it.
+fn contacts(finder: &Finder, step: u64, id: u32) -> Result<Vec<Value>, ResultsError> {
+    let (mut table, rows) = finder.contacts(step, id)?;
+    let mut column = |name: &str| table.rows_at(name, &rows);
+    let [id_i, id_j, wall, element, overlap] = [
+        column("id_i")?,
+        column("id_j")?,
+        column("wall")?,
+        column("element")?,
+        column("overlap")?,
+    ];
+    let [normal, normal_force, tangential_force] =
+        [column("normal")?, column("normal_force")?, column("tangential_force")?];
+    let contact = |k: usize| {
+        let vector = |array: &Array| {
+            let at = |c| array.values.number(3 * k + c).unwrap_or(f64::NAN);
+            DVec3::new(at(0), at(1), at(2))
+        };
+        let first = id_i.values.number(k) == Some(f64::from(id));
+        let sign = if first { 1.0 } else { -1.0 };
+        json!({
+            "partner": entry(if first { &id_j } else { &id_i }, k),
+            "wall": entry(&wall, k),
+            "element": entry(&element, k),
+            "overlap": entry(&overlap, k),
+            "normal": (sign * vector(&normal)).to_array(),
+            // repulsion is positive
+            "normal_force": vector(&normal).dot(vector(&normal_force)),
+            "tangential_force": vector(&tangential_force).length(),
+        })
     };
-    let (normal, normal_force, tangential_force) =
-        (vector("normal")?, vector("normal_force")?, vector("tangential_force")?);
-    let mut scalar = |name: &str| -> Result<Value, ResultsError> { Ok(numbers(&table.rows_of(name, row..row + 1)?)) };
-    let (id_i, id_j, wall) = (scalar("id_i")?, scalar("id_j")?, scalar("wall")?);
-    let (overlap, element) = (scalar("overlap")?, scalar("element")?);
-    let first = id_i == json!(id);
-    let sign = if first { 1.0 } else { -1.0 };
-    Ok(json!({
-        "partner": if first { id_j } else { id_i },
-        "wall": wall,
-        "element": element,
-        "overlap": overlap,
-        "normal": (sign * normal).to_array(),
-        // repulsion is positive
-        "normal_force": number(normal.dot(normal_force)),
-        "tangential_force": number(tangential_force.length()),
-    }))
+    Ok((0..id_i.values.len()).map(contact).collect())
 }
 
-/// The grain at moments: time, position, speed, contact force, force, coordination; null where it is not there.
-pub(crate) fn history(run: &Run, moments: &[Moment], id: u32) -> Value {
-    let told = moments.iter().map(|moment| {
+/// The grain at the first of these moments, as many as are told quickly: position, speed, force, coordination, or what its
+/// contacts push with; null where it is not there.
+pub(crate) fn history(finder: &Finder, moments: &[Moment], id: u32, of_contacts: bool) -> Value {
+    let begun = Instant::now();
+    let mut told = Vec::new();
+    for moment in moments {
+        if !told.is_empty() && begun.elapsed() > QUICK {
+            break;
+        }
+        let values = match of_contacts {
+            true => contact_force(finder, moment.step, id),
+            false => motion(finder, moment.step, id),
+        };
         // a frame that is damaged, or was just removed, leaves a gap
-        let values = at_moment(run, moment.step, id).ok().flatten();
-        values.unwrap_or(Value::Null)
-    });
-    Value::Array(told.collect())
+        told.push(values.ok().flatten().unwrap_or(Value::Null));
+    }
+    Value::Array(told)
 }
 
-fn at_moment(run: &Run, step: u64, id: u32) -> Result<Option<Value>, ResultsError> {
-    let mut grains = run.open_table(TableKind::Grains, step)?;
-    let Some(row) = find(&mut grains, id)? else {
+fn motion(finder: &Finder, step: u64, id: u32) -> Result<Option<Value>, ResultsError> {
+    let Some((mut grains, row)) = finder.grain(step, id)? else {
         return Ok(None);
     };
-    let mut length = |name: &str| -> Result<Value, ResultsError> {
+    let mut length = |name: &str| -> Result<f64, ResultsError> {
         let array = grains.rows_of(name, row..row + 1)?;
         let square = (0..array.values.len())
             .filter_map(|k| array.values.number(k))
             .map(|x| x * x);
-        Ok(number(square.sum::<f64>().sqrt()))
+        Ok(square.sum::<f64>().sqrt())
     };
     let (speed, force) = (length("velocity")?, length("force")?);
     let coordination = numbers(&grains.rows_of("coordination", row..row + 1)?);
     let position = point(&mut grains, row)?;
-    let mut contacts = run.open_table(TableKind::Contacts, step)?;
-    let mut sum = 0.0;
-    for row in contacts_of(&mut contacts, id)? {
-        let magnitude = contacts.rows_of("normal_force_magnitude", row..row + 1)?;
-        sum += magnitude.values.number(0).unwrap_or(f64::NAN);
-    }
     Ok(Some(json!({
-        "position": position, "speed": speed, "force": force, "contact_force": number(sum), "coordination": coordination,
+        "position": position, "speed": speed, "force": force, "coordination": coordination,
     })))
 }
 
-/// The row of a grain.
-fn find(grains: &mut TableFile, id: u32) -> Result<Option<usize>, ResultsError> {
-    Ok(grains.counts("id")?.iter().position(|other| *other == id))
-}
-
-/// The rows of the contacts of a grain.
-fn contacts_of(contacts: &mut TableFile, id: u32) -> Result<Vec<usize>, ResultsError> {
-    let (first, second, walls) = (
-        contacts.counts("id_i")?,
-        contacts.counts("id_j")?,
-        contacts.integers("wall")?,
-    );
-    let touches = |row: &usize| first[*row] == id || (second[*row] == id && walls[*row] < 0);
-    Ok((0..first.len()).filter(touches).collect())
+fn contact_force(finder: &Finder, step: u64, id: u32) -> Result<Option<Value>, ResultsError> {
+    if finder.grain(step, id)?.is_none() {
+        return Ok(None);
+    }
+    let (mut contacts, rows) = finder.contacts(step, id)?;
+    let forces = contacts.rows_at("normal_force_magnitude", &rows)?;
+    let sum: f64 = (0..forces.values.len()).filter_map(|k| forces.values.number(k)).sum();
+    Ok(Some(json!({ "contact_force": sum })))
 }
 
 fn point(grains: &mut TableFile, row: usize) -> Result<Value, ResultsError> {
@@ -120,19 +190,18 @@ fn point(grains: &mut TableFile, row: usize) -> Result<Value, ResultsError> {
 
 /// One number, or a list of those of a row.
 fn numbers(array: &Array) -> Value {
-    let one = |k: usize| match &array.values {
-        Values::Float64(values) => number(values[k]),
-        Values::Int32(values) => json!(values[k]),
-        Values::UInt32(values) => json!(values[k]),
-        Values::Int64(values) => json!(values[k]),
-    };
     match array.values.len() {
-        1 => one(0),
-        several => (0..several).map(one).collect(),
+        1 => entry(array, 0),
+        several => (0..several).map(|k| entry(array, k)).collect(),
     }
 }
 
-/// A number; null where it is not finite, which JSON does not know.
-fn number(value: f64) -> Value {
-    json!(value)
+/// A number by its place; null where it is not finite, which JSON does not know.
+fn entry(array: &Array, k: usize) -> Value {
+    match &array.values {
+        Values::Float64(values) => json!(values.get(k)),
+        Values::Int32(values) => json!(values.get(k)),
+        Values::UInt32(values) => json!(values.get(k)),
+        Values::Int64(values) => json!(values.get(k)),
+    }
 }

@@ -4,7 +4,7 @@ use demeter_web::VIEWER;
 use hyper::header::HeaderValue;
 use std::sync::LazyLock;
 
-/// The page; script and style are read from beside it.
+/// The page; script and style are read from beside it, behind the same key.
 pub(crate) const HTML: &str = "<!doctype html>
 <html lang=\"en\">
 <head>
@@ -12,11 +12,11 @@ pub(crate) const HTML: &str = "<!doctype html>
 <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">
 <title>Demeter</title>
 <link rel=\"icon\" href=\"data:,\">
-<link rel=\"stylesheet\" href=\"/viewer.css\">
+<link rel=\"stylesheet\" href=\"viewer.css\">
 </head>
 <body>
 <noscript>This page needs JavaScript to draw the run.</noscript>
-<script src=\"/viewer.js\"></script>
+<script src=\"viewer.js\"></script>
 </body>
 </html>
 ";

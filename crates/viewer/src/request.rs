@@ -1,5 +1,6 @@
 //! What is asked for. Only numbers are read from a request; anything else is no path of the viewer.
 
+use crate::key::{Door, Way};
 use hyper::header::{HOST, ORIGIN};
 use hyper::http::request::Parts;
 use hyper::{Method, StatusCode};
@@ -9,30 +10,55 @@ const MAX_PATH: usize = 2048;
 /// Most columns of one answer.
 const MAX_COLUMNS: usize = 64;
 /// Most moments of one answer.
-pub(crate) const MAX_MOMENTS: usize = 64;
+const MAX_MOMENTS: usize = 64;
 /// By which names the page may be reached. The port is not looked at: a tunnel (`ssh -L`) has another one.
 const HOSTS: [&str; 2] = ["127.0.0.1", "localhost"];
 
 /// What is asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Request {
+    /// The path of the page, to which whoever asks is led.
+    LeadTo(String),
     Page,
     Script,
     Style,
     Licences,
-    State { moments: usize },
-    Series { columns: Vec<usize>, from: usize },
-    Frame { step: u64 },
-    Walls { step: u64 },
-    Grain { step: u64, id: u32 },
-    History { id: u32, from: usize, count: usize },
+    State {
+        moments: usize,
+    },
+    Series {
+        columns: Vec<usize>,
+        from: usize,
+    },
+    Frame {
+        step: u64,
+    },
+    Walls {
+        step: u64,
+    },
+    Grain {
+        step: u64,
+        id: u32,
+    },
+    History {
+        id: u32,
+        moments: Vec<usize>,
+        of_contacts: bool,
+    },
+    Contacts {
+        step: u64,
+    },
 }
 
 /// Why a request is refused.
 pub(crate) type Refusal = (StatusCode, &'static str);
 
+/// What is said to whoever does not know the key, whatever was asked for.
+pub(crate) const NO_KEY: &str =
+    "this address lacks the key of the viewer: open the whole address that `demeter view` tells";
+
 /// Reads a request, and refuses what does not come from the page of this server.
-pub(crate) fn read(head: &Parts) -> Result<Request, Refusal> {
+pub(crate) fn read(head: &Parts, door: &Door) -> Result<Request, Refusal> {
     if head.method != Method::GET {
         return Err((StatusCode::METHOD_NOT_ALLOWED, "only GET is answered"));
     }
@@ -50,6 +76,11 @@ pub(crate) fn read(head: &Parts) -> Result<Request, Refusal> {
     if origin.is_some_and(|origin| !origin.strip_prefix("http://").is_some_and(is_this_machine)) {
         return Err((StatusCode::FORBIDDEN, "other sites may not ask this server"));
     }
+    let path = match door.way(head.uri.path()) {
+        Way::In(path) => path,
+        Way::Page(path) => return Ok(Request::LeadTo(path)),
+        Way::Closed => return Err((StatusCode::FORBIDDEN, NO_KEY)),
+    };
     if head
         .uri
         .path_and_query()
@@ -57,7 +88,7 @@ pub(crate) fn read(head: &Parts) -> Result<Request, Refusal> {
     {
         return Err((StatusCode::URI_TOO_LONG, "the path is too long"));
     }
-    parse(head.uri.path(), head.uri.query().unwrap_or_default()).ok_or((StatusCode::NOT_FOUND, "there is no such page"))
+    parse(path, head.uri.query().unwrap_or_default()).ok_or((StatusCode::NOT_FOUND, "there is no such page"))
 }
 
 /// Whether `name` or `name:port` names this machine.
@@ -77,26 +108,27 @@ fn parse(path: &str, query: &str) -> Option<Request> {
             moments: value(query, "moments")?,
         }),
         ["api", "series"] => {
-            let columns = field(query, "columns")?
-                .split(',')
-                .map(number)
-                .collect::<Option<Vec<usize>>>()?;
+            let columns = numbers(query, "columns")?;
             (columns.len() <= MAX_COLUMNS).then_some(Request::Series {
                 columns,
                 from: value(query, "from")?,
             })
         }
+        ["api", "contacts", step] => Some(Request::Contacts { step: number(step)? }),
         ["api", "frame", step] => Some(Request::Frame { step: number(step)? }),
         ["api", "walls", step] => Some(Request::Walls { step: number(step)? }),
         ["api", "grain", step, id] => Some(Request::Grain {
             step: number(step)?,
             id: number(id)?,
         }),
-        ["api", "history", id] => Some(Request::History {
-            id: number(id)?,
-            from: value(query, "from")?,
-            count: value::<usize>(query, "count")?.min(MAX_MOMENTS),
-        }),
+        ["api", "history", id] => {
+            let moments = numbers(query, "moments")?;
+            (moments.len() <= MAX_MOMENTS).then_some(Request::History {
+                id: number(id)?,
+                moments,
+                of_contacts: value::<u8>(query, "contacts")? > 0,
+            })
+        }
         _ => None,
     }
 }
@@ -110,6 +142,11 @@ fn value<T: std::str::FromStr>(query: &str, name: &str) -> Option<T> {
     number(field(query, name)?)
 }
 
+/// Numbers between commas.
+fn numbers(query: &str, name: &str) -> Option<Vec<usize>> {
+    field(query, name)?.split(',').map(number).collect()
+}
+
 /// A number of digits only: no sign, no space.
 fn number<T: std::str::FromStr>(text: &str) -> Option<T> {
     let digits = text.bytes().all(|byte| byte.is_ascii_digit());
@@ -120,12 +157,23 @@ fn number<T: std::str::FromStr>(text: &str) -> Option<T> {
 mod tests {
     use super::*;
 
-    fn asked(method: &str, path: &str, headers: &[(&str, &str)]) -> Result<Request, StatusCode> {
+    fn asked_at(door: &Door, method: &str, path: &str, headers: &[(&str, &str)]) -> Result<Request, StatusCode> {
         let mut request = hyper::Request::builder().method(method).uri(path);
         for (name, value) in headers {
             request = request.header(*name, *value);
         }
-        read(&request.body(()).unwrap().into_parts().0).map_err(|refusal| refusal.0)
+        read(&request.body(()).unwrap().into_parts().0, door).map_err(|refusal| refusal.0)
+    }
+
+    /// Asks for a path behind the key.
+    fn asked(method: &str, path: &str, headers: &[(&str, &str)]) -> Result<Request, StatusCode> {
+        let door = Door::new().unwrap();
+        asked_at(
+            &door,
+            method,
+            &format!("{}{path}", door.path().trim_end_matches('/')),
+            headers,
+        )
     }
 
     fn get(path: &str) -> Result<Request, StatusCode> {
@@ -144,10 +192,10 @@ mod tests {
         assert_eq!(get("/api/series?from=20&columns=1,4"), Ok(series));
         let history = Request::History {
             id: 7,
-            from: 3,
-            count: MAX_MOMENTS,
+            moments: vec![3, 0],
+            of_contacts: false,
         };
-        assert_eq!(get("/api/history/7?from=3&count=1000000"), Ok(history));
+        assert_eq!(get("/api/history/7?moments=3,0&contacts=0"), Ok(history));
     }
 
     #[test]
@@ -170,6 +218,9 @@ mod tests {
             "/api/series?columns=&from=0",
             "/api/series?columns=1",
             "/api/state",
+            "/api/history/7?moments=1",
+            "/api/history/7?moments=&contacts=1",
+            "/api/history/7?moments=-1&contacts=1",
             "/viewer.js/",
         ] {
             assert_eq!(get(path), Err(StatusCode::NOT_FOUND), "{path}");
@@ -177,6 +228,11 @@ mod tests {
         let columns = vec!["1"; MAX_COLUMNS + 1].join(",");
         assert_eq!(
             get(&format!("/api/series?columns={columns}&from=0")),
+            Err(StatusCode::NOT_FOUND)
+        );
+        let moments = vec!["1"; MAX_MOMENTS + 1].join(",");
+        assert_eq!(
+            get(&format!("/api/history/7?moments={moments}&contacts=0")),
             Err(StatusCode::NOT_FOUND)
         );
         assert_eq!(
@@ -218,5 +274,33 @@ mod tests {
                 "{method}"
             );
         }
+    }
+
+    #[test]
+    fn without_the_key_all_is_refused_alike() {
+        let door = Door::new().unwrap();
+        let own = [("Host", "localhost")];
+        let other = Door::new().unwrap().path();
+        for path in [
+            "/",
+            "/viewer.js",
+            "/api/frame/1",
+            "/nothing",
+            &other,
+            &format!("{other}api/frame/1"),
+        ] {
+            assert_eq!(asked_at(&door, "GET", path, &own), Err(StatusCode::FORBIDDEN), "{path}");
+        }
+        let page = door.path();
+        let bare = page.trim_end_matches('/');
+        assert_eq!(asked_at(&door, "GET", bare, &own), Ok(Request::LeadTo(page.clone())));
+        assert_eq!(asked_at(&door, "GET", &page, &own), Ok(Request::Page));
+        // the key does not make up for being another site
+        let foreign = [("Host", "localhost"), ("Origin", "http://evil.example")];
+        assert_eq!(asked_at(&door, "GET", &page, &foreign), Err(StatusCode::FORBIDDEN));
+        assert_eq!(
+            asked_at(&door, "POST", &page, &own),
+            Err(StatusCode::METHOD_NOT_ALLOWED)
+        );
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::api::{Answer, Api};
 use crate::error::ViewerError;
+use crate::key::Door;
 use crate::page::POLICY;
 use crate::request;
 use bytes::Bytes;
@@ -10,7 +11,9 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use http_body_util::Full;
 use hyper::body::Incoming;
-use hyper::header::{ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, HeaderName, HeaderValue};
+use hyper::header::{
+    ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, HeaderName, HeaderValue, LOCATION,
+};
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper::{Request, Response, StatusCode};
@@ -71,6 +74,7 @@ pub struct Viewer {
 #[derive(Clone, Debug)]
 struct Service {
     api: Arc<Api>,
+    door: Arc<Door>,
     readers: Arc<Semaphore>,
     compress: bool,
 }
@@ -83,6 +87,7 @@ impl Viewer {
             .enable_all()
             .max_blocking_threads(READERS)
             .build()?;
+        let door = Door::new().map_err(|error| ViewerError::NoKey(error.to_string()))?;
         let port = options.port;
         let listener = runtime
             .block_on(TcpListener::bind((Ipv4Addr::LOCALHOST, port)))
@@ -93,15 +98,21 @@ impl Viewer {
             listener,
             service: Service {
                 api: Arc::new(api),
+                door: Arc::new(door),
                 readers: Arc::new(Semaphore::new(READERS)),
                 compress: options.compress,
             },
         })
     }
 
-    /// Where the page is.
+    /// Where the page is; it holds the key, so that it is for whoever may see the run only.
     pub fn url(&self) -> String {
-        format!("http://{}/", self.address)
+        format!("http://{}{}", self.address, self.service.door.path())
+    }
+
+    /// An address that leads to the page once: for the command line of a browser, which everybody on the machine can read.
+    pub fn url_once(&self) -> String {
+        format!("http://{}{}", self.address, self.service.door.path_once())
     }
 
     /// The port.
@@ -157,7 +168,7 @@ impl Service {
         let (head, _) = request.into_parts();
         let accepts = head.headers.get(ACCEPT_ENCODING).and_then(|value| value.to_str().ok());
         let compress = self.compress && accepts.is_some_and(|list| list.contains("gzip"));
-        let asked = match request::read(&head) {
+        let asked = match request::read(&head, &self.door) {
             Ok(asked) => asked,
             Err((status, problem)) => return respond(Answer::fault(status, problem), false),
         };
@@ -211,6 +222,9 @@ fn respond(answer: Answer, is_compressed: bool) -> Response<Full<Bytes>> {
         ("cross-origin-opener-policy", "same-origin"),
     ] {
         headers.insert(HeaderName::from_static(name), HeaderValue::from_static(value));
+    }
+    if let Some(path) = answer.leads_to.and_then(|path| HeaderValue::try_from(path).ok()) {
+        headers.insert(LOCATION, path);
     }
     if is_compressed {
         headers.insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));

@@ -2,7 +2,7 @@
 
 mod run;
 
-use run::{Answer, TestRun, ask, get};
+use run::{Answer, TestRun, ask, get, path_of};
 use serde_json::Value;
 use std::fs;
 use std::io::{Read, Write};
@@ -12,9 +12,9 @@ use std::time::{Duration, Instant};
 #[test]
 fn the_page_comes_with_its_guards() {
     let run = TestRun::new();
-    let page = get(run.port, "/");
+    let page = run.get("/");
     assert_eq!(page.status, 200);
-    assert!(page.text().contains("<script src=\"/viewer.js\">"));
+    assert!(page.text().contains("<script src=\"viewer.js\">"));
     let policy = page.header("content-security-policy");
     for part in [
         "default-src 'none'",
@@ -30,7 +30,7 @@ fn the_page_comes_with_its_guards() {
         ("/viewer.css", "text/css"),
         ("/licences.txt", "text/plain"),
     ] {
-        let answer = get(run.port, path);
+        let answer = run.get(path);
         assert_eq!(
             (answer.status, answer.header("x-content-type-options")),
             (200, "nosniff".to_string())
@@ -42,9 +42,65 @@ fn the_page_comes_with_its_guards() {
 }
 
 #[test]
+fn who_does_not_know_the_key_learns_nothing() {
+    let run = TestRun::new();
+    let other = TestRun::new();
+    assert_ne!(run.key, other.key);
+    assert!(run.key.len() > 32, "{}", run.key);
+    let refused = |path: &str| {
+        let answer = get(run.port, path);
+        assert_eq!(answer.status, 403, "{path}");
+        assert_eq!(answer.header("location"), "");
+        answer.text()
+    };
+    let told = refused("/");
+    assert!(told.contains("the whole address that `demeter view` tells"), "{told}");
+    for path in [
+        "/viewer.js",
+        "/api/state?moments=0",
+        "/api/frame/10",
+        "/api/frame/11",
+        "/nothing",
+        "/licences.txt",
+    ] {
+        assert_eq!(refused(path), told, "{path}");
+        assert_eq!(refused(&format!("{}{path}", other.key)), told, "{path}");
+        let wrong = format!("{}0{path}", &run.key[..run.key.len() - 1]);
+        if wrong != format!("{}{path}", run.key) {
+            assert_eq!(refused(&wrong), told, "{path}");
+        }
+        assert_eq!(
+            refused(&format!("{path}&key={}", run.key.trim_start_matches('/'))),
+            told
+        );
+    }
+    assert_eq!(run.get("/api/state?moments=0").status, 200);
+    // what the page answers does not tell it
+    assert!(!run.get("/api/state?moments=0").text().contains(&run.key));
+}
+
+#[test]
+fn a_browser_is_led_to_the_page_once() {
+    let run = TestRun::new();
+    let once = path_of(&run.url_once, run.port);
+    assert!(!run.url_once.contains(&run.key));
+    assert_eq!(get(run.port, &format!("{once}api/state?moments=0")).status, 403);
+    let led = get(run.port, &once);
+    assert_eq!((led.status, led.header("location")), (303, format!("{}/", run.key)));
+    assert_eq!(
+        get(run.port, &once).status,
+        403,
+        "who reads it in the list of processes comes too late"
+    );
+    // without the last stroke
+    let bare = get(run.port, &run.key);
+    assert_eq!((bare.status, bare.header("location")), (303, format!("{}/", run.key)));
+}
+
+#[test]
 fn the_state_tells_moments_series_and_how_it_stands() {
     let run = TestRun::new();
-    let state = get(run.port, "/api/state?moments=0").json();
+    let state = run.get("/api/state?moments=0").json();
     assert_eq!(
         (state["title"].as_str(), state["going_on"].as_bool()),
         (Some("Three grains"), Some(false))
@@ -74,7 +130,7 @@ fn the_state_tells_moments_series_and_how_it_stands() {
     .unwrap();
     let _lock = run.folder.lock().unwrap();
     std::thread::sleep(Duration::from_millis(250));
-    let state = get(run.port, "/api/state?moments=1").json();
+    let state = run.get("/api/state?moments=1").json();
     assert_eq!(
         (state["going_on"].as_bool(), state["summary"]["finished"].as_bool()),
         (Some(true), Some(true))
@@ -88,7 +144,7 @@ fn the_state_tells_moments_series_and_how_it_stands() {
 #[test]
 fn a_frame_holds_grains_contacts_and_the_key_of_its_walls() {
     let run = TestRun::new();
-    let frame = get(run.port, "/api/frame/10").pack();
+    let frame = run.get("/api/frame/10").pack();
     assert_eq!(
         (frame.head["step"].as_u64(), frame.head["time"].as_f64()),
         (Some(10), Some(0.5))
@@ -101,14 +157,19 @@ fn a_frame_holds_grains_contacts_and_the_key_of_its_walls() {
     assert_eq!(frame.f32s("contact force"), [0.0, 5.0, 2.0]);
     assert_eq!(frame.f32s("coordination"), [0.0, 2.0, 1.0]);
     assert_eq!(frame.head["scalars"][5]["names"], serde_json::json!(["glass", "steel"]));
-    assert_eq!((frame.u32s("id_i"), frame.u32s("id_j")), (vec![1, 1], vec![2, 0]));
-    assert_eq!(frame.f32s("normal_force"), [2.0, 3.0]);
+    assert_eq!(
+        frame.head["contacts"],
+        serde_json::json!({ "count": 2, "mean_force": 2.5 })
+    );
+    let contacts = run.get("/api/contacts/10").pack();
+    assert_eq!(contacts.f32s("normal_force"), [2.0, 3.0]);
     // from the centre of grain 1 to that of grain 2, and to the wall
     assert_eq!(
-        frame.f32s("ends"),
+        contacts.f32s("ends"),
         [0.0, 0.0, 1.0, 0.0, 0.0, 3.75, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]
     );
-    let walls = get(run.port, "/api/walls/10").pack();
+    assert_eq!(run.get("/api/contacts/5").status, 404);
+    let walls = run.get("/api/walls/10").pack();
     assert_eq!(walls.head["walls"], frame.head["walls"]);
     assert_eq!(
         walls.head["list"][1],
@@ -116,22 +177,19 @@ fn a_frame_holds_grains_contacts_and_the_key_of_its_walls() {
     );
     assert_eq!(walls.f32s("triangles").len(), 18);
     assert_ne!(
-        get(run.port, "/api/frame/0").pack().head["walls"],
+        run.get("/api/frame/0").pack().head["walls"],
         frame.head["walls"],
         "the lid has moved"
     );
-    assert_eq!(get(run.port, "/api/frame/5").status, 404);
+    assert_eq!(run.get("/api/frame/5").status, 404);
 }
 
 #[test]
 fn answers_are_compressed_on_request() {
     let run = TestRun::with(true);
-    let plain = get(run.port, "/viewer.js");
+    let plain = run.get("/viewer.js");
     assert_eq!(plain.header("content-encoding"), "");
-    let small = ask(
-        run.port,
-        "GET /viewer.js HTTP/1.1\r\nHost: localhost\r\nAccept-Encoding: gzip\r\nConnection: close\r\n\r\n",
-    );
+    let small = run.ask("/viewer.js", "Host: localhost\r\nAccept-Encoding: gzip");
     assert_eq!(small.header("content-encoding"), "gzip");
     let mut text = Vec::new();
     flate2::read::GzDecoder::new(small.body.as_slice())
@@ -143,7 +201,7 @@ fn answers_are_compressed_on_request() {
 #[test]
 fn a_grain_is_told_with_its_contacts_and_its_way() {
     let run = TestRun::new();
-    let grain = get(run.port, "/api/grain/10/2").json();
+    let grain = run.get("/api/grain/10/2").json();
     assert_eq!(
         (grain["values"]["radius"].as_f64(), grain["values"]["material"].as_str()),
         (Some(2.0), Some("steel"))
@@ -164,34 +222,51 @@ fn a_grain_is_told_with_its_contacts_and_its_way() {
         "away from the partner"
     );
     assert_eq!(contact["overlap"].as_f64(), Some(0.25));
-    let below = get(run.port, "/api/grain/10/1").json();
+    let below = run.get("/api/grain/10/1").json();
     assert_eq!(below["contacts"].as_array().unwrap().len(), 2);
     assert_eq!(below["contacts"][1]["wall"], 0);
-    assert_eq!(get(run.port, "/api/grain/10/9").status, 404);
+    assert_eq!(run.get("/api/grain/10/9").status, 404);
 
-    let way = get(run.port, "/api/history/2?from=0&count=10").json();
+    let way = run.get("/api/history/2?moments=1,0,9&contacts=0").json();
     let moments = way["moments"].as_array().unwrap();
-    assert_eq!(moments.len(), 2);
-    assert_eq!(moments[1]["position"], serde_json::json!([0.0, 0.0, 3.75]));
-    let told = ["speed", "contact_force", "coordination"].map(|name| moments[1][name].as_f64().unwrap());
-    assert_eq!(told, [5.0, 2.0, 1.0]);
-    let none = get(run.port, "/api/history/77?from=1&count=10").json();
-    assert_eq!(
-        (&none["moments"], &none["from"]),
-        (&serde_json::json!([null]), &serde_json::json!(1))
-    );
+    assert_eq!(moments.len(), 2, "there is no moment 9");
+    assert_eq!(moments[0]["position"], serde_json::json!([0.0, 0.0, 3.75]));
+    let told = ["speed", "coordination"].map(|name| moments[0][name].as_f64().unwrap());
+    assert_eq!(told, [5.0, 1.0]);
+    for (id, force) in [(1, 5.0), (2, 2.0), (3, 0.0)] {
+        let way = run.get(&format!("/api/history/{id}?moments=1&contacts=1")).json();
+        assert_eq!(
+            way["moments"],
+            serde_json::json!([{ "contact_force": force }]),
+            "grain {id}"
+        );
+    }
+    let none = run.get("/api/history/77?moments=1&contacts=1").json();
+    assert_eq!(none["moments"], serde_json::json!([null]));
+}
+
+#[test]
+fn a_frame_that_was_written_anew_is_read_anew() {
+    let run = TestRun::new();
+    let force = || run.get("/api/history/2?moments=1&contacts=1").json()["moments"][0]["contact_force"].as_f64();
+    assert_eq!(force(), Some(2.0));
+    let path = run.folder.frames().join("contacts_0000000010.vtp");
+    std::thread::sleep(Duration::from_millis(20));
+    run.write_contacts_of(10, 1, 3);
+    assert!(path.exists());
+    assert_eq!(force(), Some(0.0), "grain 2 has lost its contact to grain 3");
 }
 
 #[test]
 fn a_run_that_goes_on_is_followed() {
     let run = TestRun::new();
-    let rows = |from| get(run.port, &format!("/api/series?columns=0,1&from={from}")).pack();
+    let rows = |from| run.get(&format!("/api/series?columns=0,1&from={from}")).pack();
     assert_eq!(rows(0).f64s("1"), [0.0, 0.5]);
-    let epoch = get(run.port, "/api/state?moments=0").json()["epoch"].clone();
+    let epoch = run.get("/api/state?moments=0").json()["epoch"].clone();
     run.add_row("20,1.0,fill\n30,1.");
     run.add_frame(20, 1.0);
     std::thread::sleep(Duration::from_millis(250));
-    let state = get(run.port, "/api/state?moments=2").json();
+    let state = run.get("/api/state?moments=2").json();
     assert_eq!(
         (&state["moments"]["steps"], &state["series"]["rows"]),
         (&serde_json::json!([20]), &serde_json::json!(3))
@@ -201,7 +276,7 @@ fn a_run_that_goes_on_is_followed() {
     assert_eq!((more.f64s("0"), more.head["from"].as_u64()), (vec![20.0], Some(2)));
     assert_eq!(rows(100).f64s("1").len(), 0);
     assert_eq!(
-        get(run.port, "/api/series?columns=2&from=0").status,
+        run.get("/api/series?columns=2&from=0").status,
         404,
         "words cannot be plotted"
     );
@@ -209,7 +284,7 @@ fn a_run_that_goes_on_is_followed() {
     fs::write(run.folder.series(), "step,time [s],stage\n0,0.0,fill\n").unwrap();
     run.list_frames(&[(0, 0.0)]);
     std::thread::sleep(Duration::from_millis(250));
-    let state = get(run.port, "/api/state?moments=0").json();
+    let state = run.get("/api/state?moments=0").json();
     assert_ne!(state["epoch"], epoch);
     assert_eq!(
         (&state["moments"]["count"], &state["series"]["rows"]),
@@ -223,7 +298,7 @@ fn what_is_damaged_is_told_and_the_rest_is_shown() {
     let path = run.folder.frames().join("contacts_0000000010.vtp");
     let bytes = fs::read(&path).unwrap();
     fs::write(&path, &bytes[..bytes.len() / 2]).unwrap();
-    let answer = get(run.port, "/api/frame/10");
+    let answer = run.get("/api/frame/10");
     assert_eq!(answer.status, 500);
     let problem = answer.json()["error"].as_str().unwrap().to_string();
     assert!(
@@ -231,11 +306,11 @@ fn what_is_damaged_is_told_and_the_rest_is_shown() {
         "{problem}"
     );
     assert!(!problem.contains(&*run.folder.root().to_string_lossy()), "{problem}");
-    assert_eq!(get(run.port, "/api/frame/0").status, 200);
-    assert!(get(run.port, "/api/history/1?from=0&count=5").json()["moments"][1].is_null());
+    assert_eq!(run.get("/api/frame/0").status, 200);
+    assert!(run.get("/api/history/1?moments=1&contacts=1").json()["moments"][0].is_null());
     run.add_row("soon,1.0,fill\n");
     std::thread::sleep(Duration::from_millis(250));
-    let state = get(run.port, "/api/state?moments=0").json();
+    let state = run.get("/api/state?moments=0").json();
     assert!(state["fault"].as_str().unwrap().contains("line 4"), "{state}");
     assert_eq!(state["series"]["rows"], 2);
 }
@@ -262,15 +337,21 @@ fn no_path_of_the_system_can_be_asked_for() {
         "file:///etc/passwd",
         "http://localhost/../etc/passwd",
     ] {
-        let answer = ask(
+        let inside = run.ask(path, "Host: localhost");
+        // what does not begin with a stroke makes another word of the key
+        let refused = if path.starts_with('/') { 404 } else { 403 };
+        assert!([400, refused].contains(&inside.status), "{path}: {}", inside.status);
+        let outside = ask(
             run.port,
             &format!("GET {path} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n"),
         );
-        assert!([400, 404].contains(&answer.status), "{path}: {}", answer.status);
-        assert!(
-            !answer.text().contains("root:") && !answer.text().contains("mine"),
-            "{path}"
-        );
+        assert!([400, 403].contains(&outside.status), "{path}: {}", outside.status);
+        for answer in [inside, outside] {
+            assert!(
+                !answer.text().contains("root:") && !answer.text().contains("mine"),
+                "{path}"
+            );
+        }
     }
 }
 
@@ -286,9 +367,9 @@ fn links_lead_nowhere() {
     fs::rename(&frame, outside.join("grains.vtp")).unwrap();
     symlink(outside.join("grains.vtp"), &frame).unwrap();
     for path in ["/api/frame/10", "/api/grain/10/1"] {
-        assert_eq!(get(run.port, path).status, 403, "{path}");
+        assert_eq!(run.get(path).status, 403, "{path}");
     }
-    assert!(get(run.port, "/api/history/1?from=1&count=1").json()["moments"][0].is_null());
+    assert!(run.get("/api/history/1?moments=1&contacts=0").json()["moments"][0].is_null());
     fs::write(outside.join("series.csv"), "step,time [s],stage\n0,0.0,secret\n").unwrap();
     fs::remove_file(run.folder.series()).unwrap();
     symlink(outside.join("series.csv"), run.folder.series()).unwrap();
@@ -297,7 +378,7 @@ fn links_lead_nowhere() {
     fs::rename(run.folder.scenario(), outside.join("scenario.toml")).unwrap();
     symlink(outside.join("scenario.toml"), run.folder.scenario()).unwrap();
     std::thread::sleep(Duration::from_millis(250));
-    let state = get(run.port, "/api/state?moments=0");
+    let state = run.get("/api/state?moments=0");
     assert!(
         !state.text().contains("secret") && !state.text().contains("Three grains"),
         "{}",
@@ -306,8 +387,8 @@ fn links_lead_nowhere() {
     // the folder of the frames as a link
     fs::rename(run.folder.frames(), outside.join("frames")).unwrap();
     symlink(outside.join("frames"), run.folder.frames()).unwrap();
-    assert_eq!(get(run.port, "/api/frame/0").status, 403);
-    assert_eq!(get(run.port, "/api/walls/10").status, 403);
+    assert_eq!(run.get("/api/frame/0").status, 403);
+    assert_eq!(run.get("/api/walls/10").status, 403);
 }
 
 #[test]
@@ -333,27 +414,24 @@ fn others_are_refused() {
     let answer = status(&format!("GET / HTTP/1.1\r\nHost: localhost\r\nX: {long}\r\n\r\n"));
     assert!([0, 431].contains(&answer), "{answer}");
     assert_eq!(status("nonsense\r\n\r\n"), 400);
-    assert_eq!(get(run.port, "/").status, 200);
+    assert_eq!(run.get("/").status, 200);
 }
 
 #[test]
 fn slow_clients_hold_up_nobody() {
     let run = TestRun::new();
     let mut slow = Vec::new();
+    let whole = format!("GET {}/viewer.js HTTP/1.1\r\nHost: localhost\r\n\r\n", run.key).into_bytes();
     for k in 0..20 {
         let mut stream = TcpStream::connect(("127.0.0.1", run.port)).unwrap();
         // half of a request, or a whole one whose answer is never read
-        let text: &[u8] = if k % 2 == 0 {
-            b"GET / HT"
-        } else {
-            b"GET /viewer.js HTTP/1.1\r\nHost: localhost\r\n\r\n"
-        };
+        let text: &[u8] = if k % 2 == 0 { b"GET / HT" } else { &whole };
         stream.write_all(text).unwrap();
         slow.push(stream);
     }
     let begun = Instant::now();
     for _ in 0..5 {
-        assert_eq!(get(run.port, "/api/frame/10").status, 200);
+        assert_eq!(run.get("/api/frame/10").status, 200);
     }
     // far above what it takes, far below the times after which slow clients are given up
     assert!(begun.elapsed() < Duration::from_secs(20));
@@ -387,10 +465,10 @@ fn connections_are_used_again() {
     let mut stream = TcpStream::connect(("127.0.0.1", run.port)).unwrap();
     for _ in 0..3 {
         stream
-            .write_all(b"GET /api/grain/10/2 HTTP/1.1\r\nHost: localhost\r\n\r\n")
+            .write_all(format!("GET {}/api/grain/10/2 HTTP/1.1\r\nHost: localhost\r\n\r\n", run.key).as_bytes())
             .unwrap();
         let answer = Answer::read(&mut stream);
         assert_eq!((answer.status, answer.json()["id"].as_u64()), (200, Some(2)));
     }
-    let _: Value = get(run.port, "/api/state?moments=0").json();
+    let _: Value = run.get("/api/state?moments=0").json();
 }

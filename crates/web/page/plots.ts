@@ -200,6 +200,8 @@ export class Plot {
         this.#surface.setAttribute("aria-label", describe(options));
         this.#legend = new Legend(options.x, entries, (series, shown) => this.#plot.setSeries(series, { show: shown }));
         const table = foldedTable(options.title, () => [options.x, ...options.lines]);
+        // numbers that are looked at stay, with what has come since
+        table.open = this.element.querySelector("details")?.open ?? false;
         this.element.replaceChildren(caption, this.#surface, this.#legend.element, table);
         const loop = !grows(options.x.values);
         const made = loop ? loopPlot(options, entries) : timePlot(options, entries);

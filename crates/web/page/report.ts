@@ -124,12 +124,10 @@ function stateOf({ grains, contacts, walls }: PackingData): PackingState {
     return {
         grains: drawn,
         contacts: {
-            ...places,
-            ends: contactEnds(places, drawn),
-            normalForce: floats(contacts.normal_force),
-            totalForce: floats(contacts.total_force),
-            wall: floats(contacts.wall),
+            count: places.idI.length,
             meanForce: contacts.mean_force ?? 0,
+            chains: { ends: contactEnds(places, drawn), normalForce: floats(contacts.normal_force) },
+            partners: { ...places, wall: floats(contacts.wall), totalForce: floats(contacts.total_force) },
         },
         walls: walls.map(({ name, index, triangles }) => ({ name, index, triangles: floats(triangles) })),
         scalars: infos,

@@ -3,10 +3,12 @@ import * as THREE from "three";
 import { Axes } from "./scene/axes";
 import { CameraRig, type ViewName } from "./scene/camera";
 import { Chains } from "./scene/chains";
-import { automaticRange, categoryTexture, mapTexture, NO_VALUE_COLOUR, type MapName } from "./scene/colours";
-import { Pace } from "./scene/pace";
+import { categoryTexture, mapTexture, NO_VALUE_COLOUR, spreadOf, type MapName } from "./scene/colours";
+import { boundsOf, median } from "./scene/extent";
+import { drawsInSoftware, Pace } from "./scene/pace";
 import { firstSphere, type Plane } from "./scene/pick";
 import { Spheres } from "./scene/spheres";
+import { VisibleGrains } from "./scene/visible";
 import { Walls } from "./scene/walls";
 
 export { CAMERA_KEYS, type ViewName } from "./scene/camera";
@@ -26,18 +28,12 @@ export interface Grains {
     categories?: Map<string, string[]>;
 }
 
-/** Contacts, `m` of them. */
+/** What force chains are drawn of: contacts, `m` of them. */
 export interface Contacts {
     /** From where to where the cylinder of each goes, 6m numbers [m]. */
     ends: Float32Array;
     /** Size of the normal force [N]. */
     normalForce: Float32Array;
-    /** Size of the total force [N]. */
-    totalForce: Float32Array;
-    /** Ids of the grains. */
-    idI: Uint32Array;
-    /** Ids of the other grains; 0 where it is a wall. */
-    idJ: Uint32Array;
 }
 
 /** The surface of a wall. */
@@ -57,6 +53,8 @@ export interface ColourScale {
     beyond: [boolean, boolean];
     /** Names of the categories, where the scalar is one. */
     names: string[] | null;
+    /** Whether some grains have no value. */
+    gaps: boolean;
 }
 
 export interface SceneOptions {
@@ -100,7 +98,9 @@ export class PackingScene {
     #grains: Grains = { position: new Float32Array(), radius: new Float32Array(), id: new Uint32Array(), scalars: new Map() };
     #contacts: Contacts | null = null;
     #wallTriangles: Float32Array[] = [];
-    #scale: ColourScale = { scalar: "", map: "viridis", range: [0, 1], beyond: [false, false], names: null };
+    #visible = new VisibleGrains(0);
+    #bounds: THREE.Box3 | null = null;
+    #scale: ColourScale = { scalar: "", map: "viridis", range: [0, 1], beyond: [false, false], names: null, gaps: false };
     #wanted: { scalar: string; range: [number, number] | null; map: MapName } = { scalar: "", range: null, map: "viridis" };
     #chainsWanted = { shown: false, threshold: 0 };
     #clip: Plane | null = null;
@@ -109,6 +109,8 @@ export class PackingScene {
     #pending = 0;
     readonly #pace: Pace;
     #share = 1;
+    /** Pixels that are drawn for one of a picture that is saved, on a side. */
+    readonly #finest: number;
     #maps = new Map<string, THREE.DataTexture>();
 
     // what the shaders share
@@ -123,7 +125,10 @@ export class PackingScene {
 
     constructor(container: HTMLElement, options: SceneOptions) {
         this.#container = container;
-        this.#renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
+        // several samples of a pixel cost the processor more than they are worth while things move
+        const isSoftware = drawsInSoftware();
+        this.#finest = isSoftware ? 2 : 1;
+        this.#renderer = new THREE.WebGLRenderer({ antialias: !isSoftware, alpha: true, powerPreference: "high-performance" });
         // the shaders' colours are those of the screen
         this.#renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
         if (options.background) {
@@ -149,21 +154,22 @@ export class PackingScene {
         if (options.onPick) {
             this.#listenForClicks(options.onPick);
         }
-        this.#pace = new Pace(this.#renderer.getContext() as WebGL2RenderingContext, () => this.#draw());
+        this.#pace = new Pace(this.#renderer.getContext() as WebGL2RenderingContext, isSoftware, (share) => this.#rest(share));
         this.#watch = new ResizeObserver(() => this.#resize());
         this.#watch.observe(container);
         this.#resize();
     }
 
-    /** Shows these grains instead of those before; the camera stays once there was something to see. */
+    /** Shows these grains instead of those before, coloured by what `colourBy` tells next; the camera stays once there was something to see. */
     setGrains(grains: Grains): void {
         this.#grains = grains;
+        this.#bounds = null;
         this.#spheres.set(grains.position, grains.radius);
         if (this.#marked.size > 0) {
             this.highlight([...this.#marked]);
         }
         this.#fitFirst();
-        this.#colour();
+        this.render();
     }
 
     /** Contacts that `showChains` draws; `null` for none. */
@@ -173,7 +179,12 @@ export class PackingScene {
     }
 
     setWalls(walls: WallSurface[]): void {
+        const same = walls.length === this.#wallTriangles.length && walls.every((wall, k) => wall.triangles === this.#wallTriangles[k]);
+        if (same) {
+            return;
+        }
         this.#wallTriangles = walls.map((wall) => wall.triangles);
+        this.#bounds = null;
         this.#walls.set(this.#wallTriangles);
         this.#fitFirst();
         this.render();
@@ -225,7 +236,8 @@ export class PackingScene {
     /** Marks grains by their ids. */
     highlight(ids: Iterable<number>): void {
         this.#marked = new Set(ids);
-        this.#spheres.setMarked(Float32Array.from(this.#grains.id, (id) => (this.#marked.has(id) ? 1 : 0)));
+        const { id } = this.#grains;
+        this.#spheres.setMarked((k) => this.#marked.has(id[k]!));
         this.render();
     }
 
@@ -262,50 +274,48 @@ export class PackingScene {
         this.#rig.whole();
     }
 
+    /** Whether frames follow each other: pictures are then drawn as finely as there is time for. */
+    set plays(plays: boolean) {
+        this.#pace.plays = plays;
+    }
+
     /** The box around grains and walls [m]; walls that reach far beyond the grains count only near them. */
     bounds(): THREE.Box3 {
-        const box = new THREE.Box3();
-        const { position, radius } = this.#grains;
-        const [low, high] = [new THREE.Vector3(), new THREE.Vector3()];
-        for (let k = 0; k < radius.length; k++) {
-            low.fromArray(position, 3 * k).subScalar(radius[k]!);
-            high.fromArray(position, 3 * k).addScalar(radius[k]!);
-            box.expandByPoint(low).expandByPoint(high);
-        }
-        const walls = new THREE.Box3();
-        for (const triangles of this.#wallTriangles) {
-            walls.union(new THREE.Box3().setFromArray(triangles));
-        }
-        if (!box.isEmpty() && !walls.isEmpty()) {
-            const near = box.clone().expandByScalar(1.5 * box.getSize(new THREE.Vector3()).length());
-            walls.intersect(near);
-        }
-        return box.union(walls);
+        this.#bounds ??= boundsOf(this.#grains, this.#wallTriangles);
+        return this.#bounds.clone();
     }
 
     /** The picture as it is now, as PNG; by default as large as on the screen. */
     async screenshot(size?: { width: number; height: number }): Promise<Blob> {
-        if (size) {
-            this.#share = 1;
-            this.#renderer.setPixelRatio(1);
-            this.#renderer.setSize(size.width, size.height, false);
-            this.#rig.camera.aspect = size.width / size.height;
-            this.#rig.camera.updateProjectionMatrix();
-        }
-        this.#draw();
-        const blob = new Promise<Blob>((resolve, reject) => {
-            this.canvas.toBlob((made) => (made ? resolve(made) : reject(new Error("the browser made no picture"))), "image/png");
+        const { clientWidth, clientHeight } = this.canvas;
+        const { width, height } = size ?? { width: clientWidth * pixelRatio(), height: clientHeight * pixelRatio() };
+        const canvas = this.#drawn(Math.round(width), Math.round(height));
+        return new Promise<Blob>((resolve, reject) => {
+            canvas.toBlob((made) => (made ? resolve(made) : reject(new Error("the browser made no picture"))), "image/png");
         });
-        if (size) {
-            this.#resize();
-        }
-        return blob;
     }
 
     /** The picture as it is now, as the address of an image, for printing. */
     picture(): string {
-        this.#draw();
-        return this.canvas.toDataURL("image/png");
+        const { clientWidth, clientHeight } = this.canvas;
+        return this.#drawn(2 * clientWidth, 2 * clientHeight).toDataURL("image/png");
+    }
+
+    /** A copy of the picture as it is now, in another size. */
+    #drawn(width: number, height: number): HTMLCanvasElement {
+        const finest = Math.min(this.#finest, WIDEST / Math.max(width, height));
+        this.#renderer.setPixelRatio(Math.max(finest, 1));
+        this.#renderer.setSize(Math.max(width, 1), Math.max(height, 1), false);
+        this.#rig.camera.aspect = width / height;
+        this.#rig.camera.updateProjectionMatrix();
+        this.#paint();
+        const copy = document.createElement("canvas");
+        [copy.width, copy.height] = [width, height];
+        const context = copy.getContext("2d")!;
+        context.imageSmoothingQuality = "high";
+        context.drawImage(this.canvas, 0, 0, width, height);
+        this.#resize();
+        return copy;
     }
 
     /** Asks for a picture; many requests make one. */
@@ -339,9 +349,9 @@ export class PackingScene {
         const { scalar, range, map } = this.#wanted;
         const values = this.#grains.scalars.get(scalar);
         const names = this.#grains.categories?.get(scalar) ?? null;
-        const [low, high] = range ?? automaticRange(values ?? new Float32Array());
-        const beyond: [boolean, boolean] = [values?.some((v) => v < low) ?? false, values?.some((v) => v > high) ?? false];
-        this.#scale = { scalar, map, range: [low, high], beyond, names };
+        const spread = spreadOf(values ?? new Float32Array());
+        const [low, high] = range ?? spread.range;
+        this.#scale = { scalar, map, range: [low, high], beyond: [spread.low < low, spread.high > high], names, gaps: spread.gaps };
         this.#spheres.setValues(values ?? new Float32Array(this.#grains.radius.length).fill(NaN));
         this.#grainLook.colours.value = this.#texture(names ? "categories" : map);
         this.#grainLook.range.value.set(low, high);
@@ -355,9 +365,8 @@ export class PackingScene {
         let drawn = 0;
         if (this.#chains.mesh.visible) {
             const { ends, normalForce } = this.#contacts!;
-            const strong = automaticRange(normalForce)[1];
-            const radii = Float32Array.from(this.#grains.radius).sort();
-            const typical = radii[radii.length >> 1] ?? 0;
+            const strong = spreadOf(normalForce).range[1];
+            const typical = median(this.#grains.radius);
             drawn = this.#chains.set(ends, normalForce, threshold, strong, 0.45 * typical);
             this.#chainLook.range.value.set(0, strong);
         }
@@ -394,6 +403,19 @@ export class PackingScene {
             this.#renderer.setPixelRatio(share * pixelRatio());
         }
         this.canvas.dataset["share"] = String(share);
+        this.#paint();
+        this.#pace.drawn(share);
+        this.canvas.dataset["rests"] = String(this.#pace.rests);
+    }
+
+    #rest(share: number | null): void {
+        if (share !== null) {
+            this.#draw(share);
+        }
+        this.canvas.dataset["rests"] = String(this.#pace.rests);
+    }
+
+    #paint(): void {
         const camera = this.#rig.camera;
         // near and far around the content, which has a size of about 1, so that depths stay exact
         const distance = camera.position.length();
@@ -403,9 +425,38 @@ export class PackingScene {
         camera.updateMatrixWorld();
         this.#space.projection.value.copy(camera.projectionMatrix);
         this.#placeClip(camera.matrixWorldInverse);
+        this.#chooseGrains(camera);
         this.#axes.follow(camera);
         this.#renderer.render(this.#scene, camera);
-        this.#pace.drawn(share);
+    }
+
+    /** Where drawing is slow, hidden grains are left out. */
+    #chooseGrains(camera: THREE.PerspectiveCamera): void {
+        const { position, radius } = this.#grains;
+        if (!this.#pace.isSlow || !this.#spheres.mesh.visible) {
+            this.#spheres.choose(null);
+            return;
+        }
+        if (radius.length > this.#visible.found.length) {
+            this.#visible = new VisibleGrains(radius.length);
+        }
+        const { origin, scale } = this.#space;
+        const s = scale.value;
+        const toView = camera.matrixWorldInverse.clone().multiply(new THREE.Matrix4().makeScale(s, s, s));
+        toView.multiply(new THREE.Matrix4().makeTranslation(origin.value.clone().negate()));
+        const { clip, clipped } = this.#cut;
+        this.#visible.find({
+            position,
+            radius,
+            toView: toView.elements,
+            scale: s * this.#size.value,
+            tangent: Math.tan((camera.fov * Math.PI) / 360),
+            aspect: camera.aspect,
+            near: camera.near,
+            clip: clipped.value > 0 ? clip.value.toArray() : null,
+            solid: this.#opacity.value >= 1,
+        });
+        this.#spheres.choose(this.#visible.found.subarray(0, this.#visible.count));
     }
 
     /** The clip plane in view space. */
@@ -431,6 +482,9 @@ export class PackingScene {
         });
     }
 }
+
+/** Pictures that are saved are drawn with more pixels than they get up to this width and height; beyond, browsers may not draw all. */
+const WIDEST = 4096;
 
 function pixelRatio(): number {
     return Math.min(window.devicePixelRatio, 2);

@@ -11,10 +11,21 @@ export interface ScalarInfo {
     meaning: string;
 }
 
+/** Contacts at a moment. */
+export interface ContactState {
+    count: number;
+    /** Mean size of the normal forces [N]. */
+    meanForce: number;
+    /** What chains are drawn of; null where it was not read yet. */
+    chains: Contacts | null;
+    /** Which bodies they join, where picked grains are described by the panel: ids of the first grains, of the second, indices of walls, forces [N]. */
+    partners?: { idI: Uint32Array; idJ: Uint32Array; wall: Float32Array; totalForce: Float32Array };
+}
+
 /** What is shown at a moment. */
 export interface PackingState {
     grains: Grains;
-    contacts: (Contacts & { wall: Float32Array; meanForce: number }) | null;
+    contacts: ContactState | null;
     walls: WallSurface[];
     scalars: ScalarInfo[];
 }
@@ -27,6 +38,8 @@ export interface PanelOptions {
     describes?: boolean;
     /** Called with the id of the picked grain, or null. */
     onPick?: (id: number | null) => void;
+    /** Called when chains are to be drawn of contacts that were not read yet; the state is to be shown again with them. */
+    needsChains?: () => void;
 }
 
 type Axis = "x" | "y" | "z";
@@ -111,10 +124,15 @@ export class ScenePanel {
         // walls first: the first grains decide what is looked at, together with the walls around them
         this.scene.setWalls(state.walls);
         this.scene.setGrains(state.grains);
-        this.scene.setContacts(state.contacts);
+        this.scene.setContacts(state.contacts?.chains ?? null);
         this.#recolour();
         this.#redrawChains();
         this.#recut();
+    }
+
+    /** Whether force chains are drawn. */
+    get showsChains(): boolean {
+        return this.#chains.shown;
     }
 
     /** Until somebody chooses: the first scalar of the list that has told grains apart in a state that was shown. */
@@ -217,6 +235,9 @@ export class ScenePanel {
                 this.#grainOpacity.set(1);
             }
             this.#redrawChains();
+            if (value && this.#state.contacts && !this.#state.contacts.chains) {
+                this.#options.needsChains?.();
+            }
         });
         const told = (v: number) => (v === 0 ? "all contacts" : `from ${readable(v, 2)} × mean`);
         const threshold = slider("Normal force", { min: 0, max: 5, step: 0.1, value: 1 }, told, (v) => {
@@ -230,9 +251,9 @@ export class ScenePanel {
         const contacts = this.#state.contacts;
         const mean = contacts?.meanForce ?? 0;
         const drawn = this.scene!.showChains(this.#chains.shown, this.#chains.threshold * mean);
-        const all = contacts?.idI.length ?? 0;
+        const all = contacts?.count ?? 0;
         const none = all === 0 ? "No contact carries a force in this state." : `Mean normal force ${quantity(mean, "N")}.`;
-        this.#chainsTold.textContent = this.#chains.shown && all > 0 ? `${drawn} of ${all} contacts; thicker is stronger. ${none}` : none;
+        this.#chainsTold.textContent = this.#chains.shown && all > 0 && contacts?.chains ? `${drawn} of ${all} contacts; thicker is stronger. ${none}` : none;
     }
 
     #clipControls(): HTMLElement {
@@ -336,7 +357,7 @@ export class ScenePanel {
             add(name, names ? (names[value] ?? String(value)) : quantity(value, unit));
         }
         const parts: Node[] = [make("h3", {}, `Grain ${id}`), list];
-        const lines = contacts ? this.#contactsOf(id) : [];
+        const lines = contacts?.partners ? this.#contactsOf(id) : [];
         if (lines.length > 0) {
             const more = lines.length > MOST_LISTED ? [make("li", {}, `and ${lines.length - MOST_LISTED} more`)] : [];
             parts.push(make("details", {}, make("summary", {}, `${lines.length} contacts`), make("ul", {}, ...lines.slice(0, MOST_LISTED).map((line) => make("li", {}, line)), ...more)));
@@ -346,7 +367,8 @@ export class ScenePanel {
 
     #contactsOf(id: number): string[] {
         const { contacts, walls } = this.#state;
-        const { idI, idJ, wall, normalForce, totalForce } = contacts!;
+        const { idI, idJ, wall, totalForce } = contacts!.partners!;
+        const { normalForce } = contacts!.chains!;
         const found: [number, string][] = [];
         for (let k = 0; k < idI.length; k++) {
             if (idI[k] === id || (wall[k]! < 0 && idJ[k] === id)) {

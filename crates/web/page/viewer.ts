@@ -38,8 +38,8 @@ class Viewer {
         const place = make("div");
         const main = make("main", { id: "main" }, this.#fault, place);
         document.body.append(make("a", { class: "skip", href: "#main" }, "Skip to the picture"), make("header", {}, make("div", { class: "title" }, this.#title, this.#badge), this.#about), main);
-        this.#timeline = new Timeline({ show: (index) => this.#show(index), ahead: (indices) => this.#frames.prefetch(indices.map((k) => this.#steps[k]!)) });
-        this.#panel = new ScenePanel(place, { label: "The run", fileName: "packing", describes: false, onPick: (id) => this.#picked(id) });
+        this.#timeline = new Timeline({ show: (index) => this.#show(index), ahead: (indices) => this.#frames.prefetch(indices.map((k) => this.#steps[k]!), this.#panel.showsChains), plays: (on) => this.#panel.scene && (this.#panel.scene.plays = on) });
+        this.#panel = new ScenePanel(place, { label: "The run", fileName: "packing", describes: false, onPick: (id) => this.#picked(id), needsChains: () => void this.#show(this.#timeline.index) });
         this.#panel.view.append(this.#timeline.element);
         const seek = (time: number) => this.#timeline.seekTime(time);
         this.#series = new SeriesPanel(seek);
@@ -128,6 +128,9 @@ class Viewer {
         }
         try {
             const frame = await this.#frames.get(step);
+            if (this.#panel.showsChains) {
+                await this.#frames.readChains(frame);
+            }
             this.#frame = frame;
             this.#draw();
             await painted();
@@ -191,7 +194,7 @@ function painted(): Promise<void> {
 
 function help(): HTMLElement {
     const keys = make("dl", { class: "keys" }, ...TIME_KEYS.flatMap(([key, what]) => [make("dt", {}, key), make("dd", {}, what)]));
-    const licences = make("a", { href: "/licences.txt" }, "Licences of the libraries in this page");
+    const licences = make("a", { href: "licences.txt" }, "Licences of the libraries in this page");
     return make("footer", {}, make("details", {}, make("summary", {}, "Keys of the timeline"), keys), licences);
 }
 

@@ -8,6 +8,7 @@ mod columns;
 mod error;
 mod packing;
 mod poly_data;
+mod poly_head;
 pub(crate) mod rows;
 mod run;
 

@@ -99,6 +99,15 @@ pub struct Scalar<'p> {
 impl Packing {
     /// Reads the frame of a step.
     pub fn read(run: &Run, step: u64) -> Result<Self, ResultsError> {
+        let mut packing = Self::read_grains(run, step)?;
+        let mut table = run.open_table(TableKind::Contacts, step)?;
+        packing.contacts.point = table.points()?;
+        packing.contacts.total = table.floats("force_magnitude", 1)?;
+        Ok(packing)
+    }
+
+    /// Reads the frame of a step, but not where its contacts are and how large their total forces: that is half of a frame.
+    pub fn read_grains(run: &Run, step: u64) -> Result<Self, ResultsError> {
         let mut grains = run.open_table(TableKind::Grains, step)?;
         let mut packing = Self {
             step,
@@ -263,11 +272,10 @@ fn read_contacts(table: &mut TableFile) -> Result<PackedContacts, ResultsError> 
         id_i: table.counts("id_i")?,
         id_j: table.counts("id_j")?,
         wall: table.integers("wall")?,
-        point: table.points()?,
         overlap: table.floats("overlap", 1)?,
         normal: direction.iter().zip(vectors(&force)).map(|(n, f)| n.dot(f)).collect(),
         direction,
-        total: table.floats("force_magnitude", 1)?,
+        ..PackedContacts::default()
     })
 }
 

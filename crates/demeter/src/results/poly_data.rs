@@ -1,10 +1,10 @@
 //! Reads the `.vtp` files that `output::vtp` writes: the head first, then only those arrays that are asked for.
 
 use super::error::ResultsError;
-use crate::output::vtp::{Array, BLOCK, Cells, ENCODING, END_OF_DATA, PolyData, START_OF_DATA, Values};
+use super::poly_head::{ArrayPlace, Head};
+use crate::output::vtp::{Array, BLOCK, Cells, END_OF_DATA, PolyData, START_OF_DATA, Values};
 use flate2::read::ZlibDecoder;
 use glam::DVec3;
-use roxmltree::{Document, Node, ParsingOptions};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
@@ -12,8 +12,6 @@ use std::path::{Path, PathBuf};
 
 /// Largest head that is read [bytes].
 const MAX_HEAD: usize = 16 << 20;
-/// Most elements of a head.
-const MAX_ELEMENTS: u32 = 10_000;
 /// Most numbers of one array.
 const MAX_NUMBERS: usize = 1 << 30;
 /// Sections whose arrays have a value for each row.
@@ -30,30 +28,6 @@ pub struct TableFile {
     /// Where the data begins [bytes].
     data: u64,
     head: Head,
-}
-
-/// What the head of a file tells.
-#[derive(Debug, PartialEq)]
-struct Head {
-    step: u64,
-    time: f64,
-    texts: Vec<(String, Vec<String>)>,
-    fields: Vec<Array>,
-    points: usize,
-    cells: usize,
-    element: String,
-    arrays: Vec<ArrayPlace>,
-}
-
-/// Where an array is, and what it holds.
-#[derive(Clone, Debug, PartialEq)]
-struct ArrayPlace {
-    section: String,
-    name: String,
-    kind: String,
-    components: usize,
-    tuples: usize,
-    offset: u64,
 }
 
 impl TableFile {
@@ -177,6 +151,30 @@ impl TableFile {
         self.read_rows(&place, rows)
     }
 
+    /// Single rows of an array of the points or cells, by its name, which ascend: of the blocks that hold them each is read
+    /// once. Rows behind the last one are left out.
+    pub fn rows_at(&mut self, name: &str, rows: &[usize]) -> Result<Array, ResultsError> {
+        let place = self.of_rows(name)?;
+        let width = Values::size_of(&place.kind)
+            .unwrap_or(1)
+            .saturating_mul(place.components);
+        let block = |row: &usize| row.saturating_mul(width) / BLOCK;
+        let mut bytes = Vec::new();
+        for together in rows.chunk_by(|a, b| a < b && block(a) == block(b)) {
+            let (first, last) = (together[0], together[together.len() - 1]);
+            let span = self.read_bytes(&place, first..last.saturating_add(1))?;
+            let row = |row: &usize| {
+                let start = (row - first).saturating_mul(width);
+                span.get(start..start.saturating_add(width))
+            };
+            together
+                .iter()
+                .filter_map(row)
+                .for_each(|row| bytes.extend_from_slice(row));
+        }
+        self.numbers(&place, &bytes)
+    }
+
     /// Places [m] of some points, as an array with three components.
     pub fn points_of(&mut self, rows: Range<usize>) -> Result<Array, ResultsError> {
         let place = self.place("Points", "Points")?;
@@ -272,22 +270,31 @@ impl TableFile {
     }
 
     fn read_rows(&mut self, place: &ArrayPlace, rows: Range<usize>) -> Result<Array, ResultsError> {
-        let damaged = |file: &Self, problem: String| {
-            ResultsError::damaged(&file.path, format!("array `{}`: {problem}", place.name))
-        };
+        let bytes = self.read_bytes(place, rows)?;
+        self.numbers(place, &bytes)
+    }
+
+    fn numbers(&self, place: &ArrayPlace, bytes: &[u8]) -> Result<Array, ResultsError> {
+        let values = Values::from_bytes(&place.kind, bytes);
+        let values = values.ok_or_else(|| self.damaged(place, &format!("unknown type `{}`", place.kind)))?;
+        Ok(Array::new(place.name.clone(), place.components, values))
+    }
+
+    fn damaged(&self, place: &ArrayPlace, problem: &str) -> ResultsError {
+        ResultsError::damaged(&self.path, format!("array `{}`: {problem}", place.name))
+    }
+
+    fn read_bytes(&mut self, place: &ArrayPlace, rows: Range<usize>) -> Result<Vec<u8>, ResultsError> {
         let start = self.data.checked_add(place.offset).filter(|start| *start < self.length);
-        let start = start.ok_or_else(|| damaged(self, "it begins behind the end of the file".to_string()))?;
+        let start = start.ok_or_else(|| self.damaged(place, "it begins behind the end of the file"))?;
         self.file
             .seek(SeekFrom::Start(start))
             .map_err(ResultsError::io(&self.path))?;
-        let bytes = match read_blocks(&mut self.file, place, self.length - start, rows) {
-            Ok(bytes) => bytes,
-            Err(ReadFault::Io(error)) => return Err(ResultsError::io(&self.path)(error)),
-            Err(ReadFault::Damaged(problem)) => return Err(damaged(self, problem)),
-        };
-        let values = Values::from_bytes(&place.kind, &bytes);
-        let values = values.ok_or_else(|| damaged(self, format!("unknown type `{}`", place.kind)))?;
-        Ok(Array::new(place.name.clone(), place.components, values))
+        match read_blocks(&mut self.file, place, self.length - start, rows) {
+            Ok(bytes) => Ok(bytes),
+            Err(ReadFault::Io(error)) => Err(ResultsError::io(&self.path)(error)),
+            Err(ReadFault::Damaged(problem)) => Err(self.damaged(place, &problem)),
+        }
     }
 }
 
@@ -326,7 +333,7 @@ fn read_blocks(file: &mut File, place: &ArrayPlace, left: u64, rows: Range<usize
         compressed.push(length);
     }
     let mut left = lengths.left;
-    let row = place.components * size;
+    let row = place.components.saturating_mul(size);
     let wanted = rows.start.min(place.tuples) * row..rows.end.min(place.tuples) * row;
     let first = wanted.start / BLOCK;
     let mut out = Vec::new();
@@ -407,114 +414,4 @@ fn ends_whole(file: &mut File, length: u64) -> io::Result<bool> {
     let mut end = Vec::new();
     file.take(mark.len() as u64).read_to_end(&mut end)?;
     Ok(end == mark)
-}
-
-impl Head {
-    fn parse(text: &str) -> Result<Self, String> {
-        let first = text.lines().next().unwrap_or_default();
-        if !first.starts_with("<VTKFile type=\"PolyData\"") || !first.contains(ENCODING) {
-            return Err("it does not begin as the files that Demeter writes".to_string());
-        }
-        let whole = format!("{}</AppendedData></VTKFile>", text.trim_end_matches('_'));
-        let options = ParsingOptions {
-            nodes_limit: MAX_ELEMENTS,
-            ..ParsingOptions::default()
-        };
-        let document = Document::parse_with_options(&whole, options).map_err(|e| format!("its head is no XML: {e}"))?;
-        let piece = child(child(document.root_element(), "PolyData")?, "Piece")?;
-        let fields = child(child(document.root_element(), "PolyData")?, "FieldData")?;
-        let count = |name: &str| number::<usize>(piece, name).ok_or_else(|| format!("its piece tells no `{name}`"));
-        let counts = [
-            count("NumberOfVerts")?,
-            count("NumberOfLines")?,
-            count("NumberOfPolys")?,
-        ];
-        let mut head = Self {
-            step: field(fields, "step")?,
-            time: field(fields, "TimeValue")?,
-            texts: Vec::new(),
-            fields: elements(fields).filter_map(whole_array).collect(),
-            points: count("NumberOfPoints")?,
-            cells: counts.iter().copied().max().unwrap_or(0),
-            element: String::new(),
-            arrays: Vec::new(),
-        };
-        let texts = elements(fields).filter(|node| node.attribute("type") == Some("String"));
-        for node in texts {
-            let name = node.attribute("Name").unwrap_or_default().to_string();
-            head.texts.push((name, texts_of(node.text().unwrap_or_default())?));
-        }
-        for section in elements(piece) {
-            if ["Verts", "Lines", "Polys"].contains(&section.tag_name().name()) {
-                head.element = section.tag_name().name().to_string();
-            }
-            for node in elements(section) {
-                let place = head.place(section.tag_name().name(), node);
-                head.arrays
-                    .push(place.ok_or("an array does not tell its name, type, components and place")?);
-            }
-        }
-        Ok(head)
-    }
-
-    fn place(&self, section: &str, node: Node<'_, '_>) -> Option<ArrayPlace> {
-        let name = node.attribute("Name")?;
-        Some(ArrayPlace {
-            section: section.to_string(),
-            name: name.to_string(),
-            kind: node.attribute("type")?.to_string(),
-            components: number(node, "NumberOfComponents")?,
-            tuples: match (section, name) {
-                ("PointData" | "Points", _) | (_, "connectivity") => self.points,
-                _ => self.cells,
-            },
-            offset: number(node, "offset")?,
-        })
-    }
-}
-
-fn elements<'a, 'i: 'a>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<'a, 'i>> {
-    node.children().filter(Node::is_element)
-}
-
-fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Result<Node<'a, 'i>, String> {
-    let found = elements(node).find(|child| child.has_tag_name(name));
-    found.ok_or_else(|| format!("its head has no `{name}`"))
-}
-
-fn number<T: std::str::FromStr>(node: Node<'_, '_>, name: &str) -> Option<T> {
-    node.attribute(name)?.parse().ok()
-}
-
-/// A number that belongs to the file as a whole.
-fn field<T: std::str::FromStr>(fields: Node<'_, '_>, name: &str) -> Result<T, String> {
-    let found = elements(fields).find(|node| node.attribute("Name") == Some(name));
-    let value = found.and_then(|node| node.text()?.trim().parse().ok());
-    value.ok_or_else(|| format!("it tells no `{name}`"))
-}
-
-/// An array that belongs to the file as a whole: those of rows of numbers.
-fn whole_array(node: Node<'_, '_>) -> Option<Array> {
-    let components = number(node, "NumberOfComponents").filter(|components| *components > 0)?;
-    let words = node.text().unwrap_or_default().split_ascii_whitespace();
-    let values = match node.attribute("type")? {
-        "Float64" => Values::Float64(words.map(|word| word.parse().ok()).collect::<Option<_>>()?),
-        "Int32" => Values::Int32(words.map(|word| word.parse().ok()).collect::<Option<_>>()?),
-        _ => return None,
-    };
-    let name = node.attribute("Name")?.to_string();
-    Some(Array::new(name, components, values))
-}
-
-/// Texts from the codes of their bytes, each closed by a zero.
-fn texts_of(codes: &str) -> Result<Vec<String>, String> {
-    let bytes: Option<Vec<u8>> = codes.split_ascii_whitespace().map(|code| code.parse().ok()).collect();
-    let bytes = bytes.ok_or("a text in its head is not told by the codes of its bytes")?;
-    let Some(inner) = bytes.strip_suffix(&[0]) else {
-        return Ok(Vec::new());
-    };
-    Ok(inner
-        .split(|byte| *byte == 0)
-        .map(|text| String::from_utf8_lossy(text).into_owned())
-        .collect())
 }

@@ -149,6 +149,28 @@ fn some_rows_are_those_of_the_whole() {
             .values
             .is_empty()
     );
+    let single = [
+        0,
+        3,
+        block - 1,
+        block,
+        block + 7,
+        2 * block + 4,
+        whole.len(),
+        usize::MAX,
+    ];
+    let there: Vec<f64> = single.iter().filter_map(|row| whole.get(*row).copied()).collect();
+    let rows = file.rows_at("of_cells", &single).unwrap();
+    assert!(there.len() == 6 && rows.values == Values::Float64(there));
+    let vectors = file.array("orientation").unwrap();
+    let numbers = |row: usize| (4 * row..4 * row + 4).map(|k| vectors.values.number(k).unwrap());
+    let some = file.rows_at("orientation", &single[1..5]).unwrap();
+    assert_eq!(some.components, 4);
+    assert_eq!(
+        some.values,
+        Values::Float64(single[1..5].iter().flat_map(|row| numbers(*row)).collect())
+    );
+    assert!(file.rows_at("of_cells", &[]).unwrap().values.is_empty());
 }
 
 #[test]

@@ -17,6 +17,10 @@ pub struct TestRun {
     pub folder: RunFolder,
     pub port: u16,
     pub url: String,
+    /// The address that leads to the page once.
+    pub url_once: String,
+    /// What every path begins with.
+    pub key: String,
 }
 
 impl TestRun {
@@ -37,14 +41,31 @@ impl TestRun {
             ..Options::default()
         };
         let viewer = Viewer::open(folder.root(), options).unwrap();
-        let (port, url) = (viewer.port(), viewer.url());
+        let (port, url, url_once) = (viewer.port(), viewer.url(), viewer.url_once());
+        let key = path_of(&url, port).trim_end_matches('/').to_string();
         std::thread::spawn(move || viewer.serve());
         Self {
             _place: place,
             folder,
             port,
             url,
+            url_once,
+            key,
         }
+    }
+
+    /// Asks for a path behind the key as the page does.
+    pub fn get(&self, path: &str) -> Answer {
+        get(self.port, &format!("{}{path}", self.key))
+    }
+
+    /// Asks for a path behind the key with more lines in the head.
+    pub fn ask(&self, path: &str, head: &str) -> Answer {
+        let key = &self.key;
+        ask(
+            self.port,
+            &format!("GET {key}{path} HTTP/1.1\r\n{head}\r\nConnection: close\r\n\r\n"),
+        )
     }
 
     pub fn add_row(&self, text: &str) {
@@ -55,6 +76,13 @@ impl TestRun {
     pub fn add_frame(&self, step: u64, time: f64) {
         write_frame(&self.folder, step, time);
         self.list_frames(&[(0, 0.0), (10, 0.5), (step, time)]);
+    }
+
+    /// Writes the contacts of a step anew, those of grains between these.
+    pub fn write_contacts_of(&self, step: u64, id_i: u32, id_j: u32) {
+        let file = self.folder.frames().join(format!("contacts_{step:010}.vtp"));
+        let table = contacts(step, 0.5, (id_i, id_j));
+        self.folder.write(&file, &table.encode().unwrap()).unwrap();
     }
 
     pub fn list_frames(&self, frames: &[(u64, f64)]) {
@@ -78,7 +106,7 @@ fn write_frame(folder: &RunFolder, step: u64, time: f64) {
     let file = |kind: &str| folder.frames().join(format!("{kind}_{step:010}.vtp"));
     for (kind, table) in [
         ("grains", grains(step, time)),
-        ("contacts", contacts(step, time)),
+        ("contacts", contacts(step, time, (1, 2))),
         ("walls", walls(step, time)),
     ] {
         folder.write(&file(kind), &table.encode().unwrap()).unwrap();
@@ -106,7 +134,8 @@ fn grains(step: u64, time: f64) -> PolyData {
     }
 }
 
-fn contacts(step: u64, time: f64) -> PolyData {
+/// A contact between two grains, and one of grain 1 with the floor.
+fn contacts(step: u64, time: f64, (id_i, id_j): (u32, u32)) -> PolyData {
     // grain 1 is the first of both; the normal points towards it
     let normal = [-DVec3::Z, DVec3::Z];
     let force = [-2.0 * DVec3::Z, 3.0 * DVec3::Z];
@@ -118,8 +147,8 @@ fn contacts(step: u64, time: f64) -> PolyData {
         points: vec![DVec3::new(0.0, 0.0, 1.875), DVec3::ZERO],
         cells: Cells::Vertices,
         point_data: vec![
-            Array::new("id_i", 1, Values::UInt32(vec![1, 1])),
-            Array::new("id_j", 1, Values::UInt32(vec![2, 0])),
+            Array::new("id_i", 1, Values::UInt32(vec![id_i, 1])),
+            Array::new("id_j", 1, Values::UInt32(vec![id_j, 0])),
             Array::new("wall", 1, Values::Int32(vec![-1, 0])),
             Array::new("element", 1, Values::UInt32(vec![0, 0])),
             Array::vectors("normal", &normal),
@@ -259,7 +288,14 @@ pub fn ask(port: u16, text: &str) -> Answer {
     Answer::read(&mut stream)
 }
 
-/// Asks for a path as the page does.
+/// The path of an address.
+pub fn path_of(url: &str, port: u16) -> String {
+    url.strip_prefix(&format!("http://127.0.0.1:{port}"))
+        .unwrap()
+        .to_string()
+}
+
+/// Asks for a path as a browser does.
 pub fn get(port: u16, path: &str) -> Answer {
     ask(
         port,

@@ -64,19 +64,27 @@ function axes(options: PlotOptions): uPlot.Axis[] {
     const units = [...new Set(options.lines.map((l) => l.unit))];
     const only = options.lines.length === 1 ? options.lines[0]!.label : "";
     const vertical = options.yLabel ?? (units.length === 1 ? titled(only, units[0]!) : "");
-    const numbers = (_: uPlot, ticks: number[]) => ticks.map((tick) => tickText(tick));
+    const numbers = (_: uPlot, ticks: number[]) => {
+        const largest = ticks.reduce((size, tick) => Math.max(size, Math.abs(tick ?? 0)), 0);
+        return ticks.map((tick) => tickText(tick, largest));
+    };
+    const wide = (_: uPlot, texts: string[] | null) => Math.max(...(texts ?? []).map((text) => text.length * DIGIT + 16), LEAST_WIDE);
     return [
         { ...line, label: titled(options.x.label, options.x.unit), labelSize: 20, size: 36, values: numbers },
-        { ...line, label: vertical, labelSize: vertical ? 20 : 4, size: 62, values: options.log ? (_, ticks) => ticks.map(logTick) : numbers },
+        { ...line, label: vertical, labelSize: vertical ? 20 : 4, size: wide, values: options.log ? (_, ticks) => ticks.map(logTick) : numbers },
     ];
 }
 
-function tickText(tick: number | null): string {
+/** Width of a digit of a tick, and least width of those beside the vertical axis [pixels]. */
+const DIGIT = 7.2;
+const LEAST_WIDE = 46;
+
+/** The text of a tick; all of an axis are written alike. */
+function tickText(tick: number | null, largest: number): string {
     if (tick == null) {
         return "";
     }
-    const size = Math.abs(tick);
-    const text = size !== 0 && (size >= 1e5 || size < 1e-3) ? tick.toExponential(2).replace(/\.?0+e/, "e").replace("e+", "e") : String(Number(tick.toPrecision(6)));
+    const text = tick !== 0 && (largest >= 1e5 || largest < 1e-2) ? tick.toExponential(2).replace(/\.?0+e/, "e").replace("e+", "e") : String(Number(tick.toPrecision(6)));
     return text.replaceAll("-", "−");
 }
 

@@ -38,7 +38,7 @@ export function dataTable(caption: string, columns: TableColumn[]): HTMLElement 
     return scroller;
 }
 
-/** The same, folded away; made when it is unfolded for the first time. */
+/** The same, folded away; made when it is unfolded. */
 export function foldedTable(caption: string, columns: () => TableColumn[]): HTMLDetailsElement {
     const details = document.createElement("details");
     details.className = "data-table";
@@ -46,8 +46,8 @@ export function foldedTable(caption: string, columns: () => TableColumn[]): HTML
     summary.textContent = "Numbers";
     details.append(summary);
     details.addEventListener("toggle", () => {
-        if (details.open && details.childElementCount === 1) {
-            details.append(dataTable(caption, columns()));
+        if (details.open) {
+            details.replaceChildren(summary, dataTable(caption, columns()));
         }
     });
     return details;

@@ -35,7 +35,7 @@ export function colourKey(scale: ColourScale, unit: string, values: Float32Array
         bar,
         make("span", { class: "key-end" }, `${above ? "≥ " : ""}${readable(high / factor, 3)}`),
     );
-    if (values?.some((value) => !Number.isFinite(value))) {
+    if (scale.gaps) {
         const swatch = make("span", { class: "key-swatch" });
         swatch.style.background = NO_VALUE_COLOUR;
         key.append(make("span", { class: "key-name" }, swatch, "no value"));

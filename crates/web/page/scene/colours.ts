@@ -68,20 +68,54 @@ export function categoryColour(k: number): string {
     return CATEGORY_COLOURS[((k % n) + n) % n]!;
 }
 
+/** Of more values than this, some tell where most of them lie. */
+const MANY = 20_000;
+
+/** What values are like. */
+export interface Spread {
+    low: number;
+    high: number;
+    /** Whether there is none for some grain. */
+    gaps: boolean;
+    /** The range that a colour map spans. */
+    range: [number, number];
+}
+
 /**
- * The range that a colour map spans: from the smallest to the largest value, but where few values lie far out (beyond
- * three times the span of the middle 98 %), they are left outside, so that the others can be told apart.
+ * The smallest and the largest value, and the range that a colour map spans: from the one to the other, but where few values lie
+ * far out (beyond three times the span of the middle 98 %), they are left outside, so that the others can be told apart.
  */
-export function automaticRange(values: Float32Array): [number, number] {
-    const finite = values.filter(Number.isFinite).sort();
-    if (finite.length === 0) {
-        return [0, 1];
+export function spreadOf(values: Float32Array): Spread {
+    let [low, high, finite] = [Infinity, -Infinity, 0];
+    for (let k = 0; k < values.length; k++) {
+        const value = values[k]!;
+        if (value - value === 0) {
+            finite += 1;
+            low = value < low ? value : low;
+            high = value > high ? value : high;
+        }
     }
-    const at = (share: number) => finite[Math.round(share * (finite.length - 1))]!;
-    let [low, high] = [at(0), at(1)];
-    const [q1, q99] = [at(0.01), at(0.99)];
+    const gaps = finite < values.length;
+    if (finite === 0) {
+        return { low: NaN, high: NaN, gaps, range: [0, 1] };
+    }
+    const [q1, q99] = middle(values);
+    let range: [number, number] = [low, high];
     if (high - low > 3 * (q99 - q1) && q99 > q1) {
-        [low, high] = [Math.max(low, q1 - (q99 - q1)), Math.min(high, q99 + (q99 - q1))];
+        range = [Math.max(low, q1 - (q99 - q1)), Math.min(high, q99 + (q99 - q1))];
     }
-    return high > low ? [low, high] : [low - 0.5 * Math.abs(low || 1), low + 0.5 * Math.abs(low || 1)];
+    if (!(range[1] > range[0])) {
+        // all are alike; what is nothing for all has the first colour
+        range = low === 0 ? [0, 1] : [low - 0.5 * Math.abs(low), low + 0.5 * Math.abs(low)];
+    }
+    return { low, high, gaps, range };
+}
+
+/** Between which values the middle 98 % lie. */
+function middle(values: Float32Array): [number, number] {
+    const stride = Math.ceil(values.length / MANY);
+    const some = stride > 1 ? Float32Array.from({ length: Math.floor(values.length / stride) }, (_, k) => values[k * stride]!) : values;
+    const finite = some.filter(Number.isFinite).sort();
+    const at = (share: number) => finite[Math.round(share * (finite.length - 1))] ?? 0;
+    return [at(0.01), at(0.99)];
 }

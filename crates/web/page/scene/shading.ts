@@ -25,12 +25,22 @@ vec3 colourOf(float value) {
 }
 `;
 
+/** Where a row of a table of numbers is in its texture. */
+export const TABLE = /* glsl */ `
+ivec2 cell(int row, sampler2D table) {
+    int width = textureSize(table, 0).x;
+    return ivec2(row % width, row / width);
+}
+`;
+
 /** Light from the camera and a little from above left, with dark rims that part neighbours. */
 export const LIGHT = /* glsl */ `
 vec3 lit(vec3 colour, vec3 normal, vec3 toEye) {
     float facing = max(dot(normal, toEye), 0.0);
     float side = max(dot(normal, normalize(vec3(-0.5, 0.7, 0.5))), 0.0);
-    return colour * (0.34 + 0.42 * facing + 0.26 * side) + vec3(0.10 * pow(side, 24.0));
+    float side2 = side * side;
+    float side8 = side2 * side2 * side2 * side2;
+    return colour * (0.34 + 0.42 * facing + 0.26 * side) + vec3(0.10 * side8 * side8 * side8);
 }
 `;
 
@@ -54,7 +64,6 @@ bool sifted(float opacity) {
 export const DEPTH = /* glsl */ `
 uniform mat4 projection;
 float depthOf(vec3 x) {
-    vec4 p = projection * vec4(x, 1.0);
-    return 0.5 * p.z / p.w + 0.5;
+    return 0.5 - 0.5 * (projection[2][2] * x.z + projection[3][2]) / x.z;
 }
 `;

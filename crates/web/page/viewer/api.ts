@@ -49,12 +49,13 @@ export interface GrainAnswer {
     contacts: GrainContact[];
 }
 
+/** A grain at a moment: how it moves, or what its contacts push with. */
 export interface GrainMoment {
-    position: [number, number, number];
-    speed: number | null;
-    force: number | null;
-    contact_force: number | null;
-    coordination: number | null;
+    position?: [number, number, number];
+    speed?: number | null;
+    force?: number | null;
+    contact_force?: number | null;
+    coordination?: number | null;
 }
 
 /** The server said no, or is gone. */
@@ -81,11 +82,12 @@ async function json<T>(path: string): Promise<T> {
     return (await (await get(path)).json()) as T;
 }
 
-export const readState = (moments: number) => json<RunState>(`/api/state?moments=${moments}`);
-export const readGrain = (step: number, id: number) => json<GrainAnswer>(`/api/grain/${step}/${id}`);
-export const readHistory = (id: number, from: number, count: number) =>
-    json<{ epoch: number; from: number; moments: (GrainMoment | null)[] }>(`/api/history/${id}?from=${from}&count=${count}`);
-export const readSeries = (columns: number[], from: number) => readPack(`/api/series?columns=${columns.join(",")}&from=${from}`);
+export const readState = (moments: number) => json<RunState>(`api/state?moments=${moments}`);
+export const readGrain = (step: number, id: number) => json<GrainAnswer>(`api/grain/${step}/${id}`);
+/** A grain at the first of these moments, as many as the server tells quickly. */
+export const readHistory = (id: number, moments: number[], contacts: boolean) =>
+    json<{ epoch: number; moments: (GrainMoment | null)[] }>(`api/history/${id}?moments=${moments.join(",")}&contacts=${contacts ? 1 : 0}`);
+export const readSeries = (columns: number[], from: number) => readPack(`api/series?columns=${columns.join(",")}&from=${from}`);
 
 type Numbers = Float32Array | Float64Array | Uint32Array | Int32Array;
 const TYPES = { f32: Float32Array, f64: Float64Array, u32: Uint32Array, i32: Int32Array } as const;

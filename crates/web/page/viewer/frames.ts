@@ -22,6 +22,7 @@ export class Frames {
     /** The oldest first. */
     readonly #kept = new Map<number, Frame>();
     readonly #asked = new Map<number, { answer: Promise<Frame>; stop: AbortController }>();
+    readonly #chains = new Map<number, Promise<Pack>>();
     readonly #walls = new Map<string, Promise<WallSurface[]>>();
     #bytes = 0;
 
@@ -51,11 +52,33 @@ export class Frames {
         return kept ? Promise.resolve(kept) : this.#ask(step);
     }
 
-    /** Reads frames that will be wanted; what was to be read ahead for other reasons is given up. */
-    prefetch(steps: number[]): void {
+    /** Reads frames that will be wanted, with their contacts where chains are drawn of them. */
+    prefetch(steps: number[], withChains: boolean): void {
         for (const step of steps) {
-            if (!this.#kept.has(step)) {
-                this.#ask(step).catch(() => undefined);
+            const kept = this.#kept.get(step);
+            const frame = kept ? Promise.resolve(kept) : this.#ask(step);
+            frame.then((read) => (withChains ? this.readChains(read) : undefined)).catch(() => undefined);
+        }
+    }
+
+    /** Reads the contacts of a frame, to draw force chains of them. */
+    async readChains(frame: Frame): Promise<void> {
+        const { contacts, step } = frame;
+        if (!contacts || contacts.chains) {
+            return;
+        }
+        let reading = this.#chains.get(step);
+        if (!reading) {
+            reading = readPack(`api/contacts/${step}`).finally(() => this.#chains.delete(step));
+            this.#chains.set(step, reading);
+        }
+        const pack = await reading;
+        if (!contacts.chains) {
+            contacts.chains = { ends: pack.floats("ends"), normalForce: pack.floats("normal_force") };
+            frame.bytes += pack.bytes;
+            if (this.#kept.get(step) === frame) {
+                this.#bytes += pack.bytes;
+                this.#drop(step);
             }
         }
     }
@@ -86,7 +109,7 @@ export class Frames {
     }
 
     async #read(step: number, signal: AbortSignal): Promise<Frame> {
-        const pack = await readPack(`/api/frame/${step}`, signal);
+        const pack = await readPack(`api/frame/${step}`, signal);
         const frame = frameOf(pack, await this.#wallsOf(step, String(pack.head["walls"])));
         if (!signal.aborted) {
             this.#keep(frame);
@@ -98,7 +121,7 @@ export class Frames {
     #wallsOf(step: number, key: string): Promise<WallSurface[]> {
         let walls = this.#walls.get(key);
         if (!walls) {
-            walls = readPack(`/api/walls/${step}`).then(surfacesOf);
+            walls = readPack(`api/walls/${step}`).then(surfacesOf);
             walls.catch(() => this.#walls.delete(key));
             this.#walls.set(key, walls);
         }
@@ -108,8 +131,13 @@ export class Frames {
     #keep(frame: Frame): void {
         this.#kept.set(frame.step, frame);
         this.#bytes += frame.bytes;
+        this.#drop(frame.step);
+    }
+
+    /** Drops the oldest frames as long as there are too many, but not this one. */
+    #drop(needed: number): void {
         for (const [step, old] of this.#kept) {
-            if (this.#bytes <= MOST_BYTES || step === frame.step) {
+            if (this.#bytes <= MOST_BYTES || step === needed) {
                 break;
             }
             this.#kept.delete(step);
@@ -120,8 +148,7 @@ export class Frames {
 
 function frameOf(pack: Pack, walls: WallSurface[]): Frame {
     const told = pack.head["scalars"] as ToldScalar[];
-    const normalForce = pack.floats("normal_force");
-    const normal = normalForce.reduce((sum, force) => sum + Math.abs(force), 0);
+    const contacts = pack.head["contacts"] as { count: number; mean_force: number | null };
     return {
         step: pack.head["step"] as number,
         time: pack.head["time"] as number,
@@ -133,15 +160,7 @@ function frameOf(pack: Pack, walls: WallSurface[]): Frame {
             scalars: new Map(told.map(({ name }) => [name, pack.floats(name)])),
             categories: new Map(told.flatMap(({ name, names }) => (names ? [[name, names] as const] : []))),
         },
-        contacts: {
-            idI: pack.counts("id_i"),
-            idJ: pack.counts("id_j"),
-            ends: pack.floats("ends"),
-            normalForce,
-            totalForce: pack.floats("total_force"),
-            meanForce: normalForce.length > 0 ? normal / normalForce.length : 0,
-            wall: pack.floats("wall"),
-        },
+        contacts: { count: contacts.count, meanForce: contacts.mean_force ?? 0, chains: null },
         walls,
         scalars: told.map(({ name, unit, meaning }) => ({ name, unit, meaning })),
     };

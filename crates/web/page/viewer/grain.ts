@@ -2,10 +2,9 @@
 import { button, choice, make } from "../dom";
 import { Plot, type PlotOptions } from "../plots";
 import { quantity, readable } from "../units";
-import { readGrain, readHistory, type GrainAnswer, type GrainContact, type GrainMoment } from "./api";
+import { readGrain, type GrainAnswer, type GrainContact, type GrainMoment } from "./api";
+import { History, type Kind } from "./history";
 
-/** Moments that are asked for together, so that the plot grows while it is read. */
-const CHUNK = 24;
 /** While playing, values are read at most so often [ms]. */
 const PAUSE = 300;
 
@@ -21,15 +20,15 @@ const UNITS: Record<string, string> = {
 /** Arrays that say nothing that others do not say, or not to people. */
 const LEFT_OUT = ["id", "diameter", "orientation"];
 
-type Quantity = [key: string, label: string, unit: string, value: (m: GrainMoment) => number | null];
+type Quantity = [key: string, label: string, unit: string, value: (m: GrainMoment) => number | null | undefined, of: Kind];
 const QUANTITIES: Quantity[] = [
-    ["speed", "speed", "m/s", (m) => m.speed],
-    ["contact_force", "contact force", "N", (m) => m.contact_force],
-    ["force", "total force", "N", (m) => m.force],
-    ["coordination", "coordination", "", (m) => m.coordination],
-    ["x", "x", "m", (m) => m.position[0]],
-    ["y", "y", "m", (m) => m.position[1]],
-    ["z", "z", "m", (m) => m.position[2]],
+    ["speed", "speed", "m/s", (m) => m.speed, "motion"],
+    ["contact_force", "contact force", "N", (m) => m.contact_force, "contacts"],
+    ["force", "total force", "N", (m) => m.force, "motion"],
+    ["coordination", "coordination", "", (m) => m.coordination, "motion"],
+    ["x", "x", "m", (m) => m.position?.[0], "motion"],
+    ["y", "y", "m", (m) => m.position?.[1], "motion"],
+    ["z", "z", "m", (m) => m.position?.[2], "motion"],
 ];
 
 export interface GrainEvents {
@@ -49,7 +48,7 @@ export class GrainPanel {
     #grain: number | null = null;
     #step = -1;
     #times: number[] = [];
-    #history: (GrainMoment | null)[] = [];
+    #history: History | null = null;
     /** Counts grains that were picked, so that an answer that comes late is not shown. */
     #turn = 0;
     #plot: Plot | null = null;
@@ -59,7 +58,10 @@ export class GrainPanel {
 
     constructor(events: GrainEvents) {
         this.#events = events;
-        const quantityChoice = choice("History of", QUANTITIES.map(([key, label, unit]) => [key, unit ? `${label} [${unit}]` : label]), () => this.#draw());
+        const quantityChoice = choice("History of", QUANTITIES.map(([key, label, unit]) => [key, unit ? `${label} [${unit}]` : label]), () => {
+            this.#draw();
+            void this.#readHistory();
+        });
         this.#quantity = quantityChoice.select;
         const form = make("form", { class: "grain-form" }, make("label", {}, "Grain ", this.#id), make("button", { type: "submit" }, "Show"), button("None", () => this.#events.pick(null)));
         form.addEventListener("submit", (event) => {
@@ -82,7 +84,8 @@ export class GrainPanel {
     show(id: number | null): void {
         this.#turn += 1;
         this.#grain = id;
-        this.#history = [];
+        this.#history?.stop();
+        this.#history = id === null ? null : new History(id);
         this.#plot?.dispose();
         this.#plot = null;
         this.#plots.hidden = id === null;
@@ -101,7 +104,7 @@ export class GrainPanel {
         if (this.#grain !== null) {
             if (anew) {
                 this.show(this.#grain);
-            } else if (times.length > this.#history.length) {
+            } else {
                 void this.#readHistory();
             }
         }
@@ -178,32 +181,30 @@ export class GrainPanel {
         return make("div", { class: "table-scroller", tabindex: 0, role: "region", "aria-label": "Contacts of the grain" }, table);
     }
 
-    /** Reads the moments that are missing, the plot grows meanwhile. */
+    /** Reads the moments that are missing; the plot gains detail meanwhile. */
     async #readHistory(): Promise<void> {
-        const [turn, id] = [this.#turn, this.#grain];
-        while (id !== null && turn === this.#turn && this.#history.length < this.#times.length) {
-            const from = this.#history.length;
-            try {
-                const { moments } = await readHistory(id, from, CHUNK);
-                if (turn !== this.#turn || this.#history.length !== from || moments.length === 0) {
-                    return;
-                }
-                this.#history.push(...moments);
-                this.#draw();
-            } catch (error) {
+        const history = this.#history;
+        try {
+            await history?.read(this.#chosen()[4], this.#times.length, () => history === this.#history && this.#draw());
+        } catch (error) {
+            if (history === this.#history) {
                 this.#fault.textContent = (error as Error).message;
-                return;
             }
         }
     }
 
+    #chosen(): Quantity {
+        return QUANTITIES.find(([key]) => key === this.#quantity.value)!;
+    }
+
     #draw(): void {
-        const [, label, unit, value] = QUANTITIES.find(([key]) => key === this.#quantity.value)!;
-        const times = this.#times.slice(0, this.#history.length);
-        if (this.#grain === null || times.length === 0) {
+        const [, label, unit, value, of] = this.#chosen();
+        const known = (this.#history?.known(of) ?? []).filter(([index]) => index < this.#times.length);
+        if (known.length === 0) {
             return;
         }
-        const values = this.#history.slice(0, times.length).map((moment) => (moment ? (value(moment) ?? NaN) : NaN));
+        const times = known.map(([index]) => this.#times[index]!);
+        const values = known.map(([, moment]) => (moment ? (value(moment) ?? NaN) : NaN));
         const options: PlotOptions = {
             title: `${label} of grain ${this.#grain} over time`,
             x: { label: "time", unit: "s", values: times },

@@ -10,6 +10,8 @@ export interface TimelineEvents {
     show: (index: number) => Promise<void>;
     /** Which frames come next while it plays, to be read ahead. */
     ahead: (indices: number[]) => void;
+    /** Tells when it begins to play, and when it ends. */
+    plays: (on: boolean) => void;
 }
 
 /** How many frames are read ahead while playing. */
@@ -156,6 +158,7 @@ export class Timeline {
     }
 
     #label(): void {
+        this.#events.plays(this.#playing);
         this.#play.textContent = this.#playing ? "Pause" : "Play";
         const label = this.#playing ? "Pause" : "Play";
         this.#play.setAttribute("aria-label", label);
@@ -188,6 +191,7 @@ export class Timeline {
             await this.#events.show(index);
         } finally {
             this.#index = index;
+            this.element.dataset["shown"] = String(index + 1);
             this.#tell();
         }
     }
