@@ -17,7 +17,7 @@ const ORDER: [&[&str]; 11] = [
     &["report"],
     &["compare"],
     &["scenario"],
-    &["calibrate", "interchange", "render"],
+    &["calibrate", "interchange", "render", "sweep"],
 ];
 
 /// Crates and those of the workspace that they may depend on.

@@ -62,3 +62,19 @@ impl Rows {
         self.0.iter().map(line).collect()
     }
 }
+
+/// Rows of a table with aligned columns, indented.
+pub fn aligned(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let cell = |row: &Vec<String>, k: usize| row.get(k).cloned().unwrap_or_default();
+    let widths: Vec<usize> = (0..columns)
+        .map(|k| rows.iter().map(|row| cell(row, k).chars().count()).max().unwrap_or(0))
+        .collect();
+    let line = |row: &Vec<String>| {
+        let cells: Vec<String> = (widths.iter().enumerate())
+            .map(|(k, width)| format!("{:<width$}", cell(row, k)))
+            .collect();
+        format!("  {}\n", cells.join("  ").trim_end())
+    };
+    rows.iter().map(line).collect()
+}

@@ -2,9 +2,11 @@
 
 mod files;
 mod pictures;
+mod sweep;
 
 pub use files::{CompletionsArguments, ConvertArguments, ManArguments};
 pub use pictures::{PlotArguments, RenderArguments};
+pub use sweep::SweepArguments;
 
 use crate::exit;
 use clap::{Args, Parser, Subcommand};
@@ -33,6 +35,9 @@ pub enum Command {
     /// Go on with an interrupted or killed run from its latest checkpoint
     #[command(after_help = exit::HELP)]
     Resume(ResumeArguments),
+    /// Run a scenario with many values on the cores of this machine or a cluster, and gather the results into one table
+    #[command(after_help = exit::HELP)]
+    Sweep(Box<SweepArguments>),
     /// Write the report of a run anew from what is in its folder, also while it goes on or after a kill
     #[command(after_help = exit::HELP)]
     Report(ReportArguments),
@@ -91,6 +96,7 @@ impl Command {
             Self::Run(a) => a.output.json,
             Self::Check(a) => a.json,
             Self::Resume(a) => a.output.json,
+            Self::Sweep(a) => a.json,
             Self::Report(a) => a.json,
             Self::View(_) => false,
             Self::Collide(a) => a.json,
@@ -415,7 +421,7 @@ pub struct NewArguments {
 /// Of `demeter info`.
 #[derive(Debug, Args)]
 pub struct InfoArguments {
-    /// A scenario, the folder of a run, a checkpoint, a file of grains, a surface (STL, OBJ, PLY), or a series of a run
+    /// A scenario, the folder of a run or a sweep, a checkpoint, a file of grains, a surface (STL, OBJ, PLY), or a series of a run
     pub file: PathBuf,
     /// Write one JSON object to standard output
     #[arg(long)]

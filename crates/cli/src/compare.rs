@@ -1,6 +1,6 @@
 //! `demeter compare`.
 
-use crate::answer::{answer, answer_json};
+use crate::answer::{aligned, answer, answer_json};
 use crate::arguments::CompareArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -133,7 +133,7 @@ fn to_text(compared: &[Compared], reference: &Strokes, thresholds: Thresholds) -
         "reference {}, by {}\n{}",
         reference.name,
         reference.position.name(),
-        lines(&rows)
+        aligned(&rows)
     );
     for Compared { strokes, comparison } in compared {
         for (metric, LeftOut(reason)) in comparison.left_out() {
@@ -144,22 +144,6 @@ fn to_text(compared: &[Compared], reference: &Strokes, thresholds: Thresholds) -
         }
     }
     text
-}
-
-/// Rows of a table, columns aligned.
-fn lines(rows: &[Vec<String>]) -> String {
-    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let cell = |row: &Vec<String>, k: usize| row.get(k).cloned().unwrap_or_default();
-    let widths: Vec<usize> = (0..columns)
-        .map(|k| rows.iter().map(|row| cell(row, k).chars().count()).max().unwrap_or(0))
-        .collect();
-    let line = |row: &Vec<String>| {
-        let cells: Vec<String> = (widths.iter().enumerate())
-            .map(|(k, width)| format!("{:<width$}", cell(row, k)))
-            .collect();
-        format!("  {}\n", cells.join("  ").trim_end())
-    };
-    rows.iter().map(line).collect()
 }
 
 /// Writes `metrics.csv`, and `cycles.csv` of every run into a folder of its name.

@@ -23,9 +23,9 @@ Exit codes:
     0  finished
     1  results could not be written, or a file could not be read
     2  the scenario or the command line is wrong; nothing was written
-    3  the simulation stopped on a fault; a snapshot of it was written
+    3  the simulation stopped on a fault; a snapshot of it was written. Of a sweep: a run failed
   101  a defect of Demeter
-  130  interrupted (Ctrl-C, SIGTERM); a checkpoint was written, `demeter resume` goes on from it";
+  130  interrupted (Ctrl-C, SIGTERM); a checkpoint was written, `demeter resume` goes on from it, or the same `demeter sweep`";
 
 impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> Self {

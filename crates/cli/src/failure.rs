@@ -6,7 +6,8 @@ use demeter::calibrate::CalibrateError;
 use demeter::checkpoint::CheckpointError;
 use demeter::output::OutputError;
 use demeter::report::ReportError;
-use demeter::scenario::{Diagnostics, RunError};
+use demeter::scenario::{Diagnostic, Diagnostics, RunError};
+use demeter::sweep::SweepFault;
 use serde_json::{Value, json};
 
 /// Why a command failed.
@@ -14,6 +15,13 @@ use serde_json::{Value, json};
 pub enum Failure {
     /// The scenario is wrong.
     Scenario(Box<Diagnostics>),
+    /// The scenarios of some runs of a sweep are wrong.
+    Sweep {
+        /// The faults, each with the runs that have it in words.
+        faults: Vec<(SweepFault, String)>,
+        /// How many more there are.
+        left_out: usize,
+    },
     /// Anything else.
     Other {
         /// The exit code.
@@ -62,6 +70,16 @@ impl Failure {
                     note(&faults.render(colours()));
                     note(&format!("\n{errors}; nothing was written"));
                 }
+                Self::Sweep { faults, left_out } => {
+                    for (fault, runs) in faults {
+                        note(&format!("{}\n  = runs: {runs}\n", fault.drawn));
+                    }
+                    let errors = match faults.len() + left_out {
+                        1 => "1 error".to_string(),
+                        count => format!("{count} errors"),
+                    };
+                    note(&format!("{errors}; nothing was written and no run was started"));
+                }
                 Self::Other { message, .. } => note(&format!("error: {message}")),
             }
         }
@@ -70,14 +88,28 @@ impl Failure {
 
     fn exit(&self) -> Exit {
         match self {
-            Self::Scenario(_) => Exit::Wrong,
+            Self::Scenario(_) | Self::Sweep { .. } => Exit::Wrong,
             Self::Other { exit, .. } => *exit,
         }
     }
 
     fn to_json(&self) -> Value {
         let (message, diagnostics) = match self {
-            Self::Scenario(faults) => ("the scenario is wrong".to_string(), listed(faults)),
+            Self::Scenario(faults) => {
+                let listed = faults.list().iter().map(one_listed);
+                ("the scenario is wrong".to_string(), listed.collect())
+            }
+            Self::Sweep { faults, .. } => {
+                let one = |(fault, _): &(SweepFault, String)| {
+                    let mut value = one_listed(&fault.diagnostic);
+                    value["runs"] = json!(fault.runs);
+                    value
+                };
+                (
+                    "runs of the sweep are wrong".to_string(),
+                    faults.iter().map(one).collect(),
+                )
+            }
             Self::Other { message, .. } => (message.clone(), Vec::new()),
         };
         let kind = match self.exit() {
@@ -91,14 +123,11 @@ impl Failure {
     }
 }
 
-fn listed(faults: &Diagnostics) -> Vec<Value> {
-    let one = |d: &demeter::scenario::Diagnostic| {
-        json!({
-            "message": d.message, "help": d.help, "path": d.path,
-            "source": d.source, "line": d.line, "column": d.column,
-        })
-    };
-    faults.list().iter().map(one).collect()
+fn one_listed(d: &Diagnostic) -> Value {
+    json!({
+        "message": d.message, "help": d.help, "path": d.path,
+        "source": d.source, "line": d.line, "column": d.column,
+    })
 }
 
 impl From<Diagnostics> for Failure {

@@ -31,6 +31,11 @@ impl Interrupt {
         self.asked.load(Ordering::SeqCst)
     }
 
+    /// Asks the run to end, as Ctrl-C does.
+    pub fn ask(&self) {
+        self.asked.store(true, Ordering::SeqCst);
+    }
+
     /// Steps are run from now on: there is something that is worth a checkpoint.
     pub fn steps_begin(&self) {
         self.steps_run.store(true, Ordering::SeqCst);

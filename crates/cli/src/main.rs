@@ -35,6 +35,7 @@ mod schema;
 mod shell;
 mod sticking;
 mod suggestion;
+mod sweep;
 mod table;
 mod view;
 
@@ -56,6 +57,7 @@ fn main() -> ExitCode {
     let outcome = match arguments.command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Resume(arguments) => run::resume(&arguments),
+        Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Report(arguments) => report::report(&arguments),
         Command::View(arguments) => view::view(&arguments),

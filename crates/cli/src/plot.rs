@@ -78,7 +78,7 @@ fn write(plot: &Plot, out: &Path) -> Result<(), Failure> {
     written.map_err(|error| Failure::io(error.to_string()))
 }
 
-fn default_name(x: &str, y: &[String]) -> PathBuf {
+pub fn default_name(x: &str, y: &[String]) -> PathBuf {
     let stem = |text: &str| {
         let text = text.split(" [").next().unwrap_or(text).trim_start_matches('-');
         let words = text

@@ -40,7 +40,8 @@ impl Watch {
     }
 }
 
-fn bar() -> ProgressBar {
+/// A bar on standard error.
+pub fn bar() -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(1), ProgressDrawTarget::stderr());
     let template = "{bar:24} {percent:>3} %  {msg}";
     // The template is a constant; were it wrong, the plain bar would do.

@@ -117,7 +117,7 @@ fn default_folder(scenario: &Path, overwrite: bool) -> Result<PathBuf, Failure> 
 }
 
 /// Name of the runs of a scenario: that of its file, or of its folder when the file is `scenario.toml`.
-fn run_name(scenario: &Path) -> String {
+pub fn run_name(scenario: &Path) -> String {
     let text = |name: Option<&std::ffi::OsStr>| name.map(|n| n.to_string_lossy().into_owned());
     let folder = || text(scenario.parent()?.file_name());
     match text(scenario.file_stem()) {

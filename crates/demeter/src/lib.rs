@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! particles, materials, comm, grain_files <- neighbours, walls <- contacts <- insertion <- step, simulation, checkpoint
-//!     <- measure, output <- results <- report <- compare <- scenario <- calibrate, interchange, render
+//!     <- measure, output <- results <- report <- compare <- scenario <- calibrate, interchange, render, sweep
 //! ```
 //!
 //! The book (`book/src`; `cargo xtask book` makes it) begins with a first run, lists all keys of a scenario, and tells how this works:
@@ -32,6 +32,7 @@ pub mod results;
 pub mod scenario;
 pub mod simulation;
 mod step;
+pub mod sweep;
 mod threads;
 pub mod walls;
 

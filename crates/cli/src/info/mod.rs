@@ -5,12 +5,14 @@ mod run_folder;
 mod scenario;
 mod series;
 mod surface;
+mod sweep;
 
 use crate::answer::{Rows, answer, answer_json};
 use crate::arguments::InfoArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use demeter::checkpoint;
+use demeter::sweep::SweepFolder;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -29,6 +31,7 @@ struct Info {
 #[derive(Debug, PartialEq)]
 enum Kind {
     Run,
+    Sweep,
     Checkpoint,
     Surface,
     Scenario,
@@ -41,6 +44,7 @@ enum Kind {
 pub fn info(arguments: &InfoArguments) -> Result<Exit, Failure> {
     let path = &arguments.file;
     let info = match kind(path)? {
+        Kind::Sweep => sweep::sweep(path),
         Kind::Run => run_folder::run_folder(path),
         Kind::Checkpoint => run_folder::one_checkpoint(path),
         Kind::Surface => surface::surface(path),
@@ -69,7 +73,8 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
     };
     let metadata = std::fs::metadata(path).map_err(refused)?;
     if metadata.is_dir() {
-        return Ok(Kind::Run);
+        let is_sweep = SweepFolder::is_one(path);
+        return Ok(if is_sweep { Kind::Sweep } else { Kind::Run });
     }
     if !metadata.is_file() {
         return Ok(Kind::Unknown);

@@ -16,6 +16,7 @@ pub use columns::{Cells, Column, Columns, Update};
 pub use error::ResultsError;
 pub use packing::{PackedContacts, PackedGrains, PackedWall, Packing, Scalar};
 pub use poly_data::TableFile;
+pub(crate) use rows::nearest;
 pub use rows::{column_name, position_of};
 pub use run::{FrameTables, Moment, Run, TableKind};
 

@@ -194,7 +194,7 @@ fn end_of_last_line(file: &mut File, from: u64, size: u64) -> io::Result<u64> {
 }
 
 /// What is close to a name, or some of what there is.
-pub(super) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
+pub(crate) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
     let known: Vec<&str> = known.collect();
     let distance = |k: &&&str| strsim::osa_distance(&name.to_lowercase(), &k.to_lowercase());
     match known.iter().min_by_key(distance) {

@@ -99,15 +99,16 @@ impl Diagnostics {
 
     /// The faults drawn with the lines of the scenario and the text at fault underlined.
     pub fn render(&self, colour: bool) -> String {
-        let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
-        let mut drawn: Vec<String> = self.list.iter().map(|d| self.draw(d, &renderer)).collect();
+        let mut drawn: Vec<String> = self.list.iter().map(|d| self.render_one(d, colour)).collect();
         if self.left_out > 0 {
             drawn.push(format!("... and {} more faults", self.left_out));
         }
         drawn.join("\n\n")
     }
 
-    fn draw(&self, diagnostic: &Diagnostic, renderer: &Renderer) -> String {
+    /// One of the faults, drawn.
+    pub fn render_one(&self, diagnostic: &Diagnostic, colour: bool) -> String {
+        let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
         let mut group = match self.excerpt(diagnostic) {
             None => Level::ERROR
                 .primary_title(format!("{}: {}", diagnostic.source, diagnostic.message))

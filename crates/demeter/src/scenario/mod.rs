@@ -48,6 +48,7 @@ mod zones;
 #[cfg(test)]
 mod tests;
 
+pub use checks::available_memory;
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use document::{Document, SourceText, Span};
 pub use feeds::{EXCHANGE_EVERY, FeedEnd, FeedRate, FeedSpec, MAX_FEEDS, RemovalSpec};
@@ -61,10 +62,12 @@ pub use materials::{ContactSpec, MAX_MATERIALS};
 pub use measures::{MAX_MEASURES, MeasureKind, MeasureSpec};
 pub use meshes::{MeshOrigin, MeshSource};
 pub use observed::{Measured, Observable, Observation, Target, Unknown};
+pub use overrides::{Override, key_steps};
 pub use packing_file::{FitTask, Match, PACKING_FIT_REFERENCE, PackingFile, UnknownNumber};
 pub use plain::{Foreign, Plain, faults_with_foreign};
 pub use prepare::{Prepared, prepare};
 pub use report::{Report, RunEnd};
+pub(crate) use run::thread_pool;
 pub use run::{Observer, Progress, RunState, all_or_none, resume, resume_shared, run, run_shared};
 pub use run_error::RunError;
 pub use run_options::RunOptions;
@@ -146,7 +149,12 @@ impl Scenario {
 
     /// Reads a scenario from a text. Relative paths in it start from `base`.
     pub fn parse(text: &str, name: &str, base: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
-        let document = tree(text, name, overrides)?;
+        Self::parse_with(text, name, base, &set(overrides))
+    }
+
+    /// As [`Self::parse`], with overrides that say where they were told.
+    pub fn parse_with(text: &str, name: &str, base: &Path, overrides: &[Override]) -> Result<Self, Diagnostics> {
+        let document = tree_with(text, name, overrides)?;
         let context = Context::new(Diagnostics::new(name, Arc::clone(&document)));
         let read = Self::walk(&context, text, name, base, document);
         let mut faults = context.faults.into_inner();
@@ -239,6 +247,11 @@ impl Scenario {
         self.document.origin(path)
     }
 
+    /// Titles of the columns of the series that a run of it writes.
+    pub fn series_titles(&self) -> Vec<String> {
+        run::labels(self).header()
+    }
+
     /// The scenario as TOML with all overrides put in, values as they were written. Paths of files are absolute, so
     /// that the text means the same from any folder.
     pub fn to_resolved_toml(&self) -> String {
@@ -246,15 +259,34 @@ impl Scenario {
     }
 }
 
-/// The tree of a text with its overrides.
+/// The text of a scenario file as [`Scenario::to_resolved_toml`] writes it, with paths of files from `base`, before anything but
+/// the TOML is checked: keys may still be missing.
+pub fn resolve(path: &Path, base: &Path, overrides: &[String]) -> Result<String, Diagnostics> {
+    let name = path.display().to_string();
+    let text = read_text(path).map_err(|fault| lone_fault(&name, fault))?;
+    let document = tree(&text, &name, overrides)?;
+    Ok(resolved::write(&document.root, base))
+}
+
+/// What `--set` told.
+fn set(overrides: &[String]) -> Vec<Override> {
+    overrides.iter().map(|text| Override::set(text)).collect()
+}
+
+/// The tree of a text with what `--set` tells.
 fn tree(text: &str, name: &str, overrides: &[String]) -> Result<Arc<Document>, Diagnostics> {
+    tree_with(text, name, &set(overrides))
+}
+
+/// The tree of a text with its overrides.
+fn tree_with(text: &str, name: &str, overrides: &[Override]) -> Result<Arc<Document>, Diagnostics> {
     let file = SourceText {
         name: name.to_string(),
         text: text.to_string(),
         is_override: false,
     };
     let mut sources = vec![file];
-    sources.extend(overrides.iter().map(|o| overrides::source_text(o)));
+    sources.extend(overrides.iter().map(overrides::source_text));
     let refuse = |faults: Vec<overrides::OverrideFault>, sources: Vec<SourceText>| {
         let document = Document::without_keys(sources);
         let mut diagnostics = Diagnostics::new(name, Arc::new(document));
@@ -280,8 +312,8 @@ fn tree(text: &str, name: &str, overrides: &[String]) -> Result<Arc<Document>, D
         ));
     }
     let mut faults = Vec::new();
-    for (index, text) in overrides.iter().enumerate() {
-        if let Err(found) = overrides::apply(&mut root, text, index + 1) {
+    for (index, told) in overrides.iter().enumerate() {
+        if let Err(found) = overrides::apply(&mut root, &told.text, index + 1) {
             faults.extend(found);
         }
     }

@@ -6,6 +6,32 @@ use super::reader::did_you_mean;
 /// Longest path of an override.
 const MAX_DEPTH: usize = 20;
 
+/// A value that takes the place of that in the file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Override {
+    /// Key and value, as `grains[0].count=200`.
+    pub text: String,
+    /// Where it was told, for messages, as `--set`.
+    pub source: String,
+}
+
+impl Override {
+    /// What `--set` tells.
+    pub(super) fn set(text: &str) -> Self {
+        Self {
+            text: text.to_string(),
+            source: "--set".to_string(),
+        }
+    }
+}
+
+/// The steps of a key, as `grains`, `0`, `count` of `grains[0].count`; nothing where it is not a key.
+pub fn key_steps(key: &str) -> Option<Vec<String>> {
+    let steps: Vec<String> = steps(key).into_iter().map(|step| step.text).collect();
+    let is_key = steps.len() <= MAX_DEPTH && steps.iter().all(|step| !step.is_empty());
+    is_key.then_some(steps)
+}
+
 /// One step of the path of an override.
 #[derive(Clone, Debug)]
 struct Step {
@@ -63,10 +89,10 @@ pub(super) fn apply(root: &mut Node, text: &str, source: usize) -> Result<(), Ve
 }
 
 /// The text of an override as a source of messages.
-pub(super) fn source_text(text: &str) -> SourceText {
+pub(super) fn source_text(told: &Override) -> SourceText {
     SourceText {
-        name: "--set".to_string(),
-        text: text.to_string(),
+        name: told.source.clone(),
+        text: told.text.clone(),
         is_override: true,
     }
 }

@@ -24,7 +24,8 @@ pub use sharing::all_or_none;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-pub(super) use start::{read_run, thread_pool};
+pub(super) use start::read_run;
+pub(crate) use start::thread_pool;
 pub use start::{resume, resume_shared, run, run_shared};
 
 /// Steps between two looks at the energies for a stop condition.

@@ -219,7 +219,7 @@ pub fn parse(text: &str) -> Result<Quantity, UnitError> {
 }
 
 /// Splits `"1e-5 s"` into the number and the rest.
-fn split_number(text: &str) -> Result<(&str, &str), UnitError> {
+pub(crate) fn split_number(text: &str) -> Result<(&str, &str), UnitError> {
     let first = text.split([' ', '\t']).next().unwrap_or("");
     let word = first.trim_start_matches(['+', '-']).to_ascii_lowercase();
     if ["nan", "inf", "infinity"].contains(&word.as_str()) {

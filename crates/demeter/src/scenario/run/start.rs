@@ -124,7 +124,7 @@ pub(in crate::scenario) fn read_run(
 }
 
 /// Threads of a run; as many as there are cores when none are asked for.
-pub(in crate::scenario) fn thread_pool(threads: Option<usize>) -> Result<rayon::ThreadPool, RunError> {
+pub(crate) fn thread_pool(threads: Option<usize>) -> Result<rayon::ThreadPool, RunError> {
     let threads = threads.unwrap_or(0);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     pool.map_err(|error| RunError::Threads {

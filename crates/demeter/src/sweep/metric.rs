@@ -1,0 +1,255 @@
+//! Results of a run that a user picks: `mean:coordination@settle`.
+
+use crate::compare::is_repeat;
+use crate::results::{Columns, ResultsError, column_name, nearest, position_of};
+use crate::scenario::units;
+use demeter_physics::dimension::Dimension;
+
+/// What is told of the values of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum What {
+    /// The first.
+    First,
+    /// The last.
+    Last,
+    /// The mean over the rows.
+    Mean,
+    /// The standard deviation over the rows.
+    Deviation,
+    /// The least.
+    Min,
+    /// The largest.
+    Max,
+}
+
+impl What {
+    /// All of them with their names.
+    pub const ALL: [(&'static str, Self); 6] = [
+        ("first", Self::First),
+        ("last", Self::Last),
+        ("mean", Self::Mean),
+        ("deviation", Self::Deviation),
+        ("min", Self::Min),
+        ("max", Self::Max),
+    ];
+
+    fn name(self) -> &'static str {
+        Self::ALL
+            .iter()
+            .find(|(_, what)| *what == self)
+            .map_or("", |(name, _)| name)
+    }
+
+    /// Of values that are no NaN.
+    fn of(self, values: &[f64]) -> f64 {
+        let count = values.len() as f64;
+        let mean = || values.iter().sum::<f64>() / count;
+        match self {
+            _ if values.is_empty() => f64::NAN,
+            Self::First => values[0],
+            Self::Last => values[values.len() - 1],
+            Self::Mean => mean(),
+            Self::Deviation => {
+                let mean = mean();
+                let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+                (squares / count).sqrt()
+            }
+            Self::Min => values.iter().copied().fold(f64::INFINITY, f64::min),
+            Self::Max => values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+}
+
+/// Which rows of the series are looked at.
+#[derive(Clone, Debug, PartialEq)]
+enum Rows {
+    All,
+    /// Those of a stage and its repeats.
+    Stage(String),
+    /// Those between two times [s].
+    Times(f64, f64),
+}
+
+/// A result of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Metric {
+    /// What is told.
+    pub what: What,
+    /// Column of the series, as it was named.
+    pub column: String,
+    rows: Rows,
+    /// The rows as they were told.
+    place: String,
+}
+
+impl Metric {
+    /// Reads `WHAT:COLUMN@WHERE`; without `WHAT:` it is the last value, and `@WHERE` names a stage or two times.
+    pub fn read(told: &str) -> Result<Self, String> {
+        let known = || What::ALL.map(|(name, _)| name).join("`, `");
+        let (rest, place) = told.rsplit_once('@').unwrap_or((told, ""));
+        let (what, column) = match rest.split_once(':') {
+            None => (What::Last, rest),
+            Some((name, column)) => {
+                let found = What::ALL.iter().find(|(known, _)| *known == name.trim());
+                let found = found.ok_or_else(|| {
+                    format!(
+                        "result `{told}`: `{name}` is none of `{}`; as `mean:coordination`",
+                        known()
+                    )
+                })?;
+                (found.1, column)
+            }
+        };
+        let (column, place) = (column.trim(), place.trim());
+        if column.is_empty() || (told.contains('@') && place.is_empty()) {
+            return Err(format!(
+                "result `{told}` names no column, or no stage; write WHAT:COLUMN@STAGE, as `mean:coordination@settle`, where \
+                 WHAT is one of `{}`, and WHAT: and @STAGE may be left out",
+                known()
+            ));
+        }
+        let rows = match place.split_once("..") {
+            None if place.is_empty() => Rows::All,
+            None => Rows::Stage(place.to_string()),
+            Some((from, to)) => {
+                let time = |text: &str| {
+                    let parsed = units::parse(text)
+                        .ok()
+                        .filter(|quantity| quantity.dimension == Dimension::TIME);
+                    let help = format!("result `{told}`: `{}` is no time; write `0.1 s..0.5 s`", text.trim());
+                    parsed.map(|quantity| quantity.value).ok_or(help)
+                };
+                Rows::Times(time(from)?, time(to)?)
+            }
+        };
+        Ok(Self {
+            what,
+            column: column.to_string(),
+            rows,
+            place: place.to_string(),
+        })
+    }
+
+    /// Whether it is a column of the last row, which is told of every run.
+    pub fn is_last(&self) -> bool {
+        self.what == What::Last && self.rows == Rows::All
+    }
+
+    /// Its title in the table of results; `title` is that of the column, with its unit.
+    pub fn title(&self, title: &str) -> String {
+        if self.is_last() {
+            return title.to_string();
+        }
+        let (name, unit) = title
+            .split_once(" [")
+            .map_or((title, None), |(name, unit)| (name, Some(unit)));
+        let place = if self.place.is_empty() {
+            String::new()
+        } else {
+            format!(" in {}", self.place)
+        };
+        let unit = unit.map_or(String::new(), |unit| format!(" [{unit}"));
+        format!("{} {name}{place}{unit}", self.what.name())
+    }
+
+    /// What is wrong with it for runs with these columns and stages.
+    pub fn problem(&self, titles: &[String], stages: &[&str]) -> Option<String> {
+        if position_of(titles, &self.column).is_none() {
+            let help = nearest(&self.column, titles.iter().map(|title| column_name(title)));
+            return Some(format!(
+                "the series of these runs has no column `{}`; {help}",
+                self.column
+            ));
+        }
+        match &self.rows {
+            Rows::Stage(stage) if !stages.iter().any(|name| is_repeat(name, stage)) => {
+                let help = nearest(stage, stages.iter().copied());
+                Some(format!("the scenario has no stage `{stage}`; {help}"))
+            }
+            _ => None,
+        }
+    }
+
+    /// Its title and value in a series; NaN where there are no values.
+    pub fn of(&self, series: &Columns) -> Result<(String, f64), ResultsError> {
+        let column = series.required(&self.column)?;
+        let values = series.numbers(&self.column)?;
+        let times = series.numbers("time")?;
+        let stages = series.words("stage")?;
+        let counts = |row: &usize| match &self.rows {
+            Rows::All => true,
+            Rows::Stage(stage) => is_repeat(stages[*row], stage),
+            Rows::Times(from, to) => (*from..=*to).contains(&times[*row]),
+        };
+        let told: Vec<f64> = (0..series.rows())
+            .filter(counts)
+            .map(|row| values[row])
+            .filter(|value| !value.is_nan())
+            .collect();
+        Ok((self.title(&column.title), self.what.of(&told)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_are_read_and_titled() {
+        let cases = [
+            ("coordination", "coordination", "coordination"),
+            ("mean:coordination", "coordination", "mean coordination"),
+            (
+                "max: wall top force z @ squeeze",
+                "wall top force z [N]",
+                "max wall top force z in squeeze [N]",
+            ),
+            (
+                "min:max speed@0.1 s..20 ms",
+                "max speed [m/s]",
+                "min max speed in 0.1 s..20 ms [m/s]",
+            ),
+        ];
+        for (told, title, expected) in cases {
+            let metric = Metric::read(told).unwrap();
+            assert_eq!(metric.title(title), expected, "{told}");
+        }
+        for (told, expected) in [
+            ("", "names no column"),
+            ("mean:", "names no column"),
+            ("mean:x@", "names no column, or no stage"),
+            ("median:x", "`median` is none of `first`, `last`, `mean`"),
+            ("x@1..2 s", "`1` is no time"),
+        ] {
+            let fault = Metric::read(told).unwrap_err();
+            assert!(fault.contains(expected), "{told}: {fault}");
+        }
+    }
+
+    #[test]
+    fn a_series_is_looked_at_by_stage_and_time() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("series.csv");
+        let rows =
+            "step,time [s],stage,f [N]\n0,0,fill,NaN\n1,1,press 1,2\n2,2,press 1,4\n3,3,press 2,9\n4,4,rest,-1\n";
+        std::fs::write(&path, rows).unwrap();
+        let series = Columns::read(&path).unwrap();
+        let value = |told: &str| Metric::read(told).unwrap().of(&series).unwrap().1;
+        assert_eq!([value("f"), value("first:f"), value("last:f@press")], [-1.0, 2.0, 9.0]);
+        assert_eq!(
+            [value("mean:f@press"), value("max:f"), value("min:f")],
+            [5.0, 9.0, -1.0]
+        );
+        assert_eq!([value("mean:f@1 s..2 s"), value("deviation:f@press 1")], [3.0, 1.0]);
+        assert!(value("mean:f@fill").is_nan());
+        let titles = ["time [s]".to_string(), "f [N]".to_string()];
+        let problem = |told: &str| {
+            Metric::read(told)
+                .unwrap()
+                .problem(&titles, &["fill", "press 1", "press 2"])
+        };
+        assert_eq!(problem("max:f@press"), None);
+        assert!(problem("g").unwrap().contains("no column `g`"));
+        assert!(problem("f@prss").unwrap().contains("no stage `prss`"));
+    }
+}
