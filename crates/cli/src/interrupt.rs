@@ -2,14 +2,19 @@
 
 use crate::answer::note;
 use crate::exit::Exit;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
+
+/// Signals this soon after the first are the same wish: `timeout` and others tell a process and its whole group.
+const ECHO: Duration = Duration::from_millis(300);
 
 /// Whether and how the run was asked to end.
 #[derive(Clone, Default)]
 pub struct Interrupt {
     asked: Arc<AtomicBool>,
     steps_run: Arc<AtomicBool>,
+    first: Arc<OnceLock<Instant>>,
 }
 
 impl Interrupt {
@@ -42,7 +47,8 @@ impl Interrupt {
     }
 
     fn receive(&self) {
-        let again = self.asked.swap(true, Ordering::SeqCst);
+        let first = *self.first.get_or_init(Instant::now);
+        let again = self.asked.swap(true, Ordering::SeqCst) && first.elapsed() > ECHO;
         if again || !self.steps_run.load(Ordering::SeqCst) {
             note(if again {
                 "ended at once"

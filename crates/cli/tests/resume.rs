@@ -161,3 +161,19 @@ fn what_cannot_be_resumed_is_told() {
     let said = place.expect(1, &["resume", "cut"]);
     assert!(said.err.contains("cut short"), "{}", said.err);
 }
+
+/// `timeout` tells the process, and then its group.
+#[test]
+fn a_signal_that_comes_twice_at_once_is_one() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let run = ["run", "fall.toml", "--out", "cut", "--set", "stage[0].steps=600000"];
+    let mut child = place.start_until(&run, CHECKPOINT);
+    let kill = format!("kill -TERM {0}; kill -TERM {0}", child.id());
+    let sent = std::process::Command::new("sh").args(["-c", &kill]).status();
+    assert!(sent.unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let summary: serde_json::Value =
+        serde_json::from_slice(&fs::read(place.path("cut/summary.json")).unwrap()).unwrap();
+    assert_eq!(summary["finished"], false);
+}
