@@ -1,0 +1,131 @@
+//! Whole runs that several processes share: the same files as of one, and the same after a restart with other numbers of them.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
+
+mod cases;
+
+use cases::ranks::on_ranks;
+use demeter::comm::Ranks;
+use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, resume_shared, run, run_shared};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+/// Lets a run go on, or asks it to end when it is asked first.
+struct Silent {
+    goes_on: bool,
+}
+
+impl Observer for Silent {
+    fn progress(&mut self, _: &Progress) -> bool {
+        self.goes_on
+    }
+
+    fn message(&mut self, _: &str) {}
+}
+
+const OPTIONS: RunOptions = RunOptions {
+    threads: Some(1),
+    overwrite: false,
+    instructions: None,
+    profile: false,
+};
+
+fn mixer(changes: &[&str]) -> Scenario {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/shared_runs/mixer.toml");
+    let changes: Vec<String> = changes.iter().map(|change| (*change).to_string()).collect();
+    Scenario::read(&file, &changes).unwrap_or_else(|faults| panic!("{}", faults.render(false)))
+}
+
+/// The series and all frames.
+fn results(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let frames = fs::read_dir(folder.join("frames")).unwrap();
+    let mut files: Vec<_> = frames.map(|entry| entry.unwrap().path()).collect();
+    files.push(folder.join("series.csv"));
+    let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
+    files.iter().map(|path| (name(path), fs::read(path).unwrap())).collect()
+}
+
+fn assert_same(one: &Path, other: &Path) {
+    let (one, other) = (results(one), results(other));
+    assert!(one.len() > 10, "little to compare: {:?}", one.keys());
+    assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
+    for (name, bytes) in one {
+        assert!(bytes == other[&name], "`{name}` differs");
+    }
+}
+
+fn share(scenario: &Scenario, folder: &Path, ranks: Box<dyn Ranks>, goes_on: bool) -> RunEnd {
+    let report = run_shared(scenario, folder, OPTIONS, ranks, &mut Silent { goes_on }).unwrap();
+    report.end
+}
+
+#[test]
+fn feeds_walls_and_measures_do_not_feel_the_processes() {
+    let place = tempfile::tempdir().unwrap();
+    let one = place.path().join("one");
+    let scenario = mixer(&[]);
+    let report = run(&scenario, &one, OPTIONS, &mut Silent { goes_on: true }).unwrap();
+    assert_eq!(report.end, RunEnd::Finished);
+    let told = &report.summary;
+    assert!(
+        told.grains > 1024,
+        "{} grains are few for several processes",
+        told.grains
+    );
+    for count in [2, 3] {
+        let folder = place.path().join(count.to_string());
+        for end in on_ranks(count, |rank| share(&scenario, &folder, rank, true)) {
+            assert_eq!(end, RunEnd::Finished);
+        }
+        assert_same(&one, &folder);
+    }
+}
+
+#[test]
+fn a_run_goes_on_with_other_numbers_of_processes() {
+    let place = tempfile::tempdir().unwrap();
+    let (one, parts) = (place.path().join("one"), place.path().join("parts"));
+    // long enough to be interrupted three times
+    let scenario = mixer(&[
+        "stage.mix.duration=\"8 ms\"",
+        "output.series=\"1 ms\"",
+        "output.frames=\"2 ms\"",
+    ]);
+    run(&scenario, &one, OPTIONS, &mut Silent { goes_on: true }).unwrap();
+    for end in on_ranks(2, |rank| share(&scenario, &parts, rank, false)) {
+        assert_eq!(end, RunEnd::Interrupted);
+    }
+    for (count, goes_on) in [(3, false), (1, false), (2, true)] {
+        let ends = on_ranks(count, |rank| {
+            let observer = &mut Silent { goes_on };
+            resume_shared(&parts, OPTIONS, rank, observer).unwrap().end
+        });
+        let expected = if goes_on { RunEnd::Finished } else { RunEnd::Interrupted };
+        assert!(ends.iter().all(|end| *end == expected), "{ends:?}");
+    }
+    assert_same(&one, &parts);
+}
+
+#[test]
+fn all_end_with_the_fault_of_one() {
+    let scenario = mixer(&[
+        "simulation.max_overlap=0.09",
+        "simulation.time_step=\"1 us\"",
+        "wall[3].motion.free.speed=\"-4 m/s\"",
+    ]);
+    let place = tempfile::tempdir().unwrap();
+    let (one, two) = (place.path().join("one"), place.path().join("two"));
+    let end = run(&scenario, &one, OPTIONS, &mut Silent { goes_on: true })
+        .unwrap()
+        .end;
+    assert!(matches!(end, RunEnd::Fault(_)), "{end:?}");
+    let ends = on_ranks(2, |rank| {
+        let observer = &mut Silent { goes_on: true };
+        run_shared(&scenario, &two, OPTIONS, rank, observer).unwrap().end
+    });
+    assert!(ends.iter().all(|other| *other == end), "{ends:?}, not {end:?}");
+    assert_eq!(
+        fs::read(one.join("series.csv")).unwrap(),
+        fs::read(two.join("series.csv")).unwrap()
+    );
+}
