@@ -22,7 +22,8 @@ mod maths;
 mod plain_maths;
 mod reference;
 
-use crate::shell::{answers, read, root, run, run_cargo, target_folder, write};
+use crate::checks::build_demeter;
+use crate::shell::{answers, read, root, run, target_folder, write};
 use expand::Workplace;
 use std::path::{Path, PathBuf};
 
@@ -53,7 +54,7 @@ fn build() -> Result<bool, String> {
     let target = target_folder()?;
     let build = target.join("book-source");
     let pages = target.join("book");
-    run_cargo(&["build", "-p", "demeter-cli"], &[])?;
+    build_demeter()?;
     sources(&build, &target.join("debug/demeter"))?;
     if !answers(&mdbook, &["--version"]) {
         return Ok(false);

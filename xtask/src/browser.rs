@@ -1,6 +1,7 @@
 //! The pages in headless Chromium.
 
-use crate::shell::{answers, remove_run, root, run, run_cargo, target_folder};
+use crate::checks::build_demeter;
+use crate::shell::{answers, remove_run, root, run, target_folder};
 use std::path::Path;
 
 /// Where the tests and their `package.json` are.
@@ -17,7 +18,7 @@ pub fn test() -> Result<(), String> {
     if let Some(missing) = missing() {
         return Err(format!("{missing} is not there"));
     }
-    run_cargo(&["build", "-p", "demeter-cli"], &[])?;
+    build_demeter()?;
     let whole = run_scenario(RUN, &[])?;
     let short = ["stage[0].duration=\"1 ms\"", "output.series=\"0.1 ms\"", EVIL];
     let alone = run_scenario(RUN_ALONE, &short)?;

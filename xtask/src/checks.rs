@@ -15,6 +15,11 @@ fn features() -> &'static [&'static str] {
     }
 }
 
+/// Builds the program that checks call, with the features of the tests, so that little is built twice.
+pub fn build_demeter() -> Result<(), String> {
+    run_cargo(&[&["build", "-p", "demeter-cli"], features()].concat(), &[])
+}
+
 /// Everything that must hold before a merge. The quick checks come first.
 pub fn ci() -> Result<(), String> {
     format(true)?;

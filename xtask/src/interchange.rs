@@ -1,6 +1,7 @@
 //! Files for LAMMPS, LIGGGHTS, YADE, OVITO and ASE, read by those programs, and what they wrote.
 
-use crate::shell::{answers, run, run_cargo};
+use crate::checks::build_demeter;
+use crate::shell::{answers, run};
 use std::path::Path;
 
 /// Where the virtual environment and the run go: beside what cargo builds.
@@ -33,7 +34,7 @@ pub fn test() -> Result<(), String> {
         &[&pip[..], &["tests/interchange/requirements.txt"]].concat(),
         &[],
     )?;
-    run_cargo(&["build", "-p", "demeter-cli"], &[])?;
+    build_demeter()?;
     let folder = target.join(RUN);
     if folder.exists() {
         crate::shell::remove_run(&folder)?;

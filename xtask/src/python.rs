@@ -1,6 +1,7 @@
 //! The Python module, built and tested as a user has it; and the output of a run, opened with PyVista.
 
-use crate::shell::{run, run_cargo};
+use crate::checks::build_demeter;
+use crate::shell::{run};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -39,7 +40,7 @@ fn install(python: &str, what: &[&str]) -> Result<(), String> {
 }
 
 fn test_output(python: &str, target: &Path) -> Result<(), String> {
-    run_cargo(&["build", "-p", "demeter-cli"], &[])?;
+    build_demeter()?;
     let folder = target.join(RUN);
     if folder.exists() {
         crate::shell::remove_run(&folder)?;

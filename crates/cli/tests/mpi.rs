@@ -8,19 +8,13 @@ use demeter::{Place, Said, assert_same, signal};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Grains for several segments fall through a hopper, so that some leave, contacts come and go, and grains are put in order again.
-const FLOW: [&str; 8] = [
-    "hopper.toml",
-    "--set",
-    "grains[0].diameter=\"2.5 mm\"",
-    "--set",
-    "stage.fill.duration=\"4 ms\"",
-    "--set",
-    "stage.flow.duration=\"6 ms\"",
-    "--threads=1",
-];
+/// Grains for several processes, a feed, a drain, walls of all drives.
+const MIXER: &str = include_str!("../../demeter/tests/shared_runs/mixer.toml");
 
-const WRITTEN: [&str; 4] = ["--set", "output.series=\"1 ms\"", "--set", "output.frames=\"1 ms\""];
+const RUN: [&str; 3] = ["run", "mixer.toml", "--threads=1"];
+
+/// What is long enough to be stopped.
+const LONG: [&str; 4] = ["--set", "stage.mix.duration=\"1 s\"", "--set", "output.checkpoints=\"0.2 ms\""];
 
 /// Under `mpirun`, also where root runs it on a machine with fewer cores.
 fn mpirun(place: &Place, processes: &[&[&str]]) -> Command {
@@ -53,21 +47,32 @@ fn said(mut command: Command) -> Said {
     }
 }
 
-fn flow() -> Place {
+impl Place {
+    fn summary(&self, folder: &str) -> serde_json::Value {
+        serde_json::from_slice(&std::fs::read(self.path(folder).join("summary.json")).unwrap()).unwrap()
+    }
+}
+
+fn mixer() -> Place {
     let place = Place::new();
-    place.expect(0, &["new", "hopper"]);
+    place.write("mixer.toml", MIXER);
     place
 }
 
 fn run(out: &'static str) -> Vec<&'static str> {
-    [&["run"], &FLOW[..], &WRITTEN, &["--out", out]].concat()
+    [&RUN[..], &["--out", out]].concat()
+}
+
+fn long_run(out: &'static str) -> Vec<&'static str> {
+    [&run(out)[..], &LONG].concat()
 }
 
 #[test]
 fn two_and_three_processes_give_the_bits_of_one() {
-    let place = flow();
+    let place = mixer();
     place.expect(0, &run("one"));
     let one = place.results("one");
+    assert!(place.summary("one")["contacts"].as_u64().unwrap() > 500);
     for (out, count) in [("two", 2), ("three", 3)] {
         let said = said(mpirun(&place, &vec![&run(out)[..]; count]));
         assert_eq!(said.code, 0, "{}\n{}", said.out, said.err);
@@ -83,7 +88,7 @@ fn two_and_three_processes_give_the_bits_of_one() {
 
 #[test]
 fn a_run_that_is_asked_to_end_goes_on_with_other_processes() {
-    let place = flow();
+    let place = mixer();
     place.expect(0, &run("one"));
     let mut command = mpirun(&place, &[&run("parts")[..]; 2]);
     command.env("OMPI_MCA_odls_base_sigkill_timeout", "4");
@@ -115,66 +120,8 @@ fn started(mut command: Command, place: &Place, file: &str) -> Child {
 
 #[test]
 fn a_process_that_is_killed_ends_the_job_and_leaves_a_checkpoint() {
-    let place = flow();
-    let long = [
-        &["run"],
-        &FLOW[..3],
-        &["--set", "output.checkpoints=\"1 ms\"", "--out", "long"],
-    ]
-    .concat();
-    let job = started(mpirun(&place, &[&long[..]; 2]), &place, "long/checkpoint.previous");
-    let ranks = children_of(job.id());
-    assert_eq!(ranks.len(), 2);
-    let killed = Command::new("kill").args(["-KILL", &ranks[1]]).status().unwrap();
-    assert!(killed.success());
-    let output = job.wait_with_output().unwrap();
-    let err = String::from_utf8_lossy(&output.stderr);
-    assert!(!output.status.success() && err.contains("signal 9"), "{err}");
-    let begun = ["resume", "long", "--json"];
-    let mut resumed = place.command(&begun);
-    let mut resumed = resumed.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
-    std::thread::sleep(Duration::from_millis(500));
-    assert_eq!(signal(&mut resumed, "INT").code(), Some(130), "it did not go on");
-}
-
-#[test]
-fn a_process_that_says_nothing_is_given_up() {
-    let place = flow();
-    let long = [
-        &["run"],
-        &FLOW[..3],
-        &["--set", "output.checkpoints=\"1 ms\"", "--out", "long"],
-    ]
-    .concat();
-    let mut command = mpirun(&place, &[&long[..]; 2]);
-    command.env("DEMETER_PATIENCE", "2");
-    let job = started(command, &place, "long/checkpoint.latest");
-    let ranks = children_of(job.id());
-    let stopped = Command::new("kill").args(["-STOP", &ranks[1]]).status().unwrap();
-    assert!(stopped.success());
-    let output = job.wait_with_output().unwrap();
-    let err = String::from_utf8_lossy(&output.stderr);
-    assert!(!output.status.success() && err.contains("has waited for"), "{err}");
-    assert!(err.contains("demeter resume"), "{err}");
-}
-
-/// Processes that a launcher has started.
-fn children_of(launcher: u32) -> Vec<String> {
-    let found = Command::new("pgrep")
-        .args(["-P", &launcher.to_string(), "demeter"])
-        .output()
-        .unwrap();
-    String::from_utf8(found.stdout)
-        .unwrap()
-        .lines()
-        .map(str::to_string)
-        .collect()
-}
-
-#[test]
-fn processes_with_other_inputs_do_not_begin() {
-    let place = flow();
-    let other = [&run("out")[..], &["--set", "contact.tangential.friction=0.3"]].concat();
+    let place = mixer();
+    let long = long_run("long");
     let said = said(mpirun(&place, &[&run("out"), &other]));
     assert_eq!(said.code, 2, "{}", said.err);
     assert!(
@@ -188,8 +135,8 @@ fn processes_with_other_inputs_do_not_begin() {
 
 #[test]
 fn what_is_wrong_is_told_once() {
-    let place = flow();
-    let wrong = ["run", "hopper.toml", "--set", "stage.flow.duration=\"6 kg\""];
+    let place = mixer();
+    let wrong = ["run", "mixer.toml", "--set", "stage.mix.duration=\"6 kg\""];
     let wrong_here = said(mpirun(&place, &[&wrong[..]; 3]));
     assert_eq!(wrong_here.code, 2, "{}", wrong_here.err);
     assert_eq!(
@@ -206,7 +153,7 @@ fn what_is_wrong_is_told_once() {
 
 #[test]
 fn contacts_that_feel_each_other_keep_their_bits() {
-    let place = flow();
+    let place = mixer();
     let coupled = |out: &'static str| {
         let law = "contact.multi_contact={ law = \"half-space\", prefactor = 0.5 }";
         let short = [

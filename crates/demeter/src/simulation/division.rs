@@ -296,6 +296,14 @@ impl Simulation {
         }
     }
 
+    /// Segments of the grains that this process moves.
+    pub(crate) fn own_segments(&self) -> Range<usize> {
+        match &self.division {
+            Some(division) if !division.is_whole => division.segments(),
+            _ => 0..self.neighbours.segments(),
+        }
+    }
+
     /// Segments of the table of candidates that this process works on: its own, and those with pairs of its own grains.
     pub(crate) fn segments_here(&self) -> Range<usize> {
         match &self.division {

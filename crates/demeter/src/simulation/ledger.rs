@@ -7,6 +7,7 @@ use crate::walls::{FreeStep, Wall};
 use demeter_physics::contact::PairSize;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// Energies of the ledger [J].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -246,6 +247,21 @@ struct Stored {
     multi_contact: f64,
 }
 
+/// Sums of what grains and their contacts have, in the order of the segments.
+fn sum(of_segments: Vec<Energies>) -> Energies {
+    let add = |mut e: Energies, part: Energies| {
+        e.kinetic += part.kinetic;
+        e.rotational += part.rotational;
+        e.gravitational += part.gravitational;
+        e.elastic += part.elastic;
+        e.tangential += part.tangential;
+        e.rolling += part.rolling;
+        e.multi_contact += part.multi_contact;
+        e
+    };
+    of_segments.into_iter().fold(Energies::default(), add)
+}
+
 impl Simulation {
     pub(crate) fn book_step(&mut self) {
         let tally = self.step_tally();
@@ -266,41 +282,53 @@ impl Simulation {
         self.books.close(now)
     }
 
-    /// Kinetic, gravitational and stored energies at this moment.
+    /// Kinetic, gravitational and stored energies at this moment, of all processes.
     pub(crate) fn mechanical_energies(&self) -> Energies {
         let free_walls = self.walls.iter().map(Wall::energy).sum();
+        let here = self.energies_of_segments(self.own_segments(), &|_| true);
         Energies {
             free_walls,
-            ..self.energies_of(|_| true)
+            ..sum(self.of_all_segments(here))
         }
     }
 
     /// Energies of some grains and of the contacts that they are in.
     pub(crate) fn energies_of(&self, counts: impl Fn(usize) -> bool + Sync) -> Energies {
+        let of_segments = self.energies_of_segments(0..self.neighbours.segments(), &counts);
+        sum(of_segments)
+    }
+
+    /// Energies of some grains and of the contacts that they are in, segment by segment.
+    fn energies_of_segments(&self, segments: Range<usize>, counts: &(impl Fn(usize) -> bool + Sync)) -> Vec<Energies> {
+        if self.neighbours.segments() == 0 {
+            // before the first search
+            return vec![self.energies_of_grains(0..self.grains.len(), counts)];
+        }
+        let of_segment = segments.into_par_iter().map(|segment| {
+            let mut e = self.energies_of_grains(self.neighbours.grains_of_segment(segment), counts);
+            let pairs = &self.contacts.pairs[self.neighbours.chunks_of_segment(segment)];
+            let walls = &self.contacts.walls[self.neighbours.wall_chunks_of_segment(segment)];
+            let pairs = pairs.iter().map(|chunk| self.stored(chunk, false, counts));
+            let walls = walls.iter().map(|chunk| self.stored(chunk, true, counts));
+            for part in pairs.chain(walls) {
+                e.elastic += part.normal;
+                e.tangential += part.tangential;
+                e.rolling += part.rolling;
+                e.multi_contact += part.multi_contact;
+            }
+            e
+        });
+        of_segment.collect()
+    }
+
+    fn energies_of_grains(&self, some: Range<usize>, counts: &impl Fn(usize) -> bool) -> Energies {
         let mut e = Energies::default();
         let grains = &self.grains;
-        for g in (0..grains.len()).filter(|&g| counts(g)) {
+        for g in some.filter(|&g| counts(g)) {
             e.kinetic += 0.5 * grains.mass[g] * grains.velocity[g].length_squared();
             e.rotational += 0.5 * grains.inertia(g) * grains.angular_velocity[g].length_squared();
             let place = self.comm.unwrapped(grains.position[g], grains.image[g]);
             e.gravitational -= grains.mass[g] * self.gravity.dot(place);
-        }
-        let pairs = self
-            .contacts
-            .pairs
-            .par_iter()
-            .map(|chunk| self.stored(chunk, false, &counts));
-        let walls = self
-            .contacts
-            .walls
-            .par_iter()
-            .map(|chunk| self.stored(chunk, true, &counts));
-        let stored: Vec<Stored> = pairs.chain(walls).collect();
-        for part in stored {
-            e.elastic += part.normal;
-            e.tangential += part.tangential;
-            e.rolling += part.rolling;
-            e.multi_contact += part.multi_contact;
         }
         e
     }

@@ -6,6 +6,7 @@ use crate::contacts::step_work::WorkShare;
 use crate::simulation::Simulation;
 use crate::step::Motion;
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -108,6 +109,15 @@ impl Simulation {
             .map(|of| division.decode(of))
             .collect();
         self.work.of_shares(shares, walls)
+    }
+
+    /// What all processes have of their own segments, in the order of the segments.
+    pub(crate) fn of_all_segments<T: Serialize + for<'a> Deserialize<'a>>(&self, here: Vec<T>) -> Vec<T> {
+        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
+            return here;
+        };
+        let all = division.ranks.gather(&encode(&here));
+        all.iter().flat_map(|of| division.decode::<Vec<T>>(of)).collect()
     }
 
     /// The fault of the grain with the lowest id, where any process has found one.
