@@ -47,11 +47,10 @@ fn codes(text: &str) -> impl Iterator<Item = &str> {
 
 /// A line with its formulas between `$`. In the column of symbols names are those of the formulas.
 fn inline(line: &str, names: &Names, parameters: &[&str]) -> Result<String, String> {
-    let first_column = if line.starts_with('|') {
-        line[1..].find('|').map_or(0, |end| end + 1)
-    } else {
-        0
-    };
+    let first_column = line
+        .strip_prefix('|')
+        .and_then(|row| row.find('|'))
+        .map_or(0, |end| end + 1);
     let mut made = String::new();
     let mut place = 0;
     for (index, part) in line.split('`').enumerate() {
