@@ -78,6 +78,10 @@ fn formula(latex: &str, display_mode: DisplayMode) -> Result<String, String> {
     push_mathml(&mut made, events, config).map_err(|error| format!("`{}`: {error}", latex.trim()))?;
     // neither Markdown nor its tables may find anything to do in it
     let escaped = [
+        // a sign alone is written as it is, where HTML wants its name
+        ("><<", ">&lt;<"),
+        // a slash in a formula of one line needs no room
+        (">/</mo>", " lspace=\"0\" rspace=\"0\">/</mo>"),
         ("\n", " "),
         ("|", "&#124;"),
         ("*", "&#42;"),
@@ -97,6 +101,7 @@ mod tests {
         assert_eq!(made.matches("<math").count(), 2, "{made}");
         assert!(made.contains("`$y$`") && made.contains("\n$z$\n"), "{made}");
         assert!(made.contains("<mfrac"), "{made}");
+        assert!(render("$a < b$").unwrap().contains(">&lt;<"));
         assert!(render("a $x").is_err());
         assert!(render("$$\n\\frac{1}{\n$$\n").is_err());
     }
