@@ -17,7 +17,7 @@ def bed(grains):
     side = (grains * 0.85e-9 * 1.3) ** (1 / 3)
     return demeter.Scenario.from_dict(
         {
-            "simulation": {"gravity": [0, 0, -9.81]},
+            "simulation": {"gravity": [0, 0, -9.81], "max_overlap": 0.3},
             "material": {"glass": {"young_modulus": "1 MPa", "poisson_ratio": 0.25, "density": 2500.0}},
             "contact": {
                 "normal": {"law": "hertz-tsuji", "restitution": 0.5},
