@@ -1,7 +1,7 @@
 //! The Python module, built and tested as a user has it; and the output of a run, opened with PyVista.
 
 use crate::checks::build_demeter;
-use crate::shell::{run};
+use crate::shell::run;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -14,7 +14,12 @@ const MIXER: &str = include_str!("../../demeter/tests/shared_runs/mixer.toml");
 const RUN: [&str; 3] = ["run", "mixer.toml", "--threads=1"];
 
 /// What is long enough to be stopped.
-const LONG: [&str; 4] = ["--set", "stage.mix.duration=\"1 s\"", "--set", "output.checkpoints=\"0.2 ms\""];
+const LONG: [&str; 4] = [
+    "--set",
+    "stage.mix.duration=\"1 s\"",
+    "--set",
+    "output.checkpoints=\"0.2 ms\"",
+];
 
 /// Under `mpirun`, also where root runs it on a machine with fewer cores.
 fn mpirun(place: &Place, processes: &[&[&str]]) -> Command {
@@ -72,7 +77,7 @@ fn two_and_three_processes_give_the_bits_of_one() {
     let place = mixer();
     place.expect(0, &run("one"));
     let one = place.results("one");
-    assert!(place.summary("one")["contacts"].as_u64().unwrap() > 500);
+    assert!(place.summary("one")["contacts"].as_u64().unwrap() > 200);
     for (out, count) in [("two", 2), ("three", 3)] {
         let said = said(mpirun(&place, &vec![&run(out)[..]; count]));
         assert_eq!(said.code, 0, "{}\n{}", said.out, said.err);
@@ -122,6 +127,50 @@ fn started(mut command: Command, place: &Place, file: &str) -> Child {
 fn a_process_that_is_killed_ends_the_job_and_leaves_a_checkpoint() {
     let place = mixer();
     let long = long_run("long");
+    let job = started(mpirun(&place, &[&long[..]; 2]), &place, "long/checkpoint.previous");
+    let ranks = children_of(job.id());
+    assert_eq!(ranks.len(), 2);
+    let killed = Command::new("kill").args(["-KILL", &ranks[1]]).status().unwrap();
+    assert!(killed.success());
+    let output = job.wait_with_output().unwrap();
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && err.contains("signal 9"), "{err}");
+    let mut resumed = place.command(&["resume", "long", "--json"]);
+    let mut resumed = resumed.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    std::thread::sleep(Duration::from_millis(500));
+    assert_eq!(signal(&mut resumed, "INT").code(), Some(130), "it did not go on");
+}
+
+#[test]
+fn a_process_that_says_nothing_is_given_up() {
+    let place = mixer();
+    let long = long_run("long");
+    let mut command = mpirun(&place, &[&long[..]; 2]);
+    command.env("DEMETER_PATIENCE", "2");
+    let job = started(command, &place, "long/checkpoint.latest");
+    let ranks = children_of(job.id());
+    let stopped = Command::new("kill").args(["-STOP", &ranks[1]]).status().unwrap();
+    assert!(stopped.success());
+    let output = job.wait_with_output().unwrap();
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && err.contains("has waited for"), "{err}");
+    assert!(err.contains("demeter resume"), "{err}");
+}
+
+/// Processes that a launcher has started.
+fn children_of(launcher: u32) -> Vec<String> {
+    let found = Command::new("pgrep")
+        .args(["-P", &launcher.to_string(), "demeter"])
+        .output()
+        .unwrap();
+    let found = String::from_utf8(found.stdout).unwrap();
+    found.lines().map(str::to_string).collect()
+}
+
+#[test]
+fn processes_with_other_inputs_do_not_begin() {
+    let place = mixer();
+    let other = [&run("out")[..], &["--set", "contact.tangential.friction=0.3"]].concat();
     let said = said(mpirun(&place, &[&run("out"), &other]));
     assert_eq!(said.code, 2, "{}", said.err);
     assert!(
