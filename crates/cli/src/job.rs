@@ -7,6 +7,8 @@ use crate::failure::Failure;
 use demeter::comm::MpiJob;
 use demeter::comm::Ranks;
 use demeter::scenario::{RunError, all_or_none};
+#[cfg(feature = "mpi")]
+use std::{cell::RefCell, rc::Rc};
 
 /// Seconds after which a process gives up that hears nothing of the others, where `DEMETER_PATIENCE` tells no other.
 #[cfg(feature = "mpi")]
@@ -19,10 +21,25 @@ fn tell(reason: &str) {
     answer::note(&format!("error: {reason}"));
 }
 
+#[cfg(feature = "mpi")]
+type Mpi = Rc<(MpiJob, std::time::Duration)>;
+
+#[cfg(feature = "mpi")]
+thread_local! {
+    /// Keeps the job until this process has told what it has to tell: the launcher ends all once one has ended with an error.
+    static KEPT: RefCell<Option<Mpi>> = const { RefCell::new(None) };
+}
+
+/// Leaves the job, where there is one, together with the other processes.
+pub fn leave() {
+    #[cfg(feature = "mpi")]
+    KEPT.take();
+}
+
 /// An MPI job, where a launcher such as `mpirun` has started this process.
 pub struct Job {
     #[cfg(feature = "mpi")]
-    mpi: Option<(MpiJob, std::time::Duration)>,
+    mpi: Option<Mpi>,
 }
 
 impl Job {
@@ -45,9 +62,9 @@ impl Job {
         if mpi.ranks(patience, tell).rank() > 0 {
             answer::be_silent(true);
         }
-        Ok(Self {
-            mpi: Some((mpi, patience)),
-        })
+        let mpi = Rc::new((mpi, patience));
+        KEPT.set(Some(Rc::clone(&mpi)));
+        Ok(Self { mpi: Some(mpi) })
     }
 
     /// Refuses to be one of several processes, each of which would run all.
@@ -70,7 +87,7 @@ impl Job {
     /// The processes that share a run; `None` where there is one.
     pub fn ranks(&self) -> Option<Box<dyn Ranks>> {
         #[cfg(feature = "mpi")]
-        if let Some((mpi, patience)) = &self.mpi {
+        if let Some((mpi, patience)) = self.mpi.as_deref() {
             let ranks = mpi.ranks(*patience, tell);
             return (ranks.count() > 1).then(|| Box::new(ranks) as Box<dyn Ranks>);
         }
@@ -94,7 +111,7 @@ impl Job {
 
     fn end_all(&self, failure: Failure) -> Failure {
         #[cfg(feature = "mpi")]
-        if let Some((mpi, _)) = self.mpi.as_ref().filter(|_| self.ranks().is_some()) {
+        if let Some((mpi, _)) = self.mpi.as_deref().filter(|_| self.ranks().is_some()) {
             answer::be_silent(false);
             mpi.abort(failure.tell(false) as i32);
         }

@@ -77,10 +77,12 @@ fn main() -> ExitCode {
         Command::New(arguments) => new::new(&arguments),
         Command::Info(arguments) => info::info(&arguments),
     };
-    match outcome {
-        Ok(exit) => exit.into(),
-        Err(failure) => failure.tell(json).into(),
-    }
+    let exit = match outcome {
+        Ok(exit) => exit,
+        Err(failure) => failure.tell(json),
+    };
+    job::leave();
+    exit.into()
 }
 
 /// What clap has to say instead of arguments: help, the version, or what is wrong.

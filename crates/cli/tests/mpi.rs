@@ -205,13 +205,7 @@ fn contacts_that_feel_each_other_keep_their_bits() {
     let place = mixer();
     let coupled = |out: &'static str| {
         let law = "contact.multi_contact={ law = \"half-space\", prefactor = 0.5 }";
-        let short = [
-            "--set",
-            "stage.fill.duration=\"0.5 ms\"",
-            "--set",
-            "stage.flow.duration=\"0.5 ms\"",
-        ];
-        [&run(out)[..], &["--set", law], &short].concat()
+        [&run(out)[..], &["--set", law, "--set", "stage.mix.duration=\"0.2 ms\""]].concat()
     };
     place.expect(0, &coupled("one"));
     let said = said(mpirun(&place, &[&coupled("two")[..]; 2]));
