@@ -498,12 +498,4 @@ impl Simulation {
     pub fn is_first_process(&self) -> bool {
         self.division.as_ref().is_none_or(|division| division.ranks.rank() == 0)
     }
-
-    /// Whether all processes succeeded in what only some may have done.
-    pub fn all_succeeded(&self, here: bool) -> bool {
-        let Some(division) = &self.division else { return here };
-        let mut failed = [if here { 0.0 } else { 1.0 }];
-        division.ranks.largest(&mut failed);
-        failed[0] == 0.0
-    }
 }
