@@ -9,6 +9,9 @@ use std::time::{Duration, Instant};
 /// Signals this soon after the first are the same wish: `timeout` and others tell a process and its whole group.
 const ECHO: Duration = Duration::from_millis(300);
 
+/// Time between two reports of how far a run is.
+const REPORTS: Duration = Duration::from_millis(250);
+
 /// Whether and how the run was asked to end.
 #[derive(Clone, Default)]
 pub struct Interrupt {
@@ -34,6 +37,11 @@ impl Interrupt {
     /// Whether the run was asked to end.
     pub fn is_asked(&self) -> bool {
         self.asked.load(Ordering::SeqCst)
+    }
+
+    /// Time until the run is to ask again: none once it is to end.
+    pub fn interval(&self) -> Duration {
+        if self.is_asked() { Duration::ZERO } else { REPORTS }
     }
 
     /// Asks the run to end, as Ctrl-C does.

@@ -6,6 +6,7 @@ use crate::readable::{count, number, wait};
 use demeter::scenario::{Observer, Progress};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
+use std::time::Duration;
 
 /// Time between two lines where there is no terminal [s].
 const LINE_INTERVAL: f64 = 5.0;
@@ -71,6 +72,10 @@ impl Observer for Watch {
         }
         self.message("interrupted: writing a checkpoint; interrupt again to end at once");
         false
+    }
+
+    fn interval(&self) -> Duration {
+        self.interrupt.interval()
     }
 
     fn message(&mut self, text: &str) {

@@ -9,8 +9,8 @@ use std::fs;
 
 const CHECKPOINT: &str = "cut/checkpoint.latest";
 
-/// Interrupts a run behind its first checkpoint. A signal is heard within a quarter of a second; when the run was
-/// over by then, it is tried again.
+/// Interrupts a run behind its first checkpoint. A signal is heard at the next step; when the run was over by then,
+/// it is tried again.
 fn interrupt(place: &Place, run: &[&str], folder: &str, name: &str) {
     for _ in 0..10 {
         let _ = fs::remove_file(place.path(folder).join("checkpoint.latest"));

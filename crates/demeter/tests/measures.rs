@@ -13,6 +13,7 @@ use demeter::simulation::Simulation;
 use demeter_physics::DVec3;
 use std::f64::consts::PI;
 use std::path::Path;
+use std::time::Duration;
 
 const RADIUS: f64 = 1e-3;
 const STIFFNESS: f64 = 1000.0;
@@ -338,14 +339,16 @@ picture = false
 plots = [{ x = "time", y = "packing coordination" }]
 "#;
 
-/// Ends the run at the first report, when it is told to.
-struct Watch {
-    impatient: bool,
-}
+/// Ends the run at a step, when it is told to.
+struct Watch(Option<u64>);
 
 impl Observer for Watch {
-    fn progress(&mut self, _: &Progress) -> bool {
-        !self.impatient
+    fn progress(&mut self, progress: &Progress) -> bool {
+        self.0.is_none_or(|step| progress.step < step)
+    }
+
+    fn interval(&self) -> Duration {
+        Duration::ZERO
     }
 
     fn message(&mut self, _: &str) {}
@@ -380,17 +383,17 @@ fn files_of_measures_are_the_same_after_restarts() {
         threads: Some(count),
         ..RunOptions::default()
     };
-    run(&scenario, &whole, threads(1), &mut Watch { impatient: false }).unwrap();
+    run(&scenario, &whole, threads(1), &mut Watch(None)).unwrap();
     let expected = rows(&whole);
     check_files(&expected);
 
-    let first = run(&scenario, &parts, threads(2), &mut Watch { impatient: true }).unwrap();
+    let first = run(&scenario, &parts, threads(2), &mut Watch(Some(15_000))).unwrap();
     assert_eq!(first.end, RunEnd::Interrupted);
     let checkpoint = parts.join("checkpoint.latest");
     let early = std::fs::read(&checkpoint).unwrap();
     let shorter = rows(&parts);
     // goes on, and is killed behind its last checkpoint: rows of later steps, and one that is cut short
-    resume(&parts, threads(1), &mut Watch { impatient: true }).unwrap();
+    resume(&parts, threads(1), &mut Watch(Some(25_000))).unwrap();
     std::fs::write(&checkpoint, &early).unwrap();
     for (name, text) in ROWS.iter().zip(&shorter) {
         let path = parts.join(name);
@@ -398,7 +401,7 @@ fn files_of_measures_are_the_same_after_restarts() {
         assert!(longer.len() > text.len() && longer.starts_with(text.as_str()), "{name}");
         std::fs::write(&path, &longer[..longer.len() - 7]).unwrap();
     }
-    let last = resume(&parts, threads(1), &mut Watch { impatient: false }).unwrap();
+    let last = resume(&parts, threads(1), &mut Watch(None)).unwrap();
     assert_eq!(last.end, RunEnd::Finished);
     for (name, (found, expected)) in ROWS.iter().zip(rows(&parts).iter().zip(&expected)) {
         assert!(found == expected, "`{name}` differs");

@@ -43,13 +43,11 @@ picture = false
 plots = [{ name = "height", x = "time", y = "gravitational energy" }]
 "#;
 
-struct Quiet {
-    go_on: bool,
-}
+struct Quiet;
 
 impl Observer for Quiet {
     fn progress(&mut self, _: &Progress) -> bool {
-        self.go_on
+        true
     }
     fn message(&mut self, _: &str) {}
 }
@@ -65,7 +63,7 @@ fn page_of(scenario: &str, overrides: &[&str]) -> (String, tempfile::TempDir, Ru
     let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_string()).collect();
     let scenario = Scenario::parse(scenario, "test.toml", place.path(), &overrides).unwrap();
     let folder = place.path().join("run");
-    let report = run(&scenario, &folder, RunOptions::default(), &mut Quiet { go_on: true }).unwrap();
+    let report = run(&scenario, &folder, RunOptions::default(), &mut Quiet).unwrap();
     let page = fs::read_to_string(folder.join("report.html")).unwrap();
     (page, place, report.end)
 }
@@ -202,7 +200,7 @@ fn a_report_can_be_left_out() {
     )
     .unwrap();
     let folder = place.path().join("run");
-    run(&scenario, &folder, RunOptions::default(), &mut Quiet { go_on: true }).unwrap();
+    run(&scenario, &folder, RunOptions::default(), &mut Quiet).unwrap();
     assert!(!folder.join("report.html").exists());
     assert_eq!(write(&folder).unwrap().path, folder.join("report.html"));
 }

@@ -9,15 +9,18 @@ use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, resume
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::time::Duration;
 
-/// Lets a run go on, or asks it to end when it is asked first.
-struct Silent {
-    goes_on: bool,
-}
+/// Asks a run to end at a step, when told.
+struct Silent(Option<u64>);
 
 impl Observer for Silent {
-    fn progress(&mut self, _: &Progress) -> bool {
-        self.goes_on
+    fn progress(&mut self, progress: &Progress) -> bool {
+        self.0.is_none_or(|step| progress.step < step)
+    }
+
+    fn interval(&self) -> Duration {
+        Duration::ZERO
     }
 
     fn message(&mut self, _: &str) {}
@@ -54,8 +57,8 @@ fn assert_same(one: &Path, other: &Path) {
     }
 }
 
-fn share(scenario: &Scenario, folder: &Path, ranks: Box<dyn Ranks>, goes_on: bool) -> RunEnd {
-    let report = run_shared(scenario, folder, OPTIONS, ranks, &mut Silent { goes_on }).unwrap();
+fn share(scenario: &Scenario, folder: &Path, ranks: Box<dyn Ranks>, last: Option<u64>) -> RunEnd {
+    let report = run_shared(scenario, folder, OPTIONS, ranks, &mut Silent(last)).unwrap();
     report.end
 }
 
@@ -64,7 +67,7 @@ fn feeds_walls_and_measures_do_not_feel_the_processes() {
     let place = tempfile::tempdir().unwrap();
     let one = place.path().join("one");
     let scenario = mixer(&[]);
-    let report = run(&scenario, &one, OPTIONS, &mut Silent { goes_on: true }).unwrap();
+    let report = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
     assert_eq!(report.end, RunEnd::Finished);
     let told = &report.summary;
     assert!(
@@ -74,7 +77,7 @@ fn feeds_walls_and_measures_do_not_feel_the_processes() {
     );
     for count in [2, 3] {
         let folder = place.path().join(count.to_string());
-        for end in on_ranks(count, |rank| share(&scenario, &folder, rank, true)) {
+        for end in on_ranks(count, |rank| share(&scenario, &folder, rank, None)) {
             assert_eq!(end, RunEnd::Finished);
         }
         assert_same(&one, &folder);
@@ -85,23 +88,21 @@ fn feeds_walls_and_measures_do_not_feel_the_processes() {
 fn a_run_goes_on_with_other_numbers_of_processes() {
     let place = tempfile::tempdir().unwrap();
     let (one, parts) = (place.path().join("one"), place.path().join("parts"));
-    // long enough to be interrupted three times
-    let scenario = mixer(&[
-        "stage.mix.duration=\"8 ms\"",
-        "stage.end.absent=[\"lid\"]",
-        "output.series=\"1 ms\"",
-        "output.frames=\"2 ms\"",
-    ]);
-    run(&scenario, &one, OPTIONS, &mut Silent { goes_on: true }).unwrap();
-    for end in on_ranks(2, |rank| share(&scenario, &parts, rank, false)) {
+    let scenario = mixer(&[]);
+    let whole = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+    let at = |quarters| Some(whole.summary.steps * quarters / 4);
+    for end in on_ranks(2, |rank| share(&scenario, &parts, rank, at(1))) {
         assert_eq!(end, RunEnd::Interrupted);
     }
-    for (count, goes_on) in [(3, false), (1, false), (2, true)] {
+    for (count, last) in [(3, at(2)), (1, at(3)), (2, None)] {
         let ends = on_ranks(count, |rank| {
-            let observer = &mut Silent { goes_on };
-            resume_shared(&parts, OPTIONS, rank, observer).unwrap().end
+            resume_shared(&parts, OPTIONS, rank, &mut Silent(last)).unwrap().end
         });
-        let expected = if goes_on { RunEnd::Finished } else { RunEnd::Interrupted };
+        let expected = if last.is_none() {
+            RunEnd::Finished
+        } else {
+            RunEnd::Interrupted
+        };
         assert!(ends.iter().all(|end| *end == expected), "{ends:?}");
     }
     assert_same(&one, &parts);
@@ -116,12 +117,10 @@ fn all_end_with_the_fault_of_one() {
     ]);
     let place = tempfile::tempdir().unwrap();
     let (one, two) = (place.path().join("one"), place.path().join("two"));
-    let end = run(&scenario, &one, OPTIONS, &mut Silent { goes_on: true })
-        .unwrap()
-        .end;
+    let end = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap().end;
     assert!(matches!(end, RunEnd::Fault(_)), "{end:?}");
     let ends = on_ranks(2, |rank| {
-        let observer = &mut Silent { goes_on: true };
+        let observer = &mut Silent(None);
         run_shared(&scenario, &two, OPTIONS, rank, observer).unwrap().end
     });
     assert!(ends.iter().all(|other| *other == end), "{ends:?}, not {end:?}");

@@ -9,25 +9,28 @@
 
 use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, TEMPLATES, resume, run};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 const LARGEST_RESIDUAL: f64 = 1e-3;
 
-/// Says nothing, and asks the run to end after some reports of progress.
+/// Says nothing, and asks the run to end at a step.
 struct Silent {
-    reports: u32,
+    last: u64,
 }
 
 impl Observer for Silent {
-    fn progress(&mut self, _progress: &Progress) -> bool {
-        self.reports = self.reports.saturating_sub(1);
-        self.reports > 0
+    fn progress(&mut self, progress: &Progress) -> bool {
+        progress.step < self.last
+    }
+    fn interval(&self) -> Duration {
+        Duration::ZERO
     }
     fn message(&mut self, _text: &str) {}
 }
 
 /// An observer that lets the run end by itself.
 fn silent() -> Silent {
-    Silent { reports: u32::MAX }
+    Silent { last: u64::MAX }
 }
 
 fn full() -> bool {
@@ -46,21 +49,19 @@ fn check(name: &str, scenario: &Scenario) {
     );
     assert!(residual < LARGEST_RESIDUAL, "{name}: largest residual {residual:e}");
 
-    // interrupted wherever the first report happens to come, and continued on one thread
+    // interrupted half way, and continued on one thread
     let parts = place.path().join("parts");
-    let first = run(scenario, &parts, RunOptions::default(), &mut Silent { reports: 1 }).unwrap();
-    if first.end == RunEnd::Interrupted {
-        println!("{name}: interrupted at step {}", first.summary.steps);
-        let options = RunOptions {
-            threads: Some(1),
-            ..RunOptions::default()
-        };
-        assert_eq!(
-            resume(&parts, options, &mut silent()).unwrap().end,
-            RunEnd::Finished,
-            "{name}"
-        );
-    }
+    let mut impatient = Silent {
+        last: report.summary.steps / 2,
+    };
+    let first = run(scenario, &parts, RunOptions::default(), &mut impatient).unwrap();
+    assert_eq!(first.end, RunEnd::Interrupted, "{name}");
+    let options = RunOptions {
+        threads: Some(1),
+        ..RunOptions::default()
+    };
+    let second = resume(&parts, options, &mut silent()).unwrap();
+    assert_eq!(second.end, RunEnd::Finished, "{name}");
     for file in results(&whole) {
         let same = std::fs::read(whole.join(&file)).unwrap() == std::fs::read(parts.join(&file)).unwrap();
         assert!(same, "{name}: {} differs after a restart", file.display());

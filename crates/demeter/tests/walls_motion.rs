@@ -17,12 +17,11 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// Stops at a step, when told.
-struct Watcher(Option<u64>);
+struct Silent;
 
-impl Observer for Watcher {
-    fn progress(&mut self, progress: &Progress) -> bool {
-        self.0.is_none_or(|step| progress.step < step)
+impl Observer for Silent {
+    fn progress(&mut self, _: &Progress) -> bool {
+        true
     }
 
     fn message(&mut self, _: &str) {}
@@ -80,18 +79,18 @@ fn parse(text: &str) -> Scenario {
     }
 }
 
-fn try_in(scenario: &Scenario, folder: &Path, threads: usize, stop_at: Option<u64>) -> Result<Report, RunError> {
+fn try_in(scenario: &Scenario, folder: &Path, threads: usize) -> Result<Report, RunError> {
     let options = RunOptions {
         threads: Some(threads),
         ..RunOptions::default()
     };
-    run(scenario, folder, options, &mut Watcher(stop_at))
+    run(scenario, folder, options, &mut Silent)
 }
 
 /// Runs to the end; the series by its titles.
 fn series_of(text: &str) -> BTreeMap<String, Vec<f64>> {
     let place = tempfile::tempdir().unwrap();
-    let done = try_in(&parse(text), &place.path().join("run"), 1, None).unwrap();
+    let done = try_in(&parse(text), &place.path().join("run"), 1).unwrap();
     assert_eq!(done.end, RunEnd::Finished, "{done:?}");
     let mut reader = csv::Reader::from_path(place.path().join("run/series.csv")).unwrap();
     let titles: Vec<String> = reader.headers().unwrap().iter().map(String::from).collect();
@@ -406,7 +405,7 @@ motion = { upper = { velocity = "0 0 30 mm/s", start_over = "5 ms" }, lower = "r
 #[test]
 fn a_tablet_press_reaches_its_force_holds_it_and_lets_go() {
     let place = tempfile::tempdir().unwrap();
-    let done = try_in(&parse(&format!("{VESSEL}{PRESS}")), &place.path().join("run"), 1, None).unwrap();
+    let done = try_in(&parse(&format!("{VESSEL}{PRESS}")), &place.path().join("run"), 1).unwrap();
     assert_eq!(done.end, RunEnd::Finished);
     let summary = fs::read_to_string(place.path().join("run/summary.json")).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
@@ -466,14 +465,14 @@ fn a_wall_does_not_come_where_a_grain_is() {
         .replace("name = \"rest\"", "name = \"rest\"\nabsent = [\"cover\"]");
     let fall = comes.replace("duration = \"50 ms\"", "duration = \"1 ms\"") + "absent = []\n";
     let place = tempfile::tempdir().unwrap();
-    let error = try_in(&parse(&fall), &place.path().join("run"), 1, None)
+    let error = try_in(&parse(&fall), &place.path().join("run"), 1)
         .unwrap_err()
         .to_string();
     let named = "stage `open`: wall `cover` cannot come: grain 1 at";
     assert!(error.starts_with(named), "{error}");
     // later both are below it
     let free = comes.replace("duration = \"50 ms\"", "duration = \"90 ms\"") + "absent = []\n";
-    try_in(&parse(&free), &place.path().join("free"), 1, None).unwrap();
+    try_in(&parse(&free), &place.path().join("free"), 1).unwrap();
 }
 
 /// Everything at once, for restarts and threads.
@@ -529,8 +528,8 @@ fn threads_and_restarts_change_no_bit() {
     let place = tempfile::tempdir().unwrap();
     let scenario = parse(&everything());
     let folder = |name: &str| place.path().join(name);
-    try_in(&scenario, &folder("one"), 1, None).unwrap();
-    try_in(&scenario, &folder("three"), 3, None).unwrap();
+    try_in(&scenario, &folder("one"), 1).unwrap();
+    try_in(&scenario, &folder("three"), 3).unwrap();
     let whole = results(&folder("one"));
     let frames = whole.iter().map(|bytes| String::from_utf8_lossy(bytes));
     let recorded = frames.filter(|text| {
@@ -550,7 +549,7 @@ fn threads_and_restarts_change_no_bit() {
     // the checkpoint before that of the end is from the middle of the first stage
     fs::remove_file(folder("one").join("checkpoint.latest")).unwrap();
     let options = RunOptions::default();
-    resume(&folder("one"), options, &mut Watcher(None)).unwrap();
+    resume(&folder("one"), options, &mut Silent).unwrap();
     assert!(whole == results(&folder("one")), "after a restart");
 }
 

@@ -11,6 +11,7 @@ use demeter::sweep::{Carried, End, SweepFolder, carry_out as carry};
 use serde_json::json;
 use std::io::{Read, Write};
 use std::path::Path;
+use std::time::Duration;
 
 /// Carries out one run.
 pub fn carry_out(arguments: &SweepArguments, root: &Path, index: usize) -> Result<Exit, Failure> {
@@ -94,6 +95,10 @@ impl Observer for Reporter {
         let mut out = std::io::stdout().lock();
         let heard = writeln!(out, "{line}").and_then(|()| out.flush()).is_ok();
         heard && !self.interrupt.is_asked()
+    }
+
+    fn interval(&self) -> Duration {
+        self.interrupt.interval()
     }
 
     fn message(&mut self, text: &str) {

@@ -31,9 +31,6 @@ pub use start::{resume, resume_shared, run, run_shared};
 /// Steps between two looks at the energies for a stop condition.
 const ENERGY_INTERVAL: u64 = 50;
 
-/// Time between two reports of progress [s].
-const PROGRESS_INTERVAL: f64 = 0.25;
-
 /// Where a run stands.
 #[derive(Clone, Debug)]
 pub struct Progress<'a> {
@@ -57,8 +54,12 @@ pub struct Progress<'a> {
 
 /// Whoever watches a run.
 pub trait Observer: Send {
-    /// Told now and then; `false` asks the run to end with a checkpoint.
+    /// Told every [`interval`](Self::interval); `false` asks the run to end with a checkpoint.
     fn progress(&mut self, progress: &Progress) -> bool;
+    /// Least time between two reports of progress, a quarter of a second unless told; with zero there is one after each step.
+    fn interval(&self) -> Duration {
+        Duration::from_millis(250)
+    }
     /// Told once things happen that a user wants to read: the time step, the end of a stage, a warning.
     fn message(&mut self, text: &str);
 }
@@ -518,7 +519,7 @@ impl<'a> Runner<'a> {
 
     fn tell(&mut self, observer: &mut dyn Observer) {
         let elapsed = self.started.elapsed().as_secs_f64();
-        if elapsed - self.told < PROGRESS_INTERVAL {
+        if elapsed - self.told < observer.interval().as_secs_f64() {
             return;
         }
         self.told = elapsed;
