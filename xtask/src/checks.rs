@@ -3,6 +3,7 @@
 use crate::shell::{answers, cargo, root, run, run_cargo, rust_files};
 use crate::{book, browser, house_rules, instructions, layers, python, web};
 use std::process::Command;
+use std::sync::OnceLock;
 
 /// The Python crate is left out of what needs linking: it is checked on its own.
 const ALL_BUT_PYTHON: [&str; 3] = ["--workspace", "--exclude", "demeter-py"];
@@ -15,8 +16,14 @@ fn features() -> &'static [&'static str] {
     }
 }
 
-/// Builds the program that checks call, with the features of the tests, so that little is built twice.
+/// Set once the tests of the program have run, which build it.
+static TESTED: OnceLock<()> = OnceLock::new();
+
+/// Builds the program that checks call, unless its tests have just done so.
 pub fn build_demeter() -> Result<(), String> {
+    if TESTED.get().is_some() {
+        return Ok(());
+    }
     run_cargo(&[&["build", "-p", "demeter-cli"], features()].concat(), &[])
 }
 
@@ -25,7 +32,6 @@ pub fn ci() -> Result<(), String> {
     format(true)?;
     layers()?;
     clippy()?;
-    run_cargo(&["check", "-p", "demeter-py", "--locked"], &[])?;
     documentation()?;
     web::check_where_possible()?;
     test()?;
@@ -41,16 +47,18 @@ pub fn ci() -> Result<(), String> {
 pub fn test() -> Result<(), String> {
     if answers(&cargo(), &["nextest", "--version"]) {
         run_cargo(&[&["nextest", "run"], &ALL_BUT_PYTHON[..], features()].concat(), &[])?;
+        TESTED.get_or_init(|| ());
         run_cargo(&[&["test", "--doc"], &ALL_BUT_PYTHON[..], features()].concat(), &[])
     } else {
-        run_cargo(&[&["test"], &ALL_BUT_PYTHON[..], features()].concat(), &[])
+        run_cargo(&[&["test"], &ALL_BUT_PYTHON[..], features()].concat(), &[])?;
+        TESTED.get_or_init(|| ());
+        Ok(())
     }
 }
 
 fn clippy() -> Result<(), String> {
     let arguments = [
-        &["clippy"],
-        &ALL_BUT_PYTHON[..],
+        &["clippy", "--locked", "--workspace"],
         features(),
         &["--all-targets", "--", "-D", "warnings"],
     ];

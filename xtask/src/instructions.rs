@@ -14,6 +14,9 @@ const STEPS: [u64; 2] = [20, 320];
 /// The widest that callgrind knows, and what every processor has.
 const COUNTED: [&str; 2] = ["portable", "avx2"];
 
+/// How what is counted is compiled.
+const PROFILES: &str = "xtask/counted.toml";
+
 /// Largest difference from the reference.
 const TOLERANCE: f64 = 0.05;
 
@@ -33,16 +36,16 @@ pub fn run(accept: bool) -> Result<(), String> {
     run_cargo(
         &[
             "build",
-            "--profile",
-            "counting",
             "-p",
             "demeter-benches",
             "--bin",
             "one_step",
+            "--config",
+            PROFILES,
         ],
         &[],
     )?;
-    let binary = target_folder()?.join("counting/one_step");
+    let binary = target_folder()?.join("debug/one_step");
     let mut counts = Vec::new();
     for instructions in COUNTED {
         if let Some(count) = per_particle_step(&binary, instructions)? {
@@ -110,7 +113,7 @@ fn reference(compiler: &str, counts: &[(&str, f64)]) -> String {
         .map(|(name, count)| format!("{name} = {count:.1}\n"))
         .collect();
     format!(
-        "# Instructions per particle-step of the bed in src/bin/one_step.rs, profile `counting`, counted by callgrind.\n\
+        "# Instructions per particle-step of the bed in src/bin/one_step.rs, counted by callgrind.\n\
          # Written by `cargo xtask instructions --accept`, compared by `cargo xtask instructions`.\n\
          compiler = \"{compiler}\"\n\n[instructions]\n{values}"
     )

@@ -4,7 +4,7 @@
 use crate::answer;
 use crate::failure::Failure;
 #[cfg(feature = "mpi")]
-use demeter::comm::MpiJob;
+use crate::mpi_job::MpiJob;
 use demeter::comm::Ranks;
 use demeter::scenario::{RunError, all_or_none};
 #[cfg(feature = "mpi")]
@@ -13,6 +13,22 @@ use std::{cell::RefCell, rc::Rc};
 /// Seconds after which a process gives up that hears nothing of the others, where `DEMETER_PATIENCE` tells no other.
 #[cfg(feature = "mpi")]
 const PATIENCE: u64 = 600;
+
+/// Environment variables by which launchers tell a process how many there are, or which of them it is, with the least number that
+/// tells of several: Open MPI, MPICH and its kin, Slurm.
+const LAUNCHERS: [(&str, u32); 4] = [
+    ("OMPI_COMM_WORLD_SIZE", 2),
+    ("PMI_SIZE", 2),
+    ("MPI_LOCALNRANKS", 2),
+    ("PMIX_RANK", 1),
+];
+
+/// What launchers told this process.
+fn launchers() -> impl Iterator<Item = (String, u32)> {
+    LAUNCHERS
+        .iter()
+        .filter_map(|(name, several)| Some((std::env::var(name).ok()?, *several)))
+}
 
 /// Tells why the job is given up, whoever speaks otherwise.
 #[cfg(feature = "mpi")]
@@ -46,7 +62,7 @@ impl Job {
     /// Joins the job. The first of several processes speaks for all.
     #[cfg(feature = "mpi")]
     pub fn join() -> Result<Self, Failure> {
-        if !MpiJob::is_launched() {
+        if launchers().next().is_none() {
             return Ok(Self { mpi: None });
         }
         let seconds = match std::env::var("DEMETER_PATIENCE") {
@@ -70,12 +86,7 @@ impl Job {
     /// Refuses to be one of several processes, each of which would run all.
     #[cfg(not(feature = "mpi"))]
     pub fn join() -> Result<Self, Failure> {
-        let processes = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"];
-        let several = |name: &str| {
-            let count = std::env::var(name).ok().and_then(|text| text.parse::<u32>().ok());
-            count.is_some_and(|count| count > 1)
-        };
-        if processes.into_iter().any(several) {
+        if launchers().any(|(told, several)| told.parse::<u32>().is_ok_and(|number| number >= several)) {
             return Err(Failure::wrong(
                 "this program was built without MPI, so that each process would run all; build it with \
                  `cargo build --release -p demeter-cli --features mpi`, or run it without `mpirun`",

@@ -23,6 +23,8 @@ mod info;
 mod interrupt;
 mod job;
 mod laws;
+#[cfg(feature = "mpi")]
+mod mpi_job;
 mod new;
 mod plot;
 mod profile;

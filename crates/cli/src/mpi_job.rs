@@ -1,6 +1,6 @@
 //! Ranks that are processes of an MPI job.
 
-use super::ranks::{Message, Ranks, Traffic};
+use demeter::comm::{Message, Ranks, Traffic};
 use mpi::datatype::PartitionMut;
 use mpi::environment::Universe;
 use mpi::request::{Request, Scope, scope};
@@ -18,9 +18,6 @@ const LOOKS: u32 = 100;
 
 /// Exit code of a job that was given up: what it could not read or write was another process.
 const GIVEN_UP: i32 = 1;
-
-/// Environment variables by which launchers tell a process how many there are: Open MPI, MPICH and its kin, Slurm.
-const LAUNCHERS: [&str; 4] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS", "PMIX_RANK"];
 
 /// Why an MPI job cannot begin.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -48,11 +45,6 @@ impl std::fmt::Debug for MpiJob {
 }
 
 impl MpiJob {
-    /// Whether a launcher such as `mpirun` has started this process.
-    pub fn is_launched() -> bool {
-        LAUNCHERS.iter().any(|name| std::env::var_os(name).is_some())
-    }
-
     /// Begins.
     pub fn begin() -> Result<Self, MpiError> {
         let (universe, threading) =
@@ -142,8 +134,10 @@ impl Ranks for MpiRanks {
 
     fn gather(&self, mine: &[u8]) -> Vec<Vec<u8>> {
         let lengths = self.gather_even(&(mine.len() as u64).to_ne_bytes());
-        let lengths: Vec<usize> = (lengths.chunks_exact(8))
-            .map(|bytes| bytemuck::pod_read_unaligned::<u64>(bytes) as usize)
+        let (lengths, _) = lengths.as_chunks::<8>();
+        let lengths: Vec<usize> = lengths
+            .iter()
+            .map(|&bytes| u64::from_ne_bytes(bytes) as usize)
             .collect();
         let begun = Instant::now();
         let world = SimpleCommunicator::world();

@@ -41,7 +41,7 @@ impl Simulation {
         self.took(Phase::Other);
         self.deform_box();
         let motion = self.move_and_exchange(Self::move_grains);
-        let motion = self.motion_of_all(self.beyond_affine(motion));
+        let motion = self.beyond_affine(self.motion_of_all(motion));
         self.follow_box();
         self.took(Phase::Motion);
         self.drive_walls();

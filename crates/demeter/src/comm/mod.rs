@@ -8,14 +8,10 @@
 //! or touch these.
 
 mod deforming;
-#[cfg(feature = "mpi")]
-mod mpi;
 mod ranks;
 mod single;
 
 pub(crate) use deforming::{Carry, Deforming};
 pub use deforming::{Rates, ShearAxes};
-#[cfg(feature = "mpi")]
-pub use mpi::{MpiError, MpiJob, MpiRanks};
 pub use ranks::{Message, Ranks, Traffic};
 pub use single::Single;

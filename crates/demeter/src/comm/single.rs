@@ -153,15 +153,17 @@ impl Single {
         }
     }
 
-    /// Puts every grain back into a box that deforms: it takes the place and the velocity of its image. Forces act on its
+    /// Has the images of a box that deforms be those next to it, however far it was sheared.
+    pub(crate) fn follow_motion(&mut self) {
+        if let Some(moving) = &mut self.moving {
+            moving.deforming.unwind(&self.domain);
+            self.renew();
+        }
+    }
+
+    /// Puts some grains back into a box that deforms: each takes the place and the velocity of its image. Forces act on its
     /// velocity for `ahead` [s] beyond the middle of the step. Tells what kinetic energy that brought [J].
-    pub(crate) fn wrap_moving(&mut self, grains: &mut Grains, ahead: f64) -> f64 {
-        let Some(moving) = &mut self.moving else {
-            self.wrap(grains);
-            return 0.0;
-        };
-        moving.deforming.unwind(&self.domain);
-        self.renew();
+    pub(crate) fn wrap_moving(&self, grains: &mut Grains, some: Range<usize>, ahead: f64) -> f64 {
         let Some(deforming) = self.deforming() else {
             return 0.0;
         };
@@ -173,7 +175,7 @@ impl Single {
             None => [0, 1, 2],
         };
         let mut gained = 0.0;
-        for g in 0..grains.len() {
+        for g in some {
             let (mut place, mut image, mut change) = (grains.position[g], grains.image[g], DVec3::ZERO);
             for axis in axes.into_iter().filter(|&k| self.domain.periodic[k]) {
                 let boxes = if place[axis] >= self.domain.upper[axis] {

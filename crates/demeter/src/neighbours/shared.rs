@@ -49,6 +49,14 @@ impl Neighbours {
         )
     }
 
+    /// All pairs of own grains with others, with their chunks and their places there.
+    pub(crate) fn places_across(&self, own: &Range<usize>) -> impl Iterator<Item = (Pair, usize, usize)> + '_ {
+        let own = own.clone();
+        let of_chunk = |chunk| (self.chunk(chunk).0.iter().enumerate()).map(move |(slot, pair)| (*pair, chunk, slot));
+        let pairs = (0..self.chunks()).flat_map(of_chunk);
+        pairs.filter(move |(pair, ..)| own.contains(&(pair.i as usize)) != own.contains(&(pair.j as usize)))
+    }
+
     /// Notes the effort and the number of pairs of all processes.
     pub(crate) fn note_total(&mut self, effort: SearchEffort, total: usize) {
         self.effort = effort;

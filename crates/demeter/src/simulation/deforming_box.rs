@@ -15,13 +15,14 @@ use super::deformation::{Deformation, DeformationError, Drive};
 use super::{Fault, Simulation};
 use crate::comm::{Carry, Deforming, Rates};
 use crate::particles::{Domain, Row};
+use crate::simulation::division::heard_grains;
 use crate::step::Motion;
 use crate::walls::Servo;
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// Grains handled by one task; sums are added up by task, so they know no number of threads.
+/// Grains handled by one task.
 const GRAINS_PER_TASK: usize = 1024;
 
 /// What rounding may take from a bound of the relative motion.
@@ -99,14 +100,6 @@ impl BoxState {
     pub fn pressure(&self) -> f64 {
         (self.stress[0] + self.stress[1] + self.stress[2]) / 3.0
     }
-}
-
-/// Adds up what every task found, in the order of the tasks.
-fn total<const N: usize>(parts: Vec<[f64; N]>) -> [f64; N] {
-    parts.into_iter().fold([0.0; N], |mut sum, part| {
-        sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
-        sum
-    })
 }
 
 /// `ln(L/L0)` in each direction; 0 where the length is the same, were it infinite.
@@ -219,11 +212,18 @@ impl Simulation {
     pub fn beyond_flow(&self) -> Option<(f64, f64)> {
         let deforming = self.comm.deforming()?;
         let (middle, rates, grains) = (deforming.middle, deforming.now(), &self.grains);
-        let motions = grains.position.iter().zip(grains.velocity.iter()).zip(&grains.mass);
-        let (kinetic, speed2) = motions.fold((0.0, 0.0f64), |(kinetic, most), ((position, velocity), mass)| {
-            let speed2 = (*velocity - deforming.flow(&rates, *position - middle)).length_squared();
-            (kinetic + 0.5 * mass * speed2, most.max(speed2))
-        });
+        let of_segments: Vec<[f64; 2]> = (self.own_pieces().into_par_iter())
+            .map(|some| {
+                some.fold([0.0, 0.0], |[kinetic, most], g| {
+                    let flow = deforming.flow(&rates, grains.position[g] - middle);
+                    let speed2 = (grains.velocity[g] - flow).length_squared();
+                    [kinetic + 0.5 * grains.mass[g] * speed2, speed2.max(most)]
+                })
+            })
+            .collect();
+        let most = of_segments.iter().fold(0.0, |most, of| f64::max(most, of[1]));
+        let [kinetic, _] = self.total(&of_segments);
+        let [speed2] = self.largest_of_all([most]);
         Some((kinetic, speed2.sqrt()))
     }
 
@@ -233,21 +233,14 @@ impl Simulation {
     /// grains with the force of all their contacts, and of `F S` over the contacts across the sides.
     fn box_stresses(&self, state: &DeformingBox, deforming: &Deforming) -> [[f64; 6]; 2] {
         let grains = &self.grains;
-        let n = GRAINS_PER_TASK;
         let (middle, rates) = (deforming.middle, deforming.now());
-        let parts: Vec<[f64; 12]> = (
-            grains.position.rows().par_chunks(n),
-            grains.velocity.rows().par_chunks(n),
-            grains.force.rows().par_chunks(n),
-            grains.mass.par_chunks(n),
-        )
-            .into_par_iter()
-            .map(|(position, velocity, force, mass)| {
+        let of_segments: Vec<[f64; 12]> = (self.own_pieces().into_par_iter())
+            .map(|some| {
                 let mut sum = [0.0; 12];
-                for (((position, velocity), force), mass) in position.iter().zip(velocity).zip(force).zip(mass) {
-                    let place = position.vector - middle;
-                    let beyond = velocity.vector - deforming.flow(&rates, place);
-                    let terms = [dyad(beyond * *mass, beyond), dyad(force.vector, place)];
+                for g in some {
+                    let place = grains.position[g] - middle;
+                    let beyond = grains.velocity[g] - deforming.flow(&rates, place);
+                    let terms = [dyad(beyond * grains.mass[g], beyond), dyad(grains.force[g], place)];
                     sum.iter_mut()
                         .zip(terms.as_flattened())
                         .for_each(|(sum, term)| *sum += term);
@@ -255,7 +248,7 @@ impl Simulation {
                 sum
             })
             .collect();
-        let mut sum = total(parts);
+        let mut sum = self.total(&of_segments);
         for (axis, force) in state.across.iter().enumerate() {
             let edge = self.comm.edge(axis);
             sum[6..]
@@ -326,20 +319,34 @@ impl Simulation {
             let rates = deforming.rates();
             if !(rates == deforming.now() && rates.stretching == DVec3::ZERO) {
                 self.push_along(&deforming, &rates, 0.5 * self.dt, |x| deforming.second_half(x));
+                for g in heard_grains(self.division.as_deref()) {
+                    let place = self.grains.position[g] - deforming.middle;
+                    self.grains.velocity[g] += deforming.second_half(place);
+                }
             }
         }
     }
 
-    /// Changes the velocities of all grains by what is told for their places relative to the middle. Forces have acted on the
+    /// Adds up what every segment came to, in the order of the segments.
+    fn total<const N: usize>(&self, of_own: &[[f64; N]]) -> [f64; N] {
+        let all = self.of_all_segments(of_own.as_flattened().to_vec());
+        all.chunks_exact(N).fold([0.0; N], |mut sum, part| {
+            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+            sum
+        })
+    }
+
+    /// Changes the velocities of own grains by what is told for their places relative to the middle. Forces have acted on the
     /// velocities for `ahead` [s] beyond the middle of the step.
     fn push_along(&mut self, deforming: &Deforming, rates: &Rates, ahead: f64, kick: impl Fn(DVec3) -> DVec3 + Sync) {
-        let (middle, half, n) = (deforming.middle, 0.5 * self.dt, GRAINS_PER_TASK);
+        let (middle, half) = (deforming.middle, 0.5 * self.dt);
+        let (own, n) = (self.own_grains(), self.grains_per_piece());
         let grains = &mut self.grains;
-        let parts: Vec<[f64; 2]> = (
-            grains.position.rows().par_chunks(n),
-            grains.velocity.rows_mut().par_chunks_mut(n),
-            grains.force.rows().par_chunks(n),
-            grains.mass.par_chunks(n),
+        let of_segments: Vec<[f64; 2]> = (
+            grains.position.rows()[own.clone()].par_chunks(n),
+            grains.velocity.rows_mut()[own.clone()].par_chunks_mut(n),
+            grains.force.rows()[own.clone()].par_chunks(n),
+            grains.mass[own].par_chunks(n),
         )
             .into_par_iter()
             .map(|(position, velocity, force, mass)| {
@@ -356,7 +363,7 @@ impl Simulation {
                 [gained, work]
             })
             .collect();
-        let [gained, work] = total(parts);
+        let [gained, work] = self.total(&of_segments);
         self.books.carry_along(gained, work);
     }
 
@@ -394,7 +401,7 @@ impl Simulation {
         rows.for_each(|rows| rows.iter_mut().for_each(carry_row));
     }
 
-    /// How grains can have moved against each other and against images in a box that deforms: by their motion beyond the
+    /// How all grains can have moved against each other and against images in a box that deforms, told the motion of all: by their motion beyond the
     /// affine flow, and by what the flow does over the distance of two that may meet.
     pub(crate) fn beyond_affine(&self, motion: Motion) -> Motion {
         let (Some(state), Some(deforming)) = (self.deforming.as_deref(), self.comm.deforming()) else {
@@ -402,11 +409,11 @@ impl Simulation {
         };
         let grains = &self.grains;
         let (middle, rates, carry) = (deforming.middle, deforming.rates(), deforming.carry);
-        let (dt, n) = (self.dt, GRAINS_PER_TASK);
+        let (dt, own, n) = (self.dt, self.own_grains(), GRAINS_PER_TASK);
         let (speed2, step2) = (
-            grains.position.rows().par_chunks(n),
-            grains.velocity.rows().par_chunks(n),
-            grains.force.rows().par_chunks(n),
+            grains.position.rows()[own.clone()].par_chunks(n),
+            grains.velocity.rows()[own.clone()].par_chunks(n),
+            grains.force.rows()[own].par_chunks(n),
         )
             .into_par_iter()
             .map(|(position, velocity, force)| {
@@ -422,6 +429,7 @@ impl Simulation {
                 (speed2, step2)
             })
             .reduce(|| (0.0, 0.0), |a, b| (a.0.max(b.0), a.1.max(b.1)));
+        let [speed2, step2] = self.largest_of_all([speed2, step2]);
         let speed = speed2.sqrt();
         // two grains farther apart than this approach by no more of their distance than others
         let apart = 2.0 * state.largest_radius

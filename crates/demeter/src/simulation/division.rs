@@ -10,6 +10,7 @@
 //! ([`Simulation::make_whole`]): then every process has all grains and contacts, does the same as a single one would, and the next
 //! step divides the tables again.
 
+mod coupled;
 mod in_step;
 
 use super::Simulation;
@@ -41,6 +42,8 @@ pub(crate) struct Division {
     borders: Vec<Border>,
     /// What goes over each of them in a step.
     messages: Vec<Message>,
+    /// The same of contacts that feel each other.
+    coupled_messages: Vec<Message>,
     /// For every own segment whether others hear of any of its grains.
     tells_of: Vec<bool>,
     is_whole: bool,
@@ -60,6 +63,8 @@ pub(crate) struct Division {
 struct Border {
     tell: Vec<u32>,
     hear: Vec<u32>,
+    /// Pairs of these grains, in the same order on both sides: where contacts feel each other.
+    pairs: Vec<coupled::PairAcross>,
 }
 
 /// What sharing a run takes: the sums and the extremes of all processes.
@@ -168,20 +173,25 @@ impl Division {
         self.divided += 1;
     }
 
+    /// The process that a grain belongs to.
+    fn rank_of(&self, grain: u32, per_segment: usize) -> usize {
+        self.cuts
+            .partition_point(|&first| first <= grain as usize / per_segment)
+            - 1
+    }
+
     /// Finds which grains others must hear of, and which of theirs are heard of here: both sides find the same.
-    fn find_borders(&mut self, neighbours: &Neighbours) {
+    fn find_borders(&mut self, neighbours: &Neighbours, are_coupled: bool) {
         let per_segment = neighbours.grains_per_segment().max(1);
         let mut lists: Vec<[Vec<u32>; 2]> = vec![Default::default(); self.ranks.count()];
         for (own, other) in neighbours.pairs_across(&self.own) {
-            let rank = self
-                .cuts
-                .partition_point(|&first| first <= other as usize / per_segment)
-                - 1;
+            let rank = self.rank_of(other, per_segment);
             lists[rank][0].push(own);
             lists[rank][1].push(other);
         }
         self.borders.clear();
         self.messages.clear();
+        self.coupled_messages.clear();
         let own = self.segments();
         self.tells_of.clear();
         self.tells_of.resize(own.len(), false);
@@ -202,9 +212,31 @@ impl Division {
                 tell: Vec::with_capacity(NUMBERS * tell.len()),
                 hear: vec![0.0; NUMBERS * hear.len()],
             });
-            self.borders.push(Border { tell, hear });
+            self.coupled_messages.push(Message {
+                rank,
+                ..Message::default()
+            });
+            let pairs = Vec::new();
+            self.borders.push(Border { tell, hear, pairs });
+        }
+        if are_coupled {
+            self.find_pairs_across(neighbours, per_segment);
         }
     }
+}
+
+/// Grains of other processes that this one hears of in every step.
+pub(crate) fn heard_grains(division: Option<&Division>) -> impl Iterator<Item = usize> + Clone + '_ {
+    let divided = division.filter(|division| !division.is_whole);
+    let borders = divided.into_iter().flat_map(|division| &division.borders);
+    borders.flat_map(|border| border.hear.iter().map(|&grain| grain as usize))
+}
+
+/// Grains whose motion this process knows: its own, and those that it hears of.
+pub(crate) fn known_grains(division: Option<&Division>, count: usize) -> impl Iterator<Item = usize> + Clone + '_ {
+    let divided = division.filter(|division| !division.is_whole);
+    let own = divided.map_or(0..count, |division| division.own.clone());
+    own.chain(heard_grains(division))
 }
 
 impl Simulation {
@@ -216,6 +248,7 @@ impl Simulation {
             own: 0..0,
             borders: Vec::new(),
             messages: Vec::new(),
+            coupled_messages: Vec::new(),
             tells_of: Vec::new(),
             is_whole: true,
             aside: None,
@@ -272,15 +305,7 @@ impl Simulation {
 
     /// Why every process does the work of all, though the run is shared; `None` where each does a part.
     pub fn shares_nothing(&self) -> Option<&'static str> {
-        if self.coupling.is_some() {
-            Some("multi-contact laws")
-        } else if self.deforms() {
-            Some("a box that deforms")
-        } else if self.has_custom_force() {
-            Some("custom forces")
-        } else {
-            None
-        }
+        self.has_custom_force().then_some("custom forces")
     }
 
     /// Whether this process has some of the contacts only.
@@ -296,11 +321,38 @@ impl Simulation {
         }
     }
 
+    /// Grains of a segment; all where there are no segments yet, as before the first search.
+    pub(crate) fn grains_per_piece(&self) -> usize {
+        match self.neighbours.grains_per_segment() {
+            0 => self.grains.len().max(1),
+            count => count,
+        }
+    }
+
+    /// Own grains, segment by segment.
+    pub(crate) fn own_pieces(&self) -> Vec<Range<usize>> {
+        let (own, n) = (self.own_grains(), self.grains_per_piece());
+        let piece = |first: usize| first..(first + n).min(own.end);
+        own.clone().step_by(n).map(piece).collect()
+    }
+
     /// Segments of the grains that this process moves.
     pub(crate) fn own_segments(&self) -> Range<usize> {
         match &self.division {
             Some(division) if !division.is_whole => division.segments(),
             _ => 0..self.neighbours.segments(),
+        }
+    }
+
+    /// Chunks of contacts between grains of these segments.
+    pub(crate) fn own_chunks(&self) -> Range<usize> {
+        let own = self.own_segments();
+        match own.end.checked_sub(1).filter(|last| own.start <= *last) {
+            Some(last) => {
+                let of = |segment| self.neighbours.chunks_of_segment(segment);
+                of(own.start).start..of(last).end
+            }
+            None => 0..0,
         }
     }
 
@@ -329,7 +381,7 @@ impl Simulation {
                 self.neighbours = self.neighbours.with_candidates([picked]);
                 self.restore_neighbours(&division);
                 self.contacts.hand_over(&self.neighbours, None);
-                division.find_borders(&self.neighbours);
+                division.find_borders(&self.neighbours, self.coupling.is_some());
                 self.division = Some(division);
                 self.weigh_work();
                 if let Some(division) = &mut self.division {
@@ -344,6 +396,7 @@ impl Simulation {
     /// Has every process have all grains and contacts. Each calls this; nothing happens where they have.
     pub fn make_whole(&mut self) {
         self.make_grains_whole();
+        self.share_bulges();
         let Some(mut division) = self.division.take_if(|division| !division.is_whole) else {
             return;
         };
@@ -435,13 +488,12 @@ impl Simulation {
             self.find_candidates();
             return self.divide();
         }
-        let own = self.own_grains();
-        self.comm.wrap_some(&mut self.grains, own);
+        self.wrap_grains();
         self.share_places();
         self.rebuilds += 1;
         self.continue_with_candidates(false);
         if let Some(division) = &mut self.division {
-            division.find_borders(&self.neighbours);
+            division.find_borders(&self.neighbours, self.coupling.is_some());
         }
     }
 

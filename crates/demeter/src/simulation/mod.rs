@@ -3,7 +3,7 @@
 mod custom;
 mod deformation;
 mod deforming_box;
-mod division;
+pub(crate) mod division;
 mod equipment;
 mod exchange;
 mod intervention;
@@ -119,7 +119,7 @@ pub struct Simulation {
     /// What the contacts did in the latest step.
     pub(crate) work: StepWork,
     /// `None` where this process has the run for itself.
-    division: Option<Box<Division>>,
+    pub(crate) division: Option<Box<Division>>,
     /// How often the tables of candidates were found.
     tables: u64,
     /// `None` where the box keeps its shape.
@@ -320,14 +320,20 @@ impl Simulation {
         self.rebuilds == 0 || self.puts_in_order && is_scattered()
     }
 
-    /// Puts the grains back into the periodic box, within a step or before the first.
+    /// Puts own grains back into the periodic box, within a step or before the first.
     fn wrap_grains(&mut self) {
         if self.deforming.is_none() {
-            return self.comm.wrap(&mut self.grains);
+            let own = self.own_grains();
+            return self.comm.wrap_some(&mut self.grains, own);
         }
         // within a step velocities are those predicted for its end
         let ahead = if self.step > 0 { 0.5 * self.dt } else { 0.0 };
-        let gained = self.comm.wrap_moving(&mut self.grains, ahead);
+        self.comm.follow_motion();
+        let mut gained = Vec::new();
+        for some in self.own_pieces() {
+            gained.push(self.comm.wrap_moving(&mut self.grains, some, ahead));
+        }
+        let gained = self.of_all_segments(gained).iter().sum();
         self.books.carry_along(gained, gained);
     }
 

@@ -1,11 +1,12 @@
 //! Forces of contacts that feel each other ([`crate::contacts::coupling`]).
 
+mod solve;
+
+use crate::contacts::coupling::Coupling;
 use crate::contacts::coupling::bulge::{ALLOWANCE, Bounds, FIRST_BULGE};
 use crate::contacts::coupling::displaced::ChunkPlace;
 use crate::contacts::coupling::kernels::Kernels;
-use crate::contacts::coupling::mixing::{Largest, Products, Progress};
-use crate::contacts::coupling::sites::{Changes, GRAINS_PER_TASK, Scenery, Sites};
-use crate::contacts::coupling::{Coupling, DEFAULT_TOLERANCE, Worst};
+use crate::contacts::coupling::sites::{Changes, GRAINS_PER_TASK, Scenery, Sites, Told};
 use crate::contacts::sum::{Collector, Work};
 use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
 
@@ -14,17 +15,9 @@ use crate::materials::Materials;
 use crate::neighbours::{Neighbours, Pair, WallPair};
 use crate::particles::Grains;
 use crate::simulation::Simulation;
+use crate::simulation::division::known_grains;
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicU64, Ordering};
-
-/// Plain iterations before forces are mixed: near rest one is enough.
-const PLAIN_ITERATIONS: usize = 6;
-
-/// Iterations after which a force that jumps may be the reason for having no solution.
-const PATIENCE_WITH_JUMPS: usize = 30;
-
-/// Iterations after which the coupled equation is given up.
-const MOST_ITERATIONS: usize = 1000;
+use std::ops::Range;
 
 /// Candidates are found for bulges this much larger than those foreseen.
 const ROOM_TO_GROW: f64 = 1.2;
@@ -40,8 +33,10 @@ pub(crate) struct CouplingState {
     kernels: Kernels,
     sites: Vec<Sites>,
     /// How far the surface of every grain bulges at most by the forces known [m].
-    needed: Vec<f64>,
-    changes: Changes,
+    pub(crate) needed: Vec<f64>,
+    /// Largest force on every grain [N].
+    pub(crate) largest_force: Vec<f64>,
+    pub(crate) changes: Changes,
 }
 
 /// What a restart needs of it.
@@ -50,7 +45,7 @@ pub struct CouplingMemory {
     /// Bounds of the bulges of the grains that the run began with.
     bounds: Bounds,
     /// How far the surface of every grain may bulge in this step [m].
-    bulge: Vec<f64>,
+    pub(crate) bulge: Vec<f64>,
     max_bulge: f64,
     /// What candidates were looked for beyond the skin because surfaces bulge [m].
     pub(crate) margin: f64,
@@ -82,6 +77,7 @@ impl CouplingState {
             kernels: Kernels::new(materials),
             sites: Vec::new(),
             needed: Vec::new(),
+            largest_force: Vec::new(),
             changes: Changes::default(),
         })
     }
@@ -124,16 +120,17 @@ fn foreseen(needed: f64, radius: f64) -> f64 {
 }
 
 impl CouplingState {
-    /// Works on the sites of all grains, in parallel: the sites of a task, its grains, what they are found from, and how far
-    /// their surfaces bulge.
+    /// Works on the sites of own grains, in parallel: the sites of a task, its grains, what they are found from, and what they tell.
     fn each_task<'a>(
         &mut self,
+        own: &Range<usize>,
         (grains, neighbours, contacts): (&'a Grains, &'a Neighbours, &'a Contacts),
-        work: impl Fn(&mut Sites, std::ops::Range<usize>, Scenery<'_>, &mut [f64]) + Sync + Send,
+        work: impl Fn(&mut Sites, Range<usize>, Scenery<'_>, Told<'_>) + Sync + Send,
     ) {
         self.sites
-            .resize_with(grains.len().div_ceil(GRAINS_PER_TASK), Sites::default);
+            .resize_with(own.len().div_ceil(GRAINS_PER_TASK), Sites::default);
         self.needed.resize(grains.len(), 0.0);
+        self.largest_force.resize(grains.len(), 0.0);
         let from = Scenery {
             grains,
             neighbours,
@@ -142,51 +139,74 @@ impl CouplingState {
             bounds: &self.memory.bounds,
             changes: &self.changes,
         };
-        let tasks = (self.sites.par_iter_mut()).zip(self.needed.par_chunks_mut(GRAINS_PER_TASK));
-        tasks.enumerate().for_each(|(task, (sites, needed))| {
-            let first = task * GRAINS_PER_TASK;
-            work(sites, first..first + needed.len(), from, needed);
+        let of_tasks = self.needed[own.clone()].par_chunks_mut(GRAINS_PER_TASK);
+        let of_tasks = of_tasks.zip(self.largest_force[own.clone()].par_chunks_mut(GRAINS_PER_TASK));
+        let tasks = self.sites.par_iter_mut().zip(of_tasks);
+        tasks.enumerate().for_each(|(task, (sites, (bulge, largest_force)))| {
+            let first = own.start + task * GRAINS_PER_TASK;
+            work(sites, first..first + bulge.len(), from, Told { bulge, largest_force });
         });
     }
 
-    /// Whether no surface bulges farther than contacts were looked for; if not, they will be looked for farther away.
-    fn bulges_as_foreseen(&mut self, grains: &Grains) -> bool {
-        let CouplingMemory { bulge, max_bulge, .. } = &mut self.memory;
-        let mut as_foreseen = true;
-        for ((bulge, needed), radius) in bulge.iter_mut().zip(&self.needed).zip(grains.radii()) {
-            if needed > bulge {
-                *bulge = foreseen(*needed, radius);
-                *max_bulge = max_bulge.max(*bulge);
-                as_foreseen = false;
+    /// Has contacts be looked for farther away where surfaces of some grains bulge more than was foreseen; tells how far at most [m], 0
+    /// where none does.
+    fn bulges_farther(&mut self, grains: &Grains, some: impl Iterator<Item = usize>) -> f64 {
+        let (bulge, needed) = (&mut self.memory.bulge, &self.needed);
+        let mut farthest = 0.0;
+        for grain in some {
+            if needed[grain] > bulge[grain] {
+                bulge[grain] = foreseen(needed[grain], grains.radius(grain));
+                farthest = f64::max(farthest, bulge[grain]);
             }
         }
-        as_foreseen
+        farthest
     }
 
-    /// Takes what the latest forces need, with an allowance, for the next step.
-    fn foresee(&mut self, grains: &Grains) {
-        self.memory.bulge.clear();
-        let bulges = self.needed.iter().zip(grains.radii());
-        self.memory
-            .bulge
-            .extend(bulges.map(|(needed, radius)| foreseen(*needed, radius)));
-        self.memory.max_bulge = self.memory.bulge.iter().copied().fold(0.0, f64::max);
+    /// Takes what the latest forces on some grains need, with an allowance, for the next step; tells how far any bulges [m].
+    fn foresee(&mut self, grains: &Grains, some: impl Iterator<Item = usize>) -> f64 {
+        let bulge = &mut self.memory.bulge;
+        bulge.resize(grains.len(), 0.0);
+        some.fold(0.0, |farthest, grain| {
+            bulge[grain] = foreseen(self.needed[grain], grains.radius(grain));
+            f64::max(farthest, bulge[grain])
+        })
     }
 }
 
 impl Simulation {
     /// Finds how far surfaces may bulge from the forces of the step before: after grains were put in another order.
     pub(crate) fn foresee_bulges(&mut self) {
+        let own = self.own_grains();
         let Some(state) = &mut self.coupling else { return };
-        state.each_task(
-            (&self.grains, &self.neighbours, &self.contacts),
-            |_, of, from, needed| {
-                for (needed, grain) in needed.iter_mut().zip(of) {
-                    *needed = from.bounds.of_grain(grain, from.grains, from.neighbours, from.contacts);
-                }
-            },
-        );
-        state.foresee(&self.grains);
+        let tables = (&self.grains, &self.neighbours, &self.contacts);
+        state.each_task(&own, tables, |_, of, from, told| {
+            for (needed, grain) in told.bulge.iter_mut().zip(of) {
+                *needed = from.bounds.of_grain(grain, from.grains, from.neighbours, from.contacts);
+            }
+        });
+        self.exchange_bulges();
+        self.foresee();
+    }
+
+    /// Takes what the latest forces need, with an allowance, for the next step.
+    fn foresee(&mut self) {
+        let known = known_grains(self.division.as_deref(), self.grains.len());
+        let Some(state) = &mut self.coupling else { return };
+        let max_bulge = state.foresee(&self.grains, known);
+        let [max_bulge] = self.largest_of_all([max_bulge]);
+        self.coupling.iter_mut().for_each(|c| c.memory.max_bulge = max_bulge);
+    }
+
+    /// Whether no surface bulges farther than contacts were looked for; if not, they will be looked for farther away.
+    fn bulges_as_foreseen(&mut self) -> bool {
+        let known = known_grains(self.division.as_deref(), self.grains.len());
+        let Some(state) = &mut self.coupling else { return true };
+        let farthest = state.bulges_farther(&self.grains, known);
+        let [farthest] = self.largest_of_all([farthest]);
+        if let Some(state) = &mut self.coupling {
+            state.memory.max_bulge = state.memory.max_bulge.max(farthest);
+        }
+        farthest == 0.0
     }
 
     /// Narrow phase, displacements and contact laws.
@@ -201,10 +221,10 @@ impl Simulation {
                 self.take_back_contacts();
                 return Err(fault);
             }
-            let Some(state) = &mut self.coupling else { return Ok(()) };
-            if state.bulges_as_foreseen(&self.grains) {
+            if self.bulges_as_foreseen() {
                 break;
             }
+            let Some(state) = &mut self.coupling else { return Ok(()) };
             state.memory.effort.repeats += 1;
             let farther = state.bulges_of_two() > state.memory.margin + SHARE_OF_SKIN * self.skin;
             self.take_back_contacts();
@@ -213,9 +233,7 @@ impl Simulation {
             }
         }
         self.evaluate_displaced(max_speed);
-        if let Some(state) = &mut self.coupling {
-            state.foresee(&self.grains);
-        }
+        self.foresee();
         Ok(())
     }
 
@@ -229,7 +247,7 @@ impl Simulation {
             });
             let work = Work {
                 neighbours: &self.neighbours,
-                segments: 0..self.neighbours.segments(),
+                segments: self.segments_here(),
                 instructions: self.instructions,
                 waits: scene.is_deforming(),
                 step: |number: usize, chunk: &mut ContactChunk, collector: &mut Collector| {
@@ -241,8 +259,8 @@ impl Simulation {
                     chunk.evaluate_pairs(&scene, collector);
                 },
             };
-            let grains = self.grains.len();
-            sums.work(&mut contacts.pairs, grains, parts(grains), &work);
+            let (grains, own) = (self.grains.len(), self.own_grains().len());
+            sums.work(&mut contacts.pairs, grains, parts(own), &work);
         }
         (self.contacts, self.sums) = (contacts, sums);
     }
@@ -317,189 +335,23 @@ impl Simulation {
         );
     }
 
-    /// Gathers the sites of all grains, and finds their influences on each other and the displacements.
+    /// Gathers the sites of own grains, and finds their influences on each other and the displacements.
     fn gather_sites(&mut self) {
+        self.clear_changes();
+        let own = self.own_grains();
         let Some(state) = &mut self.coupling else { return };
-        state.each_task(
-            (&self.grains, &self.neighbours, &self.contacts),
-            |sites, of, from, needed| {
-                sites.gather(of.clone(), from);
-                sites.find_influences(of.clone(), from);
-                sites.displace(of, from, needed);
-            },
-        );
-    }
-
-    /// Finds the displacements anew where forces or levers have changed.
-    fn displace_again(&mut self) {
-        let Some(state) = &mut self.coupling else { return };
-        state.each_task(
-            (&self.grains, &self.neighbours, &self.contacts),
-            |sites, of, from, needed| {
-                sites.displace_again(of, from, needed);
-            },
-        );
-    }
-
-    /// Solves the coupled equation at the places of this step.
-    fn solve_coupling(&mut self, max_speed: f64) -> Result<(), Fault> {
-        let Some(state) = &mut self.coupling else { return Ok(()) };
-        let feels_levers = state.kernels.feel_levers();
-        let tolerance = match state.scheme {
-            Coupling::Converged { tolerance } => tolerance,
-            Coupling::Lagged => DEFAULT_TOLERANCE,
-        };
-        let count = self.grains.len();
-        // at first all displacements are new
-        state.changes.clear(count);
-        (0..count as u32).for_each(|grain| state.changes.note_force(grain));
-        let largest = self.largest_force();
-        let mut progress = Progress::begin();
-        for iteration in 1..=MOST_ITERATIONS {
-            self.with_chunks(max_speed, |at, chunk, _, scene, state| {
-                chunk.answer(at, scene, &state.sites, &state.changes, largest);
-            });
-            let worst = self.worst().share;
-            if worst.is_nan() {
-                break;
-            }
-            self.coupling.iter_mut().for_each(|c| c.changes.clear(count));
-            if worst > tolerance {
-                if iteration.is_multiple_of(PATIENCE_WITH_JUMPS) && self.let_jumps_lag(max_speed, worst) > 0 {
-                    progress = Progress::begin();
-                } else if iteration < PLAIN_ITERATIONS {
-                    self.with_chunks(max_speed, |at, chunk, _, _, state| {
-                        chunk.iterate(at, &state.changes, tolerance);
-                    });
-                } else {
-                    self.mix(&mut progress);
-                }
-            } else {
-                let moved = feels_levers && self.move_levers(max_speed, tolerance);
-                if !moved {
-                    if let Some(state) = &mut self.coupling {
-                        state.memory.effort.solutions += 1;
-                        state.memory.effort.iterations += iteration as u64;
-                    }
-                    return Ok(());
-                }
-                progress = Progress::begin();
-            }
-            self.displace_again();
-        }
-        Err(self.beyond_fold(max_speed))
-    }
-
-    /// Moves the levers that displacements have changed; tells whether there are such.
-    fn move_levers(&mut self, max_speed: f64, tolerance: f64) -> bool {
-        self.with_chunks(max_speed, |at, chunk, _, scene, state| {
-            chunk.move_levers(at, scene, &state.changes, tolerance);
+        let tables = (&self.grains, &self.neighbours, &self.contacts);
+        state.each_task(&own, tables, |sites, of, from, mut told| {
+            sites.gather(of.clone(), from);
+            sites.find_influences(of.clone(), from);
+            sites.displace(of, from, &mut told);
         });
-        (0..self.grains.len() as u32).any(|grain| self.coupling.as_ref().is_some_and(|c| c.changes.any(grain)))
-    }
-
-    /// Lets the contacts lag that are farthest from a solution because their force jumps; tells how many.
-    fn let_jumps_lag(&mut self, max_speed: f64, worst: f64) -> u64 {
-        let found = AtomicU64::new(0);
-        self.with_chunks(max_speed, |at, chunk, _, _, state| {
-            if chunk.coupling.worst.share == worst {
-                found.fetch_add(u64::from(chunk.let_jump_lag(at, &state.changes)), Ordering::Relaxed);
-            }
-        });
-        let found = found.into_inner();
-        if let Some(state) = &mut self.coupling {
-            state.memory.effort.jumps += found;
-        }
-        if found > 0 {
-            self.chunks_mut().for_each(|chunk| chunk.coupling.mixing.forget());
-        }
-        found
-    }
-
-    /// Goes on with mixed forces.
-    fn mix(&mut self, progress: &mut Progress) {
-        let all = |largest: Largest, chunk: &mut ContactChunk| largest.join(&chunk.coupling.note());
-        let mut largest = self.chunks_mut().fold(Largest::default(), all);
-        let mut products = self.products(&largest);
-        if progress.is_lost(&products, &largest) {
-            self.chunks_mut().for_each(|chunk| chunk.coupling.mixing.forget());
-            largest = self.chunks_mut().fold(Largest::default(), all);
-            products = self.products(&largest);
-        }
-        let weights = products.weights(&largest);
-        self.chunks_mut().for_each(|chunk| chunk.coupling.advance(&weights));
-        if let Some(state) = &self.coupling {
-            (0..self.grains.len() as u32).for_each(|grain| state.changes.note_force(grain));
-        }
-    }
-
-    fn products(&mut self, largest: &Largest) -> Products {
-        let of_chunk = |chunk: &mut ContactChunk| chunk.coupling.mixing.products(largest);
-        self.chunks_mut()
-            .map(of_chunk)
-            .fold(Products::default(), |sum, p| sum.add(&p))
-    }
-
-    fn chunks(&self) -> impl Iterator<Item = &ContactChunk> {
-        self.contacts.pairs.iter().chain(&self.contacts.walls)
-    }
-
-    fn chunks_mut(&mut self) -> impl Iterator<Item = &mut ContactChunk> {
-        self.contacts.pairs.iter_mut().chain(&mut self.contacts.walls)
-    }
-
-    /// Largest force that the solution begins with [N].
-    fn largest_force(&self) -> f64 {
-        let forces = self.chunks().flat_map(|chunk| &chunk.coupling.trial);
-        forces.fold(0.0, |largest, force| f64::max(largest, force.abs()))
-    }
-
-    fn worst(&self) -> Worst {
-        let worse = |worst: Worst, w: Worst| {
-            if w.share.is_nan() || w.share > worst.share {
-                w
-            } else {
-                worst
-            }
-        };
-        self.chunks()
-            .map(|chunk| chunk.coupling.worst)
-            .fold(Worst::default(), worse)
-    }
-
-    /// The fault at the contact that is farthest from a solution.
-    fn beyond_fold(&mut self, max_speed: f64) -> Fault {
-        let worst = self.worst().share;
-        let told = std::sync::Mutex::new(None::<(ChunkPlace, Fault)>);
-        self.with_chunks(max_speed, |at, chunk, _, scene, _| {
-            let here = chunk.coupling.worst;
-            if chunk.is_empty() || !(here.share == worst || here.share.is_nan()) {
-                return;
-            }
-            let overlap = chunk.now.geometry[here.contact].overlap;
-            let fault = chunk.beyond_fold(here.contact, at, scene, overlap);
-            let mut told = told.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            if told
-                .as_ref()
-                .is_none_or(|(other, _)| (at.wall, at.chunk) < (other.wall, other.chunk))
-            {
-                *told = Some((at, fault));
-            }
-        });
-        let told = told.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-        told.map_or_else(
-            || Fault::NotFinite {
-                step: self.step,
-                id: self.grains.id[0],
-                quantity: "coupled force".into(),
-                position: self.grains.position[0],
-            },
-            |(_, fault)| fault,
-        )
+        self.exchange_displacements();
     }
 
     /// Finds the candidates anew in the middle of a step, for bulges that are known already.
     fn find_candidates_for_bulges(&mut self) {
+        self.share_bulges();
         let Some(state) = &self.coupling else { return };
         let ids = self.grains.id.iter().copied();
         let mut by_id: Vec<(u32, f64)> = ids.zip(state.memory.bulge.iter().copied()).collect();
@@ -511,5 +363,7 @@ impl Simulation {
                 *bulge = by_id[place].1;
             }
         }
+        // others are neighbours now
+        self.exchange_borders(|_| ());
     }
 }

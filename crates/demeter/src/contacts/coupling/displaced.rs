@@ -1,8 +1,7 @@
 //! Contacts between displaced surfaces: their overlaps, the forces that follow, and what the laws see.
 
 use super::kernels::Kernels;
-use super::sites::Source;
-use super::sites::{self, Changes, Sites};
+use super::sites::{Changes, Source};
 use super::{Coupled, Coupling, Delivered, Scratch, Worst, lever_shift};
 use crate::contacts::asking::normal_window;
 use crate::contacts::{ContactChunk, Fault, Kept, Scene};
@@ -27,6 +26,15 @@ const LEAST_SHARE: f64 = 1e-2;
 pub(crate) struct ChunkPlace {
     pub(crate) wall: bool,
     pub(crate) chunk: usize,
+}
+
+/// Largest forces, which deviations are told from [N].
+#[derive(Clone, Copy)]
+pub(crate) struct Scale<'a> {
+    /// On every grain.
+    pub(crate) of_grains: &'a [f64],
+    /// Anywhere, when the solution begins.
+    pub(crate) of_all: f64,
 }
 
 /// Elastic forces of a run of contacts of one material pair, at the displaced overlaps.
@@ -117,8 +125,8 @@ impl ContactChunk {
     }
 
     /// Takes the displacements of the sites, finds the elastic forces that the laws answer with, and how far they are from
-    /// those tried: of contacts whose displacement may have changed. `largest` is the largest force anywhere [N].
-    pub(crate) fn answer(&mut self, at: ChunkPlace, scene: &Scene, sites: &[Sites], changes: &Changes, largest: f64) {
+    /// those tried: of contacts whose displacement may have changed.
+    pub(crate) fn answer(&mut self, at: ChunkPlace, scene: &Scene, scale: Scale<'_>, changes: &Changes) {
         let count = self.len();
         self.coupling.overlap.resize(count, 0.0);
         self.coupling.answer.resize(count, 0.0);
@@ -138,7 +146,7 @@ impl ContactChunk {
             }
             self.coupling.find_forces(first..k, &self.now, self.law, scene);
             for k in first..k {
-                self.coupling.share[k] = self.deviation_share(k, at, sites, largest);
+                self.coupling.share[k] = self.deviation_share(k, at, scale);
             }
         }
         self.coupling.worst = Worst::default();
@@ -150,7 +158,7 @@ impl ContactChunk {
     }
 
     /// How far a contact's force is from the one tried, as a share of the largest force on its grains.
-    fn deviation_share(&mut self, k: usize, at: ChunkPlace, sites: &[Sites], largest: f64) -> f64 {
+    fn deviation_share(&mut self, k: usize, at: ChunkPlace, scale: Scale<'_>) -> f64 {
         let coupling = &mut self.coupling;
         if coupling.lagging[k] {
             coupling.answer[k] = coupling.trial[k];
@@ -159,12 +167,12 @@ impl ContactChunk {
         if deviation == 0.0 {
             return 0.0;
         }
-        let mut scale = sites::largest_force(sites, self.i[k]).max(LEAST_SHARE * largest);
+        let mut largest = scale.of_grains[self.i[k] as usize].max(LEAST_SHARE * scale.of_all);
         if !at.wall {
-            scale = scale.max(sites::largest_force(sites, self.j[k]));
+            largest = largest.max(scale.of_grains[self.j[k] as usize]);
         }
         // where all forces were 0 so far, nothing is known yet
-        deviation / scale.max(coupling.answer[k].abs())
+        deviation / largest.max(coupling.answer[k].abs())
     }
 
     /// Goes on with the forces that the laws answered with, where they are not good enough.
@@ -206,17 +214,23 @@ impl ContactChunk {
         }
     }
 
-    /// Lets the worst contact displace with its force of the step before if it flips between a pull and none: where a force
-    /// begins with a jump, the coupled equation may have no solution. Tells whether there was one.
-    pub(crate) fn let_jump_lag(&mut self, at: ChunkPlace, changes: &Changes) -> bool {
-        let k = self.coupling.worst.contact;
-        let pulls = self.coupling.answer[k].min(self.coupling.trial[k]) < 0.0;
-        if pulls && !self.coupling.lagging[k] {
-            self.coupling.lagging[k] = true;
-            self.coupling.trial[k] = self.earlier(k).elastic;
-            self.note_change(k, at, changes);
+    /// Lets the contacts that are worst of all displace with their force of the step before if they flip between a pull and none:
+    /// where a force begins with a jump, the coupled equation may have no solution. Tells how many there were.
+    pub(crate) fn let_jumps_lag(&mut self, at: ChunkPlace, worst: f64, changes: &Changes) -> u64 {
+        let mut found = 0;
+        for k in 0..self.len() {
+            let pulls = self.coupling.answer[k].min(self.coupling.trial[k]) < 0.0;
+            if self.coupling.share[k] != worst || !pulls {
+                continue;
+            }
+            found += 1;
+            if !self.coupling.lagging[k] {
+                self.coupling.lagging[k] = true;
+                self.coupling.trial[k] = self.earlier(k).elastic;
+                self.note_change(k, at, changes);
+            }
         }
-        pulls
+        found
     }
 
     /// Puts the displacements into the geometry that the laws see, and watches that they stay within reason.

@@ -6,8 +6,13 @@
 //! least (Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715). Its sums do not depend on the order of the contacts, so
 //! that a packing gives the same bits in any order.
 
+use serde::{Deserialize, Serialize};
+
 /// Changes kept.
 const DEPTH: usize = 5;
+
+/// Numbers of [`Largest`].
+pub(crate) const LARGEST: usize = DEPTH + 2;
 
 /// A change is left out when it is this close to a combination of the others, as a share of its square.
 const DEPENDENT: f64 = 1e-12;
@@ -40,6 +45,22 @@ pub(crate) struct Largest {
 }
 
 impl Largest {
+    /// As numbers of which the largest count.
+    pub(crate) fn numbers(&self) -> [f64; LARGEST] {
+        let mut numbers = [0.0; LARGEST];
+        numbers[..DEPTH].copy_from_slice(&self.changes);
+        numbers[DEPTH..].copy_from_slice(&[self.deviation, self.kept as f64]);
+        numbers
+    }
+
+    pub(crate) fn of_numbers(numbers: [f64; LARGEST]) -> Self {
+        Self {
+            kept: numbers[DEPTH + 1] as usize,
+            changes: std::array::from_fn(|a| numbers[a]),
+            deviation: numbers[DEPTH],
+        }
+    }
+
     pub(crate) fn join(mut self, other: &Self) -> Self {
         self.kept = self.kept.max(other.kept);
         self.deviation = self.deviation.max(other.deviation);
@@ -51,7 +72,7 @@ impl Largest {
 }
 
 /// A sum of values of at most 1 that does not depend on their order: of multiples of 2^-40.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 struct OrderlessSum(i128);
 
 impl OrderlessSum {
@@ -68,7 +89,7 @@ impl OrderlessSum {
 }
 
 /// Scalar products that the weights follow from, with every change and the deviation as shares of their largest values.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Products {
     changes: [[OrderlessSum; DEPTH]; DEPTH],
     with_deviation: [OrderlessSum; DEPTH],

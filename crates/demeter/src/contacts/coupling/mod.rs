@@ -169,12 +169,12 @@ pub(crate) struct Delivered([AtomicU64; 2]);
 
 impl Delivered {
     #[inline(always)]
-    fn put(&self, first: bool, displacement: f64) {
-        self.0[usize::from(!first)].store(displacement.to_bits(), Ordering::Relaxed);
+    pub(crate) fn put(&self, body: usize, displacement: f64) {
+        self.0[body].store(displacement.to_bits(), Ordering::Relaxed);
     }
 
     #[inline(always)]
-    fn get(&self, body: usize) -> f64 {
+    pub(crate) fn get(&self, body: usize) -> f64 {
         f64::from_bits(self.0[body].load(Ordering::Relaxed))
     }
 }

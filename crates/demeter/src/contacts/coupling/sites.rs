@@ -70,8 +70,14 @@ pub(crate) struct Sites {
     influences: Influences,
     influence_start: Vec<InfluenceStart>,
     displacement: Vec<f64>,
-    /// Largest force on every grain [N].
-    largest_force: Vec<f64>,
+}
+
+/// What the sites of grains tell of them.
+pub(crate) struct Told<'a> {
+    /// How far their surfaces bulge at most [m].
+    pub(crate) bulge: &'a mut [f64],
+    /// Largest force on each [N].
+    pub(crate) largest_force: &'a mut [f64],
 }
 
 /// Influences of pairs of sites of every grain, `(1, 0), (2, 0), (2, 1), ...`.
@@ -102,12 +108,6 @@ struct InfluenceStart {
     on_earlier: Option<u32>,
 }
 
-/// Largest force on a grain [N].
-#[inline(always)]
-pub(crate) fn largest_force(sites: &[Sites], grain: u32) -> f64 {
-    sites[grain as usize / GRAINS_PER_TASK].largest_force[grain as usize % GRAINS_PER_TASK]
-}
-
 /// What sites are found from.
 #[derive(Clone, Copy)]
 pub(crate) struct Scenery<'a> {
@@ -135,11 +135,11 @@ pub(crate) struct Changes {
 }
 
 impl Changes {
-    /// Forgets the changes of all grains.
-    pub(crate) fn clear(&mut self, grains: usize) {
+    /// Forgets the changes of some of so many grains.
+    pub(crate) fn clear(&mut self, count: usize, some: impl Iterator<Item = usize> + Clone) {
         for flags in [&mut self.force, &mut self.lever] {
-            flags.resize_with(grains, AtomicBool::default);
-            flags.iter_mut().for_each(|flag| *flag.get_mut() = false);
+            flags.resize_with(count, AtomicBool::default);
+            some.clone().for_each(|grain| *flags[grain].get_mut() = false);
         }
     }
 
@@ -227,18 +227,15 @@ impl Sites {
     }
 
     /// Finds the displacements on all grains.
-    pub(crate) fn displace(&mut self, of: Range<usize>, from: Scenery<'_>, bulge: &mut [f64]) {
-        self.largest_force.clear();
-        self.largest_force.resize(of.len(), 0.0);
-        for (grain, bulge) in bulge.iter_mut().enumerate() {
-            self.displace_grain(grain, of.start + grain, from, bulge);
+    pub(crate) fn displace(&mut self, of: Range<usize>, from: Scenery<'_>, told: &mut Told<'_>) {
+        for (grain, index) in of.enumerate() {
+            self.displace_grain(grain, index, from, told);
         }
     }
 
     /// Finds the displacements anew on grains with contacts whose force or lever has changed.
-    pub(crate) fn displace_again(&mut self, of: Range<usize>, from: Scenery<'_>, bulge: &mut [f64]) {
-        for (grain, bulge) in bulge.iter_mut().enumerate() {
-            let index = of.start + grain;
+    pub(crate) fn displace_again(&mut self, of: Range<usize>, from: Scenery<'_>, told: &mut Told<'_>) {
+        for (grain, index) in of.enumerate() {
             let change = from.changes.of(index);
             if change == Change::None {
                 continue;
@@ -253,14 +250,14 @@ impl Sites {
                 let (start, radius) = (self.influence_start[grain], from.grains.radius(index));
                 self.influences.find(start, &self.sites[range], radius, from.kernels);
             }
-            self.displace_grain(grain, index, from, bulge);
+            self.displace_grain(grain, index, from, told);
         }
     }
 
     /// Finds the displacements by the forces of a grain's sites and delivers them to the contacts, and finds how far its
     /// surface may bulge.
     #[inline(always)]
-    fn displace_grain(&mut self, grain: usize, index: usize, from: Scenery<'_>, bulge: &mut f64) {
+    fn displace_grain(&mut self, grain: usize, index: usize, from: Scenery<'_>, told: &mut Told<'_>) {
         let sites = &self.sites[self.range(grain)];
         let start = self.influence_start[grain];
         let on_later = &self.influences.on_later[start.on_later as usize..];
@@ -289,10 +286,10 @@ impl Sites {
         for (site, displacement) in sites.iter().zip(&self.displacement) {
             load.add(site.force, site.lever);
             let (chunk, k) = site.place.find(from.contacts);
-            chunk.coupling.delivered[k].put(site.first, *displacement);
+            chunk.coupling.delivered[k].put(usize::from(!site.first), *displacement);
         }
-        self.largest_force[grain] = load.largest;
-        *bulge = from.bounds.bulge(from.grains.material[index], radius, &load);
+        told.largest_force[grain] = load.largest;
+        told.bulge[grain] = from.bounds.bulge(from.grains.material[index], radius, &load);
     }
 }
 

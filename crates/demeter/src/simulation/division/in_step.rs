@@ -13,17 +13,39 @@ use std::sync::Arc;
 impl Simulation {
     /// What the motion of the grains of all processes came to.
     pub(crate) fn motion_of_all(&self, motion: Motion) -> Motion {
-        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
+        if !self.is_divided() {
             return motion;
-        };
+        }
         let misplaced = if motion.misplaced.is_some() { 1.0 } else { 0.0 };
-        let mut largest = [motion.max_speed, motion.max_step, motion.max_displacement, misplaced];
-        division.ranks.largest(&mut largest);
+        let [max_speed, max_step, max_displacement, misplaced] =
+            self.largest_of_all([motion.max_speed, motion.max_step, motion.max_displacement, misplaced]);
         Motion {
-            max_speed: largest[0],
-            max_step: largest[1],
-            max_displacement: largest[2],
-            misplaced: (largest[3] > 0.0).then_some(0),
+            max_speed,
+            max_step,
+            max_displacement,
+            misplaced: (misplaced > 0.0).then_some(0),
+        }
+    }
+
+    /// The largest numbers of all processes; not a number where any is none.
+    pub(crate) fn largest_of_all<const N: usize>(&self, mut mine: [f64; N]) -> [f64; N] {
+        if let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) {
+            division.ranks.largest(&mut mine);
+        }
+        mine
+    }
+
+    /// Whether it is so for any process.
+    pub(crate) fn any_of_all(&self, mine: bool) -> bool {
+        let [any] = self.largest_of_all([if mine { 1.0 } else { 0.0 }]);
+        any > 0.0
+    }
+
+    /// The sum of what all processes count.
+    pub(crate) fn count_of_all(&self, mine: u64) -> u64 {
+        match self.division.as_ref().filter(|division| !division.is_whole) {
+            Some(division) => division.counts([mine]).0[0],
+            None => mine,
         }
     }
 
