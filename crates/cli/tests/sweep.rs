@@ -221,6 +221,26 @@ fn another_sweep_in_the_folder_is_refused_and_the_same_goes_on() {
         "{}",
         said.err
     );
+    let longer = [
+        &["sweep", "fall.toml", "--vary", "grains[0].count=30,40,20"][..],
+        &SHORT,
+    ]
+    .concat();
+    let said = place.expect(2, &longer);
+    assert!(said.err.contains("--extend adds the others"), "{}", said.err);
+    let said = place.expect(2, &[&other[..], &["--extend"]].concat());
+    assert!(said.err.contains("only adds runs"), "{}", said.err);
+    let said = place.expect(0, &[&longer[..], &["--extend", "--json"]].concat());
+    assert_eq!(ends(&said), ["finished"; 3]);
+    let counts: Vec<String> = (table(&place, "runs/fall-sweep/results.csv").into_iter())
+        .map(|mut row| row.remove("grains").unwrap())
+        .collect();
+    assert_eq!(counts, ["30", "40", "20"]);
+    let modified = fs::metadata(place.path(folder).join("summary.json"))
+        .unwrap()
+        .modified();
+    assert_eq!(modified.unwrap(), first, "a run that was there was repeated");
+    let base = longer;
     place.write("fall.toml", &FALL.replace("0.7", "0.8"));
     let said = place.expect(2, &base);
     assert!(

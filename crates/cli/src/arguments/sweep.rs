@@ -35,6 +35,9 @@ pub struct SweepArguments {
     /// not repeated, interrupted ones go on from their checkpoints.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Add runs to the sweep that is in the folder: tell all values, those that are there and new ones
+    #[arg(long, conflicts_with_all = ["resume", "gather"])]
+    pub extend: bool,
     /// Go on with the sweep in a folder
     #[arg(long, value_name = "DIR", conflicts_with_all = ["file", "vary", "zip", "table", "repeat", "set", "out", "gather"])]
     pub resume: Option<PathBuf>,

@@ -14,8 +14,18 @@ const MOST_NAMED: usize = 4;
 /// A sweep that may run.
 pub struct Begun {
     pub folder: SweepFolder,
-    /// Whether its folder is still to be made.
-    pub is_new: bool,
+    pub state: State,
+}
+
+/// How much of a sweep is in its folder already.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum State {
+    /// Nothing: the folder is still to be made.
+    New,
+    /// Some runs; the plan is still to be written.
+    Extended,
+    /// All.
+    There,
 }
 
 /// The sweep that the command line tells: the one that is in its folder already, or a new one, whose runs are all checked.
@@ -34,11 +44,28 @@ pub fn plan(arguments: &SweepArguments, file: &Path) -> Result<Begun, Failure> {
     };
     if SweepFolder::is_one(&root) {
         let mut folder = SweepFolder::open(&root)?;
-        let differences = folder.plan.differences(&plan);
+        let mut differences = folder.plan.differences(&plan);
         if differences.is_empty() {
             take_wishes(arguments, &mut folder)?;
-            return Ok(Begun { folder, is_new: false });
+            let state = State::There;
+            return Ok(Begun { folder, state });
         }
+        let is_part = folder.plan.is_part_of(&plan);
+        if arguments.extend && is_part {
+            folder.plan = plan;
+            take_wishes(arguments, &mut folder)?;
+            check_all(&mut folder)?;
+            let state = State::Extended;
+            return Ok(Begun { folder, state });
+        }
+        let hint = match (arguments.extend, is_part) {
+            (_, true) => Some("all runs that are there are among those told now: --extend adds the others"),
+            (true, false) => {
+                Some("--extend only adds runs: each that is there must be told again, under the same name")
+            }
+            (false, false) => None,
+        };
+        differences.extend(hint.map(str::to_string));
         let error = SweepError::Differs {
             folder: root.clone(),
             differences,
@@ -51,7 +78,8 @@ pub fn plan(arguments: &SweepArguments, file: &Path) -> Result<Begun, Failure> {
     let mut folder = SweepFolder::planned(&root, plan, wishes(arguments));
     check_all(&mut folder)?;
     check_first(&folder)?;
-    Ok(Begun { folder, is_new: true })
+    let state = State::New;
+    Ok(Begun { folder, state })
 }
 
 /// The sweep in a folder.
@@ -67,7 +95,8 @@ pub fn open(arguments: &SweepArguments, root: &Path) -> Result<Begun, Failure> {
         )));
     }
     take_wishes(arguments, &mut folder)?;
-    Ok(Begun { folder, is_new: false })
+    let state = State::There;
+    Ok(Begun { folder, state })
 }
 
 /// Puts what is asked for now in place of what was asked for earlier.

@@ -15,7 +15,7 @@ use crate::arguments::SweepArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
-use begin::Begun;
+use begin::{Begun, State};
 use demeter::sweep::{SweepError, SweepFolder};
 use std::path::Path;
 use team::Team;
@@ -43,11 +43,14 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Failure> {
 
 /// Runs what is left to do, or writes the script that does.
 fn run(arguments: &SweepArguments, begun: Begun, interrupt: Interrupt) -> Result<Exit, Failure> {
-    let Begun { folder, is_new } = begun;
-    if is_new {
+    let Begun { folder, state } = begun;
+    if state == State::New {
         folder.create()?;
     }
     let held = folder.hold()?;
+    if state == State::Extended {
+        folder.write_state(&folder.statuses())?;
+    }
     if arguments.slurm {
         return slurm::write(&folder, arguments);
     }

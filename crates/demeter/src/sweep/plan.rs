@@ -6,7 +6,7 @@ use super::names::{is_name, names, short_keys};
 use super::value::unquoted;
 use crate::scenario::{Diagnostics, Override, Scenario, key_steps, resolve};
 use serde::{Deserialize, Serialize};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 /// Most runs of a sweep.
@@ -175,6 +175,19 @@ impl Plan {
             ));
         }
         told
+    }
+
+    /// Whether another plan has all of these runs, with the same values and under the same names, and differs in nothing but having more.
+    pub fn is_part_of(&self, larger: &Self) -> bool {
+        let of_larger: HashMap<&str, &[String]> = (larger.runs.iter())
+            .map(|run| (run.name.as_str(), run.values.as_slice()))
+            .collect();
+        let keys = |plan: &Self| -> Vec<String> { plan.columns.iter().map(|c| c.key.clone()).collect() };
+        self.version == larger.version
+            && self.text == larger.text
+            && self.base == larger.base
+            && keys(self) == keys(larger)
+            && (self.runs.iter()).all(|run| of_larger.get(run.name.as_str()) == Some(&run.values.as_slice()))
     }
 
     fn value_differences(&self, new: &Self) -> Vec<String> {
