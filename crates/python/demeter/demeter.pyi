@@ -291,7 +291,7 @@ class Simulation:
     def indices(self, ids: Optional[Sequence[int]] = None) -> npt.NDArray[np.uint64]:
         """Rows of the grains with these ids, (n,); of all in the order of their ids when none are told."""
     def contacts(self) -> _Contacts:
-        """All contacts that act: lengths [m], forces [N] and torques [N m], of shape (c,) or (c, 3)."""
+        """All contacts that act: lengths [m], forces [N] and torques [N m], of shape (c,) or (c, 3); without copies."""
     @property
     def walls(self) -> dict[str, _Wall]:
         """The walls by name: force [N], torque [N m], position and displacement [m], velocities [m/s], [rad/s], (3,)."""

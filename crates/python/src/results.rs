@@ -3,10 +3,9 @@
 use crate::convert::{path, vectors};
 use crate::errors::OrRaise;
 use engine::output::vtp::{Array, PolyData, Values};
-use engine::output::{ContactRecord, SeriesTable, SeriesValues};
+use engine::output::{SeriesTable, SeriesValues};
 use engine::results::{Cells, Columns, Run};
-use glam::DVec3;
-use numpy::{IntoPyArray, PyArray1};
+use numpy::IntoPyArray;
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -21,23 +20,6 @@ pub fn series_dict<'py>(py: Python<'py>, table: &SeriesTable) -> PyResult<Bound<
             SeriesValues::Names(names) => dict.set_item(title, PyList::new(py, names)?)?,
         }
     }
-    Ok(dict)
-}
-
-/// Contacts as a dict of arrays.
-pub fn contacts_dict<'py>(py: Python<'py>, records: &[ContactRecord]) -> PyResult<Bound<'py, PyDict>> {
-    let dict = PyDict::new(py);
-    dict.set_item("i", PyArray1::from_iter(py, records.iter().map(|c| c.id_i)))?;
-    dict.set_item("j", PyArray1::from_iter(py, records.iter().map(|c| c.id_j)))?;
-    dict.set_item("wall", PyArray1::from_iter(py, records.iter().map(|c| c.wall)))?;
-    dict.set_item("overlap", PyArray1::from_iter(py, records.iter().map(|c| c.overlap)))?;
-    let of = |get: fn(&ContactRecord) -> DVec3| vectors(py, records.iter().map(move |c| get(c).to_array()));
-    dict.set_item("position", of(|c| c.position)?)?;
-    dict.set_item("normal", of(|c| c.normal)?)?;
-    dict.set_item("force", of(|c| c.normal_force + c.tangential_force)?)?;
-    dict.set_item("normal_force", of(|c| c.normal_force)?)?;
-    dict.set_item("tangential_force", of(|c| c.tangential_force)?)?;
-    dict.set_item("rolling_torque", of(|c| c.rolling_torque)?)?;
     Ok(dict)
 }
 

@@ -7,13 +7,12 @@ use going::options;
 pub use going::{resume, run};
 use looking::{live_series, present_dict, walls_dict};
 
+use crate::contacts::ContactTable;
 use crate::control::{Callback, Interval, Limit, Messages};
 use crate::convert::{from_json, kind, path};
 use crate::errors::{Error, OrRaise, Raise};
 use crate::functions::{Function, PythonForce, rows};
-use crate::results::contacts_dict;
 use crate::views::{Table, Views};
-use engine::measure::contact_records;
 use engine::scenario::LiveRun;
 use engine::simulation::Simulation as EngineSimulation;
 use glam::DVec3;
@@ -30,6 +29,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 pub struct Live {
     pub run: LiveRun,
     pub views: Views,
+    pub contacts: ContactTable,
 }
 
 impl Live {
@@ -41,7 +41,8 @@ impl Live {
 
     /// Lets arrays keep what they show.
     fn part(&mut self) {
-        let Self { run, views } = self;
+        let Self { run, views, contacts } = self;
+        contacts.forget();
         if views.any() {
             run.change(|simulation| views.part(simulation));
         }
@@ -480,15 +481,17 @@ impl Simulation {
         self.rows_of(py, ids)
     }
 
-    /// All contacts that act, as a dict of arrays with one row for each of the c contacts: copies, put together once from the pieces
-    /// in which the engine holds contacts.
+    /// All contacts that act, as a dict of read-only arrays with one row for each of the c contacts. The table is put together when it
+    /// is asked for first, and kept until the simulation goes on: asking again costs nothing and makes no copy. Arrays show the
+    /// moment at which they were taken for as long as they live.
     ///
     /// ``i`` and ``j`` (ids; ``j`` is 0 for a wall), ``wall`` (index, -1 between grains) and ``overlap`` [m], of shape (c,);
     /// ``position`` [m], ``normal`` (from j to i), ``force``, ``normal_force`` and ``tangential_force`` on i [N], and
     /// ``rolling_torque`` [N m], of shape (c, 3).
     fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let records = self.look(contact_records)?;
-        contacts_dict(py, &records)
+        let mut guard = self.live()?;
+        let live = &mut *guard;
+        live.contacts.dict(py, &mut live.run)
     }
 
     /// The walls by name, each a dict: ``force`` [N] and ``torque`` [N m] (about ``position``) of the grains on it, ``position``

@@ -42,10 +42,17 @@ enum Held {
     Here { _memory: Box<dyn Any + Send + Sync> },
 }
 
-/// What the arrays have for a base.
+/// What arrays have for a base: it lives as long as they do.
 #[pyclass(module = "demeter", name = "_Memory", frozen)]
-struct Memory {
-    _keeper: Arc<Keeper>,
+pub struct Memory {
+    _kept: Arc<dyn Any + Send + Sync>,
+}
+
+impl Memory {
+    /// A base that keeps something alive.
+    pub fn keeping<'py>(py: Python<'py>, kept: Arc<dyn Any + Send + Sync>) -> PyResult<Bound<'py, PyAny>> {
+        Ok(Bound::new(py, Self { _kept: kept })?.into_any())
+    }
 }
 
 /// The arrays of one simulation.
@@ -69,7 +76,7 @@ impl Views {
             self.keepers.push(Arc::downgrade(&keeper));
             keeper
         });
-        Ok(Bound::new(owner.py(), Memory { _keeper: keeper })?.into_any())
+        Memory::keeping(owner.py(), keeper)
     }
 
     /// Gives the tables that arrays show to these arrays; the simulation goes on with copies. To be called before anything
@@ -143,25 +150,47 @@ impl<'py> Showing<'_, 'py> {
 
     #[allow(
         unsafe_code,
-        reason = "the base of the array keeps the memory, which `Views::part` never lets change"
+        reason = "the keeper keeps the memory, which `Views::part` never lets change"
     )]
     fn show1<T: Element>(self, view: ArrayView1<'_, T>) -> PyResult<Bound<'py, PyAny>> {
         let keeper = self.views.keeper(self.owner, self.table)?;
         // SAFETY: the memory is the table's, and lives until the keeper is dropped
-        let array = unsafe { PyArray1::borrow_from_array(&view, keeper) };
-        array.readwrite().make_nonwriteable();
-        Ok(array.into_any())
+        Ok(unsafe { show1(view, keeper) })
     }
 
     #[allow(
         unsafe_code,
-        reason = "the base of the array keeps the memory, which `Views::part` never lets change"
+        reason = "the keeper keeps the memory, which `Views::part` never lets change"
     )]
     fn show2<T: Element>(self, view: ArrayView2<'_, T>) -> PyResult<Bound<'py, PyAny>> {
         let keeper = self.views.keeper(self.owner, self.table)?;
         // SAFETY: the memory is the table's, and lives until the keeper is dropped
-        let array = unsafe { PyArray2::borrow_from_array(&view, keeper) };
-        array.readwrite().make_nonwriteable();
-        Ok(array.into_any())
+        Ok(unsafe { show2(view, keeper) })
     }
+}
+
+/// A read-only array of numbers where they lie.
+///
+/// # Safety
+///
+/// The numbers must live, unchanged, until the base is dropped.
+#[allow(unsafe_code, reason = "an array without a copy can outlive a borrow")]
+pub unsafe fn show1<'py, T: Element>(view: ArrayView1<'_, T>, base: Bound<'py, PyAny>) -> Bound<'py, PyAny> {
+    // SAFETY: told above
+    let array = unsafe { PyArray1::borrow_from_array(&view, base) };
+    array.readwrite().make_nonwriteable();
+    array.into_any()
+}
+
+/// A read-only array of rows where they lie.
+///
+/// # Safety
+///
+/// The numbers must live, unchanged, until the base is dropped.
+#[allow(unsafe_code, reason = "an array without a copy can outlive a borrow")]
+pub unsafe fn show2<'py, T: Element>(view: ArrayView2<'_, T>, base: Bound<'py, PyAny>) -> Bound<'py, PyAny> {
+    // SAFETY: told above
+    let array = unsafe { PyArray2::borrow_from_array(&view, base) };
+    array.readwrite().make_nonwriteable();
+    array.into_any()
 }

@@ -204,6 +204,39 @@ def test_contacts_walls_and_measures(bed):
     assert sim.walls["plate"]["displacement"][2] == pytest.approx(-0.002, rel=1e-3)
 
 
+def test_contacts_are_put_together_once_for_every_state(bed):
+    sim = demeter.run(bed)
+    before, again = sim.contacts(), sim.contacts()
+    for name, array in before.items():
+        assert not array.flags.owndata and not array.flags.writeable and array.flags.c_contiguous
+        assert np.shares_memory(array, again[name]), name
+    copies = {name: array.copy() for name, array in before.items()}
+    with pytest.raises(ValueError):
+        before["force"][0] = 0.0
+    assert np.array_equal(before["force"], before["normal_force"] + before["tangential_force"])
+    sim.energies(), sim.measures(), sim.positions
+    assert np.shares_memory(before["force"], sim.contacts()["force"]), "nothing has changed"
+    sim.step(20)
+    after = sim.contacts()
+    assert not np.array_equal(before["overlap"], after["overlap"])
+    for name, array in before.items():
+        assert not np.shares_memory(array, after[name]) and np.array_equal(array, copies[name])
+    sim.velocities = np.zeros((50, 3))
+    assert not np.shares_memory(after["force"], sim.contacts()["force"]), "forces were found anew"
+    del sim, again, after
+    gc.collect()
+    assert all(np.array_equal(array, copies[name]) for name, array in before.items())
+
+
+def test_contacts_of_a_callback_outlive_it(bed):
+    sim = demeter.Simulation(bed)
+    kept = []
+    sim.every("2 ms", lambda s: kept.append((s.contacts()["overlap"], s.contacts()["overlap"].copy())))
+    sim.run()
+    assert len(kept) > 5 and all(np.array_equal(shown, then) for shown, then in kept)
+    assert demeter.Simulation(bed).contacts()["force"].shape[1] == 3
+
+
 def test_a_custom_force_acts_and_is_booked(bed):
     sim = demeter.Simulation(bed, threads=1)
 

@@ -46,7 +46,7 @@ pub use neighbour_mixing::{MAX_NEAREST, NEIGHBOUR_COLUMNS, NeighbourMixing};
 pub use network::{ContactNetwork, NetworkMeasures};
 pub use paths::{MAX_PATHS, PathPoint, Paths};
 pub use profile::{MAX_SLICES, Profile, Slice};
-pub use records::{contact_records, wall_surfaces};
+pub use records::{ContactColumns, contact_records, wall_surfaces};
 pub use region::{OF_MATERIAL_COLUMNS, REGION_COLUMNS, RegionCount};
 pub use residence::{MAX_RESIDENCE_BINS, RESIDENCE_COLUMNS, Residence, ResidenceState};
 pub use selection::Selection;

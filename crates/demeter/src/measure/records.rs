@@ -4,37 +4,117 @@ use crate::contacts::ContactChunk;
 use crate::output::{ContactRecord, WallSurface};
 use crate::simulation::Simulation;
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// All contacts that act ([`ContactChunk::acts`]), between grains first, in the order of the tables.
 ///
 /// Bodies that are near, or touch without force, are left out: they would appear as contacts in pictures and counts, and
 /// as many of them as the time step and the reach of the law happen to gather.
 pub fn contact_records(sim: &Simulation) -> Vec<ContactRecord> {
-    let mut records = Vec::with_capacity(sim.contacts.acting_pairs() + sim.contacts.acting_walls());
-    for (wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
-        for chunk in chunks {
-            let acting = (0..chunk.len()).filter(|&k| chunk.acts(k));
-            records.extend(acting.map(|k| record(sim, chunk, k, wall)));
-        }
-    }
-    records
+    let acting = acting(sim);
+    acting.par_iter().map(|contact| contact.record(sim)).collect()
 }
 
-fn record(sim: &Simulation, chunk: &ContactChunk, k: usize, wall: bool) -> ContactRecord {
-    let contact = sim.contact(chunk, k);
-    let i = chunk.i[k] as usize;
-    let normal_force = contact.normal * chunk.normal_force()[k];
-    ContactRecord {
-        id_i: sim.grains.id[i],
-        id_j: if wall { 0 } else { sim.grains.id[chunk.j[k] as usize] },
-        wall: if wall { chunk.j[k] as i32 } else { -1 },
-        element: chunk.element(k),
-        position: sim.grains.position[i] - contact.normal * contact.lever_i,
-        normal: contact.normal,
-        overlap: contact.overlap,
-        normal_force,
-        tangential_force: chunk.tangential_force(k),
-        rolling_torque: chunk.rolling_torque(k),
+/// The contacts of [`contact_records`], column by column.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ContactColumns {
+    /// Ids of the first grains.
+    pub id_i: Vec<u32>,
+    /// Ids of the second grains; 0 for a wall.
+    pub id_j: Vec<u32>,
+    /// Indices of the walls; -1 between grains.
+    pub wall: Vec<i32>,
+    /// Overlaps [m].
+    pub overlap: Vec<f64>,
+    /// Contact points [m].
+    pub position: Vec<DVec3>,
+    /// Unit normals, from `j` or the wall towards `i`.
+    pub normal: Vec<DVec3>,
+    /// Forces on grain `i` [N].
+    pub force: Vec<DVec3>,
+    /// Their parts along the normal [N].
+    pub normal_force: Vec<DVec3>,
+    /// Their parts in the contact plane [N].
+    pub tangential_force: Vec<DVec3>,
+    /// Rolling torques on grain `i` [N m].
+    pub rolling_torque: Vec<DVec3>,
+}
+
+impl ContactColumns {
+    /// Those of a moment.
+    pub fn of(sim: &Simulation) -> Self {
+        let row = |contact: &Acting<'_>| {
+            let c = contact.record(sim);
+            let forces = (
+                c.normal_force + c.tangential_force,
+                (c.normal_force, (c.tangential_force, c.rolling_torque)),
+            );
+            (
+                c.id_i,
+                (c.id_j, (c.wall, (c.overlap, (c.position, (c.normal, forces))))),
+            )
+        };
+        // every column is written where it will lie
+        let (id_i, (id_j, (wall, (overlap, (position, (normal, forces)))))) = acting(sim).par_iter().map(row).unzip();
+        let (force, (normal_force, (tangential_force, rolling_torque))) = forces;
+        Self {
+            id_i,
+            id_j,
+            wall,
+            overlap,
+            position,
+            normal,
+            force,
+            normal_force,
+            tangential_force,
+            rolling_torque,
+        }
+    }
+}
+
+/// A contact that acts, in the tables.
+struct Acting<'s> {
+    chunk: &'s ContactChunk,
+    place: usize,
+    with_wall: bool,
+}
+
+fn acting(sim: &Simulation) -> Vec<Acting<'_>> {
+    let mut all = Vec::with_capacity(sim.contacts.acting_pairs() + sim.contacts.acting_walls());
+    for (with_wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
+        for chunk in chunks {
+            let places = (0..chunk.len()).filter(|&place| chunk.acts(place));
+            all.extend(places.map(|place| Acting {
+                chunk,
+                place,
+                with_wall,
+            }));
+        }
+    }
+    all
+}
+
+impl Acting<'_> {
+    fn record(&self, sim: &Simulation) -> ContactRecord {
+        let &Self {
+            chunk,
+            place,
+            with_wall,
+        } = self;
+        let contact = sim.contact(chunk, place);
+        let (i, j) = (chunk.i[place] as usize, chunk.j[place]);
+        ContactRecord {
+            id_i: sim.grains.id[i],
+            id_j: if with_wall { 0 } else { sim.grains.id[j as usize] },
+            wall: if with_wall { j as i32 } else { -1 },
+            element: chunk.element(place),
+            position: sim.grains.position[i] - contact.normal * contact.lever_i,
+            normal: contact.normal,
+            overlap: contact.overlap,
+            normal_force: contact.normal * chunk.normal_force()[place],
+            tangential_force: chunk.tangential_force(place),
+            rolling_torque: chunk.rolling_torque(place),
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! How the simulation goes on: until a limit, with callbacks and signals.
 
 use super::{Live, Simulation, locked};
+use crate::contacts::ContactTable;
 use crate::control::{Callback, Limit, Messages, Place, Watcher};
 use crate::convert::path;
 use crate::errors::{OrRaise, Raise, RunError};
@@ -36,6 +37,7 @@ impl Simulation {
             live: Mutex::new(Live {
                 run,
                 views: Views::default(),
+                contacts: ContactTable::default(),
             }),
             is_running: AtomicBool::new(false),
             is_asked_to_stop: AtomicBool::new(false),
@@ -241,7 +243,7 @@ impl Simulation {
         show: impl FnOnce(Showing<'_, 'py>, &EngineSimulation) -> PyResult<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let mut live = slf.get().live()?;
-        let Live { run, views } = &mut *live;
+        let Live { run, views, .. } = &mut *live;
         let showing = Showing {
             owner: slf,
             views,
