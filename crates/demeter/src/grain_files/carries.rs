@@ -32,6 +32,11 @@ pub fn losses(table: &GrainTable, format: Format) -> Vec<String> {
         matches!(format, Yade | Columns | LiggghtsData) && table.step.is_some(),
     );
     left_out("box", matches!(format, Yade | Columns) && table.cell.is_some());
+    let general = table.cell.is_some_and(|cell| cell.is_general());
+    left_out(
+        "box, whose edges are not along x and in the plane of x and y (the smallest one around all grains is written, with open sides)",
+        matches!(format, LiggghtsData | LiggghtsDump) && general,
+    );
     let periodic = table.cell.is_some_and(|cell| cell.periodic != [false; 3]);
     left_out(
         "periodic sides (`boundary` in the input script tells them)",
@@ -75,5 +80,10 @@ fn taken(table: &GrainTable, format: Format) -> Option<String> {
     use Format::{LammpsData, LammpsDump, LiggghtsData, LiggghtsDump};
     let boxed = matches!(format, LammpsData | LiggghtsData | LammpsDump | LiggghtsDump);
     let taken = "box: none is told; the smallest one around all grains is written, with open sides";
-    (boxed && table.cell.is_none()).then(|| taken.to_owned())
+    let general = "box: its edges are not along x and in the plane of x and y; written as `avec`, `bvec`, `cvec` or `abc origin`, which \
+                   LAMMPS reads from 17 April 2024 on";
+    match table.cell {
+        None => boxed.then(|| taken.to_owned()),
+        Some(cell) => (cell.is_general() && matches!(format, LammpsData | LammpsDump)).then(|| general.to_owned()),
+    }
 }

@@ -216,14 +216,15 @@ fn cell(bounds: &Bounds, units: &FileUnits) -> Result<Cell, FileProblem> {
         return cell
             .map(|cell| Cell { periodic, ..cell })
             .ok_or_else(|| FileProblem::NotRead {
-                what: "a box with other directions than x, y, z".to_owned(),
-                remedy: "turn it so that its first edge lies along x and its second in the plane of x and y",
+                what: "a flat box, whose edges lie in a plane,".to_owned(),
+                remedy: "tell three edges that span a volume",
             });
     }
     let mut cell = Cell {
         lower: [x[0], y[0], z[0]].into(),
         upper: [x[1], y[1], z[1]].into(),
         tilt: [x[2], y[2], z[2]],
+        rise: [0.0; 3],
         periodic,
     };
     let over = cell.overhang();

@@ -79,6 +79,15 @@ fn a_box_of_three_edges_is_read_as_ovito_writes_it() {
 }
 
 #[test]
+fn shares_of_a_box_of_any_edges_become_places() {
+    let text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n0 2 0 1\n-4 0 0 1\n0 1 8 1\n\
+        ITEM: ATOMS xs ys zs radius\n0.5 0.25 0.5 1\n";
+    let table = parse(text).unwrap();
+    assert_eq!(table.positions[0], DVec3::new(0.0, 2.5, 5.0));
+    assert!(table.cell.unwrap().is_general());
+}
+
+#[test]
 fn wrong_dumps_are_refused_with_place_and_remedy() {
     let head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n";
     for (text, part) in [
@@ -127,7 +136,7 @@ fn wrong_dumps_are_refused_with_place_and_remedy() {
                 "ff ff ff\n0 1\n0 1\n0 1",
                 "abc origin ff ff ff\n0 1 0 0\n0 1 0 0\n0 0 1 0",
             ) + "ITEM: ATOMS x y z radius\n",
-            "a box with other directions than x, y, z is not read; turn it",
+            "a flat box, whose edges lie in a plane, is not read; tell three edges",
         ),
         (head.replace("\n2\n", "\n-2\n"), "line 4: `-2` is not allowed"),
         (

@@ -131,7 +131,7 @@ fn numbers<const N: usize>(text: &str, expected: &'static str) -> Result<[f64; N
     Ok(values)
 }
 
-/// The box, when there is one that lies as ours do: first edge along x, second in the plane of x and y.
+/// The box, when there is one.
 fn cell<'k>(
     value: &impl Fn(&[&str]) -> Option<&'k str>,
     units: &FileUnits,
@@ -149,10 +149,10 @@ fn cell<'k>(
     let corner = DVec3::from_array(origin) * units.length;
     let edges = [0, 3, 6].map(|k| DVec3::from_slice(&edges[k..k + 3]));
     let Some(cell) = Cell::of_edges(edges, corner) else {
-        notes.add("the box has another direction than x, y, z; it is left out".to_owned());
+        notes.add("the edges of the box lie in a plane; it is left out".to_owned());
         return Ok(None);
     };
-    if cell.upper.abs().max_element() > LARGEST {
+    if edges.iter().any(|edge| (corner + *edge).abs().max_element() > LARGEST) {
         return Err(not_allowed(lattice, "a box ends within 1e12 m"));
     }
     // A box without a word on its sides is periodic.

@@ -1,5 +1,6 @@
 //! The formats: names, endings, and how each is known by its content.
 
+use super::table::Cell;
 use super::{dump, extended_xyz, lammps_data, yade};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -80,6 +81,15 @@ impl Format {
             _ if extended_xyz::looks_like(start) => Self::ExtendedXyz,
             _ if lammps_data::looks_like(start) => Self::LammpsData,
             _ => Self::Columns,
+        }
+    }
+
+    /// Whether it can tell a box: LIGGGHTS knows none with edges in any direction.
+    pub(super) fn knows_box(self, cell: &Cell) -> bool {
+        match self {
+            Self::Columns | Self::Yade => false,
+            Self::LiggghtsData | Self::LiggghtsDump => !cell.is_general(),
+            Self::LammpsData | Self::LammpsDump | Self::ExtendedXyz => true,
         }
     }
 

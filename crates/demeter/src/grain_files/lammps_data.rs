@@ -27,6 +27,8 @@ const OTHERS: [(&str, bool); 8] = [
     ("bodie", false),
 ];
 const BOUNDS: [[&str; 2]; 3] = [["xlo", "xhi"], ["ylo", "yhi"], ["zlo", "zhi"]];
+/// Edges and corner of a box that lies anyhow.
+const GENERAL: [&str; 4] = ["avec", "bvec", "cvec", "abc origin"];
 /// Sections that say nothing of single grains.
 const LEFT_OUT: [&str; 6] = [
     "Masses",
@@ -60,6 +62,8 @@ struct Header {
     types: Option<u32>,
     bounds: [Option<(f64, f64)>; 3],
     tilt: Option<[f64; 3]>,
+    /// Edges and corner of a box that lies anyhow.
+    general: [Option<DVec3>; 4],
 }
 
 /// What the title tells of how the file was written.
@@ -165,6 +169,9 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
 
 /// The box of a header that is whole.
 fn cell(header: &Header) -> Result<Cell, Located> {
+    if header.general.iter().any(Option::is_some) {
+        return general_cell(header);
+    }
     let mut cell = Cell {
         tilt: header.tilt.unwrap_or_default(),
         ..Cell::default()
@@ -173,6 +180,25 @@ fn cell(header: &Header) -> Result<Cell, Located> {
         (cell.lower[k], cell.upper[k]) = header.bounds[k].ok_or(FileProblem::HeaderMissing { what })?;
     }
     Ok(cell)
+}
+
+/// The box of three edges. Its corner is the origin where it is not told, as in LAMMPS.
+fn general_cell(header: &Header) -> Result<Cell, Located> {
+    let [a, b, c, corner] = header.general;
+    if header.tilt.is_some() || header.bounds.iter().any(Option::is_some) {
+        let what = "a box told both by its edges (`avec`, ...) and by its sides (`xlo xhi`, ...)".to_owned();
+        let remedy = "tell it in one way";
+        return Err(FileProblem::NotRead { what, remedy }.into());
+    }
+    let mut edges = [DVec3::ZERO; 3];
+    for ((edge, told), what) in edges.iter_mut().zip([a, b, c]).zip(GENERAL) {
+        *edge = told.ok_or(FileProblem::HeaderMissing { what })?;
+    }
+    Cell::of_edges(edges, corner.unwrap_or_default()).ok_or_else(|| {
+        let what = "a flat box, whose edges lie in a plane,".to_owned();
+        let remedy = "tell three edges that span a volume";
+        FileProblem::NotRead { what, remedy }.into()
+    })
 }
 
 fn read_header(header: &mut Header, content: &str, units: &FileUnits, notes: &mut Notes) -> Result<(), FileProblem> {
@@ -207,11 +233,11 @@ fn read_header(header: &mut Header, content: &str, units: &FileUnits, notes: &mu
             twice(header.tilt.is_some())?;
             header.tilt = Some([number(xy)?, number(xz)?, number(yz)?].map(|tilt| tilt * units.length));
         }
-        (_, ["avec" | "bvec" | "cvec" | "abc", ..]) => {
-            return Err(FileProblem::NotRead {
-                what: "a box of any three vectors".to_owned(),
-                remedy: "write it as `xlo xhi`, ..., `xy xz yz` (`write_data FILE` without `triclinic/general`)",
-            });
+        (&[x, y, z], names) if GENERAL.contains(&names.join(" ").as_str()) => {
+            let name = names.join(" ");
+            let which = GENERAL.iter().position(|known| *known == name).unwrap_or(0);
+            twice(header.general[which].is_some())?;
+            header.general[which] = Some(DVec3::new(number(x)?, number(y)?, number(z)?) * units.length);
         }
         // Space for what may be bonded later says nothing of the grains.
         (_, ["extra", ..]) => {}

@@ -88,7 +88,7 @@ fn wrong_data_files_are_refused_with_place_and_remedy() {
         ),
         (
             changed("0 0.2 ylo yhi", "0 0.2 ylo yhi\n1 0 0 avec"),
-            "a box of any three vectors is not read",
+            "a box told both by its edges (`avec`, ...) and by its sides (`xlo xhi`, ...) is not read",
         ),
         (
             changed("2 atom types", "2 atom types\n4 ellipsoids"),
@@ -141,6 +141,42 @@ fn wrong_data_files_are_refused_with_place_and_remedy() {
         (changed("Atoms # sphere", "Velocities"), "section `Atoms` is missing"),
     ] {
         let found = message(&text);
+        assert!(found.contains(part), "expected {part}, found {found}");
+    }
+}
+
+#[test]
+fn a_box_of_any_edges_is_read_as_lammps_writes_it() {
+    let sides = "-1e-1 0.2 xlo xhi\n0 0.2 ylo yhi\n0 0.3 zlo zhi\n";
+    let edges = "0 0.3 0 avec\n-0.2 0 0 bvec\n0 0.1 0.3 cvec\n0.2 -0.1 0 abc origin\n";
+    let cell = parse(&SMALL.replace(sides, edges)).unwrap().cell.unwrap();
+    let expected = [
+        DVec3::new(0.0, 0.3, 0.0),
+        DVec3::new(-0.2, 0.0, 0.0),
+        DVec3::new(0.0, 0.1, 0.3),
+    ];
+    assert_eq!(cell.edges(), expected);
+    assert_eq!(cell.lower, DVec3::new(0.2, -0.1, 0.0));
+    // without a corner it begins at the origin
+    let bare = SMALL.replace(sides, "0.3 0 0 avec\n0 0.3 0 bvec\n0 0 0.3 cvec\n");
+    let cell = parse(&bare).unwrap().cell.unwrap();
+    assert!(cell.lower == DVec3::ZERO && !cell.is_general());
+    for (told, part) in [
+        (edges.replace("0 0.1 0.3 cvec\n", ""), "does not tell `cvec`"),
+        (
+            edges.replace("0 0.1 0.3 cvec", "1 1 0 cvec"),
+            "a flat box, whose edges lie in a plane, is not read; tell three",
+        ),
+        (
+            edges.replace("0 0.1 0.3 cvec", "0 0.1 0.3 avec"),
+            "`avec` is told twice",
+        ),
+        (
+            edges.replace("0 0.1 0.3 cvec", "0 0.1 cvec"),
+            "is not known in the header",
+        ),
+    ] {
+        let found = message(&SMALL.replace(sides, &told));
         assert!(found.contains(part), "expected {part}, found {found}");
     }
 }

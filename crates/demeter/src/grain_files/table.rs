@@ -55,7 +55,7 @@ pub struct Extra {
     pub values: Vec<f64>,
 }
 
-/// A box: edges `(lx, 0, 0)`, `(xy, ly, 0)` and `(xz, yz, lz)` from its lower corner.
+/// A box: edges `(lx, ay, az)`, `(xy, ly, bz)` and `(xz, yz, lz)` from its lower corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cell {
     /// Lower corner [m].
@@ -64,40 +64,61 @@ pub struct Cell {
     pub upper: DVec3,
     /// `xy`, `xz`, `yz` [m].
     pub tilt: [f64; 3],
+    /// `ay`, `az`, `bz` [m]: 0 in a box that lies as most codes want it, see [`is_general`](Self::is_general).
+    pub rise: [f64; 3],
     /// Which directions are periodic.
     pub periodic: [bool; 3],
 }
 
 impl Cell {
-    /// The box of three edges from a corner [m], all of whose sides are open; nothing when they lie in other directions
-    /// than ours: the first along x, the second in the plane of x and y.
+    /// The box of three edges from a corner [m], all of whose sides are open; nothing when it is flat.
     pub(crate) fn of_edges(edges: [DVec3; 3], corner: DVec3) -> Option<Self> {
         let [a, b, c] = edges;
         let size = edges.iter().map(|edge| edge.abs().max_element()).fold(0.0, f64::max);
-        let astray = [a.y, a.z, b.z].iter().any(|value| value.abs() > 1e-9 * size);
-        let upper = corner + DVec3::new(a.x, b.y, c.z);
-        (!astray && a.x > 0.0 && b.y > 0.0 && c.z > 0.0).then_some(Self {
+        let rise = [a.y, a.z, b.z];
+        // digits that others rounded turn no box
+        let is_straight = rise.iter().all(|value| value.abs() <= 1e-9 * size);
+        let volume = a.cross(b).dot(c);
+        (volume.abs() > 1e-12 * a.length() * b.length() * c.length()).then_some(Self {
             lower: corner,
-            upper,
+            upper: corner + DVec3::new(a.x, b.y, c.z),
             tilt: [b.x, c.x, c.y],
+            rise: if is_straight { [0.0; 3] } else { rise },
             periodic: [false; 3],
         })
     }
 
-    /// Whether its edges are not at right angles.
+    /// Whether its edges are not those of a box along x, y and z.
     pub fn is_tilted(&self) -> bool {
-        self.tilt != [0.0; 3]
+        self.tilt != [0.0; 3] || self.is_general()
+    }
+
+    /// Whether it lies otherwise than most codes want it: the first edge along x, the second in the plane of x and y, all to the
+    /// side where coordinates grow.
+    pub fn is_general(&self) -> bool {
+        self.rise != [0.0; 3] || self.upper.cmplt(self.lower).any()
     }
 
     /// The three edges [m].
     pub fn edges(&self) -> [DVec3; 3] {
         let length = self.upper - self.lower;
         let [xy, xz, yz] = self.tilt;
+        let [ay, az, bz] = self.rise;
         [
-            DVec3::new(length.x, 0.0, 0.0),
-            DVec3::new(xy, length.y, 0.0),
+            DVec3::new(length.x, ay, az),
+            DVec3::new(xy, length.y, bz),
             DVec3::new(xz, yz, length.z),
         ]
+    }
+
+    /// The same box, and the same images, by edges that follow each other as thumb, forefinger and middle finger of the right hand:
+    /// corner and edges [m].
+    pub(super) fn right_handed(&self) -> (DVec3, [DVec3; 3]) {
+        let [a, b, c] = self.edges();
+        match a.cross(b).dot(c) < 0.0 {
+            true => (self.lower + c, [a, b, -c]),
+            false => (self.lower, [a, b, c]),
+        }
     }
 
     /// How far the corners lie beyond `lower` and `upper` along x and y, as dumps count it [m].

@@ -59,6 +59,7 @@ fn table(count: usize, seed: f64) -> GrainTable {
             lower: DVec3::splat(-2.0),
             upper: DVec3::splat(3.0),
             tilt: [0.0; 3],
+            rise: [0.0; 3],
             periodic: [true, false, true],
         }),
         step: Some(12_345),
@@ -111,6 +112,7 @@ proptest! {
             lower: DVec3::splat(low),
             upper: DVec3::new(low + 5.0, low + 6.0, low + 7.0),
             tilt: [xy, xz, yz],
+            rise: [0.0; 3],
             periodic: [true; 3],
         });
         for format in [Format::LammpsData, Format::LammpsDump, Format::LiggghtsDump, Format::ExtendedXyz] {
@@ -120,6 +122,31 @@ proptest! {
             prop_assert!((back.lower - cell.lower).abs().max_element() <= 1e-12 * 1e3, "{:?}", back);
             prop_assert!((back.upper - cell.upper).abs().max_element() <= 1e-12 * 1e3, "{:?}", back);
         }
+    }
+
+    /// Boxes with edges in any direction, of the right or the left hand, and their images.
+    #[test]
+    fn boxes_of_any_edges_read_back(edges in proptest::array::uniform9(-2.0..2.0f64), low in -10.0..10.0f64) {
+        let [a, b, c] = [0, 3, 6].map(|k| DVec3::from_slice(&edges[k..k + 3]));
+        prop_assume!(a.cross(b).dot(c).abs() > 1e-3);
+        let mut table = table(3, 1.0);
+        table.cell = Cell::of_edges([a, b, c], DVec3::splat(low));
+        let near = |one: DVec3, other: DVec3| (one - other).abs().max_element() < 1e-14 * 20.0;
+        for format in [Format::LammpsData, Format::LammpsDump, Format::ExtendedXyz] {
+            let back = read_back(&written(&[&table], format, WriteOptions::default()), format).cell.unwrap();
+            let [x, y, z] = back.edges();
+            prop_assert!(near(a, x) && near(b, y), "{:?}", back);
+            // an edge of the left hand is told from its other end
+            let turned = format != Format::ExtendedXyz && a.cross(b).dot(c) < 0.0;
+            let (corner, third) = if turned { (DVec3::splat(low) + c, -c) } else { (DVec3::splat(low), c) };
+            prop_assert!(near(third, z) && near(corner, back.lower), "{:?}", back);
+        }
+        for format in [Format::LiggghtsData, Format::LiggghtsDump] {
+            let back = read_back(&written(&[&table], format, WriteOptions::default()), format).cell.unwrap();
+            prop_assert!(!back.is_general() && back.periodic == [false; 3]);
+            prop_assert!(losses(&table, format).join("\n").contains("the smallest one around all grains is written"));
+        }
+        prop_assert!(losses(&table, Format::LammpsData).join("\n").contains("17 April 2024"));
     }
 
     #[test]

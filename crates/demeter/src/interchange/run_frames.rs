@@ -91,9 +91,7 @@ fn cell_of_frame(file: &TableFile) -> Result<Cell, &'static str> {
     if !(corner.is_finite() && edges.iter().all(|edge| edge.is_finite())) {
         return Err(damaged);
     }
-    let cell = Cell::of_edges(edges, corner).ok_or(
-        "it is sheared along z, or with its gradient along x, which files of other codes do not know; it is left out",
-    )?;
+    let cell = Cell::of_edges(edges, corner).ok_or(damaged)?;
     let periodic = [*x != 0, *y != 0, *z != 0];
     Ok(Cell { periodic, ..cell })
 }
@@ -110,6 +108,7 @@ fn cell_of_scenario(run: &Run) -> Result<Cell, &'static str> {
         lower,
         upper,
         tilt: [0.0; 3],
+        rise: [0.0; 3],
         periodic: scenario.domain.periodic,
     })
 }

@@ -164,20 +164,29 @@ fn boxes_of_a_run_that_deform_are_written_and_read() {
     convert(&at("run"), &at("last.data"), &how(Target::Grains(Format::LammpsData))).unwrap();
     let text = fs::read_to_string(at("last.data")).unwrap();
     assert!(text.lines().any(|line| line.ends_with("xy xz yz")), "{text}");
+    // sheared along z, the first edge leaves the axis x
     run("other", "flow = \"z\", gradient = \"x\"");
-    let done = convert(
-        &at("other"),
-        &at("other.xyz"),
-        &how(Target::Grains(Format::ExtendedXyz)),
-    )
-    .unwrap();
-    assert!(
-        done.notes
-            .iter()
-            .any(|note| note.contains("files of other codes do not know")),
-        "{:?}",
-        done.notes
-    );
+    for (format, told) in [
+        (Format::ExtendedXyz, "Lattice="),
+        (Format::LammpsDump, "BOX BOUNDS abc origin pp pp pp"),
+    ] {
+        let output = at(&format!("other-{format}"));
+        let done = convert(&at("other"), &output, &how(Target::Grains(format))).unwrap();
+        let left_out = done.notes.iter().any(|note| note.contains("left out"));
+        assert!(
+            !left_out && fs::read_to_string(&output).unwrap().contains(told),
+            "{:?}",
+            done.notes
+        );
+        let table = read_grain_file(&output, &ReadOptions::default(), Which::Last).unwrap();
+        let (edges, slid) = (table.cell.unwrap().edges(), 20.0 * table.time.unwrap() * 0.01);
+        let expected = slid - (slid / 0.01).round() * 0.01;
+        assert!(
+            (edges[0].z - expected).abs() < 1e-6 && edges[0].y == 0.0,
+            "{edges:?}, not {expected}"
+        );
+        assert!(edges[1].x == 0.0 && edges[2].x == 0.0, "{edges:?}");
+    }
 }
 
 const SHEARED: &str = r#"

@@ -28,14 +28,20 @@ pub(super) fn write(
             writeln!(out, "ITEM: TIME\n{time:?}")?;
         }
     }
-    let cell = cell_of(table);
+    let cell = cell_of(table, format);
     let flags = cell
         .periodic
         .map(|periodic| if periodic { "pp" } else { "ff" })
         .join(" ");
     writeln!(out, "ITEM: TIMESTEP\n{}", table.step.unwrap_or(0))?;
     writeln!(out, "ITEM: NUMBER OF ATOMS\n{}", table.len())?;
-    if cell.is_tilted() {
+    if cell.is_general() {
+        writeln!(out, "ITEM: BOX BOUNDS abc origin {flags}")?;
+        let (corner, edges) = cell.right_handed();
+        for (axis, edge) in edges.into_iter().enumerate() {
+            writeln!(out, "{:?} {:?} {:?} {:?}", edge.x, edge.y, edge.z, corner[axis])?;
+        }
+    } else if cell.is_tilted() {
         writeln!(out, "ITEM: BOX BOUNDS xy xz yz {flags}")?;
         let over = cell.overhang();
         for axis in 0..3 {

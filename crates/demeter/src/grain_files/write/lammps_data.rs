@@ -1,16 +1,16 @@
 //! Data files of LAMMPS and LIGGGHTS.
 
 use super::super::format::Format;
-use super::super::table::GrainTable;
+use super::super::table::{Cell, GrainTable};
 use super::{WriteError, cell_of};
 use glam::DVec3;
-use std::io::Write;
+use std::io::{self, Write};
 
 pub(super) fn write(out: &mut impl Write, table: &GrainTable, format: Format) -> Result<(), WriteError> {
     let Some(densities) = &table.densities else {
         return Err(WriteError::NoDensities { format });
     };
-    let (cell, types) = (cell_of(table), table.type_numbers());
+    let (cell, types) = (cell_of(table, format), table.type_numbers());
     let (program, comment) = match format {
         Format::LiggghtsData => ("LIGGGHTS", ""),
         _ => ("LAMMPS", " # sphere"),
@@ -25,13 +25,7 @@ pub(super) fn write(out: &mut impl Write, table: &GrainTable, format: Format) ->
     )?;
     writeln!(out, "{} atoms", table.len())?;
     writeln!(out, "{} atom types\n", types.iter().max().unwrap_or(&1))?;
-    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-        writeln!(out, "{:?} {:?} {name}lo {name}hi", cell.lower[axis], cell.upper[axis])?;
-    }
-    if cell.is_tilted() {
-        let [xy, xz, yz] = cell.tilt;
-        writeln!(out, "{xy:?} {xz:?} {yz:?} xy xz yz")?;
-    }
+    write_box(out, &cell)?;
     writeln!(out, "\nAtoms{comment}\n")?;
     for (k, position) in table.positions.iter().enumerate() {
         let DVec3 { x, y, z } = position;
@@ -47,6 +41,27 @@ pub(super) fn write(out: &mut impl Write, table: &GrainTable, format: Format) ->
         let (v, w) = (of(&table.velocities), of(&table.angular_velocities));
         let id = table.id(k);
         writeln!(out, "{id} {:?} {:?} {:?} {:?} {:?} {:?}", v.x, v.y, v.z, w.x, w.y, w.z)?;
+    }
+    Ok(())
+}
+
+fn write_box(out: &mut impl Write, cell: &Cell) -> io::Result<()> {
+    if cell.is_general() {
+        let (corner, edges) = cell.right_handed();
+        for (name, v) in ["avec", "bvec", "cvec", "abc origin"]
+            .iter()
+            .zip(edges.into_iter().chain([corner]))
+        {
+            writeln!(out, "{:?} {:?} {:?} {name}", v.x, v.y, v.z)?;
+        }
+        return Ok(());
+    }
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        writeln!(out, "{:?} {:?} {name}lo {name}hi", cell.lower[axis], cell.upper[axis])?;
+    }
+    if cell.is_tilted() {
+        let [xy, xz, yz] = cell.tilt;
+        writeln!(out, "{xy:?} {xz:?} {yz:?} xy xz yz")?;
     }
     Ok(())
 }

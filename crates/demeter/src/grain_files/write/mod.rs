@@ -108,9 +108,10 @@ impl<W: Write> GrainWriter<W> {
     }
 }
 
-/// The box of a table, or the smallest one around all grains, a little widened so that no grain lies on its side.
-fn cell_of(table: &GrainTable) -> Cell {
-    if let Some(cell) = table.cell {
+/// The box of a table, or, where there is none that the format knows, the smallest one around all grains, a little widened so that
+/// no grain lies on its side.
+fn cell_of(table: &GrainTable, format: Format) -> Cell {
+    if let Some(cell) = table.cell.filter(|cell| format.knows_box(cell)) {
         return cell;
     }
     let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
