@@ -14,6 +14,12 @@ pub enum ConvertError {
     /// The run cannot be read.
     #[error(transparent)]
     Run(#[from] ResultsError),
+    /// The input is what a run is made of.
+    #[error("`{}` is a scenario, which holds no packing; run it, and name the folder of the run", path.display())]
+    Scenario {
+        /// The file.
+        path: PathBuf,
+    },
     /// A table cannot be written.
     #[error("{}: {problem}", path.display())]
     Write {

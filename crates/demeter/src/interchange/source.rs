@@ -50,6 +50,9 @@ pub(super) enum Numbers {
 impl Source {
     /// Opens a file of grains, the folder of a run, its `grains.pvd`, or one `.vtp` of its frames.
     pub fn open(path: &Path, reading: &ReadOptions) -> Result<Self, ConvertError> {
+        if reading.format.is_none() && path.extension().is_some_and(|ending| ending == "toml") {
+            return Err(ConvertError::Scenario { path: path.to_owned() });
+        }
         let kind = match run_of(path) {
             None => Kind::File {
                 file: Box::new(GrainFile::open(path, reading)?),

@@ -55,7 +55,10 @@ pub enum OutputError {
         path: PathBuf,
     },
     /// The folder is no run.
-    #[error("`{}` is not the folder of a Demeter run: it has no `{marker}`. Name the folder that `demeter run` wrote.", folder.display())]
+    #[error(
+        "`{}` is not the folder of a Demeter run: {}. Name the folder that `demeter run` wrote{}.",
+        folder.display(), lacks(folder, marker), its_run(folder)
+    )]
     NotARun {
         /// The folder.
         folder: PathBuf,
@@ -111,4 +114,22 @@ impl OutputError {
 
 fn hint_of(source: &io::Error) -> String {
     hint(source).map_or_else(String::new, |hint| format!(" {hint}"))
+}
+
+/// Why a path is no run.
+fn lacks(path: &Path, marker: &str) -> String {
+    match path.is_file() {
+        true => "it is a file".to_owned(),
+        false if !path.exists() => "there is no such folder".to_owned(),
+        false => format!("it has no `{marker}`"),
+    }
+}
+
+/// Where the run of a scenario lies, if this is one, and it was run.
+fn its_run(path: &Path) -> String {
+    let name = path
+        .file_stem()
+        .filter(|_| path.extension().is_some_and(|e| e == "toml"));
+    let run = name.map(|name| Path::new("runs").join(name)).filter(|run| run.is_dir());
+    run.map_or_else(String::new, |run| format!(", as `{}`", run.display()))
 }

@@ -4,8 +4,10 @@ use super::document::Value;
 use super::impact::{body_a, body_b, sphere_mass};
 use super::materials::{check_known, find_law, materials, parameter_value};
 use super::observed::{Measured, Observable, Observation, Target, Unknown};
+use super::other_kind::refuse_other_kind;
 use super::quantity::Kind;
 use super::reader::{Context, Item, TableReader, suggest_or_list};
+use super::schema::FileKind;
 use super::{Body, Diagnostics, Partner, lone_fault, read_text, tree};
 use crate::materials::Material;
 use demeter_physics::collision::Start;
@@ -56,6 +58,7 @@ impl FitFile {
     /// Reads a text.
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, Diagnostics> {
         let document = tree(text, name, overrides)?;
+        refuse_other_kind(name, &document, FileKind::Fit)?;
         let diagnostics = Diagnostics::new(name, document.clone());
         let context = Context::new(diagnostics.clone());
         let read = walk(TableReader::root(&context, &document.root), diagnostics);

@@ -1,8 +1,10 @@
 #![doc = include_str!("impact.md")]
 
 use super::materials::{contact, material_index, materials};
+use super::other_kind::refuse_other_kind;
 use super::quantity::Kind;
 use super::reader::{Context, Item, TableReader};
+use super::schema::FileKind;
 use super::{ContactSpec, Diagnostics, document::Value, lone_fault, read_text, tree};
 use crate::materials::{Material, Materials, PairChoice};
 use demeter_physics::collision::Start;
@@ -170,6 +172,7 @@ impl ImpactFile {
     /// Reads a text.
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, Diagnostics> {
         let document = tree(text, name, overrides)?;
+        refuse_other_kind(name, &document, FileKind::TwoBodies)?;
         let diagnostics = Diagnostics::new(name, document.clone());
         let context = Context::new(diagnostics.clone());
         let read = walk(TableReader::root(&context, &document.root), name, diagnostics);

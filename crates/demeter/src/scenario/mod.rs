@@ -18,6 +18,7 @@ mod measures;
 mod meshes;
 mod motions;
 mod observed;
+mod other_kind;
 mod overrides;
 mod packing_file;
 mod plain;
@@ -85,6 +86,7 @@ use crate::insertion::Insertion;
 use crate::materials::Material;
 use crate::simulation::Stage;
 use document::read_toml;
+use other_kind::refuse_other_kind;
 use reader::{Context, TableReader};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -155,6 +157,7 @@ impl Scenario {
     /// As [`Self::parse`], with overrides that say where they were told.
     pub fn parse_with(text: &str, name: &str, base: &Path, overrides: &[Override]) -> Result<Self, Diagnostics> {
         let document = tree_with(text, name, overrides)?;
+        refuse_other_kind(name, &document, schema::FileKind::Scenario)?;
         let context = Context::new(Diagnostics::new(name, Arc::clone(&document)));
         let read = Self::walk(&context, text, name, base, document);
         let mut faults = context.faults.into_inner();
