@@ -40,11 +40,11 @@ impl Division {
             let own = usize::from(!self.own.contains(&(pair.i as usize)));
             let other = [pair.j, pair.i][own];
             let across = PairAcross { chunk, slot, own };
-            lists[self.rank_of(other, per_segment)].push(((pair.later(), pair.earlier()), across));
+            let key = (pair.later(), pair.earlier(), pair.shift);
+            lists[self.rank_of(other, per_segment)].push((key, across));
         }
         for (border, message) in self.borders.iter_mut().zip(&self.messages) {
             let list = &mut lists[message.rank];
-            // each pair is there once
             list.sort_unstable_by_key(|(key, _)| *key);
             border.pairs.extend(list.iter().map(|(_, across)| *across));
         }
