@@ -43,31 +43,19 @@ pub struct ContactColumns {
 impl ContactColumns {
     /// Those of a moment.
     pub fn of(sim: &Simulation) -> Self {
-        let row = |contact: &Acting<'_>| {
-            let c = contact.record(sim);
-            let forces = (
-                c.normal_force + c.tangential_force,
-                (c.normal_force, (c.tangential_force, c.rolling_torque)),
-            );
-            (
-                c.id_i,
-                (c.id_j, (c.wall, (c.overlap, (c.position, (c.normal, forces))))),
-            )
-        };
-        // every column is written where it will lie
-        let (id_i, (id_j, (wall, (overlap, (position, (normal, forces)))))) = acting(sim).par_iter().map(row).unzip();
-        let (force, (normal_force, (tangential_force, rolling_torque))) = forces;
+        let records = contact_records(sim);
+        let vectors = |of: fn(&ContactRecord) -> DVec3| records.iter().map(of).collect();
         Self {
-            id_i,
-            id_j,
-            wall,
-            overlap,
-            position,
-            normal,
-            force,
-            normal_force,
-            tangential_force,
-            rolling_torque,
+            id_i: records.iter().map(|c| c.id_i).collect(),
+            id_j: records.iter().map(|c| c.id_j).collect(),
+            wall: records.iter().map(|c| c.wall).collect(),
+            overlap: records.iter().map(|c| c.overlap).collect(),
+            position: vectors(|c| c.position),
+            normal: vectors(|c| c.normal),
+            force: vectors(|c| c.normal_force + c.tangential_force),
+            normal_force: vectors(|c| c.normal_force),
+            tangential_force: vectors(|c| c.tangential_force),
+            rolling_torque: vectors(|c| c.rolling_torque),
         }
     }
 }
