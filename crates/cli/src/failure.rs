@@ -175,6 +175,7 @@ impl From<RunError> for Failure {
             RunError::Checkpoint(ref checkpoint) => matches!(checkpoint, CheckpointError::Missing { .. }),
             RunError::ThisProcess { rank, source } => return Self::from(*source).of_process(rank),
             RunError::Finished { .. }
+            | RunError::FilesChanged { .. }
             | RunError::OtherProcess { .. }
             | RunError::OtherInputs { .. }
             | RunError::NoFolder

@@ -128,6 +128,40 @@ fn a_run_resumes_from_another_folder() {
     assert_eq!((&answer["title"], &answer["steps"]), (&"fall".into(), &66_000.into()));
 }
 
+/// A run goes on with the walls that it began with; grains of the start are in its checkpoint.
+#[test]
+fn a_run_does_not_go_on_with_other_files() {
+    let place = Place::new();
+    let way = |x: &str| format!("time [s],x [m]\n0,0\n1,{x}\n");
+    place.write("push.csv", &way("0.001"));
+    place.write("one.csv", "x y z diameter\n0.004 0.004 0.004 0.002\n");
+    let listed = FALL.find("[[grains]]").unwrap()..FALL.find("[[wall]]").unwrap();
+    let mut text = FALL.to_owned();
+    text.replace_range(
+        listed,
+        "[[grains]]\nmaterial = \"glass\"\nsource = \"file\"\nfile = \"one.csv\"\n\n",
+    );
+    text.push_str(
+        "\n[[wall]]\nname = \"plate\"\nmaterial = \"glass\"\nshape = \"plane\"\npoint = \"0 0 -1 mm\"\nnormal = \"z\"\n\
+         motion = { table = { file = \"push.csv\" } }\n",
+    );
+    place.write("fall.toml", &text);
+    let run = ["run", "fall.toml", "--out", "cut", "--set", "stage[0].steps=60000"];
+    let mut child = place.start_until(&run, CHECKPOINT);
+    assert_eq!(signal(&mut child, "KILL").code(), None);
+    fs::remove_file(place.path("cut/summary.json")).ok();
+    place.write("push.csv", &way("0.002"));
+    let said = place.expect(2, &["resume", "cut"]);
+    assert!(
+        said.err.contains("push.csv` holds something else than before") && said.err.contains("anew in another folder"),
+        "{}",
+        said.err
+    );
+    place.write("push.csv", &way("0.001"));
+    place.write("one.csv", "x y z diameter\n0.005 0.004 0.004 0.002\n");
+    place.expect(0, &["resume", "cut"]);
+}
+
 #[test]
 fn what_cannot_be_resumed_is_told() {
     let place = Place::new();

@@ -268,6 +268,47 @@ fn another_sweep_in_the_folder_is_refused_and_the_same_goes_on() {
     );
 }
 
+#[test]
+fn a_sweep_does_not_go_on_with_other_files() {
+    let place = place();
+    let listed = FALL.find("[[grains]]").unwrap()..FALL.find("[[wall]]").unwrap();
+    let mut text = FALL.to_owned();
+    text.replace_range(
+        listed,
+        "[[grains]]\nmaterial = \"glass\"\nsource = \"file\"\nfile = \"one.csv\"\n\n",
+    );
+    place.write("fall.toml", &text);
+    place.write("one.csv", "x y z diameter\n0.004 0.004 0.004 0.002\n");
+    let sweep = [
+        &["sweep", "fall.toml", "--vary", "contact.normal.restitution=0.5,0.6"][..],
+        &SHORT,
+    ]
+    .concat();
+    place.expect(0, &sweep);
+    place.expect(0, &sweep);
+    place.write("one.csv", "x y z diameter\n0.004 0.004 0.0045 0.002\n");
+    let more = [
+        &[
+            "sweep",
+            "fall.toml",
+            "--vary",
+            "contact.normal.restitution=0.5,0.6,0.7",
+            "--extend",
+        ][..],
+        &SHORT,
+    ]
+    .concat();
+    for again in [&sweep[..], &more, &["sweep", "--resume", "runs/fall-sweep"]] {
+        let said = place.expect(2, again);
+        assert!(
+            said.err.contains("one.csv` had 39 bytes and now has 40"),
+            "{}",
+            said.err
+        );
+    }
+    place.expect(0, &["sweep", "--gather", "runs/fall-sweep"]);
+}
+
 /// Grains that fly out of a box stop a run; removed ones do not.
 #[test]
 fn a_run_that_fails_stops_no_other_and_is_told() {

@@ -46,12 +46,14 @@ pub fn plan(arguments: &SweepArguments, file: &Path) -> Result<Begun, Failure> {
         let mut folder = SweepFolder::open(&root)?;
         let mut differences = folder.plan.differences(&plan);
         if differences.is_empty() {
+            folder.check_files()?;
             take_wishes(arguments, &mut folder)?;
             let state = State::There;
             return Ok(Begun { folder, state });
         }
         let is_part = folder.plan.is_part_of(&plan);
         if arguments.extend && is_part {
+            folder.check_files()?;
             folder.plan = plan;
             take_wishes(arguments, &mut folder)?;
             check_all(&mut folder)?;
@@ -94,6 +96,7 @@ pub fn open(arguments: &SweepArguments, root: &Path) -> Result<Begun, Failure> {
             demeter::VERSION
         )));
     }
+    folder.check_files()?;
     take_wishes(arguments, &mut folder)?;
     let state = State::There;
     Ok(Begun { folder, state })
@@ -155,6 +158,7 @@ fn check_all(folder: &mut SweepFolder) -> Result<(), Failure> {
     for (warning, runs) in &checked.warnings {
         note(&format!("warning: {warning} (runs: {})", of_runs(&folder.plan, runs)));
     }
+    folder.plan.files = checked.files;
     for (run, estimate) in folder.plan.runs.iter_mut().zip(checked.estimates) {
         run.estimate = estimate;
     }

@@ -86,6 +86,7 @@ impl From<SweepError> for Failure {
             SweepError::Output(_) | SweepError::Io { .. } => Self::io(message),
             SweepError::Told { .. }
             | SweepError::Differs { .. }
+            | SweepError::FilesChanged { .. }
             | SweepError::HoldsOtherFiles { .. }
             | SweepError::NoSweep { .. }
             | SweepError::InUse { .. }

@@ -11,6 +11,7 @@ mod fit_file;
 mod followed;
 mod grains;
 mod impact;
+mod input_files;
 mod interiors;
 mod live;
 mod materials;
@@ -58,6 +59,7 @@ pub use grains::{MAX_BATCHES, MAX_GRAINS};
 pub use impact::{
     Body, CurveDepth, CurveSpec, IMPACT_REFERENCE, ImpactFile, ImpactSpec, MAX_CURVE_POINTS, Partner, pair_size,
 };
+pub use input_files::InputFile;
 pub use live::{LiveRun, Pause, Until};
 pub use materials::{ContactSpec, MAX_MATERIALS};
 pub use measures::{MAX_MEASURES, MeasureKind, MeasureSpec};

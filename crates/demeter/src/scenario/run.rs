@@ -6,6 +6,7 @@ mod writing;
 
 use super::deformation::reached;
 use super::field_files::FieldFiles;
+use super::input_files::InputFile;
 use super::live::{Pause, Until};
 use super::prepare::{Prepared, prepare_to_resume};
 use super::report::{Report, RunEnd};
@@ -80,6 +81,8 @@ pub(super) struct Place {
     pub(super) wall_clock: f64,
     pub(super) time_step_reason: String,
     pub(super) warnings: Vec<String>,
+    /// Files that the scenario names, as they were at the start.
+    pub(super) files: Vec<InputFile>,
 }
 
 /// Contents of a checkpoint.
@@ -168,6 +171,7 @@ impl<'a> Runner<'a> {
             wall_clock: 0.0,
             time_step_reason: prepared.time_step_reason,
             warnings: prepared.warnings,
+            files: scenario.input_files(),
         };
         let rows = match folder {
             Some(folder) => Rows::create(scenario, folder)?,

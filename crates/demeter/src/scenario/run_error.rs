@@ -24,6 +24,16 @@ pub enum RunError {
     /// The checkpoint does not fit the scenario.
     #[error(transparent)]
     State(#[from] StateError),
+    /// Files that the scenario names were changed since the run began.
+    #[error(
+        "files of the scenario are not what they were when the run began:\n  {}\nPut them back as they were, or begin the run \
+         anew in another folder.",
+        changes.join("\n  ")
+    )]
+    FilesChanged {
+        /// Each with what changed.
+        changes: Vec<String>,
+    },
     /// There is nothing to go on with.
     #[error("the run in `{}` is finished: nothing is left to do", folder.display())]
     Finished {

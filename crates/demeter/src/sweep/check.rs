@@ -2,7 +2,7 @@
 
 use super::error::SweepError;
 use super::plan::{Estimate, Plan};
-use crate::scenario::{Diagnostic, Diagnostics, prepare, thread_pool};
+use crate::scenario::{Diagnostic, Diagnostics, InputFile, prepare, thread_pool};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
@@ -18,6 +18,8 @@ pub struct Checked {
     pub estimates: Vec<Estimate>,
     /// What the user should know, each with the runs that it is about.
     pub warnings: Vec<(String, Vec<usize>)>,
+    /// Files that the scenarios name, each once.
+    pub files: Vec<InputFile>,
 }
 
 /// A fault, and the runs that have it.
@@ -81,8 +83,13 @@ pub fn check(plan: &Plan, threads: usize, colour: bool) -> Result<Result<Checked
         let found: Vec<_> = pool.install(|| chunk.par_iter().map(|&run| check_one(plan, run)).collect());
         for (&run, found) in chunk.iter().zip(found) {
             match found {
-                Ok((estimate, warnings)) => {
+                Ok((estimate, warnings, files)) => {
                     checked.estimates.push(estimate);
+                    for file in files {
+                        if !checked.files.iter().any(|known| known.path == file.path) {
+                            checked.files.push(file);
+                        }
+                    }
                     for warning in warnings {
                         let at = *warned.entry(warning.clone()).or_insert(checked.warnings.len());
                         match checked.warnings.get_mut(at) {
@@ -102,7 +109,7 @@ pub fn check(plan: &Plan, threads: usize, colour: bool) -> Result<Result<Checked
     })
 }
 
-fn check_one(plan: &Plan, run: usize) -> Result<(Estimate, Vec<String>), Box<Diagnostics>> {
+fn check_one(plan: &Plan, run: usize) -> Result<(Estimate, Vec<String>, Vec<InputFile>), Box<Diagnostics>> {
     let scenario = plan.scenario(run)?;
     let prepared = prepare(&scenario)?;
     let estimate = Estimate {
@@ -111,5 +118,5 @@ fn check_one(plan: &Plan, run: usize) -> Result<(Estimate, Vec<String>), Box<Dia
         memory: prepared.memory,
         run_time: prepared.run_time,
     };
-    Ok((estimate, prepared.warnings))
+    Ok((estimate, prepared.warnings, scenario.input_files()))
 }

@@ -30,6 +30,18 @@ pub enum SweepError {
         /// What differs.
         differences: Vec<String>,
     },
+    /// Files that the scenarios name were changed since the sweep began.
+    #[error(
+        "files of the sweep in `{}` are not what they were when it began:\n  {}\nPut them back as they were, or begin the sweep anew \
+         in another folder with --out.",
+        folder.display(), changes.join("\n  ")
+    )]
+    FilesChanged {
+        /// The folder.
+        folder: PathBuf,
+        /// Each with what changed.
+        changes: Vec<String>,
+    },
     /// The folder holds something else.
     #[error("`{}` is not empty and holds no sweep (but `{example}`): nothing was written there. Name another folder with --out.", folder.display())]
     HoldsOtherFiles {

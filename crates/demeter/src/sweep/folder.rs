@@ -196,6 +196,18 @@ impl SweepFolder {
         self.root.join(&self.plan.runs[index].name)
     }
 
+    /// Refuses to go on with files that are not what they were when the sweep began.
+    pub fn check_files(&self) -> Result<(), SweepError> {
+        let changes = self.plan.changed_files();
+        if changes.is_empty() {
+            return Ok(());
+        }
+        Err(SweepError::FilesChanged {
+            folder: self.root.clone(),
+            changes,
+        })
+    }
+
     /// Refuses a number that no run has.
     pub fn check_index(&self, index: usize) -> Result<(), SweepError> {
         match self.plan.runs.len() {

@@ -4,7 +4,7 @@ use super::design::{Varied, combinations};
 use super::error::SweepError;
 use super::names::{is_name, names, short_keys};
 use super::value::unquoted;
-use crate::scenario::{Diagnostics, Override, Scenario, key_steps, resolve};
+use crate::scenario::{Diagnostics, InputFile, Override, Scenario, key_steps, resolve};
 use serde::{Deserialize, Serialize};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -79,6 +79,9 @@ pub struct Plan {
     pub columns: Vec<Column>,
     /// All runs.
     pub runs: Vec<PlannedRun>,
+    /// Files that the scenarios name, as they were when these were checked.
+    #[serde(default)]
+    pub files: Vec<InputFile>,
 }
 
 impl Plan {
@@ -116,6 +119,7 @@ impl Plan {
             text,
             runs: planned.collect(),
             columns,
+            files: Vec::new(),
         })
     }
 
@@ -152,6 +156,11 @@ impl Plan {
     pub fn column(&self, name: &str) -> Option<usize> {
         let whole = self.columns.iter().position(|column| column.key == name);
         whole.or_else(|| self.short_keys().iter().position(|short| short == name))
+    }
+
+    /// What has changed in the files that the scenarios name, since these were checked.
+    pub fn changed_files(&self) -> Vec<String> {
+        self.files.iter().filter_map(InputFile::change).collect()
     }
 
     /// What another plan would have otherwise; nothing when both are of the same runs.

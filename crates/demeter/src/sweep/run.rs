@@ -67,6 +67,7 @@ fn attempt(
     options: RunOptions,
     observer: &mut dyn Observer,
 ) -> Result<RunEnd, SweepError> {
+    folder.check_files()?;
     let scenario = folder.plan.scenario(index).map_err(RunError::from)?;
     let root = folder.run_folder(index);
     wait_for_others(&root);

@@ -3,6 +3,7 @@
 use crate::comm::Ranks;
 use crate::particles::Grains;
 use crate::scenario::Scenario;
+use crate::scenario::input_files::InputFile;
 use crate::scenario::run_error::RunError;
 use serde::{Deserialize, Serialize};
 
@@ -14,6 +15,7 @@ pub(super) struct Inputs {
     program: Option<u32>,
     scenario: u32,
     grains: u32,
+    files: Vec<InputFile>,
 }
 
 impl Inputs {
@@ -28,6 +30,7 @@ impl Inputs {
             program: program.ok().map(|bytes| crc32fast::hash(&bytes)),
             scenario: crc32fast::hash(scenario.to_resolved_toml().as_bytes()),
             grains: table.finalize(),
+            files: scenario.input_files(),
         }
     }
 
@@ -36,16 +39,19 @@ impl Inputs {
         if self.version != other.version {
             return Some(format!("version {} of Demeter, not {}", other.version, self.version));
         }
-        let differs = [
-            (self.program != other.program, "another program of the same version"),
-            (self.scenario != other.scenario, "another scenario"),
-            (
-                self.grains != other.grains,
-                "other grains at the start (a packing file or a checkpoint differs)",
-            ),
-        ];
-        let first = differs.into_iter().find(|(differs, _)| *differs);
-        first.map(|(_, what)| what.to_string())
+        if self.program != other.program {
+            return Some("another program of the same version".to_string());
+        }
+        if self.scenario != other.scenario {
+            return Some("another scenario".to_string());
+        }
+        // files of one scenario: only what is in them can differ
+        let files = self.files.iter().zip(&other.files);
+        if let Some((_, file)) = files.into_iter().find(|(mine, others)| mine != others) {
+            return Some(format!("something else in `{}`", file.path.display()));
+        }
+        let grains = self.grains != other.grains;
+        grains.then(|| "other grains at the start (a checkpoint differs)".to_string())
     }
 }
 
@@ -83,4 +89,38 @@ pub(super) fn agree(ranks: &dyn Ranks, mine: &Inputs) -> Result<(), RunError> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn processes_are_told_apart_by_what_is_in_their_files() {
+        let place = tempfile::tempdir().unwrap();
+        let mesh = place.path().join("plate.stl");
+        let plate = |z: f64| {
+            format!(
+                "solid p\nfacet normal 0 0 1\nouter loop\nvertex 0 0 {z}\nvertex 1 0 {z}\nvertex 0 1 {z}\nendloop\nendfacet\nendsolid p\n"
+            )
+        };
+        std::fs::write(&mesh, plate(1.0)).unwrap();
+        let text = format!(
+            "{}\n[[wall]]\nname = \"plate\"\nmaterial = \"steel\"\nshape = \"mesh\"\nfile = \"plate.stl\"\nunit = \"m\"\n",
+            include_str!("../../../tests/shared_runs/mixer.toml")
+        );
+        let scenario = Scenario::parse(&text, "mixer.toml", place.path(), &[]).unwrap();
+        let inputs = || Inputs::of(&scenario, &Grains::default());
+        let first = inputs();
+        assert_eq!(first.other(&inputs()), None);
+        std::fs::write(&mesh, plate(2.0)).unwrap();
+        let told = first.other(&inputs()).unwrap();
+        assert!(
+            told.starts_with("something else in `") && told.ends_with("plate.stl`"),
+            "{told}"
+        );
+        assert!(first.files[0].change().unwrap().contains("holds something else"));
+        std::fs::remove_file(&mesh).unwrap();
+        assert!(first.files[0].change().unwrap().contains("is gone"));
+    }
 }

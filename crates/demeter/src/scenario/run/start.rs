@@ -6,6 +6,7 @@ use crate::checkpoint;
 use crate::comm::Ranks;
 use crate::output::RunFolder;
 use crate::scenario::Scenario;
+use crate::scenario::input_files::InputFile;
 use crate::scenario::prepare::prepare;
 use crate::scenario::report::Report;
 use crate::scenario::run_error::RunError;
@@ -117,6 +118,11 @@ pub(in crate::scenario) fn read_run(
     let restored = checkpoint::read_latest::<RunState>(folder.root())?;
     // a scenario without a title is named after its file, which has another name here
     scenario.title.clone_from(&restored.header.title);
+    let on_the_way = restored.value.place.files.iter().filter(|file| !file.of_start);
+    let changes: Vec<String> = on_the_way.filter_map(InputFile::change).collect();
+    if !changes.is_empty() {
+        return Err(RunError::FilesChanged { changes });
+    }
     for warning in &restored.warnings {
         observer.message(&format!("warning: {warning}"));
     }
