@@ -101,11 +101,7 @@ impl Api {
             Request::Contacts { step } => self.kept("contacts", *step, TableKind::Contacts, frame::contacts),
             Request::Walls { step } => self.kept("walls", *step, TableKind::Walls, frame::walls),
             Request::Grain { step, id } => self.grain(*step, *id),
-            Request::History {
-                id,
-                moments,
-                of_contacts,
-            } => Ok(self.history(*id, moments, *of_contacts)),
+            Request::History { id, moments } => Ok(self.history(*id, moments)),
         };
         answer.unwrap_or_else(|error| {
             let status = match error {
@@ -208,13 +204,13 @@ impl Api {
         })
     }
 
-    fn history(&self, id: u32, asked: &[usize], of_contacts: bool) -> Answer {
+    fn history(&self, id: u32, asked: &[usize]) -> Answer {
         let (epoch, moments) = {
             let watch = lock(&self.watch);
             let moments = asked.iter().map_while(|k| watch.moments.get(*k).copied());
             (watch.epoch, moments.collect::<Vec<_>>())
         };
-        let told = grain::history(&self.finder(), &moments, id, of_contacts);
+        let told = grain::history(&self.finder(), &moments, id);
         Answer::json(&json!({ "epoch": epoch, "moments": told }))
     }
 

@@ -1,7 +1,8 @@
 //! A frame as the page draws it.
 
 use crate::pack::Pack;
-use demeter::results::{PackedWall, Packing, ResultsError, Run};
+use demeter::output::MEAN_NORMAL_FORCE;
+use demeter::results::{PackedWall, Packing, ResultsError, Run, TableKind};
 use serde_json::{Value, json};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -12,12 +13,9 @@ pub(crate) fn frame(run: &Run, step: u64) -> Result<Vec<u8>, ResultsError> {
     pack.tell("step", json!(packing.step));
     pack.tell("time", json!(packing.time));
     pack.tell("walls", json!(key_of_walls(&packing.walls)));
-    let forces = &packing.contacts.normal;
-    let sum: f64 = forces.iter().map(|force| force.abs()).sum();
-    pack.tell(
-        "contacts",
-        json!({ "count": forces.len(), "mean_force": sum / forces.len().max(1) as f64 }),
-    );
+    let contacts = run.open_table(TableKind::Contacts, step)?;
+    let mean = contacts.field(MEAN_NORMAL_FORCE).and_then(|mean| mean.values.number(0));
+    pack.tell("contacts", json!({ "count": contacts.rows(), "mean_force": mean }));
     let g = &packing.grains;
     pack.u32s("id", g.id.iter().copied());
     pack.f32s("position", g.position.iter().flat_map(|p| p.to_array()));

@@ -136,26 +136,23 @@ fn contacts(finder: &Finder, step: u64, id: u32) -> Result<Vec<Value>, ResultsEr
     Ok((0..id_i.values.len()).map(contact).collect())
 }
 
-/// The grain at the first of these moments, as many as are told quickly: position, speed, force, coordination, or what its
-/// contacts push with; null where it is not there.
-pub(crate) fn history(finder: &Finder, moments: &[Moment], id: u32, of_contacts: bool) -> Value {
+/// The grain at the first of these moments, as many as are told quickly: position, speed, forces, coordination; null where it
+/// is not there.
+pub(crate) fn history(finder: &Finder, moments: &[Moment], id: u32) -> Value {
     let begun = Instant::now();
     let mut told = Vec::new();
     for moment in moments {
         if !told.is_empty() && begun.elapsed() > QUICK {
             break;
         }
-        let values = match of_contacts {
-            true => contact_force(finder, moment.step, id),
-            false => motion(finder, moment.step, id),
-        };
+        let values = at_moment(finder, moment.step, id);
         // a frame that is damaged, or was just removed, leaves a gap
         told.push(values.ok().flatten().unwrap_or(Value::Null));
     }
     Value::Array(told)
 }
 
-fn motion(finder: &Finder, step: u64, id: u32) -> Result<Option<Value>, ResultsError> {
+fn at_moment(finder: &Finder, step: u64, id: u32) -> Result<Option<Value>, ResultsError> {
     let Some((mut grains, row)) = finder.grain(step, id)? else {
         return Ok(None);
     };
@@ -167,21 +164,12 @@ fn motion(finder: &Finder, step: u64, id: u32) -> Result<Option<Value>, ResultsE
         Ok(square.sum::<f64>().sqrt())
     };
     let (speed, force) = (length("velocity")?, length("force")?);
-    let coordination = numbers(&grains.rows_of("coordination", row..row + 1)?);
+    let mut value = |name: &str| Ok::<_, ResultsError>(numbers(&grains.rows_of(name, row..row + 1)?));
+    let (coordination, contact_force) = (value("coordination")?, value("contact_force")?);
     let position = point(&mut grains, row)?;
     Ok(Some(json!({
-        "position": position, "speed": speed, "force": force, "coordination": coordination,
+        "position": position, "speed": speed, "force": force, "coordination": coordination, "contact_force": contact_force,
     })))
-}
-
-fn contact_force(finder: &Finder, step: u64, id: u32) -> Result<Option<Value>, ResultsError> {
-    if finder.grain(step, id)?.is_none() {
-        return Ok(None);
-    }
-    let (mut contacts, rows) = finder.contacts(step, id)?;
-    let forces = contacts.rows_at("normal_force_magnitude", &rows)?;
-    let sum: f64 = (0..forces.values.len()).filter_map(|k| forces.values.number(k)).sum();
-    Ok(Some(json!({ "contact_force": sum })))
 }
 
 fn point(grains: &mut TableFile, row: usize) -> Result<Value, ResultsError> {

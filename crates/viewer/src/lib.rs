@@ -13,7 +13,7 @@
 //! | `/api/contacts/STEP` | contacts of a step, as force chains ([packed](pack)) |
 //! | `/api/walls/STEP` | triangles of the walls at a step ([packed](pack)) |
 //! | `/api/grain/STEP/ID` | a grain with its contacts at a step (JSON) |
-//! | `/api/history/ID?moments=K,L&contacts=0` | the grain at moments, as many of them as are told quickly (JSON); with `contacts=1` the sum of its contact forces |
+//! | `/api/history/ID?moments=K,L` | the grain at moments, as many of them as are told quickly (JSON) |
 
 mod api;
 mod cache;

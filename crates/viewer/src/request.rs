@@ -43,7 +43,6 @@ pub(crate) enum Request {
     History {
         id: u32,
         moments: Vec<usize>,
-        of_contacts: bool,
     },
     Contacts {
         step: u64,
@@ -126,7 +125,6 @@ fn parse(path: &str, query: &str) -> Option<Request> {
             (moments.len() <= MAX_MOMENTS).then_some(Request::History {
                 id: number(id)?,
                 moments,
-                of_contacts: value::<u8>(query, "contacts")? > 0,
             })
         }
         _ => None,
@@ -193,9 +191,8 @@ mod tests {
         let history = Request::History {
             id: 7,
             moments: vec![3, 0],
-            of_contacts: false,
         };
-        assert_eq!(get("/api/history/7?moments=3,0&contacts=0"), Ok(history));
+        assert_eq!(get("/api/history/7?moments=3,0"), Ok(history));
     }
 
     #[test]
@@ -218,9 +215,9 @@ mod tests {
             "/api/series?columns=&from=0",
             "/api/series?columns=1",
             "/api/state",
-            "/api/history/7?moments=1",
-            "/api/history/7?moments=&contacts=1",
-            "/api/history/7?moments=-1&contacts=1",
+            "/api/history/7",
+            "/api/history/7?moments=",
+            "/api/history/7?moments=-1",
             "/viewer.js/",
         ] {
             assert_eq!(get(path), Err(StatusCode::NOT_FOUND), "{path}");
@@ -232,7 +229,7 @@ mod tests {
         );
         let moments = vec!["1"; MAX_MOMENTS + 1].join(",");
         assert_eq!(
-            get(&format!("/api/history/7?moments={moments}&contacts=0")),
+            get(&format!("/api/history/7?moments={moments}")),
             Err(StatusCode::NOT_FOUND)
         );
         assert_eq!(

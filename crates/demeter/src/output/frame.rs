@@ -1,9 +1,10 @@
 //! What is written of one moment.
 
 use crate::materials::Material;
-use crate::particles::Grains;
+use crate::particles::{ById, Grains};
 use crate::walls::ElementRecord;
 use glam::DVec3;
+use std::f64::consts::PI;
 
 /// A contact as it is written.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,20 +80,110 @@ pub struct Frame<'a> {
     pub cell: Option<FrameBox>,
 }
 
+/// What the contacts do to every grain, walls counted.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ContactSums {
+    /// Number of contacts that act.
+    pub coordination: Vec<u32>,
+    /// Sum of the magnitudes of the normal forces [N].
+    pub force: Vec<f64>,
+    /// Mean normal stress, compression positive [Pa].
+    pub stress: Vec<f64>,
+}
+
+impl ContactRecord {
+    /// Normal force, repulsion positive [N].
+    pub fn repulsion(&self) -> f64 {
+        self.normal_force.dot(self.normal)
+    }
+}
+
 impl Frame<'_> {
-    /// Sum over the contacts of every grain, walls counted: `add(sum, contact)` is called for both partners, in the
-    /// order of the contacts.
-    pub fn sum_over_contacts<T: Copy>(&self, start: T, add: impl Fn(T, &ContactRecord) -> T) -> Vec<T> {
-        let mut by_id: Vec<(u32, usize)> = self.grains.id.iter().copied().zip(0..).collect();
-        by_id.sort_unstable();
-        let index = |id: u32| by_id.binary_search_by_key(&id, |&(id, _)| id).ok().map(|k| by_id[k].1);
-        let mut sums = vec![start; self.grains.len()];
+    /// Sums over the contacts of every grain, in their order.
+    ///
+    /// The mean normal stress of a grain of volume `V` is `sum(f_n l) / (3 V)` over its contacts, with the normal force
+    /// `f_n` (repulsion positive) and the distance `l` from the centre to the contact: `r - overlap / 2` between grains,
+    /// `r - overlap` at a wall. It is the mean over the grain's volume of a third of the trace of the stress (J. Weber,
+    /// Bulletin de Liaison des Ponts et Chaussees 20, 1966); friction, which is perpendicular to `l`, gives nothing to it.
+    pub fn contact_sums(&self) -> ContactSums {
+        let by_id = ById::new(&self.grains.id);
+        let n = self.grains.len();
+        let mut sums = ContactSums {
+            coordination: vec![0; n],
+            force: vec![0.0; n],
+            stress: vec![0.0; n],
+        };
         for contact in self.contacts {
-            let partners = [Some(contact.id_i), (contact.wall < 0).then_some(contact.id_j)];
-            for at in partners.into_iter().flatten().filter_map(index) {
-                sums[at] = add(sums[at], contact);
+            let (ids, depth) = match contact.wall < 0 {
+                true => ([Some(contact.id_i), Some(contact.id_j)], 0.5 * contact.overlap),
+                false => ([Some(contact.id_i), None], contact.overlap),
+            };
+            let force = contact.repulsion();
+            for at in ids.into_iter().flatten().filter_map(|id| by_id.find(id)) {
+                sums.coordination[at] += 1;
+                sums.force[at] += force.abs();
+                sums.stress[at] += force * (self.grains.radius(at) - depth);
             }
         }
+        for (stress, r) in sums.stress.iter_mut().zip(self.grains.radii()) {
+            *stress /= 4.0 * PI * r * r * r;
+        }
         sums
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::particles::NewGrain;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn stress_and_force_count_every_contact_of_a_grain() {
+        // grain 7 (r = 2) rests on wall 0 and carries grain 3 (r = 1)
+        let mut grains = Grains::default();
+        for (id, radius, z) in [(7, 2.0, 1.9), (3, 1.0, 4.7)] {
+            grains.push(
+                id,
+                &NewGrain {
+                    material: 0,
+                    radius,
+                    density: 1.0,
+                    position: DVec3::new(0.0, 0.0, z),
+                    velocity: DVec3::ZERO,
+                    angular_velocity: DVec3::ZERO,
+                    fixed: false,
+                },
+            );
+        }
+        let contact = |id_i, id_j, wall, overlap, force: f64| ContactRecord {
+            id_i,
+            id_j,
+            wall,
+            element: 0,
+            position: DVec3::ZERO,
+            normal: DVec3::Z,
+            overlap,
+            normal_force: force * DVec3::Z,
+            tangential_force: DVec3::X,
+            rolling_torque: DVec3::ZERO,
+        };
+        let frame = Frame {
+            step: 0,
+            time: 0.0,
+            grains: &grains,
+            materials: &[],
+            contacts: &[contact(3, 7, -1, 0.2, 10.0), contact(7, 0, 0, 0.1, 30.0)],
+            walls: &[],
+            tags: None,
+            cell: None,
+        };
+        let sums = frame.contact_sums();
+        assert_eq!(sums.coordination, [2, 1]);
+        assert_eq!(sums.force, [40.0, 10.0]);
+        let volume = |r: f64| 4.0 / 3.0 * PI * r.powi(3);
+        let expected = (10.0 * 1.9 + 30.0 * 1.9) / (3.0 * volume(2.0));
+        assert_relative_eq!(sums.stress[0], expected, max_relative = 1e-14);
+        assert_relative_eq!(sums.stress[1], 10.0 * 0.9 / (3.0 * volume(1.0)), max_relative = 1e-14);
     }
 }

@@ -40,4 +40,4 @@ pub use tables::{
     rose_titles,
 };
 pub(crate) use vtk::box_fields;
-pub use vtk::{BOX, BOX_PERIODIC, FrameWriter, MATERIAL_NAMES, WALL_NAMES};
+pub use vtk::{BOX, BOX_PERIODIC, FrameWriter, MATERIAL_NAMES, MEAN_NORMAL_FORCE, WALL_NAMES};

@@ -3,12 +3,13 @@
 //!
 //! | file | one element is | arrays |
 //! |---|---|---|
-//! | `grains` | a point at the centre of a grain | `id`, `material`, `radius` and `diameter` [m], `mass` [kg], `velocity` [m/s], `angular_velocity` [1/s], `orientation` (quaternion x, y, z, w), `force` [N], `torque` [N m], `coordination` (contacts that act, walls counted), `tag` where grains have tags |
+//! | `grains` | a point at the centre of a grain | `id`, `material`, `radius` and `diameter` [m], `mass` [kg], `velocity` [m/s], `angular_velocity` [1/s], `orientation` (quaternion x, y, z, w), `force` [N], `torque` [N m], `coordination` (contacts that act, walls counted), `contact_force` [N] (sum of the magnitudes of their normal forces), `mean_normal_stress` [Pa] (from them, compression positive), `tag` where grains have tags |
 //! | `contacts` | a point at the contact, of those that act: their normal force is not 0 | `id_i`, `id_j` (0: wall), `wall` (-1: none), `element`, `normal` (towards i), `overlap` [m], `normal_force`, `tangential_force` and their vector sum `force` [N], all on i, `normal_force_magnitude`, `force_magnitude` [N], `rolling_torque` [N m] |
 //! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s]; where a wall records loads or wear, of the element (triangle of a mesh, face of a box, else all of the wall) `mean_force` [N], `pressure` and `shear_stress` [Pa], means since the last frame; `impact_energy` and `sliding_energy` [J] and `wear_depth` [m] since the start |
 //!
 //! Every file carries `TimeValue` [s] and `step`; `grains` the names of the materials and, where there is a domain, `box` (its lower corner
-//! and three edges [m], as they are at that moment) and `box_periodic`; `walls` the names of the walls.
+//! and three edges [m], as they are at that moment) and `box_periodic`; `walls` the names of
+//! the walls; `contacts` the mean magnitude of the normal forces `mean_normal_force` [N].
 
 use super::collection::Collection;
 use super::error::OutputError;
@@ -33,6 +34,8 @@ pub const MATERIAL_NAMES: &str = "material_names";
 pub const BOX: &str = "box";
 /// Name of the flags that tell which sides of the box are periodic.
 pub const BOX_PERIODIC: &str = "box_periodic";
+/// Name of the mean magnitude of the normal forces that a file of contacts carries [N].
+pub const MEAN_NORMAL_FORCE: &str = "mean_normal_force";
 /// Name of the texts that a file of walls carries.
 pub const WALL_NAMES: &str = "wall_names";
 
@@ -102,7 +105,7 @@ pub(crate) fn box_fields(cell: &FrameBox) -> [Array; 2] {
 /// The table of the grains.
 pub(crate) fn grains(frame: &Frame) -> PolyData {
     let g = frame.grains;
-    let coordination = frame.sum_over_contacts(0_u32, |sum, _| sum + 1);
+    let sums = frame.contact_sums();
     let materials = g.material.iter().map(|&m| i32::from(m)).collect();
     let orientations = g.orientation.iter().flat_map(|q| q.to_array()).collect();
     let mut point_data = vec![
@@ -116,7 +119,9 @@ pub(crate) fn grains(frame: &Frame) -> PolyData {
         Array::new("orientation", 4, Values::Float64(orientations)),
         Array::vectors("force", g.force.iter()),
         Array::vectors("torque", g.torque.iter()),
-        Array::new("coordination", 1, Values::UInt32(coordination)),
+        Array::new("coordination", 1, Values::UInt32(sums.coordination)),
+        Array::scalars("contact_force", sums.force),
+        Array::scalars("mean_normal_stress", sums.stress),
     ];
     if let Some(tags) = &frame.tags {
         point_data.push(Array::new("tag", 1, Values::Int32(tags.clone())));
@@ -140,11 +145,13 @@ pub(crate) fn grains(frame: &Frame) -> PolyData {
 pub(crate) fn contacts(frame: &Frame) -> PolyData {
     let c = frame.contacts;
     let forces: Vec<DVec3> = c.iter().map(|k| k.normal_force + k.tangential_force).collect();
+    let sum: f64 = c.iter().map(|k| k.repulsion().abs()).sum();
+    let mean = sum / c.len().max(1) as f64;
     PolyData {
         step: frame.step,
         time: frame.time,
         texts: Vec::new(),
-        fields: Vec::new(),
+        fields: vec![Array::scalars(MEAN_NORMAL_FORCE, [mean])],
         points: c.iter().map(|k| k.position).collect(),
         cells: Cells::Vertices,
         point_data: vec![

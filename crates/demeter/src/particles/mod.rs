@@ -1,11 +1,13 @@
 //! Grains as a struct of arrays, and the domain that they live in.
 
+mod by_id;
 mod domain;
 mod interior;
 mod origins;
 mod rows;
 mod zone;
 
+pub use by_id::ById;
 pub use domain::{Domain, Outside};
 pub use interior::{Interior, InteriorError};
 pub use origins::Origins;

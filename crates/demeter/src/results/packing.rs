@@ -4,8 +4,8 @@ use super::error::ResultsError;
 use super::poly_data::TableFile;
 use super::run::{Run, TableKind};
 use crate::output::{MATERIAL_NAMES, WALL_NAMES};
+use crate::particles::ById;
 use glam::DVec3;
-use std::f64::consts::PI;
 
 /// A frame, as columns.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -99,25 +99,22 @@ pub struct Scalar<'p> {
 impl Packing {
     /// Reads the frame of a step.
     pub fn read(run: &Run, step: u64) -> Result<Self, ResultsError> {
-        let mut packing = Self::read_grains(run, step)?;
-        let mut table = run.open_table(TableKind::Contacts, step)?;
-        packing.contacts.point = table.points()?;
-        packing.contacts.total = table.floats("force_magnitude", 1)?;
-        Ok(packing)
+        Ok(Self {
+            contacts: read_contacts(&mut run.open_table(TableKind::Contacts, step)?)?,
+            ..Self::read_grains(run, step)?
+        })
     }
 
-    /// Reads the frame of a step, but not where its contacts are and how large their total forces: that is half of a frame.
+    /// Reads the frame of a step, but not its contacts, which are most of it.
     pub fn read_grains(run: &Run, step: u64) -> Result<Self, ResultsError> {
         let mut grains = run.open_table(TableKind::Grains, step)?;
-        let mut packing = Self {
+        Ok(Self {
             step,
             time: grains.time(),
             grains: read_grains(&mut grains)?,
-            contacts: read_contacts(&mut run.open_table(TableKind::Contacts, step)?)?,
-            walls: read_walls(&mut run.open_table(TableKind::Walls, step)?)?,
-        };
-        packing.sum_over_contacts();
-        Ok(packing)
+            contacts: PackedContacts::default(),
+            walls: Self::walls_at(run, step)?,
+        })
     }
 
     /// Reads the latest frame that is whole; nothing where there is none.
@@ -129,37 +126,6 @@ impl Packing {
     /// Reads only the walls of the frame of a step.
     pub fn walls_at(run: &Run, step: u64) -> Result<Vec<PackedWall>, ResultsError> {
         read_walls(&mut run.open_table(TableKind::Walls, step)?)
-    }
-
-    /// Forces and stresses of grains.
-    ///
-    /// The mean normal stress of a grain of volume `V` is `sum(f_n l) / (3 V)` over its contacts, with the normal force
-    /// `f_n` (repulsion positive) and the distance `l` from the centre to the contact: `r - overlap / 2` between grains,
-    /// `r - overlap` at a wall. It is the mean over the grain's volume of a third of the trace of the stress (J. Weber,
-    /// Bulletin de Liaison des Ponts et Chaussees 20, 1966); friction, which is perpendicular to `l`, gives nothing to it.
-    fn sum_over_contacts(&mut self) {
-        let by_id = ById::new(&self.grains.id);
-        let n = self.grains.id.len();
-        let (mut force, mut virial) = (vec![0.0; n], vec![0.0; n]);
-        let c = &self.contacts;
-        for k in 0..c.id_i.len() {
-            let (ids, depth): (&[u32], f64) = match c.wall[k] < 0 {
-                true => (&[c.id_i[k], c.id_j[k]], 0.5 * c.overlap[k]),
-                false => (&[c.id_i[k]], c.overlap[k]),
-            };
-            for at in ids.iter().filter_map(|id| by_id.find(*id)) {
-                force[at] += c.normal[k].abs();
-                virial[at] += c.normal[k] * (self.grains.radius[at] - depth);
-            }
-        }
-        let volume = |r: f64| 4.0 / 3.0 * PI * r * r * r;
-        let radii = self.grains.radius.iter();
-        self.grains.pressure = virial
-            .iter()
-            .zip(radii)
-            .map(|(sum, r)| sum / (3.0 * volume(*r)))
-            .collect();
-        self.grains.force = force;
     }
 
     /// The overlap of every contact as a share of the smaller radius.
@@ -229,40 +195,6 @@ impl Packing {
     }
 }
 
-/// Finds grains by their ids.
-enum ById {
-    /// Places, from 1, by id; 0 where no grain has it.
-    Listed(Vec<usize>),
-    /// Ids and places in order, where few of many ids are there.
-    Sorted(Vec<(u32, usize)>),
-}
-
-impl ById {
-    fn new(ids: &[u32]) -> Self {
-        let largest = ids.iter().copied().max().unwrap_or(0) as usize;
-        if largest / 8 <= ids.len() {
-            let mut places = vec![0; largest + 1];
-            for (id, place) in ids.iter().zip(1..) {
-                places[*id as usize] = place;
-            }
-            return Self::Listed(places);
-        }
-        let mut by_id: Vec<(u32, usize)> = ids.iter().copied().zip(0..).collect();
-        by_id.sort_unstable();
-        Self::Sorted(by_id)
-    }
-
-    fn find(&self, id: u32) -> Option<usize> {
-        match self {
-            Self::Listed(places) => places.get(id as usize)?.checked_sub(1),
-            Self::Sorted(by_id) => {
-                let at = by_id.binary_search_by_key(&id, |&(id, _)| id);
-                at.ok().map(|at| by_id[at].1)
-            }
-        }
-    }
-}
-
 fn vectors(numbers: &[f64]) -> impl Iterator<Item = DVec3> {
     numbers.as_chunks().0.iter().map(|v| DVec3::from_array(*v))
 }
@@ -279,7 +211,8 @@ fn read_grains(table: &mut TableFile) -> Result<PackedGrains, ResultsError> {
         materials: table.texts(MATERIAL_NAMES).to_vec(),
         coordination: table.counts("coordination")?,
         tag: has_tags.then(|| table.integers("tag")).transpose()?,
-        ..PackedGrains::default()
+        force: table.floats("contact_force", 1)?,
+        pressure: table.floats("mean_normal_stress", 1)?,
     })
 }
 
@@ -293,7 +226,8 @@ fn read_contacts(table: &mut TableFile) -> Result<PackedContacts, ResultsError> 
         overlap: table.floats("overlap", 1)?,
         normal: direction.iter().zip(vectors(&force)).map(|(n, f)| n.dot(f)).collect(),
         direction,
-        ..PackedContacts::default()
+        point: table.points()?,
+        total: table.floats("force_magnitude", 1)?,
     })
 }
 
@@ -324,7 +258,7 @@ mod tests {
 
     /// Grain 7 (r = 2) rests on wall 0 and carries grain 3 (r = 1).
     fn two_grains() -> Packing {
-        let mut packing = Packing {
+        Packing {
             grains: PackedGrains {
                 id: vec![7, 3],
                 position: vec![DVec3::new(0.0, 0.0, 1.9), DVec3::new(0.0, 0.0, 4.7)],
@@ -342,35 +276,7 @@ mod tests {
                 ..PackedContacts::default()
             },
             ..Packing::default()
-        };
-        packing.sum_over_contacts();
-        packing
-    }
-
-    #[test]
-    fn stress_and_force_count_every_contact_of_a_grain() {
-        let packing = two_grains();
-        assert_eq!(packing.grains.force, [40.0, 10.0]);
-        let volume = |r: f64| 4.0 / 3.0 * PI * r.powi(3);
-        let expected = (10.0 * 1.9 + 30.0 * 1.9) / (3.0 * volume(2.0));
-        assert_relative_eq!(packing.grains.pressure[0], expected, max_relative = 1e-14);
-        assert_relative_eq!(
-            packing.grains.pressure[1],
-            10.0 * 0.9 / (3.0 * volume(1.0)),
-            max_relative = 1e-14
-        );
-    }
-
-    #[test]
-    fn grains_are_found_among_many_and_among_few_ids() {
-        for ids in [vec![3, 1, 2, 0], vec![7, 4_000_000_000, 3]] {
-            let by_id = ById::new(&ids);
-            for (place, id) in ids.iter().enumerate() {
-                assert_eq!(by_id.find(*id), Some(place));
-            }
-            assert_eq!((by_id.find(5), by_id.find(u32::MAX)), (None, None));
         }
-        assert_eq!(ById::new(&[]).find(0), None);
     }
 
     #[test]

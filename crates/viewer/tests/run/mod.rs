@@ -129,6 +129,8 @@ fn grains(step: u64, time: f64) -> PolyData {
             vectors("velocity", DVec3::new(3.0, 4.0, 0.0)),
             vectors("force", DVec3::ZERO),
             Array::new("coordination", 1, Values::UInt32(vec![0, 2, 1])),
+            Array::scalars("contact_force", [0.0, 5.0, 2.0]),
+            Array::scalars("mean_normal_stress", [0.0, 0.375, 0.0625]),
         ],
         cell_data: Vec::new(),
     }
@@ -143,7 +145,7 @@ fn contacts(step: u64, time: f64, (id_i, id_j): (u32, u32)) -> PolyData {
         step,
         time,
         texts: Vec::new(),
-        fields: Vec::new(),
+        fields: vec![Array::scalars("mean_normal_force", [2.5])],
         points: vec![DVec3::new(0.0, 0.0, 1.875), DVec3::ZERO],
         cells: Cells::Vertices,
         point_data: vec![

@@ -49,13 +49,13 @@ export interface GrainAnswer {
     contacts: GrainContact[];
 }
 
-/** A grain at a moment: how it moves, or what its contacts push with. */
+/** A grain at a moment. */
 export interface GrainMoment {
-    position?: [number, number, number];
-    speed?: number | null;
-    force?: number | null;
-    contact_force?: number | null;
-    coordination?: number | null;
+    position: [number, number, number];
+    speed: number | null;
+    force: number | null;
+    contact_force: number | null;
+    coordination: number | null;
 }
 
 /** The server said no, or is gone. */
@@ -85,8 +85,8 @@ async function json<T>(path: string): Promise<T> {
 export const readState = (moments: number) => json<RunState>(`api/state?moments=${moments}`);
 export const readGrain = (step: number, id: number) => json<GrainAnswer>(`api/grain/${step}/${id}`);
 /** A grain at the first of these moments, as many as the server tells quickly. */
-export const readHistory = (id: number, moments: number[], contacts: boolean) =>
-    json<{ epoch: number; moments: (GrainMoment | null)[] }>(`api/history/${id}?moments=${moments.join(",")}&contacts=${contacts ? 1 : 0}`);
+export const readHistory = (id: number, moments: number[]) =>
+    json<{ epoch: number; moments: (GrainMoment | null)[] }>(`api/history/${id}?moments=${moments.join(",")}`);
 export const readSeries = (columns: number[], from: number) => readPack(`api/series?columns=${columns.join(",")}&from=${from}`);
 
 type Numbers = Float32Array | Float64Array | Uint32Array | Int32Array;

@@ -3,7 +3,7 @@ import { button, choice, make } from "../dom";
 import { Plot, type PlotOptions } from "../plots";
 import { quantity, readable } from "../units";
 import { readGrain, type GrainAnswer, type GrainContact, type GrainMoment } from "./api";
-import { History, type Kind } from "./history";
+import { History } from "./history";
 
 /** While playing, values are read at most so often [ms]. */
 const PAUSE = 300;
@@ -16,19 +16,21 @@ const UNITS: Record<string, string> = {
     angular_velocity: "1/s",
     force: "N",
     torque: "N m",
+    contact_force: "N",
+    mean_normal_stress: "Pa",
 };
 /** Arrays that say nothing that others do not say, or not to people. */
 const LEFT_OUT = ["id", "diameter", "orientation"];
 
-type Quantity = [key: string, label: string, unit: string, value: (m: GrainMoment) => number | null | undefined, of: Kind];
+type Quantity = [key: string, label: string, unit: string, value: (m: GrainMoment) => number | null];
 const QUANTITIES: Quantity[] = [
-    ["speed", "speed", "m/s", (m) => m.speed, "motion"],
-    ["contact_force", "contact force", "N", (m) => m.contact_force, "contacts"],
-    ["force", "total force", "N", (m) => m.force, "motion"],
-    ["coordination", "coordination", "", (m) => m.coordination, "motion"],
-    ["x", "x", "m", (m) => m.position?.[0], "motion"],
-    ["y", "y", "m", (m) => m.position?.[1], "motion"],
-    ["z", "z", "m", (m) => m.position?.[2], "motion"],
+    ["speed", "speed", "m/s", (m) => m.speed],
+    ["contact_force", "contact force", "N", (m) => m.contact_force],
+    ["force", "total force", "N", (m) => m.force],
+    ["coordination", "coordination", "", (m) => m.coordination],
+    ["x", "x", "m", (m) => m.position[0]],
+    ["y", "y", "m", (m) => m.position[1]],
+    ["z", "z", "m", (m) => m.position[2]],
 ];
 
 export interface GrainEvents {
@@ -58,10 +60,7 @@ export class GrainPanel {
 
     constructor(events: GrainEvents) {
         this.#events = events;
-        const quantityChoice = choice("History of", QUANTITIES.map(([key, label, unit]) => [key, unit ? `${label} [${unit}]` : label]), () => {
-            this.#draw();
-            void this.#readHistory();
-        });
+        const quantityChoice = choice("History of", QUANTITIES.map(([key, label, unit]) => [key, unit ? `${label} [${unit}]` : label]), () => this.#draw());
         this.#quantity = quantityChoice.select;
         const form = make("form", { class: "grain-form" }, make("label", {}, "Grain ", this.#id), make("button", { type: "submit" }, "Show"), button("None", () => this.#events.pick(null)));
         form.addEventListener("submit", (event) => {
@@ -185,7 +184,7 @@ export class GrainPanel {
     async #readHistory(): Promise<void> {
         const history = this.#history;
         try {
-            await history?.read(this.#chosen()[4], this.#times.length, () => history === this.#history && this.#draw());
+            await history?.read(this.#times.length, () => history === this.#history && this.#draw());
         } catch (error) {
             if (history === this.#history) {
                 this.#fault.textContent = (error as Error).message;
@@ -193,13 +192,9 @@ export class GrainPanel {
         }
     }
 
-    #chosen(): Quantity {
-        return QUANTITIES.find(([key]) => key === this.#quantity.value)!;
-    }
-
     #draw(): void {
-        const [, label, unit, value, of] = this.#chosen();
-        const known = (this.#history?.known(of) ?? []).filter(([index]) => index < this.#times.length);
+        const [, label, unit, value] = QUANTITIES.find(([key]) => key === this.#quantity.value)!;
+        const known = (this.#history?.known() ?? []).filter(([index]) => index < this.#times.length);
         if (known.length === 0) {
             return;
         }

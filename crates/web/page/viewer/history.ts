@@ -6,14 +6,11 @@ const CHUNK = 24;
 /** Requests at a time. */
 const READERS = 2;
 
-/** What is told together: how the grain moves, or what its contacts push with, for which the server reads more. */
-export type Kind = "motion" | "contacts";
-
 /** One grain. */
 export class History {
     readonly id: number;
-    readonly #told: Record<Kind, (GrainMoment | null | undefined)[]> = { motion: [], contacts: [] };
-    #reading: Kind | null = null;
+    readonly #told: (GrainMoment | null | undefined)[] = [];
+    #reading = false;
     /** How many moments there were when it was asked for more meanwhile. */
     #more = 0;
     #stopped = false;
@@ -28,30 +25,28 @@ export class History {
     }
 
     /** The moments that were read, in order, with what was told; `null` where the grain is not there. */
-    known(kind: Kind): [index: number, moment: GrainMoment | null][] {
-        return [...this.#told[kind].entries()].filter((entry): entry is [number, GrainMoment | null] => entry[1] !== undefined);
+    known(): [index: number, moment: GrainMoment | null][] {
+        return [...this.#told.entries()].filter((entry): entry is [number, GrainMoment | null] => entry[1] !== undefined);
     }
 
-    /** Reads what is missing of so many moments, and tells each time that more is known. What is being read of another kind is left. */
-    async read(kind: Kind, count: number, grown: () => void): Promise<void> {
-        if (this.#reading === kind) {
+    /** Reads what is missing of so many moments, and tells each time that more is known. */
+    async read(count: number, grown: () => void): Promise<void> {
+        if (this.#reading) {
             // what came since is read when all else is
             this.#more = count;
             return;
         }
-        const told = this.#told[kind];
-        const left = coarseToFine(count).filter((k) => told[k] === undefined);
-        const isWanted = () => !this.#stopped && this.#reading === kind;
-        this.#reading = kind;
+        const left = coarseToFine(count).filter((k) => this.#told[k] === undefined);
+        this.#reading = true;
         this.#more = 0;
         const work = async () => {
-            while (left.length > 0 && isWanted()) {
+            while (left.length > 0 && !this.#stopped) {
                 const asked = left.splice(0, CHUNK);
-                const { moments } = await readHistory(this.id, asked, kind === "contacts");
+                const { moments } = await readHistory(this.id, asked);
                 // of a moment that has gone nothing is told, nor of those behind it
                 left.unshift(...(moments.length > 0 ? asked.slice(moments.length) : []));
-                moments.forEach((moment, k) => (told[asked[k]!] = moment));
-                if (isWanted()) {
+                moments.forEach((moment, k) => (this.#told[asked[k]!] = moment));
+                if (!this.#stopped) {
                     grown();
                 }
             }
@@ -59,12 +54,10 @@ export class History {
         try {
             await Promise.all(Array.from({ length: READERS }, work));
         } finally {
-            if (this.#reading === kind) {
-                this.#reading = null;
-            }
+            this.#reading = false;
         }
-        if (this.#more > count && !this.#stopped && this.#reading === null) {
-            await this.read(kind, this.#more, grown);
+        if (this.#more > count && !this.#stopped) {
+            await this.read(this.#more, grown);
         }
     }
 }

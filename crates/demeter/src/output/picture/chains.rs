@@ -5,6 +5,7 @@ use super::image::to_linear;
 use super::shading::Rgb;
 use crate::output::frame::Frame;
 use crate::output::ticks::{round_up, si_prefix};
+use crate::particles::ById;
 use glam::DVec3;
 
 /// Thickness of the strongest contact, as a share of the mean radius of grains.
@@ -66,11 +67,9 @@ impl Chains {
     fn add_contacts(&mut self, frame: &Frame, forces: &[f64]) {
         let grains = frame.grains;
         let mean = grains.radii().sum::<f64>() / grains.len().max(1) as f64;
-        let mut by_id: Vec<(u32, usize)> = grains.id.iter().copied().zip(0..).collect();
-        by_id.sort_unstable();
+        let by_id = ById::new(&grains.id);
         let place = |id: u32| {
-            let at = by_id.binary_search_by_key(&id, |&(id, _)| id).ok()?;
-            let index = by_id[at].1;
+            let index = by_id.find(id)?;
             Some((grains.position[index], grains.radius(index)))
         };
         for (contact, force) in frame.contacts.iter().zip(forces) {

@@ -99,7 +99,7 @@ impl Colouring {
                 Self::new(frame, by, high)
             }
             ColourBy::ContactForce => {
-                let forces = frame.sum_over_contacts(0.0, |sum, c| sum + c.normal_force.length());
+                let forces = frame.contact_sums().force;
                 Self::by_value("contact force", "N", &forces, high)
             }
             ColourBy::Speed => {
@@ -111,14 +111,14 @@ impl Colouring {
                 Self::by_value("diameter", "m", &diameters, high)
             }
             ColourBy::Coordination => {
-                let contacts = frame.sum_over_contacts(0.0, |sum, _| sum + 1.0);
+                let contacts: Vec<f64> = frame.contact_sums().coordination.into_iter().map(f64::from).collect();
                 Self::by_value("contacts", "", &contacts, high)
             }
             ColourBy::Spin => {
                 let speeds: Vec<f64> = g.angular_velocity.iter().map(|w| w.length()).collect();
                 Self::by_value("spin", "1/s", &speeds, high)
             }
-            ColourBy::Pressure => Self::by_value("pressure", "Pa", &pressures(frame), high),
+            ColourBy::Pressure => Self::by_value("pressure", "Pa", &frame.contact_sums().stress, high),
             ColourBy::Material => Self::by_material(frame),
         }
     }
@@ -167,23 +167,6 @@ impl Colouring {
             end: Some(high),
         }
     }
-}
-
-/// Mean normal stress of every grain: the normal forces times their levers, over three times its volume [Pa].
-fn pressures(frame: &Frame) -> Vec<f64> {
-    let sums = frame.sum_over_contacts((0.0, 0.0), |(force, moment), contact| {
-        let normal = contact.normal_force.dot(contact.normal);
-        (force + normal, moment + normal * 0.5 * contact.overlap)
-    });
-    let radii = frame.grains.radii();
-    let pressure = |((force, moment), radius): ((f64, f64), f64)| {
-        (force * radius - moment) / (4.0 * std::f64::consts::PI * radius * radius * radius)
-    };
-    sums.into_iter()
-        .zip(radii)
-        .map(pressure)
-        .map(|pressure| pressure.max(0.0))
-        .collect()
 }
 
 #[cfg(test)]
