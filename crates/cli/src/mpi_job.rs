@@ -16,6 +16,9 @@ const AT_ONCE: usize = 1 << 30;
 /// Looks in vain before the core is offered to others, and between two looks at the clock.
 const LOOKS: u32 = 100;
 
+/// Time that the launcher has to pass on what a process said last: that of MPICH drops what it has not read when one aborts.
+const TO_BE_HEARD: Duration = Duration::from_millis(300);
+
 /// Exit code of a job that was given up: what it could not read or write was another process.
 const GIVEN_UP: i32 = 1;
 
@@ -66,8 +69,14 @@ impl MpiJob {
 
     /// Ends all processes of the job at once, with this exit code.
     pub fn abort(&self, code: i32) -> ! {
-        SimpleCommunicator::world().abort(code)
+        abort(code)
     }
+}
+
+/// Ends all processes of the job, after the launcher has heard what this one said last.
+fn abort(code: i32) -> ! {
+    std::thread::sleep(TO_BE_HEARD);
+    SimpleCommunicator::world().abort(code)
 }
 
 /// All processes of an MPI job.
@@ -210,6 +219,6 @@ impl Ranks for MpiRanks {
 
     fn give_up(&self, reason: &str) -> ! {
         (self.tell)(reason);
-        SimpleCommunicator::world().abort(GIVEN_UP)
+        abort(GIVEN_UP)
     }
 }
