@@ -14,8 +14,8 @@ const STEPS: [u64; 2] = [20, 320];
 /// The widest that callgrind knows, and what every processor has.
 const COUNTED: [&str; 2] = ["portable", "avx2"];
 
-/// How what is counted is compiled.
-const PROFILES: &str = "xtask/counted.toml";
+/// How what is counted is compiled, and the wheel that is tested.
+pub const PROFILES: &str = "xtask/counted.toml";
 
 /// Largest difference from the reference.
 const TOLERANCE: f64 = 0.05;
@@ -38,6 +38,9 @@ pub fn run(accept: bool) -> Result<(), String> {
             "build",
             "-p",
             "demeter-benches",
+            // the wheel that is tested later finds the engine compiled
+            "-p",
+            "demeter-py",
             "--bin",
             "one_step",
             "--config",

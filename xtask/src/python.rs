@@ -1,6 +1,7 @@
 //! The Python module, built and tested as a user has it; and the output of a run, opened with PyVista.
 
 use crate::checks::build_demeter;
+use crate::instructions::PROFILES;
 use crate::shell::run;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -58,7 +59,7 @@ fn test_output(python: &str, target: &Path) -> Result<(), String> {
     )
 }
 
-/// The wheel as `pip install .` makes it, but not optimised.
+/// The wheel as `pip install .` makes it, but compiled faster.
 fn test_module(python: &str, target: &Path) -> Result<(), String> {
     let wheels = target.join(WHEELS);
     if wheels.exists() {
@@ -75,7 +76,7 @@ fn test_module(python: &str, target: &Path) -> Result<(), String> {
     ];
     let settings = [
         "--config-settings",
-        "build-args=--profile dev",
+        &format!("build-args=--profile dev --config {PROFILES}"),
         "--wheel-dir",
         &text(&wheels),
     ];
