@@ -30,6 +30,22 @@ fn launchers() -> impl Iterator<Item = (String, u32)> {
         .filter_map(|(name, several)| Some((std::env::var(name).ok()?, *several)))
 }
 
+/// Whether a launcher has started several processes.
+fn are_several() -> bool {
+    launchers().any(|(told, several)| told.parse::<u32>().is_ok_and(|number| number >= several))
+}
+
+/// Refuses to be one of several processes that each do the same, where work is not shared.
+pub fn refuse_several() -> Result<(), Failure> {
+    if are_several() {
+        return Err(Failure::wrong(
+            "a launcher has started several processes, and each would do all of this: only `demeter run` and `demeter resume` \
+             share their work. Start it once, without `mpirun`; `demeter sweep` uses all cores by itself, and `--slurm` many hosts",
+        ));
+    }
+    Ok(())
+}
+
 /// Tells why the job is given up, whoever speaks otherwise.
 #[cfg(feature = "mpi")]
 fn tell(reason: &str) {
@@ -86,7 +102,7 @@ impl Job {
     /// Refuses to be one of several processes, each of which would run all.
     #[cfg(not(feature = "mpi"))]
     pub fn join() -> Result<Self, Failure> {
-        if launchers().any(|(told, several)| told.parse::<u32>().is_ok_and(|number| number >= several)) {
+        if are_several() {
             return Err(Failure::wrong(
                 "this program was built without MPI, so that each process would run all; build it with \
                  `cargo build --release -p demeter-cli --features mpi`, or run it without `mpirun`",

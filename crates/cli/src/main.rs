@@ -56,6 +56,10 @@ fn main() -> ExitCode {
         Err(error) => return refuse(&error).into(),
     };
     let json = arguments.command.wants_json();
+    let is_shared = matches!(arguments.command, Command::Run(_) | Command::Resume(_));
+    if !is_shared && let Err(failure) = job::refuse_several() {
+        return failure.tell(json).into();
+    }
     let outcome = match arguments.command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Resume(arguments) => run::resume(&arguments),

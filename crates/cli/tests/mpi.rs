@@ -230,6 +230,23 @@ fn what_is_wrong_is_told_once() {
 }
 
 #[test]
+fn what_is_not_shared_is_refused_to_several() {
+    let place = mixer();
+    for command in [&["sweep", "mixer.toml", "--repeat", "2"][..], &["check", "mixer.toml"]] {
+        let said = said(mpirun(&place, &[command; 2]));
+        assert_ne!(said.code, 0, "{}", said.out);
+        assert!(
+            said.err.contains("only `demeter run` and `demeter resume`"),
+            "{}",
+            said.err
+        );
+    }
+    assert!(!place.path("runs").exists());
+    let alone = said(mpirun(&place, &[&["check", "mixer.toml"]]));
+    assert_eq!(alone.code, 0, "{}", alone.err);
+}
+
+#[test]
 fn contacts_that_feel_each_other_keep_their_bits() {
     let place = mixer();
     let coupled = |out: &'static str| {
