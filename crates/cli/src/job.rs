@@ -16,11 +16,12 @@ const PATIENCE: u64 = 600;
 
 /// Environment variables by which launchers tell a process how many there are, or which of them it is, with the least number that
 /// tells of several: Open MPI, MPICH and its kin, Slurm.
-const LAUNCHERS: [(&str, u32); 4] = [
+const LAUNCHERS: [(&str, u32); 5] = [
     ("OMPI_COMM_WORLD_SIZE", 2),
     ("PMI_SIZE", 2),
     ("MPI_LOCALNRANKS", 2),
     ("PMIX_RANK", 1),
+    ("SLURM_STEP_NUM_TASKS", 2),
 ];
 
 /// What launchers told this process.
@@ -91,7 +92,15 @@ impl Job {
         };
         let mpi = MpiJob::begin().map_err(|error| Failure::io(error.to_string()))?;
         let patience = std::time::Duration::from_secs(seconds);
-        if mpi.ranks(patience, tell).rank() > 0 {
+        let ranks = mpi.ranks(patience, tell);
+        if ranks.count() == 1 && are_several() {
+            return Err(Failure::wrong(
+                "a launcher has started several processes, and MPI knows of one only: each would run all. The launcher must be that of \
+                 the MPI that this program was built with; under Slurm `srun --mpi=pmix` (Open MPI) or `srun --mpi=pmi2` (MPICH), of \
+                 those that `srun --mpi=list` tells",
+            ));
+        }
+        if ranks.rank() > 0 {
             answer::be_silent(true);
         }
         let mpi = Rc::new((mpi, patience));
@@ -104,7 +113,7 @@ impl Job {
     pub fn join() -> Result<Self, Failure> {
         if are_several() {
             return Err(Failure::wrong(
-                "this program was built without MPI, so that each process would run all; build it with \
+                "this program was built without MPI, so that of several processes each would run all; build it with \
                  `cargo build --release -p demeter-cli --features mpi`, or run it without `mpirun`",
             ));
         }

@@ -332,3 +332,30 @@ fn a_schema_is_told_and_written_and_nothing_else_is_replaced() {
     let said = place.expect(2, &["schema", "scenaro"]);
     assert!(said.err.contains("scenario"), "{}", said.err);
 }
+
+/// What a launcher tells several processes that do not share their work.
+#[test]
+fn several_processes_that_would_each_do_all_are_refused() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let refused = |name: &str, value: &str, command: &[&str]| {
+        let output = place.command(command).env(name, value).output().unwrap();
+        (
+            output.status.code(),
+            String::from_utf8_lossy(&output.stderr).into_owned(),
+        )
+    };
+    for (name, value) in [
+        ("OMPI_COMM_WORLD_SIZE", "2"),
+        ("PMIX_RANK", "1"),
+        ("SLURM_STEP_NUM_TASKS", "2"),
+    ] {
+        let (code, err) = refused(name, value, &["sweep", "fall.toml", "--repeat", "2"]);
+        assert!(code == Some(2) && err.contains("share their work"), "{err}");
+    }
+    let (code, err) = refused("SLURM_STEP_NUM_TASKS", "1", &["check", "fall.toml"]);
+    assert_eq!(code, Some(0), "{err}");
+    let (code, err) = refused("SLURM_STEP_NUM_TASKS", "2", &["run", "fall.toml"]);
+    assert!(code == Some(2) && err.contains("each would run all"), "{err}");
+    assert_eq!(place.names(), ["fall.toml"]);
+}
