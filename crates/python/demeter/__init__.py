@@ -8,15 +8,20 @@
 Quantities are texts with units ("2 mm") or plain numbers in SI; everything that comes out is SI.
 """
 
+from .demeter import ArgumentError as ArgumentError
 from .demeter import CollisionError as CollisionError
 from .demeter import Error as Error
 from .demeter import Fault as Fault
 from .demeter import ForceState as ForceState
+from .demeter import OutOfRange as OutOfRange
 from .demeter import OutputError as OutputError
 from .demeter import RunError as RunError
 from .demeter import Scenario as Scenario
 from .demeter import ScenarioError as ScenarioError
 from .demeter import Simulation as Simulation
+from .demeter import UnknownName as UnknownName
+from .demeter import WrongType as WrongType
+from .demeter import WrongValue as WrongValue
 from .demeter import __version__ as __version__
 from .demeter import collide as collide
 from .demeter import compare as compare

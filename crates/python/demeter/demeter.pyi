@@ -9,15 +9,20 @@ import numpy.typing as npt
 __version__: str
 
 __all__ = [
+    "ArgumentError",
     "CollisionError",
     "Error",
     "Fault",
     "ForceState",
+    "OutOfRange",
     "OutputError",
     "RunError",
     "Scenario",
     "ScenarioError",
     "Simulation",
+    "UnknownName",
+    "WrongType",
+    "WrongValue",
     "__version__",
     "collide",
     "compare",
@@ -73,6 +78,21 @@ class OutputError(Error):
 
 class CollisionError(Error):
     """Two bodies cannot be computed as asked."""
+
+class ArgumentError(Error):
+    """An argument of a function is wrong."""
+
+class WrongType(ArgumentError, TypeError):
+    """An argument is of a type that is not understood; also a TypeError."""
+
+class WrongValue(ArgumentError, ValueError):
+    """An argument has a value that it cannot have; also a ValueError."""
+
+class UnknownName(ArgumentError, KeyError):
+    """There is nothing of this name; also a KeyError."""
+
+class OutOfRange(ArgumentError, IndexError):
+    """There is nothing of this number; also an IndexError."""
 
 @final
 class Scenario:
@@ -220,9 +240,13 @@ class Simulation:
         angle: Optional[Callable[[float], float]] = None,
         angular_velocity: Optional[Callable[[float], float]] = None,
         axis: Optional[Sequence[float]] = None,
-        point: Optional[Sequence[float]] = None,
+        point: Optional[Sequence[_Quantity]] = None,
     ) -> None:
         """Moves a wall as one function of simulated time [s] tells: `position` [m], `velocity` [m/s], `angle` [rad], `angular_velocity` [rad/s]."""
+    def close(self) -> None:
+        """Lets the folder of the run go, and goes no further; the state stays to be looked at."""
+    def __enter__(self) -> Simulation: ...
+    def __exit__(self, *_exception: object) -> bool: ...
     def checkpoint(self, folder: Optional[_Path] = None) -> PathLike[str]:
         """Writes a checkpoint. Tells the folder."""
     @property

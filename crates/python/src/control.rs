@@ -1,11 +1,12 @@
 //! How far a run goes, and what is called on the way.
 
-use crate::convert::{kind, quantity};
+use crate::convert::{function, quantity, shown, whole};
+use crate::errors::{wrong_type, wrong_value};
 use demeter_physics::dimension::Dimension;
 use engine::scenario::{Observer, Progress};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyInt};
+use pyo3::types::{PyBool, PyDict, PyFloat, PyString};
 
 /// Steps between two questions for a condition, when none are told.
 const CONDITION_EVERY: u64 = 100;
@@ -20,19 +21,16 @@ pub enum Interval {
 impl Interval {
     /// An int counts steps; a text or a float is a time.
     pub fn of(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Self> {
-        if value.is_instance_of::<PyInt>() && !value.is_instance_of::<PyBool>() {
-            let steps: i64 = value.extract()?;
-            let steps = u64::try_from(steps).ok().filter(|steps| *steps > 0);
-            return steps
-                .map(Self::Steps)
-                .ok_or_else(|| PyValueError::new_err(format!("`{name}` is {value} steps; at least one is needed")));
+        let is_number = value.is_instance_of::<PyFloat>() || value.is_instance_of::<PyString>();
+        if !is_number && value.hasattr("__index__")? {
+            return whole(value, name, 1).map(Self::Steps);
         }
         let time = quantity(value, name, Dimension::TIME)?;
         if time > 0.0 && time.is_finite() {
             return Ok(Self::Time(time));
         }
-        Err(PyValueError::new_err(format!(
-            "`{name}` is {time} s; it must be above 0"
+        Err(wrong_value(format!(
+            "`{name}` is {time} s; it must be above 0 and finite"
         )))
     }
 
@@ -68,11 +66,6 @@ impl Callback {
 
     pub fn function(&self) -> &Py<PyAny> {
         &self.function
-    }
-
-    pub fn is(&self, py: Python<'_>, function: &Bound<'_, PyAny>) -> bool {
-        // bound methods are made anew whenever they are asked for
-        self.function.bind(py).eq(function).unwrap_or(false)
     }
 
     /// The function, when its moment has come.
@@ -128,7 +121,7 @@ impl Limit {
         let step_of = |value: &Bound<'_, PyAny>, name: &str| -> PyResult<u64> {
             let time = quantity(value, name, Dimension::TIME)?;
             if !time.is_finite() {
-                return Err(PyValueError::new_err(format!("`{name}` is not a finite time")));
+                return Err(wrong_value(format!("`{name}` is {time} s; it must be a finite time")));
             }
             Ok((time / dt - 1e-9).ceil().max(0.0) as u64)
         };
@@ -145,20 +138,21 @@ impl Limit {
         }
         if every.is_some() || last.is_some() {
             let message = "`every` and `at_most` belong to a condition, which is a function";
-            return Err(PyTypeError::new_err(message));
+            return Err(wrong_type(message));
         }
         let until = match step_of(until, "until") {
             Err(error) if error.is_instance_of::<PyTypeError>(until.py()) => {
-                return Err(PyTypeError::new_err(format!(
+                return Err(wrong_type(format!(
                     "`until` must be a time (\"20 ms\", or seconds) or a function of the simulation, not {}",
-                    kind(until)
+                    shown(until)
                 )));
             }
             step => step?,
         };
         if until < step {
-            return Err(PyValueError::new_err(format!(
-                "`until` is {:.6e} s, and the run is at {:.6e} s already",
+            return Err(wrong_value(format!(
+                "`until` is {:.6e} s, and the run is at {:.6e} s already; it counts from the beginning of the run (`sim.time + 1e-3` \
+                 goes on for 1 ms)",
                 until as f64 * dt,
                 step as f64 * dt
             )));
@@ -239,13 +233,7 @@ impl<'py> Watcher<'py> {
                 .transpose()
                 .map(|bar| bar.map(|function| Self { function, is_bar: true }));
         }
-        if !progress.is_callable() {
-            let message = format!(
-                "`progress` must be True, False or a function of a dict, not {}",
-                kind(progress)
-            );
-            return Err(PyTypeError::new_err(message));
-        }
+        function(progress, "progress", "a dict, or True for a bar")?;
         Ok(Some(Self {
             function: progress.clone(),
             is_bar: false,

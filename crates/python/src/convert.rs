@@ -1,17 +1,19 @@
 //! Values between Python and the engine.
 
-use crate::errors::{Error, Raise};
+use crate::errors::{Error, Raise, out_of_range, wrong_type, wrong_value};
 use demeter_physics::dimension::Dimension;
 use engine::scenario::{Foreign, Plain, faults_with_foreign, units};
 use numpy::{PyArray1, PyArray2};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString, PyTuple};
 use serde_json::Value;
 use std::path::PathBuf;
 
 /// Deepest nesting of a dict.
 const DEEPEST: usize = 32;
+/// Longest text of a wrong value in a message.
+const LONGEST: usize = 60;
 
 /// Reads Python values as those of a scenario, and notes which are none.
 #[derive(Default)]
@@ -111,15 +113,51 @@ pub fn kind(value: &Bound<'_, PyAny>) -> String {
     name.map_or_else(|_| "a value".to_string(), |name| format!("a value of type {name}"))
 }
 
+/// A wrong value with its type, for messages: `2.5 (of type float)`.
+pub fn shown(value: &Bound<'_, PyAny>) -> String {
+    if value.is_none() {
+        return "None".to_string();
+    }
+    let text = value.repr().map(|repr| repr.to_string()).unwrap_or_default();
+    match value.get_type().name() {
+        Ok(name) if text.is_empty() => format!("a value of type {name}"),
+        Ok(name) if text.chars().count() > LONGEST => {
+            let begin: String = text.chars().take(LONGEST).collect();
+            format!("{begin}... (of type {name})")
+        }
+        Ok(name) => format!("{text} (of type {name})"),
+        Err(_) => "a value".to_string(),
+    }
+}
+
+/// A dict, or what else has keys and values.
+pub fn dict<'py>(value: &Bound<'py, PyAny>, name: &str, example: &str) -> PyResult<Bound<'py, PyDict>> {
+    if let Ok(dict) = value.cast::<PyDict>() {
+        return Ok(dict.clone());
+    }
+    if value.cast::<PyMapping>().is_ok() {
+        let dict = PyDict::new(value.py());
+        dict.update(value.cast::<PyMapping>()?)?;
+        return Ok(dict);
+    }
+    Err(wrong_type(format!(
+        "`{name}` must be a dict, as {example}, not {}",
+        shown(value)
+    )))
+}
+
 /// Overrides as the command line takes them: a dict of keys and values.
-pub fn overrides(set: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<String>> {
+pub fn overrides(set: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
     let Some(set) = set else { return Ok(Vec::new()) };
     let mut reader = PlainReader::default();
     let mut all = Vec::new();
-    for (key, value) in set {
-        let key: String = key
-            .extract()
-            .map_err(|_| PyTypeError::new_err("the keys of `set` are texts, as \"grains[0].count\""))?;
+    for (key, value) in dict(set, "set", "{\"grains[0].count\": 200}")? {
+        let key: String = key.extract().map_err(|_| {
+            let found = shown(&key);
+            wrong_type(format!(
+                "the keys of `set` are texts, as \"grains[0].count\", not {found}"
+            ))
+        })?;
         all.push(format!("{key}={}", reader.read(&value, &key)?.inline()));
     }
     match reader.foreign.is_empty() {
@@ -130,22 +168,26 @@ pub fn overrides(set: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<String>> {
 
 /// A quantity: a text with a unit of this dimension, or a number in SI.
 pub fn quantity(value: &Bound<'_, PyAny>, name: &str, dimension: Dimension) -> PyResult<f64> {
+    let (what, unit) = (dimension.name(), dimension.unit());
+    let allowed = match dimension {
+        Dimension::NONE => "a number without a unit".to_string(),
+        _ => format!("a {what}, as \"1 {unit}\", or a number in SI ({unit})"),
+    };
     if let Ok(text) = value.cast::<PyString>() {
         let text = text.to_string();
-        let read = units::parse(&text).map_err(|error| PyValueError::new_err(format!("`{name}`: {error}")))?;
+        let read = units::parse(&text)
+            .map_err(|error| wrong_value(format!("`{name}` must be {allowed}, found \"{text}\": {error}")))?;
         if read.dimension != dimension {
-            let message = format!("`{name}` must be a {}, found \"{text}\"", dimension.name());
-            return Err(PyValueError::new_err(message));
+            let hint = if read.has_unit { "" } else { ", which has no unit" };
+            return Err(wrong_value(format!(
+                "`{name}` must be {allowed}, found \"{text}\"{hint}"
+            )));
         }
         return Ok(read.value);
     }
     match value.extract::<f64>() {
         Ok(number) if !value.is_instance_of::<PyBool>() => Ok(number),
-        _ => Err(PyTypeError::new_err(format!(
-            "`{name}` must be a text with a unit, or a number in SI ({}), not {}",
-            dimension.unit(),
-            kind(value)
-        ))),
+        _ => Err(wrong_type(format!("`{name}` must be {allowed}, not {}", shown(value)))),
     }
 }
 
@@ -154,9 +196,91 @@ pub fn optional_quantity(value: Option<&Bound<'_, PyAny>>, name: &str, dimension
     value.map(|value| quantity(value, name, dimension)).transpose()
 }
 
+/// A whole number that is at least `least`.
+pub fn whole(value: &Bound<'_, PyAny>, name: &str, least: u64) -> PyResult<u64> {
+    let is_bool = value.is_instance_of::<PyBool>();
+    match value.extract::<u64>() {
+        Ok(number) if !is_bool && number >= least => Ok(number),
+        Err(error) if !error.is_instance_of::<PyOverflowError>(value.py()) => Err(not_whole(value, name)),
+        _ if is_bool => Err(not_whole(value, name)),
+        _ => Err(wrong_value(format!(
+            "`{name}` is {}; it must be a whole number from {least} on",
+            shown(value)
+        ))),
+    }
+}
+
+/// A whole number of either sign.
+pub fn index(value: &Bound<'_, PyAny>, name: &str) -> PyResult<isize> {
+    match value.extract::<isize>() {
+        Ok(number) if !value.is_instance_of::<PyBool>() => Ok(number),
+        Err(error) if error.is_instance_of::<PyOverflowError>(value.py()) => Err(out_of_range(format!(
+            "`{name}` is {}, far beyond everything",
+            shown(value)
+        ))),
+        _ => Err(not_whole(value, name)),
+    }
+}
+
+fn not_whole(value: &Bound<'_, PyAny>, name: &str) -> PyErr {
+    wrong_type(format!("`{name}` must be a whole number, not {}", shown(value)))
+}
+
+/// The same where nothing may be given, for numbers of things in memory.
+pub fn optional_count(value: Option<&Bound<'_, PyAny>>, name: &str, least: u64) -> PyResult<Option<usize>> {
+    let count = |value| whole(value, name, least).map(|number| usize::try_from(number).unwrap_or(usize::MAX));
+    value.map(count).transpose()
+}
+
+/// True or False.
+pub fn flag(value: &Bound<'_, PyAny>, name: &str) -> PyResult<bool> {
+    let wrong = |_| wrong_type(format!("`{name}` must be True or False, not {}", shown(value)));
+    value.cast::<PyBool>().map(|told| told.is_true()).map_err(wrong)
+}
+
+/// A text.
+pub fn text(value: &Bound<'_, PyAny>, name: &str) -> PyResult<String> {
+    let wrong = |_| wrong_type(format!("`{name}` must be a text, not {}", shown(value)));
+    value.cast::<PyString>().map(|told| told.to_string()).map_err(wrong)
+}
+
+/// Three numbers, or three quantities.
+pub fn three(value: &Bound<'_, PyAny>, name: &str, dimension: Dimension) -> PyResult<[f64; 3]> {
+    let wrong = || {
+        wrong_type(format!(
+            "`{name}` must be three numbers, as (0, 0, 1), not {}",
+            shown(value)
+        ))
+    };
+    if value.cast::<PyString>().is_ok() {
+        return Err(wrong());
+    }
+    let items: [Bound<'_, PyAny>; 3] = value.extract().map_err(|_| wrong())?;
+    let [x, y, z] = items.each_ref().map(|item| quantity(item, name, dimension));
+    let three = [x?, y?, z?];
+    match three.iter().all(|number| number.is_finite()) {
+        true => Ok(three),
+        false => Err(wrong_value(format!(
+            "`{name}` is {}, which is not finite",
+            shown(value)
+        ))),
+    }
+}
+
+/// A function.
+pub fn function<'a, 'py>(value: &'a Bound<'py, PyAny>, name: &str, takes: &str) -> PyResult<&'a Bound<'py, PyAny>> {
+    match value.is_callable() {
+        true => Ok(value),
+        false => Err(wrong_type(format!(
+            "`{name}` must be a function of {takes} (it is not called here: no brackets), not {}",
+            shown(value)
+        ))),
+    }
+}
+
 /// A path, with `~` opened.
 pub fn path(value: &Bound<'_, PyAny>, name: &str) -> PyResult<PathBuf> {
-    let wrong = |_| PyTypeError::new_err(format!("`{name}` must be a path, not {}", kind(value)));
+    let wrong = |_| wrong_type(format!("`{name}` must be a path, not {}", shown(value)));
     let opened = value.py().import("os.path")?.call_method1("expanduser", (value,));
     opened.map_err(wrong)?.extract().map_err(wrong)
 }

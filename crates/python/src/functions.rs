@@ -1,11 +1,12 @@
 //! Python functions that the engine asks: custom forces and motions of walls.
 
+use crate::convert::shown;
+use crate::errors::{wrong_type, wrong_value};
 use crate::force_state::{Arrays, ForceState};
 use engine::simulation::{CustomForce, ForceMoment, GrainLoads};
 use glam::DVec3;
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::PyTraverseError;
-use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::gc::PyVisit;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -57,7 +58,9 @@ impl Function {
             };
             call(function.bind(py)).map_err(|error| {
                 let text = error.to_string();
-                *locked(&self.raised) = Some(error);
+                // what was raised before is dropped when nothing is locked: that may call Python
+                let before = locked(&self.raised).replace(error);
+                drop(before);
                 text
             })
         })
@@ -69,8 +72,9 @@ impl Function {
             let answer = function.call1((time,))?;
             let read: Result<[f64; 3], _> = answer.extract();
             let read = read.map_err(|_| {
-                PyTypeError::new_err(format!(
-                    "the motion of a wall must be three numbers in SI, not {answer}"
+                let found = shown(&answer);
+                wrong_type(format!(
+                    "the motion of a wall must be three numbers in SI, as (0, 0, 0.1), not {found}"
                 ))
             })?;
             Ok(DVec3::from_array(read))
@@ -81,7 +85,10 @@ impl Function {
     pub fn number(&self, time: f64) -> Result<f64, String> {
         self.ask(|function| {
             let answer = function.call1((time,))?;
-            let wrong = |_| PyTypeError::new_err(format!("the turning of a wall must be a number in SI, not {answer}"));
+            let wrong = |_| {
+                let found = shown(&answer);
+                wrong_type(format!("the turning of a wall must be one number in SI, not {found}"))
+            };
             answer.extract().map_err(wrong)
         })
     }
@@ -125,9 +132,12 @@ fn fill_loads(loads: &mut GrainLoads, answer: &Bound<'_, PyAny>, state: &Bound<'
     let (forces, torques) = if answer.is_none() {
         (filled(false), filled(true))
     } else if let Ok(both) = answer.cast::<PyTuple>() {
-        let (forces, torques): (Bound<'_, PyAny>, Bound<'_, PyAny>) = both
-            .extract()
-            .map_err(|_| PyTypeError::new_err("a custom force returns forces, (forces, torques) or None"))?;
+        let (forces, torques): (Bound<'_, PyAny>, Bound<'_, PyAny>) = both.extract().map_err(|_| {
+            wrong_type(format!(
+                "a custom force returns forces, (forces, torques) or None, not {}",
+                shown(answer)
+            ))
+        })?;
         (Some(forces), Some(torques))
     } else {
         (Some(answer.clone()), filled(true))
@@ -146,8 +156,9 @@ fn fill(vectors: &mut [DVec3], array: &Bound<'_, PyAny>, what: &str) -> PyResult
     let read = three_columns(array, what)?;
     if read.shape()[0] != vectors.len() {
         let (found, grains) = (read.shape()[0], vectors.len());
-        return Err(PyValueError::new_err(format!(
-            "{what} of shape ({found}, 3) for {grains} grains: ({grains}, 3) is needed"
+        return Err(wrong_value(format!(
+            "a custom force answered with {what} of shape ({found}, 3) for {grains} grains: ({grains}, 3) is needed, in the order of \
+             `state.ids`"
         )));
     }
     match read.as_slice() {
@@ -178,27 +189,32 @@ pub fn rows(array: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<DVec3>> {
 
 /// An array of three columns, as it is where it has numbers of 64 bits.
 fn three_columns<'py>(array: &Bound<'py, PyAny>, what: &str) -> PyResult<PyReadonlyArray2<'py, f64>> {
+    if let Ok(read) = array.extract::<PyReadonlyArray2<'py, f64>>()
+        && read.shape()[1] == 3
+    {
+        return Ok(read);
+    }
+    let numpy = array.py().import("numpy")?;
     let wrong = || {
-        let found = array
-            .get_type()
-            .name()
-            .map_or_else(|_| String::new(), |n| n.to_string());
-        PyTypeError::new_err(format!(
+        let found = shown(array);
+        wrong_type(format!(
             "`{what}` must be an array of numbers of shape (n, 3), not {found}"
         ))
     };
-    let read: PyReadonlyArray2<'py, f64> = match array.extract() {
-        Ok(read) => read,
-        Err(_) => {
-            let numpy = array.py().import("numpy")?;
-            let float = numpy.call_method1("asarray", (array, "float64")).map_err(|_| wrong())?;
-            float.extract().map_err(|_| wrong())?
-        }
-    };
-    if read.shape()[1] != 3 {
-        let shape = read.shape();
-        let message = format!("`{what}` has the shape ({}, {}); it must be (n, 3)", shape[0], shape[1]);
-        return Err(PyValueError::new_err(message));
+    let given = numpy.call_method1("asarray", (array,)).map_err(|_| wrong())?;
+    let kind: String = given.getattr("dtype")?.getattr("kind")?.extract()?;
+    // numbers; neither complex ones, nor texts that look like numbers, nor objects
+    if !["f", "i", "u", "b"].contains(&kind.as_str()) {
+        return Err(wrong());
     }
-    Ok(read)
+    let float = numpy
+        .call_method1("asarray", (&given, "float64"))
+        .map_err(|_| wrong())?;
+    match float.extract::<PyReadonlyArray2<'py, f64>>() {
+        Ok(read) if read.shape()[1] == 3 => Ok(read),
+        _ => Err(wrong_value(format!(
+            "`{what}` has the shape {}; it must be (n, 3), a row for each grain",
+            given.getattr("shape")?
+        ))),
+    }
 }

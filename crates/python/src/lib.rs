@@ -2,6 +2,7 @@
 //!
 //! This crate translates and adds no physics. It is outside `default-members`, so that building Demeter needs no Python.
 
+mod aside;
 mod contacts;
 mod control;
 mod convert;

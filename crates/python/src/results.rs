@@ -1,12 +1,12 @@
 //! What runs left in their folders, as arrays.
 
-use crate::convert::{path, vectors};
-use crate::errors::OrRaise;
+use crate::aside::aside;
+use crate::convert::{index, path, vectors};
+use crate::errors::{OrRaise, out_of_range};
 use engine::output::vtp::{Array, PolyData, Values};
 use engine::output::{SeriesTable, SeriesValues};
 use engine::results::{Cells, Columns, Run};
 use numpy::IntoPyArray;
-use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
@@ -47,13 +47,13 @@ pub fn columns_dict<'py>(py: Python<'py>, columns: &Columns) -> PyResult<Bound<'
 #[pyfunction]
 pub fn read_series<'py>(py: Python<'py>, folder: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyDict>> {
     let folder = path(folder, "folder")?;
-    let columns = py.detach(|| {
+    let columns = aside(py, || {
         if folder.is_file() {
             Columns::read(&folder)
         } else {
             Columns::series_of(&folder)
         }
-    });
+    })?;
     columns_dict(py, &columns.or_raise(py)?)
 }
 
@@ -75,22 +75,32 @@ pub fn frames(py: Python<'_>, folder: &Bound<'_, PyAny>) -> PyResult<Vec<(u64, f
 ///     ``step``, ``time`` [s], and ``grains``, ``contacts`` and ``walls``: dicts of arrays with a row for each (of walls: for each
 ///     triangle), named as in the files for ParaView, with ``points`` [m].
 #[pyfunction]
-#[pyo3(signature = (folder, frame=-1))]
-pub fn read_frame<'py>(py: Python<'py>, folder: &Bound<'py, PyAny>, frame: isize) -> PyResult<Bound<'py, PyDict>> {
+#[pyo3(signature = (folder, frame=None), text_signature = "(folder, frame=-1)")]
+pub fn read_frame<'py>(
+    py: Python<'py>,
+    folder: &Bound<'py, PyAny>,
+    frame: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let frame = frame.map_or(Ok(-1), |frame| index(frame, "frame"))?;
     let run = Run::open(&path(folder, "folder")?).or_raise(py)?;
     let moments = run.moments().or_raise(py)?;
     let at = if frame < 0 {
-        frame + moments.len() as isize
+        frame.saturating_add_unsigned(moments.len())
     } else {
         frame
     };
     let Some(moment) = usize::try_from(at).ok().and_then(|at| moments.get(at)) else {
-        return Err(PyIndexError::new_err(format!(
-            "there is no frame {frame}; the run has {}",
-            moments.len()
-        )));
+        let count = moments.len();
+        let there = match count {
+            0 => "the run has none yet".to_string(),
+            count => format!(
+                "the run has {count}: 0 to {}, or -{count} to -1 from the end",
+                count - 1
+            ),
+        };
+        return Err(out_of_range(format!("there is no frame {frame}; {there}")));
     };
-    let tables = py.detach(|| run.frame(moment.step)).or_raise(py)?;
+    let tables = aside(py, || run.frame(moment.step))?.or_raise(py)?;
     let dict = PyDict::new(py);
     dict.set_item("step", moment.step)?;
     dict.set_item("time", moment.time)?;

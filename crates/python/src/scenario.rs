@@ -1,14 +1,14 @@
 //! The class `Scenario`.
 
-use crate::convert::{PlainReader, from_json, kind, overrides, path};
-use crate::errors::{OrRaise, Raise};
+use crate::aside::aside;
+use crate::convert::{PlainReader, dict, from_json, overrides, path, shown, text};
+use crate::errors::{OrRaise, Raise, unknown_name, wrong_type, wrong_value};
 use engine::scenario::{
     Diagnostics, FitTask, Foreign, ImpactFile, Scenario as EngineScenario, TEMPLATES, faults_with_foreign, prepare,
     template,
 };
-use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{PyMapping, PyString};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -27,10 +27,11 @@ impl Source {
     /// A path, a text or a dict.
     pub fn of(value: &Bound<'_, PyAny>) -> PyResult<Self> {
         let here = || std::env::current_dir().unwrap_or_default();
-        if value.is_instance_of::<PyDict>() {
+        if value.cast::<PyMapping>().is_ok() {
+            let value = dict(value, "scenario", "those of TOML")?;
             let base = here();
             let mut reader = PlainReader::default();
-            let text = reader.read(value, "")?.to_toml(&base);
+            let text = reader.read(value.as_any(), "")?.to_toml(&base);
             return Ok(Self {
                 text,
                 foreign: reader.foreign,
@@ -43,8 +44,8 @@ impl Source {
                 return Ok(Self::text(text, "text", here()));
             }
         } else if !value.hasattr("__fspath__")? {
-            let message = format!("a scenario is a path, a TOML text or a dict, not {}", kind(value));
-            return Err(PyTypeError::new_err(message));
+            let message = format!("a scenario is a path, a TOML text or a dict, not {}", shown(value));
+            return Err(wrong_type(message));
         }
         let file = path(value, "scenario")?;
         Ok(Self {
@@ -153,9 +154,9 @@ impl Scenario {
     ///     With all faults at once.
     #[staticmethod]
     #[pyo3(signature = (source, *, set=None))]
-    fn from_toml(source: &Bound<'_, PyAny>, set: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        if source.is_instance_of::<PyDict>() {
-            return Err(PyTypeError::new_err("this is a dict: use Scenario.from_dict"));
+    fn from_toml(source: &Bound<'_, PyAny>, set: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        if source.cast::<PyMapping>().is_ok() {
+            return Err(wrong_type("this is a dict: use Scenario.from_dict"));
         }
         Self::new(source.py(), Source::of(source)?, overrides(set)?)
     }
@@ -171,20 +172,26 @@ impl Scenario {
     ///     With all faults at once, each with the path of its key, values of wrong types among them.
     #[staticmethod]
     #[pyo3(signature = (tables, *, set=None))]
-    fn from_dict(tables: &Bound<'_, PyDict>, set: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::new(tables.py(), Source::of(tables.as_any())?, overrides(set)?)
+    fn from_dict(tables: &Bound<'_, PyAny>, set: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        if tables.cast::<PyMapping>().is_err() {
+            let found = shown(tables);
+            let message = format!("`tables` must be a dict, not {found}; Scenario.from_toml reads files and texts");
+            return Err(wrong_type(message));
+        }
+        Self::new(tables.py(), Source::of(tables)?, overrides(set)?)
     }
 
     /// One of the templates that ``demeter new`` writes: see `templates`.
     #[staticmethod]
     #[pyo3(signature = (name, *, set=None))]
-    fn template(py: Python<'_>, name: &str, set: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        let Some(text) = template(name) else {
-            let known: Vec<&str> = TEMPLATES.iter().map(|(name, ..)| *name).collect();
-            return Err(PyKeyError::new_err(format!(
-                "no template `{name}`; there are {}",
-                known.join(", ")
-            )));
+    fn template(py: Python<'_>, name: &Bound<'_, PyAny>, set: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let name = text(name, "name")?;
+        let Some(text) = template(&name) else {
+            return Err(unknown_name(
+                "template",
+                &name,
+                TEMPLATES.iter().map(|(name, ..)| *name),
+            ));
         };
         let here = std::env::current_dir().unwrap_or_default();
         let source = Source::text(text.to_string(), &format!("{name}.toml"), here);
@@ -198,7 +205,7 @@ impl Scenario {
     }
 
     /// The same scenario with changes, checked anew. Keys as ``"grains[0].count"`` or ``"wall.lid.velocity"``.
-    fn set(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Self> {
+    fn set(&self, py: Python<'_>, changes: &Bound<'_, PyAny>) -> PyResult<Self> {
         let mut set = self.set.clone();
         set.extend(overrides(Some(changes))?);
         let source = Source {
@@ -220,7 +227,7 @@ impl Scenario {
     ///     ``memory`` [bytes], ``run_time`` on one thread [s], ``warnings``.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let scenario = &self.read;
-        let prepared = py.detach(|| prepare(scenario)).or_raise(py)?;
+        let prepared = aside(py, || prepare(scenario))?.or_raise(py)?;
         let stages = scenario.stages.iter().zip(&prepared.stage_steps);
         let told = json!({
             "title": scenario.title,
@@ -267,7 +274,7 @@ impl Scenario {
         let read = slf.getattr("from_toml")?.unbind();
         let text = slf.get().to_toml();
         if text.is_empty() {
-            return Err(PyValueError::new_err("an empty scenario cannot be pickled"));
+            return Err(wrong_value("an empty scenario cannot be pickled"));
         }
         Ok((read, (text,)))
     }

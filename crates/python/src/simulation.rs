@@ -9,19 +9,19 @@ use looking::{live_series, present_dict, walls_dict};
 
 use crate::contacts::ContactTable;
 use crate::control::{Callback, Interval, Limit, Messages};
-use crate::convert::{from_json, kind, path};
-use crate::errors::{Error, OrRaise, Raise};
+use crate::convert::{from_json, function as callable, path, text, three, whole};
+use crate::errors::{Error, OrRaise, Raise, RunError, wrong_type, wrong_value};
 use crate::functions::{Function, PythonForce, rows};
 use crate::views::{Table, Views};
+use demeter_physics::dimension::Dimension;
 use engine::scenario::LiveRun;
 use engine::simulation::Simulation as EngineSimulation;
 use glam::DVec3;
 use numpy::PyArray1;
 use pyo3::PyTraverseError;
-use pyo3::exceptions::{PyKeyError, PyTypeError};
 use pyo3::gc::PyVisit;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -82,6 +82,9 @@ pub struct Simulation {
     /// Functions that the engine asks.
     functions: Mutex<Vec<Arc<Function>>>,
     messages: Mutex<Vec<String>>,
+    is_closed: AtomicBool,
+    /// The process that made it: its threads do not follow into one that is forked.
+    process: u32,
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -91,13 +94,14 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 #[pymethods]
 impl Simulation {
     #[new]
-    #[pyo3(signature = (scenario, *, out=None, threads=None, overwrite=false))]
+    #[pyo3(signature = (scenario, *, out=None, threads=None, overwrite=None),
+        text_signature = "(scenario, *, out=None, threads=None, overwrite=False)")]
     fn new(
         py: Python<'_>,
         scenario: &Bound<'_, PyAny>,
         out: Option<&Bound<'_, PyAny>>,
-        threads: Option<usize>,
-        overwrite: bool,
+        threads: Option<&Bound<'_, PyAny>>,
+        overwrite: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         Self::build(py, scenario, out, threads, overwrite)
     }
@@ -108,9 +112,9 @@ impl Simulation {
     /// next step for the same bits. Without them the force is absent and the wall rests where it stood; `messages` says so.
     #[staticmethod]
     #[pyo3(signature = (folder, *, threads=None))]
-    fn resume(py: Python<'_>, folder: &Bound<'_, PyAny>, threads: Option<usize>) -> PyResult<Self> {
+    fn resume(py: Python<'_>, folder: &Bound<'_, PyAny>, threads: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         let folder = path(folder, "folder")?;
-        let options = options(threads, false)?;
+        let options = options(threads, None)?;
         let mut messages = Messages::default();
         let run = py
             .detach(|| LiveRun::resume(&folder, options, &mut messages))
@@ -135,8 +139,9 @@ impl Simulation {
     }
 
     /// Runs so many steps, also beyond the end of the protocol.
-    #[pyo3(signature = (n=1))]
-    fn step(slf: &Bound<'_, Self>, n: u64) -> PyResult<()> {
+    #[pyo3(signature = (n=None), text_signature = "($self, n=1)")]
+    fn step(slf: &Bound<'_, Self>, n: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+        let n = n.map_or(Ok(1), |n| whole(n, "n", 0))?;
         let step = slf.get().look(|sim| sim.step)?.saturating_add(n);
         Self::go(slf, &Limit::step(step)).map(drop)
     }
@@ -204,10 +209,7 @@ impl Simulation {
             let later = slf.py().import("functools")?.getattr("partial")?;
             return later.call1((slf.getattr("every")?, interval));
         };
-        if !function.is_callable() {
-            let message = format!("`function` must be callable, not {}", kind(function));
-            return Err(PyTypeError::new_err(message));
-        }
+        callable(function, "function", "the simulation")?;
         let (step, dt) = slf.get().look(|sim| (sim.step, sim.dt))?;
         let interval = Interval::of(interval, "interval")?.steps(dt);
         locked(&slf.get().callbacks).push(Callback::new(interval, step, function.clone().unbind()));
@@ -216,13 +218,7 @@ impl Simulation {
 
     /// Calls a function of `every` no more.
     fn cancel(&self, py: Python<'_>, function: &Bound<'_, PyAny>) -> PyResult<()> {
-        let mut callbacks = locked(&self.callbacks);
-        let before = callbacks.len();
-        callbacks.retain(|callback| !callback.is(py, function));
-        if callbacks.len() == before {
-            return Err(PyKeyError::new_err("this function is not called"));
-        }
-        Ok(())
+        self.call_no_more(py, function)
     }
 
     /// Adds a force on the grains: ``function(state)``, asked once in every step.
@@ -234,10 +230,7 @@ impl Simulation {
     ///
     /// When the function raises, the step is completed with its last answer, and the exception comes out unchanged.
     fn add_force<'py>(&self, function: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        if !function.is_callable() {
-            let message = format!("`function` must be callable, not {}", kind(function));
-            return Err(PyTypeError::new_err(message));
-        }
+        callable(function, "function", "a state")?;
         let mut live = self.live()?;
         let force = PythonForce::new(self.keep(function.clone().unbind()));
         live.run.change(|sim| sim.add_force(Box::new(force)));
@@ -263,15 +256,15 @@ impl Simulation {
     fn move_wall(
         &self,
         py: Python<'_>,
-        wall: &str,
+        wall: &Bound<'_, PyAny>,
         position: Option<Py<PyAny>>,
         velocity: Option<Py<PyAny>>,
         angle: Option<Py<PyAny>>,
         angular_velocity: Option<Py<PyAny>>,
-        axis: Option<[f64; 3]>,
-        point: Option<[f64; 3]>,
+        axis: Option<&Bound<'_, PyAny>>,
+        point: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
-        let index = self.wall(wall)?;
+        let index = self.wall(&text(wall, "wall")?)?;
         let ways = [
             ("position", position),
             ("velocity", velocity),
@@ -281,21 +274,25 @@ impl Simulation {
         let mut given: Vec<(&str, Py<PyAny>)> = ways.into_iter().filter_map(|(n, f)| Some((n, f?))).collect();
         let (Some((how, function)), true) = (given.pop(), given.is_empty()) else {
             let message = "give one of position, velocity, angle and angular_velocity: a function of time";
-            return Err(PyTypeError::new_err(message));
+            return Err(wrong_type(message));
         };
-        if !function.bind(py).is_callable() {
-            let message = format!("`{how}` must be a function of time, not {}", kind(function.bind(py)));
-            return Err(PyTypeError::new_err(message));
-        }
+        callable(function.bind(py), how, "time [s]")?;
         let turns = how.starts_with("angle") || how.starts_with("angular");
         let axis = match (turns, axis) {
             (false, None) => None,
             (true, Some(axis)) => {
-                let point = point.map_or(DVec3::ZERO, DVec3::from_array);
-                Some((point, DVec3::from_array(axis)))
+                let axis = DVec3::from_array(three(axis, "axis", Dimension::NONE)?);
+                if axis == DVec3::ZERO {
+                    return Err(wrong_value("`axis` is (0, 0, 0), which has no direction"));
+                }
+                let point = point.map_or(Ok([0.0; 3]), |point| three(point, "point", Dimension::LENGTH))?;
+                Some((DVec3::from_array(point), axis))
             }
-            (true, None) => return Err(PyTypeError::new_err(format!("`{how}` needs an `axis`, as (0, 0, 1)"))),
-            (false, Some(_)) => return Err(PyTypeError::new_err(format!("`{how}` has no `axis`"))),
+            (true, None) => return Err(wrong_type(format!("`{how}` needs an `axis`, as (0, 0, 1)"))),
+            (false, Some(_)) => {
+                let message = format!("`{how}` has no `axis`, which belongs to `angle` and `angular_velocity`");
+                return Err(wrong_type(message));
+            }
         };
         let mut live = self.live()?;
         let function = self.keep(function);
@@ -312,9 +309,43 @@ impl Simulation {
     #[pyo3(signature = (folder=None))]
     fn checkpoint(&self, py: Python<'_>, folder: Option<&Bound<'_, PyAny>>) -> PyResult<std::path::PathBuf> {
         let folder = folder.map(|folder| path(folder, "folder")).transpose()?;
-        let mut live = self.live()?;
-        let run = &mut live.run;
+        folder.is_none().then(|| self.refuse_closed()).transpose()?;
+        let run = &mut self.live()?.run;
         py.detach(|| run.checkpoint(folder.as_deref())).or_raise(py)
+    }
+
+    /// Lets the folder of the run go, so that another one may be written there, and goes no further. The state stays to be looked
+    /// at. ``with demeter.Simulation(scenario, out=folder) as sim:`` closes at its end.
+    ///
+    /// The folder holds what the run has told so far, and its latest checkpoint. A run lets its folder go by itself when its
+    /// protocol is over, or when nobody holds it any more.
+    fn close(&self) -> PyResult<()> {
+        if self.is_running.load(Ordering::SeqCst) {
+            return Err(RunError::new_err(
+                "the simulation runs: sim.stop() ends it, close comes then",
+            ));
+        }
+        self.is_closed.store(true, Ordering::SeqCst);
+        self.live()?.run.release();
+        Ok(())
+    }
+
+    fn __enter__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, Self>> {
+        slf.get().refuse_closed()?;
+        Ok(slf.clone())
+    }
+
+    #[pyo3(signature = (*_exception))]
+    fn __exit__(&self, _exception: &Bound<'_, PyTuple>) -> PyResult<bool> {
+        self.close()?;
+        Ok(false)
+    }
+
+    fn __reduce__(&self) -> PyResult<()> {
+        Err(wrong_type(
+            "a simulation can be neither copied nor pickled: sim.checkpoint(folder) writes its state, \
+             demeter.Simulation.resume(folder) goes on with it, also in another process",
+        ))
     }
 
     /// Simulated time [s].
@@ -477,7 +508,7 @@ impl Simulation {
     /// >>> sim.positions[sim.indices()]        # by id
     /// >>> sim.positions[sim.indices([17])]    # grain 17
     #[pyo3(signature = (ids=None))]
-    fn indices<'py>(&self, py: Python<'py>, ids: Option<Vec<u32>>) -> PyResult<Bound<'py, PyArray1<u64>>> {
+    fn indices<'py>(&self, py: Python<'py>, ids: Option<&Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyArray1<u64>>> {
         self.rows_of(py, ids)
     }
 
@@ -523,6 +554,9 @@ impl Simulation {
 
     /// The series so far as a dict of columns, titled with their units: ``pandas.DataFrame(sim.series())``.
     fn series<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        if self.live()?.run.folder().is_some() {
+            self.refuse_closed()?;
+        }
         live_series(py, &self.live()?.run)
     }
 

@@ -1,8 +1,8 @@
 //! The tools for two bodies and for measurements.
 
-use crate::control::Messages;
-use crate::convert::{from_json, kind, optional_quantity, overrides, path, quantity};
-use crate::errors::{CollisionError, OrRaise};
+use crate::aside::{aside, listening};
+use crate::convert::{flag, from_json, optional_count, optional_quantity, overrides, path, quantity, shown, text};
+use crate::errors::{CollisionError, OrRaise, unknown_name, wrong_type, wrong_value};
 use crate::scenario::Source;
 use demeter_physics::collision::Sticking;
 use demeter_physics::contact::laws as all_laws;
@@ -23,10 +23,14 @@ use engine::compare::{
 use engine::materials::law_to_json;
 use engine::scenario::{FitTask, units};
 use numpy::{IntoPyArray, PyArray1};
-use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyString};
+use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 use std::path::PathBuf;
+
+/// Most moments of a collision that are handed out.
+const MOST_MOMENTS: usize = 10_000_000;
+/// Most sizes of a curve.
+const MOST_POINTS: usize = 100_000;
 
 /// Collides two bodies and tells what became of them: restitution, contact time, largest overlap and force, energies.
 ///
@@ -47,17 +51,25 @@ use std::path::PathBuf;
 /// dict
 ///     As ``demeter collide --json``; with ``course``: a dict of arrays ``time``, ``overlap``, ``rate``, ``force``.
 #[pyfunction]
-#[pyo3(signature = (bodies, *, engine=false, course=0, set=None))]
+#[pyo3(signature = (bodies, *, engine=None, course=None, set=None),
+    text_signature = "(bodies, *, engine=False, course=0, set=None)")]
 pub fn collide<'py>(
     py: Python<'py>,
     bodies: &Bound<'py, PyAny>,
-    engine: bool,
-    course: usize,
-    set: Option<&Bound<'py, PyDict>>,
+    engine: Option<&Bound<'py, PyAny>>,
+    course: Option<&Bound<'py, PyAny>>,
+    set: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
+    let engine = engine.map_or(Ok(false), |told| flag(told, "engine"))?;
+    let course = optional_count(course, "course", 0)?.unwrap_or(0);
+    if course > MOST_MOMENTS {
+        return Err(wrong_value(format!(
+            "`course` is {course}; at most {MOST_MOMENTS} moments are handed out"
+        )));
+    }
     let file = Source::of(bodies)?.impact(py, &overrides(set)?)?;
     let how = if engine { Engine::Automatic } else { Engine::Reference };
-    let report = py.detach(|| collide_bodies(&file, how, course)).or_raise(py)?;
+    let report = aside(py, || collide_bodies(&file, how, course))?.or_raise(py)?;
     let told = from_json(py, &report.to_json())?;
     if course > 0 {
         let columns = PyDict::new(py);
@@ -82,10 +94,10 @@ pub fn collide<'py>(
 pub fn contact_curve<'py>(
     py: Python<'py>,
     bodies: &Bound<'py, PyAny>,
-    set: Option<&Bound<'py, PyDict>>,
+    set: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let file = Source::of(bodies)?.impact(py, &overrides(set)?)?;
-    let curve = py.detach(|| trace(&file)).or_raise(py)?;
+    let curve = aside(py, || trace(&file))?.or_raise(py)?;
     let dict = PyDict::new(py);
     dict.set_item(
         "branch",
@@ -112,13 +124,13 @@ pub fn contact_curve<'py>(
 /// dict
 ///     ``effective_radius`` [m] and ``velocity`` [m/s]: NaN where they part at every speed, infinite where they always stick.
 #[pyfunction]
-#[pyo3(signature = (bodies, radius, *, points=20, set=None))]
+#[pyo3(signature = (bodies, radius, *, points=None, set=None), text_signature = "(bodies, radius, *, points=20, set=None)")]
 pub fn sticking<'py>(
     py: Python<'py>,
     bodies: &Bound<'py, PyAny>,
     radius: &Bound<'py, PyAny>,
-    points: usize,
-    set: Option<&Bound<'py, PyDict>>,
+    points: Option<&Bound<'py, PyAny>>,
+    set: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let file = Source::of(bodies)?.impact(py, &overrides(set)?)?;
     let pair: Option<(Bound<'_, PyAny>, Bound<'_, PyAny>)> = match radius.cast::<PyString>() {
@@ -132,10 +144,16 @@ pub fn sticking<'py>(
     };
     if !(first > 0.0 && last >= first && last.is_finite()) {
         let message = format!("`radius` is from {first} m to {last} m; it must rise, and be above 0");
-        return Err(PyValueError::new_err(message));
+        return Err(wrong_value(message));
     }
-    let radii = log_spaced(first, last, if first == last { 1 } else { points.clamp(2, 100_000) });
-    let found = py.detach(|| search(&file, &radii)).or_raise(py)?;
+    let points = optional_count(points, "points", 1)?.unwrap_or(20);
+    if points > MOST_POINTS {
+        return Err(wrong_value(format!(
+            "`points` is {points}; at most {MOST_POINTS} are computed"
+        )));
+    }
+    let radii = log_spaced(first, last, if first == last { 1 } else { points.max(2) });
+    let found = aside(py, || search(&file, &radii))?.or_raise(py)?;
     let speed = |sticking: Sticking| match sticking {
         Sticking::Below(speed) => speed,
         Sticking::Never(_) => f64::NAN,
@@ -172,30 +190,25 @@ pub fn fit<'py>(
     py: Python<'py>,
     task: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
-    threads: Option<usize>,
-    set: Option<&Bound<'py, PyDict>>,
+    threads: Option<&Bound<'py, PyAny>>,
+    set: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let out = out.map(|out| path(out, "out")).transpose()?;
+    let threads = optional_count(threads, "threads", 1)?;
     match Source::of(task)?.fit(py, &overrides(set)?)? {
         FitTask::Collisions(file) => {
             if out.is_some() || threads.is_some() {
                 let message = "`out` and `threads` belong to a task with a table `packing`, whose trials are runs";
-                return Err(PyTypeError::new_err(message));
+                return Err(wrong_type(message));
             }
-            let report = py.detach(|| fit_law(&file)).or_raise(py)?;
+            let report = aside(py, || fit_law(&file))?.or_raise(py)?;
             from_json(py, &report.to_json())
         }
         FitTask::Packing(file) => {
             let Some(out) = out else {
-                return Err(PyTypeError::new_err(
-                    "`out` is missing: the folder for the runs of this fit",
-                ));
+                return Err(wrong_type("`out` is missing: the folder for the runs of this fit"));
             };
-            let mut messages = Messages::default();
-            let report = py
-                .detach(|| fit_packing(&file, &out, threads, &mut messages))
-                .or_raise(py)?;
-            messages.tell(py, 0)?;
+            let report = listening(py, |listener| fit_packing(&file, &out, threads, listener))?.or_raise(py)?;
             from_json(py, &report.to_json(&file))
         }
     }
@@ -223,29 +236,39 @@ pub fn fit<'py>(
 /// dict
 ///     As ``demeter compare --json``, and for every run ``forces``: columns ``phase``, ``position``, ``run`` [N], ``reference`` [N].
 #[pyfunction]
-#[pyo3(signature = (runs, reference, *, load="squeeze", unload=Some("release"), discard=0, force="wall top force z",
-    threshold=None, reference_threshold=None))]
+#[pyo3(signature = (runs, reference, *, load=None, unload=Some("release"), discard=None, force=None, threshold=None,
+    reference_threshold=None),
+    text_signature = "(runs, reference, *, load='squeeze', unload='release', discard=0, force='wall top force z', threshold=None, \
+                      reference_threshold=None)")]
 #[allow(clippy::too_many_arguments, reason = "they are keywords")]
 pub fn compare<'py>(
     py: Python<'py>,
     runs: &Bound<'py, PyAny>,
     reference: &Bound<'py, PyAny>,
-    load: &str,
+    load: Option<&Bound<'py, PyAny>>,
     unload: Option<&str>,
-    discard: usize,
-    force: &str,
+    discard: Option<&Bound<'py, PyAny>>,
+    force: Option<&Bound<'py, PyAny>>,
     threshold: Option<&Bound<'py, PyAny>>,
     reference_threshold: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let runs: Vec<PathBuf> = match runs.cast::<PyList>() {
-        Ok(list) => list.iter().map(|run| path(&run, "runs")).collect::<PyResult<_>>()?,
-        Err(_) => vec![path(runs, "runs")?],
+    let runs: Vec<PathBuf> = if runs.is_instance_of::<PyList>() || runs.is_instance_of::<PyTuple>() {
+        let all = runs.try_iter()?.map(|run| path(&run?, "runs"));
+        all.collect::<PyResult<_>>()?
+    } else {
+        vec![path(runs, "runs")?]
+    };
+    if runs.is_empty() {
+        return Err(wrong_value("`runs` is empty; name at least one folder of a run"));
+    }
+    let or = |told: Option<&Bound<'py, PyAny>>, name: &str, default: &str| {
+        told.map_or_else(|| Ok(default.to_string()), |told| text(told, name))
     };
     let reading = Reading {
-        load: load.to_string(),
+        load: or(load, "load", "squeeze")?,
         unload: unload.map(str::to_string),
-        discard,
-        force: force.to_string(),
+        discard: optional_count(discard, "discard", 0)?.unwrap_or(0),
+        force: or(force, "force", "wall top force z")?,
         ..Reading::default()
     };
     let thresholds = Thresholds {
@@ -299,19 +322,14 @@ pub fn compare<'py>(
 /// ``example`` line for a scenario.
 #[pyfunction]
 #[pyo3(signature = (name=None))]
-pub fn laws<'py>(py: Python<'py>, name: Option<&str>) -> PyResult<Bound<'py, PyList>> {
+pub fn laws<'py>(py: Python<'py>, name: Option<&Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyList>> {
+    let name = name.map(|name| text(name, "name")).transpose()?;
     let list = PyList::empty(py);
-    for law in all_laws().filter(|law| name.is_none_or(|name| law.name == name)) {
+    for law in all_laws().filter(|law| name.as_ref().is_none_or(|name| law.name == name)) {
         list.append(from_json(py, &law_to_json(law))?)?;
     }
     match name {
-        Some(name) if list.is_empty() => {
-            let known: Vec<&str> = all_laws().map(|law| law.name).collect();
-            Err(PyKeyError::new_err(format!(
-                "there is no law `{name}`; there are {}",
-                known.join(", ")
-            )))
-        }
+        Some(name) if list.is_empty() => Err(unknown_name("law", &name, all_laws().map(|law| law.name))),
         _ => Ok(list),
     }
 }
@@ -346,38 +364,41 @@ pub fn laws<'py>(py: Python<'py>, name: Option<&str>) -> PyResult<Bound<'py, PyL
 /// Source: Antypov & Elliott, EPL 94, 50004 (2011).
 #[pyfunction]
 #[pyo3(signature = (law, *, mass, velocity, restitution=None, stiffness=None, contact_time=None, max_overlap=None,
-    max_force=None, contact_end="zero-overlap"))]
+    max_force=None, contact_end=None),
+    text_signature = "(law, *, mass, velocity, restitution=None, stiffness=None, contact_time=None, max_overlap=None, \
+                      max_force=None, contact_end='zero-overlap')")]
 #[allow(clippy::too_many_arguments, reason = "they are keywords")]
 pub fn damped_spring<'py>(
     py: Python<'py>,
-    law: &str,
+    law: &Bound<'py, PyAny>,
     mass: &Bound<'py, PyAny>,
     velocity: &Bound<'py, PyAny>,
-    restitution: Option<f64>,
+    restitution: Option<&Bound<'py, PyAny>>,
     stiffness: Option<&Bound<'py, PyAny>>,
     contact_time: Option<&Bound<'py, PyAny>>,
     max_overlap: Option<&Bound<'py, PyAny>>,
     max_force: Option<&Bound<'py, PyAny>>,
-    contact_end: &str,
+    contact_end: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let wrong = |error: RestitutionError| CollisionError::new_err(error.to_string());
-    let (law, unit) = match law {
+    let (law, unit) = match text(law, "law")?.as_str() {
         "linear" => (SpringDashpot::Linear, Dimension::STIFFNESS),
         "hertz" => (SpringDashpot::Hertz, Dimension::NONE),
         other => {
-            return Err(PyValueError::new_err(format!(
-                "`law` is \"{other}\"; it is \"linear\" or \"hertz\""
-            )));
+            let message = format!("`law` is \"{other}\"; it must be \"linear\" or \"hertz\"");
+            return Err(wrong_value(message));
         }
     };
-    let end = match contact_end {
-        "zero-overlap" => ContactEnd::ZeroOverlap,
-        "zero-force" => ContactEnd::ZeroForce,
-        other => {
-            let message = format!("`contact_end` is \"{other}\"; it is \"zero-overlap\" or \"zero-force\"");
-            return Err(PyValueError::new_err(message));
+    let end = contact_end.map(|end| text(end, "contact_end")).transpose()?;
+    let end = match end.as_deref() {
+        None | Some("zero-overlap") => ContactEnd::ZeroOverlap,
+        Some("zero-force") => ContactEnd::ZeroForce,
+        Some(other) => {
+            let message = format!("`contact_end` is \"{other}\"; it must be \"zero-overlap\" or \"zero-force\"");
+            return Err(wrong_value(message));
         }
     };
+    let restitution = optional_quantity(restitution, "restitution", Dimension::NONE)?;
     let speed = quantity(velocity, "velocity", Dimension::VELOCITY)?;
     let time = optional_quantity(contact_time, "contact_time", Dimension::TIME)?;
     let overlap = optional_quantity(max_overlap, "max_overlap", Dimension::LENGTH)?;
@@ -399,7 +420,7 @@ pub fn damped_spring<'py>(
         _ => {
             let message = "give `restitution` and one of `stiffness`, `contact_time`, `max_overlap` and `max_force`; or \
                            `contact_time` and `max_overlap`";
-            return Err(PyTypeError::new_err(message));
+            return Err(wrong_type(message));
         }
     };
     let mass = quantity(mass, "mass", Dimension::MASS)?;
@@ -444,12 +465,12 @@ pub fn si(value: &Bound<'_, PyAny>) -> PyResult<f64> {
         Ok(text) => {
             let read = units::parse(&text.to_string());
             read.map(|quantity| quantity.value)
-                .map_err(|e| PyValueError::new_err(e.to_string()))
+                .map_err(|e| wrong_value(e.to_string()))
         }
         Err(_) => value.extract().map_err(|_| {
-            PyTypeError::new_err(format!(
+            wrong_type(format!(
                 "a quantity is a text with a unit or a number, not {}",
-                kind(value)
+                shown(value)
             ))
         }),
     }

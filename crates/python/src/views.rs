@@ -4,13 +4,13 @@
 //! simulation goes on with a copy and leaves the old memory to the arrays. So an array shows the moment at which it was
 //! taken for as long as it lives; nobody ever sees a table half changed, and nobody waits.
 
+use crate::errors::Error;
 use crate::simulation::Simulation;
 use engine::particles::{Grains, Rows};
 use engine::simulation::Simulation as EngineSimulation;
 use glam::DQuat;
 use numpy::ndarray::{ArrayView1, ArrayView2, ShapeBuilder};
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use std::any::Any;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
@@ -125,8 +125,12 @@ impl<'py> Showing<'_, 'py> {
     /// The vectors of rows, as an array of three columns.
     pub fn vectors(self, rows: &Rows) -> PyResult<Bound<'py, PyAny>> {
         let numbers = rows.table().as_flattened();
-        let view = ArrayView2::from_shape((rows.len(), 3).strides((4, 1)), numbers);
-        self.show2(view.map_err(|e| PyRuntimeError::new_err(e.to_string()))?)
+        let view = match rows.is_empty() {
+            // where there is nothing, strides lead out of it
+            true => ArrayView2::from_shape((0, 3), &[]),
+            false => ArrayView2::from_shape((rows.len(), 3).strides((4, 1)), numbers),
+        };
+        self.show2(view.map_err(|e| Error::new_err(e.to_string()))?)
     }
 
     /// The numbers beside the vectors.
@@ -134,13 +138,13 @@ impl<'py> Showing<'_, 'py> {
         let numbers = rows.table().as_flattened();
         let behind = numbers.get(3..).unwrap_or(&[]);
         let view = ArrayView1::from_shape((rows.len(),).strides((4,)), behind);
-        self.show1(view.map_err(|e| PyRuntimeError::new_err(e.to_string()))?)
+        self.show1(view.map_err(|e| Error::new_err(e.to_string()))?)
     }
 
     /// Quaternions, as an array of four columns.
     pub fn quaternions(self, list: &[DQuat]) -> PyResult<Bound<'py, PyAny>> {
         let view = ArrayView2::from_shape((list.len(), 4), bytemuck::cast_slice::<DQuat, f64>(list));
-        self.show2(view.map_err(|e| PyRuntimeError::new_err(e.to_string()))?)
+        self.show2(view.map_err(|e| Error::new_err(e.to_string()))?)
     }
 
     /// A list as it is.

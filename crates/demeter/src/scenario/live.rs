@@ -53,7 +53,8 @@ pub struct LiveRun {
     runner: OwnRunner,
     threads: rayon::ThreadPool,
     folder: Option<RunFolder>,
-    _lock: Option<RunLock>,
+    /// Reserves the folder, until the protocol is over.
+    lock: Option<RunLock>,
     /// How the protocol ended, once it did.
     end: Option<(RunEnd, Summary)>,
 }
@@ -94,7 +95,7 @@ impl LiveRun {
             runner,
             threads,
             folder: kept,
-            _lock: lock,
+            lock,
             end: None,
         })
     }
@@ -117,7 +118,7 @@ impl LiveRun {
             runner,
             threads,
             folder: Some(folder),
-            _lock: Some(lock),
+            lock: Some(lock),
             end: None,
         })
     }
@@ -153,8 +154,17 @@ impl LiveRun {
         })?;
         if let (Pause::End(end), Some(summary)) = (&pause, summary) {
             self.end = Some((end.clone(), summary));
+            if *end == RunEnd::Finished {
+                // what comes after the protocol is not written
+                self.release();
+            }
         }
         Ok(pause)
+    }
+
+    /// Lets the folder go, so that another run may be written there; this one must not go on within its protocol.
+    pub fn release(&mut self) {
+        self.lock = None;
     }
 
     /// How the run ended and its summary, when the protocol is over or a fault stopped it.
@@ -201,11 +211,16 @@ impl LiveRun {
     /// Writes a checkpoint: into the folder of the run, or, told another one, into a new folder there, from which
     /// [`resume`](Self::resume) goes on. Tells the folder.
     pub fn checkpoint(&mut self, folder: Option<&Path>) -> Result<PathBuf, RunError> {
-        let folder = match (folder, &self.folder) {
-            (None, Some(own)) => own.clone(),
-            (Some(root), Some(own)) if root == own.root() => own.clone(),
+        let own = self.folder.as_ref();
+        let own = own.filter(|own| folder.is_none_or(|root| root == own.root()));
+        let _lock;
+        let folder = match (folder, own) {
+            (_, Some(own)) => {
+                _lock = self.lock.is_none().then(|| own.lock()).transpose()?;
+                own.clone()
+            }
             (None, None) => return Err(RunError::NoFolder),
-            (Some(root), _) => {
+            (Some(root), None) => {
                 let folder = RunFolder::create(root, false)?;
                 folder.write(&folder.scenario(), self.scenario().to_resolved_toml().as_bytes())?;
                 folder

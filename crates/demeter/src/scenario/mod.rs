@@ -69,6 +69,7 @@ pub use overrides::{Override, key_steps};
 pub use packing_file::{FitTask, Match, PACKING_FIT_REFERENCE, PackingFile, UnknownNumber};
 pub use plain::{Foreign, Plain, faults_with_foreign};
 pub use prepare::{Prepared, prepare};
+pub use reader::suggest_or_list;
 pub use report::{Report, RunEnd};
 pub(crate) use run::thread_pool;
 pub use run::{Observer, Progress, RunState, all_or_none, resume, resume_shared, run, run_shared};

@@ -83,8 +83,8 @@ pub(super) fn did_you_mean<'k>(word: &str, known: impl IntoIterator<Item = &'k s
         .map(|(_, k)| format!("did you mean `{k}`?"))
 }
 
-/// "`a`, `b`", or the suggestion when one is close.
-pub(super) fn suggest_or_list<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<String> {
+/// What is close to a word among the known ones, or some of these: "did you mean `a`?", "known are `a`, `b`".
+pub fn suggest_or_list<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<String> {
     let known: Vec<&str> = known.into_iter().collect();
     let list = || match known.as_slice() {
         [] => None,

@@ -3,8 +3,8 @@
 use super::{Live, Simulation, locked};
 use crate::contacts::ContactTable;
 use crate::control::{Callback, Limit, Messages, Place, Watcher};
-use crate::convert::path;
-use crate::errors::{OrRaise, Raise, RunError};
+use crate::convert::{flag, optional_count, path, shown, whole};
+use crate::errors::{OrRaise, Raise, RunError, not_there, unknown_name, wrong_type};
 use crate::functions::Function;
 use crate::scenario::Scenario;
 use crate::views::{Showing, Table, Views};
@@ -13,8 +13,8 @@ use engine::scenario::{LiveRun, Pause, RunEnd, RunOptions, Until};
 use engine::simulation::{CustomMotion, Simulation as EngineSimulation};
 use glam::DVec3;
 use numpy::PyArray1;
-use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::PyString;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
 use std::time::{Duration, Instant};
@@ -44,6 +44,8 @@ impl Simulation {
             callbacks: Mutex::new(Vec::new()),
             functions: Mutex::new(Vec::new()),
             messages: Mutex::new(messages.list),
+            is_closed: AtomicBool::new(false),
+            process: std::process::id(),
         }
     }
 
@@ -52,12 +54,12 @@ impl Simulation {
         py: Python<'_>,
         scenario: &Bound<'_, PyAny>,
         out: Option<&Bound<'_, PyAny>>,
-        threads: Option<usize>,
-        overwrite: bool,
+        threads: Option<&Bound<'_, PyAny>>,
+        overwrite: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let scenario = Scenario::engine_of(scenario)?;
         let out = out.map(|out| path(out, "out")).transpose()?;
         let options = options(threads, overwrite)?;
+        let scenario = Scenario::engine_of(scenario)?;
         let mut messages = Messages::default();
         let run = py
             .detach(|| LiveRun::new(scenario, out.as_deref(), options, &mut messages))
@@ -68,6 +70,13 @@ impl Simulation {
 
     /// The run, unless it is in the middle of a step.
     pub(super) fn live(&self) -> PyResult<MutexGuard<'_, Live>> {
+        if self.process != std::process::id() {
+            return Err(RunError::new_err(format!(
+                "the simulation belongs to the process {} and cannot be used in a fork of it, where its threads are missing: make it \
+                 there, or carry it over by sim.checkpoint(folder) and demeter.Simulation.resume(folder)",
+                self.process
+            )));
+        }
         match self.live.try_lock() {
             Ok(live) => Ok(live),
             Err(TryLockError::Poisoned(poisoned)) => Ok(poisoned.into_inner()),
@@ -78,6 +87,19 @@ impl Simulation {
         }
     }
 
+    /// That the simulation was not closed.
+    pub(super) fn refuse_closed(&self) -> PyResult<()> {
+        if !self.is_closed.load(Ordering::SeqCst) {
+            return Ok(());
+        }
+        let live = self.live()?;
+        let how = live.run.folder().map_or_else(String::new, |folder| {
+            let folder = folder.display();
+            format!(": demeter.read_series(\"{folder}\") reads what it wrote, demeter.Simulation.resume(\"{folder}\") goes on from its latest checkpoint")
+        });
+        Err(RunError::new_err(format!("the simulation was closed{how}")))
+    }
+
     pub(super) fn look<T>(&self, look: impl FnOnce(&EngineSimulation) -> T) -> PyResult<T> {
         Ok(self.live()?.run.with_simulation(look))
     }
@@ -85,15 +107,8 @@ impl Simulation {
     /// Index of a wall.
     pub(super) fn wall(&self, name: &str) -> PyResult<usize> {
         self.look(|sim| {
-            sim.walls.iter().position(|wall| wall.name == name).ok_or_else(|| {
-                let names: Vec<String> = sim.walls.iter().map(|wall| format!("`{}`", wall.name)).collect();
-                let known = if names.is_empty() {
-                    "none".to_string()
-                } else {
-                    names.join(", ")
-                };
-                PyKeyError::new_err(format!("there is no wall `{name}`; there are {known}"))
-            })
+            let at = sim.walls.iter().position(|wall| wall.name == name);
+            at.ok_or_else(|| unknown_name("wall", name, sim.walls.iter().map(|wall| wall.name.as_str())))
         })?
     }
 
@@ -116,6 +131,7 @@ impl Simulation {
 
     fn go_on(slf: &Bound<'_, Self>, limit: &Limit, watcher: Option<&Watcher<'_>>) -> PyResult<bool> {
         let this = slf.get();
+        this.refuse_closed()?;
         if this.is_running.swap(true, Ordering::SeqCst) {
             return Err(RunError::new_err(
                 "the simulation runs already: a callback looks and changes, it cannot run it; sim.stop() ends the run",
@@ -201,6 +217,26 @@ impl Simulation {
         Ok(())
     }
 
+    /// Takes a function out of those that are called again and again.
+    pub(super) fn call_no_more(&self, py: Python<'_>, function: &Bound<'_, PyAny>) -> PyResult<()> {
+        // nothing of Python is called, nor let go, while the list is locked
+        let all: Vec<Py<PyAny>> = locked(&self.callbacks)
+            .iter()
+            .map(|callback| callback.function().clone_ref(py))
+            .collect();
+        // bound methods are made anew whenever they are asked for
+        let is_it = |other: &Py<PyAny>| other.bind(py).eq(function).unwrap_or(false);
+        let meant: Vec<Py<PyAny>> = all.into_iter().filter(is_it).collect();
+        let is_meant = |callback: &mut Callback| meant.iter().any(|other| other.is(callback.function()));
+        let gone: Vec<Callback> = locked(&self.callbacks).extract_if(.., is_meant).collect();
+        match gone.is_empty() {
+            true => Err(not_there(
+                "this function is not called: cancel takes a function that `every` was given",
+            )),
+            false => Ok(()),
+        }
+    }
+
     /// A fault as an exception: the one that a function of the user raised, unchanged.
     fn raised(&self, py: Python<'_>, fault: EngineFault) -> PyErr {
         let raised = || {
@@ -222,7 +258,12 @@ impl Simulation {
     }
 
     /// Rows of grains by their ids, or of all in their order.
-    pub(super) fn rows_of<'py>(&self, py: Python<'py>, ids: Option<Vec<u32>>) -> PyResult<Bound<'py, PyArray1<u64>>> {
+    pub(super) fn rows_of<'py>(
+        &self,
+        py: Python<'py>,
+        ids: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArray1<u64>>> {
+        let ids = ids.map(list_of_ids).transpose()?;
         let mut order: Vec<(u32, u64)> = self.look(|sim| sim.grains.id.iter().copied().zip(0..).collect())?;
         order.sort_unstable();
         let Some(ids) = ids else {
@@ -230,8 +271,7 @@ impl Simulation {
         };
         let row = |id: u32| {
             let at = order.binary_search_by_key(&id, |(id, _)| *id);
-            at.map(|k| order[k].1)
-                .map_err(|_| PyKeyError::new_err(format!("there is no grain {id}")))
+            at.map(|k| order[k].1).map_err(|_| not_there(no_grain(id, &order)))
         };
         let rows: Vec<u64> = ids.into_iter().map(row).collect::<PyResult<_>>()?;
         Ok(PyArray1::from_vec(py, rows))
@@ -253,15 +293,50 @@ impl Simulation {
     }
 }
 
-pub(super) fn options(threads: Option<usize>, overwrite: bool) -> PyResult<RunOptions> {
-    if threads == Some(0) {
-        return Err(PyValueError::new_err("`threads` is 0; at least one is needed"));
-    }
+pub(super) fn options(
+    threads: Option<&Bound<'_, PyAny>>,
+    overwrite: Option<&Bound<'_, PyAny>>,
+) -> PyResult<RunOptions> {
     Ok(RunOptions {
-        threads,
-        overwrite,
+        threads: optional_count(threads, "threads", 1)?,
+        overwrite: overwrite.map_or(Ok(false), |told| flag(told, "overwrite"))?,
         ..RunOptions::default()
     })
+}
+
+/// Ids of grains, from a list or an array.
+fn list_of_ids(ids: &Bound<'_, PyAny>) -> PyResult<Vec<u32>> {
+    if let Ok(list) = ids.extract() {
+        return Ok(list);
+    }
+    let wrong = || {
+        let found = shown(ids);
+        wrong_type(format!(
+            "`ids` must be a list or an array of whole numbers, as [17], not {found}"
+        ))
+    };
+    if ids.cast::<PyString>().is_ok() {
+        return Err(wrong());
+    }
+    let items = ids.try_iter().map_err(|_| wrong())?;
+    let id = |item: PyResult<Bound<'_, PyAny>>| {
+        let id = whole(&item?, "ids", 0)?;
+        u32::try_from(id).map_err(|_| not_there(format!("there is no grain {id}")))
+    };
+    items.map(id).collect()
+}
+
+/// That a grain is not there, and which are.
+fn no_grain(id: u32, order: &[(u32, u64)]) -> String {
+    match (order.first(), order.last()) {
+        (Some((first, _)), Some((last, _))) => {
+            format!(
+                "there is no grain {id}; there are {} with ids from {first} to {last}",
+                order.len()
+            )
+        }
+        _ => format!("there is no grain {id}; there are no grains"),
+    }
 }
 
 /// A motion that a Python function tells; exactly one way of telling it.
@@ -304,13 +379,14 @@ pub(super) fn motion(function: Arc<Function>, how: &str, axis: Option<(DVec3, DV
 /// >>> sim = demeter.run("drum.toml", out="runs/drum", progress=True)
 /// >>> pandas.DataFrame(sim.series()).plot(x="time [s]", y="kinetic energy [J]")
 #[pyfunction]
-#[pyo3(signature = (scenario, *, out=None, threads=None, overwrite=false, progress=None))]
+#[pyo3(signature = (scenario, *, out=None, threads=None, overwrite=None, progress=None),
+    text_signature = "(scenario, *, out=None, threads=None, overwrite=False, progress=None)")]
 pub fn run<'py>(
     py: Python<'py>,
     scenario: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
-    threads: Option<usize>,
-    overwrite: bool,
+    threads: Option<&Bound<'py, PyAny>>,
+    overwrite: Option<&Bound<'py, PyAny>>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, Simulation>> {
     let simulation = Bound::new(py, Simulation::build(py, scenario, out, threads, overwrite)?)?;
@@ -324,7 +400,7 @@ pub fn run<'py>(
 pub fn resume<'py>(
     py: Python<'py>,
     folder: &Bound<'py, PyAny>,
-    threads: Option<usize>,
+    threads: Option<&Bound<'py, PyAny>>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, Simulation>> {
     let simulation = Bound::new(py, Simulation::resume(py, folder, threads)?)?;
