@@ -94,6 +94,45 @@ export async function accessibility(page) {
     return violations.flatMap((rule) => rule.nodes.map((node) => `${rule.id}: ${rule.help}: ${node.target.join(" ")} ${node.failureSummary}`));
 }
 
+/** What the Tab key reaches, in order: role, name and description as screen readers have them, and whether it is seen. */
+export async function tabStops(page, most = 300) {
+    const client = await page.context().newCDPSession(page);
+    const stops = [];
+    for (let k = 0; k < most; k++) {
+        await page.keyboard.press("Tab");
+        const seen = await page.evaluate(() => {
+            const element = document.activeElement;
+            if (element === document.body) {
+                return null;
+            }
+            const style = getComputedStyle(element);
+            const { top, bottom, left, right } = element.getBoundingClientRect();
+            const inWindow = bottom > 0 && top < innerHeight && right > 0 && left < innerWidth;
+            return { inWindow, ring: style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2 };
+        });
+        if (!seen) {
+            break;
+        }
+        const { result } = await client.send("Runtime.evaluate", { expression: "document.activeElement" });
+        const { nodes } = await client.send("Accessibility.getPartialAXTree", { objectId: result.objectId, fetchRelatives: false });
+        const [{ role, name, description }] = nodes;
+        stops.push({ role: role?.value, name: name?.value ?? "", description: description?.value ?? "", ...seen });
+    }
+    return stops;
+}
+
+/** What is said by itself while something goes on: every change of what screen readers watch. */
+export async function listen(page) {
+    await page.evaluate(() => {
+        window.said = [];
+        const live = "[role=status], [role=alert], [aria-live=polite], [aria-live=assertive], output:not([aria-live=off])";
+        // what is inside a button belongs to its name
+        const isLive = (node) => (node instanceof Element ? node : node.parentElement)?.closest(live) && !(node instanceof Element ? node : node.parentElement).closest("button");
+        new MutationObserver((changes) => changes.forEach(({ target }) => isLive(target) && window.said.push(target.textContent))).observe(document.body, { subtree: true, childList: true, characterData: true });
+    });
+    return async () => page.evaluate(() => window.said.splice(0));
+}
+
 /** Keeps a picture for people to look at, where DEMETER_PICTURES tells a folder. */
 export async function keep(page, name, options = { fullPage: true }) {
     const folder = process.env.DEMETER_PICTURES;

@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { join, resolve } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { accessibility, compare, keep, launch, open, settled } from "./browser.mjs";
+import { accessibility, compare, keep, launch, listen, open, settled, tabStops } from "./browser.mjs";
 
 const EVIL = "</script><script>alert(1)</script><img src=x onerror=alert(1)>";
 const address = (variable) => {
@@ -89,6 +89,25 @@ describe("the 3D view", () => {
         await page.close();
     });
 
+    test("tells of a grain that is picked by its id, and says what changes once", async () => {
+        const { page, faults } = await report();
+        const said = await listen(page);
+        await page.getByLabel("Id of a grain").fill("7");
+        await page.keyboard.press("Enter");
+        assert.match(await page.locator(".picked").textContent(), /^Grain 7.*centre.*speed/s);
+        assert.equal((await said()).length, 1);
+        await page.getByLabel("Id of a grain").fill("123456");
+        await page.keyboard.press("Enter");
+        assert.equal(await page.locator(".picked").textContent(), "Grain 123456 is not there.");
+        await page.getByLabel("Opacity of grains").focus();
+        await said();
+        await page.keyboard.press("ArrowLeft");
+        assert.equal(await page.getByLabel("Opacity of grains").getAttribute("aria-valuetext"), "98 %");
+        assert.deepEqual(await said(), [], "a slider tells its value itself");
+        assert.deepEqual(faults, []);
+        await page.close();
+    });
+
     test("is a message where there is no WebGL, and the rest works", async () => {
         const without = await launch({ webgl: false });
         const { page, faults } = await open(without, address("DEMETER_RUN"));
@@ -157,14 +176,14 @@ describe("plots", () => {
 describe("the page", () => {
     test("is reached by keyboard in the order in which it is read", async () => {
         const { page } = await report();
-        const stops = [];
-        for (let k = 0; k < 40; k++) {
-            await page.keyboard.press("Tab");
-            stops.push(await page.evaluate(() => document.activeElement.textContent.trim().slice(0, 30) || document.activeElement.tagName));
-        }
-        assert.equal(stops[0], "Skip to the content");
-        assert.equal(stops[1], "Last state");
-        assert.ok(stops.includes("CANVAS"), stops.join(" | "));
+        const stops = await tabStops(page);
+        assert.deepEqual(stops.slice(0, 2).map(({ name }) => name), ["Skip to the content", "Last state"]);
+        const view = stops.find(({ name }) => name.includes("a 3D view. Arrow keys: turn"));
+        // what the picture shows, for those who do not see it
+        assert.match(view.description, /^\d+ grains, with 1 wall, in .* by .* by .*, coloured by contact force from .* to .* \S+; \d+ contacts\.$/);
+        assert.deepEqual(stops.filter(({ name, inWindow, ring }) => name === "" || !inWindow || !ring), []);
+        assert.ok(stops.some(({ role, name }) => role === "application" && name.startsWith("Plot of")), "plots");
+        assert.ok(stops.length < 299, "the Tab key leaves the page");
         assert.equal(await page.locator("[tabindex]:not([tabindex='0']):not([tabindex='-1'])").count(), 0);
         await page.close();
     });
@@ -177,6 +196,15 @@ describe("the page", () => {
             await page.close();
         });
     }
+
+    test("is whole at twice the size of its letters, too", async () => {
+        // a window of 1280 by 720 at 200 %
+        const { page, faults } = await report({ viewport: { width: 640, height: 360 }, deviceScaleFactor: 2 });
+        await keep(page, "report-zoomed");
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 640);
+        assert.deepEqual(faults, []);
+        await page.close();
+    });
 
     test("fits a phone", async () => {
         const { page, faults } = await report({ viewport: { width: 400, height: 800 } });

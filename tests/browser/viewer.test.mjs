@@ -10,7 +10,7 @@ import { dirname, join, resolve } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { inflateRawSync } from "node:zlib";
-import { accessibility, compare, keep, launch, open, settled } from "./browser.mjs";
+import { accessibility, compare, keep, launch, listen, open, settled, tabStops } from "./browser.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const PATIENCE = { timeout: 60_000 };
@@ -331,6 +331,68 @@ test("the page can be read and used by everybody", async () => {
     const wide = await small.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
     assert.ok(wide <= 0, `the page is ${wide} pixels wider than the window`);
     await small.page.close();
+});
+
+test("the keyboard reaches everything, which has a name and is seen", async () => {
+    // a window of 1280 by 720 at 200 %
+    const { page, faults } = await viewer(finished(), { viewport: { width: 640, height: 360 }, deviceScaleFactor: 2 });
+    await keep(page, "viewer-zoomed");
+    const stops = await tabStops(page);
+    assert.equal(stops[0].name, "Skip to the picture");
+    const view = stops.find(({ name }) => name.includes("a 3D view. Arrow keys: turn"));
+    assert.match(view.description, /^\d+ grains, with 1 wall, in .* coloured by \S+ from .* to .*; \d+ contacts?\.$/);
+    assert.deepEqual(stops.filter(({ name, inWindow, ring }) => name === "" || !inWindow || !ring), []);
+    for (const name of ["Play", "Frame", "Colour grains by", "Show force chains", "Cut", "Film (WebM)", "Id of a grain", "Find columns", "Keys of the timeline"]) {
+        assert.ok(stops.some((stop) => stop.name === name), name);
+    }
+    assert.ok(stops.length < 299, "the Tab key leaves the page");
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    assert.ok(wide <= 0, `the page is ${wide} pixels wider than the window`);
+    assert.deepEqual(faults, []);
+    await page.close();
+});
+
+test("those who listen hear where it is, and not every frame", async () => {
+    const { page, count, reaches } = await viewer(finished());
+    const all = await count();
+    await page.getByRole("button", { name: "First frame" }).click();
+    await reaches(1);
+    await page.waitForTimeout(200);
+    const said = await listen(page);
+    await page.getByLabel("Frames per second").selectOption("60");
+    await page.getByRole("button", { name: "Play", exact: true }).click();
+    await reaches(all);
+    await page.getByRole("button", { name: "Play", exact: true }).waitFor(PATIENCE);
+    const heard = await said();
+    assert.ok(heard.length >= 1 && heard.length <= 2, heard.join(" | "));
+    assert.match(heard.at(-1), new RegExp(`frame ${all} of ${all}$`));
+    const download = page.waitForEvent("download", { timeout: 120_000 });
+    await page.getByRole("button", { name: "PNGs (ZIP)", exact: true }).click();
+    await download;
+    await page.getByText(/^Saved/).waitFor(PATIENCE);
+    const exported = await said();
+    assert.ok(exported.filter((text) => /export|saved|frame/i.test(text)).length <= 3, exported.join(" | "));
+    await page.close();
+});
+
+test("single keys can be kept from working everywhere", async () => {
+    const { page, reaches, frame, count } = await viewer(finished());
+    await page.getByRole("button", { name: "Last frame" }).click();
+    const all = await count();
+    await reaches(all);
+    await page.getByText("Keys of the timeline").click();
+    await page.getByLabel("These keys work wherever the focus is").uncheck();
+    await page.getByRole("button", { name: "Front" }).focus();
+    await page.keyboard.press(",");
+    await page.waitForTimeout(200);
+    assert.equal(await frame(), all);
+    await page.getByRole("button", { name: "Play", exact: true }).focus();
+    await page.keyboard.press(",");
+    await reaches(all - 1);
+    await page.reload();
+    await page.locator(".timeline[data-shown]").waitFor(PATIENCE);
+    assert.equal(await page.locator("footer input[type=checkbox]").isChecked(), false, "it is remembered");
+    await page.close();
 });
 
 test("who knows the port but not the key is told nothing", async () => {

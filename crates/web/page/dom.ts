@@ -47,7 +47,8 @@ export interface Slider {
 /** A slider with its label and value. */
 export function slider(label: string, range: { min: number; max: number; step: number; value: number }, told: (value: number) => string, moved: (value: number) => void): Slider {
     const input = make("input", { type: "range", ...range });
-    const output = make("output", {}, told(range.value));
+    // the slider itself tells its value
+    const output = make("output", { "aria-live": "off" }, told(range.value));
     const act = () => {
         output.textContent = told(input.valueAsNumber);
         input.setAttribute("aria-valuetext", told(input.valueAsNumber));

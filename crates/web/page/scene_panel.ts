@@ -1,6 +1,6 @@
 // A scene with its controls: colours, force chains, opacities, clip plane, views, and what is known of a picked grain.
 import { button, choice, group, make, save, slider, tick, type Slider } from "./dom";
-import { CAMERA_KEYS, createScene, type Contacts, type Grains, type MapName, type PackingScene, type ViewName, type WallSurface } from "./scene";
+import { CAMERA_KEYS, createScene, type Contacts, type Grains, type ColourScale, type MapName, type PackingScene, type ViewName, type WallSurface } from "./scene";
 import { colourKey } from "./scene/colour_key";
 import { quantity, readable, scaled } from "./units";
 
@@ -59,9 +59,12 @@ const VIEWS: [ViewName, string][] = [
 ];
 /** Grains become this opaque when force chains are shown, so that these are seen. */
 const BESIDE_CHAINS = 0.12;
-const NOTHING_PICKED = "Click a grain to see its values.";
+const NOTHING_PICKED = "Click a grain, or type its id, to see its values.";
 /** Most contacts of a grain that are listed. */
 const MOST_LISTED = 30;
+
+/** Panels of the page, for ids. */
+let panels = 0;
 
 const percent = (share: number) => `${Math.round(100 * share)} %`;
 
@@ -77,6 +80,8 @@ export class ScenePanel {
     readonly #key = make("div", { class: "key-holder" });
     readonly #picked = make("div", { class: "picked", role: "status" });
     readonly #chainsTold = make("p", { class: "hint" });
+    /** What the picture shows, in words, for those who do not see it. */
+    readonly #inWords = make("p", { class: "unseen", id: `scene-in-words-${++panels}` });
     #state: PackingState = { grains: { position: new Float32Array(), radius: new Float32Array(), id: new Uint32Array(), scalars: new Map() }, contacts: null, walls: [], scalars: [] };
     #colour: { scalar: string; map: MapName; range: [number, number] | null } = { scalar: "", map: "viridis", range: null };
     #chosen = false;
@@ -89,15 +94,16 @@ export class ScenePanel {
     constructor(container: HTMLElement, options: PanelOptions) {
         this.#options = options;
         const frame = make("div", { class: "scene-frame" });
-        this.view.append(frame, this.#key);
+        this.view.append(frame, this.#inWords, this.#key);
         this.element.append(this.view);
         container.replaceChildren(this.element);
         this.scene = createScene(frame, { label: this.#label(), onPick: (id) => this.pick(id) });
         if (this.scene) {
             this.element.append(this.controls);
             this.controls.append(this.#colourControls(), this.#grainControls(), this.#chainControls(), this.#clipControls(), this.#viewControls(this.scene));
+            this.scene.canvas.setAttribute("aria-describedby", this.#inWords.id);
             if (options.describes ?? true) {
-                this.view.append(this.#picked);
+                this.view.append(this.#pickForm(), this.#picked);
                 this.#picked.textContent = NOTHING_PICKED;
             }
             printAsImage(frame, this.scene);
@@ -206,6 +212,7 @@ export class ScenePanel {
         const scale = this.scene!.colourBy(scalar, range, map);
         const info = this.#state.scalars.find((s) => s.name === scalar);
         this.#key.replaceChildren(colourKey(scale, info?.unit ?? "", this.#state.grains.scalars.get(scalar)));
+        this.#inWords.textContent = this.#words(scale, info?.unit ?? "");
         if (info?.meaning) {
             this.#key.append(make("span", { class: "key-meaning" }, info.meaning));
         }
@@ -216,6 +223,31 @@ export class ScenePanel {
             input.disabled = scale.names !== null;
             input.setAttribute("aria-invalid", "false");
         });
+    }
+
+    #words(scale: ColourScale, unit: string): string {
+        const { grains, contacts, walls } = this.#state;
+        const count = (n: number, what: string) => `${n} ${what}${n === 1 ? "" : "s"}`;
+        const [low, high] = scale.range.map((value) => quantity(value, unit));
+        const colours = scale.names ? `coloured by ${scale.scalar}` : `coloured by ${scale.scalar} from ${low} to ${high}`;
+        const box = this.scene!.bounds();
+        const [lower, upper] = [box.min.toArray(), box.max.toArray()];
+        const across = box.isEmpty() ? "" : `, in ${lower.map((from, k) => quantity(upper[k]! - from, "m")).join(" by ")}`;
+        const held = walls.length > 0 ? `, with ${count(walls.length, "wall")}` : "";
+        return `${count(grains.id.length, "grain")}${held}${across}, ${colours}; ${count(contacts?.count ?? 0, "contact")}.`;
+    }
+
+    /** Picks by id what others pick by a click. */
+    #pickForm(): HTMLElement {
+        const id = make("input", { type: "number", min: 1, step: 1, "aria-label": "Id of a grain" });
+        const form = make("form", { class: "grain-form" }, make("label", {}, "Grain ", id), make("button", { type: "submit" }, "Show"), button("None", () => this.pick(null)));
+        form.addEventListener("submit", (event) => {
+            event.preventDefault();
+            if (Number.isInteger(id.valueAsNumber)) {
+                this.pick(id.valueAsNumber);
+            }
+        });
+        return form;
     }
 
     #grainControls(): HTMLElement {

@@ -44,7 +44,7 @@ class Viewer {
         const seek = (time: number) => this.#timeline.seekTime(time);
         this.#series = new SeriesPanel(seek);
         this.#grain = new GrainPanel({ pick: (id) => this.#panel.pick(id), seek, wallName: (k) => this.#wallNames.get(k) ?? String(k) });
-        main.append(make("div", { class: "below" }, this.#grain.element, this.#series.element), help());
+        main.append(make("div", { class: "below" }, this.#grain.element, this.#series.element), help(this.#timeline.everywhere.element));
         const scene = this.#panel.scene;
         this.#export = scene && new ExportPanel({ scene, name: () => this.#name, count: () => this.#times.length, index: () => this.#timeline.index, time: (k) => this.#times[k] ?? NaN, unit: (scalar) => this.#frame?.scalars.find((s) => s.name === scalar)?.unit ?? "", show: (k) => this.#show(k) });
         if (this.#export) {
@@ -192,10 +192,10 @@ function painted(): Promise<void> {
     return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 0)));
 }
 
-function help(): HTMLElement {
+function help(everywhere: HTMLElement): HTMLElement {
     const keys = make("dl", { class: "keys" }, ...TIME_KEYS.flatMap(([key, what]) => [make("dt", {}, key), make("dd", {}, what)]));
     const licences = make("a", { href: "licences.txt" }, "Licences of the libraries in this page");
-    return make("footer", {}, make("details", {}, make("summary", {}, "Keys of the timeline"), keys), licences);
+    return make("footer", {}, make("details", {}, make("summary", {}, "Keys of the timeline"), keys, everywhere), licences);
 }
 
 new Viewer();

@@ -38,6 +38,10 @@ export class ExportPanel {
     readonly #size: HTMLSelectElement;
     readonly #told: HTMLInputElement;
     readonly #status = make("p", { class: "hint export-status", role: "status" });
+    /** How far it is; what is read aloud is told at the beginning and at the end alone. */
+    readonly #bar = make("progress", { max: 1, value: 0, "aria-label": "Export" });
+    readonly #frames = make("span");
+    readonly #progress = make("div", { class: "export-told", hidden: true }, this.#bar, this.#frames);
     readonly #stop = button("Stop", () => (this.#stopped = true));
     readonly #starters: HTMLButtonElement[];
     #stopped = false;
@@ -63,7 +67,7 @@ export class ExportPanel {
         });
         this.#stop.hidden = true;
         const hint = make("p", { class: "hint" }, "An MP4 of the pictures: ", make("code", {}, FFMPEG));
-        this.element = group("Export", size.element, written.element, frames, row, this.#status, hint);
+        this.element = group("Export", size.element, written.element, frames, row, this.#progress, this.#status, hint);
     }
 
     /** Tells how many frames there are; the last one to export follows as long as it was the last. */
@@ -78,16 +82,23 @@ export class ExportPanel {
         this.#stopped = false;
         this.#starters.forEach((b) => (b.disabled = true));
         this.#stop.hidden = false;
+        this.#status.textContent = "Exporting …";
         const before = this.#source.index();
         try {
             this.#status.textContent = await job();
         } catch (error) {
             this.#status.textContent = `Not exported: ${(error as Error).message}`;
         } finally {
-            this.#stop.hidden = true;
+            this.#stop.hidden = this.#progress.hidden = true;
             this.#starters.forEach((b) => (b.disabled = false));
             await this.#source.show(before).catch(() => undefined);
         }
+    }
+
+    #tell(done: number, all: number): void {
+        this.#progress.hidden = false;
+        [this.#bar.max, this.#bar.value] = [all, done];
+        this.#frames.textContent = `frame ${done + 1} of ${all}`;
     }
 
     #range(): [number, number] {
@@ -117,7 +128,7 @@ export class ExportPanel {
         });
         let done = 0;
         for (let index = from; index <= to && !this.#stopped; index++) {
-            this.#status.textContent = `Frame ${index - from + 1} of ${to - from + 1} …`;
+            this.#tell(index - from, to - from + 1);
             await this.#source.show(index);
             const bytes = new Uint8Array(await (await png(await this.#draw(index))).arrayBuffer());
             // PNGs are compressed already
@@ -141,7 +152,7 @@ export class ExportPanel {
         encoder.configure(codec(width, height));
         let done = 0;
         for (let index = from; index <= to && !this.#stopped && !fault; index++) {
-            this.#status.textContent = `Frame ${index - from + 1} of ${to - from + 1} …`;
+            this.#tell(index - from, to - from + 1);
             await this.#source.show(index);
             const picture = new VideoFrame(await this.#draw(index), { timestamp: (done * 1e6) / RATE, duration: 1e6 / RATE });
             encoder.encode(picture, { keyFrame: done % RATE === 0 });

@@ -17,6 +17,9 @@ export interface TimelineEvents {
 /** How many frames are read ahead while playing. */
 const AHEAD = 4;
 
+/** Where the page remembers that the keys are for the timeline and the view alone. */
+const NARROW = "demeter-keys-narrow";
+
 /** What the keys do, for the help text. */
 export const TIME_KEYS: [string, string][] = [
     ["Space", "play or pause"],
@@ -28,12 +31,14 @@ export class Timeline {
     readonly element = make("section", { class: "timeline", "aria-label": "Timeline" });
     readonly #events: TimelineEvents;
     readonly #slider = make("input", { type: "range", min: 0, max: 0, step: 1, value: 0, "aria-label": "Frame" });
-    readonly #told = make("output", { class: "time-told" });
+    readonly #told = make("p", { class: "time-told" });
     /** For screen readers; silent while it plays. */
     readonly #status = make("p", { class: "unseen", role: "status", "aria-live": "polite" });
     readonly #play: HTMLButtonElement;
     readonly #live: HTMLInputElement;
     readonly #loop: HTMLInputElement;
+    /** Whether the keys work wherever the focus is: single keys must not get into the way of those who speak to their computer. */
+    readonly everywhere = tick("These keys work wherever the focus is on the page", !remembered(NARROW), (on) => remember(NARROW, !on));
     #times: number[] = [];
     #steps: number[] = [];
     /** The frame that is shown. */
@@ -261,9 +266,13 @@ export class Timeline {
         if (writes || target instanceof HTMLSelectElement) {
             return;
         }
-        const acts = target instanceof HTMLButtonElement || target.tagName === "SUMMARY" || types === "checkbox";
-        // sliders, the 3D view and plots have arrow keys of their own
-        const moves = types === "range" || target.getAttribute("role") === "application";
+        const isHere = this.element.contains(target) || target instanceof HTMLCanvasElement;
+        if (!isHere && !this.everywhere.input.checked) {
+            return;
+        }
+        const acts = target instanceof HTMLAnchorElement || target instanceof HTMLButtonElement || target.tagName === "SUMMARY" || types === "checkbox";
+        // sliders, the 3D view, plots and what scrolls have arrow keys of their own
+        const moves = types === "range" || ["application", "region"].includes(target.getAttribute("role") ?? "");
         const keys: Record<string, () => void> = {
             ...(acts ? {} : { " ": () => this.toggle() }),
             ...(moves
@@ -282,5 +291,22 @@ export class Timeline {
             event.preventDefault();
             act();
         }
+    }
+}
+
+function remembered(name: string): boolean {
+    try {
+        return localStorage.getItem(name) === "true";
+    } catch {
+        return false;
+    }
+}
+
+/** Browsers may refuse to remember. */
+function remember(name: string, value: boolean): void {
+    try {
+        localStorage.setItem(name, String(value));
+    } catch {
+        return;
     }
 }
