@@ -575,31 +575,26 @@ fn a_job_array_is_submitted_and_its_tasks_run() {
         .unwrap();
     assert!(gather.status.success(), "{}", String::from_utf8_lossy(&gather.stderr));
     let rows = table(&place, "it's here/x/results.csv");
-    assert_eq!(
-        rows.iter().map(|row| row["grains"].as_str()).collect::<Vec<_>>(),
-        ["20", "30"]
-    );
+    let grains: Vec<&str> = rows.iter().map(|row| row["grains"].as_str()).collect();
+    assert_eq!(grains, ["20", "30"]);
 }
 
 /// The processes that a process started.
 fn children(parent: u32) -> Vec<u32> {
-    let mut found = Vec::new();
-    for task in fs::read_dir(format!("/proc/{parent}/task"))
-        .into_iter()
+    let tasks = fs::read_dir(format!("/proc/{parent}/task")).into_iter().flatten();
+    let told: Vec<String> = tasks
         .flatten()
-        .flatten()
-    {
-        let text = fs::read_to_string(task.path().join("children")).unwrap_or_default();
-        found.extend(text.split_whitespace().map(|id| id.parse::<u32>().unwrap()));
-    }
-    found
+        .flat_map(|task| fs::read_to_string(task.path().join("children")))
+        .collect();
+    told.join(" ")
+        .split_whitespace()
+        .map(|id| id.parse().unwrap())
+        .collect()
 }
 
 /// Whether a process is there and no zombie.
 fn is_alive(process: u32) -> bool {
     let status = fs::read_to_string(format!("/proc/{process}/stat")).unwrap_or_default();
-    status
-        .rsplit(')')
-        .next()
-        .is_some_and(|rest| !rest.trim().is_empty() && !rest.trim().starts_with('Z'))
+    let rest = status.rsplit(')').next().unwrap_or_default().trim();
+    !rest.is_empty() && !rest.starts_with('Z')
 }
