@@ -2,7 +2,7 @@
 
 use super::checks::{
     BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds,
-    expected_of_feed, wall_partners,
+    check_walls_at_periodic_sides, expected_of_feed, wall_partners,
 };
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
@@ -71,6 +71,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     check_feeds(scenario, &domain, &mut faults);
     super::deformation::check(scenario, &grains, None, &mut faults);
     meshes::check(scenario, &walls, &meshes, &all, &mut warnings);
+    check_walls_at_periodic_sides(&walls, &all, &domain, &mut warnings);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
     if all.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));

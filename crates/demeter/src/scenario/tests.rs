@@ -357,3 +357,58 @@ fn repeats_are_unrolled_with_names_of_their_own() {
     assert!((checkpoints * AUTOMATIC_CHECKPOINTS - total).abs() < 1e-12);
     assert_eq!(scenario.output.cadence.checkpoints, Some(0.1));
 }
+
+#[test]
+fn a_wall_that_ends_at_a_periodic_side_is_told() {
+    let text = |walls: &str| {
+        format!(
+            r#"
+[domain]
+lower = "0 0 0 mm"
+upper = "20 20 20 mm"
+periodic = ["x"]
+
+[material.glass]
+young_modulus = "1 MPa"
+poisson_ratio = 0.25
+density = "2500 kg/m^3"
+
+[contact]
+normal = {{ law = "hertz-tsuji", restitution = 0.7 }}
+
+[[grains]]
+material = "glass"
+source = "list"
+positions = [["10 mm", "10 mm", "15 mm"]]
+diameter = "2 mm"
+
+{walls}
+
+[[stage]]
+name = "fall"
+steps = 10
+"#
+        )
+    };
+    let ball = |x: f64| {
+        format!(
+            "[[wall]]\nname = \"ball\"\nmaterial = \"glass\"\nshape = \"sphere\"\ncenter = \"{x} 10 5 mm\"\nradius = \"3 mm\"\nside = \"outside\"\n"
+        )
+    };
+    let floor =
+        "[[wall]]\nname = \"floor\"\nmaterial = \"glass\"\nshape = \"plane\"\npoint = \"0 0 0 mm\"\nnormal = \"z\"\n";
+    let plate = "[[wall]]\nname = \"plate\"\nmaterial = \"glass\"\nshape = \"rectangle\"\ncenter = \"10 10 2 mm\"\nhalf_u = \"10 0 0 mm\"\nhalf_v = \"0 3 0 mm\"\n";
+    let told = |walls: &str| prepare(&parse(&text(walls), &[]).unwrap()).unwrap().warnings.join("\n");
+    for walls in [floor, plate, &ball(10.0), &ball(4.1)] {
+        assert_eq!(told(walls), "", "{walls}");
+    }
+    for (x, side) in [(3.9, "-x"), (0.0, "-x"), (16.5, "+x")] {
+        let told = told(&ball(x));
+        assert!(
+            told.contains(&format!(
+                "wall `ball` comes within a grain's radius of the periodic side {side}"
+            )),
+            "{told}"
+        );
+    }
+}
