@@ -19,6 +19,10 @@ use glam::{DQuat, DVec3};
 /// [m/s^3, m/s^4, m/s^5]; for a rotation those of the angle, the second to fourth of the angular velocity [1/s^3 ...].
 pub type Derivatives = [DVec3; 3];
 
+/// Derivatives below this are none [SI units]. Where nothing acts they fall by some 10^3 in each step, and without this end they stay
+/// at the least numbers that there are, with which a processor computes many times slower.
+const NOTHING: f64 = 1e-200;
+
 /// One coordinate with its rate and acceleration.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
@@ -80,7 +84,8 @@ impl Gear {
         *place += error * self.place;
         *rate += error * self.rate;
         for (derivative, share) in derivatives.iter_mut().zip(self.derivatives) {
-            *derivative += error * share;
+            let corrected = *derivative + error * share;
+            *derivative = DVec3::select(corrected.abs().cmplt(DVec3::splat(NOTHING)), DVec3::ZERO, corrected);
         }
     }
 
@@ -196,6 +201,23 @@ mod tests {
     fn limit_of_stability() {
         assert!(growth(0.163) < 1.0, "{}", growth(0.163));
         assert!(growth(0.164) > 1.0, "{}", growth(0.164));
+    }
+
+    #[test]
+    fn derivatives_of_a_free_motion_vanish() {
+        let gear = Gear::new(3.6e-6);
+        let mut motion = Motion {
+            acceleration: DVec3::X * 100.0,
+            ..Motion::default()
+        };
+        let mut higher = [DVec3::ZERO; 3];
+        for _ in 0..200 {
+            gear.predict(&mut motion, &mut higher);
+            let error = -motion.acceleration;
+            motion.acceleration = DVec3::ZERO;
+            gear.correct(&mut motion.place, &mut motion.rate, &mut higher, error);
+        }
+        assert_eq!(higher, [DVec3::ZERO; 3]);
     }
 
     #[test]
