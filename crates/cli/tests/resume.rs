@@ -158,7 +158,7 @@ fn a_run_does_not_go_on_with_other_files() {
         said.err
     );
     place.write("push.csv", &way("0.001"));
-    place.write("one.csv", "x y z diameter\n0.005 0.004 0.004 0.002\n");
+    fs::remove_file(place.path("one.csv")).unwrap();
     place.expect(0, &["resume", "cut"]);
 }
 

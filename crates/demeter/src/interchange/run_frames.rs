@@ -98,7 +98,7 @@ fn cell_of_frame(file: &TableFile) -> Result<Cell, &'static str> {
 
 /// The box that the scenario of a run tells, for frames that tell none; or why there is none.
 fn cell_of_scenario(run: &Run) -> Result<Cell, &'static str> {
-    let scenario = Scenario::read(&run.folder().scenario(), &[])
+    let scenario = Scenario::read_to_go_on(&run.folder().scenario())
         .map_err(|_| "the scenario of the run cannot be read any more (files that it names?)")?;
     if scenario.domain.deform.is_some() || scenario.stages.iter().any(|stage| stage.deformation.is_some()) {
         return Err("it deforms with time, and the frames of this run do not tell it; it is left out");

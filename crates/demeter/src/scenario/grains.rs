@@ -182,7 +182,10 @@ fn lattice(table: &TableReader<'_>) -> Source {
 fn file(table: &TableReader<'_>, base: &Path) -> Source {
     let path = table.required("file", "the path of the file, relative to the scenario");
     Source::File {
-        path: path.map_or_else(PathBuf::new, |i| existing_file(&i, base)),
+        path: path.map_or_else(PathBuf::new, |i| match i.context.has_started {
+            true => base.join(i.text()),
+            false => existing_file(&i, base),
+        }),
         keep_velocities: table.optional("keep_velocities").is_none_or(|i| i.boolean()),
         density: table.optional_quantity("density", Kind::Physical(Dimension::DENSITY), Range::POSITIVE),
         scale: table

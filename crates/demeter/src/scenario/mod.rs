@@ -152,6 +152,14 @@ impl Scenario {
         Self::parse(&text, &name, base, overrides)
     }
 
+    /// Reads the scenario of a run that has started: files of grains at the start may be gone.
+    pub fn read_to_go_on(path: &Path) -> Result<Self, Diagnostics> {
+        let name = path.display().to_string();
+        let text = read_text(path).map_err(|fault| lone_fault(&name, fault))?;
+        let base = path.parent().unwrap_or(Path::new(""));
+        Self::parse_for(&text, &name, base, &[], true)
+    }
+
     /// Reads a scenario from a text. Relative paths in it start from `base`.
     pub fn parse(text: &str, name: &str, base: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
         Self::parse_with(text, name, base, &set(overrides))
@@ -159,9 +167,22 @@ impl Scenario {
 
     /// As [`Self::parse`], with overrides that say where they were told.
     pub fn parse_with(text: &str, name: &str, base: &Path, overrides: &[Override]) -> Result<Self, Diagnostics> {
+        Self::parse_for(text, name, base, overrides, false)
+    }
+
+    fn parse_for(
+        text: &str,
+        name: &str,
+        base: &Path,
+        overrides: &[Override],
+        has_started: bool,
+    ) -> Result<Self, Diagnostics> {
         let document = tree_with(text, name, overrides)?;
         refuse_other_kind(name, &document, schema::FileKind::Scenario)?;
-        let context = Context::new(Diagnostics::new(name, Arc::clone(&document)));
+        let context = Context {
+            has_started,
+            ..Context::new(Diagnostics::new(name, Arc::clone(&document)))
+        };
         let read = Self::walk(&context, text, name, base, document);
         let mut faults = context.faults.into_inner();
         if faults.is_empty() {

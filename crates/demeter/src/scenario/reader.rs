@@ -42,6 +42,8 @@ pub(super) struct Context {
     pub faults: RefCell<Diagnostics>,
     /// Whether numbers without a unit are SI values.
     pub plain_si: Cell<bool>,
+    /// Whether a run goes on with it: the grains of the start are in a checkpoint, and their files may be gone.
+    pub has_started: bool,
     /// What was looked for, with the path of the value or, of a key, of its table.
     #[cfg(test)]
     pub sought: RefCell<Vec<(String, Sought)>>,
@@ -53,6 +55,7 @@ impl Context {
         Self {
             faults: RefCell::new(faults),
             plain_si: Cell::new(false),
+            has_started: false,
             #[cfg(test)]
             sought: RefCell::new(Vec::new()),
         }

@@ -114,7 +114,7 @@ pub(in crate::scenario) fn read_run(
     folder: &RunFolder,
     observer: &mut dyn Observer,
 ) -> Result<(Scenario, RunState), RunError> {
-    let mut scenario = Scenario::read(&folder.scenario(), &[])?;
+    let mut scenario = Scenario::read_to_go_on(&folder.scenario())?;
     let restored = checkpoint::read_latest::<RunState>(folder.root())?;
     // a scenario without a title is named after its file, which has another name here
     scenario.title.clone_from(&restored.header.title);
