@@ -8,16 +8,13 @@ use std::path::Path;
 const ENVIRONMENT: &str = "interchange-environment";
 const RUN: &str = "interchange-run";
 /// Programs and the packages of Debian that hold them.
-const PROGRAMS: [(&str, &str, &[&str]); 3] = [
-    ("lmp", "lammps", &["-help"]),
-    ("liggghts", "liggghts", &["-help"]),
-    ("yade", "yade", &["--version"]),
-];
+const PROGRAMS: [(&str, &str); 3] = [("lmp", "lammps"), ("liggghts", "liggghts"), ("yade", "yade")];
 
 /// Runs a small scenario, converts it, and lets what is installed read it. Installs the Python packages first.
 pub fn test() -> Result<(), String> {
-    for (program, package, arguments) in PROGRAMS {
-        if !answers(program, arguments) && !answers("which", &[program]) {
+    for (program, package) in PROGRAMS {
+        // asked for its help, LIGGGHTS would leave a log here
+        if !answers("which", &[program]) {
             println!("==> {program} is not there (apt-get install {package}); its tests are skipped");
         }
     }
