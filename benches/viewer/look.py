@@ -32,7 +32,7 @@ plotter.close()
 begun = time.perf_counter()
 plotter = pyvista.Plotter(off_screen=True, window_size=(1100, 650))
 mesh = grains(0)
-drawn = plotter.add_mesh(mesh, style="points_gaussian", render_points_as_spheres=True, emissive=False, scalars="coordination")
+drawn = plotter.add_mesh(mesh, style="points_gaussian", render_points_as_spheres=True, emissive=False, scalars="radius")
 drawn.mapper.scale_array, drawn.mapper.scale_factor = "radius", 1.0
 plotter.screenshot()
 print(f"points as spheres: first picture after {time.perf_counter() - begun:.2f} s")
