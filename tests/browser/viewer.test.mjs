@@ -419,7 +419,7 @@ test("the history of a grain fills its plot while it is read", async () => {
     await page.route("**/api/history/**", async (route) => {
         const told = new URL(route.request().url()).searchParams;
         const moments = told.get("moments").split(",").map(Number);
-        asked.push({ moments, contacts: told.get("contacts") });
+        asked.push({ moments });
         // a server that has time for two moments in each answer
         const answer = await route.fetch();
         const json = await answer.json();
@@ -440,10 +440,10 @@ test("the history of a grain fills its plot while it is read", async () => {
     await page.locator(".grain-plots tbody tr").nth(count - 1).waitFor({ state: "attached", ...PATIENCE });
     assert.equal(await page.locator(".grain-plots tbody tr").count(), count);
     assert.deepEqual(asked[0].moments.slice(0, 3), [0, count - 1, 2 ** Math.ceil(Math.log2(count) - 1)], "from coarse to fine");
-    assert.ok(asked.every(({ contacts }) => contacts === "0"), "tables of contacts are not read for its speed");
+    const questions = asked.length;
     await page.getByLabel("History of").selectOption("contact_force");
     await page.locator(".grain-plots figcaption", { hasText: "contact force of grain 1" }).waitFor(PATIENCE);
-    assert.equal(asked.at(-1).contacts, "1");
+    assert.equal(asked.length, questions, "what contacts do was read with the rest");
     await page.unrouteAll({ behavior: "wait" });
     assert.deepEqual(faults, []);
     await page.close();
