@@ -42,6 +42,7 @@ use demeter_physics::lanes::MOST_LANES;
 use evaluate::WORD;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// Work of the contact forces in one step [J], and what is needed to watch a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -146,6 +147,26 @@ impl Kept {
         }
     }
 
+    /// Appends contacts of the step before, but for their forces in the contact plane.
+    fn take_on(&mut self, before: &Self, contacts: Range<usize>, stride: usize) {
+        let history = contacts.start * stride..contacts.end * stride;
+        self.normal_force.extend_from_slice(&before.normal_force[contacts]);
+        self.history.extend_from_slice(&before.history[history]);
+    }
+
+    /// Appends a contact that begins, but for its force in the contact plane.
+    fn begin_contact(&mut self, stride: usize) {
+        self.normal_force.push(0.0);
+        self.history.resize(self.history.len() + stride, 0.0);
+    }
+
+    /// Lets no contact have a force in the contact plane.
+    fn clear_tangential(&mut self) {
+        self.tangential.clear();
+        self.tangential
+            .resize(self.len().div_ceil(MOST_LANES), EightVectors::default());
+    }
+
     /// Puts the candidates of contacts, of which each has at most one.
     pub(crate) fn set_candidates(&mut self, candidates: &[u32], count: usize) {
         self.candidate.clear();
@@ -157,7 +178,7 @@ impl Kept {
         }
     }
 
-    pub(crate) fn range(&self, candidate: usize) -> std::ops::Range<usize> {
+    pub(crate) fn range(&self, candidate: usize) -> Range<usize> {
         if let Some(&place) = self.place.get(candidate) {
             usize::from(place).saturating_sub(1)..usize::from(place)
         } else if self.start.len() > candidate + 1 {
@@ -380,7 +401,7 @@ impl ContactChunk {
 
     /// Contacts of a candidate of this chunk.
     #[inline(always)]
-    pub fn contacts_of(&self, candidate: usize) -> std::ops::Range<usize> {
+    pub fn contacts_of(&self, candidate: usize) -> Range<usize> {
         self.now.range(candidate)
     }
 }

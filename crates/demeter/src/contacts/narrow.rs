@@ -4,6 +4,7 @@
 //! it, assuming the present rate of approach: `overlap + |rate| dt/2 > 0`. A law that attracts across a gap is asked
 //! as far as it reaches, and one window farther, so that it sees itself let go and books what that loses.
 
+use super::evaluate::WORD;
 use super::laws::largest_reach;
 use super::meetings::{FindPairs, Found};
 use super::near::FindNear;
@@ -191,7 +192,7 @@ impl ContactChunk {
 
     /// Takes over what the contacts of the step before remember, where not all of them are still the same.
     fn renew(&mut self, pairs: &[Pair], found: &Found, scene: &Scene) {
-        let (grains, stride) = (scene.grains, scene.stride);
+        let stride = scene.stride;
         std::mem::swap(&mut self.now, &mut self.before);
         self.now.clear();
         self.i.clear();
@@ -199,7 +200,10 @@ impl ContactChunk {
         self.shift.clear();
         self.engaged.clear();
         self.make_room(found.candidates.len(), stride);
+        self.engaged.resize(found.candidates.len().div_ceil(WORD), 0);
         let mut old = 0;
+        // contacts that go on one behind the other are taken over together
+        let mut going_on = 0..0;
         for (k, &candidate) in found.candidates.iter().enumerate() {
             while self.before.candidate.get(old).is_some_and(|&c| c < candidate) {
                 self.book_end(old, scene);
@@ -209,36 +213,44 @@ impl ContactChunk {
             let pair = &pairs[candidate as usize];
             self.i.push(pair.i);
             self.j.push(pair.j);
-            let (i, j) = (pair.i as usize, pair.j as usize);
-            if goes_on {
-                self.now.push_force(self.before.normal_force[old], DVec3::ZERO);
-                let history = &self.before.history[old * stride..(old + 1) * stride];
-                self.now.history.extend_from_slice(history);
+            if goes_on && going_on.end == old {
+                going_on.end += 1;
             } else {
-                self.now.push_force(0.0, DVec3::ZERO);
-                self.now.history.resize(self.now.history.len() + stride, 0.0);
+                self.now.take_on(&self.before, going_on, stride);
+                going_on = old..old + usize::from(goes_on);
+            }
+            if !goes_on {
+                self.now.begin_contact(stride);
             }
             // so that those which do not act any more are ended
-            self.note_engaged(goes_on);
+            self.engaged[k / WORD] |= u64::from(goes_on) << (k % WORD);
             if scene.is_coupled() {
-                let normal = found.geometry[k].normal;
-                let of_image = scene.comm.velocity_of_shift(pair.shift);
-                let rate = (grains.velocity[j] - grains.velocity[i] - of_image).dot(normal);
-                let size = PairSize {
-                    radius: 1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
-                    mass: 1.0 / (grains.inverse_mass(i) + grains.inverse_mass(j)),
-                };
-                self.coupling.push(rate, size, goes_on.then_some(old));
+                self.note_coupling(pair, found.geometry[k].normal, goes_on.then_some(old), scene);
             }
             old += usize::from(goes_on);
         }
+        self.now.take_on(&self.before, going_on, stride);
         for old in old..self.before.candidate.len() {
             self.book_end(old, scene);
         }
+        self.now.clear_tangential();
         self.now.set_candidates(&found.candidates, pairs.len());
         if scene.is_coupled() {
             self.engaged.clear();
         }
+    }
+
+    /// Notes how a pair of grains approaches that feel other contacts, told the contact of the step before.
+    fn note_coupling(&mut self, pair: &Pair, normal: DVec3, old: Option<usize>, scene: &Scene) {
+        let grains = scene.grains;
+        let (i, j) = (pair.i as usize, pair.j as usize);
+        let of_image = scene.comm.velocity_of_shift(pair.shift);
+        let rate = (grains.velocity[j] - grains.velocity[i] - of_image).dot(normal);
+        let size = PairSize {
+            radius: 1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
+            mass: 1.0 / (grains.inverse_mass(i) + grains.inverse_mass(j)),
+        };
+        self.coupling.push(rate, size, old);
     }
 
     pub(super) fn begin(&mut self, walls: usize, law: u32) {
