@@ -9,14 +9,12 @@ pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
 use crate::contacts::sum::{Collector, Work};
-use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
+use crate::contacts::{ContactChunk, Fault, Scene};
 use crate::particles::Outside;
 use crate::simulation::profile::{Part, Profile};
 use crate::simulation::{Counts, Phase, Simulation};
-use crate::threads::join;
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// Grains handled by one task.
@@ -193,7 +191,6 @@ impl Simulation {
         scene.near = (self.near).advance(motion.max_step, window);
         let (own, segments) = (self.own_grains(), self.segments_here());
         let (neighbours, profile) = (&self.neighbours, self.profile.as_deref());
-        let Contacts { pairs, walls, .. } = &mut self.contacts;
         let work = Work {
             neighbours,
             segments,
@@ -205,21 +202,14 @@ impl Simulation {
                 chunk.step_pairs(neighbours.chunk(c), &scene, collector, || clock.took(Part::Narrow));
                 clock.took(Part::Laws);
             },
-        };
-        let grains = self.grains.len();
-        let sums = &mut self.sums;
-        // the few contacts with walls fill the gaps of the others
-        join(
-            || sums.work(pairs, grains, parts(own.len()), &work),
-            || {
-                walls.par_iter_mut().enumerate().for_each(|(c, chunk)| {
-                    let mut clock = Profile::chunk(profile);
-                    chunk.find_walls(neighbours.wall_chunk(c), &scene);
-                    chunk.evaluate_walls(&scene);
-                    clock.took(Part::Walls);
-                });
+            at_walls: |c: usize, chunk: &mut ContactChunk| {
+                let mut clock = Profile::chunk(profile);
+                chunk.find_walls(neighbours.wall_chunk(c), &scene);
+                chunk.evaluate_walls(&scene);
+                clock.took(Part::Walls);
             },
-        );
+        };
+        (self.sums).work(&mut self.contacts, self.grains.len(), parts(own.len()), &work);
         Ok(())
     }
 

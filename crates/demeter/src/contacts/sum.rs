@@ -7,7 +7,7 @@
 //!
 //! [`PairTable`]: crate::neighbours
 
-use super::{ContactChunk, Load};
+use super::{ContactChunk, Contacts, Load};
 use crate::neighbours::Neighbours;
 use crate::particles::set_aside;
 use crate::threads::join;
@@ -274,21 +274,26 @@ struct Task<'a> {
     segments: Range<usize>,
     chunks: &'a mut [ContactChunk],
     first_chunk: usize,
+    wall_chunks: &'a mut [ContactChunk],
+    first_wall_chunk: usize,
     sums: &'a mut [Sum],
     first_grain: usize,
     strays: &'a mut [Strays],
 }
 
-/// How the work of a step on contacts between grains is done.
-pub(crate) struct Work<'a, S> {
+/// How the work of a step on contacts is done.
+pub(crate) struct Work<'a, S, W> {
     pub(crate) neighbours: &'a Neighbours,
     /// Segments of the table of pairs that are worked on.
     pub(crate) segments: Range<usize>,
     pub(crate) instructions: Instructions,
     /// Whether what contacts do is asked for one by one before it is added.
     pub(crate) waits: bool,
-    /// Finds what the contacts of a chunk do, told by its number.
+    /// Finds what the contacts of a chunk between grains do, told by its number.
     pub(crate) step: S,
+    /// The same of a chunk with walls, whose loads wait there. Those of a segment come right after its pairs: the grains are in the
+    /// cache then.
+    pub(crate) at_walls: W,
 }
 
 impl Sums {
@@ -298,10 +303,12 @@ impl Sums {
         set_aside(&self.sums) + self.strays.iter().map(stray).sum::<usize>()
     }
 
-    /// Works on the chunks of all segments, in parallel in `parts`, and sums up: into how many parts the work is cut changes no sum.
-    pub(crate) fn work<S>(&mut self, chunks: &mut [ContactChunk], grains: usize, parts: usize, work: &Work<S>)
+    /// Works on the chunks of all segments, between grains and with walls, in parallel in `parts`, and sums up: into how many parts the
+    /// work is cut changes no sum.
+    pub(crate) fn work<S, W>(&mut self, contacts: &mut Contacts, grains: usize, parts: usize, work: &Work<S, W>)
     where
         S: Fn(usize, &mut ContactChunk, &mut Collector) + Sync,
+        W: Fn(usize, &mut ContactChunk) + Sync,
     {
         let Range { start, end } = work.segments;
         self.sums.resize(grains, Sum::default());
@@ -309,15 +316,17 @@ impl Sums {
             return;
         }
         let parts = parts.clamp(1, end - start);
-        let first_chunk = work.neighbours.chunks_of_segment(start).start;
-        let end_chunk = work.neighbours.chunks_of_segment(end - 1).end;
+        let chunks = of_segments(start..end, |s| work.neighbours.chunks_of_segment(s));
+        let wall_chunks = of_segments(start..end, |s| work.neighbours.wall_chunks_of_segment(s));
         let first_grain = work.neighbours.grains_of_segment(start).start;
         self.strays.resize_with(parts, Strays::default);
         self.strays.iter_mut().for_each(Strays::clear);
         let all = Task {
             segments: start..end,
-            chunks: &mut chunks[first_chunk..end_chunk],
-            first_chunk,
+            first_chunk: chunks.start,
+            chunks: &mut contacts.pairs[chunks],
+            first_wall_chunk: wall_chunks.start,
+            wall_chunks: &mut contacts.walls[wall_chunks],
             sums: &mut self.sums[first_grain..],
             first_grain,
             strays: &mut self.strays,
@@ -342,10 +351,16 @@ impl Sums {
     }
 }
 
+/// What belongs to segments that follow each other, told what belongs to one.
+fn of_segments(segments: Range<usize>, of: impl Fn(usize) -> Range<usize>) -> Range<usize> {
+    of(segments.start).start..of(segments.end - 1).end
+}
+
 impl<'a> Task<'a> {
-    fn work<S>(self, work: &Work<S>)
+    fn work<S, W>(self, work: &Work<S, W>)
     where
         S: Fn(usize, &mut ContactChunk, &mut Collector) + Sync,
+        W: Fn(usize, &mut ContactChunk) + Sync,
     {
         if self.strays.len() < 2 {
             return LOADS.with_borrow_mut(|loads| self.work_alone(work, loads));
@@ -359,13 +374,16 @@ impl<'a> Task<'a> {
         let (begin, end) = (self.segments.start, self.segments.end);
         let middle = begin + (end - begin) * (parts / 2) / parts;
         let chunk = neighbours.chunks_of_segment(middle).start;
+        let wall_chunk = neighbours.wall_chunks_of_segment(middle).start;
         let grain = neighbours.grains_of_segment(middle).start;
         let (chunks, other_chunks) = self.chunks.split_at_mut(chunk - self.first_chunk);
+        let (wall_chunks, other_wall_chunks) = self.wall_chunks.split_at_mut(wall_chunk - self.first_wall_chunk);
         let (sums, other_sums) = self.sums.split_at_mut(grain - self.first_grain);
         let (strays, other_strays) = self.strays.split_at_mut(parts / 2);
         let one = Self {
             segments: begin..middle,
             chunks,
+            wall_chunks,
             sums,
             strays,
             ..self
@@ -374,6 +392,8 @@ impl<'a> Task<'a> {
             segments: middle..end,
             chunks: other_chunks,
             first_chunk: chunk,
+            wall_chunks: other_wall_chunks,
+            first_wall_chunk: wall_chunk,
             sums: other_sums,
             first_grain: grain,
             strays: other_strays,
@@ -381,9 +401,10 @@ impl<'a> Task<'a> {
         (one, other)
     }
 
-    fn work_alone<S>(self, work: &Work<S>, waiting: &mut LoadList)
+    fn work_alone<S, W>(self, work: &Work<S, W>, waiting: &mut LoadList)
     where
         S: Fn(usize, &mut ContactChunk, &mut Collector) + Sync,
+        W: Fn(usize, &mut ContactChunk) + Sync,
     {
         let neighbours = work.neighbours;
         let mut collector = Collector {
@@ -411,6 +432,9 @@ impl<'a> Task<'a> {
                     found: collector.waiting,
                 };
                 lanes::run(work.instructions, add_up);
+            }
+            for chunk in neighbours.wall_chunks_of_segment(segment) {
+                (work.at_walls)(chunk, &mut self.wall_chunks[chunk - self.first_wall_chunk]);
             }
         }
     }

@@ -241,10 +241,6 @@ impl Simulation {
     fn evaluate_displaced(&mut self, max_speed: f64) {
         let (mut contacts, mut sums) = (std::mem::take(&mut self.contacts), std::mem::take(&mut self.sums));
         if let Some(scene) = self.coupled_scene(max_speed, contacts.stride) {
-            contacts.walls.par_iter_mut().enumerate().for_each(|(chunk, walls)| {
-                walls.deform(ChunkPlace { wall: true, chunk }, &scene);
-                walls.evaluate_walls(&scene);
-            });
             let work = Work {
                 neighbours: &self.neighbours,
                 segments: self.segments_here(),
@@ -258,9 +254,17 @@ impl Simulation {
                     chunk.deform(at, &scene);
                     chunk.evaluate_pairs(&scene, collector);
                 },
+                at_walls: |number: usize, chunk: &mut ContactChunk| {
+                    let at = ChunkPlace {
+                        wall: true,
+                        chunk: number,
+                    };
+                    chunk.deform(at, &scene);
+                    chunk.evaluate_walls(&scene);
+                },
             };
             let (grains, own) = (self.grains.len(), self.own_grains().len());
-            sums.work(&mut contacts.pairs, grains, parts(own), &work);
+            sums.work(&mut contacts, grains, parts(own), &work);
         }
         (self.contacts, self.sums) = (contacts, sums);
     }
