@@ -77,8 +77,10 @@ impl ContactChunk {
             let contact = &self.now.geometry[k];
             let point = scene.grains.position[self.i[k] as usize] - contact.normal * contact.lever_i;
             let (force, torque) = (-self.force(k, contact.normal), -self.rolling_torque(k));
-            self.tally.wall_work -=
-                scene.dt * (force.dot(wall.velocity_at(point)) + torque.dot(wall.angular_velocity()));
+            if !wall.is_at_rest() {
+                let power = force.dot(wall.velocity_at(point)) + torque.dot(wall.angular_velocity());
+                self.tally.wall_work -= scene.dt * power;
+            }
             let load = &mut self.wall_load[self.j[k] as usize];
             load.0 += force;
             load.1 += (point - wall.origin()).cross(force) + torque;

@@ -15,52 +15,52 @@ pub(super) struct Touched {
     ends: Vec<u32>,
     /// Contacts of the step before that were taken up: of one candidate.
     taken: Vec<usize>,
-    near: NearTriangles,
+    near: NearParts,
 }
 
-/// Triangles of meshes that the grains of a chunk may touch within the next steps: looked for anew when grains and walls have moved
-/// so far that others may be touched.
+/// Parts of walls that the grains of a chunk may touch within the next steps: triangles of a mesh, faces of a box, the one part of other
+/// shapes. They are looked for anew when grains and walls have moved so far that others may be touched.
 #[derive(Clone, Debug, Default)]
-struct NearTriangles {
-    /// Triangles, one candidate after the other, and where those of each candidate end; none of walls that are no meshes.
-    triangles: Vec<u32>,
+struct NearParts {
+    /// Parts, one candidate after the other, and where those of each candidate end.
+    parts: Vec<u32>,
     ends: Vec<u32>,
     /// The path of the run, with the widest window of a step, up to which they serve [m].
     serves: f64,
 }
 
-/// The triangles shall serve until the fastest body has gone as far as in so many steps.
+/// The parts shall serve until the fastest body has gone as far as in so many steps.
 const STEPS: f64 = 32.0;
 
-impl NearTriangles {
+impl NearParts {
     /// Forgets all.
     fn forget(&mut self) {
         self.ends.clear();
     }
 
-    /// Looks for triangles anew where these do not serve any more.
+    /// Looks for parts anew where these do not serve any more.
     fn renew(&mut self, pairs: &[WallPair], scene: &Scene, window: f64) {
         // what is not a number serves no more
         if self.ends.len() == pairs.len() && scene.path + window <= self.serves {
             return;
         }
         let room = window + STEPS * scene.max_speed * scene.dt;
-        self.triangles.clear();
+        self.parts.clear();
         self.ends.clear();
         self.serves = scene.path + room;
         for pair in pairs {
             let (g, wall) = (pair.grain as usize, &scene.walls[pair.wall as usize]);
             // room for the rounding of paths and distances
             let reach = (scene.grains.radius(g) + room) * (1.0 + 1e-9);
-            wall.triangles_near(scene.grains.position[g], reach, &mut self.triangles);
-            self.ends.push(self.triangles.len() as u32);
+            wall.parts_near(scene.grains.position[g], reach, &mut self.parts);
+            self.ends.push(self.parts.len() as u32);
         }
     }
 
     /// Those of a candidate.
     fn of(&self, candidate: usize) -> &[u32] {
         let first = candidate.checked_sub(1).map_or(0, |before| self.ends[before] as usize);
-        &self.triangles[first..self.ends[candidate] as usize]
+        &self.parts[first..self.ends[candidate] as usize]
     }
 }
 
@@ -81,7 +81,7 @@ impl Touched {
             let bulge = scene.bulge(g);
             let first = self.parts.len();
             let reach = radius + window + bulge;
-            if lists && wall.mesh().is_some() {
+            if lists {
                 wall.contacts_among(self.near.of(c), centre, reach, &mut self.parts);
             } else {
                 wall.contacts(centre, reach, &mut self.parts);
@@ -122,9 +122,9 @@ impl Scene<'_> {
     /// Rate at which a grain approaches a part of a wall [m/s].
     #[inline(always)]
     fn rate_at_wall(&self, pair: &WallPair, part: &SurfaceContact) -> f64 {
-        let g = pair.grain as usize;
+        let (g, wall) = (pair.grain as usize, &self.walls[pair.wall as usize]);
         let foot = self.grains.position[g] - part.normal * part.distance;
-        (self.walls[pair.wall as usize].velocity_at(foot) - self.grains.velocity[g]).dot(part.normal)
+        (wall.velocity_at(foot) - self.grains.velocity[g]).dot(part.normal)
     }
 
     fn size_at_wall(&self, grain: usize) -> PairSize {
@@ -160,8 +160,11 @@ impl ContactChunk {
         self.touched = touched;
         for k in 0..self.len() {
             let (g, wall) = (self.i[k] as usize, self.j[k] as usize);
-            let share = self.now.geometry[k].overlap / scene.grains.radius(g);
-            self.watch_overlap(scene, g, share, || format!("wall {}", scene.walls[wall].name));
+            let (overlap, radius) = (self.now.geometry[k].overlap, scene.grains.radius(g));
+            let is_allowed = overlap <= scene.max_overlap * radius;
+            if !is_allowed {
+                self.watch_overlap(scene, g, overlap / radius, || format!("wall {}", scene.walls[wall].name));
+            }
         }
     }
 

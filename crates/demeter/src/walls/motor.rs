@@ -185,6 +185,7 @@ impl Motor {
     }
 
     /// The wall that this one moves with, if any.
+    #[inline]
     pub(super) fn leader(&self) -> Option<usize> {
         match self.parts.first()?.told.motion {
             Motion::With(wall) => Some(wall),
@@ -201,6 +202,7 @@ impl Motor {
     }
 
     /// See [`FreeBody::inverse_mass`]; 0 of a wall that does not move freely.
+    #[inline]
     pub(super) fn inverse_mass(&self, point: DVec3, direction: DVec3) -> f64 {
         match self.parts.first().map(|part| &part.drive) {
             Some(Drive::Free(body)) => body.inverse_mass(point, direction),

@@ -114,6 +114,33 @@ impl Surface {
         }
     }
 
+    /// Appends all parts within `reach`: triangles of a mesh, faces of a box, 0 of what has one part.
+    pub(super) fn parts_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
+        match self {
+            Surface::Mesh(mesh) => mesh.triangles_near(centre, reach, out),
+            Surface::Box { faces, reach: ends, .. } => {
+                let is_near = |plane: &Plane| contact_box_face(plane, *ends, centre).distance < reach;
+                out.extend((0..).zip(faces).filter(|(_, (_, plane))| is_near(plane)).map(|(k, _)| k));
+            }
+            single => out.extend(single.near(centre, reach).then_some(0)),
+        }
+    }
+
+    /// Appends all contacts with `distance < reach`, sorted by element, where [`Surface::parts_near`] told the parts that may have any.
+    #[inline]
+    pub(super) fn contacts_among(&self, parts: &[u32], centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+        match self {
+            Surface::Mesh(mesh) => mesh.contacts_among(parts, centre, reach, out),
+            Surface::Box { faces, reach: ends, .. } => {
+                for (element, plane) in parts.iter().filter_map(|&part| faces.get(part as usize)) {
+                    push(contact_box_face(plane, *ends, centre), *element, reach, out);
+                }
+            }
+            _ if parts.is_empty() => {}
+            single => single.contacts(centre, reach, out),
+        }
+    }
+
     /// Whether a sphere has wholly passed through the side of an open-ended surface, or came beside it around an end.
     ///
     /// Only there does the one-sided rule have an end, beyond which a grain far outside is not touched; would it be

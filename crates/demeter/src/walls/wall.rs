@@ -96,20 +96,17 @@ impl Wall {
         self.turn(&mut out[first..]);
     }
 
-    /// The same of a mesh, where [`Wall::triangles_near`] told the triangles that may be within reach.
-    pub(crate) fn contacts_among(&self, triangles: &[u32], centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+    /// The same, where [`Wall::parts_near`] told the parts that may be within reach.
+    #[inline]
+    pub(crate) fn contacts_among(&self, parts: &[u32], centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
         let first = out.len();
-        if let Surface::Mesh(mesh) = &self.surface {
-            mesh.contacts_among(triangles, self.motor.pose.unplace(self.origin, centre), reach, out);
-        }
+        (self.surface).contacts_among(parts, self.motor.pose.unplace(self.origin, centre), reach, out);
         self.turn(&mut out[first..]);
     }
 
-    /// Appends all triangles of a mesh within `reach` of a point [m].
-    pub(crate) fn triangles_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
-        if let Surface::Mesh(mesh) = &self.surface {
-            mesh.triangles_near(self.motor.pose.unplace(self.origin, centre), reach, out);
-        }
+    /// Appends all parts of the surface within `reach` of a point [m]: triangles of a mesh, faces of a box, 0 of what has one part.
+    pub(crate) fn parts_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
+        (self.surface).parts_near(self.motor.pose.unplace(self.origin, centre), reach, out);
     }
 
     /// Turns contacts in the wall frame into the world frame.
@@ -150,6 +147,12 @@ impl Wall {
         &self.surface
     }
 
+    /// Whether no point of the wall moves in this step.
+    #[inline]
+    pub fn is_at_rest(&self) -> bool {
+        self.motor.velocity == DVec3::ZERO && self.motor.angular_velocity == DVec3::ZERO
+    }
+
     /// Velocity of the wall, as a rigid body, at a point of the world [m/s].
     #[inline]
     pub fn velocity_at(&self, point: DVec3) -> DVec3 {
@@ -163,6 +166,7 @@ impl Wall {
     /// Inverse of the mass with which a freely moving wall gives way to a push along a direction at a point [1/kg]:
     /// `(a.n)^2/m` of one that slides along `a`, `(a.(r x n))^2/I` of one that turns about a hinge; 0 of all others. A wall that
     /// moves with another one gives way as that one does.
+    #[inline]
     pub fn inverse_mass_at(&self, point: DVec3, direction: DVec3) -> f64 {
         self.motor.inverse_mass(point, direction)
     }
@@ -199,6 +203,7 @@ impl Wall {
     }
 
     /// The wall that this one moves with as one body, if any; then [`follow`](Self::follow) moves it.
+    #[inline]
     pub fn leader(&self) -> Option<usize> {
         self.motor.leader()
     }
