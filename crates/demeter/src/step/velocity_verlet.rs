@@ -174,19 +174,24 @@ impl Kernel for Drift<'_> {
     }
 }
 
-/// Turns grains at these angular velocities.
+/// Turns as many grains as there are lanes, or fewer, at these angular velocities.
 #[inline(always)]
 fn turn<L: Lanes>(orientation: &mut [DQuat], spins: &[[f64; 4]; MOST_LANES], dt: f64) {
-    let mut now = [[0.0; 4]; MOST_LANES];
-    for (now, orientation) in now.iter_mut().zip(&*orientation) {
-        *now = orientation.to_array();
+    let numbers: &mut [f64] = bytemuck::cast_slice_mut(orientation);
+    if numbers.len() == 4 * L::COUNT {
+        return turn_all::<L>(numbers, spins, dt);
     }
-    let orientations = L::strided(now.as_flattened(), 0, 4);
+    let mut some = [0.0; 4 * MOST_LANES];
+    some[..numbers.len()].copy_from_slice(numbers);
+    turn_all::<L>(&mut some, spins, dt);
+    numbers.copy_from_slice(&some[..numbers.len()]);
+}
+
+#[inline(always)]
+fn turn_all<L: Lanes>(orientations: &mut [f64], spins: &[[f64; 4]; MOST_LANES], dt: f64) {
     let [x, y, z, _] = L::strided(spins.as_flattened(), 0, 4);
-    let turned = L::rows(rotate_wide::<L>(orientations, L::Vector::new(x, y, z), dt));
-    for (orientation, turned) in orientation.iter_mut().zip(turned.as_ref()) {
-        *orientation = DQuat::from_array(*turned);
-    }
+    let turned = rotate_wide::<L>(L::strided(orientations, 0, 4), L::Vector::new(x, y, z), dt);
+    L::put_strided(turned, orientations, 0, 4);
 }
 
 /// A length that none exceeds whose components do not exceed these.
