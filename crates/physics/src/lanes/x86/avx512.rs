@@ -1,7 +1,7 @@
 //! Eight lanes of AVX-512.
 
 use super::avx2::F64x4;
-use super::{at, check, check_rows, one, put, row, whole};
+use super::{at, check, check_rows, one, one_by_one, put, row, whole};
 use crate::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Vector3};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -181,6 +181,7 @@ impl Lanes for F64x8 {
     #[inline(always)]
     fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &Index) -> [[Self; 4]; N] {
         check_rows(&tables, largest_of_eight(index));
+        let index = one_by_one(index);
         let mut columns = [[Self::splat(0.0); 4]; N];
         let mut table = 0;
         while table < N {

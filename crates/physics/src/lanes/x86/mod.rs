@@ -38,7 +38,7 @@ macro_rules! arithmetic {
 mod avx2;
 mod avx512;
 
-use super::{Kernel, Places};
+use super::{Index, Kernel, MOST_LANES, Places};
 use avx2::F64x4;
 use avx512::F64x8;
 use std::arch::x86_64::*;
@@ -112,6 +112,20 @@ fn check_rows<const N: usize>(tables: &[&[[f64; 4]]; N], index: u32) {
         assert!((index as usize) < tables[table].len());
         table += 1;
     }
+}
+
+/// Indices read one after the other: the compiler would read all at once, and each that is taken out of a register takes two turns
+/// where registers are shuffled, which the kernels need most.
+#[inline(always)]
+fn one_by_one(index: &Index) -> Index {
+    let mut separate = [0; MOST_LANES];
+    let mut lane = 0;
+    while lane < MOST_LANES {
+        // SAFETY: a reference can be read
+        separate[lane] = unsafe { std::ptr::read_volatile(&raw const index[lane]) };
+        lane += 1;
+    }
+    separate
 }
 
 /// A row of a table in a register.
