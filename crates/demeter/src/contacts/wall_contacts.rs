@@ -163,7 +163,9 @@ impl ContactChunk {
             let (overlap, radius) = (self.now.geometry[k].overlap, scene.grains.radius(g));
             let is_allowed = overlap <= scene.max_overlap * radius;
             if !is_allowed {
-                self.watch_overlap(scene, g, overlap / radius, || format!("wall {}", scene.walls[wall].name));
+                self.watch_overlap(scene, g, overlap / radius, || {
+                    format!("wall {}", scene.walls[wall].name)
+                });
             }
         }
     }

@@ -119,8 +119,11 @@ impl Surface {
         match self {
             Surface::Mesh(mesh) => mesh.triangles_near(centre, reach, out),
             Surface::Box { faces, reach: ends, .. } => {
-                let is_near = |plane: &Plane| contact_box_face(plane, *ends, centre).distance < reach;
-                out.extend((0..).zip(faces).filter(|(_, (_, plane))| is_near(plane)).map(|(k, _)| k));
+                for (part, (_, plane)) in (0..).zip(faces) {
+                    if contact_box_face(plane, *ends, centre).distance < reach {
+                        out.push(part);
+                    }
+                }
             }
             single => out.extend(single.near(centre, reach).then_some(0)),
         }
