@@ -273,11 +273,14 @@ fn take<T: Pod>(bytes: &mut &[u8], values: &mut [T]) -> bool {
     true
 }
 
+/// Bytes that an empty list has in spare at least, when memory is set aside for it.
+const SPARE: usize = 256;
+
 /// Sets memory aside for so many in an empty list, with little more: pushed one by one, a list takes up to twice as much.
 pub(crate) fn make_room<T>(list: &mut Vec<T>, count: usize) {
     debug_assert!(list.is_empty());
     if list.capacity() < count {
-        list.reserve_exact(count + (count / 16).max(32));
+        list.reserve_exact(count + (count / 16).max(SPARE / size_of::<T>()));
     }
 }
 
