@@ -3,11 +3,15 @@
 //!
 //! The copies are `f32`: a filter. What passes it is looked at again in `f64`, so nothing depends on its rounding.
 
+use super::classes::SizeClasses;
 use super::ranges::{for_ranges, sums};
+use super::rows_of_cells::RowsOfCells;
+use super::vicinity::{Bounds, Vicinity};
 use crate::comm::Single;
-use crate::particles::Grains;
+use crate::particles::{Grains, Row};
 use glam::DVec3;
 use rayon::prelude::*;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Distance tests made at a time: a loop over columns of fixed length has no branches and is vectorised.
@@ -18,9 +22,6 @@ const ROUNDING: f64 = 5e-7;
 
 /// Grains whose cells are found by one task.
 const GRAINS_PER_TASK: usize = 4096;
-
-/// Most size classes.
-const CLASSES: usize = 20;
 
 /// The box around all grains, in which places are measured from its lower corner.
 #[derive(Clone, Copy, Debug, Default)]
@@ -34,14 +35,18 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// Bounding box of the grains; the whole box in periodic directions.
+    /// Bounding box of the grains.
     fn around(grains: &Grains, comm: &Single) -> Self {
+        let bounds = (grains.position.rows().par_chunks(GRAINS_PER_TASK))
+            .map(Bounds::of_centres)
+            .reduce(|| Bounds::NOTHING, Bounds::join);
+        Self::of(bounds, comm)
+    }
+
+    /// The box around the centres of all grains; the whole box in periodic directions.
+    pub(super) fn of(bounds: Bounds, comm: &Single) -> Self {
         let domain = comm.domain();
-        let ends = |(lower, upper): (DVec3, DVec3), other: (DVec3, DVec3)| (lower.min(other.0), upper.max(other.1));
-        let nothing = || (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let (mut lower, mut upper) = (grains.position.rows().par_chunks(GRAINS_PER_TASK))
-            .map(|rows| (rows.iter()).fold(nothing(), |all, row| ends(all, (row.vector, row.vector))))
-            .reduce(nothing, ends);
+        let Bounds { mut lower, mut upper } = bounds;
         for axis in (0..3).filter(|&axis| domain.periodic[axis]) {
             lower[axis] = domain.lower[axis];
             upper[axis] = domain.upper[axis];
@@ -87,7 +92,8 @@ pub(super) struct Grid {
     pub(super) cells: [i32; 3],
     pub(super) edge: DVec3,
     pub(super) per_edge: DVec3,
-    /// Cells of the grids before it.
+    /// Rows of cells of the grids before it, and where its own cells begin where all rows are in use.
+    first_row: u32,
     first_cell: u32,
 }
 
@@ -126,12 +132,20 @@ impl Grid {
             cells,
             edge: frame.size / count,
             per_edge: DVec3::new(per_edge(0), per_edge(1), per_edge(2)),
+            first_row: 0,
             first_cell: 0,
         }
     }
 
-    fn count(&self) -> u32 {
-        self.cells.iter().map(|&n| n as u32).product()
+    /// Rows of cells along the last direction.
+    pub(super) fn rows(&self) -> u32 {
+        (self.cells[0] * self.cells[1]) as u32
+    }
+
+    /// Cells of a row, and one that is always empty: rows in use need not be those beside each other.
+    #[inline(always)]
+    pub(super) fn stride(&self) -> u32 {
+        self.cells[2] as u32 + 1
     }
 
     #[inline(always)]
@@ -141,9 +155,16 @@ impl Grid {
         [0, 1, 2].map(|axis| (at[axis] as i32).clamp(0, self.cells[axis] - 1))
     }
 
+    /// Number of a row among those of all grids.
     #[inline(always)]
     pub(super) fn row(&self, x: i32, y: i32) -> usize {
-        self.first_cell as usize + ((x * self.cells[1] + y) * self.cells[2]) as usize
+        self.first_row as usize + (x * self.cells[1] + y) as usize
+    }
+
+    /// Where a row begins, where all are in use.
+    #[inline(always)]
+    pub(super) fn start_of_row(&self, x: i32, y: i32) -> usize {
+        self.first_cell as usize + (x * self.cells[1] + y) as usize * self.stride() as usize
     }
 
     /// Rows of cells that a search with a reach has to look at.
@@ -157,29 +178,29 @@ impl Grid {
     }
 }
 
-/// Limits of the size classes, which halve from the largest radius on.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Classes {
-    /// Smallest radius of every class but the last [m].
-    limits: Vec<f64>,
-}
-
-impl Classes {
-    #[inline(always)]
-    pub(super) fn of(&self, radius: f64) -> usize {
-        self.limits.iter().take_while(|&&limit| radius < limit).count()
-    }
+/// The grids of all classes.
+pub(super) fn grids(classes: &SizeClasses, frame: &Frame, skin: f64) -> Vec<Grid> {
+    let (mut first_row, mut first_cell) = (0, 0);
+    let grid = |&(members, largest): &(usize, f64)| {
+        let mut grid = Grid::new(members, largest, 2.0 * largest + skin, frame);
+        (grid.first_row, grid.first_cell) = (first_row, first_cell);
+        first_row += grid.rows();
+        first_cell += grid.rows() * grid.stride();
+        grid
+    };
+    classes.members.iter().map(grid).collect()
 }
 
 /// Grains by size class and cell.
 #[derive(Debug, Default)]
 pub(super) struct Cells {
     pub(super) frame: Frame,
-    pub(super) classes: Classes,
+    pub(super) classes: SizeClasses,
     pub(super) grids: Vec<Grid>,
     /// Which other classes the grains of a class search.
     pub(super) asks: Vec<Vec<usize>>,
     pub(super) skin: f64,
+    pub(super) rows: RowsOfCells,
     /// Cell of every grain; when the grains are in order, its place in it. Every value is written by one task.
     pub(super) place: Vec<AtomicU32>,
     pub(super) start: Vec<u32>,
@@ -191,57 +212,28 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// Sorts the grains anew, for a search of all pairs closer than `skin` to touching.
-    pub(super) fn sort(&mut self, grains: &Grains, comm: &Single, skin: f64) {
+    /// Sorts the grains anew, for a search of all pairs closer than `skin` to touching: those that are known here, in the
+    /// grids of all.
+    pub(super) fn sort(&mut self, grains: &Grains, comm: &Single, skin: f64, vicinity: Option<&Vicinity>) {
         self.skin = skin;
-        self.frame = Frame::around(grains, comm);
-        self.find_classes(grains);
-        self.choose_directions();
-        self.fill(grains);
-    }
-
-    fn find_classes(&mut self, grains: &Grains) {
-        type Found = ([u32; CLASSES], [f64; CLASSES]);
-        let largest = (grains.position.rows().par_chunks(GRAINS_PER_TASK))
-            .map(|rows| rows.iter().map(|row| row.scalar).fold(0.0, f64::max))
-            .reduce(|| 0.0, f64::max);
-        let smallest = (grains.position.rows().par_chunks(GRAINS_PER_TASK))
-            .map(|rows| rows.iter().map(|row| row.scalar).fold(f64::INFINITY, f64::min))
-            .reduce(|| f64::INFINITY, f64::min);
-        self.classes.limits.clear();
-        let mut limit = 0.5 * largest;
-        while smallest < limit && self.classes.limits.len() + 1 < CLASSES {
-            self.classes.limits.push(limit);
-            limit *= 0.5;
-        }
-        let join = |mut a: Found, b: Found| {
-            for class in 0..CLASSES {
-                a.0[class] += b.0[class];
-                a.1[class] = a.1[class].max(b.1[class]);
+        match vicinity {
+            Some(vicinity) => {
+                self.frame = Frame::of(vicinity.centres, comm);
+                self.classes.clone_from(&vicinity.classes);
             }
-            a
-        };
-        let nothing = || ([0; CLASSES], [0.0; CLASSES]);
-        let (members, radii): Found = (grains.position.rows().par_chunks(GRAINS_PER_TASK))
-            .map(|rows| {
-                let mut found = nothing();
-                for row in rows {
-                    let class = self.classes.of(row.scalar);
-                    found.0[class] += 1;
-                    found.1[class] = f64::max(found.1[class], row.scalar);
-                }
-                found
-            })
-            .reduce(nothing, join);
-        self.grids.clear();
-        let mut first_cell = 0;
-        for class in 0..=self.classes.limits.len() {
-            let edge = 2.0 * radii[class] + self.skin;
-            let mut grid = Grid::new(members[class] as usize, radii[class], edge, &self.frame);
-            grid.first_cell = first_cell;
-            first_cell += grid.count();
-            self.grids.push(grid);
+            None => {
+                self.frame = Frame::around(grains, comm);
+                self.classes = SizeClasses::of_all(grains);
+            }
         }
+        self.grids = grids(&self.classes, &self.frame, skin);
+        self.choose_directions();
+        let all = std::iter::once(0..grains.len()).collect::<Vec<_>>();
+        self.fill(
+            grains,
+            vicinity.map_or(&all, |vicinity| &vicinity.known),
+            vicinity.is_some(),
+        );
     }
 
     /// Of two classes that one searches the other which has to look at fewer rows of cells: mostly the larger grains, as
@@ -267,26 +259,37 @@ impl Cells {
         }
     }
 
-    /// Counting sort by cell; grains of one cell are in the order of their indices.
-    fn fill(&mut self, grains: &Grains) {
-        let n = grains.len();
-        let cells = self.grids.last().map_or(0, |grid| grid.first_cell + grid.count()) as usize;
-        self.place.resize_with(n, AtomicU32::default);
+    /// Counting sort by cell of the grains known; those of one cell are in the order of their indices.
+    fn fill(&mut self, grains: &Grains, known: &[Range<usize>], are_some: bool) {
+        let n = known.iter().map(Range::len).sum();
+        self.place.resize_with(grains.len(), AtomicU32::default);
         let (frame, classes, grids) = (&self.frame, &self.classes, &self.grids);
-        (self.place.par_chunks_mut(GRAINS_PER_TASK))
-            .zip(grains.position.rows().par_chunks(GRAINS_PER_TASK))
-            .for_each(|(cells, rows)| {
-                for (cell, row) in cells.iter_mut().zip(rows) {
-                    let grid = &grids[classes.of(row.scalar)];
-                    let [x, y, z] = grid.coordinates(frame.local(row.vector));
-                    *cell.get_mut() = (grid.row(x, y) as i32 + z) as u32;
-                }
-            });
+        let place_of = |row: &Row| {
+            let grid = &grids[classes.of(row.scalar)];
+            (grid, grid.coordinates(frame.local(row.vector)))
+        };
+        let rows = grains.position.rows();
+        let in_use = known.iter().flat_map(|some| &rows[some.clone()]).map(|row| {
+            let (grid, [x, y, _]) = place_of(row);
+            grid.row(x, y)
+        });
+        self.rows.find(grids, are_some.then_some(in_use));
+        let rows_of_cells = &self.rows;
+        for some in known {
+            (self.place[some.clone()].par_chunks_mut(GRAINS_PER_TASK))
+                .zip(rows[some.clone()].par_chunks(GRAINS_PER_TASK))
+                .for_each(|(cells, rows)| {
+                    for (cell, row) in cells.iter_mut().zip(rows) {
+                        let (grid, [x, y, z]) = place_of(row);
+                        *cell.get_mut() = (rows_of_cells.start(grid, x, y) + z as usize) as u32;
+                    }
+                });
+        }
         self.start.clear();
-        self.start.resize(cells + 1, 0);
+        self.start.resize(self.rows.cells() + 1, 0);
         let cell = &self.place;
         for_ranges(0, &mut self.start[1..], n, &|first, counts: &mut [u32]| {
-            for c in cell {
+            for c in known.iter().flat_map(|some| &cell[some.clone()]) {
                 let c = c.load(Ordering::Relaxed);
                 if let Some(count) = counts.get_mut((c as usize).wrapping_sub(first)) {
                     *count += 1;
@@ -298,16 +301,16 @@ impl Cells {
             column.resize(n + LANES, f32::INFINITY);
         }
         self.member.resize(n + LANES, 0);
-        self.place(grains);
+        self.place(grains, known, n);
     }
 
     /// Puts the grains where their cells begin. `start[c + 1]` begins as the start of cell `c`, and ends as its end.
-    fn place(&mut self, grains: &Grains) {
-        let member = &mut self.member[..grains.len()];
+    fn place(&mut self, grains: &Grains, known: &[Range<usize>], count: usize) {
+        let member = &mut self.member[..count];
         let cell = &self.place;
         super::ranges::scatter(0, &mut self.start[1..], 0, member, &|first, starts, base, members| {
-            for (grain, c) in cell.iter().enumerate() {
-                let c = c.load(Ordering::Relaxed);
+            for grain in known.iter().cloned().flatten() {
+                let c = cell[grain].load(Ordering::Relaxed);
                 if let Some(next) = starts.get_mut((c as usize).wrapping_sub(first)) {
                     members[*next as usize - base] = grain as u32;
                     *next += 1;
@@ -317,11 +320,11 @@ impl Cells {
         let (frame, place) = (&self.frame, &self.place);
         let n = GRAINS_PER_TASK;
         (
-            self.x[..grains.len()].par_chunks_mut(n),
-            self.y[..grains.len()].par_chunks_mut(n),
-            self.z[..grains.len()].par_chunks_mut(n),
-            self.radius[..grains.len()].par_chunks_mut(n),
-            self.member[..grains.len()].par_chunks(n),
+            self.x[..count].par_chunks_mut(n),
+            self.y[..count].par_chunks_mut(n),
+            self.z[..count].par_chunks_mut(n),
+            self.radius[..count].par_chunks_mut(n),
+            self.member[..count].par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
@@ -334,12 +337,13 @@ impl Cells {
                 }
             });
         for column in [&mut self.x, &mut self.y, &mut self.z] {
-            column[grains.len()..].fill(f32::INFINITY);
+            column[count..].fill(f32::INFINITY);
         }
     }
 
     /// Bytes in use.
     pub(super) fn bytes(&self) -> usize {
-        4 * (self.place.capacity() + self.start.capacity() + self.member.capacity() + 4 * self.x.capacity())
+        self.rows.bytes()
+            + 4 * (self.place.capacity() + self.start.capacity() + self.member.capacity() + 4 * self.x.capacity())
     }
 }

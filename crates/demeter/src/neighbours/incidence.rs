@@ -1,7 +1,7 @@
 //! Which candidates every grain is in.
 
 use super::ranges::{for_ranges, scatter, sums};
-use super::table::{Entry, Segment, Table};
+use super::table::{Entry, NOWHERE, Segment, Table};
 use super::{Pair, WallPair};
 use std::ops::Range;
 
@@ -11,6 +11,8 @@ const FEW: usize = 16;
 /// Entries of every grain.
 #[derive(Debug, Default)]
 pub(super) struct Incidence {
+    /// The first grain with any; before it and behind the last there are none.
+    first: usize,
     start: Vec<u32>,
     entries: Vec<u32>,
 }
@@ -59,25 +61,37 @@ impl Incidence {
     /// Where the entries of a grain stand.
     #[inline(always)]
     pub(super) fn range_of(&self, grain: usize) -> Range<usize> {
-        self.start[grain] as usize..self.start[grain + 1] as usize
+        match self.start.get(grain.wrapping_sub(self.first)..) {
+            Some(&[start, end, ..]) => start as usize..end as usize,
+            _ => 0..0,
+        }
     }
 
     /// Finds the entries of all grains anew.
     pub(super) fn find<C: Candidate>(&mut self, table: &Table<C>, ids: &[u32], sides: usize) {
-        let grains = ids.len();
+        let span = table.segments.iter().fold(NOWHERE, |span, segment| {
+            (span.0.min(segment.span.0), span.1.max(segment.span.1))
+        });
+        let within = span.0.min(span.1.saturating_add(1)) as usize..span.1 as usize + 1;
+        self.first = within.start;
         self.start.clear();
-        self.start.resize(grains + 1, 0);
-        for_ranges(0, &mut self.start[1..], grains, &|first, counts: &mut [u32]| {
-            for segment in meeting(table, first, counts.len()) {
-                for candidate in &segment.candidates {
-                    for (grain, _) in candidate.grains() {
-                        if let Some(count) = counts.get_mut((grain as usize).wrapping_sub(first)) {
-                            *count += 1;
+        self.start.resize(within.len() + 1, 0);
+        for_ranges(
+            within.start,
+            &mut self.start[1..],
+            within.len(),
+            &|first, counts: &mut [u32]| {
+                for segment in meeting(table, first, counts.len()) {
+                    for candidate in &segment.candidates {
+                        for (grain, _) in candidate.grains() {
+                            if let Some(count) = counts.get_mut((grain as usize).wrapping_sub(first)) {
+                                *count += 1;
+                            }
                         }
                     }
                 }
-            }
-        });
+            },
+        );
         sums(&mut self.start);
         let entries = sides * table.len();
         if self.entries.capacity() < entries {
@@ -86,22 +100,28 @@ impl Incidence {
         }
         self.entries.resize(entries, 0);
         let places = &mut self.entries[..];
-        scatter(0, &mut self.start[1..], 0, places, &|first, starts, base, entries| {
-            place(table, first, starts, base, entries);
-            let mut begin = base;
-            let mut long = Vec::new();
-            for (grain, &end) in (first as u32..).zip(starts.iter()) {
-                let own = &mut entries[begin - base..end as usize - base];
-                if own.len() <= FEW / 2 {
-                    sort_few::<C, { FEW / 2 }>(own, grain, table, ids);
-                } else if own.len() <= FEW {
-                    sort_few::<C, FEW>(own, grain, table, ids);
-                } else {
-                    sort_many((own, grain), table, ids, &mut long);
+        scatter(
+            within.start,
+            &mut self.start[1..],
+            0,
+            places,
+            &|first, starts, base, entries| {
+                place(table, first, starts, base, entries);
+                let mut begin = base;
+                let mut long = Vec::new();
+                for (grain, &end) in (first as u32..).zip(starts.iter()) {
+                    let own = &mut entries[begin - base..end as usize - base];
+                    if own.len() <= FEW / 2 {
+                        sort_few::<C, { FEW / 2 }>(own, grain, table, ids);
+                    } else if own.len() <= FEW {
+                        sort_few::<C, FEW>(own, grain, table, ids);
+                    } else {
+                        sort_many((own, grain), table, ids, &mut long);
+                    }
+                    begin = end as usize;
                 }
-                begin = end as usize;
-            }
-        });
+            },
+        );
     }
 
     /// Bytes in use.

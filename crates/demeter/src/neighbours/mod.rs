@@ -2,30 +2,36 @@
 //!
 //! A rebuild works in the memory of the one before and in parallel, and gives the same on any number of threads:
 //!
-//! 1. `cells`: grains are sorted into a grid per size class, and their places copied in that order;
+//! 1. `cells`: grains are sorted into a grid per size class, and their places copied in that order; where a run is shared, those
+//!    that are near own ones (`vicinity`), into the cells of all;
 //! 2. `search`, `visit`: every grain looks at half of the cells around it, and into the grids of other classes;
 //! 3. `pairs`: pairs are put into the order in which grains are summed up;
 //! 4. `table`: they are cut into chunks of one law;
 //! 5. `incidence`: every grain learns its candidates with walls, and where contacts feel each other all others.
 
 mod cells;
+mod classes;
 mod incidence;
 mod order;
 mod pairs;
 mod ranges;
+mod rows_of_cells;
 mod search;
 mod shared;
 mod surroundings;
 mod table;
 #[cfg(test)]
 mod tests;
+mod vicinity;
 mod visit;
 
+pub(crate) use classes::SizeClasses;
 pub use order::{GONE, SpatialOrder};
 pub(crate) use search::LEAST_OF_A_SEGMENT;
 pub use search::SearchEffort;
 pub(crate) use shared::SegmentsOfCandidates;
 pub use table::CHUNK;
+pub(crate) use vicinity::{Bounds, BoxesOfClasses, CORNERS, Reach, Vicinity};
 
 use crate::comm::Single;
 use crate::materials::Materials;
@@ -98,7 +104,7 @@ pub struct Neighbours {
     effort: SearchEffort,
     /// Number of pairs, of all processes.
     total: usize,
-    /// Where the grains were when the pairs were found [m].
+    /// Where the grains were when the pairs were found [m]; own ones where a run is shared.
     pub reference: Rows,
     /// Where the walls were.
     pub wall_reference: Vec<Pose>,
@@ -123,23 +129,27 @@ impl Clone for Neighbours {
 impl Neighbours {
     /// Finds all pairs closer than `skin` [m] to touching.
     pub fn find(&mut self, grains: &Grains, walls: &[Wall], materials: &Materials, comm: &Single, skin: f64) {
-        self.find_of(&(0..grains.len()), grains, (walls, materials, comm), skin);
+        self.find_of((&(0..grains.len()), None), grains, (walls, materials, comm), skin);
     }
 
-    /// Finds all pairs closer than `skin` [m] to touching that one of the `own` grains is in.
+    /// Finds all pairs closer than `skin` [m] to touching that one of the `own` grains is in, where no others are known than
+    /// those told.
     pub(crate) fn find_of(
         &mut self,
-        own: &Range<usize>,
+        (own, vicinity): (&Range<usize>, Option<&Vicinity>),
         grains: &Grains,
         (walls, materials, comm): (&[Wall], &Materials, &Single),
         skin: f64,
     ) {
         let search = &mut self.search;
-        self.effort = search.pairs(&mut self.pairs, grains, (materials, comm), skin, own);
+        self.effort = search.pairs(&mut self.pairs, grains, (materials, comm), skin, (own, vicinity));
         search.walls(&mut self.walls, grains, (walls, materials), skin, own);
         self.total = self.pairs.table.len();
         self.find_incidence(grains);
-        self.reference.copy(&grains.position);
+        match vicinity {
+            Some(_) => self.reference.rows_mut()[own.clone()].copy_from_slice(&grains.position.rows()[own.clone()]),
+            None => self.reference.copy(&grains.position),
+        }
         self.wall_reference.clear();
         self.wall_reference.extend(walls.iter().map(Wall::pose));
     }

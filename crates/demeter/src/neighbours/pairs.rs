@@ -217,6 +217,10 @@ impl Sorter {
     ) {
         let own = &segment.candidates;
         let all = || own.iter().chain(strays);
+        let is_empty = own.is_empty() && strays.is_empty() && segment.runs.is_empty();
+        if is_empty && starts.len() == grains + 1 && starts.last() == Some(&0) {
+            return;
+        }
         starts.clear();
         starts.resize(grains + 1, 0);
         all().for_each(|pair| starts[pair.later() as usize - first + 1] += 1);

@@ -4,6 +4,7 @@ use super::cells::Cells;
 use super::pairs::{Found, PairTable, Sorter};
 use super::surroundings::Surroundings;
 use super::table::{LawOrder, NOWHERE, Segment, Table};
+use super::vicinity::Vicinity;
 use super::visit::Near;
 use super::{Pair, WallPair};
 use crate::comm::Single;
@@ -81,10 +82,10 @@ impl Search {
         grains: &Grains,
         (materials, comm): (&Materials, &Single),
         skin: f64,
-        own: &Range<usize>,
+        (own, vicinity): (&Range<usize>, Option<&Vicinity>),
     ) -> SearchEffort {
         self.prepare();
-        self.cells.sort(grains, comm, skin);
+        self.cells.sort(grains, comm, skin, vicinity);
         let laws = materials.list().len().pow(2);
         let per_task = per_task(materials);
         let finder = Finder {
@@ -98,7 +99,9 @@ impl Search {
         let effort = (table.search(grains.len(), per_task).enumerate())
             .map(|(task, found)| {
                 let of = task * per_task..((task + 1) * per_task).min(grains.len());
-                if !finder.surroundings.may_meet(&of, grains, comm) {
+                if vicinity.is_some_and(|vicinity| !vicinity.knows(&of))
+                    || !finder.surroundings.may_meet(&of, grains, comm)
+                {
                     return SearchEffort::default();
                 }
                 self.with_worker(|worker| {
@@ -141,10 +144,13 @@ impl Search {
         let law = |p: &WallPair| materials.pair(grains.material[p.grain as usize], walls[p.wall as usize].material);
         let span = |span: (u32, u32), p: &WallPair| (span.0.min(p.grain), span.1.max(p.grain));
         (table.segments.par_iter_mut().enumerate()).for_each(|(s, segment)| {
+            let of = common(&(s * per_task..(s + 1) * per_task), own);
+            if of.is_empty() && segment.candidates.is_empty() {
+                return;
+            }
             self.with_worker(|worker| {
                 let near = &mut worker.walls;
                 near.clear();
-                let of = common(&(s * per_task..(s + 1) * per_task), own);
                 for first in of.clone().step_by(GRAINS_PER_GROUP) {
                     group_near_walls(first..(first + GRAINS_PER_GROUP).min(of.end), grains, walls, skin, near);
                 }

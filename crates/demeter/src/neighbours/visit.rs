@@ -154,16 +154,22 @@ impl Cells {
     #[inline(always)]
     fn runs_of_own(&self, grain: u32, grid: &Grid, local: DVec3, runs: &mut Runs) -> bool {
         let [x, y, z] = grid.coordinates(local);
-        let depth = grid.cells[2];
         // the own row: later grains of the own cell, and the cell behind
-        let own = grid.row(x, y) + z as usize;
+        let own = self.rows.start(grid, x, y) + z as usize;
         let place = self.place[grain as usize].load(Ordering::Relaxed);
-        runs.push(place + 1, self.start[own + 1 + usize::from(z + 1 < depth)]);
+        runs.push(place + 1, self.start[own + 1 + usize::from(z + 1 < grid.cells[2])]);
         let inner = |axis: usize, at: i32| at > 0 && at + 1 < grid.cells[axis];
         if inner(0, x) && inner(1, y) && inner(2, z) {
             // rows beside, three cells of each
-            let (row, sheet) = (depth as usize, (grid.cells[1] * depth) as usize);
-            for to in [own + row, own + sheet - row, own + sheet, own + sheet + row] {
+            let beside = if self.rows.are_all() {
+                let row = grid.stride() as usize;
+                let sheet = grid.cells[1] as usize * row;
+                [own + row, own + sheet - row, own + sheet, own + sheet + row]
+            } else {
+                [(x, y + 1), (x + 1, y - 1), (x + 1, y), (x + 1, y + 1)]
+                    .map(|(x, y)| self.rows.start(grid, x, y) + z as usize)
+            };
+            for to in beside {
                 runs.push(self.start[to - 1], self.start[to + 2]);
             }
             return true;
@@ -180,11 +186,11 @@ impl Cells {
             runs.push(self.start[row + from as usize], self.start[row + to as usize]);
         };
         if is_ring && z + 1 == depth {
-            cells(grid.row(x, y), 0, 1);
+            cells(self.rows.start(grid, x, y), 0, 1);
         }
         let (low, high) = ((z - 1).max(0), (z + 1).min(depth - 1) + 1);
         let mut row = |x: i32, y: i32| {
-            let row = grid.row(x, y);
+            let row = self.rows.start(grid, x, y);
             cells(row, low, high);
             if is_ring && z == 0 {
                 cells(row, depth - 1, depth);
@@ -239,7 +245,7 @@ impl Cells {
                     continue;
                 }
                 let zs = self.span(grid, 2, local.z, left.sqrt());
-                let row = grid.row(xs.wrap(x), ys.wrap(y));
+                let row = self.rows.start(grid, xs.wrap(x), ys.wrap(y));
                 let mut run = |from: i32, to: i32| {
                     runs.push(self.start[row + from as usize], self.start[row + to as usize]);
                 };

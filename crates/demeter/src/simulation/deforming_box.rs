@@ -397,7 +397,8 @@ impl Simulation {
         let (carry, middle) = (deforming.carry, deforming.middle);
         state.since = state.since.then(&carry);
         let carry_row = |row: &mut Row| row.vector = middle + carry.apply(row.vector - middle);
-        let rows = self.neighbours.reference.rows_mut().par_chunks_mut(GRAINS_PER_TASK);
+        let own = self.own_grains();
+        let rows = self.neighbours.reference.rows_mut()[own].par_chunks_mut(GRAINS_PER_TASK);
         rows.for_each(|rows| rows.iter_mut().for_each(carry_row));
     }
 

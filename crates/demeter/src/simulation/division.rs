@@ -2,7 +2,8 @@
 //!
 //! Every process has the tables of all grains, in the same order along the curve, and the same walls and books. Of the segments
 //! of grains that lie behind each other on the curve each process has some of its own, so many that all have as much to do. In a
-//! step it moves its own grains, hears where those are that may touch them, and finds the contacts that one of its own is in. A contact
+//! step it moves its own grains, hears where those are that may touch them, and finds the contacts that one of its own is in. When
+//! candidates are found it hears of those near its own (`near`); the places of all others are out of date here. A contact
 //! between grains of two processes is found by both, from the same numbers, so that both know the same. What all contacts did
 //! is summed up segment by segment ([`StepWork`](crate::contacts::step_work::StepWork)).
 //!
@@ -12,11 +13,14 @@
 
 mod coupled;
 mod in_step;
+mod near;
 
 use super::Simulation;
 use crate::comm::{Message, Ranks, Traffic};
 use crate::contacts::{ContactChunk, Contacts};
 use crate::neighbours::{Neighbours, SearchEffort, SegmentsOfCandidates};
+use crate::particles::{Row, Rows};
+use near::SizesOfAll;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
@@ -39,6 +43,7 @@ pub(crate) struct Division {
     cuts: Vec<usize>,
     /// Own grains.
     own: Range<usize>,
+    sizes: SizesOfAll,
     borders: Vec<Border>,
     /// What goes over each of them in a step.
     messages: Vec<Message>,
@@ -106,6 +111,8 @@ pub struct Sharing {
 /// Candidates and contacts of the own segments, as all others are told.
 #[derive(Serialize, Deserialize)]
 struct Tables {
+    /// Where the grains were when the candidates were found.
+    reference: Vec<Row>,
     candidates: SegmentsOfCandidates,
     pairs: Vec<ContactChunk>,
     walls: Vec<ContactChunk>,
@@ -246,6 +253,7 @@ impl Simulation {
             ranks: Arc::from(ranks),
             cuts: Vec::new(),
             own: 0..0,
+            sizes: SizesOfAll::default(),
             borders: Vec::new(),
             messages: Vec::new(),
             coupled_messages: Vec::new(),
@@ -377,6 +385,7 @@ impl Simulation {
             Some((tables, aside)) if tables == self.tables => (self.neighbours, self.contacts) = *aside,
             _ => {
                 division.cut(&self.neighbours, self.grains.len());
+                division.sizes = SizesOfAll::of(&self.grains, self.neighbours.grains_per_segment());
                 let picked = self.neighbours.picked(&division.own);
                 self.neighbours = self.neighbours.with_candidates([picked]);
                 self.restore_neighbours(&division);
@@ -410,18 +419,25 @@ impl Simulation {
         let (first, last) = of_own(Neighbours::chunks_of_segment);
         let (first_walls, last_walls) = of_own(Neighbours::wall_chunks_of_segment);
         let mine = encode(&Tables {
+            reference: self.neighbours.reference.rows()[division.own.clone()].to_vec(),
             candidates: self.neighbours.of_segments(own),
             pairs: chunks(&self.contacts.pairs, first, last),
             walls: chunks(&self.contacts.walls, first_walls, last_walls),
         });
         let (mut candidates, mut pairs, mut walls) = (Vec::new(), Vec::new(), Vec::new());
+        let mut reference = Rows::default();
         for of in division.ranks.gather(&mine) {
             let tables: Tables = division.decode(&of);
+            tables
+                .reference
+                .iter()
+                .for_each(|row| reference.push(row.vector, row.scalar));
             candidates.push(tables.candidates);
             pairs.extend(tables.pairs);
             walls.extend(tables.walls);
         }
-        let whole = self.neighbours.with_candidates(candidates);
+        let mut whole = self.neighbours.with_candidates(candidates);
+        whole.reference = reference;
         let contacts = Contacts {
             pairs,
             walls,
@@ -462,21 +478,6 @@ impl Simulation {
         }
     }
 
-    /// Tells all processes where all grains are.
-    fn share_places(&mut self) {
-        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
-            return;
-        };
-        let per_segment = self.neighbours.grains_per_segment();
-        let rows = self.grains.position.rows_mut();
-        let all = division.ranks.gather(bytemuck::cast_slice(&rows[division.own.clone()]));
-        for (cut, of) in division.cuts.iter().zip(&all) {
-            let first = (cut * per_segment).min(rows.len());
-            let some = &mut rows[first..first + of.len() / size_of::<crate::particles::Row>()];
-            bytemuck::cast_slice_mut(some).copy_from_slice(of);
-        }
-    }
-
     /// Finds all candidates anew, each process those of its own grains.
     pub(super) fn find_candidates_together(&mut self) {
         let is_uneven = self
@@ -489,7 +490,6 @@ impl Simulation {
             return self.divide();
         }
         self.wrap_grains();
-        self.share_places();
         self.rebuilds += 1;
         self.continue_with_candidates(false);
         if let Some(division) = &mut self.division {

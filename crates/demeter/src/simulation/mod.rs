@@ -46,7 +46,7 @@ use crate::contacts::step_work::StepWork;
 use crate::contacts::sum::Sums;
 use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTable, laws};
 use crate::materials::Materials;
-use crate::neighbours::{Neighbours, SpatialOrder};
+use crate::neighbours::{Bounds, Neighbours, SpatialOrder};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::CouplingState;
 use crate::threads::Awake;
@@ -343,18 +343,21 @@ impl Simulation {
             coupling.take_margin(self.skin);
         }
         let beyond_touch = self.skin + self.beyond_touch();
+        let vicinity = self.share_places(beyond_touch);
         let own = self.own_grains();
         let with = (&self.walls[..], &self.materials, &self.comm);
-        (self.neighbours).find_of(&own, &self.grains, with, beyond_touch);
+        (self.neighbours).find_of((&own, vicinity.as_ref()), &self.grains, with, beyond_touch);
         self.tables += 1;
         self.count_candidates();
         let moved_to = is_moved.then(|| self.order.moved_to());
         self.contacts.hand_over(&self.neighbours, moved_to);
         self.tuner.note_rebuild(self.step);
-        self.near
-            .forget(self.grains.radii().sum::<f64>() / self.grains.len().max(1) as f64);
+        let mean_radius = self.mean_radius();
+        self.near.forget(mean_radius);
         self.note_candidates_of_box();
-        self.note_bounds();
+        let around = vicinity.map_or_else(|| Bounds::of_grains(self.grains.position.rows()), |v| v.surfaces);
+        let margin = self.skin + self.beyond_touch();
+        self.bounds = (around.lower - margin, around.upper + margin);
     }
 
     /// Gap across which bodies may act on each other: the reach of the laws, and the bulges of both [m].
@@ -370,16 +373,6 @@ impl Simulation {
     /// What solving the coupled equation of the contacts took so far.
     pub fn coupling_effort(&self) -> Effort {
         self.coupling.as_ref().map_or_else(Effort::default, |c| c.memory.effort)
-    }
-
-    fn note_bounds(&mut self) {
-        let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for (&p, r) in self.neighbours.reference.iter().zip(self.grains.radii()) {
-            lower = lower.min(p - r);
-            upper = upper.max(p + r);
-        }
-        let margin = self.skin + self.beyond_touch();
-        self.bounds = (lower - margin, upper + margin);
     }
 
     /// Largest displacement of any wall surface near the grains since the candidates were found [m].

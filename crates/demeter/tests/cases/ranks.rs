@@ -34,9 +34,6 @@ impl ThreadRank {
     }
 
     fn say(&self, to: usize, bytes: &[u8]) {
-        let mut traffic = self.traffic.lock().unwrap();
-        traffic.messages += 1;
-        traffic.bytes += bytes.len() as u64;
         self.tell[to].lock().unwrap().send(bytes.to_vec()).unwrap();
     }
 
@@ -55,12 +52,21 @@ impl Ranks for ThreadRank {
     }
 
     fn gather(&self, mine: &[u8]) -> Vec<Vec<u8>> {
+        {
+            let mut traffic = self.traffic.lock().unwrap();
+            traffic.rounds += 1;
+            traffic.round_bytes += mine.len() as u64;
+        }
         (0..self.count()).for_each(|to| self.say(to, mine));
         (0..self.count()).map(|from| self.hear(from)).collect()
     }
 
     fn exchange(&self, messages: &mut [Message], meanwhile: &mut dyn FnMut()) {
         for message in &*messages {
+            let mut traffic = self.traffic.lock().unwrap();
+            traffic.messages += 1;
+            traffic.bytes += 8 * message.tell.len() as u64;
+            drop(traffic);
             self.say(message.rank, bytemuck_bytes(&message.tell).as_slice());
         }
         meanwhile();

@@ -1,0 +1,183 @@
+//! What processes tell each other when candidates are found: boxes around all segments to all, and the places of grains to those
+//! who have some near.
+//!
+//! Whose boxes are near is found by both sides from the same numbers, so that both know what is told.
+
+use super::Division;
+use crate::comm::Message;
+use crate::neighbours::{Bounds, BoxesOfClasses, CORNERS, Reach, SizeClasses, Vicinity};
+use crate::particles::Grains;
+use crate::simulation::Simulation;
+use std::ops::Range;
+
+/// Bytes of the bounds of what a process has.
+const BYTES_OF_BOUNDS: usize = 2 * 6 * size_of::<f64>();
+
+/// What the radii of all grains tell: it changes with the grains alone.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SizesOfAll {
+    classes: SizeClasses,
+    /// Classes that are among the grains of every segment.
+    of_segments: Vec<u32>,
+    mean_radius: f64,
+}
+
+impl SizesOfAll {
+    pub(super) fn of(grains: &Grains, per_segment: usize) -> Self {
+        let classes = SizeClasses::of_all(grains);
+        let segments = grains.position.rows().chunks(per_segment.max(1));
+        Self {
+            of_segments: segments.map(|rows| classes.among(rows)).collect(),
+            mean_radius: mean_radius(grains),
+            classes,
+        }
+    }
+}
+
+fn mean_radius(grains: &Grains) -> f64 {
+    grains.radii().sum::<f64>() / grains.len().max(1) as f64
+}
+
+/// The boxes of all segments, and of all of a process.
+struct Boxes {
+    segments: Vec<BoxesOfClasses>,
+    ranks: Vec<BoxesOfClasses>,
+}
+
+impl Division {
+    /// What is told to all: bounds of the own grains, and boxes around those of every own segment.
+    fn tell_boxes(&self, grains: &Grains, per_segment: usize) -> Vec<u8> {
+        let rows = &grains.position.rows()[self.own.clone()];
+        let mut bytes = Vec::new();
+        for Bounds { lower, upper } in [Bounds::of_centres(rows), Bounds::of_grains(rows)] {
+            let corners = [lower.to_array(), upper.to_array()];
+            bytes.extend_from_slice(bytemuck::cast_slice(&corners));
+        }
+        for (rows, among) in rows.chunks(per_segment).zip(&self.sizes.of_segments[self.segments()]) {
+            let boxes = BoxesOfClasses::around(rows, *among, &self.sizes.classes);
+            let numbers: Vec<f32> = boxes.numbers().collect();
+            bytes.extend_from_slice(bytemuck::cast_slice(&numbers));
+        }
+        bytes
+    }
+
+    /// What all told: the bounds of all centres, of all grains, and the boxes.
+    fn hear_boxes(&self, told: &[Vec<u8>]) -> (Bounds, Bounds, Boxes) {
+        let (mut centres, mut surfaces) = (Bounds::NOTHING, Bounds::NOTHING);
+        let mut boxes = Boxes {
+            segments: Vec::with_capacity(self.sizes.of_segments.len()),
+            ranks: Vec::with_capacity(told.len()),
+        };
+        for (rank, bytes) in told.iter().enumerate() {
+            let among = &self.sizes.of_segments[self.cuts[rank]..self.cuts[rank + 1]];
+            let count: usize = among.iter().map(|classes| classes.count_ones() as usize).sum();
+            if bytes.len() != BYTES_OF_BOUNDS + count * size_of::<[f32; CORNERS]>() {
+                self.ranks.give_up("another process has other grains");
+            }
+            let (bounds, numbers) = bytes.split_at(BYTES_OF_BOUNDS);
+            let corners: [[f64; 3]; 4] = bytemuck::pod_read_unaligned(bounds);
+            let [a, b, c, d] = corners.map(Into::into);
+            centres = centres.join(Bounds { lower: a, upper: b });
+            surfaces = surfaces.join(Bounds { lower: c, upper: d });
+            let numbers = numbers.chunks_exact(size_of::<[f32; CORNERS]>());
+            let numbers: Vec<[f32; CORNERS]> = numbers.map(bytemuck::pod_read_unaligned).collect();
+            let (mut numbers, mut all) = (&numbers[..], BoxesOfClasses::default());
+            for &classes in among {
+                let (own, others) = numbers.split_at(classes.count_ones() as usize);
+                let segment = BoxesOfClasses::of_numbers(classes, own);
+                all.join(&segment);
+                boxes.segments.push(segment);
+                numbers = others;
+            }
+            boxes.ranks.push(all);
+        }
+        (centres, surfaces, boxes)
+    }
+
+    /// Own segments that others have grains near, and those of others near own ones, with the other process.
+    fn near_segments(&self, boxes: &Boxes, reach: &Reach) -> Vec<(usize, [Vec<usize>; 2])> {
+        let (rank, own) = (self.ranks.rank(), self.segments());
+        let mut found = Vec::new();
+        for other in (0..self.ranks.count()).filter(|&other| other != rank) {
+            let (here, there) = (&boxes.ranks[rank], &boxes.ranks[other]);
+            if !reach.joins(here, there) {
+                continue;
+            }
+            let near = |some: Range<usize>, to: &BoxesOfClasses| -> Vec<usize> {
+                some.filter(|&s| reach.joins(&boxes.segments[s], to)).collect()
+            };
+            let mut tell = near(own.clone(), there);
+            let mut hear = near(self.cuts[other]..self.cuts[other + 1], here);
+            let joins = |one: usize, other: usize| reach.joins(&boxes.segments[one], &boxes.segments[other]);
+            let heard: Vec<bool> = hear.iter().map(|&s| tell.iter().any(|&t| joins(t, s))).collect();
+            tell.retain(|&t| hear.iter().any(|&s| joins(t, s)));
+            let mut heard = heard.into_iter();
+            hear.retain(|_| heard.next() == Some(true));
+            if !tell.is_empty() {
+                found.push((other, [tell, hear]));
+            }
+        }
+        found
+    }
+}
+
+impl Simulation {
+    /// Tells those with grains near own ones the places of these, for a search of all pairs closer than `skin` to touching.
+    /// Answers with what is known then; with nothing where all is.
+    pub(in crate::simulation) fn share_places(&mut self, skin: f64) -> Option<Vicinity> {
+        let division = self.division.as_ref().filter(|division| !division.is_whole)?;
+        let (per_segment, count) = (self.neighbours.grains_per_segment(), self.grains.len());
+        let told = division.ranks.gather(&division.tell_boxes(&self.grains, per_segment));
+        let (centres, surfaces, boxes) = division.hear_boxes(&told);
+        let classes = division.sizes.classes.clone();
+        let reach = Reach::new(&classes, centres, &self.comm, skin);
+        let near = division.near_segments(&boxes, &reach);
+        let grains_of = |segment: usize| segment * per_segment..((segment + 1) * per_segment).min(count);
+        let mut messages: Vec<Message> = Vec::with_capacity(near.len());
+        let mut known = vec![division.own.clone()];
+        for (rank, [tell, hear]) in &near {
+            let places = tell.iter().flat_map(|&s| &self.grains.position.rows()[grains_of(s)]);
+            messages.push(Message {
+                rank: *rank,
+                tell: places.flat_map(|row| row.vector.to_array()).collect(),
+                hear: vec![0.0; 3 * hear.iter().map(|&s| grains_of(s).len()).sum::<usize>()],
+            });
+            known.extend(hear.iter().map(|&s| grains_of(s)));
+        }
+        division.ranks.exchange(&mut messages, &mut || ());
+        for ((_, [_, hear]), message) in near.iter().zip(&messages) {
+            let mut places = message.hear.chunks_exact(3);
+            for (grain, place) in hear.iter().flat_map(|&s| grains_of(s)).zip(&mut places) {
+                self.grains.position[grain] = glam::DVec3::from_slice(place);
+            }
+        }
+        Some(Vicinity {
+            classes,
+            centres,
+            surfaces,
+            known: joined(known),
+        })
+    }
+
+    /// Mean radius of all grains [m].
+    pub(in crate::simulation) fn mean_radius(&self) -> f64 {
+        match self.division.as_ref().filter(|division| !division.is_whole) {
+            Some(division) => division.sizes.mean_radius,
+            None => mean_radius(&self.grains),
+        }
+    }
+}
+
+/// Stretches by rising indices; those that follow each other as one.
+fn joined(mut stretches: Vec<Range<usize>>) -> Vec<Range<usize>> {
+    stretches.retain(|stretch| !stretch.is_empty());
+    stretches.sort_unstable_by_key(|stretch| stretch.start);
+    stretches.dedup_by(|next, before| {
+        let follows = next.start == before.end;
+        if follows {
+            before.end = next.end;
+        }
+        follows
+    });
+    stretches
+}

@@ -1,0 +1,160 @@
+//! Processes that share a run hear of the grains of others only where these are near their own, and the bits are those of one.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
+
+mod cases;
+
+use cases::ranks::on_ranks;
+use cases::{Case, Laws, law, on_threads, one_material, report};
+use demeter::comm::{Ranks, ShearAxes};
+use demeter::particles::{Domain, Outside};
+use demeter::simulation::{Deformation, Setup, Shear, Simulation};
+use demeter_physics::DVec3;
+
+/// Largest radius [m].
+const RADIUS: f64 = 2e-3;
+
+/// Distance between the middles of grains, a little more than the largest touch at [m].
+const APART: f64 = 2.02 * RADIUS;
+
+/// Grains along the short sides.
+const WIDTH: u32 = 8;
+
+/// A number from -1 to 1 that looks like chance.
+fn scatter(k: u32) -> f64 {
+    let mixed = k.wrapping_mul(2_654_435_761) ^ k.wrapping_mul(40_503).rotate_left(13);
+    f64::from(mixed.wrapping_mul(2_246_822_519)) / f64::from(u32::MAX) * 2.0 - 1.0
+}
+
+/// A long duct full of grains of some radii, as shares of the largest, that fly about; its sides are periodic or planes.
+fn duct(length: u32, periodic: [bool; 3], radii: &[f64]) -> Setup {
+    let friction = law("mindlin-history", &[("friction", 0.4)]);
+    let mut case = Case::new(one_material(5e6, &Laws::hertz(0.7).friction(friction)));
+    for k in 0..length * WIDTH * WIDTH {
+        let (x, y, z) = (k / (WIDTH * WIDTH), k / WIDTH % WIDTH, k % WIDTH);
+        let place = (DVec3::new(x.into(), y.into(), z.into()) + 0.5) * APART;
+        let velocity = DVec3::new(scatter(3 * k), scatter(3 * k + 1), scatter(3 * k + 2));
+        let radius = RADIUS * radii[(k as usize * 7 + k as usize / 5) % radii.len()];
+        case.spinning_grain(radius, place, velocity, DVec3::new(3.0, -2.0, 1.0));
+    }
+    let upper = DVec3::new(length.into(), WIDTH.into(), WIDTH.into()) * APART;
+    let beyond = |axis: usize| if periodic[axis] { 0.0 } else { 0.5 };
+    let room = DVec3::new(beyond(0), beyond(1), beyond(2));
+    case.domain = Domain {
+        lower: -room,
+        upper: upper + room,
+        periodic,
+        outside: Outside::Stop,
+    };
+    for axis in (0..3).filter(|&axis| !periodic[axis]) {
+        case.plane(0, DVec3::ZERO, DVec3::AXES[axis]);
+        case.plane(0, upper, -DVec3::AXES[axis]);
+    }
+    // so narrow that candidates are found often
+    case.skin = 0.02 * RADIUS * radii.iter().copied().fold(1.0, f64::min);
+    case.max_overlap = 0.4;
+    case.setup()
+}
+
+/// All that a checkpoint holds, with the distance tests of the search.
+fn outcome(setup: Setup, shear: Option<Deformation>, steps: u64, ranks: Option<Box<dyn Ranks>>) -> (String, u64) {
+    let mut sim = Simulation::new(setup);
+    if let Some(shear) = shear {
+        sim.deform(shear).unwrap();
+    }
+    if let Some(ranks) = ranks {
+        sim.share(ranks);
+    }
+    for _ in 0..steps {
+        sim.step().unwrap();
+    }
+    sim.make_whole();
+    (format!("{:?} {:?}", sim.state(), sim.grains), sim.rebuilds())
+}
+
+fn compare(what: &str, setup: impl Fn() -> Setup + Sync, shear: Option<Deformation>, counts: &[usize]) {
+    let steps = 150;
+    let (alone, rebuilds) = on_threads(2, || outcome(setup(), shear.clone(), steps, None));
+    assert!(rebuilds > 4, "{what}: {rebuilds} rebuilds are few");
+    for &count in counts {
+        let shared = on_ranks(count, |rank| {
+            on_threads(1, || outcome(setup(), shear.clone(), steps, Some(rank)))
+        });
+        for (rank, (saved, _)) in shared.into_iter().enumerate() {
+            let differs = saved.bytes().zip(alone.bytes()).position(|(a, b)| a != b);
+            if let Some(at) = differs {
+                let shown = |text: &str| text[at.saturating_sub(200)..(at + 80).min(text.len())].to_string();
+                panic!("{what}, rank {rank} of {count}:\n{}\n{}", shown(&saved), shown(&alone));
+            }
+            assert_eq!(saved.len(), alone.len(), "{what}, rank {rank} of {count}");
+        }
+    }
+}
+
+#[test]
+fn far_processes_of_a_long_duct_have_the_same_bits() {
+    compare("duct", || duct(128, [false; 3], &[1.0, 0.9]), None, &[4, 8]);
+}
+
+#[test]
+fn processes_that_meet_across_periodic_sides_have_the_same_bits() {
+    compare("ring", || duct(128, [true; 3], &[1.0, 0.9]), None, &[2, 8]);
+}
+
+#[test]
+fn small_grains_among_large_ones_have_the_same_bits() {
+    let radii = [1.0, 0.1, 0.4, 0.06, 0.2, 0.1, 0.7, 0.3];
+    compare("sizes", || duct(96, [true, false, false], &radii), None, &[3, 8]);
+}
+
+#[test]
+fn processes_that_meet_across_sliding_sides_have_the_same_bits() {
+    let axes = ShearAxes { flow: 0, gradient: 1 };
+    let shear = Deformation {
+        shear: Some(Shear { axes, rate: 200.0 }),
+        ..Deformation::default()
+    };
+    compare("shear", || duct(64, [true; 3], &[1.0, 0.5]), Some(shear), &[2, 4, 8]);
+}
+
+/// Bytes that each rank tells all others, and those that it tells some, when candidates are found.
+fn told(length: u32, ranks: usize) -> Vec<[u64; 2]> {
+    on_ranks(ranks, |rank| {
+        on_threads(1, || {
+            let mut sim = Simulation::new(duct(length, [false; 3], &[1.0, 0.9]));
+            sim.share(rank);
+            (0..2).for_each(|_| sim.step().unwrap());
+            let before = sim.sharing().unwrap();
+            sim.find_candidates();
+            let after = sim.sharing().unwrap();
+            assert_eq!(before.divided, after.divided);
+            [
+                after.traffic.round_bytes - before.traffic.round_bytes,
+                after.traffic.bytes - before.traffic.bytes,
+            ]
+        })
+    })
+}
+
+#[test]
+fn what_a_process_hears_of_places_does_not_grow_with_the_run() {
+    let (short, long) = (told(128, 4), told(256, 8));
+    let most = |of: &[[u64; 2]], what: usize| of.iter().map(|told| told[what]).max().unwrap();
+    let own_grains = f64::from(128 * WIDTH * WIDTH / 4);
+    for told in [&short, &long] {
+        // a place of each grain would be 24 bytes; a box of each segment of 512 is 24
+        let to_all = most(told, 0) as f64 / own_grains;
+        assert!(to_all < 0.3, "{to_all} bytes of each grain are told to all");
+        let to_some = most(told, 1) as f64 / own_grains;
+        report("bytes told to all, per own grain", to_all);
+        report("bytes told to some, per own grain", to_some);
+        assert!(
+            (0.5..24.0).contains(&to_some),
+            "{to_some} bytes of each grain are told to some"
+        );
+    }
+    let growth = most(&long, 1) as f64 / most(&short, 1) as f64;
+    assert!(
+        growth < 1.3,
+        "twice the grains on twice the processes: {growth} times the bytes of each"
+    );
+}
