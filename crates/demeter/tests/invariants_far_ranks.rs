@@ -73,11 +73,11 @@ fn outcome(setup: Setup, shear: Option<Deformation>, steps: u64, ranks: Option<B
 
 fn compare(what: &str, setup: impl Fn() -> Setup + Sync, shear: Option<Deformation>, counts: &[usize]) {
     let steps = 150;
-    let (alone, rebuilds) = on_threads(2, || outcome(setup(), shear.clone(), steps, None));
+    let (alone, rebuilds) = on_threads(2, || outcome(setup(), shear, steps, None));
     assert!(rebuilds > 4, "{what}: {rebuilds} rebuilds are few");
     for &count in counts {
         let shared = on_ranks(count, |rank| {
-            on_threads(1, || outcome(setup(), shear.clone(), steps, Some(rank)))
+            on_threads(1, || outcome(setup(), shear, steps, Some(rank)))
         });
         for (rank, (saved, _)) in shared.into_iter().enumerate() {
             let differs = saved.bytes().zip(alone.bytes()).position(|(a, b)| a != b);
