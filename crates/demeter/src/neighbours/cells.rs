@@ -228,12 +228,9 @@ impl Cells {
         }
         self.grids = grids(&self.classes, &self.frame, skin);
         self.choose_directions();
-        let all = std::iter::once(0..grains.len()).collect::<Vec<_>>();
-        self.fill(
-            grains,
-            vicinity.map_or(&all, |vicinity| &vicinity.known),
-            vicinity.is_some(),
-        );
+        let all = 0..grains.len();
+        let known = vicinity.map_or(std::slice::from_ref(&all), |vicinity| &vicinity.known);
+        self.fill(grains, known, vicinity.is_some());
     }
 
     /// Of two classes that one searches the other which has to look at fewer rows of cells: mostly the larger grains, as

@@ -149,7 +149,7 @@ impl Wall {
 
     /// Whether no point of the wall moves in this step.
     #[inline]
-    pub fn is_at_rest(&self) -> bool {
+    pub(crate) fn is_at_rest(&self) -> bool {
         self.motor.velocity == DVec3::ZERO && self.motor.angular_velocity == DVec3::ZERO
     }
 
