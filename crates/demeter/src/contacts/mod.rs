@@ -17,6 +17,7 @@ mod kinematics;
 pub mod laws;
 mod marks;
 mod meetings;
+mod merge;
 pub mod narrow;
 mod near;
 mod respond;

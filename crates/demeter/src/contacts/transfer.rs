@@ -1,10 +1,11 @@
 //! Handing contacts over when the candidates are found anew, and to and from a checkpoint.
 
 use super::coupling::Coupled;
-use super::{CHUNK, ContactChunk, Contacts};
+use super::{CHUNK, ContactChunk, Contacts, EightVectors, WORD};
 use crate::neighbours::{GONE, Neighbours};
 use crate::particles::{Grains, set_aside};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use demeter_physics::lanes::MOST_LANES;
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -52,7 +53,7 @@ const NONE: u32 = u32::MAX;
 const SLOT_BITS: u32 = CHUNK.next_power_of_two().trailing_zeros();
 
 /// Contacts are handed over in so many rounds, after each of which the memory of old chunks is free for new ones.
-const ROUNDS: usize = 16;
+pub(super) const ROUNDS: usize = 16;
 
 /// Memory for handing contacts over.
 #[derive(Debug, Default)]
@@ -61,9 +62,9 @@ pub(crate) struct Transfer {
     heir: Vec<AtomicU32>,
     /// The last new chunk that takes contacts from every old one; [`NONE`] when its memory is free.
     last_use: Vec<u32>,
-    old: Vec<ContactChunk>,
+    pub(super) old: Vec<ContactChunk>,
     /// Chunks whose memory waits to be used again.
-    spare: Vec<ContactChunk>,
+    pub(super) spare: Vec<ContactChunk>,
 }
 
 impl Clone for Transfer {
@@ -74,7 +75,7 @@ impl Clone for Transfer {
 }
 
 /// New candidates that contacts are handed to.
-trait Heirs: Sync {
+pub(super) trait Heirs: Sync {
     fn chunks(&self) -> usize;
     fn count(&self) -> usize;
     /// Candidates before a chunk, and in it.
@@ -87,6 +88,9 @@ trait Heirs: Sync {
     fn bodies(&self, chunk: usize, slot: usize) -> (u32, u32);
     /// Chunk and number of the candidate of two bodies.
     fn find(&self, i: u32, j: u32) -> Option<(usize, usize)>;
+    /// What candidates of one law are sorted by within a segment, told the bodies; the first tells the segment.
+    fn place(&self, bodies: (u32, u32)) -> (u32, u32);
+    fn grains_per_segment(&self) -> usize;
 }
 
 /// Candidates between grains, with the new index of every grain when they were put in another order.
@@ -132,6 +136,15 @@ impl Heirs for Pairs<'_> {
     fn find(&self, i: u32, j: u32) -> Option<(usize, usize)> {
         self.0.find_pair(renumber(self.1, i)?, renumber(self.1, j)?)
     }
+
+    #[inline(always)]
+    fn place(&self, (i, j): (u32, u32)) -> (u32, u32) {
+        (i.max(j), i.min(j))
+    }
+
+    fn grains_per_segment(&self) -> usize {
+        self.0.grains_per_segment()
+    }
 }
 
 impl Heirs for Walls<'_> {
@@ -165,6 +178,15 @@ impl Heirs for Walls<'_> {
     fn find(&self, grain: u32, wall: u32) -> Option<(usize, usize)> {
         self.0.find_wall_pair(renumber(self.1, grain)?, wall)
     }
+
+    #[inline(always)]
+    fn place(&self, bodies: (u32, u32)) -> (u32, u32) {
+        bodies
+    }
+
+    fn grains_per_segment(&self) -> usize {
+        self.0.grains_per_segment()
+    }
 }
 
 impl Transfer {
@@ -174,8 +196,8 @@ impl Transfer {
         set_aside(&self.heir) + set_aside(&self.last_use) + spare
     }
 
-    /// Moves all contacts into chunks for new candidates, straight from the old chunks.
-    fn hand_over(&mut self, chunks: &mut Vec<ContactChunk>, heirs: &impl Heirs, stride: usize) {
+    /// Moves all contacts into chunks for new candidates, straight from the old chunks, wherever grains went in between.
+    fn look_up(&mut self, chunks: &mut Vec<ContactChunk>, heirs: &impl Heirs, stride: usize) {
         std::mem::swap(chunks, &mut self.old);
         self.find_heirs(heirs);
         let count = heirs.chunks();
@@ -198,10 +220,11 @@ impl Transfer {
                 chunk.make_room(contacts.sum(), stride);
                 for (slot, heir) in mine.iter().enumerate() {
                     if let Some((old, contacts)) = inherited(heir) {
-                        let bodies = heirs.bodies(done + k, slot);
-                        for contact in contacts {
-                            chunk.take_over(old, contact, bodies, stride);
-                        }
+                        let (i, j) = heirs.bodies(done + k, slot);
+                        let first = chunk.len();
+                        chunk.take_over(old, contacts, stride);
+                        chunk.i[first..].fill(i);
+                        chunk.j[first..].fill(j);
                     }
                     chunk.end_candidate(heirs.are_walls());
                 }
@@ -212,6 +235,8 @@ impl Transfer {
         self.free_chunks(usize::MAX);
         self.old.clear();
         self.spare.truncate(2 * round);
+        // grains are seldom put in another order
+        (self.heir, self.last_use) = Default::default();
     }
 
     /// Finds for every new candidate the old one with its contacts. Contacts whose bodies are no candidates end.
@@ -276,22 +301,36 @@ impl ContactChunk {
         }
     }
 
-    /// Appends a contact of an old chunk, with all that can be asked of it after a step.
-    fn take_over(&mut self, old: &Self, contact: usize, (i, j): (u32, u32), stride: usize) {
-        self.i.push(i);
-        self.j.push(j);
+    /// Appends contacts of an old chunk, with all that can be asked of them after a step.
+    pub(super) fn take_over(&mut self, old: &Self, contacts: Range<usize>, stride: usize) {
+        let first = self.len();
+        self.i.extend_from_slice(&old.i[contacts.clone()]);
+        self.j.extend_from_slice(&old.j[contacts.clone()]);
         if !old.rolling.is_empty() {
-            self.rolling.resize(self.len(), [0.0; 4]);
-            self.rolling.push(old.rolling[contact]);
+            self.rolling.resize(first, [0.0; 4]);
+            self.rolling.extend_from_slice(&old.rolling[contacts.clone()]);
         }
         let (now, before) = (&mut self.now, &old.now);
-        now.element.extend(before.element.get(contact));
-        now.geometry.extend(before.geometry.get(contact));
-        now.push_force(before.normal_force[contact], old.tangential_force(contact));
-        now.history.extend_from_slice(old.history(contact, stride));
-        now.coupling.extend(before.coupling.get(contact));
+        now.element
+            .extend(before.element.get(contacts.clone()).into_iter().flatten());
+        now.geometry
+            .extend(before.geometry.get(contacts.clone()).into_iter().flatten());
+        now.coupling
+            .extend(before.coupling.get(contacts.clone()).into_iter().flatten());
+        now.take_on(before, contacts.clone(), stride);
+        now.tangential
+            .resize(now.len().div_ceil(MOST_LANES), EightVectors::default());
         if !old.engaged.is_empty() {
-            self.note_engaged(old.is_engaged(contact));
+            self.engaged.resize(self.now.len().div_ceil(WORD), 0);
+        }
+        for (place, contact) in (first..).zip(contacts) {
+            for axis in 0..3 {
+                self.now.tangential[place / MOST_LANES][axis][place % MOST_LANES] =
+                    before.tangential[contact / MOST_LANES][axis][contact % MOST_LANES];
+            }
+            if !old.engaged.is_empty() {
+                self.engaged[place / WORD] |= u64::from(old.is_engaged(contact)) << (place % WORD);
+            }
         }
     }
 
@@ -323,8 +362,15 @@ impl Contacts {
     /// every grain.
     pub(crate) fn hand_over(&mut self, neighbours: &Neighbours, moved_to: Option<&[u32]>) {
         let stride = self.stride;
-        (self.transfer[0]).hand_over(&mut self.pairs, &Pairs(neighbours, moved_to), stride);
-        (self.transfer[1]).hand_over(&mut self.walls, &Walls(neighbours, moved_to), stride);
+        let [of_pairs, of_walls] = &mut self.transfer;
+        let (pairs, walls) = (Pairs(neighbours, moved_to), Walls(neighbours, moved_to));
+        if moved_to.is_some() {
+            of_pairs.look_up(&mut self.pairs, &pairs, stride);
+            of_walls.look_up(&mut self.walls, &walls, stride);
+        } else {
+            of_pairs.merge(&mut self.pairs, &pairs, stride);
+            of_walls.merge(&mut self.walls, &walls, stride);
+        }
     }
 
     /// All contacts, sorted by their keys.
