@@ -56,7 +56,10 @@ impl ContactChunk {
         let mut surfaces = std::mem::take(&mut self.surfaces);
         let (i, j, shift) = self.take_bodies();
         let geometry = std::mem::take(&mut self.now.geometry);
-        surfaces.find(&geometry, &i, &j, scene.grains, scene.walls);
+        if scene.is_coupled() {
+            // the surfaces are displaced since contacts were found
+            surfaces.find(&geometry, &i, &j, scene.grains, scene.walls);
+        }
         let known = Known {
             contacts: &geometry,
             grains: scene.grains,
@@ -71,20 +74,20 @@ impl ContactChunk {
         self.load = load;
         (self.i, self.j, self.shift) = (i, j, shift);
         self.now.geometry = geometry;
-        self.surfaces = surfaces;
         for k in 0..self.len() {
             let wall = &scene.walls[self.j[k] as usize];
             let contact = &self.now.geometry[k];
             let point = scene.grains.position[self.i[k] as usize] - contact.normal * contact.lever_i;
             let (force, torque) = (-self.force(k, contact.normal), -self.rolling_torque(k));
             if !wall.is_at_rest() {
-                let power = force.dot(wall.velocity_at(point)) + torque.dot(wall.angular_velocity());
+                let power = force.dot(surfaces.velocity(k)) + torque.dot(wall.angular_velocity());
                 self.tally.wall_work -= scene.dt * power;
             }
             let load = &mut self.wall_load[self.j[k] as usize];
             load.0 += force;
             load.1 += (point - wall.origin()).cross(force) + torque;
         }
+        self.surfaces = surfaces;
         if scene.records_walls {
             self.mark_walls(scene);
         }

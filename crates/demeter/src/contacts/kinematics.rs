@@ -7,6 +7,7 @@ use crate::walls::Wall;
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes::{Index, Lanes, MOST_LANES, Places, Vector};
+use glam::DVec3;
 
 /// Numbers of contacts from `k` on as lanes; 0 in lanes beyond the end.
 #[inline(always)]
@@ -141,18 +142,34 @@ pub(super) struct Surfaces {
 impl Surfaces {
     /// Of contacts of grains with walls.
     pub(super) fn find(&mut self, contacts: &[Contact], i: &[u32], j: &[u32], grains: &Grains, walls: &[Wall]) {
-        self.velocity.clear();
-        self.spin.clear();
+        self.clear();
         for (k, contact) in contacts.iter().enumerate() {
             let wall = &walls[j[k] as usize];
             let point = grains.position[i[k] as usize] - contact.normal * contact.lever_i;
-            // a free wall gives way, and what moves with it
-            let giving = wall.leader().and_then(|leader| walls.get(leader)).unwrap_or(wall);
-            let inverse_mass = giving.inverse_mass_at(point, -contact.normal);
-            self.velocity
-                .push(wall.velocity_at(point).extend(inverse_mass).to_array());
-            self.spin.push(wall.angular_velocity().extend(0.0).to_array());
+            self.push(wall, walls, (point, wall.velocity_at(point)), contact.normal);
         }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.velocity.clear();
+        self.spin.clear();
+    }
+
+    /// Adds a contact with a wall at a point that has a velocity.
+    #[inline]
+    pub(super) fn push(&mut self, wall: &Wall, walls: &[Wall], (point, velocity): (DVec3, DVec3), normal: DVec3) {
+        // a free wall gives way, and what moves with it
+        let giving = wall.leader().and_then(|leader| walls.get(leader)).unwrap_or(wall);
+        let inverse_mass = giving.inverse_mass_at(point, -normal);
+        self.velocity.push(velocity.extend(inverse_mass).to_array());
+        self.spin.push(wall.angular_velocity().extend(0.0).to_array());
+    }
+
+    /// Velocity of the surface at a contact [m/s].
+    #[inline]
+    pub(super) fn velocity(&self, contact: usize) -> DVec3 {
+        let [x, y, z, _] = self.velocity[contact];
+        DVec3::new(x, y, z)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Contacts of grains and walls: which parts of a wall every grain touches in this step.
 
+use super::kinematics::Surfaces;
 use super::{ContactChunk, Kept, Scene};
 use crate::neighbours::WallPair;
 use crate::walls::SurfaceContact;
@@ -65,10 +66,11 @@ impl NearParts {
 }
 
 impl Touched {
-    /// Looks at all candidates, whose material pair is `law`.
-    fn look(&mut self, pairs: &[WallPair], law: u32, scene: &Scene) {
+    /// Looks at all candidates, whose material pair is `law`, and notes how the walls move where they are touched.
+    fn look(&mut self, pairs: &[WallPair], law: u32, surfaces: &mut Surfaces, scene: &Scene) {
         self.parts.clear();
         self.ends.clear();
+        surfaces.clear();
         let window = scene.widest_window();
         // where surfaces bulge, or the path of a step is not told, they are asked as a whole
         let lists = !scene.is_coupled() && scene.path.is_finite();
@@ -76,6 +78,10 @@ impl Touched {
             self.near.renew(pairs, scene, window);
         }
         for (c, pair) in pairs.iter().enumerate() {
+            if lists && self.near.of(c).is_empty() {
+                self.ends.push(self.parts.len() as u32);
+                continue;
+            }
             let (g, wall) = (pair.grain as usize, &scene.walls[pair.wall as usize]);
             let (centre, radius) = (scene.grains.position[g], scene.grains.radius(g));
             let bulge = scene.bulge(g);
@@ -89,10 +95,13 @@ impl Touched {
             let mut kept = first;
             for k in first..self.parts.len() {
                 let part = self.parts[k];
-                let rate = scene.rate_at_wall(pair, &part);
+                let foot = centre - part.normal * part.distance;
+                let velocity = wall.velocity_at(foot);
+                let rate = (velocity - scene.grains.velocity[g]).dot(part.normal);
                 if scene.acts(law, || scene.size_at_wall(g), radius - part.distance + bulge, rate) {
                     self.parts[kept] = part;
                     kept += 1;
+                    surfaces.push(wall, scene.walls, (foot, velocity), part.normal);
                 }
             }
             self.parts.truncate(kept);
@@ -119,14 +128,6 @@ impl Touched {
 }
 
 impl Scene<'_> {
-    /// Rate at which a grain approaches a part of a wall [m/s].
-    #[inline(always)]
-    fn rate_at_wall(&self, pair: &WallPair, part: &SurfaceContact) -> f64 {
-        let (g, wall) = (pair.grain as usize, &self.walls[pair.wall as usize]);
-        let foot = self.grains.position[g] - part.normal * part.distance;
-        (wall.velocity_at(foot) - self.grains.velocity[g]).dot(part.normal)
-    }
-
     fn size_at_wall(&self, grain: usize) -> PairSize {
         PairSize {
             radius: self.grains.radius(grain),
@@ -149,7 +150,7 @@ impl ContactChunk {
     pub(crate) fn find_walls(&mut self, (pairs, law): (&[WallPair], u32), scene: &Scene) {
         self.begin(scene.walls.len(), law);
         let mut touched = std::mem::take(&mut self.touched);
-        touched.look(pairs, law, scene);
+        touched.look(pairs, law, &mut self.surfaces, scene);
         if touched.are(&self.now) && !scene.is_coupled() {
             for ((contact, part), &g) in self.now.geometry.iter_mut().zip(&touched.parts).zip(&self.i) {
                 *contact = geometry(part, scene.grains.radius(g as usize));
@@ -188,7 +189,8 @@ impl ContactChunk {
                 let contact = geometry(part, scene.grains.radius(g));
                 self.push(scene.stride, (pair.grain, pair.wall, part.element), contact, old);
                 if scene.is_coupled() {
-                    let rate = scene.rate_at_wall(pair, part);
+                    let of_wall = self.surfaces.velocity(self.len() - 1);
+                    let rate = (of_wall - scene.grains.velocity[g]).dot(part.normal);
                     self.coupling.push(rate, scene.size_at_wall(g), old);
                 }
             }
