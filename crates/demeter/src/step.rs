@@ -11,6 +11,7 @@ pub use coupled::{CouplingMemory, Effort};
 use crate::contacts::sum::{Collector, Work};
 use crate::contacts::{ContactChunk, Fault, Scene};
 use crate::particles::Outside;
+use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::simulation::profile::{Part, Profile};
 use crate::simulation::{Counts, Phase, Simulation};
 use demeter_physics::integrator::Integrator;
@@ -37,6 +38,8 @@ impl Simulation {
         }
         self.step += 1;
         self.took(Phase::Other);
+        let spreads = self.grains.len().div_ceil(GRAINS_OF_A_SPREAD);
+        self.spreads.resize(spreads, Spread::ANY);
         self.deform_box();
         let motion = self.move_and_exchange(Self::move_grains);
         let motion = self.beyond_affine(self.motion_of_all(motion));
@@ -168,7 +171,7 @@ impl Simulation {
         if self.coupling.is_some() {
             return self.find_coupled_contacts(max_speed);
         }
-        let mut scene = Scene {
+        let scene = Scene {
             grains: &self.grains,
             walls: &self.walls,
             materials: &self.materials,
@@ -183,14 +186,23 @@ impl Simulation {
             stride: self.contacts.stride,
             resists_rolling: self.resists_rolling,
             records_walls: self.records_walls,
-            near: None,
             instructions: self.instructions,
             bulge: &[],
         };
-        let window = scene.widest_window();
-        scene.near = (self.near).advance(motion.max_step, window);
         let (own, segments) = (self.own_grains(), self.segments_here());
         let (neighbours, profile) = (&self.neighbours, self.profile.as_deref());
+        // images across the sides of a box that deforms move, too, and a predictor-corrector is not bounded by velocities
+        let are_bounded = self.integrator == Integrator::VelocityVerlet && !scene.is_deforming();
+        let spreads = are_bounded.then_some(&self.spreads[..]);
+        let approach = |segment: usize| {
+            let Some(spreads) = spreads else {
+                return (2.0 * motion.max_step, scene.widest_window());
+            };
+            let nearer = neighbours.approach(segment, spreads) * scene.dt;
+            (nearer, scene.window(0.5 * nearer))
+        };
+        self.near.advance(segments.clone(), approach);
+        let near = &self.near;
         let work = Work {
             neighbours,
             segments,
@@ -199,7 +211,9 @@ impl Simulation {
             waits: scene.is_deforming(),
             step: |c: usize, chunk: &mut ContactChunk, collector: &mut Collector| {
                 let mut clock = Profile::chunk(profile);
-                chunk.step_pairs(neighbours.chunk(c), &scene, collector, || clock.took(Part::Narrow));
+                let reach = near.reach(neighbours.segment_of_chunk(c));
+                let found = || clock.took(Part::Narrow);
+                chunk.step_pairs(neighbours.chunk(c), reach, &scene, collector, found);
                 clock.took(Part::Laws);
             },
             at_walls: |c: usize, chunk: &mut ContactChunk| {

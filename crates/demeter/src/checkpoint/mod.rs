@@ -29,7 +29,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// Version of the format. It grows with every change of the layout or of the type of the payload.
-pub const FORMAT: u32 = 12;
+pub const FORMAT: u32 = 13;
 
 /// File name of the latest checkpoint of a run.
 pub const LATEST: &str = "checkpoint.latest";

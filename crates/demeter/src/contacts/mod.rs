@@ -29,7 +29,7 @@ mod wall_contacts;
 pub use coupling::Coupling;
 pub use fault::Fault;
 pub use narrow::Scene;
-pub use near::NearTable;
+pub use near::NearTables;
 pub use transfer::{CarriedContact, ContactKey};
 
 pub use crate::neighbours::CHUNK;

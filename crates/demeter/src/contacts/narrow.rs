@@ -53,8 +53,6 @@ pub struct Scene<'a> {
     pub resists_rolling: bool,
     /// Whether some wall records what contacts do to it.
     pub records_walls: bool,
-    /// How far beyond touching pairs of grains that may act are looked for in this step, where they are [m].
-    pub near: Option<f64>,
     /// Instructions to use.
     pub instructions: Instructions,
     /// How far the surface of every grain may bulge towards others [m]; empty where contacts are independent.
@@ -64,7 +62,11 @@ pub struct Scene<'a> {
 impl Scene<'_> {
     /// Distance beyond touching at which bodies may act on each other in this step [m].
     pub(crate) fn widest_window(&self) -> f64 {
-        let window = self.max_speed * self.dt;
+        self.window(self.max_speed * self.dt)
+    }
+
+    /// The same, told by how much nearer two bodies come in half of a step [m].
+    pub(crate) fn window(&self, window: f64) -> f64 {
         if self.max_reach > 0.0 {
             self.max_reach + 2.0 * window
         } else {
@@ -117,17 +119,18 @@ thread_local! {
 
 impl ContactChunk {
     /// Finds the forces between grains of the pairs of a chunk that do not feel each other; those that may act are looked for
-    /// where the scene tells so. What they do is handed over.
+    /// where they are told a `reach` beyond touching [m]. What they do is handed over.
     /// `found_all` is called when contacts are known.
     pub(crate) fn step_pairs(
         &mut self,
         (pairs, law): (&[Pair], u32),
+        reach: Option<f64>,
         scene: &Scene,
         collector: &mut Collector,
         found_all: impl FnOnce(),
     ) {
         self.begin(0, law);
-        if let Some(reach) = scene.near {
+        if let Some(reach) = reach {
             // what is needed in between lies in memory of the thread, which stays in its caches from chunk to chunk
             WORKSPACE.with_borrow_mut(|(found, before)| {
                 std::mem::swap(before, &mut self.before);

@@ -8,9 +8,10 @@ use super::meetings::{Lot, Meeting, lanes_below};
 use crate::neighbours::Pair;
 use demeter_physics::lanes::{Kernel, Lanes, Mask, Vector};
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// The table shall serve for so many steps.
-const STEPS: f64 = 8.0;
+const STEPS: f64 = 24.0;
 
 /// Looking for contacts costs as much as this share of the pairs that come into the table with a reach of the mean radius.
 const SEARCH: f64 = 0.1;
@@ -18,48 +19,105 @@ const SEARCH: f64 = 0.1;
 /// The least and the most that the reach goes beyond what acts in one step, as shares of the mean radius.
 const ROOM: (f64, f64) = (1e-5, 0.1);
 
-/// How far the table of contacts reaches.
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
-pub struct NearTable {
+/// Rounding of places may bring two grains nearer by this share of the mean radius in a step.
+const ROUNDING: f64 = 1e-12;
+
+/// How far the table of contacts of a segment reaches.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+struct NearTable {
     /// Distance beyond touching of the candidates in the table [m].
     reach: f64,
     /// How much nearer two grains can have come since [m].
     approached: f64,
-    /// Mean radius of the grains [m].
-    mean_radius: f64,
 }
 
 impl NearTable {
-    /// Notes a step in which no grain moved farther than `moved`. Tells the reach to look for contacts with where the table
+    /// A table that does not serve.
+    const NONE: Self = Self {
+        reach: 0.0,
+        approached: f64::INFINITY,
+    };
+
+    /// Notes a step in which no two grains came `nearer` than by this. Tells the reach to look for contacts with where the table
     /// does not serve any more: some candidate outside of it may be as near as `window`.
-    pub(crate) fn advance(&mut self, moved: f64, window: f64) -> Option<f64> {
-        self.approached += 2.0 * moved;
+    fn advance(&mut self, nearer: f64, window: f64, mean_radius: f64) -> Option<f64> {
+        let nearer = nearer + ROUNDING * mean_radius;
+        self.approached += nearer;
         // not a number serves no more
         if self.approached + window <= self.reach {
             return None;
         }
         // a step costs `SEARCH nearer/room + room/mean_radius`: least where both are the same
-        let nearer = 2.0 * moved;
-        let best = (STEPS * nearer).min((SEARCH * nearer * self.mean_radius).sqrt());
+        let best = (STEPS * nearer).min((SEARCH * nearer * mean_radius).sqrt());
         // where motion is not bounded, the table serves for one step
         let room = if best.is_finite() { best } else { 0.0 };
-        self.reach = window + room.clamp(ROOM.0 * self.mean_radius, ROOM.1 * self.mean_radius);
+        self.reach = window + room.clamp(ROOM.0 * mean_radius, ROOM.1 * mean_radius);
         self.approached = 0.0;
         Some(self.reach)
     }
+}
 
-    /// Has the contacts looked for in the next step, among new candidates.
-    pub(crate) fn forget(&mut self, mean_radius: f64) {
-        *self = Self {
-            reach: 0.0,
-            approached: f64::INFINITY,
-            mean_radius,
-        };
+/// How far the table of contacts reaches in every segment: where grains move together it need not reach as far as where they meet.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct NearTables {
+    of_segments: Vec<NearTable>,
+    /// Mean radius of the grains [m].
+    mean_radius: f64,
+    /// The reach to look for contacts with in this step.
+    #[serde(skip)]
+    reach: Vec<Option<f64>>,
+}
+
+impl NearTables {
+    /// Notes a step. `approach` tells of a segment how much nearer two grains came at most, and within which window they may act [m].
+    /// The others have no table here.
+    pub(crate) fn advance(&mut self, segments: Range<usize>, approach: impl Fn(usize) -> (f64, f64)) {
+        self.reach.resize(self.of_segments.len(), None);
+        for segment in segments {
+            let (nearer, window) = approach(segment);
+            self.reach[segment] = self.of_segments[segment].advance(nearer, window, self.mean_radius);
+        }
     }
 
-    /// Whether its numbers are possible, as they are unless a file was tampered with.
-    pub(crate) fn is_sound(&self) -> bool {
-        self.reach >= 0.0 && self.approached >= 0.0 && self.mean_radius >= 0.0
+    pub(crate) fn segments(&self) -> usize {
+        self.of_segments.len()
+    }
+
+    /// The tables of some segments.
+    pub(crate) fn of_segments(&self, segments: Range<usize>) -> Self {
+        Self {
+            of_segments: self.of_segments[segments].to_vec(),
+            mean_radius: self.mean_radius,
+            reach: Vec::new(),
+        }
+    }
+
+    /// The tables of segments that follow each other.
+    pub(crate) fn joined(parts: Vec<Self>) -> Self {
+        Self {
+            mean_radius: parts.first().map_or(0.0, |part| part.mean_radius),
+            of_segments: parts.into_iter().flat_map(|part| part.of_segments).collect(),
+            reach: Vec::new(),
+        }
+    }
+
+    /// The reach to look for the contacts of a segment with in this step; none where its table serves.
+    #[inline(always)]
+    pub(crate) fn reach(&self, segment: usize) -> Option<f64> {
+        self.reach[segment]
+    }
+
+    /// Has the contacts looked for in the next step, among new candidates.
+    pub(crate) fn forget(&mut self, segments: usize, mean_radius: f64) {
+        self.of_segments.clear();
+        self.of_segments.resize(segments, NearTable::NONE);
+        self.mean_radius = mean_radius;
+    }
+
+    /// Whether there are as many as segments, and the numbers are possible, as they are unless a file was tampered with.
+    pub(crate) fn are_sound(&self, segments: usize) -> bool {
+        let is_sound = |table: &NearTable| table.reach >= 0.0 && table.approached >= 0.0;
+        self.of_segments.len() == segments && self.mean_radius >= 0.0 && self.of_segments.iter().all(is_sound)
     }
 }
 
@@ -101,5 +159,47 @@ impl Kernel for FindNear<'_> {
             }
         }
         near.truncate(found);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_of_grains_that_move_together_are_narrow_and_serve_long() {
+        let mut tables = NearTables::default();
+        tables.forget(3, 1.0);
+        // segments whose grains come nearer by so much in a step
+        let nearer = [1e-3, 1e-6, 0.0];
+        let mut looked = [0u32; 3];
+        for step in 0..1000 {
+            let before = tables.clone();
+            tables.advance(0..3, |segment| (nearer[segment], 0.5 * nearer[segment]));
+            for segment in 0..3 {
+                let Some(reach) = tables.reach(segment) else {
+                    // nobody outside has come as near as to act
+                    let (table, was) = (&tables.of_segments[segment], &before.of_segments[segment]);
+                    assert!(table.reach == was.reach && table.approached + 0.5 * nearer[segment] <= table.reach);
+                    continue;
+                };
+                assert!(
+                    reach > 0.5 * nearer[segment],
+                    "{reach} of segment {segment} in step {step}"
+                );
+                looked[segment] += 1;
+            }
+        }
+        // fast ones as often as looking is worth it, others after so many steps
+        assert!(
+            (80..130).contains(&looked[0]) && (35..50).contains(&looked[1]) && looked[2] == 1,
+            "{looked:?}"
+        );
+        let reach = |segment: usize| tables.of_segments[segment].reach;
+        assert!(reach(1) < 0.1 * reach(0) && reach(2) < reach(1));
+        // motion that is not bounded
+        tables.advance(1..2, |_| (f64::INFINITY, 0.1));
+        tables.advance(1..2, |_| (f64::NAN, 0.1));
+        assert!(tables.reach(1).is_some_and(|reach| reach > 0.1) && tables.are_sound(3) && !tables.are_sound(2));
     }
 }

@@ -27,7 +27,6 @@ mod visit;
 
 pub(crate) use classes::SizeClasses;
 pub use order::{GONE, SpatialOrder};
-pub(crate) use search::LEAST_OF_A_SEGMENT;
 pub use search::SearchEffort;
 pub(crate) use shared::SegmentsOfCandidates;
 pub use table::CHUNK;
@@ -35,6 +34,7 @@ pub(crate) use vicinity::{Bounds, BoxesOfClasses, CORNERS, Reach, Vicinity};
 
 use crate::comm::Single;
 use crate::materials::Materials;
+use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::particles::{Grains, Rows};
 use crate::walls::{Pose, Wall};
 use incidence::Incidence;
@@ -255,6 +255,32 @@ impl Neighbours {
     /// Chunks of pairs with walls of a segment.
     pub(crate) fn wall_chunks_of_segment(&self, segment: usize) -> Range<usize> {
         self.walls.chunks_of(segment)
+    }
+
+    /// The segment of a chunk.
+    #[inline(always)]
+    pub(crate) fn segment_of_chunk(&self, chunk: usize) -> usize {
+        self.pairs.table.segment_of(chunk)
+    }
+
+    /// Stretches whose velocities are bounded together of a segment.
+    pub(crate) fn spreads_of_segment(&self, segment: usize) -> Range<usize> {
+        let grains = self.grains_of_segment(segment);
+        grains.start / GRAINS_OF_A_SPREAD..grains.end.div_ceil(GRAINS_OF_A_SPREAD)
+    }
+
+    /// Bounds of the velocities of the grains of a segment.
+    pub(crate) fn spread_of(&self, segment: usize, spreads: &[Spread]) -> Spread {
+        let of = &spreads[self.spreads_of_segment(segment)];
+        of.iter().copied().fold(Spread::NONE, Spread::join)
+    }
+
+    /// A speed with which no two grains approach each other faster whose pair belongs to a segment [m/s].
+    pub(crate) fn approach(&self, segment: usize, spreads: &[Spread]) -> f64 {
+        let own = self.spread_of(segment, spreads);
+        let others = self.pairs.others_of(segment).iter();
+        let against = others.map(|&other| own.against(&self.spread_of(other as usize, spreads)));
+        against.fold(own.against(&own), f64::max)
     }
 
     /// Whether the pairs of a segment are of several laws, so that its chunks do not follow each other in the order of the sums.

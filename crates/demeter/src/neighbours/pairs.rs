@@ -20,6 +20,9 @@ pub(super) struct PairTable {
     /// For every segment where the pairs of each later grain begin, in the order of the sums.
     #[serde(skip)]
     starts: Vec<Vec<u32>>,
+    /// For every segment the others with the earlier grains of its pairs.
+    #[serde(skip)]
+    others: Vec<Vec<u32>>,
     /// Pairs that the task of each segment found and whose later grain belongs to another.
     #[serde(skip)]
     strays_found: Vec<Vec<Pair>>,
@@ -58,6 +61,7 @@ impl PairTable {
         let segments = grains.div_ceil(per_segment);
         self.strays_found.resize_with(segments, Vec::new);
         self.starts.resize_with(segments, Vec::new);
+        self.others.resize_with(segments, Vec::new);
         self.table.segments.resize_with(segments, Segment::default);
         let found = self.table.segments.par_iter_mut().zip(&mut self.strays_found);
         found.map(|(segment, strays)| {
@@ -106,12 +110,13 @@ impl PairTable {
         let per_segment = self.per_segment;
         let (strays, first_strays) = (&self.strays, &self.first_strays);
         (self.table.segments.par_iter_mut().enumerate())
-            .zip(&mut self.starts)
-            .for_each(|((s, segment), starts)| {
+            .zip(self.starts.par_iter_mut().zip(&mut self.others))
+            .for_each(|((s, segment), (starts, others))| {
                 let strays = &strays[first_strays[s] as usize..first_strays[s + 1] as usize];
                 let first = s * per_segment;
                 let own = (grains - first).min(per_segment);
                 with_sorter(&mut |sorter| sorter.fill(segment, starts, strays, (first, own), &law));
+                find_others(&segment.candidates, s, per_segment, others);
             });
         self.table.cut();
     }
@@ -136,7 +141,9 @@ impl PairTable {
         }
         self.starts.resize_with(self.table.segments.len(), Vec::new);
         let mut is_in_order = true;
-        for (s, (segment, starts)) in self.table.segments.iter_mut().zip(&mut self.starts).enumerate() {
+        self.others.resize_with(self.table.segments.len(), Vec::new);
+        let lists = self.starts.iter_mut().zip(&mut self.others);
+        for (s, (segment, (starts, others))) in self.table.segments.iter_mut().zip(lists).enumerate() {
             let mut order: Vec<u32> = (0..segment.candidates.len() as u32).collect();
             let key = |k: u32| segment.candidates[k as usize].key();
             order.sort_unstable_by_key(|&k| key(k));
@@ -147,11 +154,17 @@ impl PairTable {
                 order.partition_point(|&k| (segment.candidates[k as usize].later() as usize) < grain) as u32
             }));
             segment.span = span(&segment.candidates);
+            find_others(&segment.candidates, s, per_segment, others);
             segment.order = if segment.runs.len() > 1 { order } else { Vec::new() };
             is_in_order &= segment.runs.len() > 1 || segment.candidates.is_sorted_by_key(Pair::key);
         }
         self.table.cut();
         is_in_order
+    }
+
+    /// The other segments with the earlier grains of the pairs of a segment.
+    pub(super) fn others_of(&self, segment: usize) -> &[u32] {
+        &self.others[segment]
     }
 
     /// Chunk and place in it of the pair of two grains.
@@ -193,9 +206,25 @@ impl PairTable {
     pub(super) fn bytes(&self) -> (usize, usize) {
         let found: usize = self.strays_found.iter().map(Vec::capacity).sum();
         let starts: usize = self.starts.iter().map(|s| s.capacity() * size_of::<u32>()).sum();
+        let others: usize = self.others.iter().map(|s| s.capacity() * size_of::<u32>()).sum();
         let strays = (found + self.strays.capacity()) * size_of::<Pair>();
         let firsts = self.first_strays.capacity() * size_of::<u32>();
-        (self.table.bytes() + starts, strays + firsts)
+        (self.table.bytes() + starts + others, strays + firsts)
+    }
+}
+
+/// Finds the other segments with the earlier grains of the pairs of a segment.
+fn find_others(pairs: &[Pair], segment: usize, per_segment: usize, others: &mut Vec<u32>) {
+    others.clear();
+    let mut last = segment;
+    for pair in pairs {
+        let other = pair.earlier() as usize / per_segment;
+        if other != last && other != segment {
+            last = other;
+            if !others.contains(&(other as u32)) {
+                others.push(other as u32);
+            }
+        }
     }
 }
 

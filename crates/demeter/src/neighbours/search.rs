@@ -10,6 +10,7 @@ use super::{Pair, WallPair};
 use crate::comm::Single;
 use crate::materials::Materials;
 use crate::particles::Grains;
+use crate::particles::spread::GRAINS_OF_A_SPREAD;
 use crate::walls::Wall;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -18,7 +19,7 @@ use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 /// Grains handled by one task; more where there are many pairs of materials, so that chunks are worth their while.
-pub(crate) const LEAST_OF_A_SEGMENT: usize = 512;
+const LEAST_OF_A_SEGMENT: usize = GRAINS_OF_A_SPREAD;
 
 /// Pairs of materials that a task of so many grains serves well.
 const FEW_LAWS: usize = 4;

@@ -280,6 +280,12 @@ impl<C> Table<C> {
         (&candidates[place.start as usize..place.end as usize], place.law)
     }
 
+    /// The segment of a chunk.
+    #[inline(always)]
+    pub(super) fn segment_of(&self, chunk: usize) -> usize {
+        self.places[chunk].segment as usize
+    }
+
     /// Candidates in the chunks before one.
     #[inline(always)]
     pub(super) fn before(&self, chunk: usize) -> usize {

@@ -5,6 +5,7 @@ mod domain;
 mod interior;
 mod origins;
 mod rows;
+pub(crate) mod spread;
 mod zone;
 
 pub use by_id::ById;

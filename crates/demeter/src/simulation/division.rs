@@ -17,8 +17,9 @@ mod near;
 
 use super::Simulation;
 use crate::comm::{Message, Ranks, Traffic};
-use crate::contacts::{ContactChunk, Contacts};
+use crate::contacts::{ContactChunk, Contacts, NearTables};
 use crate::neighbours::{Neighbours, SearchEffort, SegmentsOfCandidates};
+use crate::particles::spread::Spread;
 use crate::particles::{Row, Rows};
 use near::SizesOfAll;
 use serde::{Deserialize, Serialize};
@@ -34,6 +35,9 @@ const WORK_OF_A_GRAIN: usize = 4;
 
 /// Numbers of a grain that others hear in every step: place, velocity, angular velocity.
 const NUMBERS: usize = 9;
+
+/// Numbers of a segment that others hear of: bounds of its velocities.
+const NUMBERS_OF_A_SPREAD: usize = 6;
 
 /// How a run is shared, as one process sees it.
 #[derive(Debug)]
@@ -53,7 +57,7 @@ pub(crate) struct Division {
     tells_of: Vec<bool>,
     is_whole: bool,
     /// The divided tables while those of the whole are in place, and how often tables had been found by then.
-    aside: Option<(u64, Box<(Neighbours, Contacts)>)>,
+    aside: Option<(u64, Box<(Neighbours, Contacts, NearTables)>)>,
     /// Work of the busiest process over the mean: now, and right after grains were divided.
     imbalance: f64,
     imbalance_when_divided: f64,
@@ -68,6 +72,9 @@ pub(crate) struct Division {
 struct Border {
     tell: Vec<u32>,
     hear: Vec<u32>,
+    /// Segments of both.
+    tell_segments: Vec<u32>,
+    hear_segments: Vec<u32>,
     /// Pairs of these grains, in the same order on both sides: where contacts feel each other.
     pairs: Vec<coupled::PairAcross>,
 }
@@ -113,6 +120,9 @@ pub struct Sharing {
 struct Tables {
     /// Where the grains were when the candidates were found.
     reference: Vec<Row>,
+    near: NearTables,
+    /// How the grains move in this step, segment by segment.
+    spreads: Vec<Spread>,
     candidates: SegmentsOfCandidates,
     pairs: Vec<ContactChunk>,
     walls: Vec<ContactChunk>,
@@ -214,17 +224,30 @@ impl Division {
                 list.sort_unstable();
                 list.dedup();
             }
+            let segments = |grains: &[u32]| {
+                let mut segments: Vec<u32> = grains.iter().map(|&g| g / per_segment as u32).collect();
+                segments.dedup();
+                segments
+            };
+            let (tell_segments, hear_segments) = (segments(&tell), segments(&hear));
+            let numbers =
+                |grains: &[u32], segments: &[u32]| NUMBERS * grains.len() + NUMBERS_OF_A_SPREAD * segments.len();
             self.messages.push(Message {
                 rank,
-                tell: Vec::with_capacity(NUMBERS * tell.len()),
-                hear: vec![0.0; NUMBERS * hear.len()],
+                tell: Vec::with_capacity(numbers(&tell, &tell_segments)),
+                hear: vec![0.0; numbers(&hear, &hear_segments)],
             });
             self.coupled_messages.push(Message {
                 rank,
                 ..Message::default()
             });
-            let pairs = Vec::new();
-            self.borders.push(Border { tell, hear, pairs });
+            self.borders.push(Border {
+                tell,
+                hear,
+                tell_segments,
+                hear_segments,
+                pairs: Vec::new(),
+            });
         }
         if are_coupled {
             self.find_pairs_across(neighbours, per_segment);
@@ -382,7 +405,7 @@ impl Simulation {
         };
         division.is_whole = false;
         match division.aside.take() {
-            Some((tables, aside)) if tables == self.tables => (self.neighbours, self.contacts) = *aside,
+            Some((tables, aside)) if tables == self.tables => (self.neighbours, self.contacts, self.near) = *aside,
             _ => {
                 division.cut(&self.neighbours, self.grains.len());
                 division.sizes = SizesOfAll::of(&self.grains, self.neighbours.grains_per_segment());
@@ -420,21 +443,32 @@ impl Simulation {
         let (first_walls, last_walls) = of_own(Neighbours::wall_chunks_of_segment);
         let mine = encode(&Tables {
             reference: self.neighbours.reference.rows()[division.own.clone()].to_vec(),
+            near: self.near.of_segments(own.clone()),
+            spreads: own
+                .clone()
+                .map(|s| self.neighbours.spread_of(s, &self.spreads))
+                .collect(),
             candidates: self.neighbours.of_segments(own),
             pairs: chunks(&self.contacts.pairs, first, last),
             walls: chunks(&self.contacts.walls, first_walls, last_walls),
         });
         let (mut candidates, mut pairs, mut walls) = (Vec::new(), Vec::new(), Vec::new());
         let mut reference = Rows::default();
+        let (mut near, mut spreads) = (Vec::new(), Vec::new());
         for of in division.ranks.gather(&mine) {
             let tables: Tables = division.decode(&of);
             tables
                 .reference
                 .iter()
                 .for_each(|row| reference.push(row.vector, row.scalar));
+            near.push(tables.near);
+            spreads.extend(tables.spreads);
             candidates.push(tables.candidates);
             pairs.extend(tables.pairs);
             walls.extend(tables.walls);
+        }
+        for (segment, spread) in spreads.into_iter().enumerate() {
+            self.spreads[self.neighbours.spreads_of_segment(segment)].fill(spread);
         }
         let mut whole = self.neighbours.with_candidates(candidates);
         whole.reference = reference;
@@ -447,6 +481,7 @@ impl Simulation {
         let aside = (
             std::mem::replace(&mut self.neighbours, whole),
             std::mem::replace(&mut self.contacts, contacts),
+            std::mem::replace(&mut self.near, NearTables::joined(near)),
         );
         self.restore_neighbours(&division);
         division.aside = Some((self.tables, Box::new(aside)));

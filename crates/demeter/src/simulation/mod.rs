@@ -44,9 +44,10 @@ use time_step::largest_reach;
 use crate::comm::Single;
 use crate::contacts::step_work::StepWork;
 use crate::contacts::sum::Sums;
-use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTable, laws};
+use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTables, laws};
 use crate::materials::Materials;
 use crate::neighbours::{Bounds, Neighbours, SpatialOrder};
+use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::CouplingState;
 use crate::threads::Awake;
@@ -109,7 +110,9 @@ pub struct Simulation {
     pub(crate) neighbours: Neighbours,
     pub(crate) skin: f64,
     pub(crate) tuner: SkinTuner,
-    pub(crate) near: NearTable,
+    pub(crate) near: NearTables,
+    /// How the grains move, by stretches of [`GRAINS_OF_A_SPREAD`] behind each other.
+    pub(crate) spreads: Vec<Spread>,
     /// Largest gap across which any law acts [m]; candidates are found that much farther away.
     pub(crate) max_reach: f64,
     pub(crate) max_overlap: f64,
@@ -196,7 +199,8 @@ impl Simulation {
             books: Books::default(),
             neighbours,
             skin: setup.skin.first(),
-            near: NearTable::default(),
+            near: NearTables::default(),
+            spreads: Vec::new(),
             max_reach,
             max_overlap: setup.max_overlap,
             coupling,
@@ -353,7 +357,12 @@ impl Simulation {
         self.contacts.hand_over(&self.neighbours, moved_to);
         self.tuner.note_rebuild(self.step);
         let mean_radius = self.mean_radius();
-        self.near.forget(mean_radius);
+        self.near.forget(self.neighbours.segments(), mean_radius);
+        if is_moved {
+            let stretches = self.grains.velocity.rows().chunks(GRAINS_OF_A_SPREAD);
+            self.spreads.clear();
+            self.spreads.extend(stretches.map(Spread::of));
+        }
         self.note_candidates_of_box();
         let around = vicinity.map_or_else(|| Bounds::of_grains(self.grains.position.rows()), |v| v.surfaces);
         let margin = self.skin + self.beyond_touch();

@@ -3,9 +3,10 @@
 use super::deforming_box::DeformingState;
 use super::skin::SkinTuner;
 use super::{Books, Setup, Simulation};
-use crate::contacts::{CarriedContact, NearTable};
+use crate::contacts::{CarriedContact, NearTables};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
+use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::step::CouplingMemory;
 use crate::walls::{Wall, WallState};
 use demeter_physics::integrator::Integrator;
@@ -30,7 +31,7 @@ pub struct SimulationState {
     scattered_in_order: f64,
     skin: f64,
     tuner: SkinTuner,
-    near: NearTable,
+    near: NearTables,
     bounds: (DVec3, DVec3),
     max_reach: f64,
     latest_id: u32,
@@ -112,7 +113,7 @@ impl SimulationState {
             Err(StateError::Inconsistent("a grain's material"))
         } else if !self.tuner.fits(self.skin, self.step) {
             Err(StateError::Inconsistent("the skin"))
-        } else if !self.near.is_sound() {
+        } else if !self.near.are_sound(self.neighbours.segments()) {
             Err(StateError::Inconsistent("the reach of the table of contacts"))
         } else if !self.deforming.as_ref().is_none_or(|d| d.is_sound(self.dt)) {
             Err(StateError::Inconsistent("the box that deforms"))
@@ -139,7 +140,7 @@ impl Simulation {
             scattered_in_order: self.scattered_in_order,
             skin: self.skin,
             tuner: self.tuner,
-            near: self.near,
+            near: self.near.of_segments(0..self.near.segments()),
             bounds: self.bounds,
             max_reach: self.max_reach,
             latest_id: self.latest_id,
@@ -167,6 +168,8 @@ impl Simulation {
         sim.dt = state.dt;
         sim.books = state.books;
         sim.rebuilds = state.rebuilds;
+        let spreads = sim.grains.len().div_ceil(GRAINS_OF_A_SPREAD);
+        sim.spreads.resize(spreads, Spread::ANY);
         sim.scattered_in_order = state.scattered_in_order;
         (sim.skin, sim.tuner, sim.near) = (state.skin, state.tuner, state.near);
         sim.bounds = state.bounds;

@@ -287,7 +287,6 @@ impl Simulation {
             stride,
             resists_rolling: self.resists_rolling,
             records_walls: self.records_walls,
-            near: None,
             instructions: self.instructions,
             bulge: &state.memory.bulge,
         })

@@ -2,8 +2,8 @@
 
 use super::{GRAINS_PER_TASK, Motion, first_by_id};
 use crate::contacts::sum::GrainSums;
-use crate::neighbours::LEAST_OF_A_SEGMENT;
 use crate::particles::Domain;
+use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::simulation::Simulation;
 use crate::threads::{Divisible, divide};
 use demeter_physics::integrator::rotate_wide;
@@ -20,6 +20,7 @@ impl Simulation {
         let grains = &mut self.grains;
         let all = Drift {
             first: some.start,
+            spreads: &mut self.spreads[some.start / GRAINS_OF_A_SPREAD..some.end.div_ceil(GRAINS_OF_A_SPREAD)],
             position: &mut grains.position.table_mut()[some.clone()],
             velocity: &mut grains.velocity.table_mut()[some.clone()],
             spin: &mut grains.angular_velocity.table_mut()[some.clone()],
@@ -31,8 +32,7 @@ impl Simulation {
             domain: &domain,
         };
         let drift = |some: Drift| lanes::run(instructions, some);
-        // the bounds of the speeds depend on how grains are cut: everywhere where segments of candidates may end
-        divide(all, LEAST_OF_A_SEGMENT, &drift, &Motion::merge)
+        divide(all, GRAINS_OF_A_SPREAD, &drift, &Motion::merge)
     }
 
     /// Sum per grain, body force, and the kick over `correction` [s] that corrects the predicted velocity. Tells the first
@@ -64,6 +64,7 @@ impl Simulation {
 struct Drift<'a> {
     /// Index of the first of them.
     first: usize,
+    spreads: &'a mut [Spread],
     position: &'a mut [[f64; 4]],
     velocity: &'a mut [[f64; 4]],
     spin: &'a mut [[f64; 4]],
@@ -81,6 +82,7 @@ impl Divisible for Drift<'_> {
     }
 
     fn split(self, first: usize) -> (Self, Self) {
+        let (spreads, other_spreads) = self.spreads.split_at_mut(first / GRAINS_OF_A_SPREAD);
         let (position, positions) = self.position.split_at_mut(first);
         let (velocity, velocities) = self.velocity.split_at_mut(first);
         let (spin, spins) = self.spin.split_at_mut(first);
@@ -90,6 +92,7 @@ impl Divisible for Drift<'_> {
         let (reference, references) = self.reference.split_at(first);
         let others = Self {
             first: self.first + first,
+            spreads: other_spreads,
             position: positions,
             velocity: velocities,
             spin: spins,
@@ -100,6 +103,7 @@ impl Divisible for Drift<'_> {
             ..self
         };
         let some = Self {
+            spreads,
             position,
             velocity,
             spin,
@@ -134,7 +138,7 @@ impl Kernel for Drift<'_> {
         let (velocity, spin) = (&mut self.velocity[..count], &mut self.spin[..count]);
         let (force, torque) = (&self.force[..count], &self.torque[..count]);
         let reference = &self.reference[..count];
-        let (mut speed, mut middle_speed) = (L::Quad::all(0.0), L::Quad::all(0.0));
+        let (mut of_middle, mut of_end) = (Bounds::<L::Quad>::nothing(), Bounds::<L::Quad>::nothing());
         let mut displacement2 = L::splat(0.0);
         let mut misplaced = None;
         for k in (0..count).step_by(L::COUNT) {
@@ -153,8 +157,8 @@ impl Kernel for Drift<'_> {
                 spin[g] = (middle_spin + twist).store();
                 *turning = middle_spin.store();
                 *displacement = (place - L::Quad::load(&reference[g])).store();
-                speed = speed.largest(ahead);
-                middle_speed = middle_speed.largest(middle);
+                of_end.include(ahead);
+                of_middle.include(middle);
                 if !place.lies_within(lower, upper) && misplaced.is_none() {
                     misplaced = Some(self.first + g);
                 }
@@ -165,9 +169,14 @@ impl Kernel for Drift<'_> {
             turn::<L>(&mut self.orientation[here], &spins, dt);
         }
         let displacement2 = displacement2.to_array().into_iter().fold(0.0, f64::max);
+        let (middle, ahead) = (of_middle.spread(), of_end.spread());
+        // a piece has a spread of its own
+        if let Some(spread) = self.spreads.first_mut() {
+            *spread = middle.join(ahead);
+        }
         Motion {
-            max_speed: length(speed.store()),
-            max_step: length(middle_speed.store()) * dt,
+            max_speed: ahead.speed(),
+            max_step: middle.speed() * dt,
             max_displacement: displacement2.sqrt(),
             misplaced,
         }
@@ -194,9 +203,35 @@ fn turn_all<L: Lanes>(orientations: &mut [f64], spins: &[[f64; 4]; MOST_LANES], 
     L::put_strided(turned, orientations, 0, 4);
 }
 
-/// A length that none exceeds whose components do not exceed these.
-fn length([x, y, z, _]: [f64; 4]) -> f64 {
-    DVec3::new(x, y, z).length()
+/// Bounds of velocities, the lower with the other sign.
+struct Bounds<Q> {
+    upper: Q,
+    lower: Q,
+}
+
+impl<Q: Quad> Bounds<Q> {
+    #[inline(always)]
+    fn nothing() -> Self {
+        let nothing = Q::all(f64::NEG_INFINITY);
+        Self {
+            upper: nothing,
+            lower: nothing,
+        }
+    }
+
+    #[inline(always)]
+    fn include(&mut self, velocity: Q) {
+        self.upper = self.upper.larger(velocity);
+        self.lower = self.lower.larger(velocity * Q::all(-1.0));
+    }
+
+    fn spread(&self) -> Spread {
+        let vector = |[x, y, z, _]: [f64; 4]| DVec3::new(x, y, z);
+        Spread {
+            lower: -vector(self.lower.store()),
+            upper: vector(self.upper.store()),
+        }
+    }
 }
 
 /// The second half of a step of some grains.

@@ -11,8 +11,8 @@ pub trait Quad: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     fn store(self) -> [f64; 4];
     /// The same number four times.
     fn all(value: f64) -> Self;
-    /// The larger magnitude in each place; that of `self` where `other` is not a number.
-    fn largest(self, other: Self) -> Self;
+    /// The larger number in each place; that of `self` where `other` is not a number.
+    fn larger(self, other: Self) -> Self;
     /// Whether every number is at least `lower` and at most `upper`.
     fn lies_within(self, lower: Self, upper: Self) -> bool;
 }
@@ -55,9 +55,9 @@ impl Quad for Four {
     }
 
     #[inline(always)]
-    fn largest(self, other: Self) -> Self {
+    fn larger(self, other: Self) -> Self {
         let larger = |k: usize| {
-            let (one, other) = (self.0[k].abs(), other.0[k].abs());
+            let (one, other) = (self.0[k], other.0[k]);
             if other > one { other } else { one }
         };
         Self([larger(0), larger(1), larger(2), larger(3)])

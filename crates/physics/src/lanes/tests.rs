@@ -56,12 +56,12 @@ impl Kernel for Everything<'_> {
                     let other = L::Quad::load(&[b, a, -a, -2.0]);
                     let within = one.lies_within(other, L::Quad::all(b));
                     let computed = (one * L::Quad::all(a) + other - one).store();
-                    let each = [computed[0], computed[1], one.largest(other).store()[0], computed[2]];
+                    let each = [computed[0], computed[1], one.larger(other).store()[0], computed[2]];
                     for (quad, value) in quads.iter_mut().zip(each) {
                         quad[lane] = value;
                     }
                     quads[4][lane] = f64::from(u8::from(within));
-                    quads[5][lane] = one.largest(other).store()[3];
+                    quads[5][lane] = one.larger(other).store()[3];
                 }
                 quads
             };

@@ -1,8 +1,9 @@
 //! What processes that share a run tell each other in a step.
 
-use super::{NUMBERS, encode};
+use super::{NUMBERS, NUMBERS_OF_A_SPREAD, encode};
 use crate::contacts::Fault;
 use crate::contacts::step_work::WorkShare;
+use crate::particles::spread::Spread;
 use crate::simulation::Simulation;
 use crate::step::Motion;
 use glam::DVec3;
@@ -99,6 +100,10 @@ impl Simulation {
                     message.tell.extend(vector.to_array());
                 }
             }
+            for &segment in &border.tell_segments {
+                let spread = self.neighbours.spread_of(segment as usize, &self.spreads);
+                message.tell.extend(spread.numbers());
+            }
         }
         let ranks = Arc::clone(&division.ranks);
         let mut messages = std::mem::take(&mut division.messages);
@@ -108,11 +113,17 @@ impl Simulation {
         division.messages = messages;
         for (border, message) in division.borders.iter().zip(&division.messages) {
             let grains = &mut self.grains;
-            for (&g, numbers) in border.hear.iter().zip(message.hear.chunks_exact(NUMBERS)) {
+            let (of_grains, of_segments) = message.hear.split_at(NUMBERS * border.hear.len());
+            for (&g, numbers) in border.hear.iter().zip(of_grains.chunks_exact(NUMBERS)) {
                 let g = g as usize;
                 grains.position[g] = DVec3::from_slice(&numbers[0..3]);
                 grains.velocity[g] = DVec3::from_slice(&numbers[3..6]);
                 grains.angular_velocity[g] = DVec3::from_slice(&numbers[6..9]);
+            }
+            let of_segments = of_segments.chunks_exact(NUMBERS_OF_A_SPREAD);
+            for (&segment, numbers) in border.hear_segments.iter().zip(of_segments) {
+                let spreads = self.neighbours.spreads_of_segment(segment as usize);
+                self.spreads[spreads].fill(Spread::of_numbers(numbers));
             }
         }
     }

@@ -219,9 +219,9 @@ impl Quad for F64x4 {
     }
 
     #[inline(always)]
-    fn largest(self, other: Self) -> Self {
+    fn larger(self, other: Self) -> Self {
         // SAFETY: see the top of the module
-        Self(unsafe { _mm256_max_pd(other.abs().0, self.abs().0) })
+        Self(unsafe { _mm256_max_pd(other.0, self.0) })
     }
 
     #[inline(always)]
