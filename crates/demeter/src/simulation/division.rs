@@ -56,8 +56,8 @@ pub(crate) struct Division {
     /// For every own segment whether others hear of any of its grains.
     tells_of: Vec<bool>,
     is_whole: bool,
-    /// The divided tables while those of the whole are in place, and how often tables had been found by then.
-    aside: Option<(u64, Box<(Neighbours, Contacts, NearTables)>)>,
+    /// The divided tables while those of the whole are in place.
+    aside: Option<Box<Aside>>,
     /// Work of the busiest process over the mean: now, and right after grains were divided.
     imbalance: f64,
     imbalance_when_divided: f64,
@@ -65,6 +65,16 @@ pub(crate) struct Division {
     /// Whether this process wants to end, and whether all know that one does.
     wants_to_end: bool,
     is_asked_to_end: bool,
+}
+
+/// Divided tables.
+#[derive(Debug)]
+struct Aside {
+    /// How often tables had been found when they were.
+    found: u64,
+    neighbours: Neighbours,
+    contacts: Contacts,
+    near: NearTables,
 }
 
 /// Grains of this process that may touch grains of another, by rising indices, and those of the other.
@@ -405,7 +415,9 @@ impl Simulation {
         };
         division.is_whole = false;
         match division.aside.take() {
-            Some((tables, aside)) if tables == self.tables => (self.neighbours, self.contacts, self.near) = *aside,
+            Some(aside) if aside.found == self.tables => {
+                (self.neighbours, self.contacts, self.near) = (aside.neighbours, aside.contacts, aside.near);
+            }
             _ => {
                 division.cut(&self.neighbours, self.grains.len());
                 division.sizes = SizesOfAll::of(&self.grains, self.neighbours.grains_per_segment());
@@ -478,13 +490,14 @@ impl Simulation {
             stride: self.contacts.stride,
             ..Contacts::default()
         };
-        let aside = (
-            std::mem::replace(&mut self.neighbours, whole),
-            std::mem::replace(&mut self.contacts, contacts),
-            std::mem::replace(&mut self.near, NearTables::joined(near)),
-        );
+        let aside = Aside {
+            found: self.tables,
+            neighbours: std::mem::replace(&mut self.neighbours, whole),
+            contacts: std::mem::replace(&mut self.contacts, contacts),
+            near: std::mem::replace(&mut self.near, NearTables::joined(near)),
+        };
         self.restore_neighbours(&division);
-        division.aside = Some((self.tables, Box::new(aside)));
+        division.aside = Some(Box::new(aside));
         division.is_whole = true;
         self.division = Some(division);
     }
