@@ -79,6 +79,7 @@ impl NearTables {
         }
     }
 
+    /// Number of segments.
     pub(crate) fn segments(&self) -> usize {
         self.of_segments.len()
     }
