@@ -183,6 +183,34 @@ impl Ranks for MpiRanks {
         all
     }
 
+    fn tell(&self, rank: usize, mine: &[u8]) {
+        let begun = Instant::now();
+        let world = SimpleCommunicator::world();
+        let other = world.process_at_rank(rank as i32);
+        let what = format!("process {rank} to listen");
+        let length = [mine.len() as u64];
+        scope(|scope| self.wait(other.immediate_send(scope, &length[..]), &what));
+        for part in mine.chunks(AT_ONCE) {
+            scope(|scope| self.wait(other.immediate_send(scope, part), &what));
+        }
+        self.note(begun, |traffic| traffic.gathered_bytes += mine.len() as u64);
+    }
+
+    fn hear(&self, rank: usize) -> Vec<u8> {
+        let begun = Instant::now();
+        let world = SimpleCommunicator::world();
+        let other = world.process_at_rank(rank as i32);
+        let what = format!("process {rank}");
+        let mut length = [0u64];
+        scope(|scope| self.wait(other.immediate_receive_into(scope, &mut length[..]), &what));
+        let mut heard = vec![0u8; length[0] as usize];
+        for part in heard.chunks_mut(AT_ONCE) {
+            scope(|scope| self.wait(other.immediate_receive_into(scope, part), &what));
+        }
+        self.note(begun, |_| ());
+        heard
+    }
+
     fn exchange(&self, messages: &mut [Message], meanwhile: &mut dyn FnMut()) {
         let mut begun = Instant::now();
         let world = SimpleCommunicator::world();

@@ -13,10 +13,12 @@ const MIXER: &str = include_str!("../../demeter/tests/shared_runs/mixer.toml");
 
 const RUN: [&str; 3] = ["run", "mixer.toml", "--threads=1"];
 
-/// What is long enough to be stopped.
-const LONG: [&str; 4] = [
+/// What is long enough to be stopped, most of the time while a frame is gathered.
+const LONG: [&str; 6] = [
     "--set",
     "stage.mix.duration=\"1 s\"",
+    "--set",
+    "output.frames=\"0.01 ms\"",
     "--set",
     "output.checkpoints=\"0.2 ms\"",
 ];
@@ -154,10 +156,34 @@ fn a_process_that_is_killed_ends_the_job_and_leaves_a_checkpoint() {
         .iter()
         .any(|text| said.contains(text));
     assert!(!output.status.success() && is_told, "{said}");
+    expect_to_go_on(&place);
+}
+
+/// Goes on from the latest checkpoint for a while.
+fn expect_to_go_on(place: &Place) {
     let mut resumed = place.command(&["resume", "long", "--json"]);
     let mut resumed = resumed.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
     std::thread::sleep(Duration::from_millis(500));
     assert_eq!(signal(&mut resumed, "INT").code(), Some(130), "it did not go on");
+}
+
+#[test]
+fn a_disk_that_takes_no_more_ends_the_job_and_leaves_a_checkpoint() {
+    let place = mixer();
+    let long = long_run("long");
+    let mut job = started(mpirun(&place, &[&long[..]; 2]), &place, "long/checkpoint.previous");
+    // a folder in the way: no more checkpoints can be written
+    let part = place.path("long/checkpoint.latest.part");
+    let deadline = Instant::now() + Duration::from_secs(60);
+    while std::fs::create_dir(&part).is_err() {
+        assert!(Instant::now() < deadline, "{:?}", job.try_wait());
+    }
+    let output = job.wait_with_output().unwrap();
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success(), "{err}");
+    assert_eq!(err.matches("cannot write checkpoint").count(), 1, "{err}");
+    std::fs::remove_dir(&part).unwrap();
+    expect_to_go_on(&place);
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod cases;
 use cases::ranks::on_ranks;
 use cases::{Case, Laws, law, on_threads, one_material, report};
 use demeter::comm::{Ranks, ShearAxes};
+use demeter::measure::{Moment, measure};
 use demeter::particles::{Domain, Outside};
 use demeter::simulation::{Deformation, Setup, Shear, Simulation};
 use demeter_physics::DVec3;
@@ -157,4 +158,51 @@ fn what_a_process_hears_of_places_does_not_grow_with_the_run() {
         growth < 1.3,
         "twice the grains on twice the processes: {growth} times the bytes of each"
     );
+}
+
+/// Bytes that a rank tells while it does something: to all, to the first.
+fn told_by(sim: &mut Simulation, work: impl FnOnce(&mut Simulation)) -> [u64; 2] {
+    let traffic = |sim: &Simulation| sim.sharing().unwrap().traffic;
+    let before = traffic(sim);
+    work(sim);
+    let after = traffic(sim);
+    assert_eq!(after.messages, before.messages, "neighbours are told nothing");
+    [
+        after.round_bytes - before.round_bytes,
+        after.gathered_bytes - before.gathered_bytes,
+    ]
+}
+
+#[test]
+fn rows_tell_sums_and_only_the_first_process_hears_of_the_whole() {
+    let told = on_ranks(4, |rank| {
+        on_threads(1, || {
+            let mut sim = Simulation::new(duct(128, [false; 3], &[1.0, 0.9]));
+            sim.share(rank);
+            (0..2).for_each(|_| sim.step().unwrap());
+            let row = told_by(&mut sim, |sim| drop(measure(sim, Moment::default(), None)));
+            let whole = told_by(&mut sim, Simulation::bring_together);
+            sim.go_apart();
+            let again = told_by(&mut sim, Simulation::bring_together);
+            sim.go_apart();
+            sim.step().unwrap();
+            let later = told_by(&mut sim, Simulation::bring_grains_together);
+            [row, whole, again, later]
+        })
+    });
+    let own_grains = u64::from(128 * WIDTH * WIDTH / 4);
+    for (rank, [row, whole, again, later]) in told.into_iter().enumerate() {
+        report("bytes of a row that a process tells all", row[0] as f64);
+        report(
+            "bytes of the whole told to the first process, per own grain",
+            whole[1] as f64 / own_grains as f64,
+        );
+        assert!(row[0] > 0 && row[0] < own_grains, "a row told {} bytes to all", row[0]);
+        assert_eq!(row[1], 0, "a row told the first process of grains");
+        // a place alone is 24 bytes
+        let is_told = if rank == 0 { 0..1 } else { 24 * own_grains..u64::MAX };
+        assert!(whole[0] == 0 && is_told.contains(&whole[1]), "rank {rank}: {whole:?}");
+        assert_eq!(again, [0, 0], "the same moment was told twice");
+        assert!(later[0] == 0 && is_told.contains(&later[1]), "rank {rank}: {later:?}");
+    }
 }

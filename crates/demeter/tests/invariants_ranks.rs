@@ -26,6 +26,17 @@ struct Outcome {
     contacts: String,
     /// What a checkpoint holds.
     saved: String,
+    /// What one holds that the first process writes, which alone is told the whole on the way; nothing at others.
+    gathered: Option<String>,
+}
+
+fn at_first(sim: &mut Simulation) -> Option<String> {
+    sim.bring_together();
+    let saved = sim
+        .is_first_process()
+        .then(|| format!("{:?}\n{:?}", sim.state(), contact_records(sim)));
+    sim.go_apart();
+    saved
 }
 
 fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outcome, Option<Sharing>), Fault> {
@@ -38,10 +49,12 @@ fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outco
     for step in 0..steps {
         sim.step()?;
         if step % 10 == 0 {
-            sim.make_whole();
             series += &format!("{:?}\n", measure(&mut sim, Moment::default(), None));
+            // those that hear of it go on with their own as the others do
+            at_first(&mut sim);
         }
     }
+    let gathered = at_first(&mut sim);
     sim.make_whole();
     let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
     let outcome = Outcome {
@@ -49,6 +62,7 @@ fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outco
         contacts: format!("{:?}", contact_records(&sim)),
         saved: format!("{:?}", sim.state()),
         series,
+        gathered,
     };
     Ok((outcome, sim.sharing().filter(|_| sim.shares_nothing().is_none())))
 }
@@ -71,6 +85,10 @@ fn compare(integrator: Integrator, all_ranks: &[usize]) {
                 assert!(outcome.contacts == alone.contacts, "{what}: the contacts differ");
                 assert!(outcome.state == alone.state, "{what}: the state differs");
                 assert_same(&what, &outcome.saved, &alone.saved);
+                assert_eq!(outcome.gathered.is_some(), rank == 0, "{what}");
+                if let (Some(one), Some(other)) = (&outcome.gathered, &alone.gathered) {
+                    assert_same(&what, one, other);
+                }
             }
         }
     }

@@ -3,7 +3,7 @@
 
 mod cases;
 
-use cases::ranks::on_ranks;
+use cases::ranks::{on_ranks, on_ranks_counting};
 use demeter::comm::Ranks;
 use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, resume_shared, run, run_shared};
 use std::collections::BTreeMap;
@@ -34,7 +34,12 @@ const OPTIONS: RunOptions = RunOptions {
 };
 
 fn mixer(changes: &[&str]) -> Scenario {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/shared_runs/mixer.toml");
+    scenario("mixer.toml", changes)
+}
+
+fn scenario(name: &str, changes: &[&str]) -> Scenario {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/shared_runs");
+    let file = folder.join(name);
     let changes: Vec<String> = changes.iter().map(|change| (*change).to_string()).collect();
     Scenario::read(&file, &changes).unwrap_or_else(|faults| panic!("{}", faults.render(false)))
 }
@@ -82,6 +87,50 @@ fn feeds_walls_and_measures_do_not_feel_the_processes() {
         }
         assert_same(&one, &folder);
     }
+}
+
+#[test]
+fn what_is_written_is_told_to_the_first_process_alone() {
+    let place = tempfile::tempdir().unwrap();
+    let told = |name: &str, changes: &[&str]| {
+        let (scenario, folder) = (scenario("bed.toml", changes), place.path().join(name));
+        let ended = on_ranks_counting(3, |rank| share(&scenario, &folder, rank, None));
+        let traffic = |(end, traffic)| {
+            assert_eq!(end, RunEnd::Finished);
+            traffic
+        };
+        ended.into_iter().map(traffic).collect::<Vec<_>>()
+    };
+    let often = told("often", &[]);
+    let once = told(
+        "once",
+        &[
+            "output.series=\"1 s\"",
+            "output.frames=\"1 s\"",
+            "output.checkpoints=\"1 s\"",
+            "output.picture=false",
+        ],
+    );
+    let grains = 3600 / 3;
+    for (rank, (often, once)) in often.iter().zip(&once).enumerate() {
+        assert_eq!(
+            (often.bytes, often.messages),
+            (once.bytes, once.messages),
+            "rank {rank}"
+        );
+        // nine rows more, each of sums; a place of each grain would be 24 bytes every time
+        let to_all = often.round_bytes - once.round_bytes;
+        assert!(to_all < 9 * 2 * grains, "rank {rank} told all {to_all} bytes more");
+        let to_first = often.gathered_bytes - once.gathered_bytes;
+        assert_eq!(
+            to_first > 0,
+            rank > 0,
+            "rank {rank} told the first {to_first} bytes more"
+        );
+    }
+    let one = place.path().join("one");
+    run(&scenario("bed.toml", &[]), &one, OPTIONS, &mut Silent(None)).unwrap();
+    assert_same(&one, &place.path().join("often"));
 }
 
 #[test]

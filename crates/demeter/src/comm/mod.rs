@@ -9,6 +9,7 @@
 
 mod deforming;
 mod ranks;
+pub(crate) mod segment_sums;
 mod single;
 
 pub(crate) use deforming::{Carry, Deforming};

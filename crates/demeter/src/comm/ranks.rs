@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 /// The processes (ranks) of a run, as one of them sees them.
 ///
-/// Every rank calls the same methods in the same order: each call waits for all others. What is told is bytes, so that nothing
+/// Every rank calls the same methods in the same order, but for [`Ranks::tell`] and [`Ranks::hear`]: each call waits for all others. What is told is bytes, so that nothing
 /// is rounded or added up on the way: all sums are made by the engine, in an order that does not depend on the ranks.
 pub trait Ranks: Debug + Send + Sync {
     /// Number of this process, from 0.
@@ -24,6 +24,12 @@ pub trait Ranks: Debug + Send + Sync {
     /// Tells some others some numbers, and hears from each of them as many as the message has room for; works while they are
     /// on their way. Whoever is told here hears on the other side.
     fn exchange(&self, messages: &mut [Message], meanwhile: &mut dyn FnMut());
+
+    /// Tells one other rank some bytes, which hears them with [`Ranks::hear`]; what is told to it comes in that order.
+    fn tell(&self, rank: usize, mine: &[u8]);
+
+    /// Hears what another rank tells this one.
+    fn hear(&self, rank: usize) -> Vec<u8>;
 
     /// The largest of what all ranks have, place by place; not a number where any is none.
     fn largest(&self, values: &mut [f64]) {
@@ -64,6 +70,8 @@ pub struct Traffic {
     pub rounds: u64,
     /// Bytes of that.
     pub round_bytes: u64,
+    /// Bytes told to one other process that gathers what all have.
+    pub gathered_bytes: u64,
     /// Time spent on sending, receiving and waiting for others [s].
     pub seconds: f64,
 }

@@ -1,10 +1,10 @@
 //! What the contacts of every segment of grains did in a step.
 //!
-//! Sums over all contacts are made of sums over the segments of the table of candidates, two by two along a tree: so they are the same
-//! on any number of threads, and of processes, each of which has some of the segments and tells the others the largest branches
-//! that are all its own.
+//! Sums over all contacts are made of sums over the segments of the table of candidates along a tree ([`segment_sums`]): so they are
+//! the same on any number of threads, and of processes.
 
 use super::{ContactChunk, Contacts, Fault, Tally};
+use crate::comm::segment_sums::{self, Branch, Summand, add_branches, add_up};
 use crate::neighbours::Neighbours;
 use crate::walls::Mark;
 use glam::DVec3;
@@ -40,7 +40,9 @@ impl SegmentWork {
             add_loads(&mut self.walls, &chunk.wall_load);
         }
     }
+}
 
+impl Summand for SegmentWork {
     fn add(&mut self, other: &Self) {
         self.tally.add(&other.tally);
         for (sum, across) in self.across.iter_mut().zip(other.across) {
@@ -60,74 +62,6 @@ fn add_loads(sums: &mut Vec<WallLoad>, loads: &[WallLoad]) {
     }
 }
 
-/// Sum of a branch: of `2^level` segments, the first of which is a multiple of that, or of as many as there are.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-struct Branch {
-    first: usize,
-    level: u32,
-    work: SegmentWork,
-}
-
-impl Branch {
-    /// The segment behind the last one, of so many.
-    fn end(&self, count: usize) -> usize {
-        (self.first + (1 << self.level)).min(count)
-    }
-
-    /// Whether the next branch is the other half of the same larger one.
-    fn is_half_with(&self, next: &Self, count: usize) -> bool {
-        self.first.is_multiple_of(2 << self.level) && next.end(count) == (next.first + (1 << self.level)).min(count)
-    }
-}
-
-/// Adds up some segments of all two by two; the sums of branches that are among them are then in the places of their first segments.
-fn add_up(all: &mut [SegmentWork], some: &Range<usize>) {
-    let (count, mut half) = (all.len(), 1);
-    while half < some.len() {
-        let firsts = (some.start.next_multiple_of(2 * half)..some.end).step_by(2 * half);
-        for first in firsts.filter(|first| first + half < count && (first + 2 * half).min(count) <= some.end) {
-            let (before, behind) = all.split_at_mut(first + half);
-            before[first].add(&behind[0]);
-        }
-        half *= 2;
-    }
-}
-
-/// The largest branches among some segments, which have been added up.
-fn branches(all: &[SegmentWork], some: &Range<usize>) -> Vec<Branch> {
-    let (count, mut first, mut branches) = (all.len(), some.start, Vec::new());
-    while first < some.end {
-        let mut level = 0;
-        while first.is_multiple_of(2 << level)
-            && first + (1 << level) < count
-            && (first + (2 << level)).min(count) <= some.end
-        {
-            level += 1;
-        }
-        let work = all[first].clone();
-        let branch = Branch { first, level, work };
-        first = branch.end(count);
-        branches.push(branch);
-    }
-    branches
-}
-
-/// Adds up branches that follow each other, of so many segments in all.
-fn add_branches(branches: impl Iterator<Item = Branch>, count: usize) -> SegmentWork {
-    let mut sums: Vec<Branch> = Vec::new();
-    for branch in branches {
-        let mut last = branch;
-        while let Some(before) = sums.pop_if(|before| before.is_half_with(&last, count)) {
-            let mut larger = before;
-            larger.work.add(&last.work);
-            larger.level += 1;
-            last = larger;
-        }
-        sums.push(last);
-    }
-    sums.pop().map(|all| all.work).unwrap_or_default()
-}
-
 /// What all contacts did in a step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct StepWork {
@@ -142,7 +76,7 @@ pub(crate) struct StepWork {
 /// What a process tells the others of a step.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct WorkShare {
-    branches: Vec<Branch>,
+    branches: Vec<Branch<SegmentWork>>,
     marks: Vec<Mark>,
     /// The first fault between grains, and the first with a wall.
     faults: [Option<Fault>; 2],
@@ -157,7 +91,8 @@ impl StepWork {
             let walls = &contacts.walls[neighbours.wall_chunks_of_segment(segment)];
             self.segments[segment].sum_up(pairs, walls);
         }
-        add_up(&mut self.segments, &segments);
+        let count = self.segments.len();
+        add_up(&mut self.segments[segments.clone()], segments.start, count);
     }
 
     /// Takes the sum of all segments, where there are any.
@@ -192,7 +127,7 @@ impl StepWork {
         WorkShare {
             faults: [pairs.flatten().find_map(fault), walls.clone().flatten().find_map(fault)],
             marks: walls.flatten().flat_map(|chunk| chunk.marks.iter().copied()).collect(),
-            branches: branches(&self.segments, &segments),
+            branches: segment_sums::branches(&self.segments[segments.clone()], segments.start, self.segments.len()),
         }
     }
 
@@ -213,59 +148,5 @@ impl StepWork {
         self.take(Some(&all), walls);
         let [between_grains, with_walls] = first;
         between_grains.or(with_walls).map_or(Ok(()), Err)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Numbers whose sum depends on the order.
-    fn segments(count: usize) -> Vec<SegmentWork> {
-        let work = |k: usize| SegmentWork {
-            tally: Tally {
-                viscous: libm::exp(libm::sin(k as f64) * 30.0),
-                ..Tally::default()
-            },
-            walls: if k.is_multiple_of(3) {
-                vec![(DVec3::X * 0.1 * k as f64, DVec3::Y)]
-            } else {
-                Vec::new()
-            },
-            ..SegmentWork::default()
-        };
-        (0..count).map(work).collect()
-    }
-
-    #[test]
-    fn it_does_not_matter_who_has_which_segments() {
-        for count in [1, 2, 3, 7, 8, 13, 64, 100] {
-            let mut all = segments(count);
-            add_up(&mut all, &(0..count));
-            let alone = all[0].clone();
-            let exact: f64 = segments(count).iter().map(|work| work.tally.viscous).sum();
-            assert!((alone.tally.viscous / exact - 1.0).abs() < 1e-14);
-            for cuts in [
-                vec![0, count],
-                vec![0, count / 3, count],
-                vec![0, 1.min(count / 2), count / 2, count / 2, count],
-            ] {
-                let of_process = |some: &[usize]| {
-                    let (mut here, own) = (segments(count), some[0]..some[1]);
-                    add_up(&mut here, &own);
-                    branches(&here, &own)
-                };
-                let told: Vec<Vec<Branch>> = cuts.windows(2).map(of_process).collect();
-                let most = told.iter().map(Vec::len).max().unwrap();
-                assert!(
-                    most as f64 <= 2.0 * (count as f64).log2() + 1.0,
-                    "{most} branches of {count}"
-                );
-                assert!(
-                    add_branches(told.into_iter().flatten(), count) == alone,
-                    "{count} cut at {cuts:?}"
-                );
-            }
-        }
     }
 }

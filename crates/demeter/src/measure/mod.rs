@@ -20,6 +20,7 @@ mod profile;
 mod records;
 mod region;
 mod residence;
+mod row_sums;
 mod selection;
 mod slope;
 mod sphere_in_box;
@@ -56,10 +57,11 @@ pub use told::{FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
 pub use trace::{GrainTrace, TRACE_COLUMNS};
 pub use wear::{WEAR_COLUMNS, wear_values};
 
-use crate::contacts::ContactChunk;
 use crate::particles::{Grains, Zone};
 use crate::simulation::Simulation;
+use crate::walls::Wall;
 use glam::DVec3;
+use row_sums::RowSums;
 
 /// Whether a grain lies in a zone, whose parts go with walls.
 pub(crate) fn holds(sim: &Simulation, zone: &Zone, grain: usize) -> bool {
@@ -170,34 +172,30 @@ pub struct Moment {
     pub stage_time: f64,
 }
 
-/// Measures everything that one row of the series tells.
+/// Measures everything that one row of the series tells. Where processes share the run each calls this.
 pub fn measure(sim: &mut Simulation, moment: Moment, gauge: Option<&StrainGauge>) -> Measures {
     let energies = sim.energies();
-    let grains = &sim.grains;
-    let (contacts, wall_contacts) = (sim.contacts.acting_pairs(), sim.contacts.acting_walls());
-    let (volume, solid) = volumes(sim);
-    let mut momentum = DVec3::ZERO;
-    let mut speed2 = 0.0f64;
-    for (velocity, mass) in grains.velocity.iter().zip(&grains.mass) {
-        momentum += *velocity * *mass;
-        speed2 = speed2.max(velocity.length_squared());
-    }
+    let sums = RowSums::of_all(sim);
+    let grains = sim.grains.len();
+    let (contacts, wall_contacts) = (sums.contacts as usize, sums.wall_contacts as usize);
+    let volume = sums.volume(sim);
+    let per_volume = |sum: f64| if volume > 0.0 { sum / volume } else { 0.0 };
     Measures {
         step: sim.step,
         time: sim.time(),
         stage: moment.stage,
         stage_time: moment.stage_time,
-        grains: grains.len(),
+        grains,
         contacts,
-        coordination: (2 * contacts + wall_contacts) as f64 / grains.len().max(1) as f64,
-        max_overlap: max_overlap(sim),
-        max_speed: sim.beyond_flow().map_or(speed2.sqrt(), |(_, speed)| speed),
+        coordination: (2 * contacts + wall_contacts) as f64 / grains.max(1) as f64,
+        max_overlap: sums.max_overlap,
+        max_speed: sim.beyond_flow().map_or(sums.speed2.sqrt(), |(_, speed)| speed),
         kinetic_over_elastic: kinetic_over_elastic(sim, &energies),
-        stress: stress(sim, volume),
-        packing_fraction: if volume > 0.0 { solid / volume } else { 0.0 },
+        stress: sums.stress.map(per_volume),
+        packing_fraction: per_volume(sums.solid),
         strain: gauge.map(|g| g.strain(sim)),
-        momentum,
-        walls: wall_loads(sim),
+        momentum: sums.momentum,
+        walls: wall_loads(sim, &sums.of_walls),
         networks: Vec::new(),
         told: Vec::new(),
         energies,
@@ -221,89 +219,16 @@ fn bounds(grains: &Grains) -> (DVec3, DVec3) {
     (lower, upper)
 }
 
-/// Volume of the bounding box of the grains' surfaces, whole in periodic directions, and solid volume [m^3].
-fn volumes(sim: &Simulation) -> (f64, f64) {
-    let (lower, upper) = bounds(&sim.grains);
-    let solid = sim
-        .grains
-        .radii()
-        .fold(0.0, |sum, r| sum + 4.0 / 3.0 * std::f64::consts::PI * r * r * r);
-    let mut size = if sim.grains.is_empty() {
-        DVec3::ZERO
-    } else {
-        upper - lower
-    };
-    for axis in (0..3).filter(|&k| sim.domain().periodic[k]) {
-        size[axis] = sim.domain().size()[axis];
-    }
-    (size.x * size.y * size.z, solid)
-}
-
-/// Stress of all contacts over a volume, `sum F l / V` with the force `F` on a grain and the branch vector `l` from its
-/// partner's centre (a wall: from the contact point) to its own; compression is positive.
-fn stress(sim: &Simulation, volume: f64) -> [f64; 6] {
-    let mut sum = [0.0; 6];
-    let mut add = |chunk: &ContactChunk| {
-        for k in 0..chunk.len() {
-            let contact = sim.contact(chunk, k);
-            let f = chunk.force(k, contact.normal);
-            let l = contact.normal * (contact.lever_i + contact.lever_j);
-            let shear = [f.x * l.y + f.y * l.x, f.x * l.z + f.z * l.x, f.y * l.z + f.z * l.y];
-            let terms = [
-                f.x * l.x,
-                f.y * l.y,
-                f.z * l.z,
-                0.5 * shear[0],
-                0.5 * shear[1],
-                0.5 * shear[2],
-            ];
-            for (s, term) in sum.iter_mut().zip(terms) {
-                *s += term;
-            }
+fn wall_loads(sim: &Simulation, contacts: &[u32]) -> Vec<WallLoad> {
+    let load = |(k, wall): (usize, &Wall)| {
+        let (force, torque) = wall.load();
+        WallLoad {
+            force,
+            torque,
+            power: wall.power(),
+            displacement: wall.displacement(),
+            contacts: contacts.get(k).copied().unwrap_or(0),
         }
     };
-    sim.contacts.pairs.iter().chain(&sim.contacts.walls).for_each(&mut add);
-    if volume > 0.0 {
-        sum.map(|s| s / volume)
-    } else {
-        [0.0; 6]
-    }
-}
-
-/// Largest overlap as a share of the smaller radius.
-fn max_overlap(sim: &Simulation) -> f64 {
-    let radius = |g: u32| sim.grains.radius(g as usize);
-    let mut largest = 0.0f64;
-    for chunk in &sim.contacts.pairs {
-        for (k, (&i, &j)) in chunk.i.iter().zip(&chunk.j).enumerate() {
-            largest = largest.max(sim.contact(chunk, k).overlap / radius(i).min(radius(j)));
-        }
-    }
-    for chunk in &sim.contacts.walls {
-        for (k, &i) in chunk.i.iter().enumerate() {
-            largest = largest.max(sim.contact(chunk, k).overlap / radius(i));
-        }
-    }
-    largest
-}
-
-fn wall_loads(sim: &Simulation) -> Vec<WallLoad> {
-    let mut loads: Vec<WallLoad> = (sim.walls.iter())
-        .map(|wall| {
-            let (force, torque) = wall.load();
-            WallLoad {
-                force,
-                torque,
-                power: wall.power(),
-                displacement: wall.displacement(),
-                contacts: 0,
-            }
-        })
-        .collect();
-    for chunk in &sim.contacts.walls {
-        for k in (0..chunk.len()).filter(|&k| chunk.acts(k)) {
-            loads[chunk.j[k] as usize].contacts += 1;
-        }
-    }
-    loads
+    sim.walls.iter().enumerate().map(load).collect()
 }

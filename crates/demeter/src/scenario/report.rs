@@ -9,7 +9,7 @@ use crate::output::picture::{PictureOptions, render_packing};
 use crate::output::{OutputError, RunFolder, Summary, path_lines};
 use crate::report;
 use crate::simulation::Phase;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,10 +46,9 @@ impl Runner<'_> {
         if !self.scenario.output.picture || stage >= MAX_STAGE_PICTURES {
             return Ok(());
         }
-        let Some(files) = &self.files else { return Ok(()) };
         let name = &self.scenario.stages[stage].name;
-        let path = files.folder.stage_picture(stage + 1, name);
-        self.draw(&path, &format!("{}: end of {name}", self.scenario.title))?;
+        let title = format!("{}: end of {name}", self.scenario.title);
+        self.draw(|folder| folder.stage_picture(stage + 1, name), &title)?;
         self.sim.took(Phase::Output);
         Ok(())
     }
@@ -95,26 +94,31 @@ impl Runner<'_> {
         Ok(())
     }
 
-    fn draw(&self, path: &Path, title: &str) -> Result<(), OutputError> {
-        let options = PictureOptions {
-            title: title.to_string(),
-            ..PictureOptions::default()
-        };
-        self.with_frame(|frame| render_packing(frame, &options)).write_png(path)
+    /// Draws the packing, where files are written.
+    fn draw(&mut self, path: impl FnOnce(&RunFolder) -> PathBuf, title: &str) -> Result<(), RunError> {
+        self.at_first(|runner| {
+            let Some(files) = &runner.files else { return Ok(()) };
+            let options = PictureOptions {
+                title: title.to_string(),
+                ..PictureOptions::default()
+            };
+            let picture = runner.with_frame(|frame| render_packing(frame, &options));
+            Ok(picture.write_png(&path(&files.folder))?)
+        })
     }
 
     /// Writes the summary and, after whole runs and faults, the picture and the plots.
     pub(super) fn report(&mut self, end: &RunEnd, observer: &mut dyn Observer) -> Result<Summary, RunError> {
         self.sim.took(Phase::Other);
         let mut summary = self.summary(end);
+        if self.scenario.output.picture {
+            self.draw(RunFolder::picture, &self.scenario.title)?;
+        }
         let Some(files) = &self.files else {
             summary.profile = self.sim.profile();
             return Ok(summary);
         };
         let folder = files.folder.clone();
-        if self.scenario.output.picture {
-            self.draw(&folder.picture(), &self.scenario.title)?;
-        }
         plots::write(&folder, &self.scenario.output.plots)?;
         self.write_path_lines(&folder)?;
         self.sim.took(Phase::Output);
@@ -124,7 +128,7 @@ impl Runner<'_> {
         Ok(summary)
     }
 
-    /// What `summary.json` tells, but for the profile.
+    /// What `summary.json` tells, but for the profile. Each process calls this.
     fn summary(&self, end: &RunEnd) -> Summary {
         let seconds_here = self.started.elapsed().as_secs_f64();
         let speed = self.particle_steps as f64 / seconds_here.max(1e-9);
@@ -140,7 +144,7 @@ impl Runner<'_> {
                 RunEnd::Fault(fault) => fault.to_string(),
             },
             grains: self.sim.grains.len() as u64,
-            contacts: (self.sim.contacts.acting_pairs() + self.sim.contacts.acting_walls()) as u64,
+            contacts: self.sim.acting_contacts(),
             steps: self.sim.step,
             simulated_time: self.sim.time(),
             time_step: self.sim.dt,

@@ -1,11 +1,11 @@
 //! What a run writes row by row: the series, and a distribution for every measure that asks for one.
 
-use super::measures::{MeasureKind, distributions, networks, profiles};
+use super::measures::{LooksAt, MeasureKind, distributions, networks, profiles, rows_look_at};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{
-    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, WEAR_COLUMNS,
-    box_titles, box_values, measure, wear_values,
+    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, Value,
+    WEAR_COLUMNS, box_titles, box_values, measure, wear_values,
 };
 use crate::output::{
     DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesTable, SeriesWriter, path_row,
@@ -112,51 +112,80 @@ impl<'a> Rows<'a> {
         })
     }
 
-    /// Measures the present state.
+    /// Measures the present state, where one process has it all.
     pub fn measure(&self, sim: &mut Simulation, traffic: &mut Traffic<'_>, moment: Moment) -> Measures {
-        let mut row = measure(sim, moment, self.scenario.output.strain.as_ref());
-        row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
-        row.told = traffic.values(sim);
-        row.told.extend(wear_values(sim));
-        if self.scenario.deforms() {
-            row.told.extend(box_values(sim, row.energies.boundary_work));
-        }
+        let (mut row, of_box) = self.sums(sim, moment);
+        self.complete(&mut row, of_box, sim, traffic);
         row
     }
 
-    /// Measures the present state and adds it to all files.
+    /// What all processes know of a row, with the columns of a box that deforms. Each calls this.
+    fn sums(&self, sim: &mut Simulation, moment: Moment) -> (Measures, Vec<Value>) {
+        let row = measure(sim, moment, self.scenario.output.strain.as_ref());
+        let deforms = self.scenario.deforms();
+        let of_box = deforms.then(|| box_values(sim, row.energies.boundary_work));
+        (row, of_box.unwrap_or_default())
+    }
+
+    /// Adds what is told by the process that has all that the measures look at.
+    fn complete(&self, row: &mut Measures, of_box: Vec<Value>, sim: &Simulation, traffic: &mut Traffic<'_>) {
+        row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
+        row.told = traffic.values(sim);
+        row.told.extend(wear_values(sim));
+        row.told.extend(of_box);
+    }
+
+    /// Measures the present state; the first process adds it to all files. Each calls this.
     pub fn write(
         &mut self,
         sim: &mut Simulation,
         traffic: &mut Traffic<'_>,
         moment: Moment,
     ) -> Result<Measures, OutputError> {
-        let row = self.measure(sim, traffic, moment);
+        let (mut row, of_box) = self.sums(sim, moment);
+        match rows_look_at(&self.scenario.measures) {
+            LooksAt::Sums => {}
+            LooksAt::Grains => sim.bring_grains_together(),
+            LooksAt::Contacts => sim.bring_together(),
+        }
+        let written = match sim.is_first_process() {
+            true => {
+                self.complete(&mut row, of_box, sim, traffic);
+                self.add(&row, sim, traffic)
+            }
+            false => Ok(()),
+        };
+        sim.go_apart();
+        written.map(|()| row)
+    }
+
+    /// Adds a row to all files.
+    fn add(&mut self, row: &Measures, sim: &Simulation, traffic: &Traffic<'_>) -> Result<(), OutputError> {
         match &mut self.series {
-            Series::File(writer) => writer.write(&row)?,
-            Series::Memory(table) => table.add(&row),
+            Series::File(writer) => writer.write(row)?,
+            Series::Memory(table) => table.add(row),
         }
         for (bins, writer) in &mut self.distributions {
-            writer.write(&row, &bins.measure(sim))?;
+            writer.write(row, &bins.measure(sim))?;
         }
         for (profile, writer) in &mut self.profiles {
-            writer.write(&row, &profile.measure(sim, traffic.origins()))?;
+            writer.write(row, &profile.measure(sim, traffic.origins()))?;
         }
         for (told, table) in &mut self.tables {
             match told {
-                Told::Residence(index) => table.add(&row, [residence_row(&traffic.residence_distribution(*index))])?,
-                Told::Angles(angles) => table.add(&row, rose_rows(&angles.measure(sim, traffic.origins())))?,
+                Told::Residence(index) => table.add(row, [residence_row(&traffic.residence_distribution(*index))])?,
+                Told::Angles(angles) => table.add(row, rose_rows(&angles.measure(sim, traffic.origins())))?,
                 Told::Rings(profile) => {
                     let rings = profile.measure(sim, traffic.origins());
-                    table.add(&row, rings.iter().enumerate().map(|(k, ring)| ring_row(k, ring)))?;
+                    table.add(row, rings.iter().enumerate().map(|(k, ring)| ring_row(k, ring)))?;
                 }
                 Told::Paths(paths) => {
                     let points = paths.measure(sim, traffic.origins());
-                    table.add(&row, points.iter().map(path_row))?;
+                    table.add(row, points.iter().map(path_row))?;
                 }
             }
         }
-        Ok(row)
+        Ok(())
     }
 }
 

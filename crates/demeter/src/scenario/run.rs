@@ -290,7 +290,6 @@ impl<'a> Runner<'a> {
     /// Writes what a run leaves behind at its end.
     pub(super) fn finish(&mut self, end: &RunEnd, observer: &mut dyn Observer) -> Result<Summary, RunError> {
         self.started = clock_after(self.computed);
-        self.sim.make_whole();
         if let RunEnd::Fault(fault) = &end {
             self.say(&format!("error: {fault}"), observer)?;
             self.write_frame()?;

@@ -137,16 +137,20 @@ impl<'a> Traffic<'a> {
         self.state.feeds.get(feed).is_none_or(|feed| feed.done)
     }
 
-    /// Looks where grains are when it is time.
+    /// The first process looks where grains are when it is time. Each calls this.
     pub fn watch(&mut self, sim: &mut Simulation) {
-        if self.followed.is_due(sim) {
-            if self.followed.needs_contacts(sim) {
-                sim.make_whole();
-            } else {
-                sim.make_grains_whole();
-            }
+        if !self.followed.is_due(sim) {
+            return;
+        }
+        if self.followed.needs_contacts(sim) {
+            sim.bring_together();
+        } else {
+            sim.bring_grains_together();
+        }
+        if sim.is_first_process() {
             self.followed.watch(sim, &self.state.origins);
         }
+        sim.go_apart();
     }
 
     /// Whether grains are looked at between the latest step and the next.
@@ -159,8 +163,11 @@ impl<'a> Traffic<'a> {
             || feeds.any(|(spec, state)| state.active && !state.done && is_due(sim, spec.every))
     }
 
+    /// What is followed is told by the first process, and by no other.
     fn look(&mut self, sim: &Simulation) {
-        self.followed.look(sim, &self.state.origins);
+        if sim.is_first_process() {
+            self.followed.look(sim, &self.state.origins);
+        }
     }
 
     /// Gives grains the tags that are due now; twice at one moment changes nothing.

@@ -7,24 +7,29 @@
 //! between grains of two processes is found by both, from the same numbers, so that both know the same. What all contacts did
 //! is summed up segment by segment ([`StepWork`](crate::contacts::step_work::StepWork)).
 //!
-//! What looks at the whole (rows, frames, checkpoints, feeds, stages, grains put in order again) asks for it first
-//! ([`Simulation::make_whole`]): then every process has all grains and contacts, does the same as a single one would, and the next
-//! step divides the tables again.
+//! What is summed up over all grains and contacts each process sums up of its own (`sums`). Frames and checkpoints are the work of the
+//! first process, which alone is told the whole (`whole`). What changes the whole (feeds, walls that come or go, grains put in order
+//! again) asks for it first ([`Simulation::make_whole`]): then every process has all grains and contacts, does the same as a single
+//! one would, and the next step divides the tables again.
 
 mod coupled;
 mod in_step;
 mod near;
+mod report;
+mod sums;
+mod whole;
 
 use super::Simulation;
-use crate::comm::{Message, Ranks, Traffic};
-use crate::contacts::{ContactChunk, Contacts, NearTables};
-use crate::neighbours::{Neighbours, SearchEffort, SegmentsOfCandidates};
-use crate::particles::spread::Spread;
-use crate::particles::{Row, Rows};
+use crate::comm::{Message, Ranks};
+use crate::contacts::{Contacts, NearTables};
+use crate::neighbours::{Neighbours, SearchEffort};
 use near::SizesOfAll;
+pub use report::{Sharing, SharingReport};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
+pub(crate) use sums::Segment;
+use whole::Gathered;
 
 /// Grains are divided anew when the busiest process has so much more to do, as a share of the mean, than right after they were
 /// divided.
@@ -58,6 +63,7 @@ pub(crate) struct Division {
     is_whole: bool,
     /// The divided tables while those of the whole are in place.
     aside: Option<Box<Aside>>,
+    gathered: Gathered,
     /// Work of the busiest process over the mean: now, and right after grains were divided.
     imbalance: f64,
     imbalance_when_divided: f64,
@@ -67,10 +73,10 @@ pub(crate) struct Division {
     is_asked_to_end: bool,
 }
 
-/// Divided tables.
+/// Tables of the own segments while those of all are in place, or the other way.
 #[derive(Debug)]
 struct Aside {
-    /// How often tables had been found when they were.
+    /// How often tables had been found when these were put aside.
     found: u64,
     neighbours: Neighbours,
     contacts: Contacts,
@@ -87,55 +93,6 @@ struct Border {
     hear_segments: Vec<u32>,
     /// Pairs of these grains, in the same order on both sides: where contacts feel each other.
     pairs: Vec<coupled::PairAcross>,
-}
-
-/// What sharing a run takes: the sums and the extremes of all processes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct SharingReport {
-    /// Number of processes.
-    pub ranks: usize,
-    /// Work of the busiest process over the mean, since grains were divided or candidates found last.
-    pub imbalance: f64,
-    /// How often the grains were divided.
-    pub divided: u64,
-    /// Bytes over borders, from one process to another, per grain and step.
-    pub border_bytes: f64,
-    /// The same with what is told to all.
-    pub bytes: f64,
-    /// Messages over borders, per process and step.
-    pub messages: f64,
-    /// Things told to all, per process and step.
-    pub rounds: f64,
-    /// Time that processes spent on telling, hearing and waiting for others: the mean [s].
-    pub seconds: f64,
-    /// The same of the process that spent the most [s].
-    pub most_seconds: f64,
-}
-
-/// How a shared run went, as one process sees it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sharing {
-    /// Number of processes.
-    pub ranks: usize,
-    /// What this process told others.
-    pub traffic: Traffic,
-    /// Work of the busiest process over the mean.
-    pub imbalance: f64,
-    /// How often the grains were divided.
-    pub divided: u64,
-}
-
-/// Candidates and contacts of the own segments, as all others are told.
-#[derive(Serialize, Deserialize)]
-struct Tables {
-    /// Where the grains were when the candidates were found.
-    reference: Vec<Row>,
-    near: NearTables,
-    /// How the grains move in this step, segment by segment.
-    spreads: Vec<Spread>,
-    candidates: SegmentsOfCandidates,
-    pairs: Vec<ContactChunk>,
-    walls: Vec<ContactChunk>,
 }
 
 /// Encodes what is told to others.
@@ -293,55 +250,13 @@ impl Simulation {
             tells_of: Vec::new(),
             is_whole: true,
             aside: None,
+            gathered: Gathered::default(),
             imbalance: 1.0,
             imbalance_when_divided: 1.0,
             divided: 0,
             wants_to_end: false,
             is_asked_to_end: false,
         }));
-    }
-
-    /// How the run is shared with other processes; `None` where it is not.
-    pub fn sharing(&self) -> Option<Sharing> {
-        self.division.as_ref().map(|division| Sharing {
-            ranks: division.ranks.count(),
-            traffic: division.ranks.traffic(),
-            imbalance: division.imbalance,
-            divided: division.divided,
-        })
-    }
-
-    /// What sharing took in so many steps, with so many grains in all of them together; each process calls this.
-    pub(super) fn sharing_of_all(&self, steps: u64, particle_steps: u64) -> Option<SharingReport> {
-        let division = self.division.as_ref()?;
-        let Sharing {
-            ranks,
-            traffic,
-            imbalance,
-            divided,
-        } = self.sharing()?;
-        let nanoseconds = (traffic.seconds * 1e9) as u64;
-        let mine = [
-            traffic.messages,
-            traffic.bytes,
-            traffic.rounds,
-            traffic.round_bytes,
-            nanoseconds,
-        ];
-        let ([messages, bytes, rounds, round_bytes, all], [.., most]) = division.counts(mine);
-        let per_process = |count: u64| count as f64 / (ranks as f64 * steps.max(1) as f64);
-        let per_grain = |bytes: u64| bytes as f64 / particle_steps.max(1) as f64;
-        Some(SharingReport {
-            ranks,
-            imbalance,
-            divided,
-            border_bytes: per_grain(bytes),
-            bytes: per_grain(bytes + round_bytes * (ranks as u64 - 1)),
-            messages: per_process(messages),
-            rounds: per_process(rounds),
-            seconds: all as f64 * 1e-9 / ranks as f64,
-            most_seconds: most as f64 * 1e-9,
-        })
     }
 
     /// Why every process does the work of all, though the run is shared; `None` where each does a part.
@@ -410,6 +325,9 @@ impl Simulation {
         if self.shares_nothing().is_some() {
             return;
         }
+        if let Some(division) = &mut self.division {
+            division.forget_gathered();
+        }
         let Some(mut division) = self.division.take_if(|division| division.is_whole) else {
             return;
         };
@@ -437,88 +355,6 @@ impl Simulation {
         self.division = Some(division);
     }
 
-    /// Has every process have all grains and contacts. Each calls this; nothing happens where they have.
-    pub fn make_whole(&mut self) {
-        self.make_grains_whole();
-        self.share_bulges();
-        let Some(mut division) = self.division.take_if(|division| !division.is_whole) else {
-            return;
-        };
-        let own = division.segments();
-        let chunks =
-            |all: &[ContactChunk], first: Range<usize>, last: Range<usize>| all[first.start..last.end].to_vec();
-        let of_own = |of: fn(&Neighbours, usize) -> Range<usize>| match own.end.checked_sub(1) {
-            Some(last) if own.start <= last => (of(&self.neighbours, own.start), of(&self.neighbours, last)),
-            _ => (0..0, 0..0),
-        };
-        let (first, last) = of_own(Neighbours::chunks_of_segment);
-        let (first_walls, last_walls) = of_own(Neighbours::wall_chunks_of_segment);
-        let mine = encode(&Tables {
-            reference: self.neighbours.reference.rows()[division.own.clone()].to_vec(),
-            near: self.near.of_segments(own.clone()),
-            spreads: own
-                .clone()
-                .map(|s| self.neighbours.spread_of(s, &self.spreads))
-                .collect(),
-            candidates: self.neighbours.of_segments(own),
-            pairs: chunks(&self.contacts.pairs, first, last),
-            walls: chunks(&self.contacts.walls, first_walls, last_walls),
-        });
-        let (mut candidates, mut pairs, mut walls) = (Vec::new(), Vec::new(), Vec::new());
-        let mut reference = Rows::default();
-        let (mut near, mut spreads) = (Vec::new(), Vec::new());
-        for of in division.ranks.gather(&mine) {
-            let tables: Tables = division.decode(&of);
-            tables
-                .reference
-                .iter()
-                .for_each(|row| reference.push(row.vector, row.scalar));
-            near.push(tables.near);
-            spreads.extend(tables.spreads);
-            candidates.push(tables.candidates);
-            pairs.extend(tables.pairs);
-            walls.extend(tables.walls);
-        }
-        for (segment, spread) in spreads.into_iter().enumerate() {
-            self.spreads[self.neighbours.spreads_of_segment(segment)].fill(spread);
-        }
-        let mut whole = self.neighbours.with_candidates(candidates);
-        whole.reference = reference;
-        let contacts = Contacts {
-            pairs,
-            walls,
-            stride: self.contacts.stride,
-            ..Contacts::default()
-        };
-        let aside = Aside {
-            found: self.tables,
-            neighbours: std::mem::replace(&mut self.neighbours, whole),
-            contacts: std::mem::replace(&mut self.contacts, contacts),
-            near: std::mem::replace(&mut self.near, NearTables::joined(near)),
-        };
-        self.restore_neighbours(&division);
-        division.aside = Some(Box::new(aside));
-        division.is_whole = true;
-        self.division = Some(division);
-    }
-
-    /// Has every process have all grains, where the run is shared.
-    pub fn make_grains_whole(&mut self) {
-        let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
-            return;
-        };
-        let per_segment = self.neighbours.grains_per_segment();
-        let mine = self.grains.pack(division.own.clone());
-        for (rank, of) in division.ranks.gather(&mine).iter().enumerate() {
-            let count = self.grains.len();
-            let some =
-                (division.cuts[rank] * per_segment).min(count)..(division.cuts[rank + 1] * per_segment).min(count);
-            if rank != division.ranks.rank() && !self.grains.unpack(some, of) {
-                division.ranks.give_up("another process has other grains");
-            }
-        }
-    }
-
     fn restore_neighbours(&mut self, division: &Division) {
         let (walls, materials) = (self.walls.len(), self.materials.list().len());
         if !self.neighbours.restore(&self.grains, walls, materials) {
@@ -536,6 +372,9 @@ impl Simulation {
             self.make_whole();
             self.find_candidates();
             return self.divide();
+        }
+        if let Some(division) = &mut self.division {
+            division.forget_gathered();
         }
         self.wrap_grains();
         self.rebuilds += 1;

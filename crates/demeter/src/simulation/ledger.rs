@@ -1,11 +1,11 @@
 //! The energy books: what came in, what is stored, what was dissipated.
 
-use super::Simulation;
+use super::{Segment, Simulation};
+use crate::comm::segment_sums::Summand;
 use crate::contacts::laws::{normal_energy, spring_energies};
 use crate::contacts::{ContactChunk, Tally};
 use crate::walls::{FreeStep, Wall};
 use demeter_physics::contact::PairSize;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -247,19 +247,17 @@ struct Stored {
     multi_contact: f64,
 }
 
-/// Sums of what grains and their contacts have, in the order of the segments.
-fn sum(of_segments: Vec<Energies>) -> Energies {
-    let add = |mut e: Energies, part: Energies| {
-        e.kinetic += part.kinetic;
-        e.rotational += part.rotational;
-        e.gravitational += part.gravitational;
-        e.elastic += part.elastic;
-        e.tangential += part.tangential;
-        e.rolling += part.rolling;
-        e.multi_contact += part.multi_contact;
-        e
-    };
-    of_segments.into_iter().fold(Energies::default(), add)
+impl Summand for Energies {
+    /// Adds what grains and their contacts have at a moment.
+    fn add(&mut self, part: &Self) {
+        self.kinetic += part.kinetic;
+        self.rotational += part.rotational;
+        self.gravitational += part.gravitational;
+        self.elastic += part.elastic;
+        self.tangential += part.tangential;
+        self.rolling += part.rolling;
+        self.multi_contact += part.multi_contact;
+    }
 }
 
 impl Simulation {
@@ -276,8 +274,9 @@ impl Simulation {
         tally
     }
 
-    /// Energies at this moment with the books since the start.
+    /// Energies at this moment with the books since the start. Where processes share the run each calls this.
     pub fn energies(&mut self) -> Energies {
+        self.hear_corrected_places();
         let now = self.mechanical_energies();
         self.books.close(now)
     }
@@ -285,40 +284,29 @@ impl Simulation {
     /// Kinetic, gravitational and stored energies at this moment, of all processes.
     pub(crate) fn mechanical_energies(&self) -> Energies {
         let free_walls = self.walls.iter().map(Wall::energy).sum();
-        let here = self.energies_of_segments(self.own_segments(), &|_| true);
         Energies {
             free_walls,
-            ..sum(self.of_all_segments(here))
+            ..self.sum_of_all(|segment| self.energies_in(segment, &|_| true))
         }
     }
 
     /// Energies of some grains and of the contacts that they are in.
     pub(crate) fn energies_of(&self, counts: impl Fn(usize) -> bool + Sync) -> Energies {
-        let of_segments = self.energies_of_segments(0..self.neighbours.segments(), &counts);
-        sum(of_segments)
+        self.sum_here(|segment| self.energies_in(segment, &counts))
     }
 
-    /// Energies of some grains and of the contacts that they are in, segment by segment.
-    fn energies_of_segments(&self, segments: Range<usize>, counts: &(impl Fn(usize) -> bool + Sync)) -> Vec<Energies> {
-        if self.neighbours.segments() == 0 {
-            // before the first search
-            return vec![self.energies_of_grains(0..self.grains.len(), counts)];
+    /// Energies of some grains of a segment and of the contacts that they are in.
+    fn energies_in(&self, segment: Segment, counts: &impl Fn(usize) -> bool) -> Energies {
+        let mut e = self.energies_of_grains(segment.grains, counts);
+        let pairs = segment.pairs.iter().map(|chunk| self.stored(chunk, false, counts));
+        let walls = segment.walls.iter().map(|chunk| self.stored(chunk, true, counts));
+        for part in pairs.chain(walls) {
+            e.elastic += part.normal;
+            e.tangential += part.tangential;
+            e.rolling += part.rolling;
+            e.multi_contact += part.multi_contact;
         }
-        let of_segment = segments.into_par_iter().map(|segment| {
-            let mut e = self.energies_of_grains(self.neighbours.grains_of_segment(segment), counts);
-            let pairs = &self.contacts.pairs[self.neighbours.chunks_of_segment(segment)];
-            let walls = &self.contacts.walls[self.neighbours.wall_chunks_of_segment(segment)];
-            let pairs = pairs.iter().map(|chunk| self.stored(chunk, false, counts));
-            let walls = walls.iter().map(|chunk| self.stored(chunk, true, counts));
-            for part in pairs.chain(walls) {
-                e.elastic += part.normal;
-                e.tangential += part.tangential;
-                e.rolling += part.rolling;
-                e.multi_contact += part.multi_contact;
-            }
-            e
-        });
-        of_segment.collect()
+        e
     }
 
     fn energies_of_grains(&self, some: Range<usize>, counts: &impl Fn(usize) -> bool) -> Energies {

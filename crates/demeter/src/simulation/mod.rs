@@ -22,6 +22,7 @@ pub use crate::step::Effort;
 pub use custom::{CustomForce, CustomMotion, CustomMotionError, ForceMoment, GrainLoads, NumberCourse, VectorCourse};
 pub use deformation::{Deformation, DeformationError, Drive, Misfit, Shear};
 pub use deforming_box::BoxState;
+pub(crate) use division::Segment;
 pub use division::{Sharing, SharingReport};
 pub use equipment::WallInTheWay;
 pub use exchange::ExchangeError;

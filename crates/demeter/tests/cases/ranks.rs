@@ -1,8 +1,8 @@
 //! Ranks that are threads of one process: what processes would tell each other goes through channels.
 
 use demeter::comm::{Message, Ranks, Traffic};
-use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex};
 
 /// One of several ranks.
 #[derive(Debug)]
@@ -10,7 +10,7 @@ pub struct ThreadRank {
     rank: usize,
     tell: Vec<Mutex<Sender<Vec<u8>>>>,
     hear: Vec<Mutex<Receiver<Vec<u8>>>>,
-    traffic: Mutex<Traffic>,
+    traffic: Arc<Mutex<Traffic>>,
 }
 
 impl ThreadRank {
@@ -20,7 +20,7 @@ impl ThreadRank {
                 rank,
                 tell: Vec::new(),
                 hear: Vec::new(),
-                traffic: Mutex::default(),
+                traffic: Arc::default(),
             })
             .collect();
         for from in 0..count {
@@ -33,11 +33,11 @@ impl ThreadRank {
         ranks
     }
 
-    fn say(&self, to: usize, bytes: &[u8]) {
+    fn send(&self, to: usize, bytes: &[u8]) {
         self.tell[to].lock().unwrap().send(bytes.to_vec()).unwrap();
     }
 
-    fn hear(&self, from: usize) -> Vec<u8> {
+    fn receive(&self, from: usize) -> Vec<u8> {
         self.hear[from].lock().unwrap().recv().unwrap()
     }
 }
@@ -57,8 +57,17 @@ impl Ranks for ThreadRank {
             traffic.rounds += 1;
             traffic.round_bytes += mine.len() as u64;
         }
-        (0..self.count()).for_each(|to| self.say(to, mine));
-        (0..self.count()).map(|from| self.hear(from)).collect()
+        (0..self.count()).for_each(|to| self.send(to, mine));
+        (0..self.count()).map(|from| self.receive(from)).collect()
+    }
+
+    fn tell(&self, rank: usize, mine: &[u8]) {
+        self.traffic.lock().unwrap().gathered_bytes += mine.len() as u64;
+        self.send(rank, mine);
+    }
+
+    fn hear(&self, rank: usize) -> Vec<u8> {
+        self.receive(rank)
     }
 
     fn exchange(&self, messages: &mut [Message], meanwhile: &mut dyn FnMut()) {
@@ -67,11 +76,11 @@ impl Ranks for ThreadRank {
             traffic.messages += 1;
             traffic.bytes += 8 * message.tell.len() as u64;
             drop(traffic);
-            self.say(message.rank, bytemuck_bytes(&message.tell).as_slice());
+            self.send(message.rank, bytemuck_bytes(&message.tell).as_slice());
         }
         meanwhile();
         for message in messages {
-            let heard = self.hear(message.rank);
+            let heard = self.receive(message.rank);
             assert_eq!(heard.len(), 8 * message.hear.len());
             for (number, bytes) in message.hear.iter_mut().zip(heard.chunks_exact(8)) {
                 *number = f64::from_ne_bytes(bytes.try_into().unwrap());
@@ -94,11 +103,25 @@ fn bytemuck_bytes(numbers: &[f64]) -> Vec<u8> {
 
 /// What every rank of so many makes of its work, each on a thread.
 pub fn on_ranks<T: Send>(count: usize, work: impl Fn(Box<dyn Ranks>) -> T + Sync) -> Vec<T> {
+    let all = on_ranks_counting(count, work);
+    all.into_iter().map(|(made, _)| made).collect()
+}
+
+/// The same with what every rank told others.
+pub fn on_ranks_counting<T: Send>(count: usize, work: impl Fn(Box<dyn Ranks>) -> T + Sync) -> Vec<(T, Traffic)> {
     std::thread::scope(|scope| {
         let work = &work;
         let running: Vec<_> = (ThreadRank::all(count).into_iter())
-            .map(|rank| scope.spawn(move || work(Box::new(rank))))
+            .map(|rank| {
+                let traffic = Arc::clone(&rank.traffic);
+                (scope.spawn(move || work(Box::new(rank))), traffic)
+            })
             .collect();
-        running.into_iter().map(|rank| rank.join().unwrap()).collect()
+        let ended = |(rank, traffic): (std::thread::ScopedJoinHandle<'_, T>, Arc<Mutex<Traffic>>)| {
+            let made = rank.join().unwrap();
+            let told = *traffic.lock().unwrap();
+            (made, told)
+        };
+        running.into_iter().map(ended).collect()
     })
 }

@@ -15,7 +15,6 @@ impl<'a> Runner<'a> {
             return Ok(());
         }
         self.sim.took(Phase::Other);
-        self.sim.make_whole();
         let moment = self.moment();
         let row = self.rows.write(&mut self.sim, &mut self.traffic, moment)?;
         self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
@@ -49,12 +48,14 @@ impl<'a> Runner<'a> {
             return Ok(());
         }
         self.sim.took(Phase::Other);
-        self.sim.make_whole();
-        if let Some(mut files) = self.files.take() {
-            let written = self.write_files(&mut files);
-            self.files = Some(files);
-            written?;
-        }
+        self.at_first(|runner| {
+            let Some(mut files) = runner.files.take() else {
+                return Ok(());
+            };
+            let written = runner.write_files(&mut files);
+            runner.files = Some(files);
+            written
+        })?;
         self.sim.walls.iter_mut().for_each(Wall::begin_interval);
         self.place.last_frame = Some(self.sim.step);
         self.sim.took(Phase::Output);
@@ -85,9 +86,24 @@ impl<'a> Runner<'a> {
     }
 
     pub(super) fn write_checkpoint(&mut self) -> Result<(), RunError> {
-        self.sim.make_whole();
-        let root = self.files.as_ref().map(|files| files.folder.root().to_owned());
-        root.map_or(Ok(()), |root| self.save_checkpoint(&root))
+        self.at_first(|runner| {
+            let root = runner.files.as_ref().map(|files| files.folder.root().to_owned());
+            root.map_or(Ok(()), |root| runner.save_checkpoint(&root))
+        })
+    }
+
+    /// The first process works with all grains and contacts. Each calls this.
+    pub(in crate::scenario) fn at_first(
+        &mut self,
+        work: impl FnOnce(&mut Self) -> Result<(), RunError>,
+    ) -> Result<(), RunError> {
+        self.sim.bring_together();
+        let done = match self.sim.is_first_process() {
+            true => work(self),
+            false => Ok(()),
+        };
+        self.sim.go_apart();
+        done
     }
 
     /// Writes a checkpoint into a folder.

@@ -6,6 +6,7 @@ use crate::contacts::step_work::WorkShare;
 use crate::particles::spread::Spread;
 use crate::simulation::Simulation;
 use crate::step::Motion;
+use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -125,6 +126,13 @@ impl Simulation {
                 let spreads = self.neighbours.spreads_of_segment(segment as usize);
                 self.spreads[spreads].fill(Spread::of_numbers(numbers));
             }
+        }
+    }
+
+    /// After a step: hears where the grains near the borders are, where they were moved once more when their forces were known.
+    pub(crate) fn hear_corrected_places(&mut self) {
+        if self.integrator == Integrator::Gear {
+            self.exchange_borders(|_| ());
         }
     }
 
