@@ -144,7 +144,7 @@ impl StepWork {
                 }
             }
         }
-        let all = add_branches(of_all.into_iter(), self.segments.len());
+        let all = add_branches(of_all, self.segments.len());
         self.take(Some(&all), walls);
         let [between_grains, with_walls] = first;
         between_grains.or(with_walls).map_or(Ok(()), Err)
