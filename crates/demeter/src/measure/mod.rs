@@ -1,7 +1,7 @@
 //! What is measured of a state: energies, contact statistics, stress, wall loads, and what a scenario asks for beside:
 //! networks of contacts, distributions of forces, grains in regions, their ways, and flows through gates.
 //!
-//! A contact counts when it acts, that is, when its normal force is not zero: [`ContactChunk::acts`].
+//! A contact counts when it acts, that is, when its normal force is not zero: [`ContactChunk::acts`](crate::contacts::ContactChunk::acts).
 
 mod angles;
 mod chains;
