@@ -146,7 +146,7 @@ pub struct RunArguments {
 pub struct Engine {
     /// Tell at the end where the time went, and how far that is from what the machine can do
     ///
-    /// Seconds, shares and nanoseconds per particle-step of the search, the narrow phase, the laws, the sums and the kick, the
+    /// Seconds, shares and nanoseconds per particle-step of the search, the narrow phase, the laws, sums with kick and
     /// drift, walls, books and output; bytes and operations that each particle-step needs at least, and how many times the
     /// time that memory alone would need the steps took; and what the tables hold in memory. Also in `summary.json`, as `profile`.
     #[arg(long)]

@@ -30,6 +30,13 @@ const LEAST_GRAINS_OF_A_PART: usize = 400;
 impl Simulation {
     /// Advances the run by one time step (see [`demeter_physics::integrator`]).
     pub fn step(&mut self) -> Result<(), Fault> {
+        self.step_on()?;
+        self.settle()
+    }
+
+    /// The same, but the kick that ends the step may be left to the next one: until [`settle`](Self::settle) velocities are those
+    /// predicted, and forces and torques those of the step before.
+    pub(crate) fn step_on(&mut self) -> Result<(), Fault> {
         self.start()?;
         self.divide();
         // small runs are the work of one thread
@@ -42,6 +49,9 @@ impl Simulation {
         self.spreads.resize(spreads, Spread::ANY);
         self.deform_box();
         let motion = self.move_and_exchange(Self::move_grains);
+        if std::mem::take(&mut self.awaits_kick) {
+            self.fault_in_grains(motion.bad, self.step - 1)?;
+        }
         let motion = self.beyond_affine(self.motion_of_all(motion));
         self.follow_box();
         self.took(Phase::Motion);
@@ -61,7 +71,10 @@ impl Simulation {
         self.took(self.phase_of_contacts());
         self.sum_up_work()?;
         self.took(Phase::Ranks);
-        self.sum_and_correct(Moment::Step)?;
+        self.awaits_kick = self.may_await_kick();
+        if !self.awaits_kick {
+            self.sum_and_correct(Moment::Step)?;
+        }
         self.note_across();
         self.took(Phase::Sums);
         self.load_walls(self.dt);
@@ -70,6 +83,21 @@ impl Simulation {
         self.took(Phase::Books);
         self.count_work();
         self.custom_failure()
+    }
+
+    /// Ends the latest step: whoever looks at velocities, forces or torques between two calls of [`step_on`](Self::step_on) calls this
+    /// first. Twice changes nothing. Where processes share the run each calls this.
+    pub(crate) fn settle(&mut self) -> Result<(), Fault> {
+        if std::mem::take(&mut self.awaits_kick) {
+            self.sum_and_correct(Moment::Step)?;
+            self.took(Phase::Sums);
+        }
+        Ok(())
+    }
+
+    /// Whether nothing needs the velocities at the end of a step before the next.
+    pub(crate) fn may_await_kick(&self) -> bool {
+        self.integrator == Integrator::VelocityVerlet && self.deforming.is_none() && !self.has_customs()
     }
 
     /// Forces at the very start, before any step.
@@ -236,18 +264,23 @@ impl Simulation {
             // at the start of a run the velocities are those given
             (_, Moment::Start) => self.kick(0.0),
         };
-        let fault = bad.map(|g| Fault::NotFinite {
-            step: self.step,
-            id: self.grains.id[g],
-            quantity: self.not_finite(g).into(),
-            position: self.grains.position[g],
-        });
-        self.fault_of_any(fault)?;
+        self.fault_in_grains(bad, self.step)?;
         self.book_custom(match moment {
             Moment::Step => self.dt,
             Moment::Start => 0.0,
         });
         Ok(())
+    }
+
+    /// The fault of a grain with a value that was not finite at the end of a step.
+    fn fault_in_grains(&mut self, bad: Option<usize>, step: u64) -> Result<(), Fault> {
+        let fault = bad.map(|g| Fault::NotFinite {
+            step,
+            id: self.grains.id[g],
+            quantity: self.not_finite(g).into(),
+            position: self.grains.position[g],
+        });
+        self.fault_of_any(fault)
     }
 
     /// Which quantity of a grain is not finite: the cause before its effects.
@@ -296,15 +329,18 @@ pub(crate) struct Motion {
     pub(crate) max_displacement: f64,
     /// Some grain outside the domain or not at a finite place.
     pub(crate) misplaced: Option<usize>,
+    /// The first grain, by its id, with a value that was not finite before it moved.
+    pub(crate) bad: Option<usize>,
 }
 
 impl Motion {
-    pub(crate) fn merge(self, other: Self) -> Self {
+    pub(crate) fn merge(self, other: Self, ids: &[u32]) -> Self {
         Self {
             max_speed: self.max_speed.max(other.max_speed),
             max_step: self.max_step.max(other.max_step),
             max_displacement: self.max_displacement.max(other.max_displacement),
             misplaced: self.misplaced.or(other.misplaced),
+            bad: first_by_id(ids, self.bad, other.bad),
         }
     }
 }

@@ -59,7 +59,7 @@ fn the_phases_add_up_to_the_whole() {
             report.seconds
         );
         assert!((shares - 1.0).abs() < 1e-6, "{name}: {shares}");
-        for phase in ["walls", "sums and kick", "drift", "books"] {
+        for phase in ["walls", "sums and kick alone", "sums, kick and drift", "books"] {
             assert!(seconds_of(&report, phase) > 0.0, "{name}: {phase}");
         }
         let coupled = name == "squeezed";

@@ -18,7 +18,7 @@ use crate::contacts::Fault;
 use crate::measure::{Measures, kinetic_over_elastic};
 use crate::output::{FrameWriter, RunFolder, SeriesLabels, StageSummary, Summary, wall_summaries};
 use crate::particles::Domain;
-use crate::simulation::{Setup, Simulation, SimulationState, Stage, StopCondition};
+use crate::simulation::{Cadence, Setup, Simulation, SimulationState, Stage, StopCondition};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 pub use sharing::all_or_none;
@@ -306,9 +306,12 @@ impl<'a> Runner<'a> {
     /// Runs on, stage by stage. Where it pauses changes no bit of the results.
     pub(super) fn advance(&mut self, until: &Until, observer: &mut dyn Observer) -> Result<Pause, RunError> {
         self.started = clock_after(self.computed);
-        let pause = self.run_on(until, observer);
+        let mut pause = self.run_on(until, observer)?;
+        if let Err(fault) = self.sim.settle() {
+            pause = Pause::End(RunEnd::Fault(fault));
+        }
         self.computed = self.started.elapsed().as_secs_f64();
-        pause
+        Ok(pause)
     }
 
     fn run_on(&mut self, until: &Until, observer: &mut dyn Observer) -> Result<Pause, RunError> {
@@ -322,6 +325,9 @@ impl<'a> Runner<'a> {
                 return Ok(Pause::End(RunEnd::Finished));
             }
             if let (false, Some(reason)) = (is_over, self.stage_is_over()) {
+                if let Err(fault) = self.sim.settle() {
+                    return Ok(Pause::End(RunEnd::Fault(fault)));
+                }
                 self.end_stage(&reason, observer)?;
                 continue;
             }
@@ -329,6 +335,9 @@ impl<'a> Runner<'a> {
                 return Ok(Pause::Stage);
             }
             if std::mem::take(&mut self.cancelled) {
+                if let Err(fault) = self.sim.settle() {
+                    return Ok(Pause::End(RunEnd::Fault(fault)));
+                }
                 self.write_checkpoint()?;
                 return Ok(Pause::End(RunEnd::Interrupted));
             }
@@ -369,7 +378,12 @@ impl<'a> Runner<'a> {
         for text in self.traffic.exchange(&mut self.sim)? {
             self.say(&text, observer)?;
         }
-        if let Err(fault) = self.sim.step() {
+        if let Err(fault) = self.sim.step_on() {
+            return Ok(Err(fault));
+        }
+        if self.looks(is_over)
+            && let Err(fault) = self.sim.settle()
+        {
             return Ok(Err(fault));
         }
         self.traffic.watch(&mut self.sim);
@@ -457,6 +471,21 @@ impl<'a> Runner<'a> {
     fn is_due(&self, interval: Option<f64>) -> bool {
         let elapsed = self.sim.step - self.place.stage_step;
         interval.is_some_and(|seconds| elapsed > 0 && elapsed.is_multiple_of(steps_in(seconds, self.sim.dt)))
+    }
+
+    /// Whether the grains are looked at after this step: by what is written, by what lets grains come and go or follows them, or by a
+    /// condition that ends the stage.
+    fn looks(&self, is_over: bool) -> bool {
+        let Cadence {
+            series,
+            frames,
+            checkpoints,
+        } = self.stage().cadence;
+        let writes = [series, frames, checkpoints]
+            .into_iter()
+            .any(|interval| self.is_due(interval));
+        let elapsed = self.sim.step - self.place.stage_step;
+        (!is_over && (writes || elapsed.is_multiple_of(ENERGY_INTERVAL))) || self.traffic.looks(&self.sim)
     }
 
     /// What ends the stage at this step, in words.

@@ -153,7 +153,12 @@ impl<'a> Traffic<'a> {
         sim.go_apart();
     }
 
-    /// Whether grains are looked at between the latest step and the next.
+    /// Whether grains are looked at after the latest step.
+    pub fn looks(&self, sim: &Simulation) -> bool {
+        self.followed.is_due(sim) || self.is_due(sim)
+    }
+
+    /// Whether grains may come and go between the latest step and the next.
     fn is_due(&self, sim: &Simulation) -> bool {
         let (scenario, state) = (self.scenario, &self.state);
         let mut removals = scenario.removals.iter().zip(&state.removals);

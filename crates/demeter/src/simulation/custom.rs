@@ -196,6 +196,11 @@ impl Simulation {
         }
     }
 
+    /// Whether any force or motion is custom.
+    pub(crate) fn has_customs(&self) -> bool {
+        self.customs.is_some()
+    }
+
     /// Whether a custom force acts.
     pub fn has_custom_force(&self) -> bool {
         self.customs.as_ref().is_some_and(|customs| !customs.forces.is_empty())

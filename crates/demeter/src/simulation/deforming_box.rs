@@ -442,7 +442,7 @@ impl Simulation {
             max_speed: SLACK * (speed + 0.5 * deforming.steepness() * apart),
             max_step: SLACK * (step2.sqrt() + 0.5 * carry.strain() * apart),
             max_displacement: SLACK * (motion.max_displacement + 0.5 * state.since.strain() * apart),
-            misplaced: motion.misplaced,
+            ..motion
         }
     }
 

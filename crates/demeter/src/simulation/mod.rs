@@ -155,6 +155,8 @@ pub struct Simulation {
     /// Keeps the other threads from sleeping within a step.
     pub(crate) awake: Awake,
     started: bool,
+    /// Whether what the contacts did in the latest step is still to be summed up per grain and to correct its velocity.
+    pub(crate) awaits_kick: bool,
 }
 
 impl Simulation {
@@ -224,6 +226,7 @@ impl Simulation {
             path: 0.0,
             awake: Awake::default(),
             started: false,
+            awaits_kick: false,
         }
     }
 

@@ -5,7 +5,7 @@
 //! what tasks have for the grains of others, and threads that wait.
 
 use super::memory::MemoryPart;
-use super::roofline::{Machine, Roofline, Work};
+use super::roofline::{Machine, Passes, Roofline, Work};
 use super::{SharingReport, Simulation};
 use demeter_physics::integrator::Integrator;
 use serde::Serialize;
@@ -107,8 +107,8 @@ impl Profile {
             ("sums within, waiting", waiting),
             ("coupled contacts", of(Phase::Coupled)),
             ("walls", walls + of(Phase::Walls)),
-            ("sums and kick", of(Phase::Sums)),
-            ("drift", of(Phase::Motion)),
+            ("sums and kick alone", of(Phase::Sums)),
+            ("sums, kick and drift", of(Phase::Motion)),
             ("other ranks", of(Phase::Ranks)),
             ("books", of(Phase::Books)),
             (OUTPUT, of(Phase::Output)),
@@ -226,8 +226,12 @@ impl Simulation {
         let roofline = (particle_steps > 0).then(|| {
             let in_steps = phases.iter().filter(|p| ![OUTPUT, OTHER].contains(&p.name));
             let seconds = in_steps.map(|p| p.seconds).sum();
-            let gear = self.integrator == Integrator::Gear;
-            let needs = profile.work.needs(self.contacts.stride, self.resists_rolling, gear);
+            let passes = match self.integrator {
+                Integrator::Gear => Passes::Gear,
+                Integrator::VelocityVerlet if self.may_await_kick() => Passes::Joined,
+                Integrator::VelocityVerlet => Passes::Apart,
+            };
+            let needs = profile.work.needs(self.contacts.stride, self.resists_rolling, passes);
             Roofline::new(&profile.work, needs, Machine::measure(self.instructions), seconds)
         });
         Some(ProfileReport {

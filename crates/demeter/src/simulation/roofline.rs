@@ -96,31 +96,33 @@ impl Work {
     ///
     /// With `G` grains, `W` candidates with walls, `C` contacts (with grains and walls) and `h` values of history, bytes are
     ///
-    /// `G (drift + contacts + kick) + W (candidate + entry + start) + C (2 (h + 1) 8 + bodies + tangential force)`
+    /// `G (motion + contacts) + W (candidate + entry + start) + C (2 (h + 1) 8 + bodies + tangential force)`
     ///
     /// | term | bytes | of |
     /// |---|---|---|
-    /// | drift | 352 | position, velocity, spin, orientation (32 each, read and written); force, torque, reference (32 each) |
+    /// | motion: kick and drift in one pass | 492 | position, velocity, spin, orientation, force, torque (32 each, read and written); reference (32), mass, the sum (64), where candidates with walls begin |
+    /// | motion: in two, as with custom forces or in a box that deforms | 684 | in the drift all but mass, sum, beginning, written force and torque; in the kick all but position, orientation, reference |
     /// | contacts | 224 | rows of position, velocity, spin; the sum (64, read and written) |
-    /// | kick | 332 | velocity, spin, force, torque (read and written), mass, the sum, where candidates with walls begin |
     /// | candidate, entry, start | 8 + 4 + 4 | grain and wall; its number for the grain; where its contacts begin |
     /// | history, normal force | 16 h + 16 | read and written |
     /// | bodies | 8 | both grains |
     /// | tangential force | 24 | written; 32 more where some law resists rolling |
     ///
-    /// Gear's corrector also reads and writes the derivatives in both passes, and place and orientation in the second.
-    pub(super) fn needs(&self, stride: usize, rolls: bool, gear: bool) -> Needs {
+    /// Steps after which something looks at the grains take two passes, too; they are counted as the others. Gear's corrector also reads
+    /// and writes the derivatives in both passes, and place and orientation in the second.
+    pub(super) fn needs(&self, stride: usize, rolls: bool, passes: Passes) -> Needs {
         let (row, turn) = (size_of::<Row>(), size_of::<DQuat>());
-        let drift = 2 * (3 * row + turn) + 3 * row;
         let sum = 2 * row;
+        let loads = size_of::<f64>() + sum + size_of::<u32>();
         let contacts = 3 * row + 2 * sum;
-        let kick = 8 * row + size_of::<f64>() + sum + size_of::<u32>();
-        let remembered = if gear {
-            4 * size_of::<HigherDerivatives>() + 2 * (row + turn)
-        } else {
-            0
+        let joined = 2 * (5 * row + turn) + row + loads;
+        let apart = 2 * (3 * row + turn) + 3 * row + 8 * row + loads;
+        let motion = match passes {
+            Passes::Joined => joined,
+            Passes::Apart => apart,
+            Passes::Gear => apart + 4 * size_of::<HigherDerivatives>() + 2 * (row + turn),
         };
-        let per_grain = drift + contacts + kick + remembered;
+        let per_grain = motion + contacts;
         let (entry, start) = (size_of::<u32>(), size_of::<u32>());
         let per_wall_candidate = size_of::<WallPair>() + entry + start;
         let rolling = if rolls { row } else { 0 };
@@ -136,6 +138,17 @@ impl Work {
                 + self.wall_candidates as f64 * OPERATIONS_PER_CANDIDATE,
         }
     }
+}
+
+/// In which passes grains move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Passes {
+    /// The kick that ends a step and the drift that begins the next in one.
+    Joined,
+    /// Each by itself.
+    Apart,
+    /// Gear's prediction and correction.
+    Gear,
 }
 
 /// What work needs at least.
@@ -297,17 +310,17 @@ mod tests {
 
     #[test]
     fn the_table_of_bytes_is_that_of_the_documentation() {
-        let of = |work: Work, stride| work.needs(stride, false, false).bytes;
+        let of = |work: Work, stride| work.needs(stride, false, Passes::Joined).bytes;
         let one = |set: fn(&mut Work)| {
             let mut work = Work::default();
             set(&mut work);
             work
         };
-        assert_eq!(of(one(|w| w.grains = 1), 4), 352.0 + 224.0 + 332.0);
+        assert_eq!(of(one(|w| w.grains = 1), 4), 492.0 + 224.0);
         assert_eq!(of(one(|w| w.wall_candidates = 1), 4), 16.0);
         let contact = one(|w| w.contacts = 1);
         assert_eq!(of(contact, 4), 16.0 * 4.0 + 16.0 + 8.0 + 24.0);
-        assert_eq!(contact.needs(4, true, false).bytes, of(contact, 4) + 32.0);
+        assert_eq!(contact.needs(4, true, Passes::Joined).bytes, of(contact, 4) + 32.0);
     }
 
     #[test]

@@ -128,6 +128,7 @@ impl SimulationState {
 impl Simulation {
     /// The state after the latest step.
     pub fn state(&self) -> SimulationState {
+        debug_assert!(!self.awaits_kick, "velocities are those predicted");
         SimulationState {
             step: self.step,
             dt: self.dt,

@@ -72,7 +72,7 @@ impl Simulation {
                     motion
                 },
             )
-            .reduce(Motion::default, Motion::merge)
+            .reduce(Motion::default, |one, other| one.merge(other, &grains.id))
     }
 
     /// Sum per grain, body force, and the correction of all that was predicted. Tells the first grain, by its id, with a value

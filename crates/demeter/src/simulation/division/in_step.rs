@@ -26,6 +26,7 @@ impl Simulation {
             max_step,
             max_displacement,
             misplaced: (misplaced > 0.0).then_some(0),
+            bad: None,
         }
     }
 
@@ -59,11 +60,13 @@ impl Simulation {
         }
         let mut motion = Motion::default();
         for near in self.parts_at_borders(true) {
-            motion = motion.merge(moves(self, near));
+            let moved = moves(self, near);
+            motion = motion.merge(moved, &self.grains.id);
         }
         self.exchange_borders(|sim| {
             for other in sim.parts_at_borders(false) {
-                motion = std::mem::take(&mut motion).merge(moves(sim, other));
+                let moved = moves(sim, other);
+                motion = std::mem::take(&mut motion).merge(moved, &sim.grains.id);
             }
         });
         motion

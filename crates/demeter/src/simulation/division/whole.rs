@@ -116,6 +116,7 @@ impl Simulation {
 
     /// Has every process have all grains, where the run is shared.
     pub fn make_grains_whole(&mut self) {
+        debug_assert!(!self.awaits_kick, "velocities are those predicted");
         let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
             return;
         };
@@ -156,6 +157,7 @@ impl Simulation {
 
     /// Has the first process have all grains until the next step. Each calls this.
     pub fn bring_grains_together(&mut self) {
+        debug_assert!(!self.awaits_kick, "velocities are those predicted");
         let Some(mut division) = self.division.take_if(|division| !division.is_whole) else {
             return;
         };
