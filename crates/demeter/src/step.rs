@@ -8,7 +8,7 @@ mod walls;
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
-use crate::contacts::sum::{Collector, Work};
+use crate::contacts::sum::{Adder, Work};
 use crate::contacts::{ContactChunk, Fault, Scene};
 use crate::particles::Outside;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
@@ -235,13 +235,11 @@ impl Simulation {
             neighbours,
             segments,
             instructions: self.instructions,
-            // forces across the sides of a box that deforms are summed up apart
-            waits: scene.is_deforming(),
-            step: |c: usize, chunk: &mut ContactChunk, collector: &mut Collector| {
+            step: |c: usize, chunk: &mut ContactChunk, adder: &mut Adder| {
                 let mut clock = Profile::chunk(profile);
                 let reach = near.reach(neighbours.segment_of_chunk(c));
                 let found = || clock.took(Part::Narrow);
-                chunk.step_pairs(neighbours.chunk(c), reach, &scene, collector, found);
+                chunk.step_pairs(neighbours.chunk(c), reach, &scene, adder, found);
                 clock.took(Part::Laws);
             },
             at_walls: |c: usize, chunk: &mut ContactChunk| {

@@ -3,16 +3,17 @@
 use super::kinematics::{Approach, Known, Partners, Source};
 use super::meetings::Meeting;
 use super::respond::{Answers, Respond};
-use super::sum::{AddAtOnce, Collector, Sink};
+use super::sum::{Across, AddAtOnce, Adder, Sink};
 use super::{ContactChunk, EightVectors, Scene};
 use demeter_physics::lanes::{self, MOST_LANES};
+use glam::DVec3;
 
 /// Contacts whose engagement one word tells.
 pub(super) const WORD: usize = 64;
 
 impl ContactChunk {
     /// Finds which contacts between grains act in this step, and evaluates their laws.
-    pub(crate) fn meet_pairs(&mut self, scene: &Scene, collector: &mut Collector) {
+    pub(crate) fn meet_pairs(&mut self, scene: &Scene, adder: &mut Adder) {
         let mut engaged = std::mem::take(&mut self.engaged);
         engaged.resize(self.len().div_ceil(WORD), 0);
         let (i, j, shift) = self.take_bodies();
@@ -23,7 +24,7 @@ impl ContactChunk {
             shift: &shift,
             engaged: &mut engaged,
         };
-        let too_deep = self.collect(collector, (&i, &j, &shift), scene, approach);
+        let too_deep = self.collect(adder, (&i, &j, &shift), scene, approach);
         (self.i, self.j, self.shift) = (i, j, shift);
         self.engaged = engaged;
         if let Some((k, overlap)) = too_deep {
@@ -32,7 +33,7 @@ impl ContactChunk {
     }
 
     /// Evaluates the laws of all contacts between grains whose geometry is known.
-    pub(crate) fn evaluate_pairs(&mut self, scene: &Scene, collector: &mut Collector) {
+    pub(crate) fn evaluate_pairs(&mut self, scene: &Scene, adder: &mut Adder) {
         let (i, j, shift) = self.take_bodies();
         let geometry = std::mem::take(&mut self.now.geometry);
         let known = Known {
@@ -42,7 +43,7 @@ impl ContactChunk {
             partners: Partners::grains(scene.grains, &j),
             shifts: (scene.is_deforming()).then_some((&shift, scene.comm.shift_velocities())),
         };
-        self.collect(collector, (&i, &j, &shift), scene, known);
+        self.collect(adder, (&i, &j, &shift), scene, known);
         (self.i, self.j, self.shift) = (i, j, shift);
         self.now.geometry = geometry;
     }
@@ -102,22 +103,21 @@ impl ContactChunk {
     /// Evaluates the laws of all contacts and hands over what they do. Tells the first with too much overlap.
     fn collect(
         &mut self,
-        collector: &mut Collector,
+        adder: &mut Adder,
         (i, j, shift): (&[u32], &[u32], &[u8]),
         scene: &Scene,
         source: impl Source,
     ) -> Option<(usize, f64)> {
-        if collector.waits {
-            let first = collector.waiting.loads.len();
-            let too_deep = self.evaluate(collector.waiting, scene, source);
-            collector.waiting.truncate(first + self.len());
-            if scene.is_deforming() {
-                self.sum_across(shift, &collector.waiting.loads[first..]);
-            }
-            return too_deep;
+        let across = scene.is_deforming().then_some(Across {
+            shift,
+            forces: [DVec3::ZERO; 3],
+        });
+        let mut sink = AddAtOnce { adder, i, j, across };
+        let too_deep = self.evaluate(&mut sink, scene, source);
+        if let Some(across) = sink.across {
+            self.across = across.forces;
         }
-        let adder = &mut collector.adder;
-        self.evaluate(&mut AddAtOnce { adder, i, j }, scene, source)
+        too_deep
     }
 
     /// Evaluates the laws of all contacts. Tells the first with too much overlap.

@@ -34,7 +34,6 @@ pub use transfer::{CarriedContact, ContactKey};
 
 pub use crate::neighbours::CHUNK;
 
-use crate::comm::Single;
 use crate::particles::{make_room, set_aside};
 use crate::walls::Mark;
 use coupling::{Coupled, Scratch};
@@ -276,21 +275,6 @@ impl ContactChunk {
         make_room(&mut self.now.normal_force, contacts);
         make_room(&mut self.now.tangential, contacts.div_ceil(MOST_LANES));
         make_room(&mut self.now.history, contacts * stride);
-    }
-
-    /// Sums up the forces across periodic sides, told the codes of the shifts and what every contact does.
-    fn sum_across(&mut self, shift: &[u8], loads: &[Load]) {
-        let mut across = [DVec3::ZERO; 3];
-        for (&code, load) in shift.iter().zip(loads) {
-            if code != Single::UNSHIFTED {
-                let [x, y, z, _] = load.force;
-                let boxes = Single::boxes(code);
-                for (axis, sum) in across.iter_mut().enumerate() {
-                    *sum += DVec3::new(x, y, z) * boxes[axis];
-                }
-            }
-        }
-        self.across = across;
     }
 
     /// Bytes set aside for bodies, forces, histories, and all else.

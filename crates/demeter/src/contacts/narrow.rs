@@ -8,7 +8,7 @@ use super::evaluate::WORD;
 use super::laws::largest_reach;
 use super::meetings::{FindPairs, Found};
 use super::near::FindNear;
-use super::sum::Collector;
+use super::sum::Adder;
 use super::{ContactChunk, Fault, Kept, Tally};
 use crate::comm::Single;
 use crate::materials::Materials;
@@ -126,7 +126,7 @@ impl ContactChunk {
         (pairs, law): (&[Pair], u32),
         reach: Option<f64>,
         scene: &Scene,
-        collector: &mut Collector,
+        adder: &mut Adder,
         found_all: impl FnOnce(),
     ) {
         self.begin(0, law);
@@ -154,7 +154,7 @@ impl ContactChunk {
             self.note_shifts(pairs);
         }
         found_all();
-        self.meet_pairs(scene, collector);
+        self.meet_pairs(scene, adder);
     }
 
     /// Takes the codes of the shifts of all contacts from their candidates.

@@ -1,5 +1,5 @@
-//! Sum per grain over its contacts: those with grains in the order of the partners' places in memory, then those with walls in
-//! the order of the walls.
+//! Sum per grain over its contacts: those with grains segment by segment of the table of pairs, there law by law, and of each law in
+//! the order of the partners' places in memory; then those with walls in the order of the walls.
 //!
 //! What a contact does is added to both of its grains as soon as its laws were asked, in the order of [`PairTable`], while
 //! it is still in the cache. A task adds to its own grains, and what it has for those of other tasks is added when all are
@@ -8,12 +8,12 @@
 //! [`PairTable`]: crate::neighbours
 
 use super::{ContactChunk, Contacts, Load};
+use crate::comm::Single;
 use crate::neighbours::Neighbours;
 use crate::particles::set_aside;
 use crate::threads::join;
 use demeter_physics::lanes::{self, Four, Instructions, Kernel, Lanes, Quad};
 use glam::DVec3;
-use std::cell::RefCell;
 use std::ops::Range;
 
 /// What contacts between grains do to one grain, so far: force [N], and the negative of the torque [N m]; what stands beside them
@@ -162,62 +162,6 @@ impl Sink for Vec<Load> {
     }
 }
 
-/// What contacts do, one after the other.
-#[derive(Default)]
-pub(crate) struct LoadList {
-    pub(super) loads: Vec<Load>,
-    /// Torques of rolling laws; empty where none resists rolling.
-    torques: Vec<[f64; 4]>,
-    /// The next contacts of some chunks.
-    heads: Vec<Head>,
-}
-
-/// The next contact of a chunk that is to be added.
-struct Head {
-    /// The place of its pair in the order of the sums.
-    key: u64,
-    chunk: usize,
-    contact: usize,
-    /// Among the loads of all chunks.
-    place: usize,
-}
-
-impl Head {
-    /// The contact of a chunk that has this number, whose load lies at a place; nothing behind the last.
-    #[inline(always)]
-    fn new(chunks: &[ContactChunk], chunk: usize, contact: usize, place: usize) -> Option<Self> {
-        let (&i, &j) = (chunks[chunk].i.get(contact)?, chunks[chunk].j.get(contact)?);
-        Some(Self {
-            key: u64::from(i.max(j)) << 32 | u64::from(i.min(j)),
-            chunk,
-            contact,
-            place,
-        })
-    }
-}
-
-impl LoadList {
-    /// Keeps so many contacts.
-    pub(super) fn truncate(&mut self, contacts: usize) {
-        self.loads.truncate(contacts);
-        self.torques.truncate(contacts);
-    }
-}
-
-impl Sink for LoadList {
-    #[inline(always)]
-    fn put<L: Lanes>(&mut self, k: usize, forces: &L::Rows, arms: &L::Rows, torques: Option<&L::Rows>) {
-        self.loads.put::<L>(k, forces, arms, None);
-        if let Some(torques) = torques {
-            self.torques.extend_from_slice(torques.as_ref());
-        }
-    }
-}
-
-thread_local! {
-    static LOADS: RefCell<LoadList> = RefCell::default();
-}
-
 /// Sums of the grains of a task, and what it has for others.
 pub(crate) struct Adder<'a> {
     first_grain: u32,
@@ -243,6 +187,28 @@ pub(super) struct AddAtOnce<'s, 'a> {
     /// Bodies of the contacts.
     pub(super) i: &'s [u32],
     pub(super) j: &'s [u32],
+    /// What acts across periodic sides, where the box deforms.
+    pub(super) across: Option<Across<'s>>,
+}
+
+/// Forces of contacts across periodic sides.
+pub(super) struct Across<'s> {
+    /// Codes of the shifts of the contacts.
+    pub(super) shift: &'s [u8],
+    /// Forces on the first bodies, times the boxes to the images of the second, by direction [N].
+    pub(super) forces: [DVec3; 3],
+}
+
+impl Across<'_> {
+    fn add(&mut self, contact: usize, [x, y, z, _]: [f64; 4]) {
+        let code = self.shift[contact];
+        if code != Single::UNSHIFTED {
+            let boxes = Single::boxes(code);
+            for (axis, sum) in self.forces.iter_mut().enumerate() {
+                *sum += DVec3::new(x, y, z) * boxes[axis];
+            }
+        }
+    }
 }
 
 impl Sink for AddAtOnce<'_, '_> {
@@ -256,17 +222,11 @@ impl Sink for AddAtOnce<'_, '_> {
             let torque = torques.map(|torques| &torques.as_ref()[lane]);
             self.adder.add::<L::Quad>(i, 0, &load, torque);
             self.adder.add::<L::Quad>(j, 1, &load, torque);
+            if let Some(across) = &mut self.across {
+                across.add(k + lane, force);
+            }
         }
     }
-}
-
-/// Takes what the contacts of a segment do.
-pub(crate) struct Collector<'s, 'a> {
-    pub(super) adder: Adder<'a>,
-    /// Contacts of several laws wait here until all of the segment are known; then they are added in their order.
-    pub(super) waiting: &'s mut LoadList,
-    /// Whether they wait.
-    pub(super) waits: bool,
 }
 
 /// Segments of the table of pairs that one task works on, and the grains that are its own.
@@ -287,8 +247,6 @@ pub(crate) struct Work<'a, S, W> {
     /// Segments of the table of pairs that are worked on.
     pub(crate) segments: Range<usize>,
     pub(crate) instructions: Instructions,
-    /// Whether what contacts do is asked for one by one before it is added.
-    pub(crate) waits: bool,
     /// Finds what the contacts of a chunk between grains do, told by its number.
     pub(crate) step: S,
     /// The same of a chunk with walls, whose loads wait there. Those of a segment come right after its pairs: the grains are in the
@@ -307,7 +265,7 @@ impl Sums {
     /// work is cut changes no sum.
     pub(crate) fn work<S, W>(&mut self, contacts: &mut Contacts, grains: usize, parts: usize, work: &Work<S, W>)
     where
-        S: Fn(usize, &mut ContactChunk, &mut Collector) + Sync,
+        S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
         W: Fn(usize, &mut ContactChunk) + Sync,
     {
         let Range { start, end } = work.segments;
@@ -359,11 +317,11 @@ fn of_segments(segments: Range<usize>, of: impl Fn(usize) -> Range<usize>) -> Ra
 impl<'a> Task<'a> {
     fn work<S, W>(self, work: &Work<S, W>)
     where
-        S: Fn(usize, &mut ContactChunk, &mut Collector) + Sync,
+        S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
         W: Fn(usize, &mut ContactChunk) + Sync,
     {
         if self.strays.len() < 2 {
-            return LOADS.with_borrow_mut(|loads| self.work_alone(work, loads));
+            return self.work_alone(work);
         }
         let (one, other) = self.cut(work.neighbours);
         join(|| one.work(work), || other.work(work));
@@ -401,83 +359,25 @@ impl<'a> Task<'a> {
         (one, other)
     }
 
-    fn work_alone<S, W>(self, work: &Work<S, W>, waiting: &mut LoadList)
+    fn work_alone<S, W>(self, work: &Work<S, W>)
     where
-        S: Fn(usize, &mut ContactChunk, &mut Collector) + Sync,
+        S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
         W: Fn(usize, &mut ContactChunk) + Sync,
     {
         let neighbours = work.neighbours;
-        let mut collector = Collector {
-            adder: Adder {
-                first_grain: self.first_grain as u32,
-                sums: self.sums,
-                strays: &mut self.strays[0],
-            },
-            waiting,
-            waits: false,
+        let mut adder = Adder {
+            first_grain: self.first_grain as u32,
+            sums: self.sums,
+            strays: &mut self.strays[0],
         };
         for segment in self.segments.clone() {
             let grains = neighbours.grains_of_segment(segment);
-            collector.adder.sums[grains.start - self.first_grain..grains.end - self.first_grain].fill(Sum::default());
-            let chunks = neighbours.chunks_of_segment(segment);
-            collector.waits = work.waits || neighbours.has_several_laws(segment);
-            collector.waiting.truncate(0);
-            for chunk in chunks.clone() {
-                (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], &mut collector);
-            }
-            if collector.waits {
-                let add_up = AddUp {
-                    adder: &mut collector.adder,
-                    chunks: &self.chunks[chunks.start - self.first_chunk..chunks.end - self.first_chunk],
-                    found: collector.waiting,
-                };
-                lanes::run(work.instructions, add_up);
+            adder.sums[grains.start - self.first_grain..grains.end - self.first_grain].fill(Sum::default());
+            for chunk in neighbours.chunks_of_segment(segment) {
+                (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], &mut adder);
             }
             for chunk in neighbours.wall_chunks_of_segment(segment) {
                 (work.at_walls)(chunk, &mut self.wall_chunks[chunk - self.first_wall_chunk]);
-            }
-        }
-    }
-}
-
-/// Adds up what the contacts of a segment do, in the order of the sums.
-struct AddUp<'s, 'a> {
-    adder: &'s mut Adder<'a>,
-    /// Chunks of the segment, and what all of their contacts do.
-    chunks: &'s [ContactChunk],
-    found: &'s mut LoadList,
-}
-
-impl Kernel for AddUp<'_, '_> {
-    type Output = ();
-
-    /// Each chunk has its contacts in the order of the sums: the next is that of the chunk whose next comes first.
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let Self { adder, chunks, found } = self;
-        let LoadList { loads, torques, heads } = found;
-        heads.clear();
-        let mut place = 0;
-        for (number, chunk) in chunks.iter().enumerate() {
-            heads.extend(Head::new(chunks, number, 0, place));
-            place += chunk.len();
-        }
-        while !heads.is_empty() {
-            let mut first = 0;
-            for next in 1..heads.len() {
-                if heads[next].key < heads[first].key {
-                    first = next;
-                }
-            }
-            let &Head {
-                chunk, contact, place, ..
-            } = &heads[first];
-            let (load, torque) = (&loads[place], torques.get(place));
-            adder.add::<L::Quad>(chunks[chunk].i[contact], 0, load, torque);
-            adder.add::<L::Quad>(chunks[chunk].j[contact], 1, load, torque);
-            match Head::new(chunks, chunk, contact + 1, place + 1) {
-                Some(next) => heads[first] = next,
-                None => drop(heads.remove(first)),
             }
         }
     }

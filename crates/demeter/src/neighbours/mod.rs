@@ -283,11 +283,6 @@ impl Neighbours {
         against.fold(own.against(&own), f64::max)
     }
 
-    /// Whether the pairs of a segment are of several laws, so that its chunks do not follow each other in the order of the sums.
-    pub(crate) fn has_several_laws(&self, segment: usize) -> bool {
-        self.pairs.table.segments[segment].runs.len() > 1
-    }
-
     /// Pairs of a grain with walls, in the order of the walls: chunk, and place in it.
     #[inline(always)]
     pub fn wall_pairs_of(&self, grain: usize) -> impl ExactSizeIterator<Item = (usize, usize)> + '_ {

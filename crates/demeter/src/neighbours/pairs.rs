@@ -1,9 +1,9 @@
-//! Candidate pairs in the order in which grains are summed up: by the place in memory of the later of both grains, then by
-//! that of the earlier.
+//! Candidate pairs in the order in which grains are summed up: by segments of the later of both grains in memory, there by laws, then by
+//! the place of the later grain, then by that of the earlier.
 //!
-//! Whoever adds what a pair does to both of its grains, pair by pair in this order, adds to each grain in the order in which
-//! its partners lie in memory. That order does not depend on how the work is shared out: a task that has the pairs of
-//! some later grains adds to these itself, and what it has for grains of other tasks is added afterwards, task by task.
+//! Whoever adds what a pair does to both of its grains, pair by pair, adds to each grain in this order. It does not depend on how the
+//! work is shared out: a task that has the pairs of some segments adds to their grains itself, and what it has for grains of other
+//! tasks is added afterwards, task by task.
 
 use super::Pair;
 use super::table::{LawOrder, NOWHERE, Segment, Table};

@@ -7,7 +7,7 @@ use crate::contacts::coupling::bulge::{ALLOWANCE, Bounds, FIRST_BULGE};
 use crate::contacts::coupling::displaced::ChunkPlace;
 use crate::contacts::coupling::kernels::Kernels;
 use crate::contacts::coupling::sites::{Changes, GRAINS_PER_TASK, Scenery, Sites, Told};
-use crate::contacts::sum::{Collector, Work};
+use crate::contacts::sum::{Adder, Work};
 use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
 
 use super::parts;
@@ -245,14 +245,13 @@ impl Simulation {
                 neighbours: &self.neighbours,
                 segments: self.segments_here(),
                 instructions: self.instructions,
-                waits: scene.is_deforming(),
-                step: |number: usize, chunk: &mut ContactChunk, collector: &mut Collector| {
+                step: |number: usize, chunk: &mut ContactChunk, adder: &mut Adder| {
                     let at = ChunkPlace {
                         wall: false,
                         chunk: number,
                     };
                     chunk.deform(at, &scene);
-                    chunk.evaluate_pairs(&scene, collector);
+                    chunk.evaluate_pairs(&scene, adder);
                 },
                 at_walls: |number: usize, chunk: &mut ContactChunk| {
                     let at = ChunkPlace {
