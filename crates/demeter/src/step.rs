@@ -176,7 +176,8 @@ impl Simulation {
         let wall = self.wall_displacement();
         let (bulges, margin) = (self.coupling.as_ref()).map_or((0.0, 0.0), |c| (c.bulges_of_two(), c.memory.margin));
         let used = (2.0 * grain).max(grain + wall) - (margin - bulges);
-        let counts = || Counts::new(&self.neighbours, self.engaged_contacts());
+        let looks_at_all = self.coupling.is_some() || self.integrator == Integrator::Gear;
+        let counts = || Counts::new(&self.neighbours, self.engaged_contacts(), looks_at_all);
         let is_old = self.neighbours.reference.len() != self.grains.len();
         if is_old || used > self.skin {
             return Some(self.tuner.after_use(self.skin, self.step, counts()));

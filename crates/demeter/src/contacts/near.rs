@@ -14,7 +14,7 @@ use std::ops::Range;
 const STEPS: f64 = 24.0;
 
 /// Looking for contacts costs as much as this share of the pairs that come into the table with a reach of the mean radius.
-const SEARCH: f64 = 0.1;
+const SEARCH: f64 = 0.05;
 
 /// The least and the most that the reach goes beyond what acts in one step, as shares of the mean radius.
 const ROOM: (f64, f64) = (1e-5, 0.1);

@@ -1,6 +1,6 @@
 //! How far beyond touching candidates are looked for.
 //!
-//! A wide skin lasts for more steps, and costs more candidates that are looked at in vain in each of them. With a skin `s` that motion uses up at
+//! A wide skin lasts for more steps, and costs more candidates that are looked at in vain. With a skin `s` that motion uses up at
 //! `u` metres per step, a rebuild of cost `R` every `s/u` steps, and `e s` candidates that are no contacts, a step costs
 //! `R u/s + e s`. That is least at `s = sqrt(R u/e)`, where they cost as much between two rebuilds as a rebuild.
 //!
@@ -10,14 +10,17 @@ use crate::neighbours::Neighbours;
 use crate::particles::{Domain, Grains};
 use serde::{Deserialize, Serialize};
 
-/// Cost of a rebuild per grain, in candidates that a step looks at in vain (about 5 ns each, `benches/README.md`).
-const REBUILD_PER_GRAIN: f64 = 20.0;
+/// Cost of a rebuild per grain, in candidates that are no contacts and wait for a step (about 1.7 ns each, `benches/README.md`).
+const REBUILD_PER_GRAIN: f64 = 90.0;
 
 /// Cost of a rebuild per candidate found, in the same unit.
-const REBUILD_PER_CANDIDATE: f64 = 6.0;
+const REBUILD_PER_CANDIDATE: f64 = 18.0;
 
 /// Cost of a rebuild per contact handed over, in the same unit.
-const REBUILD_PER_CONTACT: f64 = 15.0;
+const REBUILD_PER_CONTACT: f64 = 6.0;
+
+/// Cost of a candidate that is looked at in vain in every step, in the same unit: where no table tells for some steps which may act.
+const LOOKED_AT: f64 = 3.0;
 
 /// A skin changes at most by this factor at once.
 const LARGEST_CHANGE: f64 = 2.0;
@@ -73,18 +76,21 @@ pub(crate) struct Counts {
     pub(crate) grains: usize,
     pub(crate) candidates: usize,
     pub(crate) contacts: usize,
+    /// Whether all candidates are looked at in every step.
+    pub(crate) looks_at_all: bool,
 }
 
 impl Counts {
-    pub(crate) fn new(neighbours: &Neighbours, contacts: usize) -> Self {
+    pub(crate) fn new(neighbours: &Neighbours, contacts: usize, looks_at_all: bool) -> Self {
         Self {
             grains: neighbours.reference.len(),
             candidates: neighbours.total(),
             contacts,
+            looks_at_all,
         }
     }
 
-    /// Cost of a rebuild, in candidates looked at.
+    /// Cost of a rebuild, in candidates that wait for a step.
     fn rebuild(self) -> f64 {
         REBUILD_PER_GRAIN * self.grains as f64
             + REBUILD_PER_CANDIDATE * self.candidates as f64
@@ -94,6 +100,11 @@ impl Counts {
     /// Candidates that are no contacts; at least one, so that one can divide by it.
     fn idle(self) -> f64 {
         self.candidates.saturating_sub(self.contacts).max(1) as f64
+    }
+
+    /// What they cost in a step.
+    fn vain(self) -> f64 {
+        self.idle() * if self.looks_at_all { LOOKED_AT } else { 1.0 }
     }
 }
 
@@ -151,7 +162,7 @@ impl SkinTuner {
             return None;
         }
         let counts = counts();
-        if steps as f64 * counts.idle() < PATIENCE * counts.rebuild() {
+        if steps as f64 * counts.vain() < PATIENCE * counts.rebuild() {
             return None;
         }
         let next = self.next(skin, used / steps as f64, counts);
@@ -164,7 +175,7 @@ impl SkinTuner {
             return skin;
         };
         let per_length = counts.idle() / skin;
-        let best = (counts.rebuild() * per_step / per_length).sqrt();
+        let best = (counts.rebuild() * per_step * skin / counts.vain()).sqrt();
         let room = MOST_CANDIDATES * counts.grains as f64 - counts.contacts as f64;
         let widest = (room / per_length).max(least).min(most);
         let changed = best.clamp(skin / LARGEST_CHANGE, skin * LARGEST_CHANGE);
@@ -187,12 +198,13 @@ mod tests {
             grains: 1000,
             candidates: 2000 + (20_000.0 * skin) as usize,
             contacts: 2000,
+            looks_at_all: false,
         }
     }
 
     /// What a step costs with a skin, of which motion uses `per_step`.
     fn cost(skin: f64, per_step: f64) -> f64 {
-        counts(skin).rebuild() * per_step / skin + counts(skin).idle()
+        counts(skin).rebuild() * per_step / skin + counts(skin).vain()
     }
 
     #[test]
@@ -229,7 +241,7 @@ mod tests {
     fn a_skin_that_is_used_up_soon_is_kept() {
         let counts = || counts(0.1);
         // at this pace motion uses it up when idle candidates have cost as much as a rebuild: that is the best skin
-        let lasts = (counts().rebuild() / counts().idle()) as u64;
+        let lasts = (counts().rebuild() / counts().vain()) as u64;
         assert!(lasts > 2 * LOOK_EVERY);
         for step in 1..lasts {
             let used = 0.1 * step as f64 / lasts as f64;

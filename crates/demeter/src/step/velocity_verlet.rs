@@ -17,7 +17,6 @@ impl Simulation {
     /// first.
     pub(super) fn drift(&mut self, some: Range<usize>) -> Motion {
         let (dt, domain, instructions) = (self.dt, *self.comm.domain(), self.instructions);
-        let sums = GrainSums::new(&self.sums, &self.neighbours, &self.contacts.walls).behind(some.start);
         let grains = &mut self.grains;
         let ids = &grains.id;
         let (force, torque) = (
@@ -46,8 +45,8 @@ impl Simulation {
             ids,
             force,
             torque,
+            sums: GrainSums::new(&self.sums, &self.neighbours, &self.contacts.walls).behind(some.start),
             mass: &grains.mass[some],
-            sums,
             gravity: self.gravity,
             correction: 0.5 * dt,
             bad: None,
