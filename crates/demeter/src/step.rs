@@ -10,12 +10,10 @@ pub use coupled::{CouplingMemory, Effort};
 
 use crate::contacts::sum::{Adder, Work};
 use crate::contacts::{ContactChunk, Fault, Scene};
-use crate::particles::Outside;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::simulation::profile::{Part, Profile};
 use crate::simulation::{Counts, Phase, Simulation};
 use demeter_physics::integrator::Integrator;
-use glam::DVec3;
 use std::ops::Range;
 
 /// Grains handled by one task.
@@ -124,46 +122,6 @@ impl Simulation {
             Integrator::VelocityVerlet => self.drift(some),
             Integrator::Gear => self.predict(some),
         }
-    }
-
-    /// A grain that left the domain, or whose place is not a number, ends the run or is removed.
-    fn check_places(&mut self, motion: &Motion) -> Result<(), Fault> {
-        if motion.misplaced.is_none() && self.step > 0 {
-            return Ok(());
-        }
-        self.make_whole();
-        let domain = *self.comm.domain();
-        let outside: Vec<usize> = (0..self.grains.len())
-            .filter(|&g| !domain.contains(self.grains.position[g]))
-            .collect();
-        let Some(&g) = outside.iter().min_by_key(|&&g| self.grains.id[g]) else {
-            return Ok(());
-        };
-        let (id, position, velocity) = (self.grains.id[g], self.grains.position[g], self.grains.velocity[g]);
-        if let Some(&g) = outside.iter().find(|&&g| !self.grains.position[g].is_finite()) {
-            let reference = &self.neighbours.reference;
-            let position = if g < reference.len() { reference[g] } else { DVec3::NAN };
-            return Err(Fault::NotFinite {
-                step: self.step,
-                id: self.grains.id[g],
-                quantity: "position".into(),
-                position,
-            });
-        }
-        if domain.outside == Outside::Stop {
-            let (lower, upper) = (domain.lower, domain.upper);
-            return Err(Fault::Outside {
-                step: self.step,
-                id,
-                position,
-                velocity,
-                lower,
-                upper,
-            });
-        }
-        self.remove(&outside);
-        self.divide();
-        Ok(())
     }
 
     /// The skin to find candidates anew with: when some grain may touch a partner that is not among its candidates, and

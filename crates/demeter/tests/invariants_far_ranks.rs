@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
+#[path = "invariants_far_ranks/exchanges.rs"]
+mod exchanges;
 
 use cases::ranks::on_ranks;
 use cases::{Case, Laws, law, on_threads, one_material, report};
@@ -72,6 +74,16 @@ fn outcome(setup: Setup, shear: Option<Deformation>, steps: u64, ranks: Option<B
     (format!("{:?} {:?}", sim.state(), sim.grains), sim.rebuilds())
 }
 
+/// Compares all bits, as every `f64` is written with all its digits; shows the first place that differs.
+fn compare_text(what: &str, saved: &str, alone: &str) {
+    let differs = saved.bytes().zip(alone.bytes()).position(|(a, b)| a != b);
+    if let Some(at) = differs {
+        let shown = |text: &str| text[at.saturating_sub(200)..(at + 80).min(text.len())].to_string();
+        panic!("{what}:\n{}\n{}", shown(saved), shown(alone));
+    }
+    assert_eq!(saved.len(), alone.len(), "{what}");
+}
+
 fn compare(what: &str, setup: impl Fn() -> Setup + Sync, shear: Option<Deformation>, counts: &[usize]) {
     let steps = 150;
     let (alone, rebuilds) = on_threads(2, || outcome(setup(), shear, steps, None));
@@ -81,12 +93,7 @@ fn compare(what: &str, setup: impl Fn() -> Setup + Sync, shear: Option<Deformati
             on_threads(1, || outcome(setup(), shear, steps, Some(rank)))
         });
         for (rank, (saved, _)) in shared.into_iter().enumerate() {
-            let differs = saved.bytes().zip(alone.bytes()).position(|(a, b)| a != b);
-            if let Some(at) = differs {
-                let shown = |text: &str| text[at.saturating_sub(200)..(at + 80).min(text.len())].to_string();
-                panic!("{what}, rank {rank} of {count}:\n{}\n{}", shown(&saved), shown(&alone));
-            }
-            assert_eq!(saved.len(), alone.len(), "{what}, rank {rank} of {count}");
+            compare_text(&format!("{what}, rank {rank} of {count}"), &saved, &alone);
         }
     }
 }

@@ -90,6 +90,24 @@ fn feeds_walls_and_measures_do_not_feel_the_processes() {
 }
 
 #[test]
+fn a_bin_that_is_empty_at_first_fills_and_drains_as_with_one() {
+    let place = tempfile::tempdir().unwrap();
+    let (one, parts) = (place.path().join("one"), place.path().join("parts"));
+    let scenario = scenario("filled.toml", &[]);
+    let report = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+    assert_eq!(report.end, RunEnd::Finished);
+    let steps = report.summary.steps;
+    assert!(report.summary.grains > 1024, "{} grains", report.summary.grains);
+    let half = on_ranks(3, |rank| share(&scenario, &parts, rank, Some(steps / 2)));
+    assert!(half.iter().all(|end| *end == RunEnd::Interrupted), "{half:?}");
+    let ends = on_ranks_counting(4, |rank| {
+        resume_shared(&parts, OPTIONS, rank, &mut Silent(None)).unwrap().end
+    });
+    assert!(ends.iter().all(|(end, _)| *end == RunEnd::Finished), "{ends:?}");
+    assert_same(&one, &parts);
+}
+
+#[test]
 fn what_is_written_is_told_to_the_first_process_alone() {
     let place = tempfile::tempdir().unwrap();
     let told = |name: &str, changes: &[&str]| {

@@ -15,6 +15,7 @@ mod evaluate;
 mod fault;
 mod kinematics;
 pub mod laws;
+mod leaving;
 mod marks;
 mod meetings;
 mod merge;
@@ -28,6 +29,7 @@ mod wall_contacts;
 
 pub use coupling::Coupling;
 pub use fault::Fault;
+pub(crate) use leaving::PairsAndWalls;
 pub use narrow::Scene;
 pub use near::NearTables;
 pub use transfer::{CarriedContact, ContactKey};

@@ -280,7 +280,7 @@ fn contacts_from(old: &[ContactChunk], from: u32) -> (&ContactChunk, Range<usize
 
 impl ContactChunk {
     /// Number of candidates, with walls or between grains.
-    fn candidates(&self, walls: bool) -> usize {
+    pub(super) fn candidates(&self, walls: bool) -> usize {
         if walls {
             self.now.start.len().saturating_sub(1)
         } else {
@@ -289,7 +289,7 @@ impl ContactChunk {
     }
 
     /// Ends the contacts of one candidate.
-    fn end_candidate(&mut self, walls: bool) {
+    pub(super) fn end_candidate(&mut self, walls: bool) {
         let contacts = self.now.len();
         if walls {
             self.now.start.push(contacts as u32);

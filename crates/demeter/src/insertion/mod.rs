@@ -25,7 +25,7 @@ pub use random_packing::{MAX_FRACTION, PackingError};
 pub use region::RegionError;
 pub use size_distribution::{SizeError, SizeSampler};
 pub use spec::{Amount, Basis, Insertion, LatticeKind, Region, SizeDistribution, Source};
-pub use stream::{Inlet, MAX_AT_ONCE, Occupied, Stream, Streaming};
+pub use stream::{Inlet, MAX_AT_ONCE, Occupied, Stream, Streaming, Vicinity};
 
 use crate::grain_files::FileError;
 use crate::materials::Material;

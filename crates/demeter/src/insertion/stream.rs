@@ -87,6 +87,33 @@ pub struct Occupied<'a> {
     gap: f64,
 }
 
+/// Where grains may be in the way of those that come.
+#[derive(Clone, Copy, Debug)]
+pub struct Vicinity<'a> {
+    /// Around the places where centres may lie [m].
+    lower: DVec3,
+    upper: DVec3,
+    /// Largest radius that may come [m].
+    largest: f64,
+    domain: &'a Domain,
+}
+
+impl Vicinity<'_> {
+    /// Whether a grain with this centre and radius may be nearer than a gap to one that comes, across periodic sides as well [m].
+    pub fn may_meet(&self, place: DVec3, radius: f64, gap: f64) -> bool {
+        let reach = (radius + self.largest) * (1.0 + CLEARANCE) + gap;
+        let (middle, half) = (0.5 * (self.lower + self.upper), 0.5 * (self.upper - self.lower));
+        let size = self.domain.size();
+        (0..3).all(|axis| {
+            let mut apart = place[axis] - middle[axis];
+            if self.domain.periodic[axis] {
+                apart -= size[axis] * (apart / size[axis]).round();
+            }
+            apart.abs() <= (half[axis] + reach) * (1.0 + CLEARANCE)
+        })
+    }
+}
+
 impl Streaming {
     /// Checks a stream, or tells what is wrong with it.
     pub fn new(stream: &Stream, materials: &[Material], domain: &Domain) -> Result<Self, InsertionProblem> {
@@ -202,17 +229,26 @@ impl Streaming {
         self.density * (4.0 / 3.0 * PI) * radius * radius * radius
     }
 
+    /// Where grains may be in the way of those that come.
+    pub fn vicinity(&self) -> Vicinity<'_> {
+        let (lower, upper) = self.bounds();
+        Vicinity {
+            lower,
+            upper,
+            largest: self.radii()[1],
+            domain: &self.domain,
+        }
+    }
+
     /// What is there already: `grains` are centres and radii [m] of all grains, `gap` the distance that grains that come keep
     /// from all others [m], `expected` how many may come.
     pub fn occupied(&self, grains: impl Iterator<Item = (DVec3, f64)>, gap: f64, expected: u64) -> Occupied<'_> {
-        let (lower, upper) = self.bounds();
-        let largest = self.radii()[1];
-        let is_periodic = self.domain.periodic.contains(&true);
+        let vicinity = self.vicinity();
+        let Vicinity {
+            lower, upper, largest, ..
+        } = vicinity;
         let near: Vec<(DVec3, f64)> = grains
-            .filter(|(place, radius)| {
-                let reach = DVec3::splat((radius + largest) * (1.0 + CLEARANCE) + gap);
-                is_periodic || (place.cmpge(lower - reach).all() && place.cmple(upper + reach).all())
-            })
+            .filter(|(place, radius)| vicinity.may_meet(*place, *radius, gap))
             .collect();
         let most = near.iter().map(|g| g.1).fold(largest, f64::max);
         // the grid must know how many grains of which sizes it will hold: a class by its largest radius

@@ -26,6 +26,7 @@ mod vicinity;
 mod visit;
 
 pub(crate) use classes::SizeClasses;
+pub(crate) use order::Curve;
 pub use order::{GONE, SpatialOrder};
 pub use search::SearchEffort;
 pub(crate) use shared::SegmentsOfCandidates;
@@ -147,7 +148,10 @@ impl Neighbours {
         self.total = self.pairs.table.len();
         self.find_incidence(grains);
         match vicinity {
-            Some(_) => self.reference.rows_mut()[own.clone()].copy_from_slice(&grains.position.rows()[own.clone()]),
+            Some(_) => {
+                self.reference.resize(grains.len());
+                self.reference.rows_mut()[own.clone()].copy_from_slice(&grains.position.rows()[own.clone()]);
+            }
             None => self.reference.copy(&grains.position),
         }
         self.wall_reference.clear();

@@ -1,5 +1,6 @@
 //! Order of the grains along a space-filling curve, so that neighbours in space are neighbours in memory.
 
+use super::vicinity::Bounds;
 use crate::particles::{Grains, Row, set_aside};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -28,32 +29,38 @@ impl SpatialOrder {
     /// Puts the grains into the order of the curve; those in the same cell of it lie in the order of their
     /// ids. So the order depends on nothing but places and ids.
     pub fn sort(&mut self, grains: &mut Grains) {
-        let (rows, ids) = (grains.position.rows(), &grains.id);
-        let (lower, scale, bits) = curve(rows);
-        self.keyed.resize(rows.len(), (0, 0, 0));
-        (self.keyed.par_chunks_mut(GRAINS_PER_TASK))
-            .zip(rows.par_chunks(GRAINS_PER_TASK))
-            .enumerate()
-            .for_each(|(task, (keyed, rows))| {
-                for (k, (keyed, row)) in keyed.iter_mut().zip(rows).enumerate() {
-                    let cell = ((row.vector - lower) * scale).to_array().map(|x| x as u32);
-                    let grain = task * GRAINS_PER_TASK + k;
-                    *keyed = (hilbert(cell, bits), ids[grain], grain as u32);
-                }
-            });
+        let rows = grains.position.rows();
+        let curve = Curve::new(bounds(rows), rows.len());
+        self.find(&grains.id, |grain| curve.place(rows[grain].vector));
+        self.apply(grains);
+    }
+
+    /// Finds the order of grains by their places on the curve, told by their indices, and then by their ids.
+    pub(crate) fn find(&mut self, ids: &[u32], place: impl Fn(usize) -> u64 + Sync) {
+        self.keyed.resize(ids.len(), (0, 0, 0));
+        (self.keyed.par_chunks_mut(GRAINS_PER_TASK).enumerate()).for_each(|(task, keyed)| {
+            for (grain, keyed) in (task * GRAINS_PER_TASK..).zip(keyed) {
+                *keyed = (place(grain), ids[grain], grain as u32);
+            }
+        });
         self.keyed.par_sort_unstable();
         self.order.clear();
         self.order.extend(self.keyed.iter().map(|k| k.2));
         // this is rare, and the memory is worth more
         self.keyed = Vec::new();
-        self.apply(grains);
+        self.note_moves(ids.len());
     }
 
-    /// Puts grains into an order of their indices; those not named are dropped.
-    pub fn pick(&mut self, grains: &mut Grains, indices: impl Iterator<Item = u32>) {
+    /// Chooses an order of some of so many grains, told by their indices; those not named will be dropped.
+    pub(crate) fn choose(&mut self, grains: usize, indices: impl Iterator<Item = u32>) {
         self.order.clear();
         self.order.extend(indices);
-        self.apply(grains);
+        self.note_moves(grains);
+    }
+
+    /// Puts grains into the order that was found or chosen.
+    pub(crate) fn apply(&self, grains: &mut Grains) {
+        grains.reorder(&self.order);
     }
 
     /// Bytes set aside.
@@ -61,13 +68,17 @@ impl SpatialOrder {
         set_aside(&self.keyed) + set_aside(&self.order) + set_aside(&self.moved_to)
     }
 
-    fn apply(&mut self, grains: &mut Grains) {
+    fn note_moves(&mut self, grains: usize) {
         self.moved_to.clear();
-        self.moved_to.resize(grains.len(), GONE);
+        self.moved_to.resize(grains, GONE);
         for (to, &from) in self.order.iter().enumerate() {
             self.moved_to[from as usize] = to as u32;
         }
-        grains.reorder(&self.order);
+    }
+
+    /// Old index of every grain by its new one.
+    pub(crate) fn order(&self) -> &[u32] {
+        &self.order
     }
 
     /// New index of every grain by its old one, [`GONE`] of those not kept.
@@ -76,25 +87,54 @@ impl SpatialOrder {
     }
 }
 
-/// Lower corner, cells per metre and bits of a curve whose cells hold less than one grain in the mean.
-fn curve(rows: &[Row]) -> (DVec3, f64, u32) {
-    let ends = |(lower, upper): (DVec3, DVec3), other: (DVec3, DVec3)| (lower.min(other.0), upper.max(other.1));
-    let nothing = || (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let (lower, upper) = (rows.par_chunks(GRAINS_PER_TASK))
-        .map(|rows| (rows.iter()).fold(nothing(), |all, row| ends(all, (row.vector, row.vector))))
-        .reduce(nothing, ends);
-    let size = upper - lower;
-    let longest = size.max_element();
-    if longest.is_nan() || longest <= 0.0 {
-        return (lower, 0.0, 1);
+/// Around the centres of grains.
+fn bounds(rows: &[Row]) -> Bounds {
+    (rows.par_chunks(GRAINS_PER_TASK))
+        .map(Bounds::of_centres)
+        .reduce(|| Bounds::NOTHING, Bounds::join)
+}
+
+/// A curve whose cells hold less than one grain in the mean.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Curve {
+    lower: DVec3,
+    /// Cells per metre.
+    scale: f64,
+    bits: u32,
+}
+
+impl Curve {
+    /// For so many grains with these bounds around their centres.
+    pub(crate) fn new(Bounds { lower, upper }: Bounds, grains: usize) -> Self {
+        let size = upper - lower;
+        let longest = size.max_element();
+        if longest.is_nan() || longest <= 0.0 {
+            return Self {
+                lower,
+                scale: 0.0,
+                bits: 1,
+            };
+        }
+        // a cube has the finest cells per grain; flat and long beds need more bits along their length
+        let volume = (size / longest).max(DVec3::splat(1e-6)).element_product() / grains as f64;
+        let mut bits = 1;
+        while bits < MOST_BITS && volume * f64::from(1u32 << bits).powi(3) < 4.0 {
+            bits += 1;
+        }
+        let scale = f64::from((1u32 << bits) - 1) / longest;
+        Self { lower, scale, bits }
     }
-    // a cube has the finest cells per grain; flat and long beds need more bits along their length
-    let volume = (size / longest).max(DVec3::splat(1e-6)).element_product() / rows.len() as f64;
-    let mut bits = 1;
-    while bits < MOST_BITS && volume * f64::from(1u32 << bits).powi(3) < 4.0 {
-        bits += 1;
+
+    /// Place on the curve of a place in space.
+    pub(crate) fn place(&self, place: DVec3) -> u64 {
+        let cell = ((place - self.lower) * self.scale).to_array().map(|x| x as u32);
+        hilbert(cell, self.bits)
     }
-    (lower, f64::from((1u32 << bits) - 1) / longest, bits)
+
+    /// Whether all places on it fit into 32 bits.
+    pub(crate) fn is_short(&self) -> bool {
+        3 * self.bits <= u32::BITS
+    }
 }
 
 /// Place on a Hilbert curve of a cell, by J. Skilling, Programming the Hilbert curve, AIP Conference Proceedings 707

@@ -29,6 +29,17 @@ impl Neighbours {
         self.candidates_of_segment(segment) + self.walls.segments[segment].candidates.len()
     }
 
+    /// The grains that bear the work of candidates here, two for each between grains: those whose later grain is own, and those
+    /// with walls.
+    pub(crate) fn bearers(&self, own: &Range<usize>) -> impl Iterator<Item = (u32, u32)> + '_ {
+        let own = own.clone();
+        let pairs = self.pairs.table.segments.iter().flat_map(|segment| &segment.candidates);
+        let walls = self.walls.segments.iter().flat_map(|segment| &segment.candidates);
+        let of_pairs = pairs.map(|pair| (pair.later(), pair.earlier()));
+        let all = of_pairs.chain(walls.map(|pair| (pair.grain, pair.grain)));
+        all.filter(move |(later, _)| own.contains(&(*later as usize)))
+    }
+
     /// Segments from the first one of some on, up to the last with any pair.
     pub(crate) fn segments_in_use(&self, own: &Range<usize>) -> Range<usize> {
         let segments = &self.pairs.table.segments;

@@ -19,7 +19,6 @@ use bytemuck::{Pod, Zeroable};
 use demeter_physics::integrator::gear::Derivatives;
 use glam::{DQuat, DVec3};
 use serde::{Deserialize, Serialize};
-use std::ops::Range;
 
 /// A grain to be added.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -185,28 +184,40 @@ impl Grains {
     }
 
     /// What changes of some grains while a run goes on, as bytes.
-    pub(crate) fn pack(&self, some: Range<usize>) -> Vec<u8> {
-        let rows = [
+    pub(crate) fn pack(&self, some: impl Iterator<Item = usize> + Clone) -> Vec<u8> {
+        fn put<T: Pod>(packed: &mut Vec<u8>, values: &[T], some: impl Iterator<Item = usize>) {
+            some.for_each(|g| packed.extend_from_slice(bytemuck::bytes_of(&values[g])));
+        }
+        let mut packed: Vec<u8> = Vec::new();
+        for rows in [
             &self.position,
             &self.velocity,
             &self.angular_velocity,
             &self.force,
             &self.torque,
-        ];
-        let mut packed: Vec<u8> = Vec::new();
-        for rows in rows {
-            packed.extend_from_slice(bytemuck::cast_slice(&rows.rows()[some.clone()]));
+        ] {
+            put(&mut packed, rows.rows(), some.clone());
         }
-        packed.extend_from_slice(bytemuck::cast_slice(&self.image[some.clone()]));
-        packed.extend_from_slice(bytemuck::cast_slice(&self.orientation[some.clone()]));
+        put(&mut packed, &self.image, some.clone());
+        put(&mut packed, &self.orientation, some.clone());
         if !self.higher.is_empty() {
-            packed.extend_from_slice(bytemuck::cast_slice(&self.higher[some]));
+            put(&mut packed, &self.higher, some);
         }
         packed
     }
 
     /// Takes what [`Grains::pack`] made of the same grains; tells whether it fits.
-    pub(crate) fn unpack(&mut self, some: Range<usize>, packed: &[u8]) -> bool {
+    pub(crate) fn unpack(&mut self, some: impl Iterator<Item = usize> + Clone, packed: &[u8]) -> bool {
+        fn take<T: Pod>(packed: &mut &[u8], values: &mut [T], mut some: impl Iterator<Item = usize>) -> bool {
+            some.all(|g| {
+                let Some((front, rest)) = packed.split_at_checked(size_of::<T>()) else {
+                    return false;
+                };
+                bytemuck::bytes_of_mut(&mut values[g]).copy_from_slice(front);
+                *packed = rest;
+                true
+            })
+        }
         let mut rest = packed;
         let rows = [
             &mut self.position,
@@ -217,10 +228,10 @@ impl Grains {
         ];
         let fits = rows
             .into_iter()
-            .all(|rows| take(&mut rest, &mut rows.rows_mut()[some.clone()]))
-            && take(&mut rest, &mut self.image[some.clone()])
-            && take(&mut rest, &mut self.orientation[some.clone()])
-            && (self.higher.is_empty() || take(&mut rest, &mut self.higher[some]));
+            .all(|rows| take(&mut rest, rows.rows_mut(), some.clone()))
+            && take(&mut rest, &mut self.image, some.clone())
+            && take(&mut rest, &mut self.orientation, some.clone())
+            && (self.higher.is_empty() || take(&mut rest, &mut self.higher, some));
         fits && rest.is_empty()
     }
 
@@ -261,17 +272,6 @@ impl Grains {
             pick(&mut self.higher, order);
         }
     }
-}
-
-/// Takes values from the front of some bytes; tells whether there were enough.
-fn take<T: Pod>(bytes: &mut &[u8], values: &mut [T]) -> bool {
-    let into: &mut [u8] = bytemuck::cast_slice_mut(values);
-    let Some((front, rest)) = bytes.split_at_checked(into.len()) else {
-        return false;
-    };
-    into.copy_from_slice(front);
-    *bytes = rest;
-    true
 }
 
 /// Bytes that an empty list has in spare at least, when memory is set aside for it.

@@ -40,6 +40,11 @@ impl Rows {
         self.0.extend_from_slice(&other.0);
     }
 
+    /// Has so many rows; new ones are zero.
+    pub(crate) fn resize(&mut self, count: usize) {
+        self.0.resize(count, Row::default());
+    }
+
     /// The number of a row.
     #[inline(always)]
     pub fn scalar(&self, index: usize) -> f64 {

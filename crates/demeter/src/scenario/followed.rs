@@ -99,8 +99,12 @@ impl<'a> Followed<'a> {
 
     /// Whether anything is looked at after this step.
     pub fn is_due(&self, sim: &Simulation) -> bool {
-        let remembers = !(self.flows.is_empty() && self.residences.is_empty() && self.displacements.is_empty());
-        remembers && sim.step.is_multiple_of(LOOK_EVERY) || self.needs_contacts(sim)
+        self.looks_at_grains() && sim.step.is_multiple_of(LOOK_EVERY) || self.needs_contacts(sim)
+    }
+
+    /// Whether any measure follows grains.
+    pub fn looks_at_grains(&self) -> bool {
+        !(self.flows.is_empty() && self.residences.is_empty() && self.displacements.is_empty())
     }
 
     /// Whether contacts are looked at after this step, and not grains alone.

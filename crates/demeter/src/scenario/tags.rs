@@ -66,15 +66,16 @@ impl TagSpec {
         }
     }
 
-    /// Gives the tag when it is due.
+    /// Gives the tag when it is due. Each process tells which of its own grains get it and had another.
     pub(super) fn apply(&self, sim: &Simulation, origins: &mut Origins) {
         if !self.is_due(sim) {
             return;
         }
-        for g in 0..sim.grains.len() {
-            if holds(sim, &self.zone, g) && self.selection.holds(&sim.grains, origins, g) {
-                origins.set_tag(sim.grains.id[g], self.value);
-            }
+        let gets_it = |g: &usize| holds(sim, &self.zone, *g) && self.selection.holds(&sim.grains, origins, *g);
+        let ids = sim.own_grains().filter(gets_it).map(|g| sim.grains.id[g]);
+        let others = ids.filter(|id| origins.tag(*id) != self.value).collect();
+        for id in sim.of_all_segments::<u32>(others) {
+            origins.set_tag(id, self.value);
         }
     }
 }

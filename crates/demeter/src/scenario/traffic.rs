@@ -9,7 +9,7 @@ use super::followed::{Followed, FollowedState};
 use super::measures::MeasureKind;
 use super::run_error::RunError;
 use crate::insertion::{InsertionProblem, MAX_AT_ONCE, Streaming};
-use crate::measure::{FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, holds};
+use crate::measure::{FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, contact_counts, holds};
 use crate::particles::{Domain, NewGrain, Origins};
 use crate::simulation::{Simulation, Stage};
 use glam::DVec3;
@@ -168,6 +168,14 @@ impl<'a> Traffic<'a> {
             || feeds.any(|(spec, state)| state.active && !state.done && is_due(sim, spec.every))
     }
 
+    /// The first process looks at what is followed, where anything is. Each calls this.
+    fn look_together(&mut self, sim: &mut Simulation) {
+        if self.followed.looks_at_grains() {
+            sim.bring_grains_together();
+            self.look(sim);
+        }
+    }
+
     /// What is followed is told by the first process, and by no other.
     fn look(&mut self, sim: &Simulation) {
         if sim.is_first_process() {
@@ -212,12 +220,6 @@ impl<'a> Traffic<'a> {
         if !self.is_due(sim) {
             return Ok(messages);
         }
-        // a feed that ends where grains pile up looks at contacts
-        if self.scenario.feeds.iter().any(|feed| feed.end.level.is_some()) {
-            sim.make_whole();
-        } else {
-            sim.make_grains_whole();
-        }
         self.tag(sim);
         let leaving = self.leaving(sim);
         let (come, from) = self.coming(sim, &leaving, &mut messages);
@@ -225,7 +227,7 @@ impl<'a> Traffic<'a> {
             return Ok(messages);
         }
         // a grain that leaves may have passed a gate since the latest look
-        self.look(sim);
+        self.look_together(sim);
         for &g in &leaving {
             self.state.origins.forget_tag(sim.grains.id[g]);
         }
@@ -240,11 +242,11 @@ impl<'a> Traffic<'a> {
                 self.state.origins.set_tag(id, feed.tag);
             }
         }
-        self.look(sim);
+        self.look_together(sim);
         Ok(messages)
     }
 
-    /// Indices of the grains that go now, rising; they are counted.
+    /// Indices of the grains that go now, rising; they are counted. Each process looks at its own, and tells which go and by which removal.
     fn leaving(&mut self, sim: &Simulation) -> Vec<usize> {
         let due: Vec<usize> = (0..self.state.removals.len())
             .filter(|&k| self.state.removals[k].active && is_due(sim, self.scenario.removals[k].every))
@@ -253,23 +255,23 @@ impl<'a> Traffic<'a> {
             return Vec::new();
         }
         let grains = &sim.grains;
-        let mut leaving = Vec::new();
-        for g in 0..grains.len() {
-            let goes = |k: &&usize| {
-                let removal = &self.scenario.removals[**k];
+        let goes = |g: usize| {
+            let by = |k: &usize| {
+                let removal = &self.scenario.removals[*k];
                 holds(sim, &removal.zone, g) && removal.selection.holds(grains, &self.state.origins, g)
             };
-            if let Some(&k) = due.iter().find(goes) {
-                leaving.push(g);
-                let removal = &mut self.state.removals[k];
-                let gone = &mut removal.gone[usize::from(grains.material[g])];
-                gone.0 += 1;
-                gone.1 += grains.mass[g];
-                let born = self.state.origins.born(grains.id[g]);
-                removal.stay += sim.step.saturating_sub(born) as f64 * sim.dt;
-            }
+            due.iter().copied().find(by).map(|k| (g, k))
+        };
+        let leaving: Vec<(usize, usize)> = sim.of_all_segments(sim.own_grains().filter_map(goes).collect());
+        for &(g, k) in &leaving {
+            let removal = &mut self.state.removals[k];
+            let gone = &mut removal.gone[usize::from(grains.material[g])];
+            gone.0 += 1;
+            gone.1 += grains.mass[g];
+            let born = self.state.origins.born(grains.id[g]);
+            removal.stay += sim.step.saturating_sub(born) as f64 * sim.dt;
         }
-        leaving
+        leaving.into_iter().map(|(g, _)| g).collect()
     }
 
     /// The grains that come now, and the source of each.
@@ -419,16 +421,12 @@ impl Feeding<'_> {
         state.done = end.until.is_some_and(|until| sim.time() >= until)
             || end
                 .level
-                .is_some_and(|(point, normal)| is_piled_beyond(sim, point, normal));
+                .is_some_and(|(point, normal)| sim.any_of_all(is_piled_beyond(sim, point, normal)));
         if self.next(state).is_none() {
             return;
         }
-        let stays = |g: &usize| leaving.binary_search(g).is_err();
-        let there = (0..sim.grains.len())
-            .filter(stays)
-            .map(|g| (sim.grains.position[g], sim.grains.radius(g)));
-        let there = there.chain(come.iter().map(|grain| (grain.position, grain.radius)));
-        let there: Vec<(DVec3, f64)> = there.collect();
+        let mut there = self.near_the_inlet(leaving);
+        there.extend(come.iter().map(|grain| (grain.position, grain.radius)));
         let expected = (self.due(state) / self.source.mean_mass()).min(MAX_AT_ONCE as f64) as u64 + 1;
         let mut occupied = self.source.occupied(there.into_iter(), sim.largest_reach(), expected);
         let is_blocked = |place: DVec3, reach: f64| {
@@ -452,6 +450,17 @@ impl Feeding<'_> {
             state.mass += self.source.mass(radius);
             come.push(grain);
         }
+    }
+
+    /// Centres and radii of all grains that stay and may be in the way, which each process tells of its own [m].
+    fn near_the_inlet(&self, leaving: &[usize]) -> Vec<(DVec3, f64)> {
+        let (sim, gap) = (self.sim, self.sim.largest_reach());
+        let vicinity = self.source.vicinity();
+        let is_near = |g: &usize| {
+            leaving.binary_search(g).is_err() && vicinity.may_meet(sim.grains.position[*g], sim.grains.radius(*g), gap)
+        };
+        let near = sim.own_grains().filter(is_near);
+        sim.of_all_segments(near.map(|g| (sim.grains.position[g], sim.grains.radius(g))).collect())
     }
 
     /// Radius of the next grain, when one is due [m]. Notes the end of the feed.
@@ -524,28 +533,13 @@ impl FeedState {
     }
 }
 
-/// Whether a grain beyond a plane rests on others or on walls.
+/// Whether an own grain beyond a plane rests on others or on walls.
 fn is_piled_beyond(sim: &Simulation, point: DVec3, normal: DVec3) -> bool {
-    let grains = &sim.grains;
-    let beyond: Vec<bool> = (grains.position.iter())
-        .map(|p| (*p - point).dot(normal) > 0.0)
-        .collect();
-    if !beyond.contains(&true) {
+    let is_beyond = |g: &usize| (sim.grains.position[*g] - point).dot(normal) > 0.0;
+    let mut beyond = sim.own_grains().filter(is_beyond).peekable();
+    if beyond.peek().is_none() {
         return false;
     }
-    let mut contacts = vec![0u32; grains.len()];
-    for (is_wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
-        for chunk in chunks {
-            for k in (0..chunk.len()).filter(|&k| chunk.acts(k)) {
-                contacts[chunk.i[k] as usize] += 1;
-                if !is_wall {
-                    contacts[chunk.j[k] as usize] += 1;
-                }
-            }
-        }
-    }
-    beyond
-        .iter()
-        .zip(&contacts)
-        .any(|(beyond, n)| *beyond && *n >= CONTACTS_AT_REST)
+    let contacts = contact_counts(sim);
+    beyond.any(|g| contacts[g] >= CONTACTS_AT_REST)
 }

@@ -8,21 +8,23 @@
 //! is summed up segment by segment ([`StepWork`](crate::contacts::step_work::StepWork)).
 //!
 //! What is summed up over all grains and contacts each process sums up of its own (`sums`). Frames and checkpoints are the work of the
-//! first process, which alone is told the whole (`whole`). What changes the whole (feeds, walls that come or go, grains put in order
-//! again) asks for it first ([`Simulation::make_whole`]): then every process has all grains and contacts, does the same as a single
-//! one would, and the next step divides the tables again.
+//! first process, which alone is told the whole (`whole`). Where grains come or go, are put in order again or get another process, each
+//! finds which that are, and tells what leaves it (`handing`).
 
 mod coupled;
+mod handing;
 mod in_step;
 mod near;
 mod report;
 mod sums;
 mod whole;
 
-use super::Simulation;
+use super::{Places, Simulation};
 use crate::comm::{Message, Ranks};
 use crate::contacts::{Contacts, NearTables};
 use crate::neighbours::{Neighbours, SearchEffort};
+use crate::particles::Grains;
+use handing::rank_in;
 use near::SizesOfAll;
 pub use report::{Sharing, SharingReport};
 use serde::{Deserialize, Serialize};
@@ -130,38 +132,25 @@ impl Division {
         (sums, most)
     }
 
-    /// Cuts the segments so that every process has as much to do.
-    fn cut(&mut self, neighbours: &Neighbours, grains: usize) {
-        let segments = neighbours.segments();
-        let mut work = Vec::with_capacity(segments + 1);
-        work.push(0);
-        for segment in 0..segments {
+    /// Divides the whole, so that every process has as much to do.
+    fn cut(&mut self, neighbours: &Neighbours, grains: &Grains) {
+        let work_of = |segment: usize| {
             let of_grains = WORK_OF_A_GRAIN * neighbours.grains_of_segment(segment).len();
-            work.push(work[segment] + of_grains + neighbours.work_of_segment(segment));
-        }
-        let (ranks, all) = (self.ranks.count(), work[segments]);
-        let cut = |rank: usize| {
-            let wanted = all * rank / ranks;
-            let behind = work.partition_point(|&before| before < wanted);
-            // the nearer of both ends of the segment in which the cut would be
-            let before = behind.saturating_sub(1);
-            if wanted - work[before].min(wanted) < work[behind] - wanted {
-                before
-            } else {
-                behind
-            }
+            of_grains + neighbours.work_of_segment(segment)
         };
-        self.cuts = (0..ranks).map(cut).chain([segments]).collect();
-        let (own, per_segment) = (self.segments(), neighbours.grains_per_segment());
-        self.own = (own.start * per_segment).min(grains)..(own.end * per_segment).min(grains);
-        self.divided += 1;
+        let cuts = self.even_cuts((0..neighbours.segments()).map(work_of));
+        self.take_cuts(cuts, neighbours.grains_per_segment(), grains.len());
+        self.note_sizes(grains, neighbours.grains_per_segment());
+    }
+
+    /// Learns what the radii of all grains tell.
+    fn note_sizes(&mut self, grains: &Grains, per_segment: usize) {
+        self.sizes = SizesOfAll::of(grains, per_segment);
     }
 
     /// The process that a grain belongs to.
     fn rank_of(&self, grain: u32, per_segment: usize) -> usize {
-        self.cuts
-            .partition_point(|&first| first <= grain as usize / per_segment)
-            - 1
+        rank_in(&self.cuts, grain as usize / per_segment)
     }
 
     /// Finds which grains others must hear of, and which of theirs are heard of here: both sides find the same.
@@ -337,8 +326,7 @@ impl Simulation {
                 (self.neighbours, self.contacts, self.near) = (aside.neighbours, aside.contacts, aside.near);
             }
             _ => {
-                division.cut(&self.neighbours, self.grains.len());
-                division.sizes = SizesOfAll::of(&self.grains, self.neighbours.grains_per_segment());
+                division.cut(&self.neighbours, &self.grains);
                 let picked = self.neighbours.picked(&division.own);
                 self.neighbours = self.neighbours.with_candidates([picked]);
                 self.restore_neighbours(&division);
@@ -346,10 +334,7 @@ impl Simulation {
                 division.find_borders(&self.neighbours, self.coupling.is_some());
                 self.division = Some(division);
                 self.weigh_work();
-                if let Some(division) = &mut self.division {
-                    division.imbalance_when_divided = division.imbalance;
-                }
-                return;
+                return self.note_balance();
             }
         }
         self.division = Some(division);
@@ -368,19 +353,68 @@ impl Simulation {
             .division
             .as_ref()
             .is_some_and(|d| d.imbalance > d.imbalance_when_divided + DRIFT);
-        if is_uneven || self.is_out_of_order() {
-            self.make_whole();
-            self.find_candidates();
-            return self.divide();
+        self.wrap_grains();
+        let is_moved = self.is_out_of_order();
+        if is_moved {
+            self.find_order_together();
+        } else if is_uneven {
+            let grains = self.grains.len();
+            self.order.choose(grains, 0..grains as u32);
         }
+        if is_moved || is_uneven {
+            let cuts = self.even_cuts();
+            self.hand_over_grains(cuts, is_moved);
+        }
+        self.rebuilds += 1;
+        self.continue_together(match (is_moved, is_uneven) {
+            (true, _) => Places::New,
+            (false, true) => Places::HandedOver,
+            (false, false) => Places::Kept,
+        });
+        if is_moved {
+            self.scattered_in_order = self.neighbours.scattered();
+        }
+        if is_moved || is_uneven {
+            self.note_balance();
+        }
+    }
+
+    /// Takes grains out of the run that are not in the order that was chosen. Each calls this.
+    pub(super) fn leave_out_together(&mut self) {
+        let cuts = self.same_cuts();
+        self.hand_over_grains(cuts, true);
+        self.wrap_grains();
+        self.continue_together(Places::New);
+    }
+
+    /// Notes that grains came, behind all others: the last process has them.
+    pub(super) fn lengthen_division(&mut self) {
+        let (per_segment, grains) = (self.neighbours.grains_per_segment(), self.grains.len());
+        let divided = self.division.as_mut().filter(|division| !division.is_whole);
+        let Some(division) = divided else { return };
+        let mut cuts = division.cuts.clone();
+        cuts.pop();
+        cuts.push(grains.div_ceil(per_segment));
+        division.take_cuts(cuts, per_segment, grains);
+        division.note_sizes(&self.grains, per_segment);
+    }
+
+    /// Finds the candidates of the own grains, and who must hear of which then.
+    fn continue_together(&mut self, places: Places) {
         if let Some(division) = &mut self.division {
             division.forget_gathered();
         }
-        self.wrap_grains();
-        self.rebuilds += 1;
-        self.continue_with_candidates(false);
+        self.continue_with_candidates(places);
         if let Some(division) = &mut self.division {
             division.find_borders(&self.neighbours, self.coupling.is_some());
+        }
+    }
+
+    /// Notes how evenly the work is divided right after it was.
+    fn note_balance(&mut self) {
+        if let Some(division) = &mut self.division {
+            division.divided += 1;
+            division.imbalance_when_divided = division.imbalance;
         }
     }
 

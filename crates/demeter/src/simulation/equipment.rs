@@ -1,7 +1,8 @@
 //! Walls that get other motions, come or go between two steps.
 
 use super::Simulation;
-use crate::walls::{Motions, Pose, SurfaceContact, WallError};
+use crate::walls::{Motions, Pose, SurfaceContact, Wall, WallError};
+use glam::DVec3;
 
 /// A wall that cannot come because a grain is in its way.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -15,7 +16,7 @@ pub struct WallInTheWay {
     /// Id of the grain; the lowest where several are.
     pub grain: u32,
     /// Its place [m].
-    pub position: glam::DVec3,
+    pub position: DVec3,
     /// Overlap, or what is missing of the reach of an attraction, as a share of the radius.
     pub share: f64,
 }
@@ -46,7 +47,7 @@ impl Simulation {
         if coming.is_empty() && going.is_empty() {
             return Ok(());
         }
-        self.make_whole();
+        self.hear_corrected_places();
         for &wall in &coming {
             self.check_way(wall)?;
         }
@@ -69,30 +70,38 @@ impl Simulation {
     /// Looks for a grain that a wall which comes would touch, or attract.
     fn check_way(&mut self, wall: usize) -> Result<(), WallInTheWay> {
         self.walls[wall].set_present(true);
-        let (shape, grains) = (&self.walls[wall], &self.grains);
+        let in_the_way = self.in_the_way_of(&self.walls[wall]);
+        self.walls[wall].set_present(false);
+        let found = self.of_all_segments(in_the_way.into_iter().collect());
+        match found.into_iter().min_by_key(|(grain, ..)| *grain) {
+            None => Ok(()),
+            Some((grain, position, share)) => Err(WallInTheWay {
+                wall: self.walls[wall].name.clone(),
+                grain,
+                position,
+                share,
+            }),
+        }
+    }
+
+    /// The own grain with the lowest id that a wall would touch, its place, and how far it is in the way as a share of its radius.
+    fn in_the_way_of(&self, shape: &Wall) -> Option<(u32, DVec3, f64)> {
+        let grains = &self.grains;
         let mut touched: Vec<SurfaceContact> = Vec::new();
-        let mut first: Option<(usize, f64)> = None;
-        for g in (0..grains.len()).filter(|&g| !grains.is_fixed(g)) {
-            let (place, radius) = (grains.position[g], grains.radius(g));
+        let mut first: Option<(u32, DVec3, f64)> = None;
+        for g in self.own_grains().filter(|&g| !grains.is_fixed(g)) {
+            let (id, place, radius) = (grains.id[g], grains.position[g], grains.radius(g));
             let reach = radius * (1.0 - 1e-9) + self.max_reach;
-            if first.is_some_and(|(f, _)| grains.id[f] < grains.id[g]) || !shape.near(place, reach) {
+            if first.is_some_and(|(first, ..)| first < id) || !shape.near(place, reach) {
                 continue;
             }
             touched.clear();
             shape.contacts(place, reach, &mut touched);
             let nearest = touched.iter().map(|s| s.distance).fold(f64::INFINITY, f64::min);
             if nearest < reach {
-                first = Some((g, (reach - nearest) / radius));
+                first = Some((id, place, (reach - nearest) / radius));
             }
         }
-        self.walls[wall].set_present(false);
-        first.map_or(Ok(()), |(g, share)| {
-            Err(WallInTheWay {
-                wall: self.walls[wall].name.clone(),
-                grain: self.grains.id[g],
-                position: self.grains.position[g],
-                share,
-            })
-        })
+        first
     }
 }

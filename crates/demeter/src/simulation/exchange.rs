@@ -48,7 +48,7 @@ impl Simulation {
 
     /// Between two steps: takes grains, told by rising indices, out of the run and lets others come. What they carry is
     /// booked. Contacts of those that stay keep what they remember; the grains that come must touch nothing. Answers with
-    /// the ids of those that came.
+    /// the ids of those that came. Where processes share the run each calls this with the same.
     pub fn exchange(&mut self, leave: &[usize], come: &[NewGrain]) -> Result<Range<u32>, ExchangeError> {
         if self.deforms() && !(leave.is_empty() && come.is_empty()) {
             return Err(ExchangeError::Deforms);
@@ -63,9 +63,7 @@ impl Simulation {
                 latest: self.latest_id,
             });
         };
-        if !(leave.is_empty() && come.is_empty()) {
-            self.make_whole();
-        }
+        self.hear_corrected_places();
         if !leave.is_empty() {
             self.remove(leave);
         }
@@ -95,6 +93,7 @@ impl Simulation {
             // the first half kick is that of gravity alone
             self.grains.force[g] = self.gravity * self.grains.mass[g];
         }
+        self.lengthen_division();
         self.find_candidates();
         self.foresee_bulges();
         let ids = first_id..;

@@ -291,9 +291,9 @@ impl Simulation {
         }
     }
 
-    /// Energies of some grains and of the contacts that they are in.
+    /// Energies of some grains and of the contacts that they are in, of all processes.
     pub(crate) fn energies_of(&self, counts: impl Fn(usize) -> bool + Sync) -> Energies {
-        self.sum_here(|segment| self.energies_in(segment, &counts))
+        self.sum_of_all(|segment| self.energies_in(segment, &counts))
     }
 
     /// Energies of some grains of a segment and of the contacts that they are in.
@@ -357,16 +357,21 @@ impl Simulation {
         stored
     }
 
-    /// Energy stored in the contacts with some walls [J].
+    /// Energy stored in the contacts with some walls [J], of all processes.
     pub(super) fn stored_at_walls(&self, walls: &[usize]) -> f64 {
-        let mut sum = 0.0;
-        for chunk in &self.contacts.walls {
-            for k in (0..chunk.len()).filter(|&k| walls.contains(&(chunk.j[k] as usize))) {
-                let stored = self.stored_in(chunk, k, true);
-                sum += stored.normal + stored.tangential + stored.rolling;
+        let of_segment = |segment: Segment<'_>| {
+            let mut sum = Energies::default();
+            for chunk in segment.walls {
+                for k in (0..chunk.len()).filter(|&k| walls.contains(&(chunk.j[k] as usize))) {
+                    let stored = self.stored_in(chunk, k, true);
+                    sum.elastic += stored.normal;
+                    sum.tangential += stored.tangential;
+                    sum.rolling += stored.rolling;
+                }
             }
-        }
-        sum
+            sum
+        };
+        self.sum_of_all(of_segment).present()
     }
 
     /// Effective radius and mass of a grain and its partner, a grain or a wall.

@@ -9,6 +9,7 @@ mod exchange;
 mod intervention;
 mod ledger;
 mod memory;
+mod misplaced;
 pub(crate) mod profile;
 mod protocol;
 mod roofline;
@@ -61,6 +62,17 @@ use glam::DVec3;
 /// Grains are put in order again when so much more of the candidates, as a share of all, are scattered in memory than right
 /// after the last time.
 const DECAY: f64 = 0.05;
+
+/// Where grains are in memory when candidates are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Places {
+    /// Where they were.
+    Kept,
+    /// Where they were, but some contacts come from other processes.
+    HandedOver,
+    /// Elsewhere, as the order tells.
+    New,
+}
 
 /// What a simulation is made of.
 #[derive(Clone, Debug)]
@@ -316,7 +328,7 @@ impl Simulation {
             self.order.sort(&mut self.grains);
         }
         self.rebuilds += 1;
-        self.continue_with_candidates(is_moved);
+        self.continue_with_candidates(if is_moved { Places::New } else { Places::Kept });
         if is_moved {
             self.scattered_in_order = self.neighbours.scattered();
         }
@@ -346,7 +358,7 @@ impl Simulation {
     }
 
     /// Finds the candidates of the grains as they are, and hands them the contacts.
-    fn continue_with_candidates(&mut self, is_moved: bool) {
+    fn continue_with_candidates(&mut self, places: Places) {
         if let Some(coupling) = &mut self.coupling {
             coupling.take_margin(self.skin);
         }
@@ -357,12 +369,12 @@ impl Simulation {
         (self.neighbours).find_of((&own, vicinity.as_ref()), &self.grains, with, beyond_touch);
         self.tables += 1;
         self.count_candidates();
-        let moved_to = is_moved.then(|| self.order.moved_to());
+        let moved_to = (places != Places::Kept).then(|| self.order.moved_to());
         self.contacts.hand_over(&self.neighbours, moved_to);
         self.tuner.note_rebuild(self.step);
         let mean_radius = self.mean_radius();
         self.near.forget(self.neighbours.segments(), mean_radius);
-        if is_moved {
+        if places == Places::New {
             let stretches = self.grains.velocity.rows().chunks(GRAINS_OF_A_SPREAD);
             self.spreads.clear();
             self.spreads.extend(stretches.map(Spread::of));
@@ -408,15 +420,22 @@ impl Simulation {
         self.walls.iter().zip(since).map(moved).fold(0.0, f64::max)
     }
 
-    /// Takes grains, told by rising indices, out of the run and books what they carried.
+    /// Takes grains, told by rising indices, out of the run and books what they carried. Where processes share the run each calls
+    /// this.
     pub(crate) fn remove(&mut self, indices: &[usize]) {
         let leaves = |g: usize| indices.binary_search(&g).is_ok();
         let gone = self.energies_of(leaves);
         self.books.remove(indices.len() as u64, &gone);
-        let stay = (0..self.grains.len() as u32).filter(|&g| !leaves(g as usize));
-        self.order.pick(&mut self.grains, stay);
-        self.wrap_grains();
-        self.continue_with_candidates(true);
+        let grains = self.grains.len();
+        let stay = (0..grains as u32).filter(|&g| !leaves(g as usize));
+        self.order.choose(grains, stay);
+        if self.is_divided() {
+            self.leave_out_together();
+        } else {
+            self.order.apply(&mut self.grains);
+            self.wrap_grains();
+            self.continue_with_candidates(Places::New);
+        }
         self.foresee_bulges();
     }
 }

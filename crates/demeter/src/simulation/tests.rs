@@ -124,8 +124,9 @@ fn contacts_follow_grains_into_another_order() {
     for stride in [7, 1001] {
         // neither has a divisor in common with the number of grains
         let n = sim.grains.len() as u32;
-        sim.order.pick(&mut sim.grains, (0..n).map(|k| (k * stride + 3) % n));
-        sim.continue_with_candidates(true);
+        sim.order.choose(sim.grains.len(), (0..n).map(|k| (k * stride + 3) % n));
+        sim.order.apply(&mut sim.grains);
+        sim.continue_with_candidates(Places::New);
         assert!(carried(&sim) == expected);
     }
     // as scattered as they are now, the grains are put in order again

@@ -1,7 +1,7 @@
 //! What looks at the whole of a run that several processes share.
 //!
 //! Frames, checkpoints and measures of all grains are the work of the first process, and it alone is told the whole
-//! ([`Simulation::bring_together`]), some segments at a time. What changes the whole is done by all, who are all told
+//! ([`Simulation::bring_together`]), some segments at a time. Whoever changes all grains from outside has all told all first
 //! ([`Simulation::make_whole`]).
 
 use super::{Aside, Division, encode};
@@ -115,7 +115,7 @@ impl Simulation {
     }
 
     /// Has every process have all grains, where the run is shared.
-    pub fn make_grains_whole(&mut self) {
+    fn make_grains_whole(&mut self) {
         debug_assert!(!self.awaits_kick, "velocities are those predicted");
         let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
             return;

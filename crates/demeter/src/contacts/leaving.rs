@@ -1,0 +1,55 @@
+//! Contacts that another process is told, because a grain in them becomes its own.
+
+use super::{ContactChunk, Contacts};
+use std::collections::BTreeMap;
+
+/// Contacts between grains, and those with walls.
+pub(crate) type PairsAndWalls = [Vec<ContactChunk>; 2];
+
+impl Contacts {
+    /// Copies of the contacts that some processes get. `receivers` tells those of a contact, by its first grain and its second where that is
+    /// no wall.
+    pub(crate) fn leaving<R>(&self, receivers: impl Fn(u32, Option<u32>) -> R) -> BTreeMap<usize, PairsAndWalls>
+    where
+        R: IntoIterator<Item = usize>,
+    {
+        let mut leaving: BTreeMap<usize, PairsAndWalls> = BTreeMap::new();
+        for (kind, chunks) in [&self.pairs, &self.walls].into_iter().enumerate() {
+            let are_walls = kind == 1;
+            for chunk in chunks {
+                let mut of_chunk: BTreeMap<usize, ContactChunk> = BTreeMap::new();
+                for slot in 0..chunk.candidates(are_walls) {
+                    let contacts = chunk.contacts_of(slot);
+                    let Some(first) = contacts.clone().next() else {
+                        continue;
+                    };
+                    for rank in receivers(chunk.i[first], (!are_walls).then(|| chunk.j[first])) {
+                        let copy = of_chunk.entry(rank).or_insert_with(|| chunk.begin_copy());
+                        copy.take_over(chunk, contacts.clone(), self.stride);
+                        copy.end_candidate(are_walls);
+                    }
+                }
+                for (rank, copy) in of_chunk {
+                    leaving.entry(rank).or_default()[kind].push(copy);
+                }
+            }
+        }
+        leaving
+    }
+
+    /// Takes contacts that another process had, to be handed over with those here.
+    pub(crate) fn join(&mut self, [pairs, walls]: PairsAndWalls) {
+        self.pairs.extend(pairs);
+        self.walls.extend(walls);
+    }
+}
+
+impl ContactChunk {
+    /// A chunk of the same law without contacts.
+    fn begin_copy(&self) -> Self {
+        let mut copy = Self::default();
+        copy.forget();
+        copy.law = self.law;
+        copy
+    }
+}

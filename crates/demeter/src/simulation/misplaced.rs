@@ -1,0 +1,75 @@
+//! Grains that left the domain, or whose places are no numbers.
+
+use super::Simulation;
+use crate::contacts::Fault;
+use crate::particles::Outside;
+use crate::step::Motion;
+use serde::{Deserialize, Serialize};
+
+/// What a process finds among its own grains.
+#[derive(Default, Serialize, Deserialize)]
+struct Misplaced {
+    /// Indices, rising.
+    grains: Vec<usize>,
+    /// The fault of the first that is nowhere.
+    nowhere: Option<Fault>,
+    /// The fault of the one with the lowest id.
+    outside: Option<Fault>,
+}
+
+impl Simulation {
+    /// A grain that left the domain, or whose place is not a number, ends the run or is removed.
+    pub(crate) fn check_places(&mut self, motion: &Motion) -> Result<(), Fault> {
+        if motion.misplaced.is_none() && self.step > 0 {
+            return Ok(());
+        }
+        let all = self.of_all_segments(vec![self.misplaced()]);
+        let grains: Vec<usize> = all.iter().flat_map(|of| &of.grains).copied().collect();
+        if grains.is_empty() {
+            return Ok(());
+        }
+        if let Some(fault) = all.iter().find_map(|of| of.nowhere.clone()) {
+            return Err(fault);
+        }
+        let outside = all.into_iter().filter_map(|of| of.outside).min_by_key(Fault::grain);
+        if let Some(fault) = outside.filter(|_| self.comm.domain().outside == Outside::Stop) {
+            return Err(fault);
+        }
+        self.remove(&grains);
+        // others are neighbours now
+        self.exchange_borders(|_| ());
+        Ok(())
+    }
+
+    fn misplaced(&self) -> Misplaced {
+        let (domain, grains) = (self.comm.domain(), &self.grains);
+        let outside = || self.own_grains().filter(|&g| !domain.contains(grains.position[g]));
+        let nowhere = |g: usize| {
+            let reference = &self.neighbours.reference;
+            let position = if g < reference.len() {
+                reference[g]
+            } else {
+                glam::DVec3::NAN
+            };
+            Fault::NotFinite {
+                step: self.step,
+                id: grains.id[g],
+                quantity: "position".into(),
+                position,
+            }
+        };
+        let fault = |g: usize| Fault::Outside {
+            step: self.step,
+            id: grains.id[g],
+            position: grains.position[g],
+            velocity: grains.velocity[g],
+            lower: domain.lower,
+            upper: domain.upper,
+        };
+        Misplaced {
+            grains: outside().collect(),
+            nowhere: outside().find(|&g| !grains.position[g].is_finite()).map(nowhere),
+            outside: outside().min_by_key(|&g| grains.id[g]).map(fault),
+        }
+    }
+}
