@@ -10,7 +10,7 @@ use crate::neighbours::Neighbours;
 use crate::particles::{Domain, Grains};
 use serde::{Deserialize, Serialize};
 
-/// Cost of a rebuild per grain, in candidates that are no contacts and wait for a step (about 1.7 ns each, `benches/README.md`).
+/// Cost of a rebuild per grain, in candidates that are no contacts and wait for a step (1.7 ns each, their memory counted; `benches/README.md`).
 const REBUILD_PER_GRAIN: f64 = 90.0;
 
 /// Cost of a rebuild per candidate found, in the same unit.
