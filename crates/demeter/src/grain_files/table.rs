@@ -174,6 +174,11 @@ impl GrainTable {
         numbers.max().unwrap_or(0)
     }
 
+    /// How many types there are, those that no grain has among them: of a wall, or of grains that come later.
+    pub(super) fn number_of_types(&self) -> u32 {
+        (self.largest_number() + self.type_names.len() as u32).max(1)
+    }
+
     /// Gives names to type numbers: `names[k]` to type `k + 1`. Numbers beyond stay.
     pub fn name_types(&mut self, names: &[String]) {
         let types = self

@@ -278,6 +278,16 @@ fn losses_are_told() {
 }
 
 #[test]
+fn a_data_file_has_a_type_for_a_material_of_walls_alone() {
+    let table = GrainTable {
+        types: Some(vec![TypeOfGrain::Name(0); 2]),
+        ..table(2, 1.0)
+    };
+    let text = written(&[&table], Format::LiggghtsData, WriteOptions::default());
+    assert!(text.contains("\n2 atom types\n"), "{text}");
+}
+
+#[test]
 fn types_get_names() {
     let mut table = GrainTable {
         types: Some(vec![

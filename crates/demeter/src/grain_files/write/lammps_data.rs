@@ -24,7 +24,7 @@ pub(super) fn write(out: &mut impl Write, table: &GrainTable, format: Format) ->
         crate::VERSION
     )?;
     writeln!(out, "{} atoms", table.len())?;
-    writeln!(out, "{} atom types\n", types.iter().max().unwrap_or(&1))?;
+    writeln!(out, "{} atom types\n", table.number_of_types())?;
     write_box(out, &cell)?;
     writeln!(out, "\nAtoms{comment}\n")?;
     for (k, position) in table.positions.iter().enumerate() {
