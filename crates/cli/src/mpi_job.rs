@@ -13,6 +13,9 @@ use std::time::{Duration, Instant};
 /// Most bytes that all ranks together tell each other at once: MPI counts them with 31 bits.
 const AT_ONCE: usize = 1 << 30;
 
+/// Bytes that two processes swap in one message; what is beyond follows in others.
+const IN_ONE: usize = 4096;
+
 /// Looks in vain before the core is offered to others, and between two looks at the clock.
 const LOOKS: u32 = 100;
 
@@ -209,6 +212,42 @@ impl Ranks for MpiRanks {
         }
         self.note(begun, |_| ());
         heard
+    }
+
+    fn swap(&self, rank: usize, mine: &[u8]) -> Vec<u8> {
+        let begun = Instant::now();
+        let world = SimpleCommunicator::world();
+        let other = world.process_at_rank(rank as i32);
+        let what = format!("process {rank}");
+        // a message may be shorter than the room for it: both tell how much they have, and its beginning
+        let front = mine.len().min(IN_ONE);
+        let told = [&(mine.len() as u64).to_ne_bytes(), &mine[..front]].concat();
+        let mut first = [0u8; size_of::<u64>() + IN_ONE];
+        scope(|scope| {
+            let hears = other.immediate_receive_into(scope, &mut first[..]);
+            let tells = other.immediate_send(scope, &told[..]);
+            self.wait(hears, &what);
+            self.wait(tells, &what);
+        });
+        let (length, bytes) = first.split_at(size_of::<u64>());
+        let length = u64::from_ne_bytes(std::array::from_fn(|k| length[k])) as usize;
+        let mut heard = vec![0u8; length];
+        let (begin, rest) = heard.split_at_mut(length.min(IN_ONE));
+        begin.copy_from_slice(&bytes[..begin.len()]);
+        scope(|scope| {
+            let parts = rest.chunks_mut(AT_ONCE);
+            let hears: Vec<_> = parts.map(|part| other.immediate_receive_into(scope, part)).collect();
+            let parts = mine[front..].chunks(AT_ONCE);
+            let tells: Vec<_> = parts.map(|part| other.immediate_send(scope, part)).collect();
+            hears.into_iter().for_each(|request| self.wait(request, &what));
+            tells.into_iter().for_each(|request| self.wait(request, &what));
+        });
+        self.note(begun, |traffic| traffic.joined_bytes += mine.len() as u64);
+        heard
+    }
+
+    fn begin_round(&self) {
+        self.note(Instant::now(), |traffic| traffic.rounds += 1);
     }
 
     fn exchange(&self, messages: &mut [Message], meanwhile: &mut dyn FnMut()) {

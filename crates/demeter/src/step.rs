@@ -47,10 +47,10 @@ impl Simulation {
         self.spreads.resize(spreads, Spread::ANY);
         self.deform_box();
         let motion = self.move_and_exchange(Self::move_grains);
-        if std::mem::take(&mut self.awaits_kick) {
-            self.fault_in_grains(motion.bad, self.step - 1)?;
-        }
-        let motion = self.beyond_affine(self.motion_of_all(motion));
+        self.awaits_kick = false;
+        let fault = self.fault_of_grain(motion.bad, self.step - 1);
+        let motion = self.motion_of_all(motion, fault)?;
+        let motion = self.beyond_affine(motion);
         self.follow_box();
         self.took(Phase::Motion);
         self.drive_walls();
@@ -221,7 +221,8 @@ impl Simulation {
             // at the start of a run the velocities are those given
             (_, Moment::Start) => self.kick(0.0),
         };
-        self.fault_in_grains(bad, self.step)?;
+        let fault = self.fault_of_grain(bad, self.step);
+        self.fault_of_any(fault)?;
         self.book_custom(match moment {
             Moment::Step => self.dt,
             Moment::Start => 0.0,
@@ -230,14 +231,13 @@ impl Simulation {
     }
 
     /// The fault of a grain with a value that was not finite at the end of a step.
-    fn fault_in_grains(&mut self, bad: Option<usize>, step: u64) -> Result<(), Fault> {
-        let fault = bad.map(|g| Fault::NotFinite {
+    fn fault_of_grain(&self, bad: Option<usize>, step: u64) -> Option<Fault> {
+        bad.map(|g| Fault::NotFinite {
             step,
             id: self.grains.id[g],
             quantity: self.not_finite(g).into(),
             position: self.grains.position[g],
-        });
-        self.fault_of_any(fault)
+        })
     }
 
     /// Which quantity of a grain is not finite: the cause before its effects.

@@ -167,6 +167,42 @@ fn what_a_process_hears_of_places_does_not_grow_with_the_run() {
     );
 }
 
+#[test]
+fn a_step_joins_what_all_know_along_a_tree() {
+    let joined = |ranks: usize| {
+        let told = on_ranks(ranks, |rank| {
+            on_threads(1, || {
+                let mut sim = Simulation::new(duct(128, [false; 3], &[1.0, 0.9]));
+                sim.share(rank);
+                sim.step().unwrap();
+                let steps = (0..10).filter_map(|_| {
+                    let (before, rebuilds) = (sim.sharing().unwrap().traffic, sim.rebuilds());
+                    sim.step().unwrap();
+                    let after = sim.sharing().unwrap().traffic;
+                    (sim.rebuilds() == rebuilds).then(|| {
+                        // motion, work of the contacts, and the end of the step, which waits for the next in a run
+                        assert_eq!(after.rounds - before.rounds, 3);
+                        assert_eq!(
+                            after.round_bytes, before.round_bytes,
+                            "something is told to all at once"
+                        );
+                        after.joined_bytes - before.joined_bytes
+                    })
+                });
+                steps.max().unwrap()
+            })
+        });
+        told.into_iter().max().unwrap()
+    };
+    let [four, sixteen] = [4, 16].map(joined);
+    report("bytes that a process joins in a step, of 4 and of 16", four as f64);
+    report("", sixteen as f64);
+    assert!(
+        sixteen < 3 * four,
+        "{four} bytes per step of 4 processes, {sixteen} of 16"
+    );
+}
+
 /// Bytes that a rank tells while it does something: to all, to the first.
 fn told_by(sim: &mut Simulation, work: impl FnOnce(&mut Simulation)) -> [u64; 2] {
     let traffic = |sim: &Simulation| sim.sharing().unwrap().traffic;
@@ -175,7 +211,7 @@ fn told_by(sim: &mut Simulation, work: impl FnOnce(&mut Simulation)) -> [u64; 2]
     let after = traffic(sim);
     assert_eq!(after.messages, before.messages, "neighbours are told nothing");
     [
-        after.round_bytes - before.round_bytes,
+        (after.round_bytes + after.joined_bytes) - (before.round_bytes + before.joined_bytes),
         after.gathered_bytes - before.gathered_bytes,
     ]
 }

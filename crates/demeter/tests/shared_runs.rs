@@ -137,7 +137,7 @@ fn what_is_written_is_told_to_the_first_process_alone() {
             "rank {rank}"
         );
         // nine rows more, each of sums; a place of each grain would be 24 bytes every time
-        let to_all = often.round_bytes - once.round_bytes;
+        let to_all = (often.round_bytes + often.joined_bytes) - (once.round_bytes + once.joined_bytes);
         assert!(to_all < 9 * 2 * grains, "rank {rank} told all {to_all} bytes more");
         let to_first = often.gathered_bytes - once.gathered_bytes;
         assert_eq!(

@@ -11,6 +11,7 @@ mod deforming;
 mod ranks;
 pub(crate) mod segment_sums;
 mod single;
+pub(crate) mod tree;
 
 pub(crate) use deforming::{Carry, Deforming};
 pub use deforming::{Rates, ShearAxes};

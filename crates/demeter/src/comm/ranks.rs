@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 /// The processes (ranks) of a run, as one of them sees them.
 ///
-/// Every rank calls the same methods in the same order, but for [`Ranks::tell`] and [`Ranks::hear`]: each call waits for all others. What is told is bytes, so that nothing
+/// Every rank calls the same methods in the same order, but for [`Ranks::tell`], [`Ranks::hear`] and [`Ranks::swap`]: each call waits for all others. What is told is bytes, so that nothing
 /// is rounded or added up on the way: all sums are made by the engine, in an order that does not depend on the ranks.
 pub trait Ranks: Debug + Send + Sync {
     /// Number of this process, from 0.
@@ -31,15 +31,11 @@ pub trait Ranks: Debug + Send + Sync {
     /// Hears what another rank tells this one.
     fn hear(&self, rank: usize) -> Vec<u8>;
 
-    /// The largest of what all ranks have, place by place; not a number where any is none.
-    fn largest(&self, values: &mut [f64]) {
-        let all = self.gather_even(bytemuck::cast_slice(values));
-        let values_len = values.len();
-        for (k, value) in values.iter_mut().enumerate() {
-            let of_all = all.chunks_exact(8).skip(k).step_by(values_len);
-            *value = of_all.map(bytemuck::pod_read_unaligned).fold(f64::NEG_INFINITY, larger);
-        }
-    }
+    /// Tells one other rank some bytes, and hears what it tells at the same time.
+    fn swap(&self, rank: usize, mine: &[u8]) -> Vec<u8>;
+
+    /// Notes that ranks begin to tell each other two by two what all come to know.
+    fn begin_round(&self);
 
     /// What this process has told others so far.
     fn traffic(&self) -> Traffic;
@@ -66,17 +62,14 @@ pub struct Traffic {
     pub messages: u64,
     /// Bytes in them.
     pub bytes: u64,
-    /// Times that something was told to all.
+    /// Times that something was told to all, or that all came to know something two by two.
     pub rounds: u64,
-    /// Bytes of that.
+    /// Bytes told to all.
     pub round_bytes: u64,
+    /// Bytes told two by two, so that all come to know something.
+    pub joined_bytes: u64,
     /// Bytes told to one other process that gathers what all have.
     pub gathered_bytes: u64,
     /// Time spent on sending, receiving and waiting for others [s].
     pub seconds: f64,
-}
-
-/// The larger of two numbers; not a number where one is none.
-fn larger(one: f64, other: f64) -> f64 {
-    if one.is_nan() || one > other { one } else { other }
 }

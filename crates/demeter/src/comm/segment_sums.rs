@@ -71,8 +71,8 @@ fn level(first: usize, some: &Range<usize>, count: usize) -> u32 {
     level
 }
 
-/// Adds up branches that follow each other, of so many segments in all.
-pub(crate) fn add_branches<T: Summand>(branches: impl IntoIterator<Item = Branch<T>>, count: usize) -> T {
+/// Branches that follow each other, of so many segments in all, with both halves of a branch as one.
+pub(crate) fn joined<T: Summand>(branches: impl IntoIterator<Item = Branch<T>>, count: usize) -> Vec<Branch<T>> {
     let mut sums: Vec<Branch<T>> = Vec::new();
     for branch in branches {
         let mut last = branch;
@@ -84,7 +84,12 @@ pub(crate) fn add_branches<T: Summand>(branches: impl IntoIterator<Item = Branch
         }
         sums.push(last);
     }
-    sums.pop().map(|all| all.sum).unwrap_or_default()
+    sums
+}
+
+/// The sum of all segments, told the branches that came of all of them.
+pub(crate) fn sum<T: Summand>(mut branches: Vec<Branch<T>>) -> T {
+    branches.pop().map(|all| all.sum).unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -125,10 +130,14 @@ mod tests {
                     most as f64 <= 2.0 * (count as f64).log2() + 1.0,
                     "{most} branches of {count}"
                 );
-                assert!(
-                    add_branches(told.into_iter().flatten(), count) == all[0],
-                    "{count} cut at {cuts:?}"
-                );
+                let at_once = joined(told.clone().into_iter().flatten(), count);
+                assert!(sum(at_once) == all[0], "{count} cut at {cuts:?}");
+                let two_by_two = |a: Vec<Branch<f64>>, b| joined(a.into_iter().chain(b), count);
+                let from_behind = told
+                    .into_iter()
+                    .rev()
+                    .reduce(|behind, before| two_by_two(before, behind));
+                assert!(sum(from_behind.unwrap()) == all[0], "{count} cut at {cuts:?}");
             }
         }
     }

@@ -4,7 +4,7 @@
 //! the same on any number of threads, and of processes.
 
 use super::{ContactChunk, Contacts, Fault, Tally};
-use crate::comm::segment_sums::{self, Branch, Summand, add_branches, add_up};
+use crate::comm::segment_sums::{self, Branch, Summand, add_up};
 use crate::neighbours::Neighbours;
 use crate::walls::Mark;
 use glam::DVec3;
@@ -69,8 +69,8 @@ pub(crate) struct StepWork {
     pub(crate) tally: Tally,
     pub(crate) across: [DVec3; 3],
     pub(crate) walls: Vec<WallLoad>,
-    /// What the contacts of all processes did to walls that record it, process by process; nothing where there is one.
-    pub(crate) marks: Vec<Vec<Mark>>,
+    /// What the contacts of all processes did to walls that record it; nothing where there is one.
+    pub(crate) marks: Vec<Mark>,
 }
 
 /// What a process tells the others of a step.
@@ -131,22 +131,24 @@ impl StepWork {
         }
     }
 
-    /// Sums up what the contacts of all processes did, in the order of their segments. The first fault is told.
-    pub(crate) fn of_shares(&mut self, shares: Vec<WorkShare>, walls: usize) -> Result<(), Fault> {
-        self.marks.clear();
-        let (mut first, mut of_all) = ([None, None], Vec::new());
-        for share in shares {
-            of_all.extend(share.branches);
-            self.marks.push(share.marks);
-            for (first, fault) in first.iter_mut().zip(share.faults) {
-                if first.is_none() {
-                    *first = fault;
-                }
-            }
-        }
-        let all = add_branches(of_all, self.segments.len());
-        self.take(Some(&all), walls);
-        let [between_grains, with_walls] = first;
+    /// Takes what the contacts of all processes did. The first fault is told.
+    pub(crate) fn of_share(&mut self, share: WorkShare, walls: usize) -> Result<(), Fault> {
+        self.marks = share.marks;
+        self.take(Some(&segment_sums::sum(share.branches)), walls);
+        let [between_grains, with_walls] = share.faults;
         between_grains.or(with_walls).map_or(Ok(()), Err)
+    }
+}
+
+impl WorkShare {
+    /// With what processes tell that have the segments behind, of so many in all.
+    pub(crate) fn with(self, behind: Self, segments: usize) -> Self {
+        let [a, b] = self.faults;
+        let [c, d] = behind.faults;
+        Self {
+            branches: segment_sums::joined(self.branches.into_iter().chain(behind.branches), segments),
+            marks: [self.marks, behind.marks].concat(),
+            faults: [a.or(c), b.or(d)],
+        }
     }
 }

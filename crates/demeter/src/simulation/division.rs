@@ -20,6 +20,7 @@ mod sums;
 mod whole;
 
 use super::{Places, Simulation};
+use crate::comm::tree::{Then, turns};
 use crate::comm::{Message, Ranks};
 use crate::contacts::{Contacts, NearTables};
 use crate::neighbours::{Neighbours, SearchEffort};
@@ -117,6 +118,32 @@ impl Division {
                 .ranks
                 .give_up(&format!("another process said what cannot be read: {error}")),
         }
+    }
+
+    /// What all processes have, joined in the order of the ranks; each calls this with its own.
+    fn fold<T: Serialize + for<'a> Deserialize<'a>>(&self, mine: T, join: impl Fn(T, T) -> T) -> T {
+        self.ranks.begin_round();
+        let mut known = mine;
+        for turn in turns(self.ranks.rank(), self.ranks.count()) {
+            let told = if turn.tells { encode(&known) } else { Vec::new() };
+            let heard = self.ranks.swap(turn.other, &told);
+            known = match turn.then {
+                Then::Nothing => known,
+                Then::Behind => join(known, self.decode(&heard)),
+                Then::Before => join(self.decode(&heard), known),
+                Then::Instead => self.decode(&heard),
+            };
+        }
+        known
+    }
+
+    /// The largest numbers of all processes, place by place; not a number where any is none.
+    fn largest<const N: usize>(&self, mine: [f64; N]) -> [f64; N] {
+        let larger = |(one, other): (f64, f64)| if one.is_nan() || one > other { one } else { other };
+        let join = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(larger).collect();
+        let all = self.fold(mine.to_vec(), join);
+        all.try_into()
+            .unwrap_or_else(|_| self.ranks.give_up("another process told other numbers"))
     }
 
     /// Sums of what all processes count, and the largest of each.

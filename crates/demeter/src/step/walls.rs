@@ -53,9 +53,8 @@ impl Simulation {
             return;
         }
         let is_divided = self.is_divided();
-        let here = self.contacts.walls.iter().map(|chunk| &chunk.marks);
-        let everywhere = (self.work.marks.iter()).chain(here.filter(|_| !is_divided));
-        for mark in everywhere.flatten() {
+        let here = self.contacts.walls.iter().flat_map(|chunk| &chunk.marks);
+        for mark in (self.work.marks.iter()).chain(here.filter(|_| !is_divided)) {
             self.walls[mark.wall as usize].mark(mark, dt);
         }
         self.walls.iter_mut().for_each(|wall| wall.pass_recorded(dt));

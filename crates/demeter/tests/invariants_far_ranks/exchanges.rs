@@ -185,7 +185,7 @@ fn grains_that_come_and_go_have_the_same_bits_where_contacts_feel_each_other() {
 
 /// Bytes that a rank tells while it does something.
 fn told_by<T>(sim: &mut Simulation, work: impl FnOnce(&mut Simulation) -> T) -> f64 {
-    let bytes = |traffic: Traffic| traffic.bytes + traffic.round_bytes + traffic.gathered_bytes;
+    let bytes = |traffic: Traffic| traffic.bytes + traffic.round_bytes + traffic.joined_bytes + traffic.gathered_bytes;
     let traffic = |sim: &Simulation| bytes(sim.sharing().unwrap().traffic);
     let before = traffic(sim);
     work(sim);

@@ -1,6 +1,6 @@
 //! What processes that share a run tell each other in a step.
 
-use super::{NUMBERS, NUMBERS_OF_A_SPREAD, encode};
+use super::{Division, NUMBERS, NUMBERS_OF_A_SPREAD, encode};
 use crate::contacts::Fault;
 use crate::contacts::step_work::WorkShare;
 use crate::particles::spread::Spread;
@@ -13,34 +13,44 @@ use std::ops::Range;
 use std::sync::Arc;
 
 impl Simulation {
-    /// What the motion of the grains of all processes came to.
-    pub(crate) fn motion_of_all(&self, motion: Motion) -> Motion {
-        if !self.is_divided() {
-            return motion;
+    /// What the motion of the grains of all processes came to. Of the faults of grains that processes found before they moved them, that
+    /// of the lowest id ends the step of all.
+    pub(crate) fn motion_of_all(&mut self, motion: Motion, found: Option<Fault>) -> Result<Motion, Fault> {
+        let Some(division) = self.division.as_mut().filter(|division| !division.is_whole) else {
+            return found.map_or(Ok(motion), Err);
+        };
+        let [max_speed, max_step, max_displacement, misplaced, fault, end] = division.largest([
+            motion.max_speed,
+            motion.max_step,
+            motion.max_displacement,
+            flag(motion.misplaced.is_some()),
+            flag(found.is_some()),
+            flag(division.wants_to_end),
+        ]);
+        division.is_asked_to_end = end > 0.0;
+        if fault > 0.0 {
+            return Err(division.first_fault(found));
         }
-        let misplaced = if motion.misplaced.is_some() { 1.0 } else { 0.0 };
-        let [max_speed, max_step, max_displacement, misplaced] =
-            self.largest_of_all([motion.max_speed, motion.max_step, motion.max_displacement, misplaced]);
-        Motion {
+        Ok(Motion {
             max_speed,
             max_step,
             max_displacement,
             misplaced: (misplaced > 0.0).then_some(0),
             bad: None,
-        }
+        })
     }
 
     /// The largest numbers of all processes; not a number where any is none.
-    pub(crate) fn largest_of_all<const N: usize>(&self, mut mine: [f64; N]) -> [f64; N] {
-        if let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) {
-            division.ranks.largest(&mut mine);
+    pub(crate) fn largest_of_all<const N: usize>(&self, mine: [f64; N]) -> [f64; N] {
+        match self.division.as_ref().filter(|division| !division.is_whole) {
+            Some(division) => division.largest(mine),
+            None => mine,
         }
-        mine
     }
 
     /// Whether it is so for any process.
     pub(crate) fn any_of_all(&self, mine: bool) -> bool {
-        let [any] = self.largest_of_all([if mine { 1.0 } else { 0.0 }]);
+        let [any] = self.largest_of_all([flag(mine)]);
         any > 0.0
     }
 
@@ -145,14 +155,9 @@ impl Simulation {
         let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
             return self.work.of_all(contacts, neighbours, walls);
         };
-        let mine = encode(&self.work.share(contacts, neighbours, division.segments()));
-        let shares: Vec<WorkShare> = division
-            .ranks
-            .gather(&mine)
-            .iter()
-            .map(|of| division.decode(of))
-            .collect();
-        self.work.of_shares(shares, walls)
+        let mine = self.work.share(contacts, neighbours, division.segments());
+        let join = |before: WorkShare, behind| before.with(behind, neighbours.segments());
+        self.work.of_share(division.fold(mine, join), walls)
     }
 
     /// What all processes have of their own segments, in the order of the segments.
@@ -169,15 +174,24 @@ impl Simulation {
         let Some(division) = self.division.as_mut() else {
             return found.map_or(Ok(()), Err);
         };
-        let flag = |is: bool| if is { 1.0 } else { 0.0 };
-        let mut any = [flag(found.is_some()), flag(division.wants_to_end)];
-        division.ranks.largest(&mut any);
-        division.is_asked_to_end = any[1] > 0.0;
-        if any[0] == 0.0 {
-            return Ok(());
+        let [fault, end] = division.largest([flag(found.is_some()), flag(division.wants_to_end)]);
+        division.is_asked_to_end = end > 0.0;
+        if fault > 0.0 {
+            return Err(division.first_fault(found));
         }
-        let faults = division.ranks.gather(&encode(&found));
-        let faults = faults.iter().filter_map(|of| division.decode::<Option<Fault>>(of));
-        faults.min_by_key(Fault::grain).map_or(Ok(()), Err)
+        Ok(())
     }
+}
+
+impl Division {
+    /// The fault of the grain with the lowest id, where at least one process has found one.
+    fn first_fault(&self, found: Option<Fault>) -> Fault {
+        let faults = self.fold(Vec::from_iter(found), |a, b| [a, b].concat());
+        let first = faults.into_iter().min_by_key(Fault::grain);
+        first.unwrap_or_else(|| self.ranks.give_up("another process told of a fault and then of none"))
+    }
+}
+
+fn flag(is: bool) -> f64 {
+    if is { 1.0 } else { 0.0 }
 }

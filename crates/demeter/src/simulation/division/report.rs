@@ -66,10 +66,11 @@ impl Simulation {
             traffic.bytes,
             traffic.rounds,
             traffic.round_bytes,
+            traffic.joined_bytes,
             traffic.gathered_bytes,
             nanoseconds,
         ];
-        let ([messages, bytes, rounds, round_bytes, gathered, all], [.., most]) = division.counts(mine);
+        let ([messages, bytes, rounds, round_bytes, joined, gathered, all], [.., most]) = division.counts(mine);
         let per_process = |count: u64| count as f64 / (ranks as f64 * steps.max(1) as f64);
         let per_grain = |bytes: u64| bytes as f64 / particle_steps.max(1) as f64;
         Some(SharingReport {
@@ -77,7 +78,7 @@ impl Simulation {
             imbalance,
             divided,
             border_bytes: per_grain(bytes),
-            bytes: per_grain(bytes + round_bytes * (ranks as u64 - 1) + gathered),
+            bytes: per_grain(bytes + round_bytes * (ranks as u64 - 1) + joined + gathered),
             messages: per_process(messages),
             rounds: per_process(rounds),
             seconds: all as f64 * 1e-9 / ranks as f64,

@@ -1,7 +1,6 @@
 //! Sums over all grains and contacts, of which each process adds up its own and tells what they came to.
 
-use super::encode;
-use crate::comm::segment_sums::{Branch, Summand, add_branches, add_up, branches};
+use crate::comm::segment_sums::{Branch, Summand, add_up, branches, joined, sum};
 use crate::contacts::ContactChunk;
 use crate::simulation::Simulation;
 use rayon::prelude::*;
@@ -60,9 +59,8 @@ impl Simulation {
         };
         let own = division.segments();
         let mine = branches(&self.added_up(own.clone(), &of), own.start, count);
-        let told = division.ranks.gather(&encode(&mine));
-        let all = told.iter().flat_map(|of| division.decode::<Vec<Branch<T>>>(of));
-        add_branches(all, count)
+        let join = |before: Vec<Branch<T>>, behind| joined(before.into_iter().chain(behind), count);
+        sum(division.fold(mine, join))
     }
 
     /// Contacts that act, of all processes, those with walls counted; each calls this.
