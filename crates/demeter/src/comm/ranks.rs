@@ -4,8 +4,9 @@ use std::fmt::Debug;
 
 /// The processes (ranks) of a run, as one of them sees them.
 ///
-/// Every rank calls the same methods in the same order, but for [`Ranks::tell`], [`Ranks::hear`] and [`Ranks::swap`]: each call waits for all others. What is told is bytes, so that nothing
-/// is rounded or added up on the way: all sums are made by the engine, in an order that does not depend on the ranks.
+/// Every rank calls the same methods in the same order, but for [`Ranks::tell`], [`Ranks::hear`] and [`Ranks::swap`]: each call waits for all
+/// others. What is told is bytes, so that nothing is rounded or added up on the way: all sums are made by the engine, in an order that
+/// does not depend on the ranks.
 pub trait Ranks: Debug + Send + Sync {
     /// Number of this process, from 0.
     fn rank(&self) -> usize;
