@@ -247,7 +247,7 @@ fn measure(arguments: &Arguments, name: &str, setup: Setup) -> Outcome<()> {
     let mut sim = Simulation::new(squeezed);
     sim.step()?;
     let rebuild: Vec<f64> = (0..arguments.rounds).map(|_| timed(|| sim.find_candidates())).collect();
-    let (table, memory) = found.bytes();
+    let (table, memory) = found.bytes(grains.len());
     println!(
         "| {name} | {sizes} | {:.0} | {:.2} | {:.1} | {:.0} | {:.0} | {:.2} | {:.0} | {:.0} |",
         fastest(&search) / n * 1e9,

@@ -49,7 +49,7 @@ pub fn to_text(profile: &ProfileReport) -> String {
 }
 
 fn with_others(sharing: &SharingReport) -> String {
-    format!(
+    let mut text = format!(
         "shared by {} processes\n  the busiest has {} times the work of the mean; grains were divided {}\n  per grain and step {} bytes \
          went from one process to another, {} of them over borders; {} messages and {} rounds of all per step\n  telling, hearing \
          and waiting took each {} s, the longest {} s\n",
@@ -62,7 +62,16 @@ fn with_others(sharing: &SharingReport) -> String {
         number(sharing.rounds),
         number(sharing.seconds),
         number(sharing.most_seconds),
-    )
+    );
+    if let (Some(first), Some(others)) = (sharing.memory_of_first, sharing.memory_of_others) {
+        let megabytes = |bytes: u64| number((bytes as f64 / 1e6).round());
+        text += &format!(
+            "  the first process, which writes, had at most {} MB in use, each other at most {} MB\n",
+            megabytes(first),
+            megabytes(others),
+        );
+    }
+    text
 }
 
 fn against_the_machine(roofline: &Roofline) -> String {

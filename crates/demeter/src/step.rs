@@ -107,7 +107,9 @@ impl Simulation {
         };
         self.check_places(&motion)?;
         self.find_candidates();
+        self.even_out_start();
         self.foresee_bulges();
+        self.exchange_borders(|_| ());
         self.find_contacts(&motion)?;
         self.sum_up_work()?;
         self.sum_and_correct(Moment::Start)?;
@@ -208,7 +210,8 @@ impl Simulation {
                 clock.took(Part::Walls);
             },
         };
-        (self.sums).work(&mut self.contacts, self.grains.len(), parts(own.len()), &work);
+        let parts = parts(own.len());
+        (self.sums).work(&mut self.contacts, own, parts, &work);
         Ok(())
     }
 

@@ -4,8 +4,7 @@
 //! plus a shift, never a shifted position, so that both partners see the same bits. Where the box deforms
 //! ([`Rates`]), the shifts follow it, and a contact across a border adds the velocity of its shift to that of its grains.
 //!
-//! Several processes share a run through [`Ranks`]: each has the tables of all grains and keeps those up to date that are its own
-//! or touch these.
+//! Several processes share a run through [`Ranks`]: each knows the grains that are its own, and those near these.
 
 mod deforming;
 mod ranks;

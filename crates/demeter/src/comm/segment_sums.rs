@@ -45,6 +45,12 @@ pub(crate) fn add_up<T: Summand>(own: &mut [T], start: usize, count: usize) {
     }
 }
 
+impl Summand for f64 {
+    fn add(&mut self, other: &Self) {
+        *self += other;
+    }
+}
+
 /// The largest branches among segments that [`add_up`] has added up.
 pub(crate) fn branches<T: Summand>(own: &[T], start: usize, count: usize) -> Vec<Branch<T>> {
     let some = start..start + own.len();
@@ -95,12 +101,6 @@ pub(crate) fn sum<T: Summand>(mut branches: Vec<Branch<T>>) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    impl Summand for f64 {
-        fn add(&mut self, other: &Self) {
-            *self += other;
-        }
-    }
 
     /// Numbers whose sum depends on the order.
     fn segments(count: usize) -> Vec<f64> {

@@ -87,10 +87,12 @@ impl Strays {
     }
 }
 
-/// Sums of the contact loads of this step.
+/// Sums of the contact loads of this step: of the grains that this process moves.
 #[derive(Debug, Default)]
 pub(crate) struct Sums {
     sums: Vec<Sum>,
+    /// The grain of the first.
+    first: usize,
     /// What every task has for grains of those before it.
     strays: Vec<Strays>,
 }
@@ -105,10 +107,11 @@ pub(crate) struct GrainSums<'a> {
 }
 
 impl<'a> GrainSums<'a> {
-    pub(crate) fn new(sums: &'a Sums, neighbours: &'a Neighbours, walls: &'a [ContactChunk]) -> Self {
+    /// Those from a grain on.
+    pub(crate) fn from(first: usize, sums: &'a Sums, neighbours: &'a Neighbours, walls: &'a [ContactChunk]) -> Self {
         Self {
-            sums: &sums.sums,
-            first: 0,
+            sums: &sums.sums[first - sums.first..],
+            first,
             neighbours,
             walls,
         }
@@ -167,6 +170,8 @@ pub(crate) struct Adder<'a> {
     first_grain: u32,
     sums: &'a mut [Sum],
     strays: &'a mut Strays,
+    /// Grains that are summed up at all: others are the work of other processes.
+    own: Range<u32>,
 }
 
 impl Adder<'_> {
@@ -175,7 +180,7 @@ impl Adder<'_> {
     fn add<Q: Quad>(&mut self, grain: u32, side: usize, load: &Load, torque: Option<&[f64; 4]>) {
         if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
             sum.add::<Q>(load, side, torque);
-        } else {
+        } else if self.own.contains(&grain) {
             self.strays.push(grain, side, load, torque);
         }
     }
@@ -239,6 +244,7 @@ struct Task<'a> {
     sums: &'a mut [Sum],
     first_grain: usize,
     strays: &'a mut [Strays],
+    own: Range<u32>,
 }
 
 /// How the work of a step on contacts is done.
@@ -261,22 +267,22 @@ impl Sums {
         set_aside(&self.sums) + self.strays.iter().map(stray).sum::<usize>()
     }
 
-    /// Works on the chunks of all segments, between grains and with walls, in parallel in `parts`, and sums up: into how many parts the
-    /// work is cut changes no sum.
-    pub(crate) fn work<S, W>(&mut self, contacts: &mut Contacts, grains: usize, parts: usize, work: &Work<S, W>)
+    /// Works on the chunks of all segments, between grains and with walls, in parallel in `parts`, and sums up for the own grains, which the
+    /// first of the segments have: into how many parts the work is cut changes no sum.
+    pub(crate) fn work<S, W>(&mut self, contacts: &mut Contacts, own: Range<usize>, parts: usize, work: &Work<S, W>)
     where
         S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
         W: Fn(usize, &mut ContactChunk) + Sync,
     {
         let Range { start, end } = work.segments;
-        self.sums.resize(grains, Sum::default());
+        self.first = own.start;
+        self.sums.resize(own.len(), Sum::default());
         if start == end {
             return;
         }
         let parts = parts.clamp(1, end - start);
         let chunks = of_segments(start..end, |s| work.neighbours.chunks_of_segment(s));
         let wall_chunks = of_segments(start..end, |s| work.neighbours.wall_chunks_of_segment(s));
-        let first_grain = work.neighbours.grains_of_segment(start).start;
         self.strays.resize_with(parts, Strays::default);
         self.strays.iter_mut().for_each(Strays::clear);
         let all = Task {
@@ -285,14 +291,15 @@ impl Sums {
             chunks: &mut contacts.pairs[chunks],
             first_wall_chunk: wall_chunks.start,
             wall_chunks: &mut contacts.walls[wall_chunks],
-            sums: &mut self.sums[first_grain..],
-            first_grain,
+            sums: &mut self.sums,
+            first_grain: own.start,
             strays: &mut self.strays,
+            own: own.start as u32..own.end as u32,
         };
         all.work(work);
         if parts > 1 {
             let tasks = rayon::current_num_threads();
-            add_strays(0, &mut self.sums, &self.strays, tasks, work.instructions);
+            add_strays(own.start, &mut self.sums, &self.strays, tasks, work.instructions);
         }
     }
 }
@@ -336,7 +343,8 @@ impl<'a> Task<'a> {
         let grain = neighbours.grains_of_segment(middle).start;
         let (chunks, other_chunks) = self.chunks.split_at_mut(chunk - self.first_chunk);
         let (wall_chunks, other_wall_chunks) = self.wall_chunks.split_at_mut(wall_chunk - self.first_wall_chunk);
-        let (sums, other_sums) = self.sums.split_at_mut(grain - self.first_grain);
+        // grains of other processes lie behind the own ones
+        let (sums, other_sums) = self.sums.split_at_mut((grain - self.first_grain).min(self.sums.len()));
         let (strays, other_strays) = self.strays.split_at_mut(parts / 2);
         let one = Self {
             segments: begin..middle,
@@ -344,6 +352,7 @@ impl<'a> Task<'a> {
             wall_chunks,
             sums,
             strays,
+            own: self.own.clone(),
             ..self
         };
         let other = Self {
@@ -355,6 +364,7 @@ impl<'a> Task<'a> {
             sums: other_sums,
             first_grain: grain,
             strays: other_strays,
+            own: self.own,
         };
         (one, other)
     }
@@ -369,10 +379,13 @@ impl<'a> Task<'a> {
             first_grain: self.first_grain as u32,
             sums: self.sums,
             strays: &mut self.strays[0],
+            own: self.own,
         };
+        let count = adder.sums.len();
         for segment in self.segments.clone() {
             let grains = neighbours.grains_of_segment(segment);
-            adder.sums[grains.start - self.first_grain..grains.end - self.first_grain].fill(Sum::default());
+            let [first, end] = [grains.start, grains.end].map(|grain| (grain - self.first_grain).min(count));
+            adder.sums[first..end].fill(Sum::default());
             for chunk in neighbours.chunks_of_segment(segment) {
                 (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], &mut adder);
             }

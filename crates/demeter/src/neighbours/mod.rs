@@ -25,7 +25,7 @@ mod tests;
 mod vicinity;
 mod visit;
 
-pub(crate) use classes::SizeClasses;
+pub(crate) use classes::{Extremes, SizeClasses};
 pub(crate) use order::Curve;
 pub use order::{GONE, SpatialOrder};
 pub use search::SearchEffort;
@@ -36,7 +36,7 @@ pub(crate) use vicinity::{Bounds, BoxesOfClasses, CORNERS, Reach, Vicinity};
 use crate::comm::Single;
 use crate::materials::Materials;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
-use crate::particles::{Grains, Rows};
+use crate::particles::{Grains, Row, Rows};
 use crate::walls::{Pose, Wall};
 use incidence::Incidence;
 use pairs::PairTable;
@@ -148,14 +148,16 @@ impl Neighbours {
         self.total = self.pairs.table.len();
         self.find_incidence(grains);
         match vicinity {
-            Some(_) => {
-                self.reference.resize(grains.len());
-                self.reference.rows_mut()[own.clone()].copy_from_slice(&grains.position.rows()[own.clone()]);
-            }
+            Some(_) => self.reference = Rows::with_some(grains.len(), own.clone(), &grains.position),
             None => self.reference.copy(&grains.position),
         }
         self.wall_reference.clear();
         self.wall_reference.extend(walls.iter().map(Wall::pose));
+    }
+
+    /// Forgets where all but the own grains were when the pairs were found.
+    pub(crate) fn note_reference_of(&mut self, own: &Range<usize>) {
+        self.reference = Rows::with_some(self.reference.len(), own.clone(), &self.reference);
     }
 
     fn find_incidence(&mut self, grains: &Grains) {
@@ -328,11 +330,11 @@ impl Neighbours {
         self.effort.scattered as f64 / self.total.max(1) as f64
     }
 
-    /// Bytes in use: of the table, and of what a search needs.
-    pub fn bytes(&self) -> (usize, usize) {
+    /// Bytes in use: of the table, with so many own grains, and of what a search needs.
+    pub fn bytes(&self, own: usize) -> (usize, usize) {
         let (pairs, found) = self.pairs.bytes();
         let incidence = self.incidence.as_ref().map_or(0, Incidence::bytes) + self.wall_incidence.bytes();
-        let table = pairs + self.walls.bytes() + incidence + self.reference.bytes();
+        let table = pairs + self.walls.bytes() + incidence + own * size_of::<Row>();
         (table, found + self.search.bytes())
     }
 }

@@ -31,16 +31,17 @@ impl SpatialOrder {
     pub fn sort(&mut self, grains: &mut Grains) {
         let rows = grains.position.rows();
         let curve = Curve::new(bounds(rows), rows.len());
-        self.find(&grains.id, |grain| curve.place(rows[grain].vector));
+        self.find(rows.len(), |grain| (curve.place(rows[grain].vector), grains.id[grain]));
         self.apply(grains);
     }
 
-    /// Finds the order of grains by their places on the curve, told by their indices, and then by their ids.
-    pub(crate) fn find(&mut self, ids: &[u32], place: impl Fn(usize) -> u64 + Sync) {
-        self.keyed.resize(ids.len(), (0, 0, 0));
+    /// Finds the order of so many grains by their places on the curve, and then by their ids, both told by their indices.
+    pub(crate) fn find(&mut self, grains: usize, place_and_id: impl Fn(usize) -> (u64, u32) + Sync) {
+        self.keyed.resize(grains, (0, 0, 0));
         (self.keyed.par_chunks_mut(GRAINS_PER_TASK).enumerate()).for_each(|(task, keyed)| {
             for (grain, keyed) in (task * GRAINS_PER_TASK..).zip(keyed) {
-                *keyed = (place(grain), ids[grain], grain as u32);
+                let (place, id) = place_and_id(grain);
+                *keyed = (place, id, grain as u32);
             }
         });
         self.keyed.par_sort_unstable();
@@ -48,7 +49,7 @@ impl SpatialOrder {
         self.order.extend(self.keyed.iter().map(|k| k.2));
         // this is rare, and the memory is worth more
         self.keyed = Vec::new();
-        self.note_moves(ids.len());
+        self.note_moves(grains);
     }
 
     /// Chooses an order of some of so many grains, told by their indices; those not named will be dropped.

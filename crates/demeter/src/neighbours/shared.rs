@@ -1,8 +1,11 @@
 //! Tables of candidates that several processes share: each has the pairs that one of its own grains is in.
 
 use super::pairs::PairTable;
+use super::search::per_task;
 use super::table::{Segment, Table};
 use super::{Neighbours, Pair, SearchEffort, WallPair};
+use crate::materials::Materials;
+use crate::particles::{Grains, Rows};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -90,6 +93,19 @@ impl Neighbours {
         SegmentsOfCandidates {
             pairs: pairs.map(|s| s.picked(|p| is_own(p.i) || is_own(p.j))).collect(),
             walls: walls.map(|s| s.picked(|p| is_own(p.grain))).collect(),
+        }
+    }
+
+    /// A table without candidates for a search among these grains.
+    pub(crate) fn before_search(&self, grains: &Grains, materials: &Materials) -> Self {
+        let per_segment = per_task(materials);
+        let segments = grains.len().div_ceil(per_segment);
+        Self {
+            pairs: PairTable::of_segments(vec![Segment::default(); segments], per_segment),
+            walls: Table::of_segments(vec![Segment::default(); segments]),
+            incidence: self.incidence.as_ref().map(|_| super::Incidence::default()),
+            reference: Rows::zeros(grains.len()),
+            ..Self::default()
         }
     }
 

@@ -12,6 +12,7 @@ pub use by_id::ById;
 pub use domain::{Domain, Outside};
 pub use interior::{Interior, InteriorError};
 pub use origins::Origins;
+use rows::{Kept, copy_kept};
 pub use rows::{Row, Rows};
 pub use zone::{Zone, ZonePart, ZoneShape};
 
@@ -65,6 +66,9 @@ pub struct Grains {
     /// What the predictor-corrector remembers beyond forces and torques; empty with velocity Verlet.
     pub higher: Vec<HigherDerivatives>,
 }
+
+/// Numbers that never change of a grain.
+pub(crate) const CONSTANTS: usize = 6;
 
 /// Derivatives of the motion of one grain above the accelerations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Pod, Zeroable)]
@@ -183,7 +187,7 @@ impl Grains {
         }
     }
 
-    /// What changes of some grains while a run goes on, as bytes.
+    /// All of some grains, as bytes.
     pub(crate) fn pack(&self, some: impl Iterator<Item = usize> + Clone) -> Vec<u8> {
         fn put<T: Pod>(packed: &mut Vec<u8>, values: &[T], some: impl Iterator<Item = usize>) {
             some.for_each(|g| packed.extend_from_slice(bytemuck::bytes_of(&values[g])));
@@ -198,6 +202,9 @@ impl Grains {
         ] {
             put(&mut packed, rows.rows(), some.clone());
         }
+        put(&mut packed, &self.id, some.clone());
+        put(&mut packed, &self.material, some.clone());
+        put(&mut packed, &self.mass, some.clone());
         put(&mut packed, &self.image, some.clone());
         put(&mut packed, &self.orientation, some.clone());
         if !self.higher.is_empty() {
@@ -206,7 +213,7 @@ impl Grains {
         packed
     }
 
-    /// Takes what [`Grains::pack`] made of the same grains; tells whether it fits.
+    /// Takes what [`Grains::pack`] made of so many grains; tells whether it fits.
     pub(crate) fn unpack(&mut self, some: impl Iterator<Item = usize> + Clone, packed: &[u8]) -> bool {
         fn take<T: Pod>(packed: &mut &[u8], values: &mut [T], mut some: impl Iterator<Item = usize>) -> bool {
             some.all(|g| {
@@ -229,47 +236,76 @@ impl Grains {
         let fits = rows
             .into_iter()
             .all(|rows| take(&mut rest, rows.rows_mut(), some.clone()))
+            && take(&mut rest, &mut self.id, some.clone())
+            && take(&mut rest, &mut self.material, some.clone())
+            && take(&mut rest, &mut self.mass, some.clone())
             && take(&mut rest, &mut self.image, some.clone())
             && take(&mut rest, &mut self.orientation, some.clone())
             && (self.higher.is_empty() || take(&mut rest, &mut self.higher, some));
         fits && rest.is_empty()
     }
 
-    /// Bytes that the tables have set aside.
-    pub(crate) fn bytes(&self) -> usize {
-        let rows = [
-            &self.position,
-            &self.velocity,
-            &self.angular_velocity,
-            &self.force,
-            &self.torque,
-        ];
-        rows.into_iter().map(Rows::bytes).sum::<usize>()
-            + set_aside(&self.id)
-            + set_aside(&self.material)
-            + set_aside(&self.mass)
-            + set_aside(&self.image)
-            + set_aside(&self.orientation)
-            + set_aside(&self.higher)
+    /// What never changes of a grain, as numbers: id, material, mass, radius, inverse mass and inverse moment of inertia.
+    pub(crate) fn constants(&self, grain: usize) -> [f64; CONSTANTS] {
+        [
+            f64::from(self.id[grain]),
+            f64::from(self.material[grain]),
+            self.mass[grain],
+            self.radius(grain),
+            self.inverse_mass(grain),
+            self.inverse_inertia(grain),
+        ]
+    }
+
+    /// Takes what [`Grains::constants`] told of a grain; nothing where nothing is told.
+    pub(crate) fn set_constants(&mut self, grain: usize, told: &[f64]) {
+        if let &[id, material, mass, radius, inverse_mass, inverse_inertia] = told {
+            self.id[grain] = id as u32;
+            self.material[grain] = material as u16;
+            self.mass[grain] = mass;
+            self.position.set_scalar(grain, radius);
+            self.velocity.set_scalar(grain, inverse_mass);
+            self.angular_velocity.set_scalar(grain, inverse_inertia);
+        }
+    }
+
+    /// Bytes of so many grains in the tables.
+    pub(crate) fn bytes_of(&self, count: usize) -> usize {
+        let higher = if self.higher.is_empty() {
+            0
+        } else {
+            size_of::<HigherDerivatives>()
+        };
+        let scalars = size_of::<u32>() + size_of::<u16>() + size_of::<f64>() + size_of::<[i32; 3]>();
+        count * (scalars + 5 * size_of::<Row>() + size_of::<DQuat>() + higher)
     }
 
     /// Puts the grains into a new order: the grain at `order[k]` goes to index `k`. Grains not named are dropped.
     pub fn reorder(&mut self, order: &[u32]) {
-        fn pick<T: Copy>(values: &mut Vec<T>, order: &[u32]) {
-            *values = order.iter().map(|&i| values[i as usize]).collect();
+        let all = order.iter().enumerate().map(|(to, &from)| (to, from as usize));
+        self.keep(order.len(), all);
+    }
+
+    /// Goes on with so many grains, of which some are known, told by their new and their old indices; all others are forgotten and take
+    /// no memory.
+    pub(crate) fn keep(&mut self, count: usize, some: impl Iterator<Item = Kept> + Clone) {
+        fn keep<T: Pod>(values: &mut Vec<T>, count: usize, some: impl Iterator<Item = Kept>) {
+            let mut kept = bytemuck::zeroed_vec(count);
+            copy_kept(&mut kept, values, some);
+            *values = kept;
         }
-        pick(&mut self.id, order);
-        pick(&mut self.material, order);
-        pick(&mut self.mass, order);
-        self.position.pick(order);
-        pick(&mut self.image, order);
-        self.velocity.pick(order);
-        self.angular_velocity.pick(order);
-        pick(&mut self.orientation, order);
-        self.force.pick(order);
-        self.torque.pick(order);
+        keep(&mut self.id, count, some.clone());
+        keep(&mut self.material, count, some.clone());
+        keep(&mut self.mass, count, some.clone());
+        self.position.keep(count, some.clone());
+        keep(&mut self.image, count, some.clone());
+        self.velocity.keep(count, some.clone());
+        self.angular_velocity.keep(count, some.clone());
+        keep(&mut self.orientation, count, some.clone());
+        self.force.keep(count, some.clone());
+        self.torque.keep(count, some.clone());
         if !self.higher.is_empty() {
-            pick(&mut self.higher, order);
+            keep(&mut self.higher, count, some);
         }
     }
 }

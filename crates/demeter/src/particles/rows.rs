@@ -2,12 +2,13 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
-use std::ops::{Index, IndexMut};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::fmt::{Debug, Formatter};
+use std::ops::{Index, IndexMut, Range};
 
 /// A vector and a number that is used together with it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Pod, Zeroable)]
-#[repr(C, align(32))]
+#[repr(C)]
 pub struct Row {
     /// The vector.
     pub vector: DVec3,
@@ -15,60 +16,109 @@ pub struct Row {
     pub scalar: f64,
 }
 
+/// A row that is kept: its new index, and the one before.
+pub(super) type Kept = (usize, usize);
+
+/// Copies what is kept of a table into a new one.
+pub(super) fn copy_kept<T: Pod>(to: &mut [T], from: &[T], some: impl Iterator<Item = Kept>) {
+    if cfg!(debug_assertions) {
+        // whoever looks at what is forgotten finds no number, not zeros that may pass
+        bytemuck::cast_slice_mut::<T, u8>(to).fill(u8::MAX);
+    }
+    some.for_each(|(new, old)| to[new] = from[old]);
+}
+
 /// One [`Row`] per grain; indexing gives the vector.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Rows(Vec<Row>);
+///
+/// Rows begin at multiples of 32 bytes. The memory is that of plain numbers, as the allocator hands out zeros that take no memory until
+/// they are written only where it is not asked for more than its own alignment.
+#[derive(Default)]
+pub struct Rows {
+    numbers: Vec<f64>,
+    /// Numbers before the first row.
+    first: usize,
+}
+
+/// Numbers of a row.
+const WIDTH: usize = size_of::<Row>() / size_of::<f64>();
 
 impl Rows {
+    /// So many rows, all zero; they take no memory until they are written.
+    pub(crate) fn zeros(count: usize) -> Self {
+        let numbers = vec![0.0; WIDTH * count + WIDTH - 1];
+        let first = numbers_to_skip(&numbers);
+        let mut rows = Self { numbers, first };
+        rows.numbers.truncate(first + WIDTH * count);
+        rows
+    }
+
+    /// So many rows, some of them those of another table and all others zero; these take no memory.
+    pub(crate) fn with_some(count: usize, some: Range<usize>, of: &Self) -> Self {
+        let mut rows = Self::zeros(count);
+        rows.rows_mut()[some.clone()].copy_from_slice(&of.rows()[some]);
+        rows
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
-        self.0.len()
+        (self.numbers.len() - self.first) / WIDTH
     }
 
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.len() == 0
     }
 
     /// Adds a row.
     pub fn push(&mut self, vector: DVec3, scalar: f64) {
-        self.0.push(Row { vector, scalar });
+        self.extend(std::iter::once(Row { vector, scalar }));
     }
 
     /// Adds copies of all rows of another table.
     pub(super) fn append(&mut self, other: &Self) {
-        self.0.extend_from_slice(&other.0);
+        self.extend(other.rows().iter().copied());
     }
 
-    /// Has so many rows; new ones are zero.
-    pub(crate) fn resize(&mut self, count: usize) {
-        self.0.resize(count, Row::default());
+    fn extend(&mut self, rows: impl ExactSizeIterator<Item = Row>) {
+        let more = WIDTH * rows.len();
+        if self.numbers.len() + more > self.numbers.capacity() {
+            self.numbers.reserve(more + WIDTH - 1);
+            let (from, to) = (self.first, numbers_to_skip(&self.numbers));
+            let end = self.numbers.len();
+            self.numbers.resize(end.max(end - from + to), 0.0);
+            self.numbers.copy_within(from..end, to);
+            self.numbers.truncate(end - from + to);
+            self.first = to;
+        }
+        for row in rows {
+            self.numbers.extend_from_slice(bytemuck::cast_slice(&[row]));
+        }
     }
 
     /// The number of a row.
     #[inline(always)]
     pub fn scalar(&self, index: usize) -> f64 {
-        self.0[index].scalar
+        self.rows()[index].scalar
     }
 
     /// Puts the number of a row.
     pub fn set_scalar(&mut self, index: usize, scalar: f64) {
-        self.0[index].scalar = scalar;
+        self.rows_mut()[index].scalar = scalar;
     }
 
     /// The vectors.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &DVec3> + Clone {
-        self.0.iter().map(|row| &row.vector)
+        self.rows().iter().map(|row| &row.vector)
     }
 
     /// The vectors, to be changed.
     pub fn iter_mut(&mut self) -> impl ExactSizeIterator<Item = &mut DVec3> {
-        self.0.iter_mut().map(|row| &mut row.vector)
+        self.rows_mut().iter_mut().map(|row| &mut row.vector)
     }
 
     /// The numbers.
     pub fn scalars(&self) -> impl ExactSizeIterator<Item = f64> + Clone + '_ {
-        self.0.iter().map(|row| row.scalar)
+        self.rows().iter().map(|row| row.scalar)
     }
 
     /// Puts the same vector everywhere.
@@ -79,39 +129,80 @@ impl Rows {
     /// The rows as plain numbers.
     #[inline(always)]
     pub fn table(&self) -> &[[f64; 4]] {
-        bytemuck::cast_slice(&self.0)
+        bytemuck::cast_slice(&self.numbers[self.first..])
     }
 
     /// The rows.
     #[inline(always)]
     pub fn rows(&self) -> &[Row] {
-        &self.0
+        bytemuck::cast_slice(&self.numbers[self.first..])
     }
 
     /// The rows as plain numbers, to be changed.
     #[inline(always)]
     pub fn table_mut(&mut self) -> &mut [[f64; 4]] {
-        bytemuck::cast_slice_mut(&mut self.0)
+        bytemuck::cast_slice_mut(&mut self.numbers[self.first..])
     }
 
     /// The rows, to be changed.
     #[inline(always)]
     pub fn rows_mut(&mut self) -> &mut [Row] {
-        &mut self.0
+        bytemuck::cast_slice_mut(&mut self.numbers[self.first..])
     }
 
     /// Takes the rows of another table, in memory that is here already where it is enough.
     pub(crate) fn copy(&mut self, other: &Self) {
-        self.0.clone_from(&other.0);
+        if self.len() != other.len() {
+            *self = Self::zeros(other.len());
+        }
+        self.rows_mut().copy_from_slice(other.rows());
     }
 
-    /// Bytes in use.
-    pub(crate) fn bytes(&self) -> usize {
-        self.0.capacity() * size_of::<Row>()
+    /// So many rows, some of them those of this table; all others are forgotten and take no memory.
+    pub(super) fn keep(&mut self, count: usize, some: impl Iterator<Item = Kept>) {
+        let mut kept = Self::zeros(count);
+        copy_kept(kept.rows_mut(), self.rows(), some);
+        *self = kept;
     }
+}
 
-    pub(super) fn pick(&mut self, order: &[u32]) {
-        self.0 = order.iter().map(|&i| self.0[i as usize]).collect();
+/// Numbers to leave out at the beginning of some memory so that what follows begins at a multiple of the size of a row.
+fn numbers_to_skip(numbers: &[f64]) -> usize {
+    let address = numbers.as_ptr().addr();
+    (address.next_multiple_of(size_of::<Row>()) - address) / size_of::<f64>()
+}
+
+impl Debug for Rows {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
+        self.rows().fmt(formatter)
+    }
+}
+
+impl Clone for Rows {
+    fn clone(&self) -> Self {
+        let mut rows = Self::default();
+        rows.copy(self);
+        rows
+    }
+}
+
+impl PartialEq for Rows {
+    fn eq(&self, other: &Self) -> bool {
+        self.rows() == other.rows()
+    }
+}
+
+impl Serialize for Rows {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.rows().serialize(serializer)
+    }
+}
+
+impl<'a> Deserialize<'a> for Rows {
+    fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
+        let mut rows = Self::default();
+        rows.extend(Vec::<Row>::deserialize(deserializer)?.into_iter());
+        Ok(rows)
     }
 }
 
@@ -120,13 +211,13 @@ impl Index<usize> for Rows {
 
     #[inline(always)]
     fn index(&self, index: usize) -> &DVec3 {
-        &self.0[index].vector
+        &self.rows()[index].vector
     }
 }
 
 impl IndexMut<usize> for Rows {
     #[inline(always)]
     fn index_mut(&mut self, index: usize) -> &mut DVec3 {
-        &mut self.0[index].vector
+        &mut self.rows_mut()[index].vector
     }
 }

@@ -14,6 +14,7 @@ use crate::simulation::{SAFE_SHARE, Setup, Skin, TimeScale, refusals, shortest_t
 use crate::walls::Wall;
 use demeter_physics::contact::LawError;
 use glam::DVec3;
+use std::borrow::Cow;
 
 /// Particle-steps per second and thread assumed for the estimate of the run time.
 const ASSUMED_SPEED: f64 = 2e6;
@@ -65,8 +66,10 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let (Some(materials), true) = (materials, faults.is_empty()) else {
         return Err(faults);
     };
-    let mut all = grains.clone();
-    all.append(&to_come);
+    let mut all = Cow::Borrowed(&grains);
+    if !to_come.is_empty() {
+        all.to_mut().append(&to_come);
+    }
     let domain = domain(scenario, &all, &walls, &mut faults);
     check_feeds(scenario, &domain, &mut faults);
     super::deformation::check(scenario, &grains, None, &mut faults);

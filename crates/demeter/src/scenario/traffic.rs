@@ -62,6 +62,17 @@ pub(super) struct Traffic<'a> {
     state: TrafficState,
 }
 
+/// A grain that goes.
+#[derive(Serialize, Deserialize)]
+struct Gone {
+    index: usize,
+    id: u32,
+    material: u16,
+    mass: f64,
+    /// Number of the removal that it goes by.
+    removal: usize,
+}
+
 impl<'a> Traffic<'a> {
     /// At the start of a run: everything runs until a stage says otherwise.
     pub fn begin(scenario: &'a Scenario, domain: &Domain, origins: Origins) -> Result<Self, RunError> {
@@ -221,15 +232,16 @@ impl<'a> Traffic<'a> {
             return Ok(messages);
         }
         self.tag(sim);
-        let leaving = self.leaving(sim);
+        let gone = self.leaving(sim);
+        let leaving: Vec<usize> = gone.iter().map(|gone| gone.index).collect();
         let (come, from) = self.coming(sim, &leaving, &mut messages);
         if leaving.is_empty() && come.is_empty() {
             return Ok(messages);
         }
         // a grain that leaves may have passed a gate since the latest look
         self.look_together(sim);
-        for &g in &leaving {
-            self.state.origins.forget_tag(sim.grains.id[g]);
+        for gone in &gone {
+            self.state.origins.forget_tag(gone.id);
         }
         let ids = sim.exchange(&leaving, &come)?;
         let batches = self.scenario.grains.len();
@@ -246,8 +258,8 @@ impl<'a> Traffic<'a> {
         Ok(messages)
     }
 
-    /// Indices of the grains that go now, rising; they are counted. Each process looks at its own, and tells which go and by which removal.
-    fn leaving(&mut self, sim: &Simulation) -> Vec<usize> {
+    /// Grains that go now, by rising indices; they are counted. Each process looks at its own, and tells which go and by which removal.
+    fn leaving(&mut self, sim: &Simulation) -> Vec<Gone> {
         let due: Vec<usize> = (0..self.state.removals.len())
             .filter(|&k| self.state.removals[k].active && is_due(sim, self.scenario.removals[k].every))
             .collect();
@@ -260,18 +272,24 @@ impl<'a> Traffic<'a> {
                 let removal = &self.scenario.removals[*k];
                 holds(sim, &removal.zone, g) && removal.selection.holds(grains, &self.state.origins, g)
             };
-            due.iter().copied().find(by).map(|k| (g, k))
+            due.iter().copied().find(by).map(|removal| Gone {
+                index: g,
+                id: grains.id[g],
+                material: grains.material[g],
+                mass: grains.mass[g],
+                removal,
+            })
         };
-        let leaving: Vec<(usize, usize)> = sim.of_all_segments(sim.own_grains().filter_map(goes).collect());
-        for &(g, k) in &leaving {
-            let removal = &mut self.state.removals[k];
-            let gone = &mut removal.gone[usize::from(grains.material[g])];
+        let leaving: Vec<Gone> = sim.of_all_segments(sim.own_grains().filter_map(goes).collect());
+        for grain in &leaving {
+            let removal = &mut self.state.removals[grain.removal];
+            let gone = &mut removal.gone[usize::from(grain.material)];
             gone.0 += 1;
-            gone.1 += grains.mass[g];
-            let born = self.state.origins.born(grains.id[g]);
+            gone.1 += grain.mass;
+            let born = self.state.origins.born(grain.id);
             removal.stay += sim.step.saturating_sub(born) as f64 * sim.dt;
         }
-        leaving.into_iter().map(|(g, _)| g).collect()
+        leaving
     }
 
     /// The grains that come now, and the source of each.

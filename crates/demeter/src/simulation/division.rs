@@ -1,10 +1,10 @@
 //! A run that several processes share.
 //!
-//! Every process has the tables of all grains, in the same order along the curve, and the same walls and books. Of the segments
+//! Grains have the same numbers in all processes, in the order along the curve, and all have the same walls and books. Of the segments
 //! of grains that lie behind each other on the curve each process has some of its own, so many that all have as much to do. In a
 //! step it moves its own grains, hears where those are that may touch them, and finds the contacts that one of its own is in. When
-//! candidates are found it hears of those near its own (`near`); the places of all others are out of date here. A contact
-//! between grains of two processes is found by both, from the same numbers, so that both know the same. What all contacts did
+//! candidates are found it hears of those near its own (`near`). Of all others it knows nothing: their rows of the tables are zeros
+//! that take no memory (`Grains::keep`). A contact between grains of two processes is found by both, from the same numbers, so that both know the same. What all contacts did
 //! is summed up segment by segment ([`StepWork`](crate::contacts::step_work::StepWork)).
 //!
 //! What is summed up over all grains and contacts each process sums up of its own (`sums`). Frames and checkpoints are the work of the
@@ -23,12 +23,12 @@ use super::{Places, Simulation};
 use crate::comm::tree::{Then, turns};
 use crate::comm::{Message, Ranks};
 use crate::contacts::{Contacts, NearTables};
-use crate::neighbours::{Neighbours, SearchEffort};
-use crate::particles::Grains;
+use crate::neighbours::{Neighbours, SearchEffort, SpatialOrder};
 use handing::rank_in;
 use near::SizesOfAll;
 pub use report::{Sharing, SharingReport};
 use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 pub(crate) use sums::Segment;
@@ -56,6 +56,7 @@ pub(crate) struct Division {
     /// Own grains.
     own: Range<usize>,
     sizes: SizesOfAll,
+    introduced: Introduced,
     borders: Vec<Border>,
     /// What goes over each of them in a step.
     messages: Vec<Message>,
@@ -74,6 +75,14 @@ pub(crate) struct Division {
     /// Whether this process wants to end, and whether all know that one does.
     wants_to_end: bool,
     is_asked_to_end: bool,
+}
+
+/// Other processes with segments of which one has told the other what never changes; for every grain of the segment whether it has.
+type Introduced = BTreeMap<(usize, usize), Vec<bool>>;
+
+/// Grains of a segment that were introduced, told its first grain.
+fn introduced_of(first: usize, grains: &[bool]) -> impl Iterator<Item = usize> + Clone + '_ {
+    (first..).zip(grains).filter(|(_, is)| **is).map(|(grain, _)| grain)
 }
 
 /// Tables of the own segments while those of all are in place, or the other way.
@@ -159,20 +168,12 @@ impl Division {
         (sums, most)
     }
 
-    /// Divides the whole, so that every process has as much to do.
-    fn cut(&mut self, neighbours: &Neighbours, grains: &Grains) {
-        let work_of = |segment: usize| {
-            let of_grains = WORK_OF_A_GRAIN * neighbours.grains_of_segment(segment).len();
-            of_grains + neighbours.work_of_segment(segment)
-        };
-        let cuts = self.even_cuts((0..neighbours.segments()).map(work_of));
-        self.take_cuts(cuts, neighbours.grains_per_segment(), grains.len());
-        self.note_sizes(grains, neighbours.grains_per_segment());
-    }
-
-    /// Learns what the radii of all grains tell.
-    fn note_sizes(&mut self, grains: &Grains, per_segment: usize) {
-        self.sizes = SizesOfAll::of(grains, per_segment);
+    /// Grains of which this process knows anything: its own, those of segments that were near, and those that it hears of. Some are told
+    /// twice.
+    fn known(&self, per_segment: usize, count: usize) -> impl Iterator<Item = usize> + Clone + '_ {
+        let segments = self.introduced.iter();
+        let near = segments.flat_map(move |(&(_, segment), grains)| introduced_of(segment * per_segment, grains));
+        known_grains(Some(self), count).chain(near.filter(|grain| !self.own.contains(grain)))
     }
 
     /// The process that a grain belongs to.
@@ -260,6 +261,7 @@ impl Simulation {
             cuts: Vec::new(),
             own: 0..0,
             sizes: SizesOfAll::default(),
+            introduced: Introduced::new(),
             borders: Vec::new(),
             messages: Vec::new(),
             coupled_messages: Vec::new(),
@@ -278,6 +280,15 @@ impl Simulation {
     /// Why every process does the work of all, though the run is shared; `None` where each does a part.
     pub fn shares_nothing(&self) -> Option<&'static str> {
         self.has_custom_force().then_some("custom forces")
+    }
+
+    /// Number of grains of which this process knows anything.
+    pub(crate) fn known_grains(&self) -> usize {
+        let (per_segment, count) = (self.neighbours.grains_per_segment(), self.grains.len());
+        match self.division.as_ref().filter(|division| !division.is_whole) {
+            Some(division) => division.known(per_segment, count).collect::<BTreeSet<usize>>().len(),
+            None => count,
+        }
     }
 
     /// Whether this process has some of the contacts only.
@@ -341,30 +352,85 @@ impl Simulation {
         if self.shares_nothing().is_some() {
             return;
         }
-        if let Some(division) = &mut self.division {
-            division.forget_gathered();
-        }
+        let Some(division) = &mut self.division else { return };
+        let has_gathered_grains = division.forget_gathered();
         let Some(mut division) = self.division.take_if(|division| division.is_whole) else {
+            if has_gathered_grains {
+                self.forget_others();
+            }
             return;
         };
         division.is_whole = false;
         match division.aside.take() {
             Some(aside) if aside.found == self.tables => {
                 (self.neighbours, self.contacts, self.near) = (aside.neighbours, aside.contacts, aside.near);
+                self.division = Some(division);
             }
             _ => {
-                division.cut(&self.neighbours, &self.grains);
+                let neighbours = &self.neighbours;
+                let work_of = |segment: usize| {
+                    let of_grains = WORK_OF_A_GRAIN * neighbours.grains_of_segment(segment).len();
+                    of_grains + neighbours.work_of_segment(segment)
+                };
+                let cuts = division.even_cuts((0..neighbours.segments()).map(work_of));
+                self.begin_division(&mut division, cuts);
                 let picked = self.neighbours.picked(&division.own);
                 self.neighbours = self.neighbours.with_candidates([picked]);
                 self.restore_neighbours(&division);
+                self.neighbours.note_reference_of(&division.own);
                 self.contacts.hand_over(&self.neighbours, None);
                 division.find_borders(&self.neighbours, self.coupling.is_some());
                 self.division = Some(division);
                 self.weigh_work();
-                return self.note_balance();
+                self.note_balance();
             }
         }
+        self.forget_others();
+    }
+
+    /// Divides the grains before the first search, when each process has all of them in order: as many for each.
+    pub(super) fn divide_before_search(&mut self) {
+        if self.shares_nothing().is_some() {
+            return;
+        }
+        let Some(mut division) = self.division.take() else {
+            return;
+        };
+        division.is_whole = false;
+        self.neighbours = self.neighbours.before_search(&self.grains, &self.materials);
+        let cuts = division.even_cuts((0..self.neighbours.segments()).map(|_| 1));
+        self.begin_division(&mut division, cuts);
         self.division = Some(division);
+        self.forget_others();
+    }
+
+    /// After the first search: where some have more to do than others, divides the work anew.
+    pub(crate) fn even_out_start(&mut self) {
+        if !self.is_divided() {
+            return;
+        }
+        if self.division.as_ref().is_some_and(|d| d.imbalance > 1.0 + DRIFT) {
+            self.hand_over_evenly();
+            self.continue_together(Places::HandedOver);
+        }
+        self.note_balance();
+    }
+
+    /// Cuts the segments like this, with the tables of the whole in place.
+    fn begin_division(&self, division: &mut Division, cuts: Vec<usize>) {
+        let per_segment = self.neighbours.grains_per_segment();
+        division.take_cuts(cuts, per_segment, self.grains.len());
+        division.introduced.clear();
+        division.note_sizes(&self.grains, per_segment);
+    }
+
+    /// Forgets all grains of which this process needs to know nothing.
+    fn forget_others(&mut self) {
+        let (per_segment, count) = (self.neighbours.grains_per_segment(), self.grains.len());
+        if let Some(division) = &self.division {
+            let known = division.known(per_segment, count).map(|grain| (grain, grain));
+            self.grains.keep(count, known);
+        }
     }
 
     fn restore_neighbours(&mut self, division: &Division) {
@@ -384,13 +450,10 @@ impl Simulation {
         let is_moved = self.is_out_of_order();
         if is_moved {
             self.find_order_together();
-        } else if is_uneven {
-            let grains = self.grains.len();
-            self.order.choose(grains, 0..grains as u32);
-        }
-        if is_moved || is_uneven {
             let cuts = self.even_cuts();
-            self.hand_over_grains(cuts, is_moved);
+            self.hand_over_grains(cuts, true);
+        } else if is_uneven {
+            self.hand_over_evenly();
         }
         self.rebuilds += 1;
         self.continue_together(match (is_moved, is_uneven) {
@@ -404,6 +467,14 @@ impl Simulation {
         if is_moved || is_uneven {
             self.note_balance();
         }
+    }
+
+    /// Gives grains that keep their places in memory to other processes, so that all have as much to do.
+    fn hand_over_evenly(&mut self) {
+        let grains = self.grains.len();
+        self.order.choose(grains, 0..grains as u32);
+        let cuts = self.even_cuts();
+        self.hand_over_grains(cuts, false);
     }
 
     /// Takes grains out of the run that are not in the order that was chosen. Each calls this.
@@ -423,18 +494,28 @@ impl Simulation {
         cuts.pop();
         cuts.push(grains.div_ceil(per_segment));
         division.take_cuts(cuts, per_segment, grains);
+        for (&(_, segment), of_segment) in &mut division.introduced {
+            // all know what comes
+            of_segment.resize(per_segment.min(grains - segment * per_segment), true);
+        }
         division.note_sizes(&self.grains, per_segment);
     }
 
     /// Finds the candidates of the own grains, and who must hear of which then.
-    fn continue_together(&mut self, places: Places) {
-        if let Some(division) = &mut self.division {
-            division.forget_gathered();
-        }
+    pub(super) fn continue_together(&mut self, places: Places) {
+        let has_gathered_grains = self
+            .division
+            .as_mut()
+            .is_some_and(|division| division.forget_gathered());
         self.continue_with_candidates(places);
         if let Some(division) = &mut self.division {
             division.find_borders(&self.neighbours, self.coupling.is_some());
         }
+        if has_gathered_grains {
+            self.forget_others();
+        }
+        // this is rare, and has numbers of all grains
+        self.order = SpatialOrder::default();
     }
 
     /// Notes how evenly the work is divided right after it was.

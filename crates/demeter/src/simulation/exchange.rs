@@ -74,6 +74,11 @@ impl Simulation {
         Ok(first..end)
     }
 
+    /// Indices, rising, of all grains for which something holds. Where processes share the run each calls this, and looks at its own.
+    pub fn grains_where(&self, holds: impl Fn(usize) -> bool) -> Vec<usize> {
+        self.of_all_segments(self.own_grains().filter(|&grain| holds(grain)).collect())
+    }
+
     /// The id that the next grain gets: above all that were ever given.
     fn next_id(&self) -> u32 {
         self.latest_id.saturating_add(1)

@@ -327,8 +327,16 @@ impl Simulation {
         if is_moved {
             self.order.sort(&mut self.grains);
         }
+        if self.rebuilds == 0 {
+            self.divide_before_search();
+        }
         self.rebuilds += 1;
-        self.continue_with_candidates(if is_moved { Places::New } else { Places::Kept });
+        let places = if is_moved { Places::New } else { Places::Kept };
+        if self.is_divided() {
+            self.continue_together(places);
+        } else {
+            self.continue_with_candidates(places);
+        }
         if is_moved {
             self.scattered_in_order = self.neighbours.scattered();
         }
@@ -375,9 +383,15 @@ impl Simulation {
         let mean_radius = self.mean_radius();
         self.near.forget(self.neighbours.segments(), mean_radius);
         if places == Places::New {
-            let stretches = self.grains.velocity.rows().chunks(GRAINS_OF_A_SPREAD);
+            let own = self.own_grains();
             self.spreads.clear();
-            self.spreads.extend(stretches.map(Spread::of));
+            self.spreads
+                .resize(self.grains.len().div_ceil(GRAINS_OF_A_SPREAD), Spread::ANY);
+            let stretches = self.grains.velocity.rows()[own.clone()].chunks(GRAINS_OF_A_SPREAD);
+            let own = &mut self.spreads[own.start / GRAINS_OF_A_SPREAD..];
+            own.iter_mut()
+                .zip(stretches)
+                .for_each(|(spread, of)| *spread = Spread::of(of));
         }
         self.note_candidates_of_box();
         let around = vicinity.map_or_else(|| Bounds::of_grains(self.grains.position.rows()), |v| v.surfaces);

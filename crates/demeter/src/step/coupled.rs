@@ -262,8 +262,9 @@ impl Simulation {
                     chunk.evaluate_walls(&scene);
                 },
             };
-            let (grains, own) = (self.grains.len(), self.own_grains().len());
-            sums.work(&mut contacts, grains, parts(own), &work);
+            let own = self.own_grains();
+            let parts = parts(own.len());
+            sums.work(&mut contacts, own, parts, &work);
         }
         (self.contacts, self.sums) = (contacts, sums);
     }

@@ -105,7 +105,7 @@ impl Simulation {
             .map(
                 |(task, ((position, velocity), (orientation, spin), (force, torque), higher, mass))| {
                     let mut bad = None;
-                    let sums = GrainSums::new(sums, neighbours, walls).behind(own.start + task * n);
+                    let sums = GrainSums::from(own.start + task * n, sums, neighbours, walls);
                     for k in 0..velocity.len() {
                         let (contact_force, new_torque) = sums.vectors_of(k);
                         let new_force = contact_force + gravity * mass[k];

@@ -28,9 +28,7 @@ fn leaving(sim: &Simulation, round: u32) -> Vec<usize> {
     let stretch = (0..120).map(|k| LENGTH * WIDTH * WIDTH / 3 + 120 * round + k);
     let others = (0..7).map(|k| 1171 * k + 5 * round + 3);
     let ids: Vec<u32> = stretch.chain(others).collect();
-    (0..sim.grains.len())
-        .filter(|&g| ids.contains(&sim.grains.id[g]))
-        .collect()
+    sim.grains_where(|grain| ids.contains(&sim.grains.id[grain]))
 }
 
 /// Grains that come in the middle between eight others, so many gaps behind each other.

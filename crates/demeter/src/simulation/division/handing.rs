@@ -3,7 +3,7 @@
 //! All processes know which place every grain gets in memory, and cut the segments alike. So each knows what leaves it, and what it will
 //! hear: how the grains move, and the contacts that they are in.
 
-use super::{Division, WORK_OF_A_GRAIN, encode};
+use super::{Division, Introduced, WORK_OF_A_GRAIN, encode, introduced_of};
 use crate::comm::Message;
 use crate::contacts::PairsAndWalls;
 use crate::neighbours::{Bounds, Curve, GONE};
@@ -88,6 +88,25 @@ impl Division {
         self.own = (own.start * per_segment).min(grains)..(own.end * per_segment).min(grains);
     }
 
+    /// Which grains need not be introduced again: their process stays the same and has told the other of them before.
+    fn still_introduced(&self, owners: &Owners<'_>, count: usize) -> Introduced {
+        let n = owners.per_segment;
+        let mut still = Introduced::new();
+        for (&(other, segment), grains) in &self.introduced {
+            let teller = rank_in(owners.before, segment);
+            for grain in introduced_of(segment * n, grains) {
+                let to = owners.moved_to[grain];
+                if to != GONE && rank_in(owners.after, to as usize / n) == teller {
+                    let first = to as usize / n * n;
+                    let of_segment = still.entry((other, first / n)).or_default();
+                    of_segment.resize(n.min(count - first), false);
+                    of_segment[to as usize - first] = true;
+                }
+            }
+        }
+        still
+    }
+
     /// Tells some others some bytes, and hears what each of them tells; those who are told tell, too.
     fn swap(&self, told: Vec<(usize, Vec<u8>)>) -> Vec<(usize, Vec<u8>)> {
         let mut messages: Vec<Message> = Vec::with_capacity(told.len());
@@ -130,26 +149,30 @@ impl Simulation {
             }
         });
         let curve = Curve::new(all.fold(Bounds::NOTHING, Bounds::join), self.grains.len());
-        let places = rows.iter().map(|row| curve.place(row.vector));
-        // whatever is not told is 0
+        // whatever is not told of a place is 0
         let width = if curve.is_short() {
             size_of::<u32>()
         } else {
             size_of::<u64>()
         };
-        let mine: Vec<u8> = places
-            .flat_map(|place| place.to_le_bytes().into_iter().take(width))
-            .collect();
+        let ids = &self.grains.id[division.own.clone()];
+        let mut mine = Vec::with_capacity((width + size_of::<u32>()) * rows.len());
+        for (row, id) in rows.iter().zip(ids) {
+            mine.extend_from_slice(&curve.place(row.vector).to_le_bytes()[..width]);
+            mine.extend_from_slice(&id.to_le_bytes());
+        }
         let told = division.ranks.gather(&mine).concat();
-        if told.len() != width * self.grains.len() {
+        let width_of_both = width + size_of::<u32>();
+        if told.len() != width_of_both * self.grains.len() {
             division.ranks.give_up("another process has other grains");
         }
-        let place = |grain: usize| {
+        let place_and_id = |grain: usize| {
+            let (place, id) = told[width_of_both * grain..width_of_both * (grain + 1)].split_at(width);
             let mut bytes = [0; size_of::<u64>()];
-            bytes[..width].copy_from_slice(&told[width * grain..width * (grain + 1)]);
-            u64::from_le_bytes(bytes)
+            bytes[..width].copy_from_slice(place);
+            (u64::from_le_bytes(bytes), bytemuck::pod_read_unaligned(id))
         };
-        self.order.find(&self.grains.id, place);
+        self.order.find(self.grains.len(), place_and_id);
     }
 
     /// Where segments are cut so that all processes have as much to do with the grains in their new order.
@@ -230,7 +253,15 @@ impl Simulation {
             .map(|other| (*other, encode(&told.remove(other).unwrap_or_default())));
         let heard = division.swap(told.collect());
         let before = division.cuts.clone();
-        self.order.apply(&mut self.grains);
+        let order = self.order.order();
+        let introduced = division.still_introduced(&owners, order.len());
+        let own = first.min(order.len())..end.min(order.len());
+        let stay = own.clone().filter(|&to| division.own.contains(&(order[to] as usize)));
+        let of_segments = introduced.iter();
+        let near = of_segments.flat_map(|(&(_, segment), grains)| introduced_of(segment * per_segment, grains));
+        let known = stay.chain(near.filter(|to| !own.contains(to)));
+        self.grains.keep(order.len(), known.map(|to| (to, order[to] as usize)));
+        division.introduced = introduced;
         division.take_cuts(cuts, per_segment, self.grains.len());
         for (other, bytes) in heard {
             let leaving: Leaving = division.decode(&bytes);

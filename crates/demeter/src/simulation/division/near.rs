@@ -1,12 +1,12 @@
 //! What processes tell each other when candidates are found: boxes around all segments to all, and the places of grains to those
-//! who have some near.
+//! who have some near. What never changes of a grain is told the first time that its segment comes near.
 //!
 //! Whose boxes are near is found by both sides from the same numbers, so that both know what is told.
 
-use super::Division;
+use super::{Division, Introduced, Segment, encode};
 use crate::comm::Message;
-use crate::neighbours::{Bounds, BoxesOfClasses, CORNERS, Reach, SizeClasses, Vicinity};
-use crate::particles::Grains;
+use crate::neighbours::{Bounds, BoxesOfClasses, CORNERS, Extremes, Reach, SizeClasses, Vicinity};
+use crate::particles::{CONSTANTS, Grains};
 use crate::simulation::Simulation;
 use std::ops::Range;
 
@@ -19,24 +19,13 @@ pub(super) struct SizesOfAll {
     classes: SizeClasses,
     /// Classes that are among the grains of every segment.
     of_segments: Vec<u32>,
-    mean_radius: f64,
 }
 
-impl SizesOfAll {
-    pub(super) fn of(grains: &Grains, per_segment: usize) -> Self {
-        let classes = SizeClasses::of_all(grains);
-        let segments = grains.position.rows().chunks(per_segment.max(1));
-        Self {
-            of_segments: segments.map(|rows| classes.among(rows)).collect(),
-            mean_radius: mean_radius(grains),
-            classes,
-        }
-    }
-}
+/// Classes of some grains: how many are in each with their largest radius, and which are among those of every segment.
+type Sizes = (Vec<(usize, f64)>, Vec<u32>);
 
-fn mean_radius(grains: &Grains) -> f64 {
-    grains.radii().sum::<f64>() / grains.len().max(1) as f64
-}
+/// Numbers that tell a place.
+const PLACE: usize = 3;
 
 /// The boxes of all segments, and of all of a process.
 struct Boxes {
@@ -45,6 +34,26 @@ struct Boxes {
 }
 
 impl Division {
+    /// Learns what the radii of all grains tell; each process calls this.
+    pub(super) fn note_sizes(&mut self, grains: &Grains, per_segment: usize) {
+        let rows = &grains.position.rows()[self.own.clone()];
+        let mut classes = SizeClasses::between(self.fold(Extremes::of(rows), Extremes::join));
+        let mut of_segments = Vec::new();
+        let mut own = classes.clone();
+        own.count(rows);
+        let among = rows
+            .chunks(per_segment.max(1))
+            .map(|rows| classes.among(rows))
+            .collect();
+        let mine: Sizes = (own.members().to_vec(), among);
+        for told in self.ranks.gather(&encode(&mine)) {
+            let (members, among) = self.decode::<Sizes>(&told);
+            classes.join(&members);
+            of_segments.extend(among);
+        }
+        self.sizes = SizesOfAll { classes, of_segments };
+    }
+
     /// What is told to all: bounds of the own grains, and boxes around those of every own segment.
     fn tell_boxes(&self, grains: &Grains, per_segment: usize) -> Vec<u8> {
         let rows = &grains.position.rows()[self.own.clone()];
@@ -125,7 +134,7 @@ impl Simulation {
     /// Tells those with grains near own ones the places of these, for a search of all pairs closer than `skin` to touching.
     /// Answers with what is known then; with nothing where all is.
     pub(in crate::simulation) fn share_places(&mut self, skin: f64) -> Option<Vicinity> {
-        let division = self.division.as_ref().filter(|division| !division.is_whole)?;
+        let division = self.division.as_mut().filter(|division| !division.is_whole)?;
         let (per_segment, count) = (self.neighbours.grains_per_segment(), self.grains.len());
         let told = division.ranks.gather(&division.tell_boxes(&self.grains, per_segment));
         let (centres, surfaces, boxes) = division.hear_boxes(&told);
@@ -136,19 +145,43 @@ impl Simulation {
         let mut messages: Vec<Message> = Vec::with_capacity(near.len());
         let mut known = vec![division.own.clone()];
         for (rank, [tell, hear]) in &near {
-            let places = tell.iter().flat_map(|&s| &self.grains.position.rows()[grains_of(s)]);
-            messages.push(Message {
+            let mut message = Message {
                 rank: *rank,
-                tell: places.flat_map(|row| row.vector.to_array()).collect(),
-                hear: vec![0.0; 3 * hear.iter().map(|&s| grains_of(s).len()).sum::<usize>()],
-            });
+                ..Message::default()
+            };
+            for &segment in tell {
+                let introduced = introduce(&mut division.introduced, *rank, segment, grains_of(segment).len());
+                for (grain, is_known) in grains_of(segment).zip(introduced) {
+                    message.tell.extend(self.grains.position[grain].to_array());
+                    if !std::mem::replace(is_known, true) {
+                        message.tell.extend(self.grains.constants(grain));
+                    }
+                }
+            }
+            for &segment in hear {
+                let introduced = introduce(&mut division.introduced, *rank, segment, grains_of(segment).len());
+                let new = introduced.iter().filter(|is_known| !**is_known).count();
+                let numbers = PLACE * introduced.len() + CONSTANTS * new;
+                message.hear.resize(message.hear.len() + numbers, 0.0);
+            }
+            messages.push(message);
             known.extend(hear.iter().map(|&s| grains_of(s)));
         }
         division.ranks.exchange(&mut messages, &mut || ());
-        for ((_, [_, hear]), message) in near.iter().zip(&messages) {
-            let mut places = message.hear.chunks_exact(3);
-            for (grain, place) in hear.iter().flat_map(|&s| grains_of(s)).zip(&mut places) {
-                self.grains.position[grain] = glam::DVec3::from_slice(place);
+        for ((rank, [_, hear]), message) in near.iter().zip(&messages) {
+            let mut numbers = &message.hear[..];
+            for &segment in hear {
+                let introduced = introduce(&mut division.introduced, *rank, segment, grains_of(segment).len());
+                for (grain, is_known) in grains_of(segment).zip(introduced) {
+                    let (place, rest) = numbers.split_at(PLACE);
+                    self.grains.position[grain] = glam::DVec3::from_slice(place);
+                    numbers = rest;
+                    if !std::mem::replace(is_known, true) {
+                        let (constants, rest) = numbers.split_at(CONSTANTS);
+                        self.grains.set_constants(grain, constants);
+                        numbers = rest;
+                    }
+                }
             }
         }
         Some(Vicinity {
@@ -159,13 +192,16 @@ impl Simulation {
         })
     }
 
-    /// Mean radius of all grains [m].
+    /// Mean radius of all grains [m]; each process calls this.
     pub(in crate::simulation) fn mean_radius(&self) -> f64 {
-        match self.division.as_ref().filter(|division| !division.is_whole) {
-            Some(division) => division.sizes.mean_radius,
-            None => mean_radius(&self.grains),
-        }
+        let sum = |segment: Segment| segment.grains.map(|grain| self.grains.radius(grain)).sum::<f64>();
+        self.sum_of_all(sum) / self.grains.len().max(1) as f64
     }
+}
+
+/// Which grains of a segment with so many one process has introduced to another.
+fn introduce(introduced: &mut Introduced, other: usize, segment: usize, count: usize) -> &mut [bool] {
+    introduced.entry((other, segment)).or_insert_with(|| vec![false; count])
 }
 
 /// Stretches by rising indices; those that follow each other as one.

@@ -25,6 +25,10 @@ pub struct SharingReport {
     pub seconds: f64,
     /// The same of the process that spent the most [s].
     pub most_seconds: f64,
+    /// The most memory that the first process had in use, which writes [bytes]; nothing where the system does not tell.
+    pub memory_of_first: Option<u64>,
+    /// The same of the one of the others that had the most in use.
+    pub memory_of_others: Option<u64>,
 }
 
 /// How a shared run went, as one process sees it.
@@ -71,6 +75,9 @@ impl Simulation {
             nanoseconds,
         ];
         let ([messages, bytes, rounds, round_bytes, joined, gathered, all], [.., most]) = division.counts(mine);
+        let memory = (division.ranks).gather_even(&most_in_use().unwrap_or_default().to_le_bytes());
+        let mut memory = memory.chunks_exact(size_of::<u64>()).map(bytemuck::pod_read_unaligned);
+        let is_told = |bytes: &u64| *bytes > 0;
         let per_process = |count: u64| count as f64 / (ranks as f64 * steps.max(1) as f64);
         let per_grain = |bytes: u64| bytes as f64 / particle_steps.max(1) as f64;
         Some(SharingReport {
@@ -83,6 +90,30 @@ impl Simulation {
             rounds: per_process(rounds),
             seconds: all as f64 * 1e-9 / ranks as f64,
             most_seconds: most as f64 * 1e-9,
+            memory_of_first: memory.next().filter(is_told),
+            memory_of_others: memory.max().filter(is_told),
         })
+    }
+}
+
+/// The most memory that this process had in use so far [bytes], as Linux tells it.
+fn most_in_use() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kilobytes: u64 = line.trim().strip_suffix(" kB")?.parse().ok()?;
+    Some(1024 * kilobytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn linux_tells_the_memory_in_use() {
+        let before = most_in_use().expect("a number");
+        let more = vec![1u8; 64 << 20];
+        let after = most_in_use().expect("a number");
+        assert!(after - before > 32 << 20, "{before}, {after}, {}", more[5]);
     }
 }

@@ -90,9 +90,9 @@ impl Division {
         pieces.map(|(rank, piece)| (piece, self.ranks.hear(rank)))
     }
 
-    /// What was told of the whole is out of date.
-    pub(super) fn forget_gathered(&mut self) {
-        self.gathered = Gathered::default();
+    /// What was told of the whole is out of date. Tells whether this process has been told of all grains.
+    pub(super) fn forget_gathered(&mut self) -> bool {
+        std::mem::take(&mut self.gathered).grains && self.ranks.rank() == 0
     }
 }
 
