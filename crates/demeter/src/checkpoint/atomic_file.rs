@@ -2,7 +2,7 @@
 
 use std::ffi::OsString;
 use std::fs::{self, File};
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// What a finished file survives.
@@ -25,14 +25,18 @@ pub fn part_path(path: &Path) -> PathBuf {
 ///
 /// On an error the file that was there before is untouched and the temporary one is removed.
 pub fn write_atomically(path: &Path, bytes: &[u8], durability: Durability) -> io::Result<()> {
-    let part = write_part(path, &[bytes], durability)?;
+    let part = write_part(path, durability, |file| file.write_all(bytes))?;
     give_name(&part, path, durability)
 }
 
-/// Writes the pieces, one behind the other, under the temporary name and returns that.
-pub(super) fn write_part(path: &Path, pieces: &[&[u8]], durability: Durability) -> io::Result<PathBuf> {
+/// Has a file written under the temporary name and returns that.
+pub(super) fn write_part(
+    path: &Path,
+    durability: Durability,
+    write: impl FnOnce(&mut File) -> io::Result<()>,
+) -> io::Result<PathBuf> {
     let part = part_path(path);
-    let written = write_pieces(&part, pieces, durability);
+    let written = write_file(&part, durability, write);
     if written.is_err() {
         // A leftover is harmless, it is overwritten by the next attempt: the error that matters is the first.
         let _ = fs::remove_file(&part);
@@ -40,12 +44,9 @@ pub(super) fn write_part(path: &Path, pieces: &[&[u8]], durability: Durability) 
     written.map(|()| part)
 }
 
-fn write_pieces(path: &Path, pieces: &[&[u8]], durability: Durability) -> io::Result<()> {
-    use std::io::Write;
+fn write_file(path: &Path, durability: Durability, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let mut file = File::create(path)?;
-    for piece in pieces {
-        file.write_all(piece)?;
-    }
+    write(&mut file)?;
     match durability {
         Durability::Kill => Ok(()),
         Durability::PowerCut => file.sync_all(),
@@ -117,7 +118,8 @@ mod tests {
     #[cfg(target_os = "linux")]
     #[test]
     fn a_full_disk_is_named() {
-        let error = write_pieces(Path::new("/dev/full"), &[b"x"], Durability::Kill).unwrap_err();
+        let full = Path::new("/dev/full");
+        let error = write_file(full, Durability::Kill, |file| file.write_all(b"x")).unwrap_err();
         assert!(hint(&error).unwrap().contains("disk is full"));
     }
 }

@@ -25,7 +25,7 @@ pub use error::CheckpointError;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
-use std::io::Read;
+use std::io::{self, BufWriter, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// Version of the format. It grows with every change of the layout or of the type of the payload.
@@ -101,20 +101,89 @@ fn write_part<T: Serialize>(path: &Path, header: &Header, value: &T) -> Result<P
         problem,
     };
     let header = serde_json::to_vec_pretty(header).map_err(|e| encode("header", e.to_string()))?;
-    let payload = postcard::to_stdvec(value).map_err(|e| encode("payload", e.to_string()))?;
     let header_length = u32::try_from(header.len()).unwrap_or(u32::MAX);
     if header_length > LONGEST_HEADER {
         return Err(encode("header", format!("{} bytes are too long", header.len())));
     }
-    let mut fixed = Vec::with_capacity(FIXED);
-    fixed.extend_from_slice(MAGIC);
-    fixed.extend_from_slice(&FORMAT.to_le_bytes());
-    fixed.extend_from_slice(&header_length.to_le_bytes());
-    fixed.extend_from_slice(&(payload.len() as u64).to_le_bytes());
-    fixed.extend_from_slice(&crc32fast::hash(&header).to_le_bytes());
-    fixed.extend_from_slice(&crc32fast::hash(&payload).to_le_bytes());
-    atomic_file::write_part(path, &[&fixed, &header, &payload], Durability::PowerCut)
-        .map_err(|e| CheckpointError::io("write checkpoint", path, e))
+    let mut problem = None;
+    let written = atomic_file::write_part(path, Durability::PowerCut, |file| {
+        // what is known when the payload has passed by comes last
+        file.write_all(&[0; FIXED])?;
+        file.write_all(&header)?;
+        let payload = Payload::write(file, value, &mut problem)?;
+        let mut fixed = Vec::with_capacity(FIXED);
+        fixed.extend_from_slice(MAGIC);
+        fixed.extend_from_slice(&FORMAT.to_le_bytes());
+        fixed.extend_from_slice(&header_length.to_le_bytes());
+        fixed.extend_from_slice(&payload.length.to_le_bytes());
+        fixed.extend_from_slice(&crc32fast::hash(&header).to_le_bytes());
+        fixed.extend_from_slice(&payload.checksum.finalize().to_le_bytes());
+        file.rewind()?;
+        file.write_all(&fixed)
+    });
+    match problem {
+        Some(problem) => Err(encode("payload", problem)),
+        None => written.map_err(|e| CheckpointError::io("write checkpoint", path, e)),
+    }
+}
+
+/// What has gone into a file as payload, piece by piece: in memory it would need as much as the state itself.
+struct Payload<'a> {
+    file: &'a mut File,
+    length: u64,
+    checksum: crc32fast::Hasher,
+    error: Option<io::Error>,
+}
+
+impl<'a> Payload<'a> {
+    /// Bytes that are written at once.
+    const PIECE: usize = 1 << 20;
+
+    /// Writes a value; notes a problem that is none of the file.
+    fn write<T: Serialize>(file: &'a mut File, value: &T, problem: &mut Option<String>) -> io::Result<Self> {
+        let mut payload = Self {
+            file,
+            length: 0,
+            checksum: crc32fast::Hasher::new(),
+            error: None,
+        };
+        let mut pieces = BufWriter::with_capacity(Self::PIECE, &mut payload);
+        let encoded = postcard::to_io(value, &mut pieces).map(|_| ());
+        let written = pieces.flush();
+        drop(pieces);
+        if let Some(error) = payload.error.take() {
+            return Err(error);
+        }
+        written?;
+        if let Err(error) = encoded {
+            *problem = Some(error.to_string());
+        }
+        Ok(payload)
+    }
+}
+
+impl Write for Payload<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self.file.write(bytes) {
+            Ok(count) => {
+                self.checksum.update(&bytes[..count]);
+                self.length += count as u64;
+                Ok(count)
+            }
+            Err(error) => {
+                // the encoder does not tell why it could not go on
+                let kind = error.kind();
+                if kind != io::ErrorKind::Interrupted {
+                    self.error.get_or_insert(error);
+                }
+                Err(kind.into())
+            }
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
 }
 
 /// Reads one checkpoint.

@@ -8,16 +8,23 @@ use crate::walls::{Motion, Motions, SurfaceContact, Wall};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Memory of a grain with its contacts, candidates, and its share of a checkpoint and a frame while these are written
-/// [bytes]: the largest resident size of `examples/settle-20000` (`/usr/bin/time -v`), 168 MB, over 20,000.
-pub(super) const BYTES_PER_GRAIN: f64 = 8400.0;
+/// Memory of a grain with its contacts, candidates, and its share of a frame while that is written [bytes], and that of a run of few
+/// grains: fitted to the largest resident sizes (`/usr/bin/time -v`) of `examples/settle-20000`, 139 to 168 MB, and of the beds
+/// `w6-200k` and `w6-1m` of `benches/peers`, 519 and 2403 MB.
+const BYTES_PER_GRAIN: f64 = 2400.0;
+const BYTES_OF_A_RUN: f64 = 100e6;
+
+/// Memory that a run with so many grains needs at most [bytes].
+pub(super) fn memory_of(grains: f64) -> f64 {
+    BYTES_OF_A_RUN + grains * BYTES_PER_GRAIN
+}
 
 /// Refuses grains that cannot fit into memory before any is made.
 pub(super) fn check_memory(scenario: &Scenario, faults: &mut Diagnostics) {
     let at_start: f64 = scenario.grains.iter().map(expected_count).sum();
     let expected = at_start + scenario.feeds.iter().map(expected_of_feed).sum::<f64>();
     let Some(available) = available_memory() else { return };
-    let needed = expected * BYTES_PER_GRAIN;
+    let needed = memory_of(expected);
     if needed > available {
         let largest = (0..scenario.grains.len())
             .max_by(|&a, &b| expected_count(&scenario.grains[a]).total_cmp(&expected_count(&scenario.grains[b])));

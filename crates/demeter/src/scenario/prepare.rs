@@ -1,8 +1,8 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
 use super::checks::{
-    BYTES_PER_GRAIN, check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds,
-    check_walls_at_periodic_sides, expected_of_feed, wall_partners,
+    check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds,
+    check_walls_at_periodic_sides, expected_of_feed, memory_of, wall_partners,
 };
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
@@ -108,7 +108,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
     let most = grains.len() as f64 + scenario.feeds.iter().map(expected_of_feed).sum::<f64>();
     Ok(Prepared {
-        memory: (most * BYTES_PER_GRAIN) as u64,
+        memory: memory_of(most) as u64,
         run_time: most * steps as f64 / ASSUMED_SPEED,
         origins,
         to_come,
