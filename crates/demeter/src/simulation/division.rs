@@ -4,8 +4,8 @@
 //! of grains that lie behind each other on the curve each process has some of its own, so many that all have as much to do. In a
 //! step it moves its own grains, hears where those are that may touch them, and finds the contacts that one of its own is in. When
 //! candidates are found it hears of those near its own (`near`). Of all others it knows nothing: their rows of the tables are zeros
-//! that take no memory (`Grains::keep`). A contact between grains of two processes is found by both, from the same numbers, so that both know the same. What all contacts did
-//! is summed up segment by segment ([`StepWork`](crate::contacts::step_work::StepWork)).
+//! that take no memory (`Grains::keep`). A contact between grains of two processes is found by both, from the same numbers, so that
+//! both know the same. What all contacts did is summed up segment by segment ([`StepWork`](crate::contacts::step_work::StepWork)).
 //!
 //! What is summed up over all grains and contacts each process sums up of its own (`sums`). Frames and checkpoints are the work of the
 //! first process, which alone is told the whole (`whole`). Where grains come or go, are put in order again or get another process, each
