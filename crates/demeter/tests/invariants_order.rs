@@ -46,9 +46,9 @@ fn snapshot(sim: &Simulation) -> Vec<u8> {
         })
         .collect();
     // pairs that are merely near come and go with the candidates
-    let contacts: Vec<(ContactKey, f64, Vec<f64>)> = (sim.contacts.carry(g).into_iter())
+    let contacts: Vec<(ContactKey, f64, Vec<f64>)> = (sim.contacts.carry(g).iter())
         .filter(|c| c.is_engaged)
-        .map(|c| (c.key, c.normal_force, c.history))
+        .map(|c| (c.key, c.normal_force, c.history.to_vec()))
         .collect();
     postcard::to_stdvec(&(grains, contacts)).unwrap()
 }

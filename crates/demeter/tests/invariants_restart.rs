@@ -5,7 +5,6 @@ mod cases;
 
 use cases::beds::{BEDS, bed_with, steps_for};
 use cases::{full, on_threads};
-use demeter::contacts::CarriedContact;
 use demeter::measure::{Moment, contact_records, measure};
 use demeter::simulation::{Setup, Simulation, SimulationState, Skin, StateError};
 use demeter::walls::Wall;
@@ -13,7 +12,7 @@ use demeter_physics::integrator::Integrator;
 
 /// All that can be seen of a run, in bytes.
 fn fingerprint(sim: &mut Simulation) -> Vec<u8> {
-    let carried: Vec<CarriedContact> = sim.contacts.carry(&sim.grains);
+    let carried = sim.contacts.carry(&sim.grains);
     let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
     let mut bytes = postcard::to_stdvec(&(sim.step, &sim.grains, &carried, &walls)).unwrap();
     bytes.extend(postcard::to_stdvec(&(sim.energies(), sim.books, sim.rebuilds(), sim.skin())).unwrap());

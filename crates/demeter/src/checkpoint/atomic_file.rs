@@ -25,7 +25,16 @@ pub fn part_path(path: &Path) -> PathBuf {
 ///
 /// On an error the file that was there before is untouched and the temporary one is removed.
 pub fn write_atomically(path: &Path, bytes: &[u8], durability: Durability) -> io::Result<()> {
-    let part = write_part(path, durability, |file| file.write_all(bytes))?;
+    write_atomically_with(path, durability, |file| file.write_all(bytes))
+}
+
+/// The same with a file that is written piece by piece.
+pub(crate) fn write_atomically_with(
+    path: &Path,
+    durability: Durability,
+    write: impl FnOnce(&mut File) -> io::Result<()>,
+) -> io::Result<()> {
+    let part = write_part(path, durability, write)?;
     give_name(&part, path, durability)
 }
 

@@ -19,13 +19,14 @@
 mod atomic_file;
 mod error;
 
+pub(crate) use atomic_file::write_atomically_with;
 pub use atomic_file::{Durability, hint, part_path, write_atomically};
 pub use error::CheckpointError;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Read, Seek, Write};
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// Version of the format. It grows with every change of the layout or of the type of the payload.
@@ -41,6 +42,10 @@ const MAGIC: &[u8; 8] = b"DEMETERC";
 const FIXED: usize = 32;
 /// A header is a few hundred bytes; a longer one can only come from a damaged file.
 const LONGEST_HEADER: u32 = 1 << 16;
+/// All texts in a payload: names, reasons and warnings, some kilobytes.
+const LONGEST_TEXTS: u64 = 1 << 24;
+/// Bytes that are read or written at once.
+const PIECE: usize = 1 << 20;
 
 /// What a checkpoint says about itself without being decoded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -136,9 +141,6 @@ struct Payload<'a> {
 }
 
 impl<'a> Payload<'a> {
-    /// Bytes that are written at once.
-    const PIECE: usize = 1 << 20;
-
     /// Writes a value; notes a problem that is none of the file.
     fn write<T: Serialize>(file: &'a mut File, value: &T, problem: &mut Option<String>) -> io::Result<Self> {
         let mut payload = Self {
@@ -147,7 +149,7 @@ impl<'a> Payload<'a> {
             checksum: crc32fast::Hasher::new(),
             error: None,
         };
-        let mut pieces = BufWriter::with_capacity(Self::PIECE, &mut payload);
+        let mut pieces = BufWriter::with_capacity(PIECE, &mut payload);
         let encoded = postcard::to_io(value, &mut pieces).map(|_| ());
         let written = pieces.flush();
         drop(pieces);
@@ -189,15 +191,20 @@ impl Write for Payload<'_> {
 /// Reads one checkpoint.
 pub fn read<T: DeserializeOwned>(path: &Path) -> Result<(Header, T), CheckpointError> {
     let mut opened = Opened::new(path)?;
-    let payload = opened.bytes(opened.payload_length, "payload", opened.payload_checksum)?;
+    opened.check_payload()?;
     let contents = |problem: String| CheckpointError::Contents {
         path: path.to_owned(),
         part: "payload",
         problem,
     };
-    let (value, rest) = postcard::take_from_bytes(&payload).map_err(|e| contents(e.to_string()))?;
-    if !rest.is_empty() {
-        return Err(contents(format!("{} bytes are left over", rest.len())));
+    let payload = (&mut opened.file).take(opened.payload_length);
+    // room for all texts, which are no more than the payload
+    let mut texts = vec![0; opened.payload_length.min(LONGEST_TEXTS) as usize];
+    let read = postcard::from_io((BufReader::with_capacity(PIECE, payload), &mut texts));
+    let (value, (rest, _)) = read.map_err(|e| contents(e.to_string()))?;
+    let left = rest.buffer().len() as u64 + rest.get_ref().limit();
+    if left > 0 {
+        return Err(contents(format!("{left} bytes are left over")));
     }
     Ok((opened.header, value))
 }
@@ -291,16 +298,28 @@ impl Opened {
         Ok(opened)
     }
 
-    /// The next bytes of the file, checked. Their number was compared with the length of the file before.
-    fn bytes(&mut self, length: u64, part: &'static str, expected: u32) -> Result<Vec<u8>, CheckpointError> {
-        let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
-        (&mut self.file)
-            .take(length)
-            .read_to_end(&mut bytes)
-            .map_err(|e| CheckpointError::io("read checkpoint", &self.path, e))?;
-        let found = crc32fast::hash(&bytes);
+    /// Checks the payload, and goes back to its beginning.
+    fn check_payload(&mut self) -> Result<(), CheckpointError> {
+        let io = |e| CheckpointError::io("read checkpoint", &self.path, e);
+        let begin = self.file.stream_position().map_err(io)?;
+        let mut payload = BufReader::with_capacity(PIECE, (&mut self.file).take(self.payload_length));
+        let mut found = crc32fast::Hasher::new();
+        loop {
+            let piece = payload.fill_buf().map_err(io)?;
+            if piece.is_empty() {
+                break;
+            }
+            found.update(piece);
+            let length = piece.len();
+            payload.consume(length);
+        }
+        self.file.seek(SeekFrom::Start(begin)).map_err(io)?;
+        self.check("payload", self.payload_checksum, found.finalize())
+    }
+
+    fn check(&self, part: &'static str, expected: u32, found: u32) -> Result<(), CheckpointError> {
         if found == expected {
-            return Ok(bytes);
+            return Ok(());
         }
         Err(CheckpointError::Checksum {
             path: self.path.clone(),
@@ -308,6 +327,17 @@ impl Opened {
             expected,
             found,
         })
+    }
+
+    /// The next bytes of the file, checked. Their number was compared with the length of the file before.
+    fn bytes(&mut self, length: u64, part: &'static str, expected: u32) -> Result<Vec<u8>, CheckpointError> {
+        let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
+        (&mut self.file)
+            .take(length)
+            .read_to_end(&mut bytes)
+            .map_err(|e| CheckpointError::io("read checkpoint", &self.path, e))?;
+        self.check(part, expected, crc32fast::hash(&bytes))?;
+        Ok(bytes)
     }
 }
 

@@ -32,7 +32,7 @@ pub use fault::Fault;
 pub(crate) use leaving::PairsAndWalls;
 pub use narrow::Scene;
 pub use near::NearTables;
-pub use transfer::{CarriedContact, ContactKey};
+pub use transfer::{CarriedContact, CarriedContacts, ContactKey};
 
 pub use crate::neighbours::CHUNK;
 

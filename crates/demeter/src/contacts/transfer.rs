@@ -8,7 +8,9 @@ use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes::MOST_LANES;
 use glam::DVec3;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::borrow::Cow;
+use std::fmt::{Debug, Formatter};
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -31,7 +33,7 @@ pub struct CarriedContact {
     /// Identity.
     pub key: ContactKey,
     /// Geometry, where it is not found from the places of the grains again.
-    pub geometry: Option<Contact>,
+    pub geometry: Option<Box<Contact>>,
     /// Whether it is engaged, and not merely near.
     pub is_engaged: bool,
     /// Normal force [N].
@@ -39,11 +41,81 @@ pub struct CarriedContact {
     /// Force on the first body in the contact plane [N].
     pub tangential: DVec3,
     /// Torque of the rolling law on the first body [N m].
-    pub rolling: Option<[f64; 4]>,
+    pub rolling: Option<Box<[f64; 4]>>,
     /// History of its laws.
-    pub history: Vec<f64>,
+    pub history: Box<[f64]>,
     /// What it remembers of the displacements by the other contacts, where contacts feel each other.
-    pub coupling: Option<Coupled>,
+    pub coupling: Option<Box<Coupled>>,
+}
+
+/// Contacts of a checkpoint, by rising keys.
+#[derive(Clone)]
+pub enum CarriedContacts<'a> {
+    /// Those of a run, made one by one as they are written.
+    Present {
+        /// All of the run.
+        contacts: &'a Contacts,
+        /// Their chunks, those with walls behind the others, and their places there.
+        places: Vec<(ContactKey, u32, u32)>,
+    },
+    /// Those that were read.
+    Read(Vec<CarriedContact>),
+}
+
+impl CarriedContacts<'_> {
+    /// Number of contacts.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Present { places, .. } => places.len(),
+            Self::Read(contacts) => contacts.len(),
+        }
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The contacts, by rising keys.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Cow<'_, CarriedContact>> {
+        self.behind(0)
+    }
+
+    /// Those from a key on.
+    fn iter_from(&self, first: ContactKey) -> impl ExactSizeIterator<Item = Cow<'_, CarriedContact>> {
+        self.behind(match self {
+            Self::Present { places, .. } => places.partition_point(|(key, ..)| *key < first),
+            Self::Read(contacts) => contacts.partition_point(|contact| contact.key < first),
+        })
+    }
+
+    fn behind(&self, first: usize) -> impl ExactSizeIterator<Item = Cow<'_, CarriedContact>> {
+        (first..self.len()).map(|k| match self {
+            Self::Present { contacts, places, .. } => {
+                let (key, chunk, place) = places[k];
+                Cow::Owned(contacts.carried(key, chunk as usize, place as usize))
+            }
+            Self::Read(contacts) => Cow::Borrowed(&contacts[k]),
+        })
+    }
+}
+
+impl Debug for CarriedContacts<'_> {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_list().entries(self.iter()).finish()
+    }
+}
+
+impl Serialize for CarriedContacts<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
+    }
+}
+
+impl<'de> Deserialize<'de> for CarriedContacts<'_> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Ok(Self::Read(Vec::deserialize(deserializer)?))
+    }
 }
 
 /// No contacts to take over.
@@ -338,19 +410,19 @@ impl ContactChunk {
     fn restore(&mut self, contact: &CarriedContact, (i, j): (u32, u32), stride: usize) {
         self.i.push(i);
         self.j.push(j);
-        if let Some(rolling) = contact.rolling {
+        if let Some(rolling) = &contact.rolling {
             self.rolling.resize(self.len(), [0.0; 4]);
-            self.rolling.push(rolling);
+            self.rolling.push(**rolling);
         }
         let now = &mut self.now;
         if contact.key.wall {
             now.element.push(contact.key.element);
         }
-        now.geometry.extend(contact.geometry);
+        now.geometry.extend(contact.geometry.as_deref());
         now.push_force(contact.normal_force, contact.tangential);
         let history = contact.history.iter().copied();
         now.history.extend(history.chain(std::iter::repeat(0.0)).take(stride));
-        now.coupling.extend(contact.coupling);
+        now.coupling.extend(contact.coupling.as_deref());
         if !contact.key.wall && contact.geometry.is_none() {
             self.note_engaged(contact.is_engaged);
         }
@@ -373,43 +445,50 @@ impl Contacts {
         }
     }
 
-    /// All contacts, sorted by their keys.
-    pub fn carry(&self, grains: &Grains) -> Vec<CarriedContact> {
-        let mut carried = Vec::with_capacity(self.pair_count() + self.wall_count());
-        for (wall, chunks) in [(false, &self.pairs), (true, &self.walls)] {
-            for chunk in chunks {
-                for k in 0..chunk.len() {
-                    let partner = if wall {
+    /// All contacts, by rising keys.
+    pub fn carry<'a>(&'a self, grains: &'a Grains) -> CarriedContacts<'a> {
+        let mut places = Vec::with_capacity(self.pair_count() + self.wall_count());
+        for (number, chunk) in (0..).zip(self.pairs.iter().chain(&self.walls)) {
+            let wall = number as usize >= self.pairs.len();
+            for k in 0..chunk.len() {
+                let key = ContactKey {
+                    wall,
+                    grain: grains.id[chunk.i[k] as usize],
+                    partner: if wall {
                         chunk.j[k]
                     } else {
                         grains.id[chunk.j[k] as usize]
-                    };
-                    let grain = grains.id[chunk.i[k] as usize];
-                    carried.push(CarriedContact {
-                        key: ContactKey {
-                            wall,
-                            grain,
-                            partner,
-                            element: chunk.element(k),
-                        },
-                        geometry: chunk.now.geometry.get(k).copied(),
-                        is_engaged: chunk.is_engaged(k),
-                        normal_force: chunk.now.normal_force[k],
-                        tangential: chunk.tangential_force(k),
-                        rolling: chunk.rolling.get(k).copied(),
-                        history: chunk.history(k, self.stride).to_vec(),
-                        coupling: chunk.now.coupling.get(k).copied(),
-                    });
-                }
+                    },
+                    element: chunk.element(k),
+                };
+                places.push((key, number, k as u32));
             }
         }
-        carried.sort_unstable_by_key(|c| c.key);
-        carried
+        places.par_sort_unstable();
+        CarriedContacts::Present { contacts: self, places }
+    }
+
+    /// A contact, told its chunk, those with walls behind the others, and its place there.
+    fn carried(&self, key: ContactKey, chunk: usize, place: usize) -> CarriedContact {
+        let chunk = match chunk.checked_sub(self.pairs.len()) {
+            Some(chunk) => &self.walls[chunk],
+            None => &self.pairs[chunk],
+        };
+        CarriedContact {
+            key,
+            geometry: chunk.now.geometry.get(place).copied().map(Box::new),
+            is_engaged: chunk.is_engaged(place),
+            normal_force: chunk.now.normal_force[place],
+            tangential: chunk.tangential_force(place),
+            rolling: chunk.rolling.get(place).copied().map(Box::new),
+            history: chunk.history(place, self.stride).into(),
+            coupling: chunk.now.coupling.get(place).copied().map(Box::new),
+        }
     }
 
     /// Makes chunks for candidates with the contacts of a checkpoint, sorted by their keys, as if a step had just ended with
     /// them: all that can be asked of a contact after a step can be asked now.
-    pub fn adopt(&mut self, grains: &Grains, neighbours: &Neighbours, carried: &[CarriedContact]) {
+    pub fn adopt(&mut self, grains: &Grains, neighbours: &Neighbours, carried: &CarriedContacts) {
         let stride = self.stride;
         let key = |wall, i: u32, partner| ContactKey {
             wall,
@@ -440,17 +519,9 @@ fn refill(chunks: &mut Vec<ContactChunk>, heirs: &impl Heirs, fill: impl Fn((u32
 }
 
 /// Appends the contacts of a grain and a partner in a checkpoint, from `first` on, whatever their elements.
-fn remember(
-    carried: &[CarriedContact],
-    first: ContactKey,
-    bodies: (u32, u32),
-    stride: usize,
-    chunk: &mut ContactChunk,
-) {
-    let start = carried.partition_point(|c| c.key < first);
-    let same =
-        |c: &&CarriedContact| c.key.wall == first.wall && c.key.grain == first.grain && c.key.partner == first.partner;
-    for contact in carried[start..].iter().take_while(same) {
-        chunk.restore(contact, bodies, stride);
+fn remember(carried: &CarriedContacts, first: ContactKey, bodies: (u32, u32), stride: usize, chunk: &mut ContactChunk) {
+    let same = |key: ContactKey| key.wall == first.wall && key.grain == first.grain && key.partner == first.partner;
+    for contact in carried.iter_from(first).take_while(|contact| same(contact.key)) {
+        chunk.restore(&contact, bodies, stride);
     }
 }

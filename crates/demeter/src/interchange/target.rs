@@ -2,8 +2,9 @@
 
 use super::Conversion;
 use super::error::ConvertError;
-use crate::checkpoint::part_path;
+use crate::checkpoint::{Durability, part_path, write_atomically_with};
 use crate::grain_files::{Cell, Format, GrainTable, GrainWriter};
+use crate::output::vtk_file::NewPolyData;
 use crate::output::vtp::{Array, Cells, PolyData, Values};
 use crate::output::{FrameBox, box_fields};
 use flate2::Compression;
@@ -143,9 +144,9 @@ impl<'c> Sink<'c> {
         }
         let Target::Grains(format) = self.how.target else {
             self.check(&path)?;
-            let bytes = poly_data(table).encode().map_err(ConvertError::io(&path))?;
-            let durability = crate::checkpoint::Durability::Kill;
-            crate::checkpoint::write_atomically(&path, &bytes, durability).map_err(ConvertError::io(&path))?;
+            let data = poly_data(table);
+            let write = |file: &mut File| NewPolyData::from(&data).write(file);
+            write_atomically_with(&path, Durability::Kill, write).map_err(ConvertError::io(&path))?;
             self.files.push(path);
             return Ok(());
         };

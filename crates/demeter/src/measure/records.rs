@@ -52,7 +52,7 @@ impl ContactColumns {
             overlap: records.iter().map(|c| c.overlap).collect(),
             position: vectors(|c| c.position),
             normal: vectors(|c| c.normal),
-            force: vectors(|c| c.normal_force + c.tangential_force),
+            force: vectors(ContactRecord::force),
             normal_force: vectors(|c| c.normal_force),
             tangential_force: vectors(|c| c.tangential_force),
             rolling_torque: vectors(|c| c.rolling_torque),

@@ -42,6 +42,7 @@ use incidence::Incidence;
 use pairs::PairTable;
 use search::Search;
 use serde::{Deserialize, Serialize};
+use std::fmt::{Debug, Formatter};
 use std::ops::Range;
 use table::{Segment, Table};
 
@@ -91,7 +92,7 @@ pub struct WallPair {
 }
 
 /// Candidate pairs, and for every grain the pairs that it is in.
-#[derive(Debug, Default, Serialize, Deserialize)]
+#[derive(Default, Serialize, Deserialize)]
 pub struct Neighbours {
     pairs: PairTable,
     walls: Table<WallPair>,
@@ -124,6 +125,18 @@ impl Clone for Neighbours {
             wall_reference: self.wall_reference.clone(),
             ..Self::default()
         }
+    }
+}
+
+impl Debug for Neighbours {
+    /// Shows what a checkpoint holds.
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
+        let saved = self.clone();
+        let mut fields = formatter.debug_struct("Neighbours");
+        fields.field("pairs", &saved.pairs).field("walls", &saved.walls);
+        fields.field("effort", &saved.effort).field("total", &saved.total);
+        fields.field("reference", &saved.reference);
+        fields.field("wall_reference", &saved.wall_reference).finish()
     }
 }
 

@@ -3,7 +3,8 @@
 use super::collection::Collection;
 use super::error::OutputError;
 use super::folder::RunFolder;
-use super::vtp::{Array, Cells, PolyData, Values};
+use super::vtk_file::{NewArray, NewPolyData};
+use super::vtp::Cells;
 use crate::measure::ChainLink;
 
 /// Writes the force chains of a measure.
@@ -33,29 +34,26 @@ impl ChainWriter {
     /// Writes the lines of a moment.
     pub fn write(&mut self, (step, time): (u64, f64), links: &[ChainLink]) -> Result<(), OutputError> {
         let path = self.collection.file_path(step);
-        let ids = |k: usize| Values::UInt32(links.iter().map(|link| link.ids[k]).collect());
-        let walls = links.iter().map(|link| link.wall).collect();
-        let strong = links.iter().map(|link| i32::from(link.is_strong)).collect();
-        let data = PolyData {
+        let data = NewPolyData {
             step,
             time,
             texts: Vec::new(),
             fields: Vec::new(),
-            points: links.iter().flat_map(|link| [link.from, link.to]).collect(),
+            count: 2 * links.len(),
+            points: Box::new(links.iter().flat_map(|link| [link.from, link.to])),
             cells: Cells::Lines(vec![2; links.len()]),
             point_data: Vec::new(),
             cell_data: vec![
-                Array::new("id_i", 1, ids(0)),
-                Array::new("id_j", 1, ids(1)),
-                Array::new("wall", 1, Values::Int32(walls)),
-                Array::vectors("force", links.iter().map(|link| &link.force)),
-                Array::scalars("normal_force", links.iter().map(|link| link.normal_force)),
-                Array::scalars("force_magnitude", links.iter().map(|link| link.force.length())),
-                Array::new("strong", 1, Values::Int32(strong)),
+                NewArray::counts("id_i", links.iter().map(|link| link.ids[0])),
+                NewArray::counts("id_j", links.iter().map(|link| link.ids[1])),
+                NewArray::integers("wall", links.iter().map(|link| link.wall)),
+                NewArray::vectors("force", links.iter().map(|link| link.force)),
+                NewArray::scalars("normal_force", links.iter().map(|link| link.normal_force)),
+                NewArray::scalars("force_magnitude", links.iter().map(|link| link.force.length())),
+                NewArray::integers("strong", links.iter().map(|link| i32::from(link.is_strong))),
             ],
         };
-        let bytes = data.encode().map_err(|e| OutputError::encode(&path, &e))?;
-        self.folder.write(&path, &bytes)?;
+        self.folder.write_with(&path, |file| data.write(file))?;
         self.collection.add(step, time);
         self.collection.save(&self.folder)
     }

@@ -6,7 +6,7 @@ use super::folder::RunFolder;
 use super::rows::RowFile;
 use super::series::{number, stage_name};
 use super::vti::ImageData;
-use super::vtp::{Array, Values};
+use super::vtk_file::NewArray;
 use crate::measure::{CellValues, FieldValues, Moment};
 use glam::DVec3;
 
@@ -140,12 +140,10 @@ fn spacing(fields: &FieldValues) -> DVec3 {
     (fields.upper - fields.lower) / DVec3::from_array(fields.cells.map(|n| n as f64))
 }
 
-fn image(step: u64, time: f64, fields: &FieldValues) -> ImageData {
+fn image(step: u64, time: f64, fields: &FieldValues) -> ImageData<'_> {
     let c = &fields.of_cells;
-    let scalars = |name, value: OfCell| Array::scalars(name, c.iter().map(value));
-    let tensor = |name, value: fn(&CellValues) -> [f64; 9]| {
-        Array::new(name, 9, Values::Float64(c.iter().flat_map(value).collect()))
-    };
+    let scalars = |name, value: OfCell| NewArray::scalars(name, c.iter().map(value));
+    let tensor = |name, value: fn(&CellValues) -> [f64; 9]| NewArray::rows(name, c.iter().map(value));
     ImageData {
         step,
         time,
@@ -157,13 +155,13 @@ fn image(step: u64, time: f64, fields: &FieldValues) -> ImageData {
             scalars("density", |c| c.density),
             scalars("solid_fraction", |c| c.solid_fraction),
             scalars("coordination", |c| c.coordination),
-            Array::vectors("momentum", c.iter().map(|c| &c.momentum)),
-            Array::vectors("velocity", c.iter().map(|c| &c.velocity)),
+            NewArray::vectors("momentum", c.iter().map(|c| c.momentum)),
+            NewArray::vectors("velocity", c.iter().map(|c| c.velocity)),
             scalars("granular_temperature", |c| c.granular_temperature),
             scalars("pressure", CellValues::pressure),
             tensor("kinetic_stress", |c| c.kinetic_stress),
             tensor("contact_stress", |c| c.contact_stress),
-            Array::vectors("traction", c.iter().map(|c| &c.traction)),
+            NewArray::vectors("traction", c.iter().map(|c| c.traction)),
         ],
     }
 }

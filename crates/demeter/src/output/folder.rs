@@ -1,7 +1,7 @@
 //! The folder of a run and the names of the files in it.
 
 use super::error::OutputError;
-use crate::checkpoint::{self, Durability, part_path, write_atomically};
+use crate::checkpoint::{self, Durability, part_path, write_atomically, write_atomically_with};
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -147,6 +147,15 @@ impl RunFolder {
     /// Writes a file of the run, whole or not at all.
     pub fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
         write_atomically(path, bytes, Durability::Kill).map_err(OutputError::io("write", path))
+    }
+
+    /// Has a file of the run written, whole or not at all.
+    pub(crate) fn write_with(
+        &self,
+        path: &Path,
+        write: impl FnOnce(&mut File) -> io::Result<()>,
+    ) -> Result<(), OutputError> {
+        write_atomically_with(path, Durability::Kill, write).map_err(OutputError::io("write", path))
     }
 
     /// Adds a line to the log.

@@ -96,6 +96,11 @@ impl ContactRecord {
     pub fn repulsion(&self) -> f64 {
         self.normal_force.dot(self.normal)
     }
+
+    /// Force on grain `i` [N].
+    pub fn force(&self) -> DVec3 {
+        self.normal_force + self.tangential_force
+    }
 }
 
 impl Frame<'_> {

@@ -21,6 +21,7 @@ mod tables;
 pub(crate) mod ticks;
 mod vti;
 pub(crate) mod vtk;
+pub(crate) mod vtk_file;
 pub mod vtp;
 
 pub use chains::ChainWriter;

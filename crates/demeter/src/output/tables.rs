@@ -3,7 +3,8 @@
 use super::error::OutputError;
 use super::rows::RowFile;
 use super::series::{number, stage_name};
-use super::vtp::{Array, Cells, PolyData, Values};
+use super::vtk_file::{NewArray, NewPolyData};
+use super::vtp::Cells;
 use crate::measure::{Measures, PathPoint, Ring, Rose};
 use glam::DVec3;
 use std::path::Path;
@@ -161,18 +162,19 @@ pub fn path_lines(table: &Path, lines: &Path, (step, time): (u64, f64)) -> Resul
     // the table is in the order of time; so is every line
     points.sort_by_key(|point| point.0);
     let lengths: Vec<usize> = points.chunk_by(|a, b| a.0 == b.0).map(<[_]>::len).collect();
-    let data = PolyData {
+    let data = NewPolyData {
         step,
         time,
         texts: Vec::new(),
         fields: Vec::new(),
-        points: points.iter().map(|p| p.3).collect(),
+        count: points.len(),
+        points: Box::new(points.iter().map(|p| p.3)),
         cells: Cells::Lines(lengths),
         point_data: vec![
-            Array::new("id", 1, Values::UInt32(points.iter().map(|p| p.0).collect())),
-            Array::scalars("time", points.iter().map(|p| p.1)),
-            Array::new("tag", 1, Values::Int32(points.iter().map(|p| p.2).collect())),
-            Array::scalars("speed", points.iter().map(|p| p.4)),
+            NewArray::counts("id", points.iter().map(|p| p.0)),
+            NewArray::scalars("time", points.iter().map(|p| p.1)),
+            NewArray::integers("tag", points.iter().map(|p| p.2)),
+            NewArray::scalars("speed", points.iter().map(|p| p.4)),
         ],
         cell_data: Vec::new(),
     };

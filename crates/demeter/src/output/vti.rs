@@ -1,11 +1,11 @@
 //! Images of VTK (`.vti`): arrays of the cells of a regular grid.
 
-use super::vtp::{Array, ENCODING, Writer, field_data};
+use super::vtk_file::{ENCODING, NewArray, Writer, in_memory};
 use glam::DVec3;
 use std::io;
 
 /// A `.vti` file.
-pub(super) struct ImageData {
+pub(super) struct ImageData<'a> {
     /// Steps done.
     pub step: u64,
     /// Simulated time [s].
@@ -17,12 +17,12 @@ pub(super) struct ImageData {
     /// Cells in each direction.
     pub cells: [usize; 3],
     /// Arrays of the cells, x fastest.
-    pub cell_data: Vec<Array>,
+    pub cell_data: Vec<NewArray<'a>>,
 }
 
-impl ImageData {
+impl ImageData<'_> {
     /// The bytes of the file.
-    pub fn encode(&self) -> io::Result<Vec<u8>> {
+    pub fn encode(self) -> io::Result<Vec<u8>> {
         let mut file = Writer::default();
         let [x, y, z] = self.cells;
         let extent = format!("0 {x} 0 {y} 0 {z}");
@@ -33,10 +33,10 @@ impl ImageData {
             numbers(self.lower),
             numbers(self.spacing)
         ));
-        field_data(&mut file, (self.step, self.time), &[], &[]);
+        file.field_data((self.step, self.time), &[], &[]);
         file.line(&format!("<Piece Extent=\"{extent}\">\n<PointData>\n</PointData>"));
-        file.arrays("CellData", &self.cell_data)?;
+        file.arrays("CellData", self.cell_data);
         file.line("</Piece>\n</ImageData>");
-        Ok(file.finish())
+        in_memory(|out| file.finish(out))
     }
 }

@@ -14,8 +14,9 @@
 use super::collection::Collection;
 use super::error::OutputError;
 use super::folder::RunFolder;
-use super::frame::{Frame, FrameBox};
-use super::vtp::{Array, Cells, PolyData, Values};
+use super::frame::{ContactRecord, ContactSums, Frame, FrameBox, WallSurface};
+use super::vtk_file::{NewArray, NewPolyData};
+use super::vtp::{Array, Cells, Values};
 use crate::walls::ElementRecord;
 use glam::DVec3;
 
@@ -67,11 +68,12 @@ impl FrameWriter {
 
     /// Writes a frame. A frame of the same step is replaced.
     pub fn write(&mut self, frame: &Frame) -> Result<(), OutputError> {
-        let files = [grains(frame), contacts(frame), walls(frame)];
+        let sums = frame.contact_sums();
+        let records = records(frame);
+        let files = [grains(frame, &sums), contacts(frame), walls(frame, &records)];
         for (collection, data) in self.collections.iter_mut().zip(files) {
             let path = collection.file_path(frame.step);
-            let bytes = data.encode().map_err(|e| OutputError::encode(&path, &e))?;
-            self.folder.write(&path, &bytes)?;
+            self.folder.write_with(&path, |file| data.write(file))?;
             collection.add(frame.step, frame.time);
         }
         // The collections come last, so that none names a file that is not there.
@@ -103,30 +105,27 @@ pub(crate) fn box_fields(cell: &FrameBox) -> [Array; 2] {
 }
 
 /// The table of the grains.
-pub(crate) fn grains(frame: &Frame) -> PolyData {
+fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
     let g = frame.grains;
-    let sums = frame.contact_sums();
-    let materials = g.material.iter().map(|&m| i32::from(m)).collect();
-    let orientations = g.orientation.iter().flat_map(|q| q.to_array()).collect();
     let mut point_data = vec![
-        Array::new("id", 1, Values::UInt32(g.id.clone())),
-        Array::new("material", 1, Values::Int32(materials)),
-        Array::scalars("radius", g.radii()),
-        Array::scalars("diameter", g.radii().map(|r| 2.0 * r)),
-        Array::scalars("mass", g.mass.iter().copied()),
-        Array::vectors("velocity", g.velocity.iter()),
-        Array::vectors("angular_velocity", g.angular_velocity.iter()),
-        Array::new("orientation", 4, Values::Float64(orientations)),
-        Array::vectors("force", g.force.iter()),
-        Array::vectors("torque", g.torque.iter()),
-        Array::new("coordination", 1, Values::UInt32(sums.coordination)),
-        Array::scalars("contact_force", sums.force),
-        Array::scalars("mean_normal_stress", sums.stress),
+        NewArray::counts("id", g.id.iter().copied()),
+        NewArray::integers("material", g.material.iter().map(|m| i32::from(*m))),
+        NewArray::scalars("radius", g.radii()),
+        NewArray::scalars("diameter", g.radii().map(|r| 2.0 * r)),
+        NewArray::scalars("mass", g.mass.iter().copied()),
+        NewArray::vectors("velocity", g.velocity.iter().copied()),
+        NewArray::vectors("angular_velocity", g.angular_velocity.iter().copied()),
+        NewArray::rows("orientation", g.orientation.iter().map(|q| q.to_array())),
+        NewArray::vectors("force", g.force.iter().copied()),
+        NewArray::vectors("torque", g.torque.iter().copied()),
+        NewArray::counts("coordination", sums.coordination.iter().copied()),
+        NewArray::scalars("contact_force", sums.force.iter().copied()),
+        NewArray::scalars("mean_normal_stress", sums.stress.iter().copied()),
     ];
     if let Some(tags) = &frame.tags {
-        point_data.push(Array::new("tag", 1, Values::Int32(tags.clone())));
+        point_data.push(NewArray::integers("tag", tags.iter().copied()));
     }
-    PolyData {
+    NewPolyData {
         step: frame.step,
         time: frame.time,
         texts: vec![(
@@ -134,7 +133,8 @@ pub(crate) fn grains(frame: &Frame) -> PolyData {
             frame.materials.iter().map(|m| m.name.clone()).collect(),
         )],
         fields: frame.cell.iter().flat_map(box_fields).collect(),
-        points: g.position.iter().copied().collect(),
+        count: g.len(),
+        points: Box::new(g.position.iter().copied()),
         cells: Cells::Vertices,
         point_data,
         cell_data: Vec::new(),
@@ -142,82 +142,86 @@ pub(crate) fn grains(frame: &Frame) -> PolyData {
 }
 
 /// The table of the contacts.
-pub(crate) fn contacts(frame: &Frame) -> PolyData {
+fn contacts<'a>(frame: &'a Frame) -> NewPolyData<'a> {
     let c = frame.contacts;
-    let forces: Vec<DVec3> = c.iter().map(|k| k.normal_force + k.tangential_force).collect();
     let sum: f64 = c.iter().map(|k| k.repulsion().abs()).sum();
     let mean = sum / c.len().max(1) as f64;
-    PolyData {
+    let scalars = |name, value: fn(&ContactRecord) -> f64| NewArray::scalars(name, c.iter().map(value));
+    let vectors = |name, value: fn(&ContactRecord) -> DVec3| NewArray::vectors(name, c.iter().map(value));
+    NewPolyData {
         step: frame.step,
         time: frame.time,
         texts: Vec::new(),
         fields: vec![Array::scalars(MEAN_NORMAL_FORCE, [mean])],
-        points: c.iter().map(|k| k.position).collect(),
+        count: c.len(),
+        points: Box::new(c.iter().map(|k| k.position)),
         cells: Cells::Vertices,
         point_data: vec![
-            Array::new("id_i", 1, Values::UInt32(c.iter().map(|k| k.id_i).collect())),
-            Array::new("id_j", 1, Values::UInt32(c.iter().map(|k| k.id_j).collect())),
-            Array::new("wall", 1, Values::Int32(c.iter().map(|k| k.wall).collect())),
-            Array::new("element", 1, Values::UInt32(c.iter().map(|k| k.element).collect())),
-            Array::vectors("normal", c.iter().map(|k| &k.normal)),
-            Array::scalars("overlap", c.iter().map(|k| k.overlap)),
-            Array::vectors("normal_force", c.iter().map(|k| &k.normal_force)),
-            Array::vectors("tangential_force", c.iter().map(|k| &k.tangential_force)),
-            Array::vectors("force", &forces),
-            Array::scalars("normal_force_magnitude", c.iter().map(|k| k.normal_force.length())),
-            Array::scalars("force_magnitude", forces.iter().map(|f| f.length())),
-            Array::vectors("rolling_torque", c.iter().map(|k| &k.rolling_torque)),
+            NewArray::counts("id_i", c.iter().map(|k| k.id_i)),
+            NewArray::counts("id_j", c.iter().map(|k| k.id_j)),
+            NewArray::integers("wall", c.iter().map(|k| k.wall)),
+            NewArray::counts("element", c.iter().map(|k| k.element)),
+            vectors("normal", |k| k.normal),
+            scalars("overlap", |k| k.overlap),
+            vectors("normal_force", |k| k.normal_force),
+            vectors("tangential_force", |k| k.tangential_force),
+            vectors("force", ContactRecord::force),
+            scalars("normal_force_magnitude", |k| k.normal_force.length()),
+            scalars("force_magnitude", |k| k.force().length()),
+            vectors("rolling_torque", |k| k.rolling_torque),
         ],
         cell_data: Vec::new(),
     }
 }
 
 /// The table of the walls.
-pub(crate) fn walls(frame: &Frame) -> PolyData {
+fn walls<'a>(frame: &'a Frame, records: &'a Option<Vec<ElementRecord>>) -> NewPolyData<'a> {
+    let walls = frame.walls;
     let cells = || {
         (0..)
-            .zip(frame.walls)
+            .zip(walls)
             .flat_map(|(index, wall)| wall.triangles.iter().map(move |t| (index, wall, t)))
     };
+    let vectors =
+        |name, value: fn(&WallSurface) -> DVec3| NewArray::vectors(name, cells().map(move |(_, wall, _)| value(wall)));
     let mut cell_data = vec![
-        Array::new("wall", 1, Values::Int32(cells().map(|(index, _, _)| index).collect())),
-        Array::vectors("force", cells().map(|(_, wall, _)| &wall.force)),
-        Array::vectors("torque", cells().map(|(_, wall, _)| &wall.torque)),
-        Array::vectors("velocity", cells().map(|(_, wall, _)| &wall.velocity)),
+        NewArray::integers("wall", cells().map(|(index, _, _)| index)),
+        vectors("force", |wall| wall.force),
+        vectors("torque", |wall| wall.torque),
+        vectors("velocity", |wall| wall.velocity),
     ];
-    if frame.walls.iter().any(|wall| wall.records.is_some()) {
-        cell_data.extend(records(frame));
+    if let Some(records) = records {
+        let scalars = |name, value: fn(&ElementRecord) -> f64| NewArray::scalars(name, records.iter().map(value));
+        cell_data.extend([
+            NewArray::vectors("mean_force", records.iter().map(|r| r.force)),
+            scalars("pressure", |r| r.pressure),
+            scalars("shear_stress", |r| r.shear_stress),
+            scalars("impact_energy", |r| r.impact_energy),
+            scalars("sliding_energy", |r| r.sliding_energy),
+            scalars("wear_depth", |r| r.wear_depth),
+        ]);
     }
-    PolyData {
+    NewPolyData {
         step: frame.step,
         time: frame.time,
-        texts: vec![(
-            WALL_NAMES.into(),
-            frame.walls.iter().map(|w| w.name.to_owned()).collect(),
-        )],
+        texts: vec![(WALL_NAMES.into(), walls.iter().map(|w| w.name.to_owned()).collect())],
         fields: Vec::new(),
-        points: cells().flat_map(|(_, _, triangle)| *triangle).collect(),
+        count: 3 * walls.iter().map(|wall| wall.triangles.len()).sum::<usize>(),
+        points: Box::new(cells().flat_map(|(_, _, triangle)| *triangle)),
         cells: Cells::Triangles,
         point_data: Vec::new(),
         cell_data,
     }
 }
 
-/// What was recorded on the elements of walls; 0 on walls that record nothing.
-fn records(frame: &Frame) -> [Array; 6] {
-    let mut all: Vec<ElementRecord> = Vec::new();
+/// What was recorded on the elements of walls, where anything is recorded; 0 on walls that record nothing.
+fn records(frame: &Frame) -> Option<Vec<ElementRecord>> {
+    frame.walls.iter().find(|wall| wall.records.is_some())?;
+    let mut all = Vec::new();
     for wall in frame.walls {
         let recorded = wall.records.iter().flatten().copied();
         let rest = std::iter::repeat(ElementRecord::default());
         all.extend(recorded.chain(rest).take(wall.triangles.len()));
     }
-    let scalars = |name, value: fn(&ElementRecord) -> f64| Array::scalars(name, all.iter().map(value));
-    [
-        Array::vectors("mean_force", all.iter().map(|r| &r.force)),
-        scalars("pressure", |r| r.pressure),
-        scalars("shear_stress", |r| r.shear_stress),
-        scalars("impact_energy", |r| r.impact_energy),
-        scalars("sliding_energy", |r| r.sliding_energy),
-        scalars("wear_depth", |r| r.wear_depth),
-    ]
+    Some(all)
 }

@@ -1,25 +1,9 @@
-//! The `.vtp` file of VTK: points with cells and named arrays, as XML with compressed binary data behind it.
-//!
-//! Format: "VTK XML file formats" (version 1.0, `header_type="UInt64"`, zlib blocks, appended raw data).
+//! What a `.vtp` file of VTK holds: points with cells and named arrays.
 
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
+use super::vtk_file::NewPolyData;
 use glam::DVec3;
 use std::borrow::Cow;
-use std::fmt::Write as _;
-use std::io::{self, Write as _};
-
-/// Length of an uncompressed block [bytes], a multiple of the size of every type.
-pub(crate) const BLOCK: usize = 1 << 18;
-/// How binary data is told, in the head of every file.
-pub(crate) const ENCODING: &str =
-    "byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"";
-/// What stands between the head and the data.
-pub(crate) const START_OF_DATA: &str = "<AppendedData encoding=\"raw\">\n_";
-/// What stands behind the data.
-pub(crate) const END_OF_DATA: &str = "\n</AppendedData>\n</VTKFile>\n";
-/// The fastest level: higher ones cost much time and win little on the digits of `f64`.
-const LEVEL: u32 = 1;
+use std::io;
 
 /// The numbers of an array.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,16 +19,6 @@ pub enum Values {
 }
 
 impl Values {
-    /// Name of the type in the file.
-    fn kind(&self) -> &'static str {
-        match self {
-            Self::Float64(_) => "Float64",
-            Self::Int32(_) => "Int32",
-            Self::UInt32(_) => "UInt32",
-            Self::Int64(_) => "Int64",
-        }
-    }
-
     /// The numbers of a type that is told by its name in the file; nothing for a type that is not written. Bytes behind the
     /// last whole number are left out.
     pub(crate) fn from_bytes(kind: &str, bytes: &[u8]) -> Option<Self> {
@@ -91,15 +65,6 @@ impl Values {
             Self::Int32(v) => v.get(at).map(|x| f64::from(*x)),
             Self::UInt32(v) => v.get(at).map(|x| f64::from(*x)),
             Self::Int64(v) => v.get(at).map(|x| *x as f64),
-        }
-    }
-
-    fn bytes(&self) -> Vec<u8> {
-        match self {
-            Self::Float64(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
-            Self::Int32(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
-            Self::UInt32(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
-            Self::Int64(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
         }
     }
 }
@@ -199,188 +164,6 @@ impl PolyData {
 
     /// The bytes of the file.
     pub fn encode(&self) -> io::Result<Vec<u8>> {
-        let mut file = Writer::default();
-        let points = self.points.len();
-        let equal = |corners: usize| (1..=points / corners).map(|k| (k * corners) as i64).collect();
-        let element = self.cells.element();
-        let offsets: Vec<i64> = match &self.cells {
-            Cells::Vertices => equal(1),
-            Cells::Triangles => equal(3),
-            Cells::Lines(lengths) => {
-                let mut end = 0;
-                let mut next = |n: &usize| {
-                    end += *n as i64;
-                    end
-                };
-                lengths.iter().map(&mut next).collect()
-            }
-        };
-        let [vertices, lines, triangles] =
-            ["Verts", "Lines", "Polys"].map(|name| if name == element { offsets.len() } else { 0 });
-        file.line(&format!(
-            "<VTKFile type=\"PolyData\" version=\"1.0\" {ENCODING}>\n<PolyData>"
-        ));
-        field_data(&mut file, (self.step, self.time), &self.texts, &self.fields);
-        file.line(&format!(
-            "<Piece NumberOfPoints=\"{points}\" NumberOfVerts=\"{vertices}\" NumberOfLines=\"{lines}\" \
-             NumberOfStrips=\"0\" NumberOfPolys=\"{triangles}\">"
-        ));
-        file.arrays("PointData", &self.point_data)?;
-        file.arrays("CellData", &self.cell_data)?;
-        file.arrays("Points", &[Array::vectors("Points", &self.points)])?;
-        let connectivity = (0..points as i64).collect();
-        let topology = [
-            Array::new("connectivity", 1, Values::Int64(connectivity)),
-            Array::new("offsets", 1, Values::Int64(offsets)),
-        ];
-        file.arrays(element, &topology)?;
-        file.line("</Piece>\n</PolyData>");
-        Ok(file.finish())
-    }
-}
-
-/// Time, step, arrays and texts, readable in the head of the file.
-pub(super) fn field_data(
-    file: &mut Writer,
-    (step, time): (u64, f64),
-    texts: &[(Cow<'static, str>, Vec<String>)],
-    fields: &[Array],
-) {
-    file.line("<FieldData>");
-    file.line(&format!(
-        "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:?}</DataArray>",
-        time
-    ));
-    file.line(&format!(
-        "<DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>",
-        step
-    ));
-    for array in fields {
-        let numbers: Vec<String> = (0..array.values.len())
-            .filter_map(|k| array.values.number(k))
-            .map(|number| match array.values {
-                Values::Float64(_) => format!("{number:?}"),
-                _ => number.to_string(),
-            })
-            .collect();
-        file.line(&format!(
-            "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">{}</DataArray>",
-            array.values.kind(),
-            array.name,
-            array.components,
-            numbers.len() / array.components.max(1),
-            numbers.join(" ")
-        ));
-    }
-    for (name, texts) in texts {
-        file.line(&format!(
-            "<DataArray type=\"String\" Name=\"{name}\" NumberOfTuples=\"{}\" format=\"ascii\">",
-            texts.len()
-        ));
-        // Texts are written as the codes of their bytes, each text closed by a zero.
-        for text in texts {
-            let codes: Vec<String> = text.bytes().chain([0]).map(|byte| byte.to_string()).collect();
-            file.line(&codes.join(" "));
-        }
-        file.line("</DataArray>");
-    }
-    file.line("</FieldData>");
-}
-
-/// The XML and, to be put behind it, the binary data.
-#[derive(Default)]
-pub(super) struct Writer {
-    xml: String,
-    data: Vec<u8>,
-}
-
-impl Writer {
-    pub fn line(&mut self, text: &str) {
-        self.xml.push_str(text);
-        self.xml.push('\n');
-    }
-
-    pub fn arrays(&mut self, element: &str, arrays: &[Array]) -> io::Result<()> {
-        self.line(&format!("<{element}>"));
-        for array in arrays {
-            let offset = self.data.len();
-            // Writing to a String cannot fail.
-            let _ = writeln!(
-                self.xml,
-                "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{offset}\"/>",
-                array.values.kind(),
-                array.name,
-                array.components,
-            );
-            append_compressed(&mut self.data, &array.values.bytes())?;
-        }
-        self.line(&format!("</{element}>"));
-        Ok(())
-    }
-
-    pub fn finish(self) -> Vec<u8> {
-        let mut bytes = self.xml.into_bytes();
-        bytes.extend_from_slice(START_OF_DATA.as_bytes());
-        bytes.extend_from_slice(&self.data);
-        bytes.extend_from_slice(END_OF_DATA.as_bytes());
-        bytes
-    }
-}
-
-/// Appends `[blocks][block length][length of the last block if it is shorter][compressed lengths][blocks]`.
-fn append_compressed(out: &mut Vec<u8>, bytes: &[u8]) -> io::Result<()> {
-    let blocks: Vec<&[u8]> = bytes.chunks(BLOCK).collect();
-    let mut compressed = Vec::with_capacity(blocks.len());
-    for block in &blocks {
-        let mut encoder = ZlibEncoder::new(Vec::new(), Compression::new(LEVEL));
-        encoder.write_all(block)?;
-        compressed.push(encoder.finish()?);
-    }
-    let head = [blocks.len(), BLOCK, bytes.len() % BLOCK];
-    for number in head.into_iter().chain(compressed.iter().map(Vec::len)) {
-        out.extend_from_slice(&(number as u64).to_le_bytes());
-    }
-    for block in &compressed {
-        out.extend_from_slice(block);
-    }
-    Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use flate2::read::ZlibDecoder;
-    use std::io::Read;
-
-    fn number(bytes: &[u8], k: usize) -> usize {
-        u64::from_le_bytes(bytes[8 * k..8 * k + 8].try_into().unwrap()) as usize
-    }
-
-    /// Reads an array as VTK does: a last block of length 0 means that the last block is a full one.
-    fn decode(bytes: &[u8]) -> Vec<u8> {
-        let (blocks, length, last) = (number(bytes, 0), number(bytes, 1), number(bytes, 2));
-        let mut at = 8 * (3 + blocks);
-        let mut out = Vec::new();
-        for k in 0..blocks {
-            let size = number(bytes, 3 + k);
-            let mut block = Vec::new();
-            ZlibDecoder::new(&bytes[at..at + size]).read_to_end(&mut block).unwrap();
-            let expected = if k + 1 == blocks && last > 0 { last } else { length };
-            assert_eq!(block.len(), expected);
-            out.extend_from_slice(&block);
-            at += size;
-        }
-        assert_eq!(at, bytes.len());
-        out
-    }
-
-    #[test]
-    fn blocks_decode_at_every_edge_of_the_block_length() {
-        for length in [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK, 2 * BLOCK + 8] {
-            let bytes: Vec<u8> = (0..length).map(|k| (k % 251) as u8).collect();
-            let mut out = Vec::new();
-            append_compressed(&mut out, &bytes).unwrap();
-            assert!(decode(&out) == bytes, "{length}");
-        }
+        NewPolyData::from(self).encode()
     }
 }

@@ -2,7 +2,8 @@
 
 use super::error::ResultsError;
 use super::poly_head::{ArrayPlace, Head};
-use crate::output::vtp::{Array, BLOCK, Cells, END_OF_DATA, PolyData, START_OF_DATA, Values};
+use crate::output::vtk_file::{BLOCK, END_OF_DATA, START_OF_DATA};
+use crate::output::vtp::{Array, Cells, PolyData, Values};
 use flate2::read::ZlibDecoder;
 use glam::DVec3;
 use std::fs::File;

@@ -1,6 +1,7 @@
 //! The head of the `.vtp` files that `output::vtp` writes: which arrays there are, and where.
 
-use crate::output::vtp::{Array, ENCODING, Values};
+use crate::output::vtk_file::ENCODING;
+use crate::output::vtp::{Array, Values};
 use roxmltree::{Document, Node, ParsingOptions};
 
 /// Most elements of a head.

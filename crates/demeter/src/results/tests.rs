@@ -1,5 +1,6 @@
 use super::*;
-use crate::output::vtp::{Array, BLOCK, Cells as VtpCells, PolyData, Values};
+use crate::output::vtk_file::BLOCK;
+use crate::output::vtp::{Array, Cells as VtpCells, PolyData, Values};
 use crate::output::{RunFolder, vtk};
 use glam::DVec3;
 use std::fs;

@@ -9,10 +9,10 @@ use glam::DVec3;
 use std::f64::consts::PI;
 
 /// Memory of a grain with its contacts, candidates, and its share of a frame while that is written [bytes], and that of a run of few
-/// grains: fitted to the largest resident sizes (`/usr/bin/time -v`) of `examples/settle-20000`, 139 to 168 MB, and of the beds
-/// `w6-200k` and `w6-1m` of `benches/peers`, 519 and 2403 MB.
-const BYTES_PER_GRAIN: f64 = 2400.0;
-const BYTES_OF_A_RUN: f64 = 100e6;
+/// grains: above the largest resident sizes (`/usr/bin/time -v`) of `examples/settle-20000`, 134 MB, of the beds `w6-200k` and `w6-1m`
+/// of `benches/peers`, 356 and 1249 MB (1344 MB where it is resumed), and of ten of the latter side by side, 11453 MB.
+const BYTES_PER_GRAIN: f64 = 1300.0;
+const BYTES_OF_A_RUN: f64 = 110e6;
 
 /// Memory that a run with so many grains needs at most [bytes].
 pub(super) fn memory_of(grains: f64) -> f64 {

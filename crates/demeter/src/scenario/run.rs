@@ -87,16 +87,16 @@ pub(super) struct Place {
 
 /// Contents of a checkpoint.
 #[derive(Debug, Serialize, Deserialize)]
-pub struct RunState {
-    simulation: SimulationState,
+pub struct RunState<'a> {
+    simulation: SimulationState<'a>,
     place: Place,
     domain: Domain,
     traffic: TrafficState,
 }
 
-impl RunState {
+impl<'a> RunState<'a> {
     /// State of the simulation.
-    pub fn simulation(&self) -> &SimulationState {
+    pub fn simulation(&self) -> &SimulationState<'a> {
         &self.simulation
     }
 }
@@ -206,7 +206,7 @@ impl<'a> Runner<'a> {
     /// A run that goes on from a state.
     pub(super) fn resume(
         scenario: &'a Scenario,
-        state: RunState,
+        state: RunState<'_>,
         folder: Option<&RunFolder>,
         observer: &mut dyn Observer,
     ) -> Result<Self, RunError> {

@@ -85,6 +85,12 @@ fn introduced_of(first: usize, grains: &[bool]) -> impl Iterator<Item = usize> +
     (first..).zip(grains).filter(|(_, is)| **is).map(|(grain, _)| grain)
 }
 
+/// All grains that were introduced, those told by several processes several times.
+fn all_introduced(introduced: &Introduced, per_segment: usize) -> impl Iterator<Item = usize> + Clone + '_ {
+    let segments = introduced.iter();
+    segments.flat_map(move |(&(_, segment), grains)| introduced_of(segment * per_segment, grains))
+}
+
 /// Tables of the own segments while those of all are in place, or the other way.
 #[derive(Debug)]
 struct Aside {
@@ -171,8 +177,7 @@ impl Division {
     /// Grains of which this process knows anything: its own, those of segments that were near, and those that it hears of. Some are told
     /// twice.
     fn known(&self, per_segment: usize, count: usize) -> impl Iterator<Item = usize> + Clone + '_ {
-        let segments = self.introduced.iter();
-        let near = segments.flat_map(move |(&(_, segment), grains)| introduced_of(segment * per_segment, grains));
+        let near = all_introduced(&self.introduced, per_segment);
         known_grains(Some(self), count).chain(near.filter(|grain| !self.own.contains(grain)))
     }
 

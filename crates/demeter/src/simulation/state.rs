@@ -3,7 +3,7 @@
 use super::deforming_box::DeformingState;
 use super::skin::SkinTuner;
 use super::{Books, Setup, Simulation};
-use crate::contacts::{CarriedContact, NearTables};
+use crate::contacts::{CarriedContacts, NearTables};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
@@ -12,20 +12,21 @@ use crate::walls::{Wall, WallState};
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
-/// State of a simulation after a whole step.
+/// State of a simulation after a whole step. What a run has stays where it is, until it is written.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct SimulationState {
+pub struct SimulationState<'a> {
     /// Steps done.
     pub step: u64,
     /// Time step [s].
     pub dt: f64,
     /// Grains, in their present order.
-    pub grains: Grains,
+    pub grains: Cow<'a, Grains>,
     /// Walls, in the order of the scenario.
     pub walls: Vec<WallState>,
-    contacts: Vec<CarriedContact>,
-    neighbours: Neighbours,
+    contacts: CarriedContacts<'a>,
+    neighbours: Cow<'a, Neighbours>,
     books: Books,
     rebuilds: u64,
     scattered_in_order: f64,
@@ -71,7 +72,7 @@ pub enum StateError {
     Inconsistent(&'static str),
 }
 
-impl SimulationState {
+impl SimulationState<'_> {
     /// Whether a custom force acted, which the state does not hold.
     pub fn had_custom_force(&self) -> bool {
         self.had_custom_force
@@ -117,7 +118,7 @@ impl SimulationState {
             Err(StateError::Inconsistent("the reach of the table of contacts"))
         } else if !self.deforming.as_ref().is_none_or(|d| d.is_sound(self.dt)) {
             Err(StateError::Inconsistent("the box that deforms"))
-        } else if !self.contacts.is_sorted_by_key(|c| c.key) {
+        } else if !self.contacts.iter().is_sorted_by_key(|c| c.key) {
             Err(StateError::Inconsistent("contacts"))
         } else {
             Ok(())
@@ -127,15 +128,15 @@ impl SimulationState {
 
 impl Simulation {
     /// The state after the latest step.
-    pub fn state(&self) -> SimulationState {
+    pub fn state(&self) -> SimulationState<'_> {
         debug_assert!(!self.awaits_kick, "velocities are those predicted");
         SimulationState {
             step: self.step,
             dt: self.dt,
-            grains: self.grains.clone(),
+            grains: Cow::Borrowed(&self.grains),
             walls: self.walls.iter().map(Wall::state).collect(),
             contacts: self.contacts.carry(&self.grains),
-            neighbours: self.neighbours.clone(),
+            neighbours: Cow::Borrowed(&self.neighbours),
             books: self.books,
             rebuilds: self.rebuilds,
             scattered_in_order: self.scattered_in_order,
@@ -153,10 +154,10 @@ impl Simulation {
 
     /// Continues from a state; the bits are those of an uninterrupted run. The grains, the time step and the skin of
     /// `setup` are replaced by the state's.
-    pub fn resume(setup: Setup, state: SimulationState) -> Result<Self, StateError> {
+    pub fn resume(setup: Setup, state: SimulationState<'_>) -> Result<Self, StateError> {
         state.check(setup.walls.len(), setup.materials.list().len(), setup.integrator)?;
         let mut sim = Self::new(Setup {
-            grains: state.grains,
+            grains: state.grains.into_owned(),
             ..setup
         });
         for (wall, state) in sim.walls.iter_mut().zip(&state.walls) {
@@ -184,7 +185,7 @@ impl Simulation {
         if let Some(deforming) = state.deforming {
             sim.restore_box(deforming);
         }
-        sim.neighbours = state.neighbours;
+        sim.neighbours = state.neighbours.into_owned();
         if sim.coupling.is_some() {
             sim.neighbours.tell_pairs_of_grains();
         }

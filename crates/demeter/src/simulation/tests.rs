@@ -5,6 +5,7 @@ use crate::particles::{NewGrain, Outside};
 use crate::walls::{Motion, Shape};
 use demeter_physics::contact::LawChoice;
 use demeter_physics::parameters::Value;
+use std::borrow::Cow;
 
 /// Grains per edge of the lattice.
 const EDGE: u32 = 12;
@@ -100,9 +101,8 @@ fn squeezed() -> Simulation {
 
 /// All engaged contacts: pairs that are merely near come and go with the candidates.
 fn carried(sim: &Simulation) -> Vec<CarriedContact> {
-    let mut carried = sim.contacts.carry(&sim.grains);
-    carried.retain(|c| c.is_engaged);
-    carried
+    let all = sim.contacts.carry(&sim.grains);
+    all.iter().map(Cow::into_owned).filter(|c| c.is_engaged).collect()
 }
 
 #[test]

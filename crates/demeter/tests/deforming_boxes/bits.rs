@@ -4,12 +4,11 @@ use super::cases::ranks::on_ranks;
 use super::cases::{Laws, on_threads};
 use super::{gas, rough, rough_and_soft, sheared_at_constant_stress};
 use demeter::comm::Ranks;
-use demeter::contacts::CarriedContact;
 use demeter::simulation::{Simulation, SimulationState};
 
 /// All that can be seen of a run, in bytes.
 fn fingerprint(sim: &mut Simulation) -> Vec<u8> {
-    let carried: Vec<CarriedContact> = sim.contacts.carry(&sim.grains);
+    let carried = sim.contacts.carry(&sim.grains);
     let mut bytes = postcard::to_stdvec(&(sim.step, &sim.grains, &carried)).unwrap();
     bytes.extend(postcard::to_stdvec(&(sim.energies(), sim.books, sim.rebuilds(), sim.skin())).unwrap());
     bytes.extend(format!("{:?} {:?}", sim.box_state(), sim.domain()).bytes());

@@ -6,7 +6,7 @@ use super::{APART, RADIUS, WIDTH, compare_text, duct};
 use demeter::comm::{Ranks, Traffic};
 use demeter::contacts::Coupling;
 use demeter::particles::{NewGrain, Outside};
-use demeter::simulation::{Setup, Simulation, SimulationState, Skin};
+use demeter::simulation::{Setup, Simulation, Skin};
 use demeter_physics::DVec3;
 use demeter_physics::integrator::Integrator;
 
@@ -75,11 +75,16 @@ fn begin(setup: Setup, ranks: Option<Box<dyn Ranks>>) -> Simulation {
     sim
 }
 
-/// All that a checkpoint holds.
-fn saved(sim: &mut Simulation) -> (String, SimulationState) {
+/// All that a checkpoint holds, as a text and as bytes.
+fn saved(sim: &mut Simulation) -> (String, Vec<u8>) {
     sim.make_whole();
+    let energies = sim.energies();
     let state = sim.state();
-    (format!("{state:?} {:?}", sim.energies()), state)
+    (format!("{state:?} {energies:?}"), postcard::to_stdvec(&state).unwrap())
+}
+
+fn restored(setup: Setup, saved: &[u8]) -> Simulation {
+    Simulation::resume(setup, postcard::from_bytes(saved).unwrap()).unwrap()
 }
 
 /// Whether grains that came lie before others that were there at the start.
@@ -122,7 +127,7 @@ fn compare(what: &str, setup: impl Fn() -> Setup + Sync, counts: &[usize]) {
         let mut sim = begin(setup(), None);
         go_on(&mut sim, rounds[0].clone());
         let (halfway, state) = saved(&mut sim);
-        let mut sim = Simulation::resume(setup(), state).unwrap();
+        let mut sim = restored(setup(), &state);
         go_on(&mut sim, rounds[1].clone());
         assert!(were_sorted(&sim), "{what}: grains were never put in order again");
         (halfway, saved(&mut sim).0)
@@ -144,7 +149,7 @@ fn compare(what: &str, setup: impl Fn() -> Setup + Sync, counts: &[usize]) {
         let other = counts[(k + 1) % counts.len()];
         let second = on_ranks(other, |rank| {
             on_threads(1, || {
-                let mut sim = Simulation::resume(setup(), state.clone()).unwrap();
+                let mut sim = restored(setup(), state);
                 sim.share(rank);
                 go_on(&mut sim, rounds[1].clone());
                 saved(&mut sim).0

@@ -113,9 +113,9 @@ fn resume_among(
 pub(in crate::scenario) fn read_run(
     folder: &RunFolder,
     observer: &mut dyn Observer,
-) -> Result<(Scenario, RunState), RunError> {
+) -> Result<(Scenario, RunState<'static>), RunError> {
     let mut scenario = Scenario::read_to_go_on(&folder.scenario())?;
-    let restored = checkpoint::read_latest::<RunState>(folder.root())?;
+    let restored = checkpoint::read_latest::<RunState<'static>>(folder.root())?;
     // a scenario without a title is named after its file, which has another name here
     scenario.title.clone_from(&restored.header.title);
     let on_the_way = restored.value.place.files.iter().filter(|file| !file.of_start);

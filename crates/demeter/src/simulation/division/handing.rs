@@ -3,7 +3,7 @@
 //! All processes know which place every grain gets in memory, and cut the segments alike. So each knows what leaves it, and what it will
 //! hear: how the grains move, and the contacts that they are in.
 
-use super::{Division, Introduced, WORK_OF_A_GRAIN, encode, introduced_of};
+use super::{Division, Introduced, WORK_OF_A_GRAIN, all_introduced, encode, introduced_of};
 use crate::comm::Message;
 use crate::contacts::PairsAndWalls;
 use crate::neighbours::{Bounds, Curve, GONE};
@@ -257,8 +257,7 @@ impl Simulation {
         let introduced = division.still_introduced(&owners, order.len());
         let own = first.min(order.len())..end.min(order.len());
         let stay = own.clone().filter(|&to| division.own.contains(&(order[to] as usize)));
-        let of_segments = introduced.iter();
-        let near = of_segments.flat_map(|(&(_, segment), grains)| introduced_of(segment * per_segment, grains));
+        let near = all_introduced(&introduced, per_segment);
         let known = stay.chain(near.filter(|to| !own.contains(to)));
         self.grains.keep(order.len(), known.map(|to| (to, order[to] as usize)));
         division.introduced = introduced;

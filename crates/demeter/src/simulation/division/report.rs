@@ -111,9 +111,8 @@ mod tests {
     #[test]
     #[cfg(target_os = "linux")]
     fn linux_tells_the_memory_in_use() {
-        let before = most_in_use().expect("a number");
-        let more = vec![1u8; 64 << 20];
-        let after = most_in_use().expect("a number");
-        assert!(after - before > 32 << 20, "{before}, {after}, {}", more[5]);
+        let memory = vec![1u8; 64 << 20];
+        let most = most_in_use().expect("a number");
+        assert!(most > memory.len() as u64, "{most}");
     }
 }
