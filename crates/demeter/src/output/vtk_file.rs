@@ -311,10 +311,11 @@ fn write_compressed<const N: usize>(
     mut numbers: impl Iterator<Item = [u8; N]>,
 ) -> io::Result<usize> {
     let (mut blocks, mut length) = (Vec::new(), 0);
-    let mut bytes = Vec::new();
+    let mut some: Vec<[u8; N]> = Vec::new();
     loop {
-        bytes.clear();
-        bytes.extend(numbers.by_ref().take(AT_ONCE / N).flatten());
+        some.clear();
+        some.extend(numbers.by_ref().take(AT_ONCE / N));
+        let bytes = some.as_flattened();
         if bytes.is_empty() {
             break;
         }
