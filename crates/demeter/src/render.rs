@@ -4,7 +4,7 @@ use crate::materials::Material;
 pub use crate::output::picture::Cut;
 use crate::output::picture::{Image, PictureOptions, colour_end, render_packing, shown_region};
 use crate::output::vtp::{PolyData, Values};
-use crate::output::{ContactRecord, Frame, MATERIAL_NAMES, WALL_NAMES, WallSurface};
+use crate::output::{ContactRecord, Frame, FramePart, MATERIAL_NAMES, WALL_NAMES, WallSurface};
 use crate::particles::Grains;
 use crate::results::{ResultsError, Run, TableFile, TableKind};
 use glam::{DQuat, DVec3};
@@ -166,6 +166,7 @@ impl LoadedFrame {
             walls: &walls,
             tags: None,
             cell: None,
+            part: FramePart::default(),
         })
     }
 }

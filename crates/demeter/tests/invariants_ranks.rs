@@ -26,8 +26,15 @@ struct Outcome {
     contacts: String,
     /// What a checkpoint holds.
     saved: String,
-    /// What one holds that the first process writes, which alone is told the whole on the way; nothing at others.
+    /// The same as the first process writes it, which hears it piece by piece; nothing at others.
+    written: Option<Vec<u8>>,
+    /// What the first process finds that is told the whole; nothing at others.
     gathered: Option<String>,
+}
+
+fn written(sim: &Simulation) -> Option<Vec<u8>> {
+    let written = postcard::to_stdvec(&sim.state()).unwrap();
+    sim.is_first_process().then_some(written)
 }
 
 fn at_first(sim: &mut Simulation) -> Option<String> {
@@ -50,10 +57,12 @@ fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outco
         sim.step()?;
         if step % 10 == 0 {
             series += &format!("{:?}\n", measure(&mut sim, Moment::default(), None));
+            written(&sim);
             // those that hear of it go on with their own as the others do
             at_first(&mut sim);
         }
     }
+    let written = written(&sim);
     let gathered = at_first(&mut sim);
     sim.make_whole();
     let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
@@ -62,6 +71,7 @@ fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outco
         contacts: format!("{:?}", contact_records(&sim)),
         saved: format!("{:?}", sim.state()),
         series,
+        written,
         gathered,
     };
     Ok((outcome, sim.sharing().filter(|_| sim.shares_nothing().is_none())))
@@ -86,6 +96,9 @@ fn compare(integrator: Integrator, all_ranks: &[usize]) {
                 assert!(outcome.state == alone.state, "{what}: the state differs");
                 assert_same(&what, &outcome.saved, &alone.saved);
                 assert_eq!(outcome.gathered.is_some(), rank == 0, "{what}");
+                if rank == 0 {
+                    assert!(outcome.written == alone.written, "{what}: what is written differs");
+                }
                 if let (Some(one), Some(other)) = (&outcome.gathered, &alone.gathered) {
                     assert_same(&what, one, other);
                 }

@@ -10,6 +10,7 @@ mod deforming;
 mod ranks;
 pub(crate) mod segment_sums;
 mod single;
+pub(crate) mod together;
 pub(crate) mod tree;
 
 pub(crate) use deforming::{Carry, Deforming};

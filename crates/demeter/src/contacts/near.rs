@@ -5,6 +5,7 @@
 
 use super::Scene;
 use super::meetings::{Lot, Meeting, lanes_below};
+use crate::comm::together::{InParts, Listed, Part};
 use crate::neighbours::Pair;
 use demeter_physics::lanes::{Kernel, Lanes, Mask, Vector};
 use serde::{Deserialize, Serialize};
@@ -68,6 +69,23 @@ pub struct NearTables {
     reach: Vec<Option<f64>>,
 }
 
+/// What is saved of [`NearTables`].
+#[derive(Serialize)]
+#[serde(rename = "NearTables")]
+struct Written<'a, 'b> {
+    of_segments: Listed<'a, 'b, NearTable>,
+    mean_radius: f64,
+}
+
+impl InParts for NearTables {
+    fn in_parts<'a>(&'a self, part: &'a Part<'_>) -> impl Serialize + 'a {
+        Written {
+            of_segments: part.of_segments(&self.of_segments),
+            mean_radius: self.mean_radius,
+        }
+    }
+}
+
 impl NearTables {
     /// Notes a step. `approach` tells of a segment how much nearer two grains came at most, and within which window they may act [m].
     /// The others have no table here.
@@ -79,9 +97,9 @@ impl NearTables {
         }
     }
 
-    /// Number of segments.
-    pub(crate) fn segments(&self) -> usize {
-        self.of_segments.len()
+    /// The tables that a restart needs.
+    pub(crate) fn saved(&self) -> Self {
+        self.of_segments(0..self.of_segments.len())
     }
 
     /// The tables of some segments.

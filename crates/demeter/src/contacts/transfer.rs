@@ -2,12 +2,14 @@
 
 use super::coupling::Coupled;
 use super::{CHUNK, ContactChunk, Contacts, EightVectors, WORD};
+use crate::comm::together::Together;
 use crate::neighbours::{GONE, Neighbours};
 use crate::particles::{Grains, set_aside};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes::MOST_LANES;
 use glam::DVec3;
 use rayon::prelude::*;
+use serde::ser::SerializeSeq;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::borrow::Cow;
 use std::fmt::{Debug, Formatter};
@@ -52,21 +54,29 @@ pub struct CarriedContact {
 #[derive(Clone)]
 pub enum CarriedContacts<'a> {
     /// Those of a run, made one by one as they are written.
-    Present {
-        /// All of the run.
-        contacts: &'a Contacts,
-        /// Their chunks, those with walls behind the others, and their places there.
-        places: Vec<(ContactKey, u32, u32)>,
-    },
+    Present(PresentContacts<'a>),
     /// Those that were read.
     Read(Vec<CarriedContact>),
+}
+
+/// Contacts of a run, by rising keys.
+#[derive(Clone)]
+pub struct PresentContacts<'a> {
+    /// All that this process has.
+    contacts: &'a Contacts,
+    /// The chunks of its own, those with walls behind the others, and their places there.
+    places: Vec<(ContactKey, u32, u32)>,
+    /// Who has the others.
+    together: Together<'a>,
+    /// Number of all.
+    count: usize,
 }
 
 impl CarriedContacts<'_> {
     /// Number of contacts.
     pub fn len(&self) -> usize {
         match self {
-            Self::Present { places, .. } => places.len(),
+            Self::Present(present) => present.count,
             Self::Read(contacts) => contacts.len(),
         }
     }
@@ -76,7 +86,7 @@ impl CarriedContacts<'_> {
         self.len() == 0
     }
 
-    /// The contacts, by rising keys.
+    /// Those that this process has, by rising keys.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Cow<'_, CarriedContact>> {
         self.behind(0)
     }
@@ -84,16 +94,20 @@ impl CarriedContacts<'_> {
     /// Those from a key on.
     fn iter_from(&self, first: ContactKey) -> impl ExactSizeIterator<Item = Cow<'_, CarriedContact>> {
         self.behind(match self {
-            Self::Present { places, .. } => places.partition_point(|(key, ..)| *key < first),
+            Self::Present(present) => present.places.partition_point(|(key, ..)| *key < first),
             Self::Read(contacts) => contacts.partition_point(|contact| contact.key < first),
         })
     }
 
     fn behind(&self, first: usize) -> impl ExactSizeIterator<Item = Cow<'_, CarriedContact>> {
-        (first..self.len()).map(|k| match self {
-            Self::Present { contacts, places, .. } => {
-                let (key, chunk, place) = places[k];
-                Cow::Owned(contacts.carried(key, chunk as usize, place as usize))
+        let end = match self {
+            Self::Present(present) => present.places.len(),
+            Self::Read(contacts) => contacts.len(),
+        };
+        (first..end).map(|k| match self {
+            Self::Present(present) => {
+                let (key, chunk, place) = present.places[k];
+                Cow::Owned(present.contacts.carried(key, chunk as usize, place as usize))
             }
             Self::Read(contacts) => Cow::Borrowed(&contacts[k]),
         })
@@ -108,7 +122,17 @@ impl Debug for CarriedContacts<'_> {
 
 impl Serialize for CarriedContacts<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.iter())
+        match self {
+            Self::Present(present) => {
+                let mut list = serializer.serialize_seq(Some(present.count))?;
+                let mut all = present
+                    .together
+                    .merged(self.iter().map(Cow::into_owned), |contact| contact.key);
+                all.try_for_each(|contact| list.serialize_element(&contact))?;
+                list.end()
+            }
+            Self::Read(contacts) => contacts.serialize(serializer),
+        }
     }
 }
 
@@ -446,10 +470,23 @@ impl Contacts {
     }
 
     /// All contacts, by rising keys.
-    pub fn carry<'a>(&'a self, grains: &'a Grains) -> CarriedContacts<'a> {
-        let mut places = Vec::with_capacity(self.pair_count() + self.wall_count());
-        for (number, chunk) in (0..).zip(self.pairs.iter().chain(&self.walls)) {
-            let wall = number as usize >= self.pairs.len();
+    pub fn carry(&self, grains: &Grains) -> CarriedContacts<'_> {
+        self.carry_some((0..self.pairs.len(), 0..self.walls.len()), grains, Together::default())
+    }
+
+    /// The contacts of some chunks, between grains and with walls; other processes have the others.
+    pub(crate) fn carry_some<'a>(
+        &'a self,
+        (pairs, walls): (Range<usize>, Range<usize>),
+        grains: &Grains,
+        together: Together<'a>,
+    ) -> CarriedContacts<'a> {
+        let walls = walls.start + self.pairs.len()..walls.end + self.pairs.len();
+        let numbers = || pairs.clone().chain(walls.clone());
+        let mut places = Vec::with_capacity(numbers().map(|number| self.any_chunk(number).len()).sum());
+        for number in numbers() {
+            let wall = number >= self.pairs.len();
+            let (chunk, number) = (self.any_chunk(number), number as u32);
             for k in 0..chunk.len() {
                 let key = ContactKey {
                     wall,
@@ -465,15 +502,25 @@ impl Contacts {
             }
         }
         places.par_sort_unstable();
-        CarriedContacts::Present { contacts: self, places }
+        CarriedContacts::Present(PresentContacts {
+            contacts: self,
+            count: together.count(places.len()),
+            places,
+            together,
+        })
     }
 
-    /// A contact, told its chunk, those with walls behind the others, and its place there.
-    fn carried(&self, key: ContactKey, chunk: usize, place: usize) -> CarriedContact {
-        let chunk = match chunk.checked_sub(self.pairs.len()) {
+    /// A chunk, where those with walls are behind the others.
+    fn any_chunk(&self, number: usize) -> &ContactChunk {
+        match number.checked_sub(self.pairs.len()) {
             Some(chunk) => &self.walls[chunk],
-            None => &self.pairs[chunk],
-        };
+            None => &self.pairs[number],
+        }
+    }
+
+    /// A contact, told its chunk and its place there.
+    fn carried(&self, key: ContactKey, chunk: usize, place: usize) -> CarriedContact {
+        let chunk = self.any_chunk(chunk);
         CarriedContact {
             key,
             geometry: chunk.now.geometry.get(place).copied().map(Box::new),

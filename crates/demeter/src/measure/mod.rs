@@ -47,6 +47,7 @@ pub use neighbour_mixing::{MAX_NEAREST, NEIGHBOUR_COLUMNS, NeighbourMixing};
 pub use network::{ContactNetwork, NetworkMeasures};
 pub use paths::{MAX_PATHS, PathPoint, Paths};
 pub use profile::{MAX_SLICES, Profile, Slice};
+pub(crate) use records::frame_part;
 pub use records::{ContactColumns, contact_records, wall_surfaces};
 pub use region::{OF_MATERIAL_COLUMNS, REGION_COLUMNS, RegionCount};
 pub use residence::{MAX_RESIDENCE_BINS, RESIDENCE_COLUMNS, Residence, ResidenceState};
@@ -62,6 +63,7 @@ use crate::simulation::Simulation;
 use crate::walls::Wall;
 use glam::DVec3;
 use row_sums::RowSums;
+use std::ops::Range;
 
 /// Whether a grain lies in a zone, whose parts go with walls.
 pub(crate) fn holds(sim: &Simulation, zone: &Zone, grain: usize) -> bool {
@@ -210,9 +212,10 @@ pub fn kinetic_over_elastic(sim: &Simulation, energies: &Energies) -> f64 {
 }
 
 /// Corners of the box around the grains' surfaces [m]; infinite, the lower above the upper, without grains.
-fn bounds(grains: &Grains) -> (DVec3, DVec3) {
+fn bounds(grains: &Grains, some: Range<usize>) -> (DVec3, DVec3) {
     let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for (&p, r) in grains.position.iter().zip(grains.radii()) {
+    for row in &grains.position.rows()[some] {
+        let (p, r) = (row.vector, row.scalar);
         lower = lower.min(p - r);
         upper = upper.max(p + r);
     }

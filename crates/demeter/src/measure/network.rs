@@ -91,7 +91,7 @@ impl ContactNetwork {
     /// Lower and upper corner of the core [m]; it is empty when they are not in order.
     pub fn core(&self, sim: &Simulation) -> (DVec3, DVec3) {
         let grains = &sim.grains;
-        let (mut lower, mut upper) = bounds(grains);
+        let (mut lower, mut upper) = bounds(grains, 0..grains.len());
         let mean_diameter = 2.0 * grains.radii().sum::<f64>() / grains.len().max(1) as f64;
         lower += self.margin * mean_diameter;
         upper -= self.margin * mean_diameter;

@@ -1,7 +1,7 @@
 //! Contacts and walls of a moment, as they are written.
 
 use crate::contacts::ContactChunk;
-use crate::output::{ContactRecord, WallSurface};
+use crate::output::{ContactRecord, FramePart, WallSurface};
 use crate::simulation::Simulation;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -13,6 +13,17 @@ use rayon::prelude::*;
 pub fn contact_records(sim: &Simulation) -> Vec<ContactRecord> {
     let acting = acting(sim);
     acting.par_iter().map(|contact| contact.record(sim)).collect()
+}
+
+/// What this process has of a frame with these contacts.
+pub(crate) fn frame_part(sim: &Simulation) -> FramePart<'_> {
+    let acting = |chunks: &[ContactChunk]| chunks.iter().map(ContactChunk::acting).sum::<usize>();
+    let (own, all) = (sim.own_chunks().end, &sim.contacts.pairs);
+    FramePart {
+        together: sim.together(),
+        grains: sim.own_grains(),
+        of_others: acting(&all[..own])..acting(all),
+    }
 }
 
 /// The contacts of [`contact_records`], column by column.
@@ -108,8 +119,12 @@ impl Acting<'_> {
 
 /// All walls with what they feel; infinite ones are cut by the bounds of the grains. A periodic box that deforms, which holds no
 /// walls, stands in their place.
+///
+/// Where processes share the run each calls this.
 pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
-    let (mut lower, mut upper) = super::bounds(&sim.grains);
+    let (lower, upper) = super::bounds(&sim.grains, sim.own_grains());
+    let [x, y, z, upper @ ..] = sim.largest_of_all([-lower.x, -lower.y, -lower.z, upper.x, upper.y, upper.z]);
+    let (mut lower, mut upper) = (-DVec3::new(x, y, z), DVec3::from_array(upper));
     if sim.grains.is_empty() {
         (lower, upper) = (DVec3::ZERO, DVec3::ZERO);
     }

@@ -24,6 +24,7 @@ mod table;
 mod tests;
 mod vicinity;
 mod visit;
+mod written;
 
 pub(crate) use classes::{Extremes, SizeClasses};
 pub(crate) use order::Curve;
@@ -92,7 +93,7 @@ pub struct WallPair {
 }
 
 /// Candidate pairs, and for every grain the pairs that it is in.
-#[derive(Default, Serialize, Deserialize)]
+#[derive(Default, Deserialize)]
 pub struct Neighbours {
     pairs: PairTable,
     walls: Table<WallPair>,

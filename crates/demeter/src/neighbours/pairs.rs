@@ -8,11 +8,11 @@
 use super::Pair;
 use super::table::{LawOrder, NOWHERE, Segment, Table};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use std::ops::Range;
 
 /// Candidate pairs by segments of grains that lie behind each other: each has the pairs whose later grain is one of its own.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 pub(super) struct PairTable {
     pub(super) table: Table<Pair>,
     /// Grains of a segment.

@@ -177,7 +177,7 @@ struct Place {
 }
 
 /// Candidates, cut into chunks.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 pub(super) struct Table<C> {
     pub(super) segments: Vec<Segment<C>>,
     #[serde(skip)]

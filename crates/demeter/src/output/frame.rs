@@ -1,10 +1,12 @@
 //! What is written of one moment.
 
+use crate::comm::together::Together;
 use crate::materials::Material;
 use crate::particles::{ById, Grains};
 use crate::walls::ElementRecord;
 use glam::DVec3;
 use std::f64::consts::PI;
+use std::ops::Range;
 
 /// A contact as it is written.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,6 +61,27 @@ pub struct FrameBox {
     pub periodic: [bool; 3],
 }
 
+/// What a process has of a frame; all of it unless told.
+#[derive(Clone, Debug)]
+pub(crate) struct FramePart<'a> {
+    /// Who has the rest.
+    pub together: Together<'a>,
+    /// Its own grains.
+    pub grains: Range<usize>,
+    /// Which of the contacts are those of others: between grains, behind the own ones.
+    pub of_others: Range<usize>,
+}
+
+impl Default for FramePart<'_> {
+    fn default() -> Self {
+        Self {
+            together: Together::default(),
+            grains: 0..usize::MAX,
+            of_others: 0..0,
+        }
+    }
+}
+
 /// One moment of a run.
 #[derive(Clone, Debug)]
 pub struct Frame<'a> {
@@ -70,17 +93,18 @@ pub struct Frame<'a> {
     pub grains: &'a Grains,
     /// Materials, by index.
     pub materials: &'a [Material],
-    /// All contacts that act.
+    /// All contacts that act and that own grains are in: those between grains, then those with walls.
     pub contacts: &'a [ContactRecord],
     /// All walls.
     pub walls: &'a [WallSurface<'a>],
-    /// Tags of the grains, by index; nothing where none has a tag.
+    /// Tags of the own grains; nothing where none has a tag.
     pub tags: Option<Vec<i32>>,
     /// The domain, where one is told.
     pub cell: Option<FrameBox>,
+    pub(crate) part: FramePart<'a>,
 }
 
-/// What the contacts do to every grain, walls counted.
+/// What the contacts do to every own grain, walls counted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ContactSums {
     /// Number of contacts that act.
@@ -104,6 +128,12 @@ impl ContactRecord {
 }
 
 impl Frame<'_> {
+    /// Own grains.
+    pub(crate) fn own(&self) -> Range<usize> {
+        let (grains, part) = (self.grains.len(), &self.part.grains);
+        part.start.min(grains)..part.end.min(grains)
+    }
+
     /// Sums over the contacts of every grain, in their order.
     ///
     /// The mean normal stress of a grain of volume `V` is `sum(f_n l) / (3 V)` over its contacts, with the normal force
@@ -111,8 +141,9 @@ impl Frame<'_> {
     /// `r - overlap` at a wall. It is the mean over the grain's volume of a third of the trace of the stress (J. Weber,
     /// Bulletin de Liaison des Ponts et Chaussees 20, 1966); friction, which is perpendicular to `l`, gives nothing to it.
     pub fn contact_sums(&self) -> ContactSums {
-        let by_id = ById::new(&self.grains.id);
-        let n = self.grains.len();
+        let own = self.own();
+        let by_id = ById::new(&self.grains.id[own.clone()]);
+        let n = own.len();
         let mut sums = ContactSums {
             coordination: vec![0; n],
             force: vec![0.0; n],
@@ -127,10 +158,11 @@ impl Frame<'_> {
             for at in ids.into_iter().flatten().filter_map(|id| by_id.find(id)) {
                 sums.coordination[at] += 1;
                 sums.force[at] += force.abs();
-                sums.stress[at] += force * (self.grains.radius(at) - depth);
+                sums.stress[at] += force * (self.grains.radius(own.start + at) - depth);
             }
         }
-        for (stress, r) in sums.stress.iter_mut().zip(self.grains.radii()) {
+        for (stress, grain) in sums.stress.iter_mut().zip(own) {
+            let r = self.grains.radius(grain);
             *stress /= 4.0 * PI * r * r * r;
         }
         sums
@@ -182,6 +214,7 @@ mod tests {
             walls: &[],
             tags: None,
             cell: None,
+            part: FramePart::default(),
         };
         let sums = frame.contact_sums();
         assert_eq!(sums.coordination, [2, 1]);

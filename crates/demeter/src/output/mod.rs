@@ -29,6 +29,7 @@ pub use distribution::DistributionWriter;
 pub use error::OutputError;
 pub use fields::FieldWriter;
 pub use folder::{RunFolder, RunLock};
+pub(crate) use frame::FramePart;
 pub use frame::{ContactRecord, Frame, FrameBox, WallSurface};
 pub use plot::{AxisSpec, Look, Plot, Series, Sheet};
 pub use profile::ProfileWriter;
@@ -40,5 +41,5 @@ pub use tables::{
     MomentTable, path_lines, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows,
     rose_titles,
 };
-pub(crate) use vtk::box_fields;
 pub use vtk::{BOX, BOX_PERIODIC, FrameWriter, MATERIAL_NAMES, MEAN_NORMAL_FORCE, WALL_NAMES};
+pub(crate) use vtk::{box_fields, tell as tell_frame};

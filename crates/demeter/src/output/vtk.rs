@@ -17,8 +17,11 @@ use super::folder::RunFolder;
 use super::frame::{ContactRecord, ContactSums, Frame, FrameBox, WallSurface};
 use super::vtk_file::{NewArray, NewPolyData};
 use super::vtp::{Array, Cells, Values};
+use crate::particles::Rows;
 use crate::walls::ElementRecord;
 use glam::DVec3;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 /// Writes frames into the folder of a run.
 #[derive(Debug)]
@@ -66,11 +69,12 @@ impl FrameWriter {
         })
     }
 
-    /// Writes a frame. A frame of the same step is replaced.
+    /// Writes a frame. A frame of the same step is replaced. Where several processes have parts of it, the others [`tell`] theirs.
     pub fn write(&mut self, frame: &Frame) -> Result<(), OutputError> {
         let sums = frame.contact_sums();
         let records = records(frame);
-        let files = [grains(frame, &sums), contacts(frame), walls(frame, &records)];
+        let [grains, contacts] = of_all(frame, &sums);
+        let files = [grains, contacts, walls(frame, &records)];
         for (collection, data) in self.collections.iter_mut().zip(files) {
             let path = collection.file_path(frame.step);
             self.folder.write_with(&path, |file| data.write(file))?;
@@ -94,6 +98,17 @@ impl FrameWriter {
     }
 }
 
+/// Tells the first process the own part of a frame that it writes.
+pub(crate) fn tell(frame: &Frame) {
+    let sums = frame.contact_sums();
+    of_all(frame, &sums).into_iter().for_each(NewPolyData::pass);
+}
+
+/// The tables of which every process has a part.
+fn of_all<'a>(frame: &'a Frame, sums: &'a ContactSums) -> [NewPolyData<'a>; 2] {
+    [grains(frame, sums), contacts(frame)]
+}
+
 /// A box as arrays of the whole file.
 pub(crate) fn box_fields(cell: &FrameBox) -> [Array; 2] {
     let rows = std::iter::once(&cell.corner).chain(&cell.edges);
@@ -106,24 +121,31 @@ pub(crate) fn box_fields(cell: &FrameBox) -> [Array; 2] {
 
 /// The table of the grains.
 fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
-    let g = frame.grains;
+    let (g, own, all) = (frame.grains, frame.own(), frame.part.together);
+    let vectors = |name, of: &'a Rows| {
+        let own = of.rows()[own.clone()].iter();
+        NewArray::vectors(name, all.joined(own.map(|row| row.vector)))
+    };
+    let radii = || g.position.rows()[own.clone()].iter().map(|row| row.scalar);
+    let materials = g.material[own.clone()].iter().map(|m| i32::from(*m));
+    let orientations = g.orientation[own.clone()].iter().map(|q| q.to_array());
     let mut point_data = vec![
-        NewArray::counts("id", g.id.iter().copied()),
-        NewArray::integers("material", g.material.iter().map(|m| i32::from(*m))),
-        NewArray::scalars("radius", g.radii()),
-        NewArray::scalars("diameter", g.radii().map(|r| 2.0 * r)),
-        NewArray::scalars("mass", g.mass.iter().copied()),
-        NewArray::vectors("velocity", g.velocity.iter().copied()),
-        NewArray::vectors("angular_velocity", g.angular_velocity.iter().copied()),
-        NewArray::rows("orientation", g.orientation.iter().map(|q| q.to_array())),
-        NewArray::vectors("force", g.force.iter().copied()),
-        NewArray::vectors("torque", g.torque.iter().copied()),
-        NewArray::counts("coordination", sums.coordination.iter().copied()),
-        NewArray::scalars("contact_force", sums.force.iter().copied()),
-        NewArray::scalars("mean_normal_stress", sums.stress.iter().copied()),
+        NewArray::counts("id", all.joined(g.id[own.clone()].iter().copied())),
+        NewArray::integers("material", all.joined(materials)),
+        NewArray::scalars("radius", all.joined(radii())),
+        NewArray::scalars("diameter", all.joined(radii().map(|r| 2.0 * r))),
+        NewArray::scalars("mass", all.joined(g.mass[own.clone()].iter().copied())),
+        vectors("velocity", &g.velocity),
+        vectors("angular_velocity", &g.angular_velocity),
+        NewArray::rows("orientation", all.joined(orientations)),
+        vectors("force", &g.force),
+        vectors("torque", &g.torque),
+        NewArray::counts("coordination", all.joined(sums.coordination.iter().copied())),
+        NewArray::scalars("contact_force", all.joined(sums.force.iter().copied())),
+        NewArray::scalars("mean_normal_stress", all.joined(sums.stress.iter().copied())),
     ];
     if let Some(tags) = &frame.tags {
-        point_data.push(NewArray::integers("tag", tags.iter().copied()));
+        point_data.push(NewArray::integers("tag", all.joined(tags.iter().copied())));
     }
     NewPolyData {
         step: frame.step,
@@ -134,7 +156,7 @@ fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
         )],
         fields: frame.cell.iter().flat_map(box_fields).collect(),
         count: g.len(),
-        points: Box::new(g.position.iter().copied()),
+        points: Box::new(all.joined(g.position.rows()[own].iter().map(|row| row.vector))),
         cells: Cells::Vertices,
         point_data,
         cell_data: Vec::new(),
@@ -143,24 +165,26 @@ fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
 
 /// The table of the contacts.
 fn contacts<'a>(frame: &'a Frame) -> NewPolyData<'a> {
-    let c = frame.contacts;
-    let sum: f64 = c.iter().map(|k| k.repulsion().abs()).sum();
-    let mean = sum / c.len().max(1) as f64;
-    let scalars = |name, value: fn(&ContactRecord) -> f64| NewArray::scalars(name, c.iter().map(value));
-    let vectors = |name, value: fn(&ContactRecord) -> DVec3| NewArray::vectors(name, c.iter().map(value));
+    let own = frame.contacts.len() - frame.part.of_others.len();
+    let count = frame.part.together.count(own);
+    let sum: f64 = together(frame, |k| k.repulsion().abs()).sum();
+    let mean = sum / count.max(1) as f64;
+    let scalars = |name, value: fn(&ContactRecord) -> f64| NewArray::scalars(name, together(frame, value));
+    let vectors = |name, value: fn(&ContactRecord) -> DVec3| NewArray::vectors(name, together(frame, value));
+    let counts = |name, value: fn(&ContactRecord) -> u32| NewArray::counts(name, together(frame, value));
     NewPolyData {
         step: frame.step,
         time: frame.time,
         texts: Vec::new(),
         fields: vec![Array::scalars(MEAN_NORMAL_FORCE, [mean])],
-        count: c.len(),
-        points: Box::new(c.iter().map(|k| k.position)),
+        count,
+        points: Box::new(together(frame, |k| k.position)),
         cells: Cells::Vertices,
         point_data: vec![
-            NewArray::counts("id_i", c.iter().map(|k| k.id_i)),
-            NewArray::counts("id_j", c.iter().map(|k| k.id_j)),
-            NewArray::integers("wall", c.iter().map(|k| k.wall)),
-            NewArray::counts("element", c.iter().map(|k| k.element)),
+            counts("id_i", |k| k.id_i),
+            counts("id_j", |k| k.id_j),
+            NewArray::integers("wall", together(frame, |k| k.wall)),
+            counts("element", |k| k.element),
             vectors("normal", |k| k.normal),
             scalars("overlap", |k| k.overlap),
             vectors("normal_force", |k| k.normal_force),
@@ -172,6 +196,16 @@ fn contacts<'a>(frame: &'a Frame) -> NewPolyData<'a> {
         ],
         cell_data: Vec::new(),
     }
+}
+
+/// Something of all contacts of all processes: of those between grains, then of those with walls.
+fn together<'a, T>(frame: &'a Frame, value: fn(&ContactRecord) -> T) -> impl Iterator<Item = T> + 'a
+where
+    T: Serialize + DeserializeOwned + 'a,
+{
+    let (all, of_others) = (frame.part.together, &frame.part.of_others);
+    let (pairs, walls) = (&frame.contacts[..of_others.start], &frame.contacts[of_others.end..]);
+    (all.joined(pairs.iter().map(value))).chain(all.joined(walls.iter().map(value)))
 }
 
 /// The table of the walls.

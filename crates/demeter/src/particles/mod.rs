@@ -6,6 +6,7 @@ mod interior;
 mod origins;
 mod rows;
 pub(crate) mod spread;
+mod written;
 mod zone;
 
 pub use by_id::ById;
@@ -41,7 +42,7 @@ pub struct NewGrain {
 }
 
 /// All grains. Index `i` of every array is the same grain; `id` never changes, the index may.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 pub struct Grains {
     /// Permanent identity, from 1.
     pub id: Vec<u32>,

@@ -14,6 +14,12 @@ pub(super) struct FieldFiles<'a> {
 }
 
 impl<'a> FieldFiles<'a> {
+    /// Whether a scenario has any.
+    pub fn are_any(scenario: &Scenario) -> bool {
+        let is_one = |kind: &MeasureKind| matches!(kind, MeasureKind::Field(_) | MeasureKind::ForceChains(_));
+        scenario.measures.iter().any(|measure| is_one(&measure.kind))
+    }
+
     /// Starts all files, or goes on with them after a step.
     pub fn open(scenario: &'a Scenario, folder: &RunFolder, after: Option<u64>) -> Result<Self, OutputError> {
         let (mut fields, mut chains) = (Vec::new(), Vec::new());

@@ -202,12 +202,12 @@ impl<'a> Traffic<'a> {
     }
 
     /// The tags of all grains, by index, when any grain of the run may have one.
-    pub fn tags(&self, sim: &Simulation) -> Option<Vec<i32>> {
+    pub fn tags(&self, ids: &[u32]) -> Option<Vec<i32>> {
         let scenario = self.scenario;
         let any = !scenario.tags.is_empty()
             || scenario.grains.iter().any(|batch| batch.tag != 0)
             || scenario.feeds.iter().any(|feed| feed.tag != 0);
-        any.then(|| sim.grains.id.iter().map(|id| self.state.origins.tag(*id)).collect())
+        any.then(|| ids.iter().map(|id| self.state.origins.tag(*id)).collect())
     }
 
     /// Mass that left a region by bins of residence time; `index` counts the measures of residence.

@@ -20,9 +20,10 @@ mod sums;
 mod whole;
 
 use super::{Places, Simulation};
+use crate::comm::together::{Part, Together};
 use crate::comm::tree::{Then, turns};
 use crate::comm::{Message, Ranks};
-use crate::contacts::{Contacts, NearTables};
+use crate::contacts::{CarriedContacts, Contacts, NearTables};
 use crate::neighbours::{Neighbours, SearchEffort, SpatialOrder};
 use handing::rank_in;
 use near::SizesOfAll;
@@ -334,13 +335,45 @@ impl Simulation {
 
     /// Chunks of contacts between grains of these segments.
     pub(crate) fn own_chunks(&self) -> Range<usize> {
-        let own = self.own_segments();
-        match own.end.checked_sub(1).filter(|last| own.start <= *last) {
-            Some(last) => {
-                let of = |segment| self.neighbours.chunks_of_segment(segment);
-                of(own.start).start..of(last).end
-            }
+        self.chunks_of(self.own_segments(), Neighbours::chunks_of_segment)
+    }
+
+    /// Chunks of contacts with walls of these segments.
+    fn own_wall_chunks(&self) -> Range<usize> {
+        self.chunks_of(self.own_segments(), Neighbours::wall_chunks_of_segment)
+    }
+
+    /// Chunks of segments that follow each other.
+    fn chunks_of(&self, segments: Range<usize>, of: fn(&Neighbours, usize) -> Range<usize>) -> Range<usize> {
+        match segments.end.checked_sub(1).filter(|last| segments.start <= *last) {
+            Some(last) => of(&self.neighbours, segments.start).start..of(&self.neighbours, last).end,
             None => 0..0,
+        }
+    }
+
+    /// The processes that have all together.
+    pub(crate) fn together(&self) -> Together<'_> {
+        self.part().together
+    }
+
+    /// What this process has of all grains and segments.
+    pub(super) fn part(&self) -> Part<'_> {
+        let divided = self.division.as_deref().filter(|division| !division.is_whole);
+        divided.map_or(Part::WHOLE, |division| Part {
+            together: Together::of(&*division.ranks),
+            grains: division.own.clone(),
+            segments: division.segments(),
+        })
+    }
+
+    /// The own contacts, to be written together with those of others.
+    pub(super) fn carried_contacts<'a>(&'a self, part: &Part<'a>) -> CarriedContacts<'a> {
+        match self.is_divided() {
+            true => {
+                let own = (self.own_chunks(), self.own_wall_chunks());
+                self.contacts.carry_some(own, &self.grains, part.together)
+            }
+            false => self.contacts.carry(&self.grains),
         }
     }
 

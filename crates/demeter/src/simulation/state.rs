@@ -3,6 +3,7 @@
 use super::deforming_box::DeformingState;
 use super::skin::SkinTuner;
 use super::{Books, Setup, Simulation};
+use crate::comm::together::Saved;
 use crate::contacts::{CarriedContacts, NearTables};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
@@ -22,24 +23,24 @@ pub struct SimulationState<'a> {
     /// Time step [s].
     pub dt: f64,
     /// Grains, in their present order.
-    pub grains: Cow<'a, Grains>,
+    pub(crate) grains: Saved<'a, Grains>,
     /// Walls, in the order of the scenario.
     pub walls: Vec<WallState>,
     contacts: CarriedContacts<'a>,
-    neighbours: Cow<'a, Neighbours>,
+    neighbours: Saved<'a, Neighbours>,
     books: Books,
     rebuilds: u64,
     scattered_in_order: f64,
     skin: f64,
     tuner: SkinTuner,
-    near: NearTables,
+    near: Saved<'a, NearTables>,
     bounds: (DVec3, DVec3),
     max_reach: f64,
     latest_id: u32,
     /// Whether a custom force acted, which the state does not hold.
     had_custom_force: bool,
     /// Nothing where contacts are independent.
-    coupling: Option<CouplingMemory>,
+    coupling: Option<Saved<'a, CouplingMemory>>,
     /// Nothing where the box keeps its shape.
     deforming: Option<DeformingState>,
 }
@@ -127,27 +128,29 @@ impl SimulationState<'_> {
 }
 
 impl Simulation {
-    /// The state after the latest step.
+    /// The state after the latest step. Where the run is shared each process calls this and writes what it gets; what the first writes
+    /// is the state of all.
     pub fn state(&self) -> SimulationState<'_> {
         debug_assert!(!self.awaits_kick, "velocities are those predicted");
+        let part = self.part();
         SimulationState {
             step: self.step,
             dt: self.dt,
-            grains: Cow::Borrowed(&self.grains),
+            grains: Saved::new(Cow::Borrowed(&self.grains), &part),
             walls: self.walls.iter().map(Wall::state).collect(),
-            contacts: self.contacts.carry(&self.grains),
-            neighbours: Cow::Borrowed(&self.neighbours),
+            contacts: self.carried_contacts(&part),
+            neighbours: Saved::new(Cow::Borrowed(&self.neighbours), &part),
             books: self.books,
             rebuilds: self.rebuilds,
             scattered_in_order: self.scattered_in_order,
             skin: self.skin,
             tuner: self.tuner,
-            near: self.near.of_segments(0..self.near.segments()),
+            near: Saved::new(Cow::Owned(self.near.saved()), &part),
             bounds: self.bounds,
             max_reach: self.max_reach,
             latest_id: self.latest_id,
             had_custom_force: self.has_custom_force(),
-            coupling: self.coupling.as_ref().map(|c| c.memory.clone()),
+            coupling: (self.coupling.as_ref()).map(|c| Saved::new(Cow::Borrowed(&c.memory), &part)),
             deforming: self.deforming_state(),
         }
     }
@@ -173,12 +176,12 @@ impl Simulation {
         let spreads = sim.grains.len().div_ceil(GRAINS_OF_A_SPREAD);
         sim.spreads.resize(spreads, Spread::ANY);
         sim.scattered_in_order = state.scattered_in_order;
-        (sim.skin, sim.tuner, sim.near) = (state.skin, state.tuner, state.near);
+        (sim.skin, sim.tuner, sim.near) = (state.skin, state.tuner, state.near.into_owned());
         sim.bounds = state.bounds;
         sim.max_reach = state.max_reach;
         sim.latest_id = sim.latest_id.max(state.latest_id);
         match (&mut sim.coupling, state.coupling) {
-            (Some(coupling), Some(memory)) => coupling.memory = memory,
+            (Some(coupling), Some(memory)) => coupling.memory = memory.into_owned(),
             (None, None) => {}
             _ => return Err(StateError::Coupling),
         }

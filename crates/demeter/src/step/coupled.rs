@@ -2,6 +2,7 @@
 
 mod solve;
 
+use crate::comm::together::{InParts, Listed, Part};
 use crate::contacts::coupling::Coupling;
 use crate::contacts::coupling::bulge::{ALLOWANCE, Bounds, FIRST_BULGE};
 use crate::contacts::coupling::displaced::ChunkPlace;
@@ -17,6 +18,7 @@ use crate::particles::Grains;
 use crate::simulation::Simulation;
 use crate::simulation::division::known_grains;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// Candidates are found for bulges this much larger than those foreseen.
@@ -40,7 +42,7 @@ pub(crate) struct CouplingState {
 }
 
 /// What a restart needs of it.
-#[derive(Clone, Debug, Default, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 pub struct CouplingMemory {
     /// Bounds of the bulges of the grains that the run began with.
     bounds: Bounds,
@@ -52,8 +54,31 @@ pub struct CouplingMemory {
     pub(crate) effort: Effort,
 }
 
+/// What is saved of a [`CouplingMemory`].
+#[derive(Serialize)]
+#[serde(rename = "CouplingMemory")]
+struct Written<'a, 'b> {
+    bounds: &'b Bounds,
+    bulge: Listed<'a, 'b, f64>,
+    max_bulge: f64,
+    margin: f64,
+    effort: Effort,
+}
+
+impl InParts for CouplingMemory {
+    fn in_parts<'a>(&'a self, part: &'a Part<'_>) -> impl Serialize + 'a {
+        Written {
+            bounds: &self.bounds,
+            bulge: part.of_grains(&self.bulge),
+            max_bulge: self.max_bulge,
+            margin: self.margin,
+            effort: self.effort,
+        }
+    }
+}
+
 /// What solving the coupled equation took.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Effort {
     /// Equations solved: one per step.
     pub solutions: u64,

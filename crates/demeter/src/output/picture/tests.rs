@@ -1,6 +1,6 @@
 use super::*;
 use crate::materials::Material;
-use crate::output::{ContactRecord, WallSurface};
+use crate::output::{ContactRecord, FramePart, WallSurface};
 use crate::particles::{Grains, NewGrain};
 
 fn grains(count: u32) -> Grains {
@@ -59,6 +59,7 @@ fn picture(grains: &Grains, contacts: &[ContactRecord], walls: &[WallSurface], c
         walls,
         tags: None,
         cell: None,
+        part: FramePart::default(),
     };
     let options = PictureOptions {
         title: "Grains in a row ".repeat(9),
@@ -182,6 +183,7 @@ fn cut_picture(balls: &[(DVec3, f64)], walls: &[WallSurface], cuts: &[Cut]) -> I
         walls,
         tags: None,
         cell: None,
+        part: FramePart::default(),
     };
     let options = PictureOptions {
         colour: ColourBy::Material,

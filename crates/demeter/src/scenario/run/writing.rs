@@ -2,8 +2,9 @@
 
 use super::{Files, RunState, Runner, labels};
 use crate::checkpoint::{self, Header};
-use crate::measure::{Moment, contact_records, wall_surfaces};
-use crate::output::{Frame, FrameBox, SeriesTable};
+use crate::measure::{Moment, contact_records, frame_part, wall_surfaces};
+use crate::output::{Frame, FrameBox, SeriesTable, tell_frame};
+use crate::scenario::field_files::FieldFiles;
 use crate::scenario::run_error::RunError;
 use crate::simulation::{Phase, Simulation};
 use crate::walls::Wall;
@@ -48,30 +49,40 @@ impl<'a> Runner<'a> {
             return Ok(());
         }
         self.sim.took(Phase::Other);
-        self.at_first(|runner| {
-            let Some(mut files) = runner.files.take() else {
-                return Ok(());
-            };
-            let written = runner.write_files(&mut files);
-            runner.files = Some(files);
-            written
-        })?;
+        let mut files = self.files.take();
+        let written = self.write_files(files.as_mut());
+        self.files = files;
+        written?;
         self.sim.walls.iter_mut().for_each(Wall::begin_interval);
         self.place.last_frame = Some(self.sim.step);
         self.sim.took(Phase::Output);
         Ok(())
     }
 
-    fn write_files(&mut self, files: &mut Files<'a>) -> Result<(), RunError> {
-        self.with_frame(|frame| files.frames.write(frame))?;
+    /// Writes the files of a frame, or tells the first process what this one has of them.
+    fn write_files(&mut self, mut files: Option<&mut Files<'a>>) -> Result<(), RunError> {
+        self.with_frame(|frame| match &mut files {
+            Some(files) => files.frames.write(frame),
+            None => {
+                tell_frame(frame);
+                Ok(())
+            }
+        })?;
+        if !FieldFiles::are_any(self.scenario) {
+            return Ok(());
+        }
         let moment = self.moment();
-        Ok(files.fields.write(&self.sim, &mut self.traffic, moment)?)
+        self.at_first(|runner| {
+            let Some(files) = files else { return Ok(()) };
+            Ok(files.fields.write(&runner.sim, &mut runner.traffic, moment)?)
+        })
     }
 
-    /// Hands the present state to a writer.
+    /// Hands what this process has of the present state to a writer. Where processes share the run each calls this.
     pub(in crate::scenario) fn with_frame<T>(&self, work: impl FnOnce(&Frame) -> T) -> T {
         let contacts = contact_records(&self.sim);
         let walls = wall_surfaces(&self.sim);
+        let part = frame_part(&self.sim);
         let frame = Frame {
             step: self.sim.step,
             time: self.sim.time(),
@@ -79,17 +90,22 @@ impl<'a> Runner<'a> {
             materials: self.sim.materials.list(),
             contacts: &contacts,
             walls: &walls,
-            tags: self.traffic.tags(&self.sim),
+            tags: self.traffic.tags(&self.sim.grains.id[part.grains.clone()]),
             cell: self.scenario.domain.bounds.map(|_| frame_box(&self.sim)),
+            part,
         };
         work(&frame)
     }
 
     pub(super) fn write_checkpoint(&mut self) -> Result<(), RunError> {
-        self.at_first(|runner| {
-            let root = runner.files.as_ref().map(|files| files.folder.root().to_owned());
-            root.map_or(Ok(()), |root| runner.save_checkpoint(&root))
-        })
+        match self.files.as_ref().map(|files| files.folder.root().to_owned()) {
+            Some(root) => self.save_checkpoint(&root),
+            None if self.sim.is_first_process() => Ok(()),
+            None => {
+                checkpoint::pass(&self.sim.state());
+                Ok(())
+            }
+        }
     }
 
     /// The first process works with all grains and contacts. Each calls this.

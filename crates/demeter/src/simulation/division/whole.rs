@@ -222,12 +222,7 @@ impl Simulation {
 
     /// Candidates and contacts of some segments.
     fn tables_of(&self, segments: Range<usize>) -> Tables {
-        let of = |chunks: fn(&Neighbours, usize) -> Range<usize>| match segments.end.checked_sub(1) {
-            Some(last) if segments.start <= last => {
-                chunks(&self.neighbours, segments.start).start..chunks(&self.neighbours, last).end
-            }
-            _ => 0..0,
-        };
+        let of = |chunks| self.chunks_of(segments.clone(), chunks);
         Tables {
             reference: self.neighbours.reference.rows()[self.grains_in(segments.clone())].to_vec(),
             near: self.near.of_segments(segments.clone()),

@@ -1,0 +1,289 @@
+//! What all processes of a run have together, as the first of them writes it: it hears it piece by piece, so that it never has the whole.
+
+use super::Ranks;
+use itertools::{Either, Itertools};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::borrow::Cow;
+use std::fmt::{Debug, Formatter};
+use std::iter;
+use std::marker::PhantomData;
+use std::ops::{Deref, Range};
+
+/// Bytes that another process tells the first at once; it may hold as many of each.
+const PIECE: usize = 1 << 16;
+
+/// The processes that have something together; each does the same with it, and the first alone gets the whole.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Together<'a> {
+    /// Nothing where this process has all.
+    ranks: Option<&'a dyn Ranks>,
+}
+
+impl<'a> Together<'a> {
+    pub(crate) fn of(ranks: &'a dyn Ranks) -> Self {
+        Self { ranks: Some(ranks) }
+    }
+
+    /// Whether this process gets the whole.
+    pub(crate) fn is_first(self) -> bool {
+        self.ranks.is_none_or(|ranks| ranks.rank() == 0)
+    }
+
+    /// How many all have.
+    pub(crate) fn count(self, own: usize) -> usize {
+        let Some(ranks) = self.ranks else { return own };
+        let all = ranks.gather_even(&(own as u64).to_ne_bytes());
+        let counts = all.as_chunks::<8>().0.iter();
+        counts.map(|&bytes| u64::from_ne_bytes(bytes)).sum::<u64>() as usize
+    }
+
+    /// What all have, in the order of the processes: for the first, that is; for others what is their own, which they tell on the way.
+    pub(crate) fn joined<T>(self, own: impl Iterator<Item = T> + 'a) -> impl Iterator<Item = T> + 'a
+    where
+        T: Serialize + DeserializeOwned + 'a,
+    {
+        if self.ranks.is_none() {
+            return Either::Left(own);
+        }
+        let (mut own, mut teller) = (own.fuse(), self.teller());
+        let mine = iter::from_fn(move || {
+            let next = own.next();
+            match &next {
+                Some(value) => teller.iter_mut().for_each(|teller| teller.tell(value)),
+                None => teller.take().into_iter().for_each(Teller::end),
+            }
+            next
+        });
+        Either::Right(mine.chain(self.heard()))
+    }
+
+    /// The same by rising keys, where those of each process rise.
+    pub(crate) fn merged<T, K>(
+        self,
+        own: impl Iterator<Item = T> + 'a,
+        key: fn(&T) -> K,
+    ) -> impl Iterator<Item = T> + 'a
+    where
+        T: Serialize + DeserializeOwned + 'a,
+        K: Ord + 'a,
+    {
+        let told = match self.is_first() {
+            true => Box::new(own) as Box<dyn Iterator<Item = T> + 'a>,
+            false => Box::new(self.joined(own)),
+        };
+        let heard = self
+            .others()
+            .map(move |(ranks, rank)| Box::new(Heard::new(ranks, rank)) as _);
+        (iter::once(told).chain(heard)).kmerge_by(move |one, other| key(one) < key(other))
+    }
+
+    /// Writes a list that all have together, so long.
+    fn write<T, S: Serializer>(self, own: &[T], length: usize, serializer: S) -> Result<S::Ok, S::Error>
+    where
+        T: Serialize + DeserializeOwned,
+    {
+        use serde::ser::SerializeSeq;
+        let mut list = serializer.serialize_seq(Some(length))?;
+        let mut teller = self.teller();
+        for value in own {
+            teller.iter_mut().for_each(|teller| teller.tell(value));
+            list.serialize_element(value)?;
+        }
+        teller.into_iter().for_each(Teller::end);
+        self.heard::<T>().try_for_each(|value| list.serialize_element(&value))?;
+        list.end()
+    }
+
+    fn teller(self) -> Option<Teller<'a>> {
+        let ranks = self.ranks.filter(|ranks| ranks.rank() > 0)?;
+        let piece = Vec::new();
+        Some(Teller { ranks, piece })
+    }
+
+    /// What others tell: for the first.
+    fn heard<T: DeserializeOwned + 'a>(self) -> impl Iterator<Item = T> + 'a {
+        self.others().flat_map(|(ranks, rank)| Heard::new(ranks, rank))
+    }
+
+    /// Those that the first hears.
+    fn others(self) -> impl Iterator<Item = (&'a dyn Ranks, usize)> + 'a {
+        let ranks = self.ranks.filter(|ranks| ranks.rank() == 0);
+        ranks
+            .into_iter()
+            .flat_map(|ranks| (1..ranks.count()).map(move |rank| (ranks, rank)))
+    }
+}
+
+/// Tells the first process values one after the other.
+struct Teller<'a> {
+    ranks: &'a dyn Ranks,
+    piece: Vec<u8>,
+}
+
+impl Teller<'_> {
+    fn tell(&mut self, value: &impl Serialize) {
+        // encoding into memory fails for no value of ours
+        self.piece = postcard::to_extend(value, std::mem::take(&mut self.piece)).unwrap_or_default();
+        if self.piece.len() >= PIECE {
+            self.ranks.tell(0, &self.piece);
+            self.piece.clear();
+        }
+    }
+
+    /// Tells the rest, and that this is all.
+    fn end(self) {
+        if !self.piece.is_empty() {
+            self.ranks.tell(0, &self.piece);
+        }
+        self.ranks.tell(0, &[]);
+    }
+}
+
+/// What a [`Teller`] tells.
+struct Heard<'a, T> {
+    ranks: &'a dyn Ranks,
+    rank: usize,
+    piece: Vec<u8>,
+    done: usize,
+    is_all: bool,
+    values: PhantomData<T>,
+}
+
+impl<'a, T> Heard<'a, T> {
+    fn new(ranks: &'a dyn Ranks, rank: usize) -> Self {
+        Self {
+            ranks,
+            rank,
+            piece: Vec::new(),
+            done: 0,
+            is_all: false,
+            values: PhantomData,
+        }
+    }
+}
+
+impl<T: DeserializeOwned> Iterator for Heard<'_, T> {
+    type Item = T;
+
+    fn next(&mut self) -> Option<T> {
+        if self.done == self.piece.len() && !self.is_all {
+            (self.piece, self.done) = (self.ranks.hear(self.rank), 0);
+            self.is_all = self.piece.is_empty();
+        }
+        if self.is_all {
+            return None;
+        }
+        match postcard::take_from_bytes(&self.piece[self.done..]) {
+            Ok((value, rest)) => {
+                self.done = self.piece.len() - rest.len();
+                Some(value)
+            }
+            Err(error) => self
+                .ranks
+                .give_up(&format!("another process said what cannot be read: {error}")),
+        }
+    }
+}
+
+/// What a process has of lists that all have together: its own grains, and their segments.
+#[derive(Clone, Debug)]
+pub(crate) struct Part<'a> {
+    pub(crate) together: Together<'a>,
+    pub(crate) grains: Range<usize>,
+    pub(crate) segments: Range<usize>,
+}
+
+impl Part<'_> {
+    /// All.
+    pub(crate) const WHOLE: Self = Self {
+        together: Together { ranks: None },
+        grains: 0..usize::MAX,
+        segments: 0..usize::MAX,
+    };
+}
+
+impl<'a> Part<'a> {
+    /// A list of all grains, to be written; of others its rows are not looked at.
+    pub(crate) fn of_grains<'b, T>(&self, list: &'b [T]) -> Listed<'a, 'b, T> {
+        self.listed(list, &self.grains)
+    }
+
+    /// The same of all segments.
+    pub(crate) fn of_segments<'b, T>(&self, list: &'b [T]) -> Listed<'a, 'b, T> {
+        self.listed(list, &self.segments)
+    }
+
+    fn listed<'b, T>(&self, list: &'b [T], own: &Range<usize>) -> Listed<'a, 'b, T> {
+        let length = list.len();
+        Listed {
+            together: self.together,
+            own: &list[own.start.min(length)..own.end.min(length)],
+            length,
+        }
+    }
+}
+
+/// What consists of lists of all grains and segments.
+pub(crate) trait InParts: Clone {
+    /// All of it, to be written together with those who have the other parts.
+    fn in_parts<'a>(&'a self, part: &'a Part<'_>) -> impl Serialize + 'a;
+}
+
+/// Something that all have together, as a checkpoint holds it.
+#[derive(Clone)]
+pub(crate) struct Saved<'a, T: Clone> {
+    value: Cow<'a, T>,
+    part: Part<'a>,
+}
+
+impl<'a, T: Clone> Saved<'a, T> {
+    pub(crate) fn new(value: Cow<'a, T>, part: &Part<'a>) -> Self {
+        let part = part.clone();
+        Self { value, part }
+    }
+
+    pub(crate) fn into_owned(self) -> T {
+        self.value.into_owned()
+    }
+}
+
+impl<T: Clone + Debug> Debug for Saved<'_, T> {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
+        self.value.fmt(formatter)
+    }
+}
+
+impl<T: Clone> Deref for Saved<'_, T> {
+    type Target = T;
+
+    fn deref(&self) -> &T {
+        &self.value
+    }
+}
+
+impl<T: InParts> Serialize for Saved<'_, T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.value.in_parts(&self.part).serialize(serializer)
+    }
+}
+
+impl<'de, T: Clone + Deserialize<'de>> Deserialize<'de> for Saved<'_, T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = T::deserialize(deserializer)?;
+        Ok(Self::new(Cow::Owned(value), &Part::WHOLE))
+    }
+}
+
+/// A list that all have together.
+pub(crate) struct Listed<'a, 'b, T> {
+    together: Together<'a>,
+    own: &'b [T],
+    length: usize,
+}
+
+impl<T: Serialize + DeserializeOwned> Serialize for Listed<'_, '_, T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.together.write(self.own, self.length, serializer)
+    }
+}

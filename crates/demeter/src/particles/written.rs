@@ -1,0 +1,47 @@
+//! Grains as they are written, where one process has them all and where several share them.
+
+use super::{Grains, HigherDerivatives, Row};
+use crate::comm::together::{InParts, Listed, Part};
+use glam::DQuat;
+use serde::{Serialize, Serializer};
+
+/// The lists of [`Grains`].
+#[derive(Serialize)]
+#[serde(rename = "Grains")]
+struct Written<'a, 'b> {
+    id: Listed<'a, 'b, u32>,
+    material: Listed<'a, 'b, u16>,
+    mass: Listed<'a, 'b, f64>,
+    position: Listed<'a, 'b, Row>,
+    image: Listed<'a, 'b, [i32; 3]>,
+    velocity: Listed<'a, 'b, Row>,
+    angular_velocity: Listed<'a, 'b, Row>,
+    orientation: Listed<'a, 'b, DQuat>,
+    force: Listed<'a, 'b, Row>,
+    torque: Listed<'a, 'b, Row>,
+    higher: Listed<'a, 'b, HigherDerivatives>,
+}
+
+impl InParts for Grains {
+    fn in_parts<'a>(&'a self, part: &'a Part<'_>) -> impl Serialize + 'a {
+        Written {
+            id: part.of_grains(&self.id),
+            material: part.of_grains(&self.material),
+            mass: part.of_grains(&self.mass),
+            position: part.of_grains(self.position.rows()),
+            image: part.of_grains(&self.image),
+            velocity: part.of_grains(self.velocity.rows()),
+            angular_velocity: part.of_grains(self.angular_velocity.rows()),
+            orientation: part.of_grains(&self.orientation),
+            force: part.of_grains(self.force.rows()),
+            torque: part.of_grains(self.torque.rows()),
+            higher: part.of_grains(&self.higher),
+        }
+    }
+}
+
+impl Serialize for Grains {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.in_parts(&Part::WHOLE).serialize(serializer)
+    }
+}
