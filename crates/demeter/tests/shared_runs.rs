@@ -44,10 +44,11 @@ fn scenario(name: &str, changes: &[&str]) -> Scenario {
     Scenario::read(&file, &changes).unwrap_or_else(|faults| panic!("{}", faults.render(false)))
 }
 
-/// The series and all frames.
+/// The series, all frames and all pictures of the packing.
 fn results(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let frames = fs::read_dir(folder.join("frames")).unwrap();
-    let mut files: Vec<_> = frames.map(|entry| entry.unwrap().path()).collect();
+    let folders = ["frames", "pictures"].map(|name| fs::read_dir(folder.join(name)));
+    let of_folders = folders.into_iter().flatten().flatten();
+    let mut files: Vec<_> = of_folders.map(|entry| entry.unwrap().path()).collect();
     files.push(folder.join("series.csv"));
     let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
     files.iter().map(|path| (name(path), fs::read(path).unwrap())).collect()
@@ -119,7 +120,8 @@ fn what_is_written_is_told_to_the_first_process_alone() {
         };
         ended.into_iter().map(traffic).collect::<Vec<_>>()
     };
-    let often = told("often", &[]);
+    // for a picture the first tells all what is seen
+    let often = told("often", &["output.picture=false"]);
     let once = told(
         "once",
         &[
@@ -147,7 +149,13 @@ fn what_is_written_is_told_to_the_first_process_alone() {
         );
     }
     let one = place.path().join("one");
-    run(&scenario("bed.toml", &[]), &one, OPTIONS, &mut Silent(None)).unwrap();
+    run(
+        &scenario("bed.toml", &["output.picture=false"]),
+        &one,
+        OPTIONS,
+        &mut Silent(None),
+    )
+    .unwrap();
     assert_same(&one, &place.path().join("often"));
 }
 

@@ -32,10 +32,48 @@ impl<'a> Together<'a> {
 
     /// How many all have.
     pub(crate) fn count(self, own: usize) -> usize {
+        let [all] = self.counts([own as u64]);
+        all as usize
+    }
+
+    /// How many all have of several things.
+    pub(crate) fn counts<const N: usize>(self, own: [u64; N]) -> [u64; N] {
         let Some(ranks) = self.ranks else { return own };
-        let all = ranks.gather_even(&(own as u64).to_ne_bytes());
-        let counts = all.as_chunks::<8>().0.iter();
-        counts.map(|&bytes| u64::from_ne_bytes(bytes)).sum::<u64>() as usize
+        let mut sums = [0; N];
+        let told: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.gather_even(bytemuck::cast_slice(&own)));
+        for (k, count) in told.into_iter().enumerate() {
+            sums[k % N] += count;
+        }
+        sums
+    }
+
+    /// Whether this process has all.
+    pub(crate) fn is_alone(self) -> bool {
+        self.ranks.is_none()
+    }
+
+    /// The largest number of all.
+    pub(crate) fn largest(self, own: f64) -> f64 {
+        let Some(ranks) = self.ranks else { return own };
+        let all = ranks.gather_even(&own.to_ne_bytes());
+        let numbers = all.as_chunks::<8>().0.iter();
+        numbers.map(|&bytes| f64::from_ne_bytes(bytes)).fold(own, f64::max)
+    }
+
+    /// What the first has.
+    pub(crate) fn told_by_first<T: Clone + Serialize + DeserializeOwned>(self, own: &[T]) -> Vec<T> {
+        let Some(ranks) = self.ranks else { return own.to_vec() };
+        // encoding into memory fails for no value of ours
+        let mine = match self.is_first() {
+            true => postcard::to_stdvec(own).unwrap_or_default(),
+            false => Vec::new(),
+        };
+        let all = ranks.gather(&mine);
+        let told = all.first().map(|bytes| postcard::from_bytes(bytes));
+        match told {
+            Some(Ok(list)) => list,
+            _ => ranks.give_up("the first process said what cannot be read"),
+        }
     }
 
     /// What all have, in the order of the processes: for the first, that is; for others what is their own, which they tell on the way.

@@ -96,15 +96,18 @@ impl Runner<'_> {
 
     /// Draws the packing, where files are written.
     fn draw(&mut self, path: impl FnOnce(&RunFolder) -> PathBuf, title: &str) -> Result<(), RunError> {
-        self.at_first(|runner| {
-            let Some(files) = &runner.files else { return Ok(()) };
-            let options = PictureOptions {
-                title: title.to_string(),
-                ..PictureOptions::default()
-            };
-            let picture = runner.with_frame(|frame| render_packing(frame, &options));
-            Ok(picture.write_png(&path(&files.folder))?)
-        })
+        if self.files.is_none() && self.sim.is_first_process() {
+            return Ok(());
+        }
+        let options = PictureOptions {
+            title: title.to_string(),
+            ..PictureOptions::default()
+        };
+        let picture = self.with_frame(|frame| render_packing(frame, &options));
+        match &self.files {
+            Some(files) => Ok(picture.write_png(&path(&files.folder))?),
+            None => Ok(()),
+        }
     }
 
     /// Writes the summary and, after whole runs and faults, the picture and the plots.

@@ -7,9 +7,10 @@
 //! that take no memory (`Grains::keep`). A contact between grains of two processes is found by both, from the same numbers, so that
 //! both know the same. What all contacts did is summed up segment by segment ([`StepWork`](crate::contacts::step_work::StepWork)).
 //!
-//! What is summed up over all grains and contacts each process sums up of its own (`sums`). Frames and checkpoints are the work of the
-//! first process, which alone is told the whole (`whole`). Where grains come or go, are put in order again or get another process, each
-//! finds which that are, and tells what leaves it (`handing`).
+//! What is summed up over all grains and contacts each process sums up of its own (`sums`). Frames and checkpoints are written by the
+//! first process, which hears the parts of others while it writes ([`Together`]); for measures of all grains it alone is told the whole
+//! (`whole`). Where grains come or go, are put in order again or get another process, each finds which that are, and tells what leaves
+//! it (`handing`).
 
 mod coupled;
 mod handing;

@@ -1,8 +1,10 @@
 //! What the colour of a grain tells.
 
 use super::viridis::VIRIDIS;
+use crate::comm::together::Together;
 use crate::output::frame::Frame;
 use crate::output::ticks::{round_up, si_prefix};
+use crate::particles::Rows;
 use glam::DVec3;
 
 /// Colours of materials (Okabe and Ito, 2008): told apart by the colour-blind too.
@@ -88,10 +90,13 @@ pub(super) fn map(share: f64) -> [u8; 3] {
 impl Colouring {
     /// The colours of a frame; the bar ends at `high`, in SI, or where most values do.
     pub fn new(frame: &Frame, by: ColourBy, high: Option<f64>) -> Self {
-        let g = frame.grains;
+        let (g, own, all) = (frame.grains, frame.own(), frame.part.together);
+        let lengths =
+            |rows: &Rows| -> Vec<f64> { rows.rows()[own.clone()].iter().map(|row| row.vector.length()).collect() };
         match by {
             ColourBy::Automatic => {
-                let by = if frame.contacts.iter().any(|c| c.normal_force != DVec3::ZERO) {
+                let is_any = frame.contacts.iter().any(|c| c.normal_force != DVec3::ZERO);
+                let by = if all.count(usize::from(is_any)) > 0 {
                     ColourBy::ContactForce
                 } else {
                     ColourBy::Diameter
@@ -100,25 +105,19 @@ impl Colouring {
             }
             ColourBy::ContactForce => {
                 let forces = frame.contact_sums().force;
-                Self::by_value("contact force", "N", &forces, high)
+                Self::by_value("contact force", "N", &forces, high, all)
             }
-            ColourBy::Speed => {
-                let speeds: Vec<f64> = g.velocity.iter().map(|v| v.length()).collect();
-                Self::by_value("speed", "m/s", &speeds, high)
-            }
+            ColourBy::Speed => Self::by_value("speed", "m/s", &lengths(&g.velocity), high, all),
             ColourBy::Diameter => {
-                let diameters: Vec<f64> = g.radii().map(|r| 2.0 * r).collect();
-                Self::by_value("diameter", "m", &diameters, high)
+                let diameters: Vec<f64> = own.map(|grain| 2.0 * g.radius(grain)).collect();
+                Self::by_value("diameter", "m", &diameters, high, all)
             }
             ColourBy::Coordination => {
                 let contacts: Vec<f64> = frame.contact_sums().coordination.into_iter().map(f64::from).collect();
-                Self::by_value("contacts", "", &contacts, high)
+                Self::by_value("contacts", "", &contacts, high, all)
             }
-            ColourBy::Spin => {
-                let speeds: Vec<f64> = g.angular_velocity.iter().map(|w| w.length()).collect();
-                Self::by_value("spin", "1/s", &speeds, high)
-            }
-            ColourBy::Pressure => Self::by_value("pressure", "Pa", &frame.contact_sums().stress, high),
+            ColourBy::Spin => Self::by_value("spin", "1/s", &lengths(&g.angular_velocity), high, all),
+            ColourBy::Pressure => Self::by_value("pressure", "Pa", &frame.contact_sums().stress, high, all),
             ColourBy::Material => Self::by_material(frame),
         }
     }
@@ -126,8 +125,9 @@ impl Colouring {
     fn by_material(frame: &Frame) -> Self {
         let colour = |index: usize| CATEGORIES[index % CATEGORIES.len()];
         let materials = frame.materials.iter().enumerate();
+        let materials_of_grains = &frame.grains.material[frame.own()];
         Self {
-            colours: frame.grains.material.iter().map(|&m| colour(usize::from(m))).collect(),
+            colours: materials_of_grains.iter().map(|&m| colour(usize::from(m))).collect(),
             label: "material".to_owned(),
             legend: Legend::Names(materials.map(|(k, m)| (m.name.clone(), colour(k))).collect()),
             end: None,
@@ -139,14 +139,12 @@ impl Colouring {
         self.end
     }
 
-    fn by_value(name: &str, unit: &str, values: &[f64], end: Option<f64>) -> Self {
-        let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
-        sorted.sort_by(f64::total_cmp);
-        let largest = sorted.last().copied().unwrap_or(0.0);
-        let covered = sorted
-            .get((COVERED * sorted.len() as f64) as usize)
-            .copied()
-            .unwrap_or(largest);
+    /// By the values of the own grains; those of all decide where the bar ends.
+    fn by_value(name: &str, unit: &str, values: &[f64], end: Option<f64>, all: Together) -> Self {
+        let count = all.count(values.iter().filter(|v| v.is_finite()).count());
+        let sorted = |place: usize| (place < count).then(|| ranked(values, place, all));
+        let covered = sorted((COVERED * count as f64) as usize).unwrap_or(0.0);
+        let largest = sorted(count.saturating_sub(1)).unwrap_or(0.0);
         let positive = [covered, largest].into_iter().find(|&v| v > f64::MIN_POSITIVE);
         let high = end
             .filter(|end| *end > 0.0)
@@ -169,6 +167,38 @@ impl Colouring {
     }
 }
 
+/// The value that stands at this place when the finite ones of all are sorted.
+fn ranked(values: &[f64], place: usize, all: Together) -> f64 {
+    // numbers whose order is that of the values
+    let key = |value: f64| match value.to_bits() {
+        bits if value.is_sign_negative() => !bits,
+        bits => bits | SIGN,
+    };
+    let mut keys: Vec<u64> = values.iter().filter(|v| v.is_finite()).map(|&v| key(v)).collect();
+    let (mut found, mut place) = (0, place as u64);
+    for shift in (0..u64::BITS).step_by(DIGIT as usize).rev() {
+        let digit = |key: u64| (key >> shift) as usize % DIGITS;
+        let mut counts = [0; DIGITS];
+        keys.iter().for_each(|&key| counts[digit(key)] += 1);
+        let counts = all.counts(counts);
+        let mut next = 0;
+        while next + 1 < DIGITS && place >= counts[next] {
+            place -= counts[next];
+            next += 1;
+        }
+        keys.retain(|&key| digit(key) == next);
+        found |= (next as u64) << shift;
+    }
+    f64::from_bits(if found & SIGN == 0 { !found } else { found ^ SIGN })
+}
+
+/// Bits of a digit, and how many digits there are.
+const DIGIT: u32 = 4;
+const DIGITS: usize = 1 << DIGIT;
+
+/// The bit that tells the sign.
+const SIGN: u64 = 1 << 63;
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -177,7 +207,7 @@ mod tests {
     fn the_bar_covers_most_values_with_round_ends() {
         let mut values: Vec<f64> = (0..1000).map(|k| 1e-3 * f64::from(k) / 137.0).collect();
         values[999] = 5.0;
-        let colouring = Colouring::by_value("force", "N", &values, None);
+        let colouring = Colouring::by_value("force", "N", &values, None, Together::default());
         let Legend::Bar(bar) = colouring.legend else {
             panic!("no bar")
         };
@@ -188,9 +218,20 @@ mod tests {
     }
 
     #[test]
+    fn a_value_is_found_by_its_place() {
+        let values = [3.0, -0.0, 1e-310, -7.5, 0.0, f64::NAN, 3.0, -1e300, f64::INFINITY, 2.0];
+        let mut sorted: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
+        sorted.sort_by(f64::total_cmp);
+        for (place, value) in sorted.into_iter().enumerate() {
+            let found = ranked(&values, place, Together::default());
+            assert_eq!(found.to_bits(), value.to_bits(), "place {place}");
+        }
+    }
+
+    #[test]
     fn values_that_are_all_zero_or_not_finite_have_a_bar_too() {
         for values in [vec![], vec![0.0; 5], vec![f64::NAN, f64::INFINITY]] {
-            let colouring = Colouring::by_value("speed", "m/s", &values, None);
+            let colouring = Colouring::by_value("speed", "m/s", &values, None, Together::default());
             let Legend::Bar(bar) = colouring.legend else {
                 panic!("no bar")
             };

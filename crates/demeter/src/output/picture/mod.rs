@@ -11,6 +11,7 @@ mod faces;
 mod image;
 mod shading;
 mod spheres;
+mod together;
 mod viridis;
 
 pub use camera::View;
@@ -28,6 +29,7 @@ use glam::DVec3;
 use image::to_linear;
 use shading::{Lighting, Rgb};
 use spheres::{Sight, Sphere};
+use together::Drawn;
 
 /// Every pixel is the mean of a square of this many pixels on a side.
 const SCALE: usize = 2;
@@ -147,13 +149,18 @@ fn scene(
         camera: &camera,
         planes: &planes,
     };
-    let grains = frame.grains;
-    let spheres = grains.position.iter().zip(grains.radii()).map(|(&p, r)| (p, r));
     let albedo: Vec<Rgb> = colouring.colours.iter().map(|colour| colour.map(to_linear)).collect();
-    let mut layer = Layer::new(spheres, &albedo, sight, (columns, rows));
+    let grains = drawn(own_grains(frame), albedo, sight, (columns, rows));
+    let grains = grains.together(frame.part.together, frame.own().start as u32, sight);
+    let mut layer = Layer::new(grains, sight, columns);
     if let Some(chains) = chains {
-        let front = Layer::new(chains.beads.iter().copied(), &chains.albedo, sight, (columns, rows));
-        layer.fade_behind(front);
+        let front = drawn(
+            chains.beads.iter().copied(),
+            chains.albedo.clone(),
+            sight,
+            (columns, rows),
+        );
+        layer.fade_behind(Layer::new(front, sight, columns));
     }
     if options.walls != WallLook::Hidden {
         // A wall that goes on far beyond the grains must not run through the title and the legend.
@@ -162,6 +169,33 @@ fn scene(
         layer.draw_walls(frame, sight, columns, options.walls, (first_row, last_column));
     }
     Image::reduce(&layer.colours, columns, SCALE)
+}
+
+/// Centres and radii of the own grains [m].
+fn own_grains(frame: &Frame) -> impl Iterator<Item = (DVec3, f64)> {
+    let rows = &frame.grains.position.rows()[frame.own()];
+    rows.iter().map(|row| (row.vector, row.scalar))
+}
+
+/// Which of some spheres every pixel sees.
+fn drawn(
+    spheres: impl Iterator<Item = (DVec3, f64)>,
+    albedo: Vec<Rgb>,
+    sight: Sight,
+    (columns, rows): (usize, usize),
+) -> Drawn {
+    let sphere = |(p, radius)| Sphere {
+        centre: sight.camera.local(p),
+        radius,
+    };
+    let spheres: Vec<Sphere> = spheres.map(sphere).collect();
+    let radii = spheres.iter().map(|s| s.radius);
+    Drawn {
+        seen: spheres::draw(&spheres, sight, columns, rows),
+        largest: radii.filter(|r| r.is_finite()).fold(0.0, f64::max),
+        spheres,
+        albedo,
+    }
 }
 
 /// Lit spheres: what every pixel sees, and its colour.
@@ -174,21 +208,10 @@ impl Layer {
     /// How much of the colour of grains is left behind force chains.
     const FADED: f32 = 0.22;
 
-    fn new(
-        spheres: impl Iterator<Item = (DVec3, f64)>,
-        albedo: &[Rgb],
-        sight: Sight,
-        (columns, rows): (usize, usize),
-    ) -> Self {
-        let spheres: Vec<Sphere> = spheres
-            .map(|(p, radius)| Sphere {
-                centre: sight.camera.local(p),
-                radius,
-            })
-            .collect();
-        let seen = spheres::draw(&spheres, sight, columns, rows);
+    fn new(drawn: Drawn, sight: Sight, columns: usize) -> Self {
         let paper = PAPER.map(to_linear);
-        let colours = Lighting::new(&spheres, &seen, sight).shade(&seen, columns, albedo, paper);
+        let colours = Lighting::new(&drawn, sight).shade(&drawn.seen, columns, &drawn.albedo, paper);
+        let seen = drawn.seen;
         Self { seen, colours }
     }
 
@@ -196,7 +219,7 @@ impl Layer {
     fn fade_behind(&mut self, front: Self) {
         let paper = PAPER.map(to_linear);
         for (k, colour) in self.colours.iter_mut().enumerate() {
-            if front.seen[k].sphere == u32::MAX {
+            if !front.seen[k].is_covered() {
                 (0..3).for_each(|c| colour[c] = paper[c] + Self::FADED * (colour[c] - paper[c]));
             } else {
                 *colour = front.colours[k];
@@ -259,12 +282,14 @@ pub fn shown_region(frame: &Frame, options: &PictureOptions) -> (DVec3, DVec3) {
 fn bounds(frame: &Frame, options: &PictureOptions) -> Bounds {
     let mut lower = DVec3::INFINITY;
     let mut upper = DVec3::NEG_INFINITY;
-    for (&p, r) in frame.grains.position.iter().zip(frame.grains.radii()) {
+    for (p, r) in own_grains(frame) {
         if p.is_finite() && r.is_finite() && options.cuts.iter().all(|cut| cut.keeps_some(p, r)) {
             lower = lower.min(p - r);
             upper = upper.max(p + r);
         }
     }
+    let all = |own: f64| frame.part.together.largest(own);
+    (lower, upper) = (-(-lower).map(all), upper.map(all));
     let shown = if options.walls == WallLook::Hidden {
         &[]
     } else {

@@ -1,6 +1,7 @@
 //! Light: a lamp from above with shadows, light from all sides that neighbours hold back, and a soft highlight.
 
 use super::spheres::{Seen, Sight, Sphere, meet};
+use super::together::Drawn;
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -31,15 +32,15 @@ pub(super) struct Lighting<'a> {
 
 impl<'a> Lighting<'a> {
     /// Prepares the light for what is seen.
-    pub fn new(spheres: &'a [Sphere], seen: &[Seen], sight: Sight<'a>) -> Self {
+    pub fn new(drawn: &'a Drawn, sight: Sight<'a>) -> Self {
         let up = sight.camera.turn(DVec3::Z);
         let lamp = (1.1 * up + DVec3::new(-0.4, 0.0, -0.85)).normalize();
         Self {
-            spheres,
+            spheres: &drawn.spheres,
             sight,
             lamp,
             up,
-            neighbours: Neighbours::new(spheres, seen, sight),
+            neighbours: Neighbours::new(drawn, sight),
         }
     }
 
@@ -49,7 +50,7 @@ impl<'a> Lighting<'a> {
         let rows = colours.par_chunks_mut(width).zip(seen.par_chunks(width)).enumerate();
         rows.for_each(|(y, (colours, seen))| {
             for (x, (colour, pixel)) in colours.iter_mut().zip(seen).enumerate() {
-                if pixel.sphere != u32::MAX {
+                if pixel.is_covered() {
                     *colour = self.pixel(x, y, pixel.sphere as usize, albedo[pixel.sphere as usize]);
                 }
             }
@@ -128,17 +129,13 @@ impl Neighbours {
         &self.list[self.start[sphere] as usize..self.start[sphere + 1] as usize]
     }
 
-    fn new(spheres: &[Sphere], seen: &[Seen], sight: Sight) -> Self {
+    fn new(drawn: &Drawn, sight: Sight) -> Self {
+        let spheres = &drawn.spheres;
         let mut is_seen = vec![false; spheres.len()];
-        for pixel in seen.iter().filter(|pixel| pixel.sphere != u32::MAX) {
+        for pixel in drawn.seen.iter().filter(|pixel| pixel.is_covered()) {
             is_seen[pixel.sphere as usize] = true;
         }
-        let largest = spheres
-            .iter()
-            .map(|s| s.radius)
-            .filter(|r| r.is_finite())
-            .fold(0.0, f64::max);
-        let grid = Grid::new(spheres, 3.0 * largest, sight);
+        let grid = Grid::new(spheres, drawn.largest, |s| holds_light_back(s, sight));
         let lists: Vec<Vec<u32>> = (0..spheres.len())
             .into_par_iter()
             .map(|index| if is_seen[index] { grid.around(index) } else { Vec::new() })
@@ -156,8 +153,19 @@ impl Neighbours {
     }
 }
 
+/// Whether a sphere holds light back at all: what is cut away does not.
+fn holds_light_back(s: &Sphere, sight: Sight) -> bool {
+    s.centre.is_finite() && sight.planes.keep(s.centre)
+}
+
+/// Distance of a sphere that holds light back from another, where it does.
+fn reaches(s: &Sphere, me: &Sphere) -> Option<f64> {
+    let distance = s.centre.distance(me.centre);
+    (distance < me.radius + 3.0 * s.radius).then_some(distance)
+}
+
 /// Spheres sorted by the cell that their centre is in.
-struct Grid<'a> {
+pub(super) struct Grid<'a> {
     spheres: &'a [Sphere],
     cell: f64,
     /// Cell and index of a sphere, sorted.
@@ -165,17 +173,15 @@ struct Grid<'a> {
 }
 
 impl<'a> Grid<'a> {
-    fn new(spheres: &'a [Sphere], cell: f64, sight: Sight) -> Self {
+    /// Those spheres that are wanted, whose neighbours have no larger radius than `largest`.
+    pub fn new(spheres: &'a [Sphere], largest: f64, is_wanted: impl Fn(&Sphere) -> bool) -> Self {
         let mut grid = Self {
             spheres,
-            cell: if cell > 0.0 { cell } else { 1.0 },
+            cell: if largest > 0.0 { 3.0 * largest } else { 1.0 },
             entries: Vec::new(),
         };
-        // what is cut away holds no light back
-        let drawn = (0..)
-            .zip(spheres)
-            .filter(|(_, s)| s.centre.is_finite() && sight.planes.keep(s.centre));
-        grid.entries = drawn.map(|(index, s)| (grid.cell_of(s.centre), index)).collect();
+        let wanted = (0..).zip(spheres).filter(|(_, s)| is_wanted(s));
+        grid.entries = wanted.map(|(index, s)| (grid.cell_of(s.centre), index)).collect();
         grid.entries.sort_unstable();
         grid
     }
@@ -185,24 +191,36 @@ impl<'a> Grid<'a> {
         [p.x, p.y, p.z].map(|x| (x / self.cell).floor() as i64)
     }
 
+    /// Spheres in the cell of a sphere and in those around it.
+    fn near(&self, me: &Sphere) -> impl Iterator<Item = u32> + '_ {
+        let [i, j, k] = self.cell_of(me.centre);
+        let rows = (-1..=1).flat_map(move |a| (-1..=1).map(move |b| (i.saturating_add(a), j.saturating_add(b))));
+        rows.flat_map(move |(i, j)| {
+            let from = self.entries.partition_point(|e| e.0 < [i, j, k.saturating_sub(1)]);
+            let to = self.entries.partition_point(|e| e.0 <= [i, j, k.saturating_add(1)]);
+            self.entries[from..to.max(from)].iter().map(|&(_, other)| other)
+        })
+    }
+
+    /// Whether a sphere holds light back from any.
+    pub fn is_darkened_by(&self, sphere: &Sphere, sight: Sight) -> bool {
+        holds_light_back(sphere, sight)
+            && self
+                .near(sphere)
+                .any(|me| reaches(sphere, &self.spheres[me as usize]).is_some())
+    }
+
     /// The spheres that hold most light back from a sphere, by what they cover as seen from its surface.
     fn around(&self, index: usize) -> Vec<u32> {
         let me = &self.spheres[index];
-        let [i, j, k] = self.cell_of(me.centre);
-        let mut found: Vec<(f64, u32)> = Vec::new();
-        for (a, b) in (-1..=1).flat_map(|a| (-1..=1).map(move |b| (a, b))) {
-            let (i, j) = (i.saturating_add(a), j.saturating_add(b));
-            let from = self.entries.partition_point(|e| e.0 < [i, j, k.saturating_sub(1)]);
-            let to = self.entries.partition_point(|e| e.0 <= [i, j, k.saturating_add(1)]);
-            for &(_, other) in &self.entries[from..to.max(from)] {
+        let others = self.near(me).filter(|&other| other as usize != index);
+        let mut found: Vec<(f64, u32)> = others
+            .filter_map(|other| {
                 let s = &self.spheres[other as usize];
-                let distance = s.centre.distance(me.centre);
-                if other as usize != index && distance < me.radius + 3.0 * s.radius {
-                    let gap = (distance - me.radius).max(0.5 * s.radius);
-                    found.push((s.radius * s.radius / (gap * gap), other));
-                }
-            }
-        }
+                let gap = (reaches(s, me)? - me.radius).max(0.5 * s.radius);
+                Some((s.radius * s.radius / (gap * gap), other))
+            })
+            .collect();
         found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         found.truncate(MOST_NEIGHBOURS);
         found.into_iter().map(|(_, other)| other).collect()

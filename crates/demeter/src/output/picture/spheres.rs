@@ -4,9 +4,10 @@ use super::camera::Camera;
 use super::cut::{Entry, Planes};
 use glam::DVec3;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// A sphere in the frame of the camera.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) struct Sphere {
     pub centre: DVec3,
     pub radius: f64,
@@ -29,6 +30,11 @@ impl Seen {
         depth: f32::INFINITY,
         sphere: u32::MAX,
     };
+
+    /// Whether anything is seen.
+    pub fn is_covered(&self) -> bool {
+        self.sphere != u32::MAX
+    }
 }
 
 /// The pixels a sphere can cover: first and last column, first and last row, ends excluded.

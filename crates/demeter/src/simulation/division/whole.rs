@@ -1,6 +1,6 @@
 //! What looks at the whole of a run that several processes share.
 //!
-//! Frames, checkpoints and measures of all grains are the work of the first process, and it alone is told the whole
+//! Measures of all grains are the work of the first process, and it alone is told the whole
 //! ([`Simulation::bring_together`]), some segments at a time. Whoever changes all grains from outside has all told all first
 //! ([`Simulation::make_whole`]).
 
