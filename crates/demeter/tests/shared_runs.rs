@@ -160,6 +160,19 @@ fn what_is_written_is_told_to_the_first_process_alone() {
 }
 
 #[test]
+fn frames_without_rows_are_the_same_with_gear() {
+    let place = tempfile::tempdir().unwrap();
+    let (one, parts) = (place.path().join("one"), place.path().join("parts"));
+    let changes = ["simulation.integrator=\"gear\"", "output.series=\"1 s\""];
+    let scenario = scenario("bed.toml", &changes);
+    run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+    for end in on_ranks(3, |rank| share(&scenario, &parts, rank, None)) {
+        assert_eq!(end, RunEnd::Finished);
+    }
+    assert_same(&one, &parts);
+}
+
+#[test]
 fn a_run_goes_on_with_other_numbers_of_processes() {
     let place = tempfile::tempdir().unwrap();
     let (one, parts) = (place.path().join("one"), place.path().join("parts"));

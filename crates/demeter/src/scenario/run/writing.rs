@@ -79,7 +79,8 @@ impl<'a> Runner<'a> {
     }
 
     /// Hands what this process has of the present state to a writer. Where processes share the run each calls this.
-    pub(in crate::scenario) fn with_frame<T>(&self, work: impl FnOnce(&Frame) -> T) -> T {
+    pub(in crate::scenario) fn with_frame<T>(&mut self, work: impl FnOnce(&Frame) -> T) -> T {
+        self.sim.hear_corrected_places();
         let contacts = contact_records(&self.sim);
         let walls = wall_surfaces(&self.sim);
         let part = frame_part(&self.sim);
