@@ -3,21 +3,24 @@
 use super::Ranks;
 use itertools::{Either, Itertools};
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::borrow::Cow;
-use std::fmt::{Debug, Formatter};
+use serde::ser::SerializeSeq;
+use serde::{Serialize, Serializer};
 use std::iter;
 use std::marker::PhantomData;
-use std::ops::{Deref, Range};
 
 /// Bytes that another process tells the first at once; it may hold as many of each.
 const PIECE: usize = 1 << 16;
 
 /// The processes that have something together; each does the same with it, and the first alone gets the whole.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Together<'a> {
     /// Nothing where this process has all.
     ranks: Option<&'a dyn Ranks>,
+}
+
+impl Together<'_> {
+    /// One process that has all.
+    pub(crate) const ALONE: Self = Self { ranks: None };
 }
 
 impl<'a> Together<'a> {
@@ -117,11 +120,10 @@ impl<'a> Together<'a> {
     }
 
     /// Writes a list that all have together, so long.
-    fn write<T, S: Serializer>(self, own: &[T], length: usize, serializer: S) -> Result<S::Ok, S::Error>
+    pub(super) fn write<T, S: Serializer>(self, own: &[T], length: usize, serializer: S) -> Result<S::Ok, S::Error>
     where
         T: Serialize + DeserializeOwned,
     {
-        use serde::ser::SerializeSeq;
         let mut list = serializer.serialize_seq(Some(length))?;
         let mut teller = self.teller();
         for value in own {
@@ -221,107 +223,5 @@ impl<T: DeserializeOwned> Iterator for Heard<'_, T> {
                 .ranks
                 .give_up(&format!("another process said what cannot be read: {error}")),
         }
-    }
-}
-
-/// What a process has of lists that all have together: its own grains, and their segments.
-#[derive(Clone, Debug)]
-pub(crate) struct Part<'a> {
-    pub(crate) together: Together<'a>,
-    pub(crate) grains: Range<usize>,
-    pub(crate) segments: Range<usize>,
-}
-
-impl Part<'_> {
-    /// All.
-    pub(crate) const WHOLE: Self = Self {
-        together: Together { ranks: None },
-        grains: 0..usize::MAX,
-        segments: 0..usize::MAX,
-    };
-}
-
-impl<'a> Part<'a> {
-    /// A list of all grains, to be written; of others its rows are not looked at.
-    pub(crate) fn of_grains<'b, T>(&self, list: &'b [T]) -> Listed<'a, 'b, T> {
-        self.listed(list, &self.grains)
-    }
-
-    /// The same of all segments.
-    pub(crate) fn of_segments<'b, T>(&self, list: &'b [T]) -> Listed<'a, 'b, T> {
-        self.listed(list, &self.segments)
-    }
-
-    fn listed<'b, T>(&self, list: &'b [T], own: &Range<usize>) -> Listed<'a, 'b, T> {
-        let length = list.len();
-        Listed {
-            together: self.together,
-            own: &list[own.start.min(length)..own.end.min(length)],
-            length,
-        }
-    }
-}
-
-/// What consists of lists of all grains and segments.
-pub(crate) trait InParts: Clone {
-    /// All of it, to be written together with those who have the other parts.
-    fn in_parts<'a>(&'a self, part: &'a Part<'_>) -> impl Serialize + 'a;
-}
-
-/// Something that all have together, as a checkpoint holds it.
-#[derive(Clone)]
-pub(crate) struct Saved<'a, T: Clone> {
-    value: Cow<'a, T>,
-    part: Part<'a>,
-}
-
-impl<'a, T: Clone> Saved<'a, T> {
-    pub(crate) fn new(value: Cow<'a, T>, part: &Part<'a>) -> Self {
-        let part = part.clone();
-        Self { value, part }
-    }
-
-    pub(crate) fn into_owned(self) -> T {
-        self.value.into_owned()
-    }
-}
-
-impl<T: Clone + Debug> Debug for Saved<'_, T> {
-    fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
-        self.value.fmt(formatter)
-    }
-}
-
-impl<T: Clone> Deref for Saved<'_, T> {
-    type Target = T;
-
-    fn deref(&self) -> &T {
-        &self.value
-    }
-}
-
-impl<T: InParts> Serialize for Saved<'_, T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.value.in_parts(&self.part).serialize(serializer)
-    }
-}
-
-impl<'de, T: Clone + Deserialize<'de>> Deserialize<'de> for Saved<'_, T> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let value = T::deserialize(deserializer)?;
-        Ok(Self::new(Cow::Owned(value), &Part::WHOLE))
-    }
-}
-
-/// A list that all have together.
-pub(crate) struct Listed<'a, 'b, T> {
-    together: Together<'a>,
-    own: &'b [T],
-    length: usize,
-}
-
-impl<T: Serialize + DeserializeOwned> Serialize for Listed<'_, '_, T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.together.write(self.own, self.length, serializer)
     }
 }

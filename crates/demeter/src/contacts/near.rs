@@ -5,7 +5,7 @@
 
 use super::Scene;
 use super::meetings::{Lot, Meeting, lanes_below};
-use crate::comm::together::{InParts, Listed, Part};
+use crate::comm::parts::{InParts, Listed, Part};
 use crate::neighbours::Pair;
 use demeter_physics::lanes::{Kernel, Lanes, Mask, Vector};
 use serde::{Deserialize, Serialize};

@@ -471,7 +471,7 @@ impl Contacts {
 
     /// All contacts, by rising keys.
     pub fn carry(&self, grains: &Grains) -> CarriedContacts<'_> {
-        self.carry_some((0..self.pairs.len(), 0..self.walls.len()), grains, Together::default())
+        self.carry_some((0..self.pairs.len(), 0..self.walls.len()), grains, Together::ALONE)
     }
 
     /// The contacts of some chunks, between grains and with walls; other processes have the others.

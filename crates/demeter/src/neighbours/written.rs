@@ -2,7 +2,7 @@
 
 use super::table::{Segment, Table};
 use super::{Neighbours, Pair, SearchEffort, WallPair};
-use crate::comm::together::{InParts, Listed, Part};
+use crate::comm::parts::{InParts, Listed, Part};
 use crate::particles::Row;
 use crate::walls::Pose;
 use serde::{Serialize, Serializer};

@@ -75,7 +75,7 @@ pub(crate) struct FramePart<'a> {
 impl Default for FramePart<'_> {
     fn default() -> Self {
         Self {
-            together: Together::default(),
+            together: Together::ALONE,
             grains: 0..usize::MAX,
             of_others: 0..0,
         }

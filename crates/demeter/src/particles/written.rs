@@ -1,7 +1,7 @@
 //! Grains as they are written, where one process has them all and where several share them.
 
 use super::{Grains, HigherDerivatives, Row};
-use crate::comm::together::{InParts, Listed, Part};
+use crate::comm::parts::{InParts, Listed, Part};
 use glam::DQuat;
 use serde::{Serialize, Serializer};
 

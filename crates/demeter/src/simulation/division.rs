@@ -8,7 +8,7 @@
 //! both know the same. What all contacts did is summed up segment by segment ([`StepWork`](crate::contacts::step_work::StepWork)).
 //!
 //! What is summed up over all grains and contacts each process sums up of its own (`sums`). Frames and checkpoints are written by the
-//! first process, which hears the parts of others while it writes ([`Together`]); for measures of all grains it alone is told the whole
+//! first process, which hears the parts of others while it writes (`parts`); for measures of all grains it alone is told the whole
 //! (`whole`). Where grains come or go, are put in order again or get another process, each finds which that are, and tells what leaves
 //! it (`handing`).
 
@@ -16,15 +16,15 @@ mod coupled;
 mod handing;
 mod in_step;
 mod near;
+mod parts;
 mod report;
 mod sums;
 mod whole;
 
 use super::{Places, Simulation};
-use crate::comm::together::{Part, Together};
 use crate::comm::tree::{Then, turns};
 use crate::comm::{Message, Ranks};
-use crate::contacts::{CarriedContacts, Contacts, NearTables};
+use crate::contacts::{Contacts, NearTables};
 use crate::neighbours::{Neighbours, SearchEffort, SpatialOrder};
 use handing::rank_in;
 use near::SizesOfAll;
@@ -339,42 +339,11 @@ impl Simulation {
         self.chunks_of(self.own_segments(), Neighbours::chunks_of_segment)
     }
 
-    /// Chunks of contacts with walls of these segments.
-    fn own_wall_chunks(&self) -> Range<usize> {
-        self.chunks_of(self.own_segments(), Neighbours::wall_chunks_of_segment)
-    }
-
     /// Chunks of segments that follow each other.
     fn chunks_of(&self, segments: Range<usize>, of: fn(&Neighbours, usize) -> Range<usize>) -> Range<usize> {
         match segments.end.checked_sub(1).filter(|last| segments.start <= *last) {
             Some(last) => of(&self.neighbours, segments.start).start..of(&self.neighbours, last).end,
             None => 0..0,
-        }
-    }
-
-    /// The processes that have all together.
-    pub(crate) fn together(&self) -> Together<'_> {
-        self.part().together
-    }
-
-    /// What this process has of all grains and segments.
-    pub(super) fn part(&self) -> Part<'_> {
-        let divided = self.division.as_deref().filter(|division| !division.is_whole);
-        divided.map_or(Part::WHOLE, |division| Part {
-            together: Together::of(&*division.ranks),
-            grains: division.own.clone(),
-            segments: division.segments(),
-        })
-    }
-
-    /// The own contacts, to be written together with those of others.
-    pub(super) fn carried_contacts<'a>(&'a self, part: &Part<'a>) -> CarriedContacts<'a> {
-        match self.is_divided() {
-            true => {
-                let own = (self.own_chunks(), self.own_wall_chunks());
-                self.contacts.carry_some(own, &self.grains, part.together)
-            }
-            false => self.contacts.carry(&self.grains),
         }
     }
 

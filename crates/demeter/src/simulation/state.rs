@@ -3,7 +3,7 @@
 use super::deforming_box::DeformingState;
 use super::skin::SkinTuner;
 use super::{Books, Setup, Simulation};
-use crate::comm::together::Saved;
+use crate::comm::parts::Saved;
 use crate::contacts::{CarriedContacts, NearTables};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;

@@ -2,7 +2,7 @@
 
 mod solve;
 
-use crate::comm::together::{InParts, Listed, Part};
+use crate::comm::parts::{InParts, Listed, Part};
 use crate::contacts::coupling::Coupling;
 use crate::contacts::coupling::bulge::{ALLOWANCE, Bounds, FIRST_BULGE};
 use crate::contacts::coupling::displaced::ChunkPlace;

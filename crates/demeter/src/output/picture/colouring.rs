@@ -207,7 +207,7 @@ mod tests {
     fn the_bar_covers_most_values_with_round_ends() {
         let mut values: Vec<f64> = (0..1000).map(|k| 1e-3 * f64::from(k) / 137.0).collect();
         values[999] = 5.0;
-        let colouring = Colouring::by_value("force", "N", &values, None, Together::default());
+        let colouring = Colouring::by_value("force", "N", &values, None, Together::ALONE);
         let Legend::Bar(bar) = colouring.legend else {
             panic!("no bar")
         };
@@ -223,7 +223,7 @@ mod tests {
         let mut sorted: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
         sorted.sort_by(f64::total_cmp);
         for (place, value) in sorted.into_iter().enumerate() {
-            let found = ranked(&values, place, Together::default());
+            let found = ranked(&values, place, Together::ALONE);
             assert_eq!(found.to_bits(), value.to_bits(), "place {place}");
         }
     }
@@ -231,7 +231,7 @@ mod tests {
     #[test]
     fn values_that_are_all_zero_or_not_finite_have_a_bar_too() {
         for values in [vec![], vec![0.0; 5], vec![f64::NAN, f64::INFINITY]] {
-            let colouring = Colouring::by_value("speed", "m/s", &values, None, Together::default());
+            let colouring = Colouring::by_value("speed", "m/s", &values, None, Together::ALONE);
             let Legend::Bar(bar) = colouring.legend else {
                 panic!("no bar")
             };
