@@ -69,7 +69,7 @@ impl FrameWriter {
         })
     }
 
-    /// Writes a frame. A frame of the same step is replaced. Where several processes have parts of it, the others [`tell`] theirs.
+    /// Writes a frame. A frame of the same step is replaced. Where several processes have parts of it, the others tell theirs.
     pub fn write(&mut self, frame: &Frame) -> Result<(), OutputError> {
         let sums = frame.contact_sums();
         let records = records(frame);
