@@ -8,7 +8,7 @@ mod exchanges;
 use cases::ranks::on_ranks;
 use cases::{Case, Laws, law, on_threads, one_material, report};
 use demeter::comm::{Ranks, ShearAxes};
-use demeter::measure::{Moment, measure};
+use demeter::measure::{ForceDistribution, Moment, measure};
 use demeter::particles::{Domain, Outside};
 use demeter::simulation::{Deformation, Setup, Shear, Simulation};
 use demeter_physics::DVec3;
@@ -217,35 +217,33 @@ fn told_by(sim: &mut Simulation, work: impl FnOnce(&mut Simulation)) -> [u64; 2]
 }
 
 #[test]
-fn rows_tell_sums_and_only_the_first_process_hears_of_the_whole() {
+fn rows_tell_sums_and_measures_of_contacts_are_told_to_the_first_process_alone() {
     let told = on_ranks(4, |rank| {
         on_threads(1, || {
             let mut sim = Simulation::new(duct(128, [false; 3], &[1.0, 0.9]));
             sim.share(rank);
-            (0..2).for_each(|_| sim.step().unwrap());
+            (0..40).for_each(|_| sim.step().unwrap());
             let row = told_by(&mut sim, |sim| drop(measure(sim, Moment::default(), None)));
-            let whole = told_by(&mut sim, Simulation::bring_together);
-            sim.go_apart();
-            let again = told_by(&mut sim, Simulation::bring_together);
-            sim.go_apart();
-            sim.step().unwrap();
-            let later = told_by(&mut sim, Simulation::bring_grains_together);
-            [row, whole, again, later]
+            let bins = ForceDistribution::new(0.0, 1.0, 0.1).unwrap();
+            let mut all = 0;
+            let forces = told_by(&mut sim, |sim| {
+                all = bins.measure(sim).iter().map(|of| of.contacts).sum()
+            });
+            (row, forces, all)
         })
     });
     let own_grains = u64::from(128 * WIDTH * WIDTH / 4);
-    for (rank, [row, whole, again, later]) in told.into_iter().enumerate() {
+    let to_first: u64 = told.iter().map(|(_, forces, _)| forces[1]).sum();
+    let per_contact = to_first as f64 / told[0].2 as f64;
+    report("bytes told to the first process, per contact", per_contact);
+    // a force is 8 bytes, and the first process is not told those of its own
+    assert!((1.0..9.0).contains(&per_contact), "{per_contact}");
+    for (rank, (row, forces, contacts)) in told.into_iter().enumerate() {
         report("bytes of a row that a process tells all", row[0] as f64);
-        report(
-            "bytes of the whole told to the first process, per own grain",
-            whole[1] as f64 / own_grains as f64,
-        );
         assert!(row[0] > 0 && row[0] < own_grains, "a row told {} bytes to all", row[0]);
         assert_eq!(row[1], 0, "a row told the first process of grains");
-        // a place alone is 24 bytes
-        let is_told = if rank == 0 { 0..1 } else { 24 * own_grains..u64::MAX };
-        assert!(whole[0] == 0 && is_told.contains(&whole[1]), "rank {rank}: {whole:?}");
-        assert_eq!(again, [0, 0], "the same moment was told twice");
-        assert!(later[0] == 0 && is_told.contains(&later[1]), "rank {rank}: {later:?}");
+        assert_eq!(forces[0], 0, "forces were told to all");
+        assert_eq!(forces[1] == 0, rank == 0, "rank {rank}: {forces:?}");
+        assert_eq!(contacts == 0, rank > 0, "rank {rank} has {contacts} contacts");
     }
 }

@@ -28,22 +28,11 @@ struct Outcome {
     saved: String,
     /// The same as the first process writes it, which hears it piece by piece; nothing at others.
     written: Option<Vec<u8>>,
-    /// What the first process finds that is told the whole; nothing at others.
-    gathered: Option<String>,
 }
 
 fn written(sim: &Simulation) -> Option<Vec<u8>> {
     let written = postcard::to_stdvec(&sim.state()).unwrap();
     sim.is_first_process().then_some(written)
-}
-
-fn at_first(sim: &mut Simulation) -> Option<String> {
-    sim.bring_together();
-    let saved = sim
-        .is_first_process()
-        .then(|| format!("{:?}\n{:?}", sim.state(), contact_records(sim)));
-    sim.go_apart();
-    saved
 }
 
 fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outcome, Option<Sharing>), Fault> {
@@ -58,12 +47,9 @@ fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outco
         if step % 10 == 0 {
             series += &format!("{:?}\n", measure(&mut sim, Moment::default(), None));
             written(&sim);
-            // those that hear of it go on with their own as the others do
-            at_first(&mut sim);
         }
     }
     let written = written(&sim);
-    let gathered = at_first(&mut sim);
     sim.make_whole();
     let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
     let outcome = Outcome {
@@ -72,7 +58,6 @@ fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outco
         saved: format!("{:?}", sim.state()),
         series,
         written,
-        gathered,
     };
     Ok((outcome, sim.sharing().filter(|_| sim.shares_nothing().is_none())))
 }
@@ -95,12 +80,8 @@ fn compare(integrator: Integrator, all_ranks: &[usize]) {
                 assert!(outcome.contacts == alone.contacts, "{what}: the contacts differ");
                 assert!(outcome.state == alone.state, "{what}: the state differs");
                 assert_same(&what, &outcome.saved, &alone.saved);
-                assert_eq!(outcome.gathered.is_some(), rank == 0, "{what}");
                 if rank == 0 {
                     assert!(outcome.written == alone.written, "{what}: what is written differs");
-                }
-                if let (Some(one), Some(other)) = (&outcome.gathered, &alone.gathered) {
-                    assert_same(&what, one, other);
                 }
             }
         }

@@ -44,14 +44,32 @@ fn scenario(name: &str, changes: &[&str]) -> Scenario {
     Scenario::read(&file, &changes).unwrap_or_else(|faults| panic!("{}", faults.render(false)))
 }
 
-/// The series, all frames and all pictures of the packing.
+/// Files that tell how the run was computed, and so are others every time.
+const OF_COMPUTING: [&str; 6] = [
+    "checkpoint.latest",
+    "checkpoint.previous",
+    "log.txt",
+    "report.html",
+    "run.json",
+    "summary.json",
+];
+
+/// All other files of a run, by name.
 fn results(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let folders = ["frames", "pictures"].map(|name| fs::read_dir(folder.join(name)));
-    let of_folders = folders.into_iter().flatten().flatten();
-    let mut files: Vec<_> = of_folders.map(|entry| entry.unwrap().path()).collect();
-    files.push(folder.join("series.csv"));
-    let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
-    files.iter().map(|path| (name(path), fs::read(path).unwrap())).collect()
+    let mut files = BTreeMap::new();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            if path.is_dir() {
+                folders.push(path);
+            } else if !OF_COMPUTING.contains(&name.as_str()) {
+                files.insert(name, fs::read(path).unwrap());
+            }
+        }
+    }
+    files
 }
 
 fn assert_same(one: &Path, other: &Path) {
@@ -87,6 +105,42 @@ fn feeds_walls_and_measures_do_not_feel_the_processes() {
             assert_eq!(end, RunEnd::Finished);
         }
         assert_same(&one, &folder);
+    }
+}
+
+#[test]
+fn every_measure_is_that_of_one_process() {
+    let place = tempfile::tempdir().unwrap();
+    let gear = "simulation.integrator=\"gear\"";
+    for (name, changes) in [("steps", &[][..]), ("gear", &[gear][..])] {
+        let [one, two, parts] = ["one", "two", "parts"].map(|of| place.path().join(format!("{of} {name}")));
+        let scenario = scenario("measured.toml", changes);
+        let report = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+        assert_eq!(report.end, RunEnd::Finished);
+        let files = results(&one);
+        for file in [
+            "layers.csv",
+            "rose.csv",
+            "stay.csv",
+            "tracers.csv",
+            "rings.csv",
+            "column.csv",
+            "map.pvd",
+            "chains.pvd",
+        ] {
+            assert!(files.contains_key(file), "no `{file}`: {:?}", files.keys());
+        }
+        let ends = on_ranks(2, |rank| share(&scenario, &two, rank, None));
+        assert!(ends.iter().all(|end| *end == RunEnd::Finished), "{ends:?}");
+        assert_same(&one, &two);
+        // what measures remember goes from the first process through the checkpoint to another
+        let half = Some(report.summary.steps / 2);
+        on_ranks(4, |rank| share(&scenario, &parts, rank, half));
+        let ends = on_ranks(3, |rank| {
+            resume_shared(&parts, OPTIONS, rank, &mut Silent(None)).unwrap().end
+        });
+        assert!(ends.iter().all(|end| *end == RunEnd::Finished), "{ends:?}");
+        assert_same(&one, &parts);
     }
 }
 

@@ -109,6 +109,9 @@ impl<'a> Together<'a> {
         T: Serialize + DeserializeOwned + 'a,
         K: Ord + 'a,
     {
+        if self.ranks.is_none() {
+            return Either::Left(own);
+        }
         let told = match self.is_first() {
             true => Box::new(own) as Box<dyn Iterator<Item = T> + 'a>,
             false => Box::new(self.joined(own)),
@@ -116,7 +119,7 @@ impl<'a> Together<'a> {
         let heard = self
             .others()
             .map(move |(ranks, rank)| Box::new(Heard::new(ranks, rank)) as _);
-        (iter::once(told).chain(heard)).kmerge_by(move |one, other| key(one) < key(other))
+        Either::Right((iter::once(told).chain(heard)).kmerge_by(move |one, other| key(one) < key(other)))
     }
 
     /// Writes a list that all have together, so long.

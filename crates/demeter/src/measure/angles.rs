@@ -1,5 +1,6 @@
 //! Which way contacts point in a plane: the rose of contact angles.
 
+use super::told_first::counting;
 use super::{Fabric, Selection};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
@@ -57,48 +58,74 @@ impl ContactAngles {
             threshold: 0.0,
             with_walls: self.with_walls,
         };
-        let (all, walls) = fabric.contacts(sim, &fabric.counting(sim, origins));
-        let count = if self.with_walls { all.len() } else { all.len() - walls };
-        self.rose(all[..count].iter().map(|c| (c.normal, c.force[0])))
+        let counts = counting(sim, &self.zone, &self.selection, origins);
+        let mut sums = Sums::new(self.bins as usize);
+        fabric.each_contact(sim, &counts, |contact| {
+            if self.with_walls || !contact.with_wall {
+                sums.add(self, contact.normal, contact.force[0]);
+            }
+        });
+        sums.rose()
+    }
+}
+
+/// What contacts come to, bin by bin.
+struct Sums {
+    contacts: u64,
+    weights: Vec<f64>,
+    forces: Vec<f64>,
+    weight: f64,
+    /// Sums of the cosine and sine of twice the angle.
+    double: [f64; 2],
+}
+
+impl Sums {
+    fn new(bins: usize) -> Self {
+        Self {
+            contacts: 0,
+            weights: vec![0.0; bins],
+            forces: vec![0.0; bins],
+            weight: 0.0,
+            double: [0.0; 2],
+        }
     }
 
-    /// The rose of normals and normal forces.
-    fn rose(&self, normals: impl Iterator<Item = (DVec3, f64)>) -> Rose {
-        let bins = self.bins as usize;
-        let (mut shares, mut forces) = (vec![0.0; bins], vec![0.0; bins]);
-        let (mut contacts, mut whole, mut double) = (0, 0.0, (0.0, 0.0));
-        for (normal, force) in normals {
-            let (x, y) = (normal.dot(self.from), normal.dot(self.towards));
-            let weight = x * x + y * y;
-            if weight <= 0.0 {
-                continue;
-            }
-            let angle = libm::atan2(y, x) / PI;
-            let turn = if angle < 0.0 { angle + 1.0 } else { angle };
-            let bin = ((turn * bins as f64) as usize) % bins;
-            contacts += 1;
-            whole += weight;
-            shares[bin] += weight;
-            forces[bin] += weight * force;
-            double.0 += x * x - y * y;
-            double.1 += 2.0 * x * y;
+    fn add(&mut self, plane: &ContactAngles, normal: DVec3, force: f64) {
+        let (x, y) = (normal.dot(plane.from), normal.dot(plane.towards));
+        let weight = x * x + y * y;
+        if weight <= 0.0 {
+            return;
         }
-        for (share, force) in shares.iter_mut().zip(&mut forces) {
-            *force /= *share;
-            *share /= whole;
-        }
-        let length = (double.0 * double.0 + double.1 * double.1).sqrt();
-        let direction = libm::atan2(double.1, double.0) * (90.0 / PI);
+        let angle = libm::atan2(y, x) / PI;
+        let turn = if angle < 0.0 { angle + 1.0 } else { angle };
+        let bins = self.weights.len();
+        let bin = ((turn * bins as f64) as usize) % bins;
+        self.contacts += 1;
+        self.weight += weight;
+        self.weights[bin] += weight;
+        self.forces[bin] += weight * force;
+        self.double[0] += x * x - y * y;
+        self.double[1] += 2.0 * x * y;
+    }
+
+    fn rose(self) -> Rose {
+        let (weights, forces) = (self.weights.iter(), self.forces.iter());
+        let [x, y] = self.double;
+        let length = (x * x + y * y).sqrt();
+        let direction = libm::atan2(y, x) * (90.0 / PI);
         Rose {
-            contacts,
-            shares,
-            forces,
+            contacts: self.contacts,
+            forces: forces
+                .zip(weights.clone())
+                .map(|(force, weight)| force / weight)
+                .collect(),
+            shares: weights.map(|weight| weight / self.weight).collect(),
             direction: match length > 0.0 {
                 true if direction < 0.0 => direction + 180.0,
                 true => direction,
                 false => f64::NAN,
             },
-            anisotropy: length / whole,
+            anisotropy: length / self.weight,
         }
     }
 }
@@ -106,6 +133,14 @@ impl ContactAngles {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    impl ContactAngles {
+        fn rose(&self, contacts: impl Iterator<Item = (DVec3, f64)>) -> Rose {
+            let mut sums = Sums::new(self.bins as usize);
+            contacts.for_each(|(normal, force)| sums.add(self, normal, force));
+            sums.rose()
+        }
+    }
 
     #[test]
     fn a_rose_tells_where_contacts_point() {

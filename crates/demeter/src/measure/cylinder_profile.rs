@@ -1,6 +1,7 @@
 //! Profiles in a cylinder: rings about its axis or slices along it, with velocities along the radius, around the axis and along it.
 
 use super::Selection;
+use super::told_first::each_grain;
 use crate::particles::Origins;
 use crate::simulation::Simulation;
 use glam::DVec3;
@@ -77,27 +78,31 @@ impl CylinderProfile {
     /// Measures all bins. Grains are summed up in the order of their ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Ring> {
         let grains = &sim.grains;
-        let mut order: Vec<(u32, usize)> = grains.id.iter().copied().zip(0..).collect();
-        order.sort_unstable();
         let axis = (self.end - self.start).normalize();
         let middle = 0.5 * (self.start + self.end);
         let mut rings = vec![Ring::default(); self.bins as usize];
         let (mut squares, mut whole) = (vec![0.0; rings.len()], vec![0.0; rings.len()]);
         let limits: Vec<([f64; 2], [f64; 2])> = (0..rings.len()).map(|k| self.limits(k)).collect();
-        for (_, g) in order {
-            let radius = grains.radius(g);
-            let away = sim.comm.difference(grains.position[g], middle) + (middle - self.start);
+        let away = |g: usize| sim.comm.difference(grains.position[g], middle) + (middle - self.start);
+        let reaches_in = |g: usize| {
+            let (away, reach) = (away(g), grains.radius(g));
+            let height = away.dot(axis);
+            let distance = (away - axis * height).length();
+            height > -reach && height < (self.end - self.start).length() + reach && distance < self.radius + reach
+        };
+        let tell = |g: usize| {
+            let velocity = self.selection.holds(grains, origins, g).then_some(grains.velocity[g]);
+            ((away(g), grains.radius(g)), grains.mass[g], velocity)
+        };
+        each_grain(sim, reaches_in, tell, |_, ((away, radius), mass, velocity)| {
             let height = away.dot(axis);
             let outwards = away - axis * height;
             let distance = outwards.length();
-            let mass = grains.mass[g];
             let bin = self.bin_of(distance, height);
             if let Some(bin) = bin {
                 whole[bin] += mass;
             }
-            if !self.selection.holds(grains, origins, g) {
-                continue;
-            }
+            let Some(v) = velocity else { return };
             for (ring, &(radii, heights)) in rings.iter_mut().zip(&limits) {
                 if heights[1] > height - radius && heights[0] < height + radius && radii[0] < distance + radius {
                     ring.packing_fraction += sphere_in_ring(distance, height, radius, radii, heights);
@@ -109,7 +114,6 @@ impl CylinderProfile {
                 } else {
                     DVec3::ZERO
                 };
-                let v = grains.velocity[g];
                 let velocity = DVec3::new(v.dot(out), v.dot(axis.cross(out)), v.dot(axis));
                 let ring = &mut rings[bin];
                 ring.grains += 1;
@@ -117,7 +121,7 @@ impl CylinderProfile {
                 ring.velocity += velocity * mass;
                 squares[bin] += velocity.length_squared() * mass;
             }
-        }
+        });
         for (k, ring) in rings.iter_mut().enumerate() {
             let (radii, heights) = limits[k];
             let area = PI * (radii[1] * radii[1] - radii[0] * radii[0]);

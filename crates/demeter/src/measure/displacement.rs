@@ -1,5 +1,6 @@
 //! How far grains have come: means and mean squares of their displacements.
 
+use super::told_first::each_grain;
 use super::{Selection, ToldColumn, Value};
 use crate::particles::Origins;
 use crate::simulation::Simulation;
@@ -61,34 +62,38 @@ impl Displacement {
         if sim.time() < self.from * (1.0 - 1e-12) {
             return;
         }
-        let mut now: Vec<(u32, DVec3)> = (0..sim.grains.len())
-            .map(|g| (sim.grains.id[g], sim.unwrapped(g)))
-            .collect();
-        now.sort_unstable_by_key(|grain| grain.0);
-        for grain in &mut now {
-            if let Ok(before) = state.starts.binary_search_by_key(&grain.0, |start| start.0) {
-                grain.1 = state.starts[before].1;
-            }
-        }
+        let mut now = Vec::new();
+        each_grain(
+            sim,
+            |_| true,
+            |g| sim.unwrapped(g),
+            |id, place| {
+                let before = state.starts.binary_search_by_key(&id, |start| start.0);
+                now.push((id, before.map_or(place, |before| state.starts[before].1)));
+            },
+        );
         state.starts = now;
     }
 
     /// Its values now, in the order of [`DISPLACEMENT_COLUMNS`], after a look. Grains are summed up in the order of their ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins, state: &DisplacementState) -> Vec<Value> {
         let grains = &sim.grains;
-        let mut ways: Vec<(u32, DVec3)> = (0..grains.len())
-            .filter(|&g| self.selection.holds(grains, origins, g))
-            .filter_map(|g| {
-                let at = state.starts.binary_search_by_key(&grains.id[g], |start| start.0).ok()?;
-                Some((grains.id[g], sim.unwrapped(g) - state.starts[at].1))
-            })
-            .collect();
-        ways.sort_unstable_by_key(|way| way.0);
+        let mut ways = Vec::new();
+        let counts = |g: usize| self.selection.holds(grains, origins, g);
+        each_grain(
+            sim,
+            counts,
+            |g| sim.unwrapped(g),
+            |id, place| {
+                let start = state.starts.binary_search_by_key(&id, |start| start.0);
+                ways.extend(start.map(|at| place - state.starts[at].1));
+            },
+        );
         let count = ways.len() as f64;
-        let mean = ways.iter().map(|way| way.1).sum::<DVec3>() / count;
-        let square = ways.iter().map(|way| way.1.length_squared()).sum::<f64>() / count;
-        let spread = ways.iter().map(|way| (way.1 - mean) * (way.1 - mean)).sum::<DVec3>() / count;
-        let largest = ways.iter().map(|way| way.1.length()).fold(f64::NAN, f64::max);
+        let mean = ways.iter().sum::<DVec3>() / count;
+        let square = ways.iter().map(|way| way.length_squared()).sum::<f64>() / count;
+        let spread = ways.iter().map(|way| (way - mean) * (way - mean)).sum::<DVec3>() / count;
+        let largest = ways.iter().map(|way| way.length()).fold(f64::NAN, f64::max);
         let mut values = vec![Value::Count(ways.len() as u64)];
         values.extend(mean.to_array().map(Value::Number));
         values.push(Value::Number(square));

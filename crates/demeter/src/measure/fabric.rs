@@ -16,11 +16,12 @@
 //! The **strong network** (F. Radjai et al., Phys. Rev. Lett. 77 (1996) 274) is made of the contacts that carry more than the
 //! mean normal force.
 
-use super::{Selection, ToldColumn, Value, holds};
-use crate::contacts::ContactChunk;
+use super::told_first::{Acting, counting, each_contact};
+use super::{Selection, ToldColumn, Value};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// Contacts that hold a grain in space.
 const HOLD: u32 = 4;
@@ -84,12 +85,20 @@ pub struct Fabric {
 }
 
 /// A contact that counts.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Serialize, Deserialize)]
 pub(super) struct Counted {
     pub normal: DVec3,
     /// Normal and tangential force [N].
     pub force: [f64; 2],
-    bodies: [Option<usize>; 2],
+    pub with_wall: bool,
+    bodies: Bodies,
+}
+
+/// Grains of a contact that count.
+type Bodies = [Option<u32>; 2];
+
+fn grains_of(bodies: &Bodies) -> impl Iterator<Item = usize> + '_ {
+    bodies.iter().flatten().map(|g| *g as usize)
 }
 
 impl Fabric {
@@ -100,78 +109,75 @@ impl Fabric {
 
     /// Its values now, in the order of [`FABRIC_COLUMNS`]; what is a mean over nothing is not a number.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
-        let counts = self.counting(sim, origins);
-        let (all, walls) = self.contacts(sim, &counts);
-        let part: &[Counted] = if self.with_walls {
-            &all
-        } else {
-            &all[..all.len() - walls]
-        };
-        let (coordination, rattlers, without) = coordination(&all, &counts);
-        let mut values = vec![Value::Count(part.len() as u64)];
+        let counts = counting(sim, &self.zone, &self.selection, origins);
+        let mut bodies: Vec<Bodies> = Vec::new();
+        let mut fabrics = [Tensor::default(); 2];
+        // one by one, as those that carry more than the mean are found when it is known
+        let (mut forces, mut tangential) = (Vec::new(), 0.0);
+        self.each_contact(sim, &counts, |contact| {
+            bodies.push(contact.bodies);
+            if self.with_walls || !contact.with_wall {
+                fabrics[0].add(contact.normal, 1.0);
+                fabrics[1].add(contact.normal, contact.force[0]);
+                forces.push(contact.force[0]);
+                tangential += contact.force[1];
+            }
+        });
+        let own = sim.own_grains().filter(|&g| counts[g]).count();
+        let grains = sim.together().count(own);
+        let (coordination, rattlers, without) = coordination(&bodies, grains, counts.len());
+        let mut values = vec![Value::Count(forces.len() as u64)];
         values.extend([coordination, rattlers, without].map(Value::Number));
-        for fabric in [tensor(part, |_| 1.0), tensor(part, |c| c.force[0])] {
+        for fabric in fabrics.map(|fabric| fabric.mean()) {
             values.extend(fabric.map(Value::Number));
             values.push(Value::Number(anisotropy(&fabric)));
         }
-        let sum = |k: usize| part.iter().map(|c| c.force[k]).sum::<f64>();
-        let (normal, tangential) = (sum(0), sum(1));
-        let mean = normal / part.len() as f64;
-        let strong = part.iter().filter(|c| c.force[0] > mean);
-        let carried: f64 = strong.clone().map(|c| c.force[0]).sum();
-        let share = strong.count() as f64 / part.len() as f64;
+        let normal: f64 = forces.iter().sum();
+        let mean = normal / forces.len() as f64;
+        let strong = forces.iter().filter(|force| **force > mean);
+        let carried: f64 = strong.clone().sum();
+        let share = strong.count() as f64 / forces.len() as f64;
         values.extend([share, carried / normal, tangential / normal].map(Value::Number));
         values
     }
 
-    /// Which grains count.
-    pub(super) fn counting(&self, sim: &Simulation, origins: &Origins) -> Vec<bool> {
-        let counts = |g: usize| holds(sim, &self.zone, g) && self.selection.holds(&sim.grains, origins, g);
-        (0..sim.grains.len()).map(counts).collect()
-    }
-
-    /// Contacts of grains that count, those with walls last, and how many these are.
-    pub(super) fn contacts(&self, sim: &Simulation, counts: &[bool]) -> (Vec<Counted>, usize) {
-        let mut all = Vec::new();
-        let of = |chunk: &ContactChunk, is_wall: bool, all: &mut Vec<Counted>| {
-            let strong = |k: usize| chunk.acts(k) && chunk.normal_force()[k].abs() >= self.threshold;
-            for k in (0..chunk.len()).filter(|&k| strong(k)) {
-                let i = chunk.i[k] as usize;
-                let j = (!is_wall).then(|| chunk.j[k] as usize);
-                let bodies = [Some(i), j].map(|body| body.filter(|&g| counts[g]));
-                if bodies == [None, None] {
-                    continue;
-                }
-                let normal = sim.contact(chunk, k).normal;
-                let along = chunk.normal_force()[k];
-                let tangential = chunk.tangential_force(k).length();
-                all.push(Counted {
-                    normal,
-                    force: [along, tangential],
-                    bodies,
-                });
-            }
+    /// Contacts of grains that count, those with walls last: the first process is told of all.
+    pub(super) fn each_contact(&self, sim: &Simulation, counts: &[bool], look: impl FnMut(Counted)) {
+        let tell = |contact: Acting<'_>| {
+            let bodies = contact
+                .grains()
+                .map(|grain| grain.filter(|&g| counts[g]).map(|g| g as u32));
+            let along = contact.normal_force();
+            (bodies != [None, None] && along.abs() >= self.threshold).then(|| Counted {
+                normal: contact.contact(sim).normal,
+                force: [along, contact.chunk.tangential_force(contact.place).length()],
+                with_wall: contact.with_wall,
+                bodies,
+            })
         };
-        sim.contacts.pairs.iter().for_each(|chunk| of(chunk, false, &mut all));
-        let pairs = all.len();
-        sim.contacts.walls.iter().for_each(|chunk| of(chunk, true, &mut all));
-        let walls = all.len() - pairs;
-        (all, walls)
+        each_contact(sim, tell, look);
     }
 }
 
-/// Mean of the products of normals, weighed: xx, yy, zz, xy, xz, yz.
-fn tensor(contacts: &[Counted], weight: impl Fn(&Counted) -> f64) -> [f64; 6] {
-    let (mut sums, mut whole) = ([0.0; 6], 0.0);
-    for contact in contacts {
-        let (n, w) = (contact.normal, weight(contact));
-        whole += w;
+/// Mean of the products of the components of normals, weighed: xx, yy, zz, xy, xz, yz.
+#[derive(Clone, Copy, Default)]
+struct Tensor {
+    sums: [f64; 6],
+    weight: f64,
+}
+
+impl Tensor {
+    fn add(&mut self, n: DVec3, weight: f64) {
+        self.weight += weight;
         let products = [n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z, n.y * n.z];
-        for (sum, product) in sums.iter_mut().zip(products) {
-            *sum += w * product;
+        for (sum, product) in self.sums.iter_mut().zip(products) {
+            *sum += weight * product;
         }
     }
-    sums.map(|sum| sum / whole)
+
+    fn mean(&self) -> [f64; 6] {
+        self.sums.map(|sum| sum / self.weight)
+    }
 }
 
 /// `sqrt(3/2 D:D)` of the deviator.
@@ -182,27 +188,33 @@ fn anisotropy(f: &[f64; 6]) -> f64 {
     (1.5 * (diagonal + 2.0 * others)).sqrt()
 }
 
-/// Mean number of contacts, share of rattlers, and mean number of contacts without them.
-fn coordination(contacts: &[Counted], counts: &[bool]) -> (f64, f64, f64) {
-    let mut of_grain: Vec<Vec<u32>> = vec![Vec::new(); counts.len()];
+/// Mean number of contacts, share of rattlers, and mean number of contacts without them, of so many `grains` that count among `all`.
+fn coordination(contacts: &[Bodies], grains: usize, all: usize) -> (f64, f64, f64) {
+    // the contacts of grain g are those between starts g and g + 1
+    let mut starts = vec![0u32; all + 1];
+    contacts.iter().flat_map(grains_of).for_each(|g| starts[g + 1] += 1);
+    for g in 0..all {
+        starts[g + 1] += starts[g];
+    }
+    let ends = starts[all];
+    let (mut of_grains, mut filled) = (vec![0u32; ends as usize], starts.clone());
     for (k, contact) in contacts.iter().enumerate() {
-        for body in contact.bodies.into_iter().flatten() {
-            of_grain[body].push(k as u32);
+        for g in grains_of(contact) {
+            of_grains[filled[g] as usize] = k as u32;
+            filled[g] += 1;
         }
     }
-    let grains = counts.iter().filter(|counts| **counts).count();
-    let all: usize = of_grain.iter().map(Vec::len).sum();
-    let mut left: Vec<u32> = of_grain.iter().map(|list| list.len() as u32).collect();
+    let mut left: Vec<u32> = starts.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut is_gone = vec![false; contacts.len()];
-    let mut loose: Vec<usize> = (0..counts.len()).filter(|&g| counts[g] && left[g] < HOLD).collect();
-    let mut rattles = vec![false; counts.len()];
-    loose.iter().for_each(|&g| rattles[g] = true);
+    // a grain without any contact rattles
+    let mut rattles: Vec<bool> = left.iter().map(|count| *count < HOLD).collect();
+    let mut loose: Vec<usize> = (0..all).filter(|&g| rattles[g] && left[g] > 0).collect();
     while let Some(g) = loose.pop() {
-        for &k in &of_grain[g] {
+        for &k in &of_grains[starts[g] as usize..starts[g + 1] as usize] {
             if std::mem::replace(&mut is_gone[k as usize], true) {
                 continue;
             }
-            for body in contacts[k as usize].bodies.into_iter().flatten() {
+            for body in grains_of(&contacts[k as usize]) {
                 left[body] -= 1;
                 if left[body] < HOLD && !rattles[body] {
                     rattles[body] = true;
@@ -211,15 +223,12 @@ fn coordination(contacts: &[Counted], counts: &[bool]) -> (f64, f64, f64) {
             }
         }
     }
-    let rattlers = rattles.iter().filter(|rattles| **rattles).count();
-    let held: u32 = (0..counts.len())
-        .filter(|&g| counts[g] && !rattles[g])
-        .map(|g| left[g])
-        .sum();
+    let still = (0..all).filter(|&g| !rattles[g]);
+    let (stay, held) = still.fold((0, 0), |(count, sum), g| (count + 1, sum + left[g]));
     (
-        all as f64 / grains as f64,
-        rattlers as f64 / grains as f64,
-        f64::from(held) / (grains - rattlers) as f64,
+        f64::from(ends) / grains as f64,
+        (grains - stay) as f64 / grains as f64,
+        f64::from(held) / stay as f64,
     )
 }
 
@@ -227,32 +236,29 @@ fn coordination(contacts: &[Counted], counts: &[bool]) -> (f64, f64, f64) {
 mod tests {
     use super::*;
 
-    fn contact(normal: DVec3, force: f64, bodies: [usize; 2]) -> Counted {
-        Counted {
-            normal,
-            force: [force, 0.0],
-            bodies: bodies.map(Some),
-        }
+    fn tensor(contacts: &[(DVec3, f64)]) -> [f64; 6] {
+        let mut tensor = Tensor::default();
+        contacts.iter().for_each(|&(normal, weight)| tensor.add(normal, weight));
+        tensor.mean()
     }
 
     #[test]
     fn fabrics_of_lines_planes_and_lattices_have_known_anisotropies() {
-        let along = |normal: DVec3| contact(normal, 2.0, [0, 1]);
-        let line = [along(DVec3::Z), along(DVec3::NEG_Z)];
-        let fabric = tensor(&line, |_| 1.0);
+        let line = [(DVec3::Z, 1.0), (DVec3::NEG_Z, 1.0)];
+        let fabric = tensor(&line);
         assert_eq!(fabric, [0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
         assert!((anisotropy(&fabric) - 1.0).abs() < 1e-15);
-        let plane = [along(DVec3::X), along(DVec3::Y)];
-        assert!((anisotropy(&tensor(&plane, |_| 1.0)) - 0.5).abs() < 1e-15);
-        let cube = [along(DVec3::X), along(DVec3::Y), along(DVec3::Z)];
-        assert!(anisotropy(&tensor(&cube, |_| 1.0)) < 1e-15);
+        let plane = [(DVec3::X, 1.0), (DVec3::Y, 1.0)];
+        assert!((anisotropy(&tensor(&plane)) - 0.5).abs() < 1e-15);
+        let cube = [(DVec3::X, 1.0), (DVec3::Y, 1.0), (DVec3::Z, 1.0)];
+        assert!(anisotropy(&tensor(&cube)) < 1e-15);
         // the same numbers in a turned frame
-        let turned = [along(DVec3::new(0.6, 0.0, 0.8)), along(DVec3::new(0.6, 0.0, 0.8))];
-        assert!((anisotropy(&tensor(&turned, |_| 1.0)) - 1.0).abs() < 1e-15);
+        let turned = [(DVec3::new(0.6, 0.0, 0.8), 2.0); 2];
+        assert!((anisotropy(&tensor(&turned)) - 1.0).abs() < 1e-15);
         let mut weighed = cube;
-        weighed[2].force[0] = 1e9;
-        assert!(anisotropy(&tensor(&weighed, |c| c.force[0])) > 0.999);
-        assert!(anisotropy(&tensor(&[], |_| 1.0)).is_nan());
+        weighed[2].1 = 1e9;
+        assert!(anisotropy(&tensor(&weighed)) > 0.999);
+        assert!(anisotropy(&tensor(&[])).is_nan());
     }
 
     #[test]
@@ -261,21 +267,17 @@ mod tests {
         let mut contacts = Vec::new();
         for a in 0..5 {
             for b in a + 1..5 {
-                contacts.push(contact(DVec3::X, 1.0, [a, b]));
+                contacts.push([a, b].map(Some));
             }
         }
         // a chain of two hangs on, and one is alone
-        contacts.push(contact(DVec3::X, 1.0, [4, 5]));
-        contacts.push(contact(DVec3::X, 1.0, [5, 6]));
-        let (all, rattlers, without) = coordination(&contacts, &[true; 8]);
+        contacts.push([4, 5].map(Some));
+        contacts.push([5, 6].map(Some));
+        let (all, rattlers, without) = coordination(&contacts, 8, 8);
         assert_eq!((all, rattlers, without), (3.0, 3.0 / 8.0, 4.0));
         // without one of them the others have three, and all fall
-        let counts = [true, true, true, true, false, false, false, false];
-        for contact in &mut contacts {
-            contact.bodies = contact.bodies.map(|body| body.filter(|&g| counts[g]));
-        }
-        contacts.retain(|c| c.bodies[0].is_some() && c.bodies[1].is_some());
-        let (all, rattlers, without) = coordination(&contacts, &counts);
+        contacts.retain(|bodies| bodies.iter().flatten().all(|&g| g < 4));
+        let (all, rattlers, without) = coordination(&contacts, 4, 8);
         assert_eq!((all, rattlers), (3.0, 1.0));
         assert!(without.is_nan());
     }

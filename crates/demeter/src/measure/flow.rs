@@ -4,6 +4,7 @@
 //! passed when the straight way of its centre between two looks goes through the gate; from which side tells the direction.
 //! Near are grains that may get to the plane of the gate before the next look.
 
+use super::told_first::each_grain;
 use super::{Selection, ToldColumn, Value};
 use crate::particles::Origins;
 use crate::simulation::Simulation;
@@ -86,26 +87,25 @@ impl MassFlow {
             let distance = comm.difference(grains.position[g], self.point).dot(self.normal).abs();
             distance < grains.radius(g) || distance < grains.radius(g) + window * grains.velocity[g].length()
         };
-        let mut near: Vec<(u32, DVec3, usize)> = (0..grains.len())
-            .filter(|&g| is_near(g))
-            .map(|g| (grains.id[g], grains.position[g], g))
-            .collect();
-        near.sort_unstable_by_key(|grain| grain.0);
-        for &(id, now, g) in &near {
+        let mut near = Vec::new();
+        let tell = |g: usize| {
+            let counts = self.selection.holds(grains, origins, g);
+            (grains.position[g], counts.then_some(grains.mass[g]))
+        };
+        each_grain(sim, is_near, tell, |id, (now, mass)| {
+            near.push((id, now));
             let Ok(before) = state.near.binary_search_by_key(&id, |grain| grain.0) else {
-                continue;
+                return;
             };
             let before = state.near[before].1;
             let way = comm.difference(now, before);
-            let Some(direction) = self.passed(before, way, |a, b| comm.difference(a, b)) else {
-                continue;
-            };
-            if self.selection.holds(grains, origins, g) {
+            let direction = self.passed(before, way, |a, b| comm.difference(a, b));
+            if let (Some(direction), Some(mass)) = (direction, mass) {
                 state.grains[direction] += 1;
-                state.mass[direction] += grains.mass[g];
+                state.mass[direction] += mass;
             }
-        }
-        state.near = near.into_iter().map(|(id, place, _)| (id, place)).collect();
+        });
+        state.near = near;
     }
 
     /// Whether a way goes through the gate: 0 forward, 1 backward. The plane itself belongs to its back.

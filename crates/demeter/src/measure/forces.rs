@@ -1,6 +1,6 @@
 //! How often contacts carry which normal force.
 
-use crate::contacts::ContactChunk;
+use super::told_first::{Acting, each, own_pairs, own_with_walls};
 use crate::simulation::Simulation;
 
 /// Most bins of a distribution.
@@ -113,34 +113,36 @@ impl ForceDistribution {
 
     /// Counts the contacts between grains and those with walls.
     pub fn measure(&self, sim: &Simulation) -> [ForceHistogram; 2] {
-        [&sim.contacts.pairs, &sim.contacts.walls].map(|chunks| {
-            let forces = |chunk: &ContactChunk, k: usize| chunk.acts(k).then(|| chunk.normal_force()[k]);
-            self.count(
-                chunks
-                    .iter()
-                    .flat_map(|chunk| (0..chunk.len()).filter_map(move |k| forces(chunk, k))),
-            )
-        })
+        let [mut grains, mut walls] = [(); 2].map(|()| self.empty());
+        let force = |contact: Acting<'_>| contact.normal_force();
+        each(sim, own_pairs(sim).map(force), |force| self.add(&mut grains, force));
+        each(sim, own_with_walls(sim).map(force), |force| self.add(&mut walls, force));
+        [grains, walls]
     }
 
     /// Counts forces [N].
     pub fn count(&self, forces: impl IntoIterator<Item = f64>) -> ForceHistogram {
-        let bins = self.edges.len() - 1;
-        let mut histogram = ForceHistogram {
-            counts: vec![0; bins],
-            ..ForceHistogram::default()
-        };
-        for force in forces {
-            histogram.contacts += 1;
-            histogram.sum += force;
-            // edges at or below the force
-            match self.edges.partition_point(|edge| *edge <= force) {
-                0 => {}
-                above if above > bins => histogram.above += 1,
-                bin => histogram.counts[bin - 1] += 1,
-            }
-        }
+        let mut histogram = self.empty();
+        forces.into_iter().for_each(|force| self.add(&mut histogram, force));
         histogram
+    }
+
+    fn empty(&self) -> ForceHistogram {
+        ForceHistogram {
+            counts: vec![0; self.edges.len() - 1],
+            ..ForceHistogram::default()
+        }
+    }
+
+    fn add(&self, histogram: &mut ForceHistogram, force: f64) {
+        histogram.contacts += 1;
+        histogram.sum += force;
+        // edges at or below the force
+        match self.edges.partition_point(|edge| *edge <= force) {
+            0 => {}
+            above if above >= self.edges.len() => histogram.above += 1,
+            bin => histogram.counts[bin - 1] += 1,
+        }
     }
 }
 

@@ -15,6 +15,7 @@
 //! The intensity of segregation is `S^2/S_0^2` (P. V. Danckwerts, Appl. Sci. Res. A 3 (1952) 279), the relative standard deviation
 //! `S/p`. Both count chance as segregation: they fall with the number of grains in a cell.
 
+use super::told_first::each_in_order;
 use super::{Selection, ToldColumn, Value};
 use crate::particles::Origins;
 use crate::simulation::Simulation;
@@ -109,11 +110,13 @@ impl Mixing {
     /// Its values now, in the order of [`MIXING_COLUMNS`].
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
         let grains = &sim.grains;
-        let places = (0..grains.len()).map(|g| {
-            let place = sim.comm.wrapped(grains.position[g]);
-            (place, self.selection.holds(grains, origins, g))
-        });
-        let told = self.index(places);
+        let mut counts = self.empty_cells();
+        let tell = |g: usize| {
+            let cell = self.cell_of(sim.comm.wrapped(grains.position[g]))?;
+            Some((cell as u32, self.selection.holds(grains, origins, g)))
+        };
+        each_in_order(sim, tell, |(cell, is_kind)| count(&mut counts[cell as usize], is_kind));
+        let told = Mixedness::of(&counts);
         vec![
             Value::Number(told.lacey),
             Value::Number(told.share),
@@ -123,18 +126,37 @@ impl Mixing {
         ]
     }
 
-    /// Indices of places that are of the kind or not.
-    fn index(&self, places: impl Iterator<Item = (DVec3, bool)>) -> Mixedness {
-        let mut counts = vec![[0u32; 2]; self.cells.iter().map(|n| *n as usize).product()];
-        for (place, is_kind) in places {
-            let Some(shares) = self.space.shares(place) else {
-                continue;
-            };
-            let cell = |k: usize| ((shares[k] * f64::from(self.cells[k])) as usize).min(self.cells[k] as usize - 1);
-            let at = (cell(2) * self.cells[1] as usize + cell(1)) * self.cells[0] as usize + cell(0);
-            counts[at][0] += 1;
-            counts[at][1] += u32::from(is_kind);
-        }
+    /// For every cell how many grains it holds, and how many of the kind: none.
+    fn empty_cells(&self) -> Vec<[u32; 2]> {
+        vec![[0; 2]; self.cells.iter().map(|n| *n as usize).product()]
+    }
+
+    /// The cell that a place lies in.
+    fn cell_of(&self, place: DVec3) -> Option<usize> {
+        let shares = self.space.shares(place)?;
+        let cell = |k: usize| ((shares[k] * f64::from(self.cells[k])) as usize).min(self.cells[k] as usize - 1);
+        Some((cell(2) * self.cells[1] as usize + cell(1)) * self.cells[0] as usize + cell(0))
+    }
+}
+
+fn count(cell: &mut [u32; 2], is_kind: bool) {
+    cell[0] += 1;
+    cell[1] += u32::from(is_kind);
+}
+
+/// What is told of cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Mixedness {
+    lacey: f64,
+    share: f64,
+    cells: u64,
+    intensity: f64,
+    relative_deviation: f64,
+}
+
+impl Mixedness {
+    /// Of what cells hold, and of that of the kind.
+    fn of(counts: &[[u32; 2]]) -> Self {
         let sum = |k: usize| counts.iter().map(|n| u64::from(n[k])).sum::<u64>() as f64;
         let (all, of_kind) = (sum(0), sum(1));
         let held = counts.iter().filter(|n| n[0] > 0);
@@ -153,7 +175,7 @@ impl Mixing {
             true => (apart - variance) / (apart - by_chance),
             false => f64::NAN,
         };
-        Mixedness {
+        Self {
             lacey: index,
             share: p,
             cells,
@@ -163,19 +185,22 @@ impl Mixing {
     }
 }
 
-/// What is told of cells.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Mixedness {
-    lacey: f64,
-    share: f64,
-    cells: u64,
-    intensity: f64,
-    relative_deviation: f64,
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    impl Mixing {
+        /// Indices of places that are of the kind or not.
+        fn index(&self, places: impl Iterator<Item = (DVec3, bool)>) -> Mixedness {
+            let mut counts = self.empty_cells();
+            for (place, is_kind) in places {
+                if let Some(cell) = self.cell_of(place) {
+                    count(&mut counts[cell], is_kind);
+                }
+            }
+            Mixedness::of(&counts)
+        }
+    }
 
     fn box_of(cells: [u32; 3]) -> Mixing {
         Mixing {

@@ -1,6 +1,9 @@
 //! What is measured of a state: energies, contact statistics, stress, wall loads, and what a scenario asks for beside:
 //! networks of contacts, distributions of forces, grains in regions, their ways, and flows through gates.
 //!
+//! Where processes share the run each calls what measures, all in the same order; what it answers holds for all grains at the first process,
+//! and for nothing at others.
+//!
 //! A contact counts when it acts, that is, when its normal force is not zero: [`ContactChunk::acts`](crate::contacts::ContactChunk::acts).
 
 mod angles;
@@ -25,12 +28,13 @@ mod selection;
 mod slope;
 mod sphere_in_box;
 mod told;
+mod told_first;
 mod trace;
 mod wear;
 
 pub use crate::simulation::Energies;
 pub use angles::{ContactAngles, MAX_ANGLES, Rose};
-pub use chains::{ChainLink, ForceChains};
+pub use chains::{ChainLink, ChainLinks, ForceChains};
 pub use cylinder_profile::{Along, CylinderProfile, Ring};
 pub use deforming_box::BOX_COLUMNS;
 pub(crate) use deforming_box::{box_titles, box_values};
@@ -58,12 +62,12 @@ pub use told::{FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
 pub use trace::{GrainTrace, TRACE_COLUMNS};
 pub use wear::{WEAR_COLUMNS, wear_values};
 
-use crate::particles::{Grains, Zone};
+use crate::particles::Zone;
 use crate::simulation::Simulation;
 use crate::walls::Wall;
 use glam::DVec3;
 use row_sums::RowSums;
-use std::ops::Range;
+use told_first::acting;
 
 /// Whether a grain lies in a zone, whose parts go with walls.
 pub(crate) fn holds(sim: &Simulation, zone: &Zone, grain: usize) -> bool {
@@ -71,18 +75,12 @@ pub(crate) fn holds(sim: &Simulation, zone: &Zone, grain: usize) -> bool {
     zone.holds(sim.domain(), sim.grains.position[grain], brought_back)
 }
 
-/// Number of contacts of every grain that act, those with walls counted.
+/// Number of contacts of every grain that act, those with walls counted; of own grains alone, where processes share the run.
 pub(crate) fn contact_counts(sim: &Simulation) -> Vec<u32> {
     let mut counts = vec![0; sim.grains.len()];
-    for (is_wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
-        for chunk in chunks {
-            for k in (0..chunk.len()).filter(|&k| chunk.acts(k)) {
-                counts[chunk.i[k] as usize] += 1;
-                if !is_wall {
-                    counts[chunk.j[k] as usize] += 1;
-                }
-            }
-        }
+    let all = acting(&sim.contacts.pairs, false).chain(acting(&sim.contacts.walls, true));
+    for grain in all.flat_map(|contact| contact.grains()).flatten() {
+        counts[grain] += 1;
     }
     counts
 }
@@ -211,15 +209,18 @@ pub fn kinetic_over_elastic(sim: &Simulation, energies: &Energies) -> f64 {
     if kinetic > 0.0 { kinetic / energies.elastic } else { 0.0 }
 }
 
-/// Corners of the box around the grains' surfaces [m]; infinite, the lower above the upper, without grains.
-fn bounds(grains: &Grains, some: Range<usize>) -> (DVec3, DVec3) {
+/// Corners of the box around the surfaces of all grains [m]; infinite, the lower above the upper, without grains.
+///
+/// Where processes share the run each calls this.
+fn all_bounds(sim: &Simulation) -> (DVec3, DVec3) {
     let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for row in &grains.position.rows()[some] {
+    for row in &sim.grains.position.rows()[sim.own_grains()] {
         let (p, r) = (row.vector, row.scalar);
         lower = lower.min(p - r);
         upper = upper.max(p + r);
     }
-    (lower, upper)
+    let [x, y, z, upper @ ..] = sim.largest_of_all([-lower.x, -lower.y, -lower.z, upper.x, upper.y, upper.z]);
+    (-DVec3::new(x, y, z), DVec3::from_array(upper))
 }
 
 fn wall_loads(sim: &Simulation, contacts: &[u32]) -> Vec<WallLoad> {

@@ -11,7 +11,8 @@
 //! number, chance gives unlike ones a share `2 p (1 - p) N/(N - 1)`. Both indices are 0 when the kinds are apart, up to their
 //! border, 1 in the mean when chance alone mixed them, and larger where the kinds seek each other.
 
-use super::{Selection, ToldColumn, Value, holds};
+use super::told_first::{counting, each_in_order, own_pairs};
+use super::{Selection, ToldColumn, Value};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
 use glam::DVec3;
@@ -57,26 +58,24 @@ impl NeighbourMixing {
     /// Its values now, in the order of [`NEIGHBOUR_COLUMNS`].
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
         let grains = &sim.grains;
-        let is_in: Vec<bool> = (0..grains.len()).map(|g| holds(sim, &self.zone, g)).collect();
+        let is_in = counting(sim, &self.zone, &Selection::default(), origins);
         let is_kind = |g: usize| self.selection.holds(grains, origins, g);
         let (mut contacts, mut unlike, mut ends) = (0u64, 0u64, 0u64);
-        for chunk in &sim.contacts.pairs {
-            for k in (0..chunk.len()).filter(|&k| chunk.acts(k)) {
-                let bodies = [chunk.i[k] as usize, chunk.j[k] as usize];
-                if bodies.iter().all(|&g| is_in[g]) {
-                    let kinds = bodies.map(is_kind);
-                    contacts += 1;
-                    unlike += u64::from(kinds[0] != kinds[1]);
-                    ends += u64::from(kinds[0]) + u64::from(kinds[1]);
-                }
+        for contact in own_pairs(sim) {
+            let [Some(i), Some(j)] = contact.grains() else { continue };
+            if is_in[i] && is_in[j] {
+                let kinds = [i, j].map(is_kind);
+                contacts += 1;
+                unlike += u64::from(kinds[0] != kinds[1]);
+                ends += u64::from(kinds[0]) + u64::from(kinds[1]);
             }
         }
+        let [contacts, unlike, ends] = sim.together().counts([contacts, unlike, ends]);
         let share = unlike as f64 / contacts as f64;
         let q = ends as f64 / (2 * contacts) as f64;
-        let places: Vec<(DVec3, bool)> = (0..grains.len())
-            .filter(|&g| is_in[g])
-            .map(|g| (sim.comm.wrapped(grains.position[g]), is_kind(g)))
-            .collect();
+        let mut places: Vec<(DVec3, bool)> = Vec::new();
+        let tell = |g: usize| is_in[g].then(|| (sim.comm.wrapped(grains.position[g]), is_kind(g)));
+        each_in_order(sim, tell, |place| places.push(place));
         let (near, near_index) = self.of_nearest(&places, &images(sim));
         vec![
             Value::Count(contacts),

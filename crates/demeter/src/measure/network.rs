@@ -1,7 +1,7 @@
 //! The network of contacts: how many, how strong, how long, how densely packed.
 
-use super::{bounds, sphere_in_box};
-use crate::contacts::ContactChunk;
+use super::told_first::{Acting, each, each_in_order, own_pairs, own_with_walls};
+use super::{all_bounds, sphere_in_box};
 use crate::simulation::Simulation;
 use glam::DVec3;
 
@@ -64,16 +64,17 @@ impl ContactNetwork {
     /// Measures the present state.
     pub fn measure(&self, sim: &Simulation) -> NetworkMeasures {
         let (mut contacts, mut force, mut distance) = (0, 0.0, 0.0);
-        for chunk in &sim.contacts.pairs {
-            for k in (0..chunk.len()).filter(|&k| self.counts(chunk, k)) {
-                let contact = sim.contact(chunk, k);
-                contacts += 1;
-                force += chunk.normal_force()[k];
-                distance += contact.lever_i + contact.lever_j;
-            }
-        }
-        let of_chunk = |chunk: &ContactChunk| (0..chunk.len()).filter(|&k| self.counts(chunk, k)).count();
-        let with_walls: usize = sim.contacts.walls.iter().map(of_chunk).sum();
+        let counts = |contact: &Acting<'_>| contact.normal_force().abs() >= self.threshold;
+        let tell = |pair: Acting<'_>| {
+            let contact = pair.contact(sim);
+            (pair.normal_force(), contact.lever_i + contact.lever_j)
+        };
+        each(sim, own_pairs(sim).filter(counts).map(tell), |(f, apart)| {
+            contacts += 1;
+            force += f;
+            distance += apart;
+        });
+        let with_walls = sim.together().count(own_with_walls(sim).filter(counts).count());
         let mean = |sum: f64| if contacts > 0 { sum / contacts as f64 } else { f64::NAN };
         NetworkMeasures {
             contacts,
@@ -84,15 +85,13 @@ impl ContactNetwork {
         }
     }
 
-    fn counts(&self, chunk: &ContactChunk, k: usize) -> bool {
-        chunk.acts(k) && chunk.normal_force()[k].abs() >= self.threshold
-    }
-
     /// Lower and upper corner of the core [m]; it is empty when they are not in order.
     pub fn core(&self, sim: &Simulation) -> (DVec3, DVec3) {
         let grains = &sim.grains;
-        let (mut lower, mut upper) = bounds(grains, 0..grains.len());
-        let mean_diameter = 2.0 * grains.radii().sum::<f64>() / grains.len().max(1) as f64;
+        let (mut lower, mut upper) = all_bounds(sim);
+        let mut diameters = 0.0;
+        each_in_order(sim, |g| Some(grains.radius(g)), |radius| diameters += radius);
+        let mean_diameter = 2.0 * sim.together().told_by_first(&[diameters])[0] / grains.len().max(1) as f64;
         lower += self.margin * mean_diameter;
         upper -= self.margin * mean_diameter;
         let domain = sim.domain();
@@ -117,19 +116,21 @@ impl ContactNetwork {
         // a grain that reaches across a periodic face is in the core there with a part of its image
         let images: [&[f64]; 3] = domain.periodic.map(|p| if p { &[-1.0, 0.0, 1.0][..] } else { &[0.0] });
         let period = domain.size();
+        // not a product: an open direction may be of infinite length
+        let shift = |k: usize, boxes: f64| if boxes == 0.0 { 0.0 } else { boxes * period[k] };
+        let shifts = itertools::iproduct!(images[0], images[1], images[2]);
+        let shifts: Vec<DVec3> = shifts
+            .map(|(&x, &y, &z)| DVec3::new(shift(0, x), shift(1, y), shift(2, z)))
+            .collect();
+        let parts = sim.own_grains().flat_map(|g| {
+            let (centre, radius) = (sim.grains.position[g], sim.grains.radius(g));
+            let parts = shifts
+                .iter()
+                .map(move |shift| sphere_in_box(centre + *shift, radius, lower, upper));
+            parts.filter(|part| *part != 0.0)
+        });
         let mut solid = 0.0;
-        for (&centre, radius) in sim.grains.position.iter().zip(sim.grains.radii()) {
-            for &x in images[0] {
-                for &y in images[1] {
-                    for &z in images[2] {
-                        // not a product: an open direction may be of infinite length
-                        let shift = |k: usize, boxes: f64| if boxes == 0.0 { 0.0 } else { boxes * period[k] };
-                        let image = centre + DVec3::new(shift(0, x), shift(1, y), shift(2, z));
-                        solid += sphere_in_box(image, radius, lower, upper);
-                    }
-                }
-            }
-        }
+        each(sim, parts, |part| solid += part);
         solid / (size.x * size.y * size.z)
     }
 }

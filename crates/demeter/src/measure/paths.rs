@@ -1,6 +1,7 @@
 //! Paths of selected grains.
 
 use super::Selection;
+use super::told_first::{chosen_by_id, each_of};
 use crate::particles::Origins;
 use crate::simulation::Simulation;
 use glam::DVec3;
@@ -38,21 +39,30 @@ impl Paths {
     /// Where the grains are now, in the order of their ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<PathPoint> {
         let grains = &sim.grains;
-        let mut chosen: Vec<(u32, usize)> = (0..grains.len())
-            .filter(|&g| self.selection.holds(grains, origins, g))
-            .map(|g| (grains.id[g], g))
-            .collect();
-        chosen.sort_unstable();
+        let mut chosen = chosen_by_id(sim, |g| self.selection.holds(grains, origins, g));
         chosen.truncate(self.most as usize);
         let contacts = super::contact_counts(sim);
-        let point = |(id, g): (u32, usize)| PathPoint {
-            id,
-            tag: origins.tag(id),
-            place: sim.unwrapped(g),
-            velocity: grains.velocity[g],
-            angular_velocity: grains.angular_velocity[g],
-            contacts: contacts[g],
+        let tell = |g: usize| {
+            let motion = [sim.unwrapped(g), grains.velocity[g], grains.angular_velocity[g]];
+            (motion, contacts[g])
         };
-        chosen.into_iter().map(point).collect()
+        let mut points = Vec::new();
+        each_of(
+            sim,
+            chosen,
+            tell,
+            |id, ([place, velocity, angular_velocity], contacts)| {
+                points.push(PathPoint {
+                    id,
+                    tag: origins.tag(id),
+                    place,
+                    velocity,
+                    angular_velocity,
+                    contacts,
+                });
+            },
+        );
+        points.truncate(self.most as usize);
+        points
     }
 }

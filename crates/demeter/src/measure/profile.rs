@@ -1,5 +1,6 @@
 //! Profiles along an axis: packing fraction and velocity in slices of a box.
 
+use super::told_first::each_grain;
 use super::{Selection, sphere_in_box};
 use crate::particles::Origins;
 use crate::simulation::Simulation;
@@ -67,38 +68,44 @@ impl Profile {
         inside.then(|| self.slice_of(centre[self.axis]).clamp(0, last) as usize)
     }
 
+    /// Whether a sphere reaches into the box, or nearly.
+    fn meets(&self, centre: DVec3, radius: f64) -> bool {
+        (centre + radius).cmpge(self.lower).all() && (centre - radius).cmple(self.upper).all()
+    }
+
     /// Measures all slices. Grains are summed up in the order of their ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Slice> {
         let grains = &sim.grains;
-        let mut order: Vec<(u32, usize)> = grains.id.iter().copied().zip(0..).collect();
-        order.sort_unstable();
         let last = i64::from(self.slices) - 1;
         let mut whole = vec![0.0; self.slices as usize];
-        for &(_, g) in &order {
-            if let Some(k) = self.slice_with(sim.comm.wrapped(grains.position[g])) {
-                whole[k] += grains.mass[g];
-            }
-        }
-        let chosen = order
-            .into_iter()
-            .filter(|&(_, g)| self.selection.holds(grains, origins, g));
         let mut slices = vec![Slice::default(); self.slices as usize];
         let mut squares = vec![0.0; slices.len()];
-        for (_, g) in chosen {
-            let (centre, radius) = (sim.comm.wrapped(grains.position[g]), grains.radius(g));
+        let centre = |g: usize| sim.comm.wrapped(grains.position[g]);
+        let counts = |g: usize| self.selection.holds(grains, origins, g);
+        let is_in =
+            |g: usize| self.slice_with(centre(g)).is_some() || counts(g) && self.meets(centre(g), grains.radius(g));
+        let tell = |g: usize| {
+            let ball = (centre(g), grains.radius(g));
+            (ball, grains.mass[g], counts(g).then_some(grains.velocity[g]))
+        };
+        each_grain(sim, is_in, tell, |_, ((centre, radius), mass, velocity)| {
+            let slice = self.slice_with(centre);
+            if let Some(k) = slice {
+                whole[k] += mass;
+            }
+            let Some(velocity) = velocity else { return };
             let [first, end] = [-radius, radius].map(|reach| self.slice_of(centre[self.axis] + reach));
             for k in first.max(0)..=end.min(last) {
                 let (lower, upper) = self.corners(k as u32);
                 slices[k as usize].packing_fraction += sphere_in_box(centre, radius, lower, upper);
             }
-            if let Some(k) = self.slice_with(centre) {
-                let (mass, velocity) = (grains.mass[g], grains.velocity[g]);
+            if let Some(k) = slice {
                 slices[k].grains += 1;
                 slices[k].mass += mass;
                 slices[k].velocity += velocity * mass;
                 squares[k] += velocity.length_squared() * mass;
             }
-        }
+        });
         for (k, (slice, squares)) in slices.iter_mut().zip(squares).enumerate() {
             let (lower, upper) = self.corners(k as u32);
             let size = upper - lower;

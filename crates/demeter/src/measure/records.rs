@@ -1,5 +1,6 @@
 //! Contacts and walls of a moment, as they are written.
 
+use super::told_first::{Acting, acting};
 use crate::contacts::ContactChunk;
 use crate::output::{ContactRecord, FramePart, WallSurface};
 use crate::simulation::Simulation;
@@ -11,8 +12,10 @@ use rayon::prelude::*;
 /// Bodies that are near, or touch without force, are left out: they would appear as contacts in pictures and counts, and
 /// as many of them as the time step and the reach of the law happen to gather.
 pub fn contact_records(sim: &Simulation) -> Vec<ContactRecord> {
-    let acting = acting(sim);
-    acting.par_iter().map(|contact| contact.record(sim)).collect()
+    let mut all = Vec::with_capacity(sim.contacts.acting_pairs() + sim.contacts.acting_walls());
+    all.extend(acting(&sim.contacts.pairs, false));
+    all.extend(acting(&sim.contacts.walls, true));
+    all.par_iter().map(|contact| record(sim, contact)).collect()
 }
 
 /// What this process has of a frame with these contacts.
@@ -71,49 +74,25 @@ impl ContactColumns {
     }
 }
 
-/// A contact that acts, in the tables.
-struct Acting<'s> {
-    chunk: &'s ContactChunk,
-    place: usize,
-    with_wall: bool,
-}
-
-fn acting(sim: &Simulation) -> Vec<Acting<'_>> {
-    let mut all = Vec::with_capacity(sim.contacts.acting_pairs() + sim.contacts.acting_walls());
-    for (with_wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
-        for chunk in chunks {
-            let places = (0..chunk.len()).filter(|&place| chunk.acts(place));
-            all.extend(places.map(|place| Acting {
-                chunk,
-                place,
-                with_wall,
-            }));
-        }
-    }
-    all
-}
-
-impl Acting<'_> {
-    fn record(&self, sim: &Simulation) -> ContactRecord {
-        let &Self {
-            chunk,
-            place,
-            with_wall,
-        } = self;
-        let contact = sim.contact(chunk, place);
-        let (i, j) = (chunk.i[place] as usize, chunk.j[place]);
-        ContactRecord {
-            id_i: sim.grains.id[i],
-            id_j: if with_wall { 0 } else { sim.grains.id[j as usize] },
-            wall: if with_wall { j as i32 } else { -1 },
-            element: chunk.element(place),
-            position: sim.grains.position[i] - contact.normal * contact.lever_i,
-            normal: contact.normal,
-            overlap: contact.overlap,
-            normal_force: contact.normal * chunk.normal_force()[place],
-            tangential_force: chunk.tangential_force(place),
-            rolling_torque: chunk.rolling_torque(place),
-        }
+fn record(sim: &Simulation, acting: &Acting<'_>) -> ContactRecord {
+    let &Acting {
+        chunk,
+        place,
+        with_wall,
+    } = acting;
+    let contact = acting.contact(sim);
+    let (i, j) = (chunk.i[place] as usize, chunk.j[place]);
+    ContactRecord {
+        id_i: sim.grains.id[i],
+        id_j: if with_wall { 0 } else { sim.grains.id[j as usize] },
+        wall: if with_wall { j as i32 } else { -1 },
+        element: chunk.element(place),
+        position: sim.grains.position[i] - contact.normal * contact.lever_i,
+        normal: contact.normal,
+        overlap: contact.overlap,
+        normal_force: contact.normal * chunk.normal_force()[place],
+        tangential_force: chunk.tangential_force(place),
+        rolling_torque: chunk.rolling_torque(place),
     }
 }
 
@@ -122,9 +101,7 @@ impl Acting<'_> {
 ///
 /// Where processes share the run each calls this.
 pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
-    let (lower, upper) = super::bounds(&sim.grains, sim.own_grains());
-    let [x, y, z, upper @ ..] = sim.largest_of_all([-lower.x, -lower.y, -lower.z, upper.x, upper.y, upper.z]);
-    let (mut lower, mut upper) = (-DVec3::new(x, y, z), DVec3::from_array(upper));
+    let (mut lower, mut upper) = super::all_bounds(sim);
     if sim.grains.is_empty() {
         (lower, upper) = (DVec3::ZERO, DVec3::ZERO);
     }

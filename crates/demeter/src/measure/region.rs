@@ -1,5 +1,6 @@
 //! How many grains are in a zone, and their mass.
 
+use super::told_first::each_grain;
 use super::{Selection, ToldColumn, Value, holds};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
@@ -39,18 +40,15 @@ impl RegionCount {
     /// Its values now, in the order of the titles. Masses are summed up in the order of the ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
         let grains = &sim.grains;
-        let mut inside: Vec<(u32, usize)> = (0..grains.len())
-            .filter(|&g| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g))
-            .map(|g| (grains.id[g], g))
-            .collect();
-        inside.sort_unstable();
+        let is_inside = |g: usize| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g);
         let mut counts = vec![(0u64, 0.0f64); 1 + sim.materials.list().len()];
-        for (_, g) in inside {
-            for place in [0, 1 + usize::from(grains.material[g])] {
+        let tell = |g: usize| (grains.material[g], grains.mass[g]);
+        each_grain(sim, is_inside, tell, |_, (material, mass)| {
+            for place in [0, 1 + usize::from(material)] {
                 counts[place].0 += 1;
-                counts[place].1 += grains.mass[g];
+                counts[place].1 += mass;
             }
-        }
+        });
         let values = counts.into_iter().map(|(n, m)| [Value::Count(n), Value::Number(m)]);
         values.flatten().collect()
     }

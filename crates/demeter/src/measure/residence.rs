@@ -4,6 +4,7 @@
 //! in the region first and ends when it is not there any more, or gone; a grain that comes back begins anew. So
 //! times are told to `LOOK_EVERY` steps.
 
+use super::told_first::each_grain;
 use super::{LOOK_EVERY, Selection, ToldColumn, Value, holds};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
@@ -75,11 +76,16 @@ impl Residence {
     /// Looks which grains are inside.
     pub fn look(&self, sim: &Simulation, origins: &Origins, state: &mut ResidenceState) {
         let grains = &sim.grains;
-        let mut now: Vec<(u32, u64, f64)> = (0..grains.len())
-            .filter(|&g| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g))
-            .map(|g| (grains.id[g], sim.step, grains.mass[g]))
-            .collect();
-        now.sort_unstable_by_key(|grain| grain.0);
+        let is_inside = |g: usize| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g);
+        let mut now = Vec::new();
+        each_grain(
+            sim,
+            is_inside,
+            |g| grains.mass[g],
+            |id, mass| {
+                now.push((id, sim.step, mass));
+            },
+        );
         self.update(state, now, sim.step, sim.dt);
     }
 

@@ -7,6 +7,7 @@
 //! and do not count. The straight line that fits these heights best (least squares over the bins that hold
 //! grains) tells the angle, and how far the heights are from it.
 
+use super::told_first::each_in_order;
 use super::{Selection, ToldColumn, Value, contact_counts, holds};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
@@ -48,6 +49,15 @@ pub struct Slope {
     pub selection: Selection,
 }
 
+/// How high the surface is in every cell that holds grains [m], by bin and cell.
+type Highest = BTreeMap<(u32, i64), f64>;
+
+/// Notes that the surface of a cell is at least so high [m].
+fn rise(highest: &mut Highest, cell: (u32, i64), height: f64) {
+    let top = highest.entry(cell).or_insert(f64::NEG_INFINITY);
+    *top = top.max(height);
+}
+
 impl Slope {
     /// Titles of its columns.
     pub fn titles(&self, name: &str) -> Vec<String> {
@@ -58,11 +68,17 @@ impl Slope {
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
         let grains = &sim.grains;
         let contacts = contact_counts(sim);
-        let chosen = (0..grains.len())
-            .filter(|&g| contacts[g] > 0)
-            .filter(|&g| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g))
-            .map(|g| (sim.comm.wrapped(grains.position[g]), grains.radius(g)));
-        let (angle, deviation, bins) = self.fit(chosen);
+        let counts =
+            |g: &usize| contacts[*g] > 0 && holds(sim, &self.zone, *g) && self.selection.holds(grains, origins, *g);
+        let tell = |g: usize| {
+            let sphere = Some(g)
+                .filter(counts)
+                .map(|g| (sim.comm.wrapped(grains.position[g]), grains.radius(g)));
+            sphere.and_then(|(centre, radius)| self.top(centre, radius))
+        };
+        let mut highest = Highest::new();
+        each_in_order(sim, tell, |(cell, height)| rise(&mut highest, cell, height));
+        let (angle, deviation, bins) = self.fit(highest);
         vec![Value::Number(angle), Value::Number(deviation), Value::Count(bins)]
     }
 
@@ -79,27 +95,31 @@ impl Slope {
         }
     }
 
-    /// Angle [deg], deviation [m] and number of bins, of spheres.
-    fn fit(&self, spheres: impl Iterator<Item = (DVec3, f64)>) -> (f64, f64, u64) {
-        let (from, to) = self.between;
-        let width = (to - from) / f64::from(self.bins);
-        let mut highest: BTreeMap<(u32, i64), f64> = BTreeMap::new();
-        for (centre, radius) in spheres {
-            let away = centre - self.point;
-            let height = away.dot(self.up);
-            let outwards = away - self.up * height;
-            let distance = match self.along {
-                Some(along) => away.dot(along),
-                None => outwards.length(),
-            };
-            if distance >= from && distance < to {
-                let bin = (((distance - from) / width) as u32).min(self.bins - 1);
-                let middle = from + (f64::from(bin) + 0.5) * width;
-                let cell = self.cell(outwards, middle, width);
-                let top = highest.entry((bin, cell)).or_insert(f64::NEG_INFINITY);
-                *top = top.max(height + radius);
-            }
-        }
+    /// Width of a bin [m].
+    fn width(&self) -> f64 {
+        (self.between.1 - self.between.0) / f64::from(self.bins)
+    }
+
+    /// The bin and the cell in it that a sphere lies in, and how high it reaches [m].
+    fn top(&self, centre: DVec3, radius: f64) -> Option<((u32, i64), f64)> {
+        let ((from, to), width) = (self.between, self.width());
+        let away = centre - self.point;
+        let height = away.dot(self.up);
+        let outwards = away - self.up * height;
+        let distance = match self.along {
+            Some(along) => away.dot(along),
+            None => outwards.length(),
+        };
+        (distance >= from && distance < to).then(|| {
+            let bin = (((distance - from) / width) as u32).min(self.bins - 1);
+            let middle = from + (f64::from(bin) + 0.5) * width;
+            ((bin, self.cell(outwards, middle, width)), height + radius)
+        })
+    }
+
+    /// Angle [deg], deviation [m] and number of bins, of a surface.
+    fn fit(&self, highest: Highest) -> (f64, f64, u64) {
+        let (from, width) = (self.between.0, self.width());
         let mut sums = vec![(0.0, 0.0); self.bins as usize];
         for ((bin, _), height) in highest {
             let (sum, cells) = &mut sums[bin as usize];
@@ -131,6 +151,16 @@ mod tests {
     use super::*;
     use glam::dvec3;
 
+    impl Slope {
+        /// Of spheres.
+        fn fit_to(&self, spheres: impl Iterator<Item = (DVec3, f64)>) -> (f64, f64, u64) {
+            let mut highest = Highest::new();
+            let tops = spheres.filter_map(|(centre, radius)| self.top(centre, radius));
+            tops.for_each(|(cell, height)| rise(&mut highest, cell, height));
+            self.fit(highest)
+        }
+    }
+
     fn slope(along: Option<DVec3>) -> Slope {
         Slope {
             point: dvec3(0.1, 0.2, 0.0),
@@ -160,24 +190,24 @@ mod tests {
     #[test]
     fn a_cone_and_a_plane_have_their_angles() {
         let cone = below(|x, y| 0.8 - 0.5 * libm::hypot(x - 0.1, y - 0.2));
-        let (angle, deviation, bins) = slope(None).fit(cone.into_iter());
+        let (angle, deviation, bins) = slope(None).fit_to(cone.into_iter());
         // 26.565 degrees; the highest grain of a bin lies at its inner edge, the same in every bin but for the lattice
         assert!((angle - 26.565).abs() < 0.2, "{angle}");
         assert!(deviation < 0.003 && bins == 19, "{deviation}, {bins}");
         let plane = || below(|x, _| 0.3 * x).into_iter();
-        let (angle, deviation, _) = slope(Some(DVec3::X)).fit(plane());
+        let (angle, deviation, _) = slope(Some(DVec3::X)).fit_to(plane());
         assert!(
             (angle + 16.699).abs() < 0.05 && deviation < 1e-3,
             "{angle}, {deviation}"
         );
-        assert!((slope(Some(DVec3::Y)).fit(plane()).0).abs() < 1e-9);
+        assert!((slope(Some(DVec3::Y)).fit_to(plane()).0).abs() < 1e-9);
     }
 
     #[test]
     fn without_two_bins_there_is_no_angle() {
-        let (angle, _, bins) = slope(None).fit(std::iter::once((dvec3(0.3, 0.2, 0.0), 0.1)));
+        let (angle, _, bins) = slope(None).fit_to(std::iter::once((dvec3(0.3, 0.2, 0.0), 0.1)));
         assert!(angle.is_nan() && bins == 1);
-        assert_eq!(slope(None).fit(std::iter::empty()).2, 0);
+        assert_eq!(slope(None).fit_to(std::iter::empty()).2, 0);
     }
 
     /// Random spheres of two sizes below a surface, 2 m wide.
@@ -208,12 +238,12 @@ mod tests {
             let mut heap_slope = slope(None);
             heap_slope.between = (0.1, 0.9);
             heap_slope.bins = 16;
-            let (angle, deviation, bins) = heap_slope.fit(heap.into_iter());
+            let (angle, deviation, bins) = heap_slope.fit_to(heap.into_iter());
             assert!((angle - degrees).abs() < 0.5 && bins == 16, "{degrees}: {angle}");
             assert!(deviation < 0.02, "{deviation}");
             let bed = poured(|x, _| 0.5 + 0.5 * steep * (x - 0.1));
             let told = libm::atan(-0.5 * steep).to_degrees();
-            let (angle, ..) = slope(Some(DVec3::X)).fit(bed.into_iter());
+            let (angle, ..) = slope(Some(DVec3::X)).fit_to(bed.into_iter());
             assert!((angle - told).abs() < 0.5, "{told}: {angle}");
         }
     }

@@ -1,5 +1,6 @@
 //! Where grains are and how they move: one grain, or the mean of several.
 
+use super::told_first::each_grain;
 use super::{Selection, ToldColumn, Value};
 use crate::particles::Origins;
 use crate::simulation::Simulation;
@@ -38,33 +39,33 @@ impl GrainTrace {
     /// Its values now, in the order of [`TRACE_COLUMNS`]. Grains are summed up in the order of their ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
         let grains = &sim.grains;
-        let mut traced: Vec<(u32, usize)> = (0..grains.len())
-            .filter(|&g| self.selection.holds(grains, origins, g))
-            .map(|g| (grains.id[g], g))
-            .collect();
-        traced.sort_unstable();
-        let mut mass = 0.0;
-        let [mut place, mut velocity, mut spin, mut force] = [DVec3::ZERO; 4];
-        for &(_, g) in &traced {
-            let m = grains.mass[g];
+        let (mut count, mut mass, mut sums, mut latest) = (0, 0.0, [DVec3::ZERO; 3], [DVec3::ZERO; 3]);
+        let mut force = DVec3::ZERO;
+        let is_traced = |g: usize| self.selection.holds(grains, origins, g);
+        let tell = |g: usize| {
+            let motion = [sim.unwrapped(g), grains.velocity[g], grains.angular_velocity[g]];
+            (grains.mass[g], motion, grains.force[g])
+        };
+        each_grain(sim, is_traced, tell, |_, (m, motion, f)| {
+            count += 1;
             mass += m;
-            place += sim.unwrapped(g) * m;
-            velocity += grains.velocity[g] * m;
-            spin += grains.angular_velocity[g] * m;
-            force += grains.force[g];
-        }
-        if let [(_, g)] = traced[..] {
+            (sums.iter_mut().zip(motion)).for_each(|(sum, of)| *sum += of * m);
+            latest = motion;
+            force += f;
+        });
+        let means = match count {
             // one grain tells its own numbers, not what rounding makes of them
-            (place, velocity) = (sim.unwrapped(g), grains.velocity[g]);
-            spin = grains.angular_velocity[g];
-        } else {
-            [place, velocity, spin] = [place / mass, velocity / mass, spin / mass];
-        }
-        if traced.is_empty() {
+            1 => latest,
+            _ => sums.map(|sum| sum / mass),
+        };
+        if count == 0 {
             force = DVec3::NAN;
         }
-        let numbers = [place, velocity, spin, force].map(|v| v.to_array().map(Value::Number));
-        let count = Value::Count(traced.len() as u64);
-        std::iter::once(count).chain(numbers.into_iter().flatten()).collect()
+        let numbers = means
+            .into_iter()
+            .chain([force])
+            .map(|v| v.to_array().map(Value::Number));
+        let count = Value::Count(count);
+        std::iter::once(count).chain(numbers.flatten()).collect()
     }
 }

@@ -24,7 +24,7 @@ pub(crate) mod vtk;
 pub(crate) mod vtk_file;
 pub mod vtp;
 
-pub use chains::ChainWriter;
+pub use chains::{ChainWriter, tell_chains};
 pub use distribution::DistributionWriter;
 pub use error::OutputError;
 pub use fields::FieldWriter;

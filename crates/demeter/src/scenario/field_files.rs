@@ -4,7 +4,7 @@ use super::measures::MeasureKind;
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{ForceChains, Moment};
-use crate::output::{ChainWriter, FieldWriter, OutputError, RunFolder};
+use crate::output::{ChainWriter, FieldWriter, OutputError, RunFolder, tell_chains};
 use crate::simulation::Simulation;
 
 /// A writer for every field and all force chains of a scenario, in its order.
@@ -14,12 +14,6 @@ pub(super) struct FieldFiles<'a> {
 }
 
 impl<'a> FieldFiles<'a> {
-    /// Whether a scenario has any.
-    pub fn are_any(scenario: &Scenario) -> bool {
-        let is_one = |kind: &MeasureKind| matches!(kind, MeasureKind::Field(_) | MeasureKind::ForceChains(_));
-        scenario.measures.iter().any(|measure| is_one(&measure.kind))
-    }
-
     /// Starts all files, or goes on with them after a step.
     pub fn open(scenario: &'a Scenario, folder: &RunFolder, after: Option<u64>) -> Result<Self, OutputError> {
         let (mut fields, mut chains) = (Vec::new(), Vec::new());
@@ -54,5 +48,21 @@ impl<'a> FieldFiles<'a> {
             writer.write(at, &of.measure(sim, traffic.origins()))?;
         }
         Ok(())
+    }
+}
+
+/// Tells the first process what this one has of all fields and chains, as it writes them.
+pub(super) fn tell(scenario: &Scenario, sim: &Simulation, traffic: &mut Traffic<'_>) {
+    let fields = scenario
+        .measures
+        .iter()
+        .filter(|m| matches!(m.kind, MeasureKind::Field(_)));
+    for k in 0..fields.count() {
+        traffic.take_field(k, sim);
+    }
+    for measure in &scenario.measures {
+        if let MeasureKind::ForceChains(of) = &measure.kind {
+            tell_chains(&of.measure(sim, traffic.origins()));
+        }
     }
 }

@@ -66,47 +66,6 @@ pub enum MeasureKind {
     CylinderProfile(CylinderProfile),
 }
 
-/// What of a run that several processes share must be brought together for a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum LooksAt {
-    /// Nothing: sums over the grains and contacts of each process.
-    Sums,
-    /// All grains.
-    Grains,
-    /// All grains and contacts.
-    Contacts,
-}
-
-impl MeasureKind {
-    /// What it looks at for a row.
-    fn looks_at(&self) -> LooksAt {
-        match self {
-            Self::Field(_) | Self::ForceChains(_) => LooksAt::Sums,
-            Self::RegionCount(_)
-            | Self::GrainTrace(_)
-            | Self::MassFlow(_)
-            | Self::Mixing(_)
-            | Self::Profile(_)
-            | Self::CylinderProfile(_)
-            | Self::Residence(_)
-            | Self::Displacement(_) => LooksAt::Grains,
-            Self::ContactNetwork(_)
-            | Self::ForceDistribution(_)
-            | Self::Slope(_)
-            | Self::Fabric(_)
-            | Self::ContactAngles(_)
-            | Self::Paths(_)
-            | Self::NeighbourMixing(_) => LooksAt::Contacts,
-        }
-    }
-}
-
-/// What the rows of these measures look at.
-pub(super) fn rows_look_at(measures: &[MeasureSpec]) -> LooksAt {
-    let each = measures.iter().map(|measure| measure.kind.looks_at());
-    each.max().unwrap_or(LooksAt::Sums)
-}
-
 /// The contact networks of a list of measures, with their names.
 pub(super) fn networks(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, &ContactNetwork)> {
     measures.iter().filter_map(|measure| match &measure.kind {

@@ -1,11 +1,11 @@
 //! What a run writes row by row: the series, and a distribution for every measure that asks for one.
 
-use super::measures::{LooksAt, MeasureKind, distributions, networks, profiles, rows_look_at};
+use super::measures::{MeasureKind, MeasureSpec, distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{
-    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, Value,
-    WEAR_COLUMNS, box_titles, box_values, measure, wear_values,
+    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, WEAR_COLUMNS,
+    box_titles, box_values, measure, wear_values,
 };
 use crate::output::{
     DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesTable, SeriesWriter, path_row,
@@ -13,14 +13,14 @@ use crate::output::{
 };
 use crate::simulation::Simulation;
 
-/// All files of rows, open at their ends.
+/// All files of rows, open at their ends. Without files what they tell is measured, too, where another process writes it.
 pub(super) struct Rows<'a> {
     scenario: &'a Scenario,
     series: Series,
     networks: Vec<&'a ContactNetwork>,
-    distributions: Vec<(&'a ForceDistribution, DistributionWriter)>,
-    profiles: Vec<(&'a Profile, ProfileWriter)>,
-    tables: Vec<(Told<'a>, MomentTable)>,
+    distributions: Vec<(&'a ForceDistribution, Option<DistributionWriter>)>,
+    profiles: Vec<(&'a Profile, Option<ProfileWriter>)>,
+    tables: Vec<(Told<'a>, Option<MomentTable>)>,
 }
 
 /// Where the rows of the series go.
@@ -31,11 +31,26 @@ enum Series {
 
 /// What is told in a table of its own.
 enum Told<'a> {
-    /// Residence times of the measure of this number among those.
-    Residence(usize),
+    /// Residence times of the measure of this number among those, in bins of this width [s] and so many.
+    Residence(usize, (f64, u32)),
     Angles(&'a ContactAngles),
     Paths(&'a Paths),
     Rings(&'a CylinderProfile),
+}
+
+impl Told<'_> {
+    fn rows(&self, sim: &Simulation, traffic: &Traffic<'_>) -> Vec<Vec<String>> {
+        let origins = traffic.origins();
+        match self {
+            Self::Residence(index, _) => vec![residence_row(&traffic.residence_distribution(*index))],
+            Self::Angles(angles) => rose_rows(&angles.measure(sim, origins)).to_vec(),
+            Self::Rings(profile) => {
+                let rings = profile.measure(sim, origins);
+                rings.iter().enumerate().map(|(k, ring)| ring_row(k, ring)).collect()
+            }
+            Self::Paths(paths) => paths.measure(sim, origins).iter().map(path_row).collect(),
+        }
+    }
 }
 
 impl<'a> Rows<'a> {
@@ -53,13 +68,14 @@ impl<'a> Rows<'a> {
 
     /// Without files: the series alone, kept in memory.
     pub fn in_memory(scenario: &'a Scenario) -> Self {
+        let measures = &scenario.measures;
         Self {
             scenario,
             series: Series::Memory(SeriesTable::new(labels(scenario))),
-            networks: networks(&scenario.measures).map(|(_, network)| network).collect(),
-            distributions: Vec::new(),
-            profiles: Vec::new(),
-            tables: Vec::new(),
+            networks: networks(measures).map(|(_, network)| network).collect(),
+            distributions: distributions(measures).map(|(_, bins)| (bins, None)).collect(),
+            profiles: profiles(measures).map(|(_, profile)| (profile, None)).collect(),
+            tables: told_in_tables(measures).map(|(_, told)| (told, None)).collect(),
         }
     }
 
@@ -99,40 +115,30 @@ impl<'a> Rows<'a> {
         }
         let stages = labels(scenario).stages;
         let opened =
-            distributions(&scenario.measures).map(|(name, bins)| Ok((bins, open(name, bins, stages.clone())?)));
+            distributions(&scenario.measures).map(|(name, bins)| Ok((bins, Some(open(name, bins, stages.clone())?))));
         Ok(Self {
             scenario,
             series: Series::File(series),
             networks: networks(&scenario.measures).map(|(_, network)| network).collect(),
             profiles: profiles(measures)
-                .map(|(name, profile)| Ok((profile, open_profile(name, stages.clone())?)))
+                .map(|(name, profile)| Ok((profile, Some(open_profile(name, stages.clone())?))))
                 .collect::<Result<_, OutputError>>()?,
             distributions: opened.collect::<Result<_, OutputError>>()?,
             tables: tables(scenario, folder, after)?,
         })
     }
 
-    /// Measures the present state, where one process has it all.
+    /// Measures the present state. Each process calls this; the first is told what they know together.
     pub fn measure(&self, sim: &mut Simulation, traffic: &mut Traffic<'_>, moment: Moment) -> Measures {
-        let (mut row, of_box) = self.sums(sim, moment);
-        self.complete(&mut row, of_box, sim, traffic);
-        row
-    }
-
-    /// What all processes know of a row, with the columns of a box that deforms. Each calls this.
-    fn sums(&self, sim: &mut Simulation, moment: Moment) -> (Measures, Vec<Value>) {
-        let row = measure(sim, moment, self.scenario.output.strain.as_ref());
-        let deforms = self.scenario.deforms();
-        let of_box = deforms.then(|| box_values(sim, row.energies.boundary_work));
-        (row, of_box.unwrap_or_default())
-    }
-
-    /// Adds what is told by the process that has all that the measures look at.
-    fn complete(&self, row: &mut Measures, of_box: Vec<Value>, sim: &Simulation, traffic: &mut Traffic<'_>) {
+        let mut row = measure(sim, moment, self.scenario.output.strain.as_ref());
+        sim.hear_corrected_places();
         row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
         row.told = traffic.values(sim);
         row.told.extend(wear_values(sim));
-        row.told.extend(of_box);
+        if self.scenario.deforms() {
+            row.told.extend(box_values(sim, row.energies.boundary_work));
+        }
+        row
     }
 
     /// Measures the present state; the first process adds it to all files. Each calls this.
@@ -142,93 +148,105 @@ impl<'a> Rows<'a> {
         traffic: &mut Traffic<'_>,
         moment: Moment,
     ) -> Result<Measures, OutputError> {
-        let (mut row, of_box) = self.sums(sim, moment);
-        match rows_look_at(&self.scenario.measures) {
-            LooksAt::Sums => {}
-            LooksAt::Grains => sim.bring_grains_together(),
-            LooksAt::Contacts => sim.bring_together(),
-        }
-        let written = match sim.is_first_process() {
-            true => {
-                self.complete(&mut row, of_box, sim, traffic);
-                self.add(&row, sim, traffic)
-            }
-            false => Ok(()),
-        };
-        sim.go_apart();
-        written.map(|()| row)
+        let row = self.measure(sim, traffic, moment);
+        self.add(&row, sim, traffic)?;
+        Ok(row)
     }
 
     /// Adds a row to all files.
     fn add(&mut self, row: &Measures, sim: &Simulation, traffic: &Traffic<'_>) -> Result<(), OutputError> {
-        match &mut self.series {
-            Series::File(writer) => writer.write(row)?,
-            Series::Memory(table) => table.add(row),
+        if sim.is_first_process() {
+            match &mut self.series {
+                Series::File(writer) => writer.write(row)?,
+                Series::Memory(table) => table.add(row),
+            }
         }
+        let origins = traffic.origins();
         for (bins, writer) in &mut self.distributions {
-            writer.write(row, &bins.measure(sim))?;
+            tell(
+                sim,
+                writer,
+                || bins.measure(sim),
+                |writer, told| writer.write(row, &told),
+            )?;
         }
         for (profile, writer) in &mut self.profiles {
-            writer.write(row, &profile.measure(sim, traffic.origins()))?;
+            let measure = || profile.measure(sim, origins);
+            tell(sim, writer, measure, |writer, told| writer.write(row, &told))?;
         }
         for (told, table) in &mut self.tables {
-            match told {
-                Told::Residence(index) => table.add(row, [residence_row(&traffic.residence_distribution(*index))])?,
-                Told::Angles(angles) => table.add(row, rose_rows(&angles.measure(sim, traffic.origins())))?,
-                Told::Rings(profile) => {
-                    let rings = profile.measure(sim, traffic.origins());
-                    table.add(row, rings.iter().enumerate().map(|(k, ring)| ring_row(k, ring)))?;
-                }
-                Told::Paths(paths) => {
-                    let points = paths.measure(sim, traffic.origins());
-                    table.add(row, points.iter().map(path_row))?;
-                }
-            }
+            let measure = || told.rows(sim, traffic);
+            tell(sim, table, measure, |table, rows| table.add(row, rows))?;
         }
         Ok(())
     }
 }
 
-/// Opens the tables of measures that have one of their own, after a step when it is told.
+/// Measures what is written into a file, or what another process is told that has it.
+fn tell<F, T>(
+    sim: &Simulation,
+    file: &mut Option<F>,
+    measure: impl FnOnce() -> T,
+    write: impl FnOnce(&mut F, T) -> Result<(), OutputError>,
+) -> Result<(), OutputError> {
+    match file {
+        Some(file) => write(file, measure()),
+        None if sim.is_divided() => {
+            measure();
+            Ok(())
+        }
+        None => Ok(()),
+    }
+}
+
+/// Measures that have a table of their own, with their names.
+fn told_in_tables(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, Told<'_>)> {
+    let mut residences = 0;
+    measures.iter().filter_map(move |measure| {
+        let told = match &measure.kind {
+            MeasureKind::Residence(residence) => {
+                residences += 1;
+                Told::Residence(residences - 1, residence.bins?)
+            }
+            MeasureKind::ContactAngles(angles) => Told::Angles(angles),
+            MeasureKind::CylinderProfile(profile) => Told::Rings(profile),
+            MeasureKind::Paths(paths) => Told::Paths(paths),
+            _ => return None,
+        };
+        Some((measure.name.as_str(), told))
+    })
+}
+
+/// Opens these tables, after a step when it is told.
 fn tables<'a>(
     scenario: &'a Scenario,
     folder: &RunFolder,
     after: Option<u64>,
-) -> Result<Vec<(Told<'a>, MomentTable)>, OutputError> {
-    let mut tables = Vec::new();
-    let mut residences = 0;
+) -> Result<Vec<(Told<'a>, Option<MomentTable>)>, OutputError> {
     let stages = labels(scenario).stages;
-    for measure in &scenario.measures {
-        let name = &measure.name;
-        let (told, path, titles) = match &measure.kind {
-            MeasureKind::Residence(residence) => {
-                residences += 1;
-                let Some((width, bins)) = residence.bins else { continue };
+    let open = |(name, told): (&str, Told<'a>)| {
+        let (path, titles) = match &told {
+            Told::Residence(_, (width, bins)) => {
                 folder.make_distributions()?;
-                let titles = residence_titles(width, bins);
-                (Told::Residence(residences - 1), folder.distribution(name), titles)
+                (folder.distribution(name), residence_titles(*width, *bins))
             }
-            MeasureKind::ContactAngles(angles) => {
+            Told::Angles(angles) => {
                 folder.make_distributions()?;
-                (
-                    Told::Angles(angles),
-                    folder.distribution(name),
-                    rose_titles(&angles.edges()),
-                )
+                (folder.distribution(name), rose_titles(&angles.edges()))
             }
-            MeasureKind::CylinderProfile(profile) => {
+            Told::Rings(_) => {
                 folder.make_profiles()?;
-                (Told::Rings(profile), folder.profile(name), ring_titles())
+                (folder.profile(name), ring_titles())
             }
-            MeasureKind::Paths(paths) => {
+            Told::Paths(_) => {
                 folder.make_paths()?;
-                (Told::Paths(paths), folder.path_table(name), path_titles())
+                (folder.path_table(name), path_titles())
             }
-            _ => continue,
         };
-        tables.push((told, MomentTable::open(&path, &titles, stages.clone(), after)?));
-    }
-    Ok(tables)
+        let table = MomentTable::open(&path, &titles, stages.clone(), after)?;
+        Ok((told, Some(table)))
+    };
+    told_in_tables(&scenario.measures).map(open).collect()
 }
 
 /// Titles of the columns behind all others.

@@ -150,18 +150,12 @@ impl<'a> Traffic<'a> {
 
     /// The first process looks where grains are when it is time. Each calls this.
     pub fn watch(&mut self, sim: &mut Simulation) {
-        if !self.followed.is_due(sim) {
-            return;
-        }
-        if self.followed.needs_contacts(sim) {
-            sim.bring_together();
-        } else {
-            sim.bring_grains_together();
-        }
-        if sim.is_first_process() {
+        if self.followed.is_due(sim) {
+            if self.followed.needs_contacts(sim) {
+                sim.hear_corrected_places();
+            }
             self.followed.watch(sim, &self.state.origins);
         }
-        sim.go_apart();
     }
 
     /// Whether grains are looked at after the latest step.
@@ -179,19 +173,9 @@ impl<'a> Traffic<'a> {
             || feeds.any(|(spec, state)| state.active && !state.done && is_due(sim, spec.every))
     }
 
-    /// The first process looks at what is followed, where anything is. Each calls this.
-    fn look_together(&mut self, sim: &mut Simulation) {
-        if self.followed.looks_at_grains() {
-            sim.bring_grains_together();
-            self.look(sim);
-        }
-    }
-
-    /// What is followed is told by the first process, and by no other.
+    /// The first process looks at what is followed. Each calls this.
     fn look(&mut self, sim: &Simulation) {
-        if sim.is_first_process() {
-            self.followed.look(sim, &self.state.origins);
-        }
+        self.followed.look(sim, &self.state.origins);
     }
 
     /// Gives grains the tags that are due now; twice at one moment changes nothing.
@@ -239,7 +223,7 @@ impl<'a> Traffic<'a> {
             return Ok(messages);
         }
         // a grain that leaves may have passed a gate since the latest look
-        self.look_together(sim);
+        self.look(sim);
         for gone in &gone {
             self.state.origins.forget_tag(gone.id);
         }
@@ -254,7 +238,7 @@ impl<'a> Traffic<'a> {
                 self.state.origins.set_tag(id, feed.tag);
             }
         }
-        self.look_together(sim);
+        self.look(sim);
         Ok(messages)
     }
 

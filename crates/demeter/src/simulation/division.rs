@@ -8,8 +8,8 @@
 //! both know the same. What all contacts did is summed up segment by segment ([`StepWork`](crate::contacts::step_work::StepWork)).
 //!
 //! What is summed up over all grains and contacts each process sums up of its own (`sums`). Frames and checkpoints are written by the
-//! first process, which hears the parts of others while it writes (`parts`); for measures of all grains it alone is told the whole
-//! (`whole`). Where grains come or go, are put in order again or get another process, each finds which that are, and tells what leaves
+//! first process, and measures made, which hears the parts of others meanwhile (`parts`). Who wants to look at the whole has all tell
+//! all (`whole`). Where grains come or go, are put in order again or get another process, each finds which that are, and tells what leaves
 //! it (`handing`).
 
 mod coupled;
@@ -34,7 +34,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 pub(crate) use sums::Segment;
-use whole::Gathered;
 
 /// Grains are divided anew when the busiest process has so much more to do, as a share of the mean, than right after they were
 /// divided.
@@ -69,7 +68,6 @@ pub(crate) struct Division {
     is_whole: bool,
     /// The divided tables while those of the whole are in place.
     aside: Option<Box<Aside>>,
-    gathered: Gathered,
     /// Work of the busiest process over the mean: now, and right after grains were divided.
     imbalance: f64,
     imbalance_when_divided: f64,
@@ -275,7 +273,6 @@ impl Simulation {
             tells_of: Vec::new(),
             is_whole: true,
             aside: None,
-            gathered: Gathered::default(),
             imbalance: 1.0,
             imbalance_when_divided: 1.0,
             divided: 0,
@@ -296,6 +293,11 @@ impl Simulation {
             Some(division) => division.known(per_segment, count).collect::<BTreeSet<usize>>().len(),
             None => count,
         }
+    }
+
+    /// Grains whose motion this process knows: its own, and those that it hears of.
+    pub(crate) fn grains_here(&self) -> impl Iterator<Item = usize> + Clone + '_ {
+        known_grains(self.division.as_deref(), self.grains.len())
     }
 
     /// Whether this process has some of the contacts only.
@@ -360,12 +362,7 @@ impl Simulation {
         if self.shares_nothing().is_some() {
             return;
         }
-        let Some(division) = &mut self.division else { return };
-        let has_gathered_grains = division.forget_gathered();
         let Some(mut division) = self.division.take_if(|division| division.is_whole) else {
-            if has_gathered_grains {
-                self.forget_others();
-            }
             return;
         };
         division.is_whole = false;
@@ -511,16 +508,9 @@ impl Simulation {
 
     /// Finds the candidates of the own grains, and who must hear of which then.
     pub(super) fn continue_together(&mut self, places: Places) {
-        let has_gathered_grains = self
-            .division
-            .as_mut()
-            .is_some_and(|division| division.forget_gathered());
         self.continue_with_candidates(places);
         if let Some(division) = &mut self.division {
             division.find_borders(&self.neighbours, self.coupling.is_some());
-        }
-        if has_gathered_grains {
-            self.forget_others();
         }
         // this is rare, and has numbers of all grains
         self.order = SpatialOrder::default();

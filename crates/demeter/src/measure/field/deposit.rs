@@ -3,6 +3,7 @@
 use super::kernel::KernelIn;
 use glam::DVec3;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// Most periods that an image is looked for beyond the box of the grid.
 const MOST_PERIODS: f64 = 100.0;
@@ -24,7 +25,7 @@ pub(super) const STRESS: usize = 13;
 pub(super) const TRACTION: usize = 22;
 
 /// What is spread from a point.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) enum Load {
     /// A grain.
     Grain {
@@ -38,7 +39,7 @@ pub(super) enum Load {
 }
 
 /// A grain, or the end of a force from what is not counted.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) struct Point {
     pub place: DVec3,
     pub load: Load,
@@ -78,7 +79,7 @@ pub(super) struct Periods {
 }
 
 /// A force along a branch.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) struct Branch {
     /// Where it begins [m].
     pub from: DVec3,

@@ -31,8 +31,8 @@ mod kernel;
 pub use deposit::SUMS;
 pub use kernel::{Kernel, KernelIn, KernelShape, LARGEST_CUT, LEAST_CUT};
 
-use super::{Selection, holds};
-use crate::contacts::ContactChunk;
+use super::told_first::{Acting, counting, each_contact, each_in_order};
+use super::{Selection, contact_counts, holds};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
 use deposit::{
@@ -40,6 +40,9 @@ use deposit::{
 };
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+
+/// Points or branches that are added to the cells at once.
+const AT_ONCE: usize = 1 << 16;
 
 /// Most cells of a grid.
 pub const MAX_FIELD_CELLS: u64 = 2_000_000;
@@ -152,15 +155,25 @@ impl Field {
         }
     }
 
-    /// Adds the present state to sums.
+    /// Adds the present state to sums. Where processes share the run each calls this, and the first alone has the sums.
     pub fn sample(&self, sim: &Simulation, origins: &Origins, state: &mut FieldSums) {
         let grid = self.grid(sim);
-        let mut cells = vec![[0.0; SUMS]; grid.len()];
-        let kernel = self.kernel.in_dimensions(grid.dimensions());
-        grid.spread(&self.spread(sim, origins), &kernel, &mut cells);
-        state.sums.resize(grid.len() * SUMS, 0.0);
+        let is_first = sim.together().is_first();
+        let mut sampling = Sampling {
+            spread: Spread {
+                periods: periods(sim),
+                ..Spread::default()
+            },
+            kernel: self.kernel.in_dimensions(grid.dimensions()),
+            cells: vec![[0.0; SUMS]; if is_first { grid.len() } else { 0 }],
+            grid,
+        };
+        self.each_branch(sim, origins, |told| sampling.add_branch(told));
+        self.each_grain(sim, origins, |grain| sampling.add_point(grain));
+        sampling.deposit();
+        state.sums.resize(sampling.cells.len() * SUMS, 0.0);
         state.samples += 1;
-        for (sum, add) in state.sums.iter_mut().zip(cells.as_flattened()) {
+        for (sum, add) in state.sums.iter_mut().zip(sampling.cells.as_flattened()) {
             *sum += add;
         }
     }
@@ -190,37 +203,23 @@ impl Field {
         state.sums.len() == if state.samples == 0 { 0 } else { cells * SUMS }
     }
 
-    /// What the present state spreads: grains in their order, contacts in that of the tables.
-    fn spread(&self, sim: &Simulation, origins: &Origins) -> Spread {
-        let grains = &sim.grains;
-        let counts: Vec<bool> = (0..grains.len())
-            .map(|g| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g))
-            .collect();
-        let mut contacts = vec![0u32; grains.len()];
-        let mut spread = Spread {
-            periods: periods(sim),
-            ..Spread::default()
+    /// What contacts spread, those between grains first, in the order of the tables.
+    fn each_branch(&self, sim: &Simulation, origins: &Origins, look: impl FnMut(ToldBranch)) {
+        let counts = counting(sim, &self.zone, &self.selection, origins);
+        let tell = |contact: Acting<'_>| {
+            let counts = contact.grains().map(|grain| grain.is_some_and(|g| counts[g]));
+            ToldBranch::of(sim, contact, counts)
         };
-        for chunk in &sim.contacts.pairs {
-            for k in (0..chunk.len()).filter(|&k| chunk.acts(k)) {
-                let (i, j) = (chunk.i[k] as usize, chunk.j[k] as usize);
-                contacts[i] += 1;
-                contacts[j] += 1;
-                add_pair(sim, chunk, k, [counts[i], counts[j]], &mut spread);
-            }
-        }
-        for chunk in &sim.contacts.walls {
-            for k in (0..chunk.len()).filter(|&k| chunk.acts(k)) {
-                let i = chunk.i[k] as usize;
-                contacts[i] += 1;
-                if counts[i] {
-                    add_half(sim, chunk, k, 1.0, &mut spread);
-                }
-            }
-        }
-        for g in (0..grains.len()).filter(|&g| counts[g]) {
+        each_contact(sim, tell, look);
+    }
+
+    /// What grains spread, in their order.
+    fn each_grain(&self, sim: &Simulation, origins: &Origins, look: impl FnMut(Point)) {
+        let (grains, contacts) = (&sim.grains, contact_counts(sim));
+        let tell = |g: usize| {
+            let counts = holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g);
             let r = grains.radius(g);
-            spread.points.push(Point {
+            counts.then(|| Point {
                 place: grains.position[g],
                 load: Load::Grain {
                     mass: grains.mass[g],
@@ -228,44 +227,88 @@ impl Field {
                     contacts: f64::from(contacts[g]),
                     velocity: grains.velocity[g],
                 },
-            });
-        }
-        spread
+            })
+        };
+        each_in_order(sim, tell, look);
     }
 }
 
-fn add_pair(sim: &Simulation, chunk: &ContactChunk, k: usize, counts: [bool; 2], spread: &mut Spread) {
-    match counts {
-        [false, false] => {}
-        [true, true] => {
-            let contact = sim.contact(chunk, k);
-            let branch = contact.normal * (contact.lever_i + contact.lever_j);
-            spread.branches.push(Branch {
-                from: sim.grains.position[chunk.i[k] as usize] - branch,
-                branch,
-                force: chunk.force(k, contact.normal),
-            });
+/// What a contact spreads.
+#[derive(Serialize, Deserialize)]
+struct ToldBranch {
+    branch: Branch,
+    /// Whether it begins where what does not count acts on what does.
+    is_half: bool,
+}
+
+impl ToldBranch {
+    /// Of a contact of bodies that count or do not; nothing where neither does.
+    fn of(sim: &Simulation, acting: Acting<'_>, counts: [bool; 2]) -> Option<Self> {
+        if counts == [false, false] {
+            return None;
         }
-        [true, false] => add_half(sim, chunk, k, 1.0, spread),
-        [false, true] => add_half(sim, chunk, k, -1.0, spread),
+        let contact = acting.contact(sim);
+        let centre = sim.grains.position[acting.chunk.i[acting.place] as usize];
+        let force = acting.chunk.force(acting.place, contact.normal);
+        let (lever_i, lever_j) = (contact.lever_i, contact.lever_j);
+        let half = |side: f64, lever: f64| Branch {
+            from: centre - contact.normal * lever_i,
+            branch: contact.normal * (side * lever),
+            force: force * side,
+        };
+        let branch = match counts {
+            [true, true] => {
+                let branch = contact.normal * (lever_i + lever_j);
+                let from = centre - branch;
+                Branch { from, branch, force }
+            }
+            [true, false] => half(1.0, lever_i),
+            [false, _] => half(-1.0, lever_j),
+        };
+        let is_half = counts != [true, true];
+        Some(Self { branch, is_half })
     }
 }
 
-/// Adds the part of a contact that belongs to its first body (side 1) or its second (side -1): the other does not count.
-fn add_half(sim: &Simulation, chunk: &ContactChunk, k: usize, side: f64, spread: &mut Spread) {
-    let contact = sim.contact(chunk, k);
-    let from = sim.grains.position[chunk.i[k] as usize] - contact.normal * contact.lever_i;
-    let lever = if side > 0.0 { contact.lever_i } else { contact.lever_j };
-    let force = chunk.force(k, contact.normal) * side;
-    spread.branches.push(Branch {
-        from,
-        branch: contact.normal * (side * lever),
-        force,
-    });
-    spread.points.push(Point {
-        place: from,
-        load: Load::Force(force),
-    });
+/// Points and branches that wait to be added to cells, some at a time.
+struct Sampling {
+    grid: Grid,
+    kernel: KernelIn,
+    spread: Spread,
+    cells: Vec<[f64; SUMS]>,
+}
+
+impl Sampling {
+    fn add_branch(&mut self, told: ToldBranch) {
+        self.spread.branches.push(told.branch);
+        if told.is_half {
+            self.add_point(Point {
+                place: told.branch.from,
+                load: Load::Force(told.branch.force),
+            });
+        } else {
+            self.deposit_if_many();
+        }
+    }
+
+    fn add_point(&mut self, point: Point) {
+        self.spread.points.push(point);
+        self.deposit_if_many();
+    }
+
+    fn deposit_if_many(&mut self) {
+        if self.spread.points.len().max(self.spread.branches.len()) >= AT_ONCE {
+            self.deposit();
+        }
+    }
+
+    /// Adds what waits. The sums of grains, of branches and of forces are others, and each kind comes in its order: so the bits are
+    /// those of all at once.
+    fn deposit(&mut self) {
+        self.grid.spread(&self.spread, &self.kernel, &mut self.cells);
+        self.spread.points.clear();
+        self.spread.branches.clear();
+    }
 }
 
 /// What leads to the next image along a periodic direction [m].

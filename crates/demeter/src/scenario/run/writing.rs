@@ -4,7 +4,7 @@ use super::{Files, RunState, Runner, labels};
 use crate::checkpoint::{self, Header};
 use crate::measure::{Moment, contact_records, frame_part, wall_surfaces};
 use crate::output::{Frame, FrameBox, SeriesTable, tell_frame};
-use crate::scenario::field_files::FieldFiles;
+use crate::scenario::field_files;
 use crate::scenario::run_error::RunError;
 use crate::simulation::{Phase, Simulation};
 use crate::walls::Wall;
@@ -68,14 +68,12 @@ impl<'a> Runner<'a> {
                 Ok(())
             }
         })?;
-        if !FieldFiles::are_any(self.scenario) {
-            return Ok(());
-        }
         let moment = self.moment();
-        self.at_first(|runner| {
-            let Some(files) = files else { return Ok(()) };
-            Ok(files.fields.write(&runner.sim, &mut runner.traffic, moment)?)
-        })
+        match files {
+            Some(files) => files.fields.write(&self.sim, &mut self.traffic, moment)?,
+            None => field_files::tell(self.scenario, &self.sim, &mut self.traffic),
+        }
+        Ok(())
     }
 
     /// Hands what this process has of the present state to a writer. Where processes share the run each calls this.
@@ -107,20 +105,6 @@ impl<'a> Runner<'a> {
                 Ok(())
             }
         }
-    }
-
-    /// The first process works with all grains and contacts. Each calls this.
-    pub(in crate::scenario) fn at_first(
-        &mut self,
-        work: impl FnOnce(&mut Self) -> Result<(), RunError>,
-    ) -> Result<(), RunError> {
-        self.sim.bring_together();
-        let done = match self.sim.is_first_process() {
-            true => work(self),
-            false => Ok(()),
-        };
-        self.sim.go_apart();
-        done
     }
 
     /// Writes a checkpoint into a folder.

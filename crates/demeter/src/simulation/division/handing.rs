@@ -230,7 +230,6 @@ impl Simulation {
         let Some(mut division) = self.division.take() else {
             return;
         };
-        division.forget_gathered();
         let (per_segment, rank) = (self.neighbours.grains_per_segment(), division.ranks.rank());
         let owners = Owners {
             before: &division.cuts,

@@ -35,7 +35,7 @@ impl Simulation {
     }
 
     /// Chunks of contacts with walls of the own segments.
-    fn own_wall_chunks(&self) -> Range<usize> {
+    pub(crate) fn own_wall_chunks(&self) -> Range<usize> {
         self.chunks_of(self.own_segments(), Neighbours::wall_chunks_of_segment)
     }
 }
