@@ -41,13 +41,20 @@ impl<'a> Together<'a> {
 
     /// How many all have of several things.
     pub(crate) fn counts<const N: usize>(self, own: [u64; N]) -> [u64; N] {
-        let Some(ranks) = self.ranks else { return own };
-        let mut sums = [0; N];
+        let (sums, _) = self.counts_and_most(own);
+        sums
+    }
+
+    /// The same, and the most that one has of each.
+    pub(crate) fn counts_and_most<const N: usize>(self, own: [u64; N]) -> ([u64; N], [u64; N]) {
+        let Some(ranks) = self.ranks else { return (own, own) };
+        let (mut sums, mut most) = ([0; N], [0; N]);
         let told: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.gather_even(bytemuck::cast_slice(&own)));
         for (k, count) in told.into_iter().enumerate() {
             sums[k % N] += count;
+            most[k % N] = count.max(most[k % N]);
         }
-        sums
+        (sums, most)
     }
 
     /// Whether this process has all.

@@ -171,6 +171,13 @@ impl Grains {
         }
     }
 
+    /// Forgets forces, torques and crossings of periodic sides: these take no memory until they are written.
+    pub(crate) fn unload(&mut self) {
+        let count = self.len();
+        (self.force, self.torque) = (Rows::zeros(count), Rows::zeros(count));
+        self.image = vec![[0; 3]; count];
+    }
+
     /// Adds copies of all grains of another table, with their ids.
     pub fn append(&mut self, other: &Self) {
         self.id.extend_from_slice(&other.id);

@@ -19,6 +19,9 @@ use std::borrow::Cow;
 /// Particle-steps per second and thread assumed for the estimate of the run time.
 const ASSUMED_SPEED: f64 = 2e6;
 
+/// Grains whose memory is given back at once while tables take them: some megabytes.
+const GIVEN_BACK_AT_ONCE: usize = 1 << 16;
+
 /// Distance beyond touching at which bodies become candidates, as a share of the mean radius.
 const SKIN_SHARE: f64 = 0.2;
 
@@ -220,7 +223,15 @@ fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
                 continue;
             }
         };
-        for (n, grain) in inserted.grains.iter().enumerate() {
+        let is_last = k + 1 == scenario.grains.len();
+        // from the back, so that their memory is given back while the tables take it
+        let mut coming = inserted.grains;
+        coming.reverse();
+        for n in 0.. {
+            let Some(grain) = coming.pop() else { break };
+            if coming.len().is_multiple_of(GIVEN_BACK_AT_ONCE) {
+                coming.shrink_to_fit();
+            }
             let id = inserted.ids.as_ref().map_or(next_id, |ids| ids[n]);
             if !taken.insert(id) {
                 faults.push(
@@ -231,14 +242,17 @@ fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
                 return (grains, origins);
             }
             next_id = next_id.max(id.saturating_add(1));
-            grains.push(id, grain);
+            grains.push(id, &grain);
             origins.add(id, k as u16, 0);
             if insertion.tag != 0 {
                 origins.set_tag(id, insertion.tag);
             }
-            occupied.push((grain.position, grain.radius));
+            if !is_last {
+                occupied.push((grain.position, grain.radius));
+            }
         }
     }
+    grains.unload();
     (grains, origins)
 }
 

@@ -22,6 +22,7 @@ mod sums;
 mod whole;
 
 use super::{Places, Simulation};
+use crate::comm::together::Together;
 use crate::comm::tree::{Then, turns};
 use crate::comm::{Message, Ranks};
 use crate::contacts::{Contacts, NearTables};
@@ -163,15 +164,7 @@ impl Division {
 
     /// Sums of what all processes count, and the largest of each.
     fn counts<const N: usize>(&self, mine: [u64; N]) -> ([u64; N], [u64; N]) {
-        let (mut sums, mut most) = ([0; N], [0; N]);
-        for of in self.ranks.gather_even(bytemuck::cast_slice(&mine)).chunks_exact(8 * N) {
-            for k in 0..N {
-                let count: u64 = bytemuck::pod_read_unaligned(&of[8 * k..8 * (k + 1)]);
-                sums[k] += count;
-                most[k] = count.max(most[k]);
-            }
-        }
-        (sums, most)
+        Together::of(&*self.ranks).counts_and_most(mine)
     }
 
     /// Grains of which this process knows anything: its own, those of segments that were near, and those that it hears of. Some are told
