@@ -8,6 +8,7 @@
 
 #[cfg(target_arch = "aarch64")]
 mod neon;
+mod cube_root;
 mod quad;
 mod scalar;
 #[cfg(test)]
@@ -16,6 +17,7 @@ mod vector;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
+pub use cube_root::cube_root;
 pub use quad::{Four, Quad};
 pub use vector::{Vector, Vector3};
 

@@ -6,6 +6,7 @@ use super::path::follow;
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use std::f64::consts::PI;
@@ -49,17 +50,18 @@ pub struct Eepa {
 const REMEMBERED: usize = 3;
 
 impl Eepa {
-    fn spring(&self, size: PairSize) -> Hysteresis {
+    #[inline(always)]
+    fn spring<L: Lanes>(&self, size: PairSize<L>) -> Hysteresis<L> {
         let loading = match self.power {
-            Power::Hertz => 4.0 / 3.0 * self.modulus * size.radius.sqrt(),
-            Power::Linear => 2.0 * self.modulus * size.radius,
+            Power::Hertz => size.radius.sqrt() * (4.0 / 3.0 * self.modulus),
+            Power::Linear => size.radius * (2.0 * self.modulus),
         };
         Hysteresis {
             loading,
             unloading: Unloading::Constant(loading / (1.0 - self.plasticity_ratio)),
             pull_off: if self.surface_energy > 0.0 && self.plasticity_ratio > 0.0 {
                 // 3/2 pi Delta gamma a, a = sqrt(2 R p)
-                let share = 1.5 * PI * self.surface_energy * (2.0 * size.radius).sqrt();
+                let share = (size.radius * 2.0).sqrt() * (1.5 * PI * self.surface_energy);
                 PullOff::Dent { share }
             } else {
                 PullOff::None
@@ -70,17 +72,21 @@ impl Eepa {
                 force: self.pull_off_force,
                 ..Attraction::NONE
             },
-            damping: 0.0,
+            damping: L::splat(0.0),
         }
+    }
+
+    /// The loop of this size, and the memory of a contact.
+    #[inline(always)]
+    fn bound<L: Lanes>(&self, size: PairSize<L>, history: &[L]) -> (Hysteresis<L>, Memory<L>) {
+        let spring = self.spring(size);
+        let memory = spring.recall(history[0], history[1], history[2]);
+        (spring, memory)
     }
 
     fn with(&self, dashpot: Dashpot) -> Self {
         Self { dashpot, ..*self }
     }
-}
-
-fn recalled(spring: &Hysteresis, history: &[f64]) -> Memory {
-    spring.recall(history[0], history[1], history[2])
 }
 
 impl Normal for Eepa {
@@ -108,39 +114,57 @@ impl Normal for Eepa {
         })
     }
 
-    #[inline]
+    const WIDE: bool = true;
+
+    #[inline(always)]
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let size = input.size;
         let (memory, own) = history.split_at_mut(REMEMBERED);
         let alpha = self.dashpot.coefficient(size, own, |dashpot| self.with(dashpot));
-        let mut spring = self.spring(size);
+        let (mut spring, state) = self.bound(size, memory);
         spring.damping = alpha * (size.mass * spring.loading).sqrt();
-        let (response, next) = follow(&spring, input, recalled(&spring, memory));
-        memory.copy_from_slice(&[next.peak, next.tear, next.largest]);
+        let (response, next) = follow(&spring, input, state);
+        (memory[0], memory[1], memory[2]) = (next.peak, next.tear, next.largest);
         response
     }
 
     fn energy(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
-        let spring = self.spring(size);
-        spring.energy(recalled(&spring, history), overlap)
+        let (spring, memory) = self.bound(size, history);
+        spring.energy(memory, overlap)
     }
 
     fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
-        let spring = self.spring(size);
-        spring.stiffness(recalled(&spring, history), overlap)
+        self.stiffness_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
+        let (spring, memory) = self.bound(size, history);
+        spring.stiffness(memory, overlap)
+    }
+
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        overlap.max(L::splat(0.0))
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
         PI * (size.mass / self.spring(size).steepest(overlap)).sqrt()
     }
 
+    #[inline(always)]
     fn history(&self) -> usize {
         REMEMBERED + self.dashpot.history()
     }
 
     fn reach(&self, size: PairSize, history: &[f64]) -> f64 {
-        let spring = self.spring(size);
-        spring.reach(recalled(&spring, history))
+        let (spring, memory) = self.bound(size, history);
+        spring.reach(memory)
     }
 
     fn check(&self, size: PairSize) -> Result<(), String> {

@@ -17,6 +17,7 @@
 
 use super::path::{Branched, KINKS, Point};
 use crate::contact::PairSize;
+use crate::lanes::{Lanes, Mask, cube_root};
 
 /// Exponent of the overlap in the loading and unloading lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,7 +40,7 @@ impl Power {
 
     /// `d^n`.
     #[inline(always)]
-    pub fn of(self, d: f64) -> f64 {
+    pub fn of<L: Lanes>(self, d: L) -> L {
         match self {
             Self::Linear => d,
             Self::Hertz => d * d.sqrt(),
@@ -48,11 +49,11 @@ impl Power {
 
     /// The overlap whose power is `x`.
     #[inline(always)]
-    fn root(self, x: f64) -> f64 {
+    fn root<L: Lanes>(self, x: L) -> L {
         match self {
             Self::Linear => x,
             Self::Hertz => {
-                let third = libm::cbrt(x);
+                let third = cube_root(x);
                 third * third
             }
         }
@@ -60,9 +61,9 @@ impl Power {
 
     /// `d^(n-1)`.
     #[inline(always)]
-    fn slope(self, d: f64) -> f64 {
+    fn slope<L: Lanes>(self, d: L) -> L {
         match self {
-            Self::Linear => 1.0,
+            Self::Linear => L::splat(1.0),
             Self::Hertz => d.sqrt(),
         }
     }
@@ -70,31 +71,45 @@ impl Power {
 
 /// Stiffness of the unloading line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Unloading {
+pub enum Unloading<L = f64> {
     /// The same always.
-    Constant(f64),
+    Constant(L),
     /// `k1 + growth D` (linear lines, with a constant pull-off stiffness and `chi = 1`), up to `D = deepest`, beyond
     /// which the contact is elastic.
     Growing {
         /// Growth of the stiffness with the largest overlap.
-        growth: f64,
+        growth: L,
         /// Largest plastic overlap [m].
-        deepest: f64,
+        deepest: L,
     },
+}
+
+impl Unloading {
+    /// The same in every lane.
+    #[inline(always)]
+    pub fn in_lanes<L: Lanes>(self) -> Unloading<L> {
+        match self {
+            Self::Constant(stiffness) => Unloading::Constant(L::splat(stiffness)),
+            Self::Growing { growth, deepest } => Unloading::Growing {
+                growth: L::splat(growth),
+                deepest: L::splat(deepest),
+            },
+        }
+    }
 }
 
 /// What holds the surfaces together while they part.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PullOff {
+pub enum PullOff<L = f64> {
     /// Nothing: the contact ends at its dent.
     None,
     /// A line of this stiffness.
-    Stiffness(f64),
+    Stiffness(L),
     /// A line through the largest pull `share sqrt(p)` that a dent `p` can carry; where the unloading line would reach
     /// that pull at less than half the dent only, the pull there.
     Dent {
         /// Pull over the root of the dent [N/m^(1/2)].
-        share: f64,
+        share: L,
     },
 }
 
@@ -118,15 +133,15 @@ impl Attraction {
     };
 }
 
-/// The loop of one contact of known size.
+/// The loop of contacts of known sizes, one per lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hysteresis {
+pub struct Hysteresis<L = f64> {
     /// Stiffness of the loading line.
-    pub loading: f64,
+    pub loading: L,
     /// Stiffness of the unloading line, at least that of the loading line.
-    pub unloading: Unloading,
+    pub unloading: Unloading<L>,
     /// Pull-off line.
-    pub pull_off: PullOff,
+    pub pull_off: PullOff<L>,
     /// Exponent of loading and unloading.
     pub power: Power,
     /// Exponent of the pull-off line, at least 1.
@@ -134,29 +149,29 @@ pub struct Hysteresis {
     /// Constant attraction.
     pub attraction: Attraction,
     /// Dashpot of surfaces that touch: this coefficient, times `d^(1/4)` for a Hertzian spring.
-    pub damping: f64,
+    pub damping: L,
 }
 
 /// What a contact remembers.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Memory {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Memory<L = f64> {
     /// Overlap at which the unloading line meets the loading line [m].
-    pub peak: f64,
+    pub peak: L,
     /// Overlap at which the unloading line meets the pull-off line; the dent where there is none [m].
-    pub tear: f64,
+    pub tear: L,
     /// Largest peak so far [m].
-    pub largest: f64,
+    pub largest: L,
     /// Stiffness of the pull-off line, which follows from the largest peak.
-    pub pull_off: f64,
+    pub pull_off: L,
 }
 
 /// Steps of Newton's method, which comes down to the root from above.
 const MOST_ITERATIONS: u32 = 100;
 
-impl Hysteresis {
+impl<L: Lanes> Hysteresis<L> {
     /// Stiffness of the unloading line.
     #[inline(always)]
-    pub fn unloading(&self, peak: f64) -> f64 {
+    pub fn unloading(&self, peak: L) -> L {
         match self.unloading {
             Unloading::Constant(k2) => k2,
             Unloading::Growing { growth, .. } => self.loading + growth * peak,
@@ -165,77 +180,84 @@ impl Hysteresis {
 
     /// Largest overlap at which the contact yields [m].
     #[inline(always)]
-    fn deepest(&self) -> f64 {
+    fn deepest(&self) -> L {
         match self.unloading {
-            Unloading::Constant(_) => f64::INFINITY,
+            Unloading::Constant(_) => L::splat(f64::INFINITY),
             Unloading::Growing { deepest, .. } => deepest,
         }
     }
 
     /// `p^n` of the dent.
     #[inline(always)]
-    fn dent_power(&self, peak: f64) -> f64 {
-        (1.0 - self.loading / self.unloading(peak)) * self.power.of(peak)
+    fn dent_power(&self, peak: L) -> L {
+        (L::splat(1.0) - self.loading / self.unloading(peak)) * self.power.of(peak)
     }
 
     /// Overlap at which an unloading contact without adhesion is free of force [m].
     #[inline(always)]
-    pub fn dent(&self, peak: f64) -> f64 {
+    pub fn dent(&self, peak: L) -> L {
         self.power.root(self.dent_power(peak))
     }
 
     /// `d^chi`.
     #[inline(always)]
-    fn pull_off_power(&self, d: f64) -> f64 {
+    fn pull_off_power(&self, d: L) -> L {
         // the exponents in use need no logarithm, which would be half of the time of the law
         match self.pull_off_power {
             1.0 => d,
             1.5 => d * d.sqrt(),
             2.0 => d * d,
-            other => libm::pow(d, other),
+            other => {
+                let mut power = d;
+                for one in power.as_mut_slice() {
+                    *one = libm::pow(*one, other);
+                }
+                power
+            }
         }
     }
 
     /// Pull that the deepest dent can carry [N], and the overlap at which it does [m].
-    fn largest_pull(&self, largest: f64, share: f64) -> (f64, f64) {
+    #[inline(always)]
+    fn largest_pull(&self, largest: L, share: L) -> (L, L) {
         let k2 = self.unloading(largest);
         let dent_power = self.dent_power(largest);
         let dent = self.power.root(dent_power);
-        let at_half = k2 * (dent_power - self.power.of(0.5 * dent));
+        let half = dent * 0.5;
+        let at_half = k2 * (dent_power - self.power.of(half));
         let wanted = share * dent.sqrt();
-        if wanted < at_half {
-            (wanted, self.power.root(dent_power - wanted / k2))
+        let is_free = at_half.gt(wanted);
+        if is_free.any() {
+            let place = self.power.root(dent_power - wanted / k2);
+            (L::select(is_free, wanted, at_half), L::select(is_free, place, half))
         } else {
-            (at_half, 0.5 * dent)
+            (at_half, half)
         }
     }
 
     /// Largest overlap at which the dent can just carry its pull, at half its depth [m].
     #[inline(always)]
-    fn free_pull(&self, share: f64) -> f64 {
-        let k2 = self.unloading(0.0);
+    fn free_pull(&self, share: L) -> L {
+        let k2 = self.unloading(L::splat(0.0));
         // p^(n - 1/2)
         let half = share / (k2 * (1.0 - self.power.of(0.5)));
         let dent = match self.power {
             Power::Linear => half * half,
             Power::Hertz => half,
         };
-        self.power.root(self.power.of(dent) / (1.0 - self.loading / k2))
+        self.power.root(self.power.of(dent) / (L::splat(1.0) - self.loading / k2))
     }
 
     /// Stiffness of the pull-off line, and where it meets the unloading line of the deepest dent when that is known at once.
     #[inline(always)]
-    fn pull_off(&self, largest: f64) -> (f64, Option<f64>) {
+    fn pull_off(&self, largest: L) -> (L, Option<L>) {
+        let zero = L::splat(0.0);
         match self.pull_off {
-            PullOff::None => (0.0, None),
+            PullOff::None => (zero, None),
             PullOff::Stiffness(ka) => (ka, None),
             PullOff::Dent { share } => {
                 let (pull, place) = self.largest_pull(largest, share);
-                let stiffness = if place > 0.0 {
-                    pull / self.pull_off_power(place)
-                } else {
-                    0.0
-                };
+                let stiffness = (pull / self.pull_off_power(place)).keep(place.gt(zero));
                 (stiffness, Some(place))
             }
         }
@@ -243,7 +265,7 @@ impl Hysteresis {
 
     /// Memory of a contact from what is kept of it.
     #[inline(always)]
-    pub fn recall(&self, peak: f64, tear: f64, largest: f64) -> Memory {
+    pub fn recall(&self, peak: L, tear: L, largest: L) -> Memory<L> {
         Memory {
             peak,
             tear,
@@ -253,15 +275,22 @@ impl Hysteresis {
     }
 
     /// Memory of a contact at a peak.
-    pub fn at_peak(&self, peak: f64, largest: f64) -> Memory {
+    #[inline(always)]
+    pub fn at_peak(&self, peak: L, largest: L) -> Memory<L> {
         let largest = largest.max(peak);
         let k2 = self.unloading(peak);
         let (ka, place) = self.pull_off(largest);
-        let tear = match place {
-            Some(place) if peak == largest => place,
-            _ if self.pull_off == PullOff::None => self.dent(peak),
-            _ if self.power == Power::Linear && self.pull_off_power == 1.0 => (k2 - self.loading) * peak / (k2 + ka),
-            _ => self.crossing(k2, self.dent_power(peak), ka),
+        let tear = match (self.pull_off, place) {
+            (PullOff::None, _) => self.dent(peak),
+            (_, Some(place)) => {
+                let was_deeper = largest.gt(peak);
+                if was_deeper.any() {
+                    L::select(was_deeper, self.meeting(k2, peak, ka), place)
+                } else {
+                    place
+                }
+            }
+            (_, None) => self.meeting(k2, peak, ka),
         };
         Memory {
             peak,
@@ -271,88 +300,105 @@ impl Hysteresis {
         }
     }
 
+    /// Where the unloading line from a peak meets the pull-off line [m].
+    #[inline(always)]
+    fn meeting(&self, k2: L, peak: L, ka: L) -> L {
+        if self.power == Power::Linear && self.pull_off_power == 1.0 {
+            (k2 - self.loading) * peak / (k2 + ka)
+        } else {
+            self.crossing(k2, self.dent_power(peak), ka)
+        }
+    }
+
     /// Where the unloading line meets the pull-off line, `k2 (x^n - p^n) + ka x^chi = 0`.
-    fn crossing(&self, k2: f64, dent_power: f64, ka: f64) -> f64 {
+    #[inline(always)]
+    fn crossing(&self, k2: L, dent_power: L, ka: L) -> L {
         let (n, chi) = (self.power.exponent(), self.pull_off_power);
+        let zero = L::splat(0.0);
         let mut x = self.power.root(dent_power);
+        let mut falls = x.gt(zero);
         for _ in 0..MOST_ITERATIONS {
-            if x <= 0.0 {
-                return 0.0;
+            if !falls.any() {
+                break;
             }
             let pull = ka * self.pull_off_power(x);
-            let slope = n * k2 * self.power.slope(x) + chi * pull / x;
+            let slope = k2 * self.power.slope(x) * n + pull * chi / x;
             let next = x - (k2 * (self.power.of(x) - dent_power) + pull) / slope;
             // a convex increasing function: every step goes down until rounding stops it
-            if next >= x {
-                return x;
-            }
-            x = next;
+            falls = falls & x.gt(next) & next.gt(zero);
+            x = L::select(falls, next, x);
         }
         x
     }
 
     /// Peak of the unloading line that meets the pull-off line at an overlap.
-    fn peak_of_tear(&self, tear: f64, ka: f64) -> f64 {
+    #[inline(always)]
+    fn peak_of_tear(&self, tear: L, ka: L) -> L {
         match self.unloading {
             Unloading::Constant(k2) => {
                 let power = self.power.of(tear) + ka / k2 * self.pull_off_power(tear);
-                self.power.root(power / (1.0 - self.loading / k2))
+                self.power.root(power / (L::splat(1.0) - self.loading / k2))
             }
             // growth D^2 - growth t D - (k1 + ka) t = 0
             Unloading::Growing { growth, .. } => {
-                let half = 0.5 * tear;
+                let half = tear * 0.5;
                 half + (half * half + (self.loading + ka) * tear / growth).sqrt()
             }
         }
     }
 
-    /// Whether the constant attraction acts.
+    /// Where the constant attraction acts.
     #[inline(always)]
-    fn attracts(&self, memory: Memory) -> bool {
-        self.attraction.force > 0.0 && (self.attraction.before_touch || memory.largest > 0.0)
+    fn attracts(&self, memory: Memory<L>) -> L::Mask {
+        if self.attraction.force > 0.0 && !self.attraction.before_touch {
+            memory.largest.gt(L::splat(0.0))
+        } else {
+            L::splat(self.attraction.force).gt(L::splat(0.0))
+        }
     }
 
     /// Damping coefficient in contact [N s/m].
     #[inline(always)]
-    fn damping_at(&self, overlap: f64) -> f64 {
+    fn damping_at(&self, overlap: L) -> L {
         match self.power {
             Power::Linear => self.damping,
             Power::Hertz => self.damping * overlap.sqrt().sqrt(),
         }
     }
 
+    /// Overlap below which the surfaces do not touch [m].
+    #[inline(always)]
+    pub fn end(&self, memory: Memory<L>) -> L {
+        if matches!(self.pull_off, PullOff::None) && self.attraction.force == 0.0 {
+            memory.tear
+        } else {
+            L::splat(0.0)
+        }
+    }
+
+    /// Steepest slope of the force at an overlap [N/m].
+    #[inline(always)]
+    pub fn stiffness(&self, memory: Memory<L>, overlap: L) -> L {
+        let d = overlap.max(L::splat(0.0));
+        let peak = memory.peak.max(d.min(self.deepest()));
+        self.unloading(peak) * self.power.slope(d) * self.power.exponent()
+    }
+}
+
+impl Hysteresis {
     /// Energy that the way out of reach gives back [J].
     pub fn energy(&self, memory: Memory, overlap: f64) -> f64 {
         // the size is in the stiffnesses
         self.stored(PairSize::default(), memory, overlap)
     }
 
-    /// Overlap below which the surfaces do not touch [m].
-    #[inline(always)]
-    pub fn end(&self, memory: Memory) -> f64 {
-        if self.pull_off == PullOff::None && self.attraction.force == 0.0 {
-            memory.tear
-        } else {
-            0.0
-        }
-    }
-
     /// Gap beyond which no force acts [m].
-    #[inline(always)]
     pub fn reach(&self, memory: Memory) -> f64 {
         if self.attracts(memory) {
             self.attraction.range
         } else {
             -self.end(memory)
         }
-    }
-
-    /// Steepest slope of the force at an overlap [N/m].
-    #[inline(always)]
-    pub fn stiffness(&self, memory: Memory, overlap: f64) -> f64 {
-        let d = overlap.max(0.0);
-        let peak = memory.peak.max(d.min(self.deepest()));
-        self.power.exponent() * self.unloading(peak) * self.power.slope(d)
     }
 
     /// Steepest slope of the force on any path up to an overlap [N/m].
@@ -376,88 +422,101 @@ impl Hysteresis {
     }
 }
 
-impl Branched for Hysteresis {
-    type State = Memory;
+impl<L: Lanes> Branched<L> for Hysteresis<L> {
+    type State = Memory<L>;
 
-    #[inline]
-    fn advance(&self, _size: PairSize, memory: Memory, to: f64) -> Memory {
-        if to > memory.peak {
-            let peak = to.min(self.deepest());
-            if peak > memory.peak {
-                return self.at_peak(peak, memory.largest);
+    #[inline(always)]
+    fn advance(&self, _size: PairSize<L>, memory: Memory<L>, to: L) -> Memory<L> {
+        let beyond = to.gt(memory.peak);
+        let peak = to.min(self.deepest());
+        let yields = beyond & peak.gt(memory.peak);
+        let mut next = memory;
+        if yields.any() {
+            next = Self::select(yields, self.at_peak(peak, memory.largest), next);
+        }
+        if !matches!(self.pull_off, PullOff::None) {
+            let parts = !beyond & memory.tear.gt(to);
+            if parts.any() {
+                let tear = to.max(L::splat(0.0));
+                let peak = self.peak_of_tear(tear, memory.pull_off).min(memory.peak);
+                next = Self::select(parts, Memory { peak, tear, ..memory }, next);
             }
-        } else if to < memory.tear && self.pull_off != PullOff::None {
-            let tear = to.max(0.0);
-            return Memory {
-                peak: self.peak_of_tear(tear, memory.pull_off).min(memory.peak),
-                tear,
-                ..memory
-            };
         }
-        memory
-    }
-
-    #[inline]
-    fn point(&self, _size: PairSize, memory: Memory, overlap: f64, _approaching: bool) -> Point {
-        let Attraction { force, range, .. } = self.attraction;
-        if overlap <= 0.0 {
-            let share = if self.attracts(memory) && overlap > -range {
-                1.0 + overlap / range
-            } else {
-                0.0
-            };
-            return Point {
-                elastic: -force * share,
-                ..Point::default()
-            };
-        }
-        let pull = memory.pull_off * self.pull_off_power(overlap);
-        let spring = if overlap >= memory.tear {
-            self.unloading(memory.peak) * (self.power.of(overlap) - self.dent_power(memory.peak))
-        } else {
-            -pull
-        };
-        let touching = overlap > self.end(memory);
-        Point {
-            elastic: spring - force,
-            damping: if touching { self.damping_at(overlap) } else { 0.0 },
-            adhesion: if touching { pull + force } else { 0.0 },
-        }
-    }
-
-    #[inline]
-    fn stored(&self, _size: PairSize, memory: Memory, overlap: f64) -> f64 {
-        let Attraction { force, range, .. } = self.attraction;
-        let attracted = if self.attracts(memory) {
-            let gap = (range + overlap.min(0.0)).max(0.0);
-            let beyond = if range > 0.0 { 0.5 * gap * gap / range } else { 0.0 };
-            -force * (beyond + overlap.max(0.0))
-        } else {
-            0.0
-        };
-        if overlap <= 0.0 {
-            return attracted;
-        }
-        let parted = overlap.min(memory.tear);
-        let pull_off = -memory.pull_off * self.pull_off_power(parted) * parted / (self.pull_off_power + 1.0);
-        if overlap <= memory.tear {
-            return attracted + pull_off;
-        }
-        let primitive = |d: f64| {
-            let n = self.power.exponent();
-            (self.power.of(d) / (n + 1.0) - self.dent_power(memory.peak)) * d
-        };
-        let spring = self.unloading(memory.peak) * (primitive(overlap) - primitive(memory.tear));
-        attracted + pull_off + spring
+        next
     }
 
     #[inline(always)]
-    fn kinks(&self, _size: PairSize, memory: Memory) -> [f64; KINKS] {
+    fn point(&self, _size: PairSize<L>, memory: Memory<L>, overlap: L, _approaching: L::Mask) -> Point<L> {
+        let Attraction { force, range, .. } = self.attraction;
+        let zero = L::splat(0.0);
+        let inside = overlap.gt(zero);
+        let pull = memory.pull_off * self.pull_off_power(overlap);
+        let line = self.unloading(memory.peak) * (self.power.of(overlap) - self.dent_power(memory.peak));
+        let spring = L::select(overlap.ge(memory.tear), line, -pull);
+        let touching = inside & overlap.gt(self.end(memory));
+        let mut attracted = zero;
+        if force > 0.0 {
+            let within = self.attracts(memory) & overlap.gt(L::splat(-range));
+            let across = (overlap / range + 1.0).keep(within);
+            attracted = L::select(inside, L::splat(force), across * force);
+        }
+        Point {
+            elastic: spring.keep(inside) - attracted,
+            damping: self.damping_at(overlap).keep(touching),
+            adhesion: (pull + force).keep(touching),
+        }
+    }
+
+    #[inline(always)]
+    fn stored(&self, _size: PairSize<L>, memory: Memory<L>, overlap: L) -> L {
+        let Attraction { force, range, .. } = self.attraction;
+        let zero = L::splat(0.0);
+        let mut attracted = zero;
+        if force > 0.0 {
+            let gap = (overlap.min(zero) + range).max(zero);
+            let beyond = if range > 0.0 { gap * gap * (0.5 / range) } else { zero };
+            attracted = ((beyond + overlap.max(zero)) * -force).keep(self.attracts(memory));
+        }
+        let parted = overlap.min(memory.tear).max(zero);
+        let pull_off = memory.pull_off * self.pull_off_power(parted) * parted / -(self.pull_off_power + 1.0);
+        let beyond = overlap.max(memory.tear);
+        let dent_power = self.dent_power(memory.peak);
+        let spring = self.unloading(memory.peak) * (self.primitive(dent_power, beyond) - self.primitive(dent_power, memory.tear));
+        attracted + (pull_off + spring.keep(overlap.gt(memory.tear))).keep(overlap.gt(zero))
+    }
+
+    #[inline(always)]
+    fn kinks(&self, _size: PairSize<L>, memory: Memory<L>) -> [L; KINKS] {
         let other = match self.pull_off {
             PullOff::Dent { share } => self.free_pull(share),
-            _ if self.attraction.range > 0.0 => -self.attraction.range,
+            _ if self.attraction.range > 0.0 => L::splat(-self.attraction.range),
             _ => self.deepest(),
         };
-        [other, 0.0, memory.tear, memory.peak]
+        [other, L::splat(0.0), memory.tear, memory.peak]
+    }
+
+    #[inline(always)]
+    fn select(mask: L::Mask, yes: Memory<L>, no: Memory<L>) -> Memory<L> {
+        Memory {
+            peak: L::select(mask, yes.peak, no.peak),
+            tear: L::select(mask, yes.tear, no.tear),
+            largest: L::select(mask, yes.largest, no.largest),
+            pull_off: L::select(mask, yes.pull_off, no.pull_off),
+        }
+    }
+
+    #[inline(always)]
+    fn differ(one: Memory<L>, other: Memory<L>) -> L::Mask {
+        let [peak, tear] = [[one.peak, other.peak], [one.tear, other.tear]];
+        // the largest peak and what follows from it change with the peak only
+        peak[0].gt(peak[1]) | peak[1].gt(peak[0]) | tear[0].gt(tear[1]) | tear[1].gt(tear[0])
+    }
+}
+
+impl<L: Lanes> Hysteresis<L> {
+    /// Integral of `x^n - p^n` over the overlap.
+    #[inline(always)]
+    fn primitive(&self, dent_power: L, d: L) -> L {
+        (self.power.of(d) / (self.power.exponent() + 1.0) - dent_power) * d
     }
 }

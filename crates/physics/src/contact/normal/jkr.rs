@@ -6,6 +6,7 @@ use super::path::{Branched, KINKS, Point, follow};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 
@@ -33,29 +34,23 @@ pub struct Jkr {
 }
 
 /// Whether the surfaces hold each other, and the curve on which they do.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct JkrState {
-    curve: JkrCurve,
-    touched: bool,
+#[derive(Clone, Copy, Debug)]
+pub struct JkrState<L: Lanes> {
+    curve: JkrCurve<L>,
+    touched: L::Mask,
 }
 
 impl Jkr {
-    fn curve(&self, size: PairSize) -> JkrCurve {
-        JkrCurve::new(self.modulus, size.radius, self.adhesion, 0.0)
+    #[inline(always)]
+    fn curve<L: Lanes>(&self, size: PairSize<L>) -> JkrCurve<L> {
+        JkrCurve::new(self.modulus, size.radius, self.adhesion, L::splat(0.0))
     }
 
-    fn state(&self, size: PairSize, history: &[f64]) -> JkrState {
+    #[inline(always)]
+    fn state<L: Lanes>(&self, size: PairSize<L>, history: &[L]) -> JkrState<L> {
         JkrState {
             curve: self.curve(size),
-            touched: history[0] != 0.0,
-        }
-    }
-
-    /// `alpha`, 0 where it is still to be found.
-    fn alpha(&self) -> f64 {
-        match self.dashpot {
-            Dashpot::Coefficient(alpha) => alpha,
-            Dashpot::Realised { .. } => 0.0,
+            touched: history[0].gt(L::splat(0.0)),
         }
     }
 
@@ -64,41 +59,58 @@ impl Jkr {
     }
 }
 
-impl Branched for Jkr {
-    type State = JkrState;
+impl<L: Lanes> Branched<L> for Jkr {
+    type State = JkrState<L>;
+    const PLACES: usize = 1;
 
-    fn advance(&self, _size: PairSize, state: JkrState, to: f64) -> JkrState {
-        let touched = if state.touched {
-            to >= state.curve.tear_off()
-        } else {
-            to >= 0.0
-        };
-        JkrState { touched, ..state }
+    #[inline(always)]
+    fn advance(&self, _size: PairSize<L>, state: JkrState<L>, to: L) -> JkrState<L> {
+        JkrState {
+            touched: to.ge(state.end()),
+            ..state
+        }
     }
 
-    fn point(&self, size: PairSize, state: JkrState, overlap: f64, _approaching: bool) -> Point {
-        if !state.touched {
-            return Point::default();
-        }
+    /// The damping is that of a coefficient 1, for an effective mass and a Hertzian stiffness of 1.
+    #[inline(always)]
+    fn point(&self, size: PairSize<L>, state: JkrState<L>, overlap: L, _approaching: L::Mask) -> Point<L> {
         let root = state.curve.root(overlap);
         Point {
-            elastic: state.curve.force(root),
-            damping: self.alpha() * (4.0 / 3.0 * self.modulus * size.mass).sqrt() * root,
-            adhesion: 3.0 * std::f64::consts::PI * self.work_of_adhesion * size.radius,
+            elastic: state.curve.force(root).keep(state.touched),
+            damping: root.keep(state.touched),
+            adhesion: (size.radius * (3.0 * std::f64::consts::PI * self.work_of_adhesion)).keep(state.touched),
         }
     }
 
-    fn stored(&self, _size: PairSize, state: JkrState, overlap: f64) -> f64 {
-        if state.touched {
-            state.curve.energy(state.curve.root(overlap))
-        } else {
-            0.0
+    #[inline(always)]
+    fn stored(&self, _size: PairSize<L>, state: JkrState<L>, overlap: L) -> L {
+        state.curve.energy(state.curve.root(overlap)).keep(state.touched)
+    }
+
+    #[inline(always)]
+    fn kinks(&self, _size: PairSize<L>, state: JkrState<L>) -> [L; KINKS] {
+        [state.end(); KINKS]
+    }
+
+    #[inline(always)]
+    fn select(mask: L::Mask, yes: JkrState<L>, no: JkrState<L>) -> JkrState<L> {
+        JkrState {
+            touched: (mask & yes.touched) | (!mask & no.touched),
+            ..no
         }
     }
 
-    fn kinks(&self, _size: PairSize, state: JkrState) -> [f64; KINKS] {
-        let end = if state.touched { state.curve.tear_off() } else { 0.0 };
-        [end, f64::NAN, f64::NAN, f64::NAN]
+    #[inline(always)]
+    fn differ(one: JkrState<L>, other: JkrState<L>) -> L::Mask {
+        (one.touched & !other.touched) | (!one.touched & other.touched)
+    }
+}
+
+impl<L: Lanes> JkrState<L> {
+    /// Overlap at which the surfaces part, or touch [m].
+    #[inline(always)]
+    fn end(&self) -> L {
+        self.curve.tear_off().keep(self.touched)
     }
 }
 
@@ -127,28 +139,39 @@ impl Normal for Jkr {
         })
     }
 
+    const WIDE: bool = true;
+
+    #[inline(always)]
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let state = self.state(input.size, history);
         let alpha = self
             .dashpot
             .coefficient(input.size, &mut history[1..], |d| self.with(d));
-        let law = self.with(Dashpot::Coefficient(alpha));
-        let (response, next) = follow(&law, input, state);
-        history[0] = f64::from(u8::from(next.touched));
+        let (mut response, next) = follow(self, input, state);
+        response.damping = response.damping * alpha * (input.size.mass * (4.0 / 3.0 * self.modulus)).sqrt();
+        history[0] = L::splat(1.0).keep(next.touched);
         response
     }
 
+    #[inline(always)]
     fn energy(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
         self.stored(size, self.state(size, history), overlap)
     }
 
+    #[inline(always)]
     fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.stiffness_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
         let state = self.advance(size, self.state(size, history), overlap);
-        if state.touched {
-            state.curve.stiffness(state.curve.root(overlap))
-        } else {
-            0.0
-        }
+        state.curve.stiffness(state.curve.root(overlap)).keep(state.touched)
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
@@ -168,14 +191,17 @@ impl Normal for Jkr {
         }
     }
 
+    #[inline(always)]
     fn bearing_overlap(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.bearing_overlap_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
         let state = self.state(size, history);
-        if !state.touched {
-            return 0.0;
-        }
         let root = state.curve.root(overlap);
         let contact_radius = root * root;
-        contact_radius * contact_radius / size.radius
+        (contact_radius * contact_radius / size.radius).keep(state.touched)
     }
 
     fn largest_reach(&self, size: PairSize) -> f64 {

@@ -6,6 +6,7 @@ use super::path::follow;
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use std::f64::consts::PI;
@@ -55,34 +56,36 @@ pub struct Luding {
 const REMEMBERED: usize = 2;
 
 impl Luding {
-    fn spring(&self, size: PairSize) -> Hysteresis {
+    #[inline(always)]
+    fn spring<L: Lanes>(&self, size: PairSize<L>) -> Hysteresis<L> {
         let rise = self.unloading - self.loading;
         let unloading = if self.constant || rise == 0.0 {
-            Unloading::Constant(self.unloading)
+            Unloading::Constant(L::splat(self.unloading))
         } else {
-            let deepest = self.unloading / rise * self.plastic_depth * 2.0 * size.radius;
+            let deepest = size.radius * (self.unloading / rise * self.plastic_depth * 2.0);
             Unloading::Growing {
-                growth: rise / deepest,
+                growth: L::splat(rise) / deepest,
                 deepest,
             }
         };
         Hysteresis {
-            loading: self.loading,
+            loading: L::splat(self.loading),
             unloading,
             pull_off: if self.adhesion > 0.0 {
-                PullOff::Stiffness(self.adhesion)
+                PullOff::Stiffness(L::splat(self.adhesion))
             } else {
                 PullOff::None
             },
             power: Power::Linear,
             pull_off_power: 1.0,
             attraction: self.attraction,
-            damping: self.damping,
+            damping: L::splat(self.damping),
         }
     }
 
     /// The loop of this size, and the memory of a contact.
-    fn bound(&self, size: PairSize, history: &[f64]) -> (Hysteresis, Memory) {
+    #[inline(always)]
+    fn bound<L: Lanes>(&self, size: PairSize<L>, history: &[L]) -> (Hysteresis<L>, Memory<L>) {
         let spring = self.spring(size);
         let memory = spring.at_peak(history[0], history[1]);
         (spring, memory)
@@ -141,16 +144,20 @@ impl Normal for Luding {
         })
     }
 
-    #[inline]
+    const WIDE: bool = true;
+
+    #[inline(always)]
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let size = input.size;
         let (memory, own) = history.split_at_mut(REMEMBERED);
         let coefficient = self.dashpot.coefficient(size, own, |dashpot| self.with(dashpot));
-        let spring = Hysteresis {
-            damping: self.damping + coefficient * (size.mass * self.loading).sqrt(),
-            ..self.spring(size)
-        };
-        let state = spring.at_peak(memory[0], memory[1]);
+        let (mut spring, state) = self.bound(size, memory);
+        spring.damping = spring.damping + coefficient * (size.mass * self.loading).sqrt();
         let (response, next) = follow(&spring, input, state);
         (memory[0], memory[1]) = (next.peak, next.largest);
         response
@@ -162,14 +169,25 @@ impl Normal for Luding {
     }
 
     fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.stiffness_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
         let (spring, memory) = self.bound(size, history);
         spring.stiffness(memory, overlap)
+    }
+
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        overlap.max(L::splat(0.0))
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
         PI * (size.mass / self.spring(size).steepest(overlap)).sqrt()
     }
 
+    #[inline(always)]
     fn history(&self) -> usize {
         REMEMBERED + self.dashpot.history()
     }

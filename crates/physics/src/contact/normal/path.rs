@@ -1,40 +1,60 @@
 //! Laws whose force depends on where the overlap has been: plastic, hysteretic and adhesive contacts.
 //!
 //! Such a law is a set of branches. It tells the force in a state, how a straight move of the overlap changes the
-//! state, and where on the way the force or its slope jumps. This module takes a contact along the window of a step,
+//! state, and where on the way the force or its slope jumps. This module takes contacts along the window of a step,
 //! piece by piece between those places, and books what the path loses.
 
 use super::{NormalInput, NormalResponse};
 use crate::contact::PairSize;
+use crate::lanes::{Lanes, Mask};
 
 /// Most places on one path at which a force or its slope jumps.
 pub const KINKS: usize = 4;
 
 /// Force of a branch at one place.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Point {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point<L = f64> {
     /// Force that does not depend on the rate [N].
-    pub elastic: f64,
+    pub elastic: L,
     /// Damping coefficient [N s/m].
-    pub damping: f64,
+    pub damping: L,
     /// Pull that presses the surfaces together [N], not negative.
-    pub adhesion: f64,
+    pub adhesion: L,
 }
 
-/// A law of branches.
-pub trait Branched {
+impl<L: Lanes> Point<L> {
+    /// No force.
+    #[inline(always)]
+    pub fn nothing() -> Self {
+        let zero = L::splat(0.0);
+        Self {
+            elastic: zero,
+            damping: zero,
+            adhesion: zero,
+        }
+    }
+}
+
+/// A law of branches, one contact per lane. What a law does not need to branch on it computes in all lanes.
+pub trait Branched<L: Lanes> {
     /// What is remembered, beside what never changes in the life of a contact.
-    type State: Copy + PartialEq;
+    type State: Copy;
+    /// How many places the law has at most at which the force or its slope jumps, up to [`KINKS`].
+    const PLACES: usize = KINKS;
 
     /// State after a straight move of the overlap to `to`.
-    fn advance(&self, size: PairSize, state: Self::State, to: f64) -> Self::State;
+    fn advance(&self, size: PairSize<L>, state: Self::State, to: L) -> Self::State;
     /// Force at an overlap in a state that has come there; `approaching` tells the direction.
-    fn point(&self, size: PairSize, state: Self::State, overlap: f64, approaching: bool) -> Point;
+    fn point(&self, size: PairSize<L>, state: Self::State, overlap: L, approaching: L::Mask) -> Point<L>;
     /// Energy that would be given back from here [J]; defined, and continuous, beyond the ends of the branch, too.
-    fn stored(&self, size: PairSize, state: Self::State, overlap: f64) -> f64;
+    fn stored(&self, size: PairSize<L>, state: Self::State, overlap: L) -> L;
     /// Places at which the force or its slope jumps on a straight path that begins in this state; not a number where
     /// there are fewer.
-    fn kinks(&self, size: PairSize, state: Self::State) -> [f64; KINKS];
+    fn kinks(&self, size: PairSize<L>, state: Self::State) -> [L; KINKS];
+    /// `yes` where the mask holds, `no` elsewhere.
+    fn select(mask: L::Mask, yes: Self::State, no: Self::State) -> Self::State;
+    /// Where two states are not the same.
+    fn differ(one: Self::State, other: Self::State) -> L::Mask;
 }
 
 /// Nodes and weights of Gauss-Legendre quadrature with 3 points on `[-1, 1]`.
@@ -47,113 +67,159 @@ const GAUSS: [(f64, f64); 3] = [
 /// Farther than this many half windows from every kink the force at the middle stands for its mean.
 const FAR: f64 = 50.0;
 
-/// Takes a contact in `state` along its window: the mean response, and the state at the end.
-#[inline]
-pub fn follow<L: Branched>(law: &L, input: &NormalInput, state: L::State) -> (NormalResponse, L::State) {
+/// Takes contacts in `state` along their windows: the mean response, and the state at the end.
+#[inline(always)]
+pub fn follow<L: Lanes, B: Branched<L>>(law: &B, input: &NormalInput<L>, state: B::State) -> (NormalResponse<L>, B::State) {
     let NormalInput {
         size,
         overlap,
         rate,
         half_window,
     } = *input;
-    let approaching = rate > 0.0;
-    let kinks = law.kinks(size, state);
-    let near = kinks.iter().any(|k| (overlap - k).abs() < FAR * half_window);
-    let mut total = Sums::default();
-    if !near {
-        let next = law.advance(size, state, overlap);
-        total.teleport(law, size, (state, next), overlap);
-        let point = law.point(size, next, overlap, approaching);
-        return (total.mean(point.elastic, point.damping, point.adhesion), next);
+    let approaching = rate.gt(L::splat(0.0));
+    let mut near = L::Mask::of_bits(0);
+    for kink in &law.kinks(size, state)[..B::PLACES] {
+        near = near | (half_window * FAR).gt((overlap - *kink).abs());
     }
-    let step = if approaching { half_window } else { -half_window };
-    let (first, last) = (overlap - step, overlap + step);
-    let mut state_now = law.advance(size, state, first);
-    total.teleport(law, size, (state, state_now), first);
-    let kinks = law.kinks(size, state_now);
-    let mut from = first;
-    for to in ordered(kinks, first, last).into_iter().chain([last]) {
-        if to.is_nan() || to == from {
-            continue;
-        }
-        state_now = total.piece(law, size, state_now, (from, to), approaching);
-        from = to;
+    let (mut mean, mut lost, mut end) = (Point::nothing(), L::splat(0.0), state);
+    if (!near).any() {
+        end = law.advance(size, state, overlap);
+        lost = teleport(law, size, (state, end), overlap);
+        mean = law.point(size, end, overlap, approaching);
     }
-    let share = 1.0 / (last - first);
-    let response = total.mean(total.work * share, total.damping * share, total.adhesion * share);
-    (response, state_now)
+    if near.any() {
+        let step = L::select(approaching, half_window, -half_window);
+        let (along, last) = walk(law, size, state, (overlap - step, overlap + step), approaching);
+        let share = L::splat(1.0) / (step * 2.0);
+        mean = Point {
+            elastic: L::select(near, along.work * share, mean.elastic),
+            damping: L::select(near, along.damping * share, mean.damping),
+            adhesion: L::select(near, along.adhesion * share, mean.adhesion),
+        };
+        lost = L::select(near, along.lost, lost);
+        end = B::select(near, last, end);
+    }
+    let response = NormalResponse {
+        lost,
+        adhesion: mean.adhesion,
+        ..NormalResponse::spring_dashpot(mean.elastic, mean.damping)
+    };
+    (response, end)
 }
 
 /// Change of the stored energy, as share of it, that rounding leaves sharp.
 const RESOLVED: f64 = 1e-7;
 
 /// Integrals over the path.
-#[derive(Clone, Copy, Default)]
-struct Sums {
-    work: f64,
-    damping: f64,
-    adhesion: f64,
-    lost: f64,
+struct Sums<L> {
+    work: L,
+    damping: L,
+    adhesion: L,
+    lost: L,
 }
 
-impl Sums {
-    /// One stretch without a kink inside.
-    fn piece<L: Branched>(
-        &mut self,
-        law: &L,
-        size: PairSize,
-        state: L::State,
-        (from, to): (f64, f64),
-        approaching: bool,
-    ) -> L::State {
-        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let (mut work, mut damping, mut adhesion) = (0.0, 0.0, 0.0);
-        for (node, weight) in GAUSS {
-            let at = middle + node * half;
-            let point = law.point(size, law.advance(size, state, at), at, approaching);
-            work += weight * half * point.elastic;
-            damping += weight * half * point.damping;
-            adhesion += weight * half * point.adhesion;
-        }
-        let next = law.advance(size, state, to);
-        let (before, after) = (law.stored(size, state, from), law.stored(size, next, to));
-        let change = after - before;
-        if next != state {
-            self.lost += work - change;
-        } else if change.abs() > RESOLVED * before.abs().max(after.abs()) {
-            // a reversible stretch does exactly the work that it stores, also across a well of attraction that is
-            // narrower than the window
-            work = change;
-        }
-        self.work += work;
-        self.damping += damping;
-        self.adhesion += adhesion;
-        next
-    }
-
-    /// A change of state at one place, between the windows of two steps: what was stored and no longer is, is lost.
-    fn teleport<L: Branched>(&mut self, law: &L, size: PairSize, (before, after): (L::State, L::State), at: f64) {
-        if after != before {
-            self.lost += law.stored(size, before, at) - law.stored(size, after, at);
+/// From one end of a path to the other, from kink to kink.
+#[inline(always)]
+fn walk<L: Lanes, B: Branched<L>>(
+    law: &B,
+    size: PairSize<L>,
+    state: B::State,
+    (first, last): (L, L),
+    approaching: L::Mask,
+) -> (Sums<L>, B::State) {
+    let zero = L::splat(0.0);
+    let mut now = law.advance(size, state, first);
+    let mut total = Sums {
+        work: zero,
+        damping: zero,
+        adhesion: zero,
+        lost: teleport(law, size, (state, now), first),
+    };
+    let places = ordered::<L, B>(law.kinks(size, now), (first, last), approaching);
+    let mut from = first;
+    for to in places {
+        let moves = to.gt(from) | from.gt(to);
+        if moves.any() {
+            let (piece, next) = stretch(law, size, now, (from, to), approaching);
+            total.work = total.work + piece.work.keep(moves);
+            total.damping = total.damping + piece.damping.keep(moves);
+            total.adhesion = total.adhesion + piece.adhesion.keep(moves);
+            total.lost = total.lost + piece.lost.keep(moves);
+            now = B::select(moves, next, now);
+            from = to;
         }
     }
+    (total, now)
+}
 
-    fn mean(&self, elastic: f64, damping: f64, adhesion: f64) -> NormalResponse {
-        NormalResponse {
-            elastic,
-            damping,
-            least: f64::NEG_INFINITY,
-            adhesion,
-            lost: self.lost,
-        }
+/// One stretch without a kink inside.
+#[inline(always)]
+fn stretch<L: Lanes, B: Branched<L>>(
+    law: &B,
+    size: PairSize<L>,
+    state: B::State,
+    (from, to): (L, L),
+    approaching: L::Mask,
+) -> (Sums<L>, B::State) {
+    let (middle, half) = ((from + to) * 0.5, (to - from) * 0.5);
+    let zero = L::splat(0.0);
+    let (mut work, mut damping, mut adhesion) = (zero, zero, zero);
+    for (node, weight) in GAUSS {
+        let (at, weight) = (middle + half * node, half * weight);
+        let point = law.point(size, law.advance(size, state, at), at, approaching);
+        work = work + weight * point.elastic;
+        damping = damping + weight * point.damping;
+        adhesion = adhesion + weight * point.adhesion;
+    }
+    let next = law.advance(size, state, to);
+    let (before, after) = (law.stored(size, state, from), law.stored(size, next, to));
+    let change = after - before;
+    let passes_on = B::differ(state, next);
+    // a reversible stretch does exactly the work that it stores, also across a well of attraction that is
+    // narrower than the window
+    let is_exact = change.abs().gt(before.abs().max(after.abs()) * RESOLVED);
+    let sums = Sums {
+        work: L::select(is_exact & !passes_on, change, work),
+        damping,
+        adhesion,
+        lost: (work - change).keep(passes_on),
+    };
+    (sums, next)
+}
+
+/// What a change of state at one place loses, between the windows of two steps: what was stored and no longer is.
+#[inline(always)]
+fn teleport<L: Lanes, B: Branched<L>>(law: &B, size: PairSize<L>, (before, after): (B::State, B::State), at: L) -> L {
+    let changes = B::differ(before, after);
+    if changes.any() {
+        (law.stored(size, before, at) - law.stored(size, after, at)).keep(changes)
+    } else {
+        L::splat(0.0)
     }
 }
 
-/// The places strictly between two ends, in the order of the path; not a number for the others.
-fn ordered(kinks: [f64; KINKS], first: f64, last: f64) -> [f64; KINKS] {
-    let (lower, upper) = (first.min(last), first.max(last));
-    let mut inside = kinks.map(|k| if k > lower && k < upper { k } else { f64::NAN });
-    let key = |k: &f64| if last > first { *k } else { -*k };
-    inside.sort_by(|a, b| key(a).total_cmp(&key(b)));
-    inside
+/// The places strictly between two ends, in the order of the path, and then the last end as often as is left.
+#[inline(always)]
+fn ordered<L: Lanes, B: Branched<L>>(kinks: [L; KINKS], (first, last): (L, L), upward: L::Mask) -> [L; KINKS + 1] {
+    let mut places = [last; KINKS + 1];
+    if B::PLACES == 0 {
+        return places;
+    }
+    // keys rise along the path
+    let (begin, end) = (L::select(upward, first, -first), L::select(upward, last, -last));
+    let mut keys = [end; KINKS];
+    for (key, kink) in keys.iter_mut().zip(&kinks[..B::PLACES]) {
+        let place = L::select(upward, *kink, -*kink);
+        *key = L::select(place.gt(begin) & end.gt(place), place, end);
+    }
+    // a network that sorts four
+    for (low, high) in [(0, 1), (2, 3), (0, 2), (1, 3), (1, 2)] {
+        if high < B::PLACES {
+            (keys[low], keys[high]) = (keys[low].min(keys[high]), keys[low].max(keys[high]));
+        }
+    }
+    for (place, key) in places.iter_mut().zip(keys) {
+        *place = L::select(upward, key, -key);
+    }
+    places
 }

@@ -239,8 +239,9 @@ impl Normal for Tomas {
     }
 }
 
-impl Branched for Tomas {
+impl Branched<f64> for Tomas {
     type State = Dent;
+    const PLACES: usize = 3;
 
     #[inline]
     fn advance(&self, size: PairSize, dent: Dent, to: f64) -> Dent {
@@ -255,7 +256,7 @@ impl Branched for Tomas {
         if elastic_part <= 0.0 {
             return Point {
                 elastic: scale.attraction(dent, -elastic_part),
-                ..Point::default()
+                ..Point::nothing()
             };
         }
         let adhesion = scale.adhesion(dent);
@@ -288,5 +289,15 @@ impl Branched for Tomas {
     fn kinks(&self, size: PairSize, dent: Dent) -> [f64; KINKS] {
         let limit = self.scale(size).limit_of(dent);
         [dent.foot, limit, dent.foot - self.range, f64::NAN]
+    }
+
+    #[inline]
+    fn select(mask: bool, yes: Dent, no: Dent) -> Dent {
+        if mask { yes } else { no }
+    }
+
+    #[inline]
+    fn differ(one: Dent, other: Dent) -> bool {
+        one != other
     }
 }

@@ -5,6 +5,7 @@ use super::path::follow;
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use std::f64::consts::PI;
@@ -25,12 +26,24 @@ params! {
 /// The law of Walton and Braun.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WaltonBraun {
-    spring: Hysteresis,
+    loading: f64,
+    unloading: Unloading,
 }
 
 impl WaltonBraun {
-    fn memory(&self, history: &[f64]) -> Memory {
-        self.spring.at_peak(history[0], history[0])
+    /// The loop, and the memory of contacts.
+    #[inline(always)]
+    fn bound<L: Lanes>(&self, history: &[L]) -> (Hysteresis<L>, Memory<L>) {
+        let spring = Hysteresis {
+            loading: L::splat(self.loading),
+            unloading: self.unloading.in_lanes(),
+            pull_off: PullOff::None,
+            power: Power::Linear,
+            pull_off_power: 1.0,
+            attraction: Attraction::NONE,
+            damping: L::splat(0.0),
+        };
+        (spring, spring.at_peak(history[0], history[0]))
     }
 }
 
@@ -68,40 +81,52 @@ impl Normal for WaltonBraun {
                 return Err(ParameterError::together("restitution", message));
             }
         };
-        Ok(Self {
-            spring: Hysteresis {
-                loading: k1,
-                unloading,
-                pull_off: PullOff::None,
-                power: Power::Linear,
-                pull_off_power: 1.0,
-                attraction: Attraction::NONE,
-                damping: 0.0,
-            },
-        })
+        Ok(Self { loading: k1, unloading })
     }
 
-    #[inline]
+    const WIDE: bool = true;
+
+    #[inline(always)]
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
-        let (response, memory) = follow(&self.spring, input, self.memory(history));
-        history[0] = memory.peak;
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
+        let (spring, memory) = self.bound(history);
+        let (response, next) = follow(&spring, input, memory);
+        history[0] = next.peak;
         response
     }
 
     fn energy(&self, _size: PairSize, overlap: f64, history: &[f64]) -> f64 {
-        self.spring.energy(self.memory(history), overlap)
+        let (spring, memory) = self.bound(history);
+        spring.energy(memory, overlap)
     }
 
-    fn stiffness(&self, _size: PairSize, overlap: f64, history: &[f64]) -> f64 {
-        self.spring.stiffness(self.memory(history), overlap)
+    fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.stiffness_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, history: &[L]) -> L {
+        let (spring, memory) = self.bound(history);
+        spring.stiffness(memory, overlap)
+    }
+
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        overlap.max(L::splat(0.0))
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
-        PI * (size.mass / self.spring.steepest(overlap)).sqrt()
+        let (spring, _) = self.bound(&[0.0]);
+        PI * (size.mass / spring.steepest(overlap)).sqrt()
     }
 
     fn reach(&self, _size: PairSize, history: &[f64]) -> f64 {
-        self.spring.reach(self.memory(history))
+        let (spring, memory) = self.bound(history);
+        spring.reach(memory)
     }
 }
 
