@@ -6,9 +6,9 @@
 //!
 //! [`run`] chooses the registers at run time.
 
+mod cube_root;
 #[cfg(target_arch = "aarch64")]
 mod neon;
-mod cube_root;
 mod quad;
 mod scalar;
 #[cfg(test)]

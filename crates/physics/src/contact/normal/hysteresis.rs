@@ -245,7 +245,8 @@ impl<L: Lanes> Hysteresis<L> {
             Power::Linear => half * half,
             Power::Hertz => half,
         };
-        self.power.root(self.power.of(dent) / (L::splat(1.0) - self.loading / k2))
+        self.power
+            .root(self.power.of(dent) / (L::splat(1.0) - self.loading / k2))
     }
 
     /// Stiffness of the pull-off line, and where it meets the unloading line of the deepest dent when that is known at once.
@@ -481,7 +482,8 @@ impl<L: Lanes> Branched<L> for Hysteresis<L> {
         let pull_off = memory.pull_off * self.pull_off_power(parted) * parted / -(self.pull_off_power + 1.0);
         let beyond = overlap.max(memory.tear);
         let dent_power = self.dent_power(memory.peak);
-        let spring = self.unloading(memory.peak) * (self.primitive(dent_power, beyond) - self.primitive(dent_power, memory.tear));
+        let spring = self.unloading(memory.peak)
+            * (self.primitive(dent_power, beyond) - self.primitive(dent_power, memory.tear));
         attracted + (pull_off + spring.keep(overlap.gt(memory.tear))).keep(overlap.gt(zero))
     }
 

@@ -69,7 +69,11 @@ const FAR: f64 = 50.0;
 
 /// Takes contacts in `state` along their windows: the mean response, and the state at the end.
 #[inline(always)]
-pub fn follow<L: Lanes, B: Branched<L>>(law: &B, input: &NormalInput<L>, state: B::State) -> (NormalResponse<L>, B::State) {
+pub fn follow<L: Lanes, B: Branched<L>>(
+    law: &B,
+    input: &NormalInput<L>,
+    state: B::State,
+) -> (NormalResponse<L>, B::State) {
     let NormalInput {
         size,
         overlap,
