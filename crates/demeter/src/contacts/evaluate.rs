@@ -4,8 +4,9 @@ use super::kinematics::{Approach, Known, Partners, Source};
 use super::meetings::Meeting;
 use super::respond::{Answers, Respond};
 use super::sum::{Across, AddAtOnce, Adder, Sink};
+use super::together::ask;
 use super::{ContactChunk, EightVectors, Scene};
-use demeter_physics::lanes::{self, MOST_LANES};
+use demeter_physics::lanes::MOST_LANES;
 use glam::DVec3;
 
 /// Contacts whose engagement one word tells.
@@ -132,10 +133,12 @@ impl ContactChunk {
         if scene.is_coupled() {
             elastic.resize(count, 0.0);
         }
+        let law = scene.materials.law(self.law);
         let respond = Respond {
             source,
             sink,
-            law: scene.materials.law(self.law),
+            laws: (),
+            law,
             dt: scene.dt,
             integrator: scene.integrator,
             answers: Answers {
@@ -148,7 +151,7 @@ impl ContactChunk {
                 elastic: &mut elastic,
             },
         };
-        let (lost, too_deep) = lanes::run(scene.instructions, respond);
+        let (lost, too_deep) = ask(law, scene.instructions, respond);
         self.tally.add(&lost);
         if scene.is_coupled() {
             self.remember_coupling(&elastic, scene);

@@ -189,47 +189,51 @@ pub(super) struct Motion<L: Lanes> {
     pub(super) inverse_mass: L,
     /// Inverse masses across it [1/kg]: walls count as too heavy to give way.
     pub(super) inverse_masses: [L; 2],
-    pub(super) spins: [L::Vector; 2],
-    pub(super) inverse_inertias: [L; 2],
     /// Effective radius and mass.
     pub(super) size: PairSize<L>,
 }
 
-impl<L: Lanes> Motion<L> {
-    /// Effective mass of tangential motion [kg].
+/// How two bodies in contact turn, one contact per lane.
+pub(super) struct Turning<L: Lanes> {
+    spins: [L::Vector; 2],
+    inverse_inertias: [L; 2],
+}
+
+impl<L: Lanes> Turning<L> {
+    /// Of rows of tables: angular velocities with the inverse moments of inertia.
     #[inline(always)]
-    pub(super) fn tangential_mass(&self) -> L {
-        let [lever_i, lever_j] = self.levers;
-        let ([mass_i, mass_j], [inertia_i, inertia_j]) = (self.inverse_masses, self.inverse_inertias);
-        let inverse = mass_i + mass_j + lever_i * lever_i * inertia_i + lever_j * lever_j * inertia_j;
-        L::splat(1.0) / inverse
+    pub(super) fn of([wx, wy, wz, inverse_inertia]: [L; 4], [sx, sy, sz, other_inertia]: [L; 4]) -> Self {
+        Self {
+            spins: [L::Vector::new(wx, wy, wz), L::Vector::new(sx, sy, sz)],
+            inverse_inertias: [inverse_inertia, other_inertia],
+        }
     }
 
     /// Velocity of the first body relative to the second in the contact plane, at the contact point [m/s].
     #[inline(always)]
-    pub(super) fn sliding(&self) -> L::Vector {
-        let arms = self.spins[0] * self.levers[0] + self.spins[1] * self.levers[1];
-        self.velocity + self.normal * self.rate - arms.outer(self.normal)
+    pub(super) fn sliding(&self, motion: &Motion<L>) -> L::Vector {
+        let arms = self.spins[0] * motion.levers[0] + self.spins[1] * motion.levers[1];
+        motion.velocity + motion.normal * motion.rate - arms.outer(motion.normal)
     }
 
     /// Mean angular velocity about the normal [1/s].
     #[inline(always)]
-    pub(super) fn spin(&self) -> L {
-        (self.spins[0] + self.spins[1]).inner(self.normal) * 0.5
+    pub(super) fn spin(&self, motion: &Motion<L>) -> L {
+        (self.spins[0] + self.spins[1]).inner(motion.normal) * 0.5
     }
 
     /// Relative angular velocity in the contact plane [1/s].
     #[inline(always)]
-    pub(super) fn rolling(&self) -> L::Vector {
+    pub(super) fn rolling(&self, motion: &Motion<L>) -> L::Vector {
         let rolling = self.spins[0] - self.spins[1];
-        rolling - self.normal * rolling.inner(self.normal)
+        rolling - motion.normal * rolling.inner(motion.normal)
     }
 
     /// Effective moment of inertia of rolling [kg m^2].
     #[inline(always)]
-    pub(super) fn rolling_inertia(&self) -> L {
-        let inverse = about_contact(self.inverse_masses[0], self.inverse_inertias[0], self.levers[0])
-            + about_contact(self.inverse_masses[1], self.inverse_inertias[1], self.levers[1]);
+    pub(super) fn rolling_inertia(&self, motion: &Motion<L>) -> L {
+        let inverse = about_contact(motion.inverse_masses[0], self.inverse_inertias[0], motion.levers[0])
+            + about_contact(motion.inverse_masses[1], self.inverse_inertias[1], motion.levers[1]);
         L::splat(1.0) / inverse
     }
 }
@@ -260,6 +264,8 @@ pub(super) struct Sight<L: Lanes> {
 pub(super) trait Source {
     /// The contacts from `k` on; those that are not `here` do not act.
     fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L>;
+    /// How the bodies of the contacts from `k` on turn.
+    fn turning<L: Lanes>(&self, k: usize) -> Turning<L>;
 }
 
 /// Pairs of grains of which some act.
@@ -287,7 +293,6 @@ impl Source for Approach<'_> {
         let word = &mut self.engaged[k / WORD];
         let before = (*word >> (k % WORD)) as u32 & here;
         *word ^= u64::from(before ^ met.acts) << (k % WORD);
-        let [[wx, wy, wz, inverse_inertia], [sx, sy, sz, other_inertia]] = met.spins;
         Sight {
             motion: Motion {
                 normal: met.normal,
@@ -297,14 +302,17 @@ impl Source for Approach<'_> {
                 levers: met.levers,
                 inverse_mass: met.inverse_masses[0] + met.inverse_masses[1],
                 inverse_masses: met.inverse_masses,
-                spins: [L::Vector::new(wx, wy, wz), L::Vector::new(sx, sy, sz)],
-                inverse_inertias: [inverse_inertia, other_inertia],
                 size: size_of_pair(met.radii, met.inverse_masses),
             },
             acts: met.acts,
             ended: before & !met.acts,
             too_deep: met.too_deep,
         }
+    }
+
+    #[inline(always)]
+    fn turning<L: Lanes>(&self, k: usize) -> Turning<L> {
+        self.meeting.turning(&listed::<L>(self.i, k), &listed::<L>(self.j, k))
     }
 }
 
@@ -328,10 +336,9 @@ impl Source for Known<'_> {
         let [nx, ny, nz, overlap] = L::columns(contacts, &places);
         shift(&mut places, 2);
         let [_, _, lever_i, lever_j] = L::columns(contacts, &places);
-        let [[_, _, _, ri], [vx, vy, vz, inverse_mass], [wx, wy, wz, inverse_inertia]] =
-            L::fetch(self.grains.tables(), &first);
-        let [[ux, uy, uz, other_mass], [sx, sy, sz, other_inertia]] =
-            L::fetch([partners.velocity, partners.spin], &second);
+        let [places, velocities, _] = self.grains.tables();
+        let [[_, _, _, ri], [vx, vy, vz, inverse_mass]] = L::fetch([places, velocities], &first);
+        let [[ux, uy, uz, other_mass]] = L::fetch([partners.velocity], &second);
         let normal = L::Vector::new(nx, ny, nz);
         let mut velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
         if let Some((codes, velocities)) = self.shifts {
@@ -361,14 +368,20 @@ impl Source for Known<'_> {
                 levers: [lever_i, lever_j],
                 inverse_mass: along_normal,
                 inverse_masses,
-                spins: [L::Vector::new(wx, wy, wz), L::Vector::new(sx, sy, sz)],
-                inverse_inertias: [inverse_inertia, other_inertia],
                 size,
             },
             acts: here,
             ended: 0,
             too_deep: 0,
         }
+    }
+
+    #[inline(always)]
+    fn turning<L: Lanes>(&self, k: usize) -> Turning<L> {
+        let [_, _, spins] = self.grains.tables();
+        let [first] = L::fetch([spins], &listed::<L>(self.i, k));
+        let [second] = L::fetch([self.partners.spin], &self.partners.listed::<L>(k));
+        Turning::of(first, second)
     }
 }
 

@@ -1,11 +1,12 @@
 //! How grains meet, and which of them act on each other in this step: several pairs at a time.
 
 use super::Scene;
+use super::kinematics::Turning;
 use super::near::FindNear;
 use crate::comm::Single;
 use crate::neighbours::Pair;
 use demeter_physics::contact::PairSize;
-use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere_wide};
+use demeter_physics::geometry::contact_sphere_sphere::{Contact, Normals, contact_sphere_sphere_wide};
 use demeter_physics::lanes::{Index, Kernel, Lanes, MOST_LANES, Mask, Vector};
 use glam::DVec3;
 
@@ -65,8 +66,6 @@ pub(super) struct Met<L: Lanes> {
     pub(super) velocity: L::Vector,
     /// Inverse masses [1/kg].
     pub(super) inverse_masses: [L; 2],
-    /// Angular velocities [1/s], with the inverse moments of inertia.
-    pub(super) spins: [[L; 4]; 2],
     /// Rate of approach [m/s].
     pub(super) rate: L,
     /// Lanes that act in this step.
@@ -79,8 +78,11 @@ pub(super) struct Met<L: Lanes> {
 #[derive(Clone, Copy)]
 pub(super) struct Meeting<'a> {
     scene: &'a Scene<'a>,
-    /// Positions, velocities and angular velocities.
-    tables: [&'a [[f64; 4]]; 3],
+    normals: Normals,
+    /// Positions and velocities.
+    tables: [&'a [[f64; 4]]; 2],
+    /// Angular velocities, with the inverse moments of inertia.
+    spins: &'a [[f64; 4]],
     /// Shifts of positions across periodic sides; empty where there are none.
     shifts: &'a [[f64; 4]],
     /// Velocities of these shifts; empty where the box keeps its shape.
@@ -89,9 +91,17 @@ pub(super) struct Meeting<'a> {
 
 impl<'a> Meeting<'a> {
     pub(super) fn new(scene: &'a Scene<'a>) -> Self {
+        let [places, velocities, spins] = scene.grains.tables();
+        let is_coupled = scene.is_coupled();
         Self {
             scene,
-            tables: scene.grains.tables(),
+            normals: if is_coupled {
+                Normals::Quotients
+            } else {
+                Normals::Inverse
+            },
+            tables: [places, velocities],
+            spins,
             shifts: scene.comm.shifts(),
             shift_velocities: scene.comm.shift_velocities(),
         }
@@ -133,10 +143,10 @@ impl<'a> Meeting<'a> {
     /// How some pairs meet; those that are not `here` do not act.
     #[inline(always)]
     pub(super) fn meet<L: Lanes>(&self, lot: &Lot, here: u32) -> Met<L> {
-        let [place_i, [vx, vy, vz, inverse_mass], spin_i] = L::fetch(self.tables, &lot.first);
-        let [place_j, [ux, uy, uz, other_mass], spin_j] = L::fetch(self.tables, &lot.second);
+        let [place_i, [vx, vy, vz, inverse_mass]] = L::fetch(self.tables, &lot.first);
+        let [place_j, [ux, uy, uz, other_mass]] = L::fetch(self.tables, &lot.second);
         let (apart, ri, rj) = self.difference(place_i, place_j, lot);
-        let [x, y, z, overlap, lever_i, lever_j] = contact_sphere_sphere_wide::<L>(apart, ri, rj);
+        let [x, y, z, overlap, lever_i, lever_j] = contact_sphere_sphere_wide::<L>(apart, ri, rj, self.normals);
         let normal = L::Vector::new(x, y, z);
         let mut velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
         if lot.is_shifted && !self.shift_velocities.is_empty() {
@@ -165,11 +175,17 @@ impl<'a> Meeting<'a> {
             radii: [ri, rj],
             velocity,
             inverse_masses: [inverse_mass, other_mass],
-            spins: [spin_i, spin_j],
             rate,
             acts,
             too_deep: (!allowed.ge(overlap)).bits() & acts,
         }
+    }
+
+    /// How the grains of some pairs turn.
+    #[inline(always)]
+    pub(super) fn turning<L: Lanes>(&self, first: &Index, second: &Index) -> Turning<L> {
+        let ([first], [second]) = (L::fetch([self.spins], first), L::fetch([self.spins], second));
+        Turning::of(first, second)
     }
 
     /// Whether a law that attracts across a gap acts on two grains that do not touch.

@@ -24,6 +24,7 @@ mod near;
 mod respond;
 pub(crate) mod step_work;
 pub mod sum;
+mod together;
 mod transfer;
 mod wall_contacts;
 
@@ -45,6 +46,7 @@ use evaluate::WORD;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
+use sum::Load;
 
 /// Work of the contact forces in one step [J], and what is needed to watch a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -73,24 +75,6 @@ impl Tally {
         self.rolling += other.rolling;
         self.wall_work += other.wall_work;
         self.multi_contact += other.multi_contact;
-    }
-}
-
-/// What a contact does to both bodies.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(C, align(64))]
-pub(crate) struct Load {
-    /// Force on the first body [N], and the distance of the contact point from its centre [m].
-    pub(crate) force: [f64; 4],
-    /// Normal times tangential force [N], and the distance of the contact point from the second centre [m].
-    pub(crate) arm: [f64; 4],
-}
-
-impl Load {
-    /// Distance of the contact point from the centre of the first body (0) or the second (1) [m].
-    #[inline(always)]
-    pub(crate) fn lever(&self, side: usize) -> f64 {
-        [self.force[3], self.arm[3]][side]
     }
 }
 
@@ -217,7 +201,7 @@ pub struct ContactChunk {
     shift: Vec<u8>,
     /// Bits of the contacts between grains that are engaged, a word for each block; empty where all are.
     engaged: Vec<u64>,
-    /// What every contact with a wall does to both bodies; nothing between grains, whose loads are summed up at once.
+    /// What every contact with a wall does to the grain; nothing between grains, whose loads are summed up at once.
     #[serde(skip)]
     pub(crate) load: Vec<Load>,
     /// Torque of the rolling laws on the first body [N m]; empty where no law resists rolling.

@@ -5,13 +5,14 @@ use super::asking::{Lot, Press, Pressed, Roll, Rub, Stiffness};
 use super::kinematics::{Motion, Sight, Source, load_some, store_some};
 use super::laws::{normal_history, tangential_history};
 use super::meetings::{lanes_below, next_lane};
-use super::sum::Sink;
+use super::sum::{Loads, Sink};
+use super::together::Laws;
 use super::{EightVectors, Tally};
 use demeter_physics::contact::PairLaw;
 use demeter_physics::contact::rolling::RollingInput;
 use demeter_physics::contact::tangential::{TangentialInput, TangentialResponse};
 use demeter_physics::integrator::Integrator;
-use demeter_physics::lanes::{Kernel, Lanes, MOST_LANES, Mask, Vector};
+use demeter_physics::lanes::{Kernel, Lanes, MOST_LANES, Mask, Vector, with_zero};
 
 /// What the contacts of a chunk know, and what comes out of a step.
 pub(super) struct Answers<'a> {
@@ -31,13 +32,39 @@ pub(super) struct Answers<'a> {
 }
 
 /// Asks the laws of one material pair about contacts.
-pub(super) struct Respond<'a, S, K> {
+pub(super) struct Respond<'a, S, K, W> {
     pub(super) source: S,
     pub(super) sink: &'a mut K,
+    /// The laws as they are asked.
+    pub(super) laws: W,
     pub(super) law: &'a PairLaw,
     pub(super) dt: f64,
     pub(super) integrator: Integrator,
     pub(super) answers: Answers<'a>,
+}
+
+impl<'a, S, K> Respond<'a, S, K, ()> {
+    /// The same with laws.
+    pub(super) fn with<W: Laws>(self, laws: W) -> Respond<'a, S, K, W> {
+        let Self {
+            source,
+            sink,
+            laws: (),
+            law,
+            dt,
+            integrator,
+            answers,
+        } = self;
+        Respond {
+            source,
+            sink,
+            laws,
+            law,
+            dt,
+            integrator,
+            answers,
+        }
+    }
 }
 
 /// Sums over contacts, in an order that no number of lanes changes.
@@ -75,7 +102,7 @@ fn end(answers: &mut Answers, k: usize, mut ended: u32, law: &PairLaw, booked: &
     }
 }
 
-impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
+impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
     /// What was lost, and the first contact with too much overlap.
     type Output = (Tally, Option<(usize, f64)>);
 
@@ -84,6 +111,7 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
         let Self {
             mut source,
             sink,
+            laws,
             law,
             dt,
             integrator,
@@ -94,9 +122,7 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
         let mut losses = Losses([[0.0; MOST_LANES]; 4]);
         let mut booked = Tally::default();
         let mut too_deep = None;
-        let resists_rolling = !answers.torques.is_empty();
         let nothing = L::Vector::null();
-        let no_rows = L::rows([L::splat(0.0); 4]);
         for k in (0..count).step_by(L::COUNT) {
             let here = lanes_below((count - k).min(L::COUNT));
             let Sight {
@@ -111,7 +137,7 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
             }
             if acts == 0 {
                 answers.silence::<L>(k, count);
-                sink.put::<L>(k, &no_rows, &no_rows, resists_rolling.then_some(&no_rows));
+                sink.put_nothing::<L>(k);
                 continue;
             }
             if deep != 0 && too_deep.is_none() {
@@ -135,7 +161,7 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
                 ..motion
             };
             let size = motion.size;
-            let pressed = law.normal.visit(Press {
+            let pressed = laws.press(Press {
                 lot: &mut lot,
                 size,
                 inverse_mass: motion.inverse_mass,
@@ -143,6 +169,7 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
                 rate: motion.rate,
                 previous: load_some(answers.normal_force, k),
             });
+            let turning = source.turning::<L>(k);
             let force = pressed.force.keep(acting);
             losses.add(VISCOUS, k, pressed.viscous.keep(acting));
             losses.add(PLASTIC, k, pressed.lost.keep(acting));
@@ -150,17 +177,16 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
                 force: nothing,
                 dissipated: L::splat(0.0),
             };
-            if let Some(friction) = &law.tangential {
+            if laws.rubs() {
                 lot.first = normal_length;
-                rubbed = friction.visit(Rub {
+                rubbed = laws.rub(Rub {
                     lot: &mut lot,
                     input: TangentialInput {
                         size,
-                        tangential_mass: motion.tangential_mass(),
                         overlap: pressed.bearing_overlap,
                         normal: motion.normal,
-                        velocity: motion.sliding().or(acting, nothing),
-                        spin: motion.spin(),
+                        velocity: turning.sliding(&motion).or(acting, nothing),
+                        spin: turning.spin(&motion),
                         normal_force: pressed.friction_load,
                         dt,
                         removable_share: integrator.removable_share(),
@@ -168,23 +194,23 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
                 });
                 losses.add(FRICTION, k, rubbed.dissipated.keep(acting));
             }
-            let mut torques = no_rows;
-            if let Some(resistance) = &law.rolling {
+            let mut rolling_torque = nothing;
+            if laws.rolls() {
                 lot.first = 0;
-                let normal_stiffness = law.normal.visit(Stiffness {
+                let normal_stiffness = laws.stiffness(Stiffness {
                     lot: &mut lot,
                     size,
                     overlap: motion.overlap,
                 });
                 lot.first = normal_length + tangential_length;
-                let rolled = resistance.visit(Roll {
+                let rolled = laws.roll(Roll {
                     lot: &mut lot,
                     input: RollingInput {
                         size,
-                        rolling_inertia: motion.rolling_inertia(),
+                        rolling_inertia: turning.rolling_inertia(&motion),
                         normal: motion.normal,
-                        angular_velocity: motion.rolling().or(acting, nothing),
-                        spin: motion.spin(),
+                        angular_velocity: turning.rolling(&motion).or(acting, nothing),
+                        spin: turning.spin(&motion),
                         normal_force: pressed.friction_load,
                         normal_stiffness,
                         dt,
@@ -192,8 +218,8 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
                     },
                 });
                 losses.add(ROLLING, k, rolled.dissipated.keep(acting));
-                let [x, y, z] = rolled.torque.or(acting, nothing).components();
-                torques = L::rows([x, y, z, L::splat(0.0)]);
+                rolling_torque = rolled.torque.or(acting, nothing);
+                let torques = L::rows(with_zero::<L>(rolling_torque));
                 let places = k..(k + L::COUNT).min(count);
                 for (torque, row) in answers.torques[places].iter_mut().zip(torques.as_ref()) {
                     *torque = *row;
@@ -203,12 +229,17 @@ impl<S: Source, K: Sink> Kernel for Respond<'_, S, K> {
             answers.tell::<L>(k, count, &pressed, &rubbed, acting);
             let tangential = rubbed.force.or(acting, nothing);
             answers.put_tangential::<L>(k, tangential);
-            let total = motion.normal * force + tangential;
             let arm = motion.normal.outer(tangential);
-            let ([fx, fy, fz], [ax, ay, az]) = (total.components(), arm.components());
-            let forces = L::rows([fx, fy, fz, motion.levers[0].keep(acting)]);
-            let arms = L::rows([ax, ay, az, motion.levers[1].keep(acting)]);
-            sink.put::<L>(k, &forces, &arms, resists_rolling.then_some(&torques));
+            let mut loads = Loads {
+                force: motion.normal * force + tangential,
+                first_torque: arm * -motion.levers[0],
+                second_torque: arm * motion.levers[1],
+            };
+            if laws.rolls() {
+                loads.first_torque = loads.first_torque + rolling_torque;
+                loads.second_torque = loads.second_torque + rolling_torque;
+            }
+            sink.put::<L>(k, &loads);
         }
         booked.viscous += losses.sum(VISCOUS);
         booked.plastic += losses.sum(PLASTIC);

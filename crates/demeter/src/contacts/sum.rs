@@ -7,58 +7,36 @@
 //!
 //! [`PairTable`]: crate::neighbours
 
-use super::{ContactChunk, Contacts, Load};
+use super::{ContactChunk, Contacts};
 use crate::comm::Single;
 use crate::neighbours::Neighbours;
 use crate::particles::set_aside;
 use crate::threads::join;
-use demeter_physics::lanes::{self, Four, Instructions, Kernel, Lanes, Quad};
+use demeter_physics::lanes::{self, Eight, Four, Instructions, Kernel, Lanes, MOST_LANES, Quad, Two, with_zero};
 use glam::DVec3;
 use std::ops::Range;
 
-/// What contacts between grains do to one grain, so far: force [N], and the negative of the torque [N m]; what stands beside them
-/// means nothing.
+/// What contacts do to one grain: force [N] and torque [N m], each with 0 behind it.
 #[derive(Clone, Copy, Debug, Default)]
-#[repr(C, align(64))]
-struct Sum {
-    force: [f64; 4],
-    arms: [f64; 4],
-}
+#[repr(align(64))]
+pub(crate) struct Load([f64; 8]);
 
-/// The same in registers.
-struct Running<Q> {
-    force: Q,
-    arms: Q,
-}
-
-impl<Q: Quad> Running<Q> {
+impl Load {
+    /// Adds what a contact does to its first body (0), or takes away what stands for its second (1), on which it does the opposite.
     #[inline(always)]
-    fn of(sum: &Sum) -> Self {
-        Self {
-            force: Q::load(&sum.force),
-            arms: Q::load(&sum.arms),
-        }
+    fn add<E: Eight>(&mut self, load: E, side: usize) {
+        let sum = E::load(&self.0);
+        let sum = if side == 0 { sum + load } else { sum - load };
+        sum.store(&mut self.0);
     }
 
-    /// Adds what a contact does to its first body (0) or its second (1), with the torque of a rolling law on the first.
+    /// Force [N] and torque [N m].
     #[inline(always)]
-    fn add(&mut self, load: &Load, side: usize, torque: Option<&[f64; 4]>) {
-        let (sign, lever) = ([1.0, -1.0][side], load.lever(side));
-        self.force = self.force + Q::load(&load.force) * Q::all(sign);
-        self.arms = self.arms + Q::load(&load.arm) * Q::all(lever);
-        if let Some(torque) = torque {
-            self.arms = self.arms + Q::load(torque) * Q::all(-sign);
-        }
-    }
-}
-
-impl Sum {
-    #[inline(always)]
-    fn add<Q: Quad>(&mut self, load: &Load, side: usize, torque: Option<&[f64; 4]>) {
-        let mut running = Running::<Q>::of(self);
-        running.add(load, side, torque);
-        self.force = running.force.store();
-        self.arms = running.arms.store();
+    fn parts(&self) -> [&[f64; 4]; 2] {
+        let [force, torque] = self.0.as_chunks().0 else {
+            return [&[0.0; 4]; 2];
+        };
+        [force, torque]
     }
 }
 
@@ -68,29 +46,25 @@ struct Strays {
     /// Grains, each with the side of the contact that it is on: the first body (0) or the second (1).
     grains: Vec<(u32, u32)>,
     loads: Vec<Load>,
-    /// Torques of rolling laws; empty where none resists rolling.
-    torques: Vec<[f64; 4]>,
 }
 
 impl Strays {
     fn clear(&mut self) {
         self.grains.clear();
         self.loads.clear();
-        self.torques.clear();
     }
 
     #[inline(never)]
-    fn push(&mut self, grain: u32, side: usize, load: &Load, torque: Option<&[f64; 4]>) {
+    fn push(&mut self, grain: u32, side: usize, load: Load) {
         self.grains.push((grain, side as u32));
-        self.loads.push(*load);
-        self.torques.extend(torque);
+        self.loads.push(load);
     }
 }
 
 /// Sums of the contact loads of this step: of the grains that this process moves.
 #[derive(Debug, Default)]
 pub(crate) struct Sums {
-    sums: Vec<Sum>,
+    sums: Vec<Load>,
     /// The grain of the first.
     first: usize,
     /// What every task has for grains of those before it.
@@ -100,7 +74,7 @@ pub(crate) struct Sums {
 /// Sums of the grains from one on, to be read.
 #[derive(Clone, Copy)]
 pub(crate) struct GrainSums<'a> {
-    sums: &'a [Sum],
+    sums: &'a [Load],
     first: usize,
     neighbours: &'a Neighbours,
     walls: &'a [ContactChunk],
@@ -126,19 +100,20 @@ impl<'a> GrainSums<'a> {
         }
     }
 
-    /// Force [N] and torque [N m] of all contacts on a grain, told by how far it lies behind the first; nothing beside them.
+    /// Force [N] and torque [N m] of all contacts on a grain, told by how far it lies behind the first; 0 beside them.
     #[inline(always)]
     pub(crate) fn of<Q: Quad>(&self, k: usize) -> (Q, Q) {
-        let mut sum = Running::<Q>::of(&self.sums[k]);
+        let [force, torque] = self.sums[k].parts();
+        let (mut force, mut torque) = (Q::load(force), Q::load(torque));
         for (chunk, slot) in self.neighbours.wall_pairs_of(self.first + k) {
             let chunk = &self.walls[chunk];
             for contact in chunk.contacts_of(slot) {
-                sum.add(&chunk.load[contact], 0, chunk.rolling.get(contact));
+                let [one, other] = chunk.load[contact].parts();
+                force = force + Q::load(one);
+                torque = torque + Q::load(other);
             }
         }
-        let vectors = Q::load(&[1.0, 1.0, 1.0, 0.0]);
-        // 0 - x, so that no torque has no sign
-        (sum.force * vectors, Q::all(0.0) - sum.arms * vectors)
+        (force, torque)
     }
 }
 
@@ -151,37 +126,68 @@ impl GrainSums<'_> {
     }
 }
 
+/// What contacts do to both of their bodies, one contact per lane.
+#[derive(Clone, Copy)]
+pub(super) struct Loads<L: Lanes> {
+    /// Force on the first body [N]; on the second it is the opposite.
+    pub(super) force: L::Vector,
+    /// Torque on the first body [N m].
+    pub(super) first_torque: L::Vector,
+    /// The opposite of the torque on the second [N m].
+    pub(super) second_torque: L::Vector,
+}
+
 /// Where what contacts do is added up.
 pub(super) trait Sink {
     /// Takes what the contacts from `k` on do, one per lane, and nothing in lanes beyond the end.
-    fn put<L: Lanes>(&mut self, k: usize, forces: &L::Rows, arms: &L::Rows, torques: Option<&L::Rows>);
+    fn put<L: Lanes>(&mut self, k: usize, loads: &Loads<L>);
+    /// The contacts from `k` on, as many as lanes, do nothing.
+    fn put_nothing<L: Lanes>(&mut self, k: usize);
 }
 
 impl Sink for Vec<Load> {
     #[inline(always)]
-    fn put<L: Lanes>(&mut self, _k: usize, forces: &L::Rows, arms: &L::Rows, _torques: Option<&L::Rows>) {
-        let rows = forces.as_ref().iter().zip(arms.as_ref());
-        self.extend(rows.map(|(&force, &arm)| Load { force, arm }));
+    fn put<L: Lanes>(&mut self, k: usize, loads: &Loads<L>) {
+        let rows = L::side_by_side(loads.force, loads.first_torque);
+        self.put_nothing::<L>(k);
+        for (load, row) in self[k..].iter_mut().zip(rows.as_ref()) {
+            row.store(&mut load.0);
+        }
+    }
+
+    #[inline(always)]
+    fn put_nothing<L: Lanes>(&mut self, k: usize) {
+        self.resize(k + L::COUNT, Load::default());
     }
 }
+
+/// A load per lane.
+type Loads8 = [Load; MOST_LANES];
 
 /// Sums of the grains of a task, and what it has for others.
 pub(crate) struct Adder<'a> {
     first_grain: u32,
-    sums: &'a mut [Sum],
+    sums: &'a mut [Load],
     strays: &'a mut Strays,
     /// Grains that are summed up at all: others are the work of other processes.
     own: Range<u32>,
 }
 
 impl Adder<'_> {
-    /// Adds what a contact does to one of its bodies, the first (0) or the second (1).
-    #[inline(always)]
-    fn add<Q: Quad>(&mut self, grain: u32, side: usize, load: &Load, torque: Option<&[f64; 4]>) {
+    /// Adds what contacts do to their bodies, of which some may be the work of others.
+    #[inline(never)]
+    fn add_some(&mut self, i: &[u32], j: &[u32], first: &Loads8, second: &Loads8) {
+        for ((&i, &j), (first, second)) in i.iter().zip(j).zip(first.iter().zip(second)) {
+            self.add(i, 0, first);
+            self.add(j, 1, second);
+        }
+    }
+
+    fn add(&mut self, grain: u32, side: usize, load: &Load) {
         if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
-            sum.add::<Q>(load, side, torque);
+            sum.add(Two::<Four>::load(&load.0), side);
         } else if self.own.contains(&grain) {
-            self.strays.push(grain, side, load, torque);
+            self.strays.push(grain, side, *load);
         }
     }
 }
@@ -216,22 +222,55 @@ impl Across<'_> {
     }
 }
 
+/// How far the furthest of some grains lies behind one; very far if any lies before it.
+#[inline(always)]
+fn furthest(grains: &[u32], first: u32) -> u32 {
+    let (mut furthest, mut k) = (0, 0);
+    while k < grains.len() {
+        furthest = grains[k].wrapping_sub(first).max(furthest);
+        k += 1;
+    }
+    furthest
+}
+
 impl Sink for AddAtOnce<'_, '_> {
     #[inline(always)]
-    fn put<L: Lanes>(&mut self, k: usize, forces: &L::Rows, arms: &L::Rows, torques: Option<&L::Rows>) {
+    fn put<L: Lanes>(&mut self, k: usize, loads: &Loads<L>) {
         let end = (k + L::COUNT).min(self.i.len());
-        let bodies = self.i[k..end].iter().zip(&self.j[k..end]);
-        let rows = forces.as_ref().iter().zip(arms.as_ref());
-        for (lane, ((&i, &j), (&force, &arm))) in bodies.zip(rows).enumerate() {
-            let load = Load { force, arm };
-            let torque = torques.map(|torques| &torques.as_ref()[lane]);
-            self.adder.add::<L::Quad>(i, 0, &load, torque);
-            self.adder.add::<L::Quad>(j, 1, &load, torque);
-            if let Some(across) = &mut self.across {
-                across.add(k + lane, force);
+        let (i, j) = (&self.i[k..end], &self.j[k..end]);
+        let first = L::side_by_side(loads.force, loads.first_torque);
+        let second = L::side_by_side(loads.force, loads.second_torque);
+        let first_grain = self.adder.first_grain;
+        if i.len() == L::COUNT
+            && (furthest(i, first_grain).max(furthest(j, first_grain)) as usize) < self.adder.sums.len()
+        {
+            let sums = &mut *self.adder.sums;
+            let mut lane = 0;
+            while lane < L::COUNT {
+                sums[(i[lane] - first_grain) as usize].add(first.as_ref()[lane], 0);
+                sums[(j[lane] - first_grain) as usize].add(second.as_ref()[lane], 1);
+                lane += 1;
+            }
+        } else {
+            let (mut firsts, mut seconds) = (Loads8::default(), Loads8::default());
+            let mut lane = 0;
+            while lane < L::COUNT {
+                first.as_ref()[lane].store(&mut firsts[lane].0);
+                second.as_ref()[lane].store(&mut seconds[lane].0);
+                lane += 1;
+            }
+            self.adder.add_some(i, j, &firsts, &seconds);
+        }
+        if let Some(across) = &mut self.across {
+            let forces = L::rows(with_zero::<L>(loads.force));
+            for (contact, &force) in (k..end).zip(forces.as_ref()) {
+                across.add(contact, force);
             }
         }
     }
+
+    #[inline(always)]
+    fn put_nothing<L: Lanes>(&mut self, _k: usize) {}
 }
 
 /// Segments of the table of pairs that one task works on, and the grains that are its own.
@@ -241,7 +280,7 @@ struct Task<'a> {
     first_chunk: usize,
     wall_chunks: &'a mut [ContactChunk],
     first_wall_chunk: usize,
-    sums: &'a mut [Sum],
+    sums: &'a mut [Load],
     first_grain: usize,
     strays: &'a mut [Strays],
     own: Range<u32>,
@@ -263,7 +302,7 @@ pub(crate) struct Work<'a, S, W> {
 impl Sums {
     /// Bytes set aside.
     pub(crate) fn bytes(&self) -> usize {
-        let stray = |s: &Strays| set_aside(&s.grains) + set_aside(&s.loads) + set_aside(&s.torques);
+        let stray = |s: &Strays| set_aside(&s.grains) + set_aside(&s.loads);
         set_aside(&self.sums) + self.strays.iter().map(stray).sum::<usize>()
     }
 
@@ -276,7 +315,7 @@ impl Sums {
     {
         let Range { start, end } = work.segments;
         self.first = own.start;
-        self.sums.resize(own.len(), Sum::default());
+        self.sums.resize(own.len(), Load::default());
         if start == end {
             return;
         }
@@ -309,8 +348,8 @@ impl Sums {
     pub(crate) fn add_loads(&mut self, forces: &[DVec3], torques: &[DVec3]) {
         for ((sum, force), torque) in self.sums.iter_mut().zip(forces).zip(torques) {
             for axis in 0..3 {
-                sum.force[axis] += force[axis];
-                sum.arms[axis] -= torque[axis];
+                sum.0[axis] += force[axis];
+                sum.0[4 + axis] += torque[axis];
             }
         }
     }
@@ -385,7 +424,7 @@ impl<'a> Task<'a> {
         for segment in self.segments.clone() {
             let grains = neighbours.grains_of_segment(segment);
             let [first, end] = [grains.start, grains.end].map(|grain| (grain - self.first_grain).min(count));
-            adder.sums[first..end].fill(Sum::default());
+            adder.sums[first..end].fill(Load::default());
             for chunk in neighbours.chunks_of_segment(segment) {
                 (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], &mut adder);
             }
@@ -397,7 +436,7 @@ impl<'a> Task<'a> {
 }
 
 /// Adds what tasks have for the grains of others, in parallel.
-fn add_strays(first: usize, sums: &mut [Sum], strays: &[Strays], parts: usize, instructions: Instructions) {
+fn add_strays(first: usize, sums: &mut [Load], strays: &[Strays], parts: usize, instructions: Instructions) {
     if parts < 2 || sums.len() < 2 {
         let add = AddStrays { first, sums, strays };
         return lanes::run(instructions, add);
@@ -413,7 +452,7 @@ fn add_strays(first: usize, sums: &mut [Sum], strays: &[Strays], parts: usize, i
 /// Adds to some grains what tasks have for them.
 struct AddStrays<'a> {
     first: usize,
-    sums: &'a mut [Sum],
+    sums: &'a mut [Load],
     strays: &'a [Strays],
 }
 
@@ -427,7 +466,7 @@ impl Kernel for AddStrays<'_> {
                 let Some(sum) = self.sums.get_mut((grain as usize).wrapping_sub(self.first)) else {
                     continue;
                 };
-                sum.add::<L::Quad>(&strays.loads[k], side as usize, strays.torques.get(k));
+                sum.add(L::Eight::load(&strays.loads[k].0), side as usize);
             }
         }
     }

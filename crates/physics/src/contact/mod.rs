@@ -64,6 +64,9 @@ impl MaterialPair {
     }
 }
 
+/// Share of the effective mass that moves along the contact plane with the surfaces of solid spheres.
+pub const TANGENTIAL_SHARE: f64 = 2.0 / 7.0;
+
 /// Effective size of a contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PairSize<L = f64> {
@@ -74,6 +77,13 @@ pub struct PairSize<L = f64> {
 }
 
 impl<L: Lanes> PairSize<L> {
+    /// Effective mass of tangential motion at the contact point of spheres that begin to touch,
+    /// `1/(1/m + r_i^2/I_i + r_j^2/I_j) = 2/7 m` [kg].
+    #[inline(always)]
+    pub fn tangential_mass(&self) -> L {
+        self.mass * TANGENTIAL_SHARE
+    }
+
     /// The size in one lane.
     #[inline(always)]
     pub fn lane(&self, lane: usize) -> PairSize {

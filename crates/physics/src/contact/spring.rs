@@ -16,6 +16,8 @@ pub struct SpringInput<L: Lanes = f64> {
     pub spin: L,
     /// Stiffness: force per length, or torque per angle.
     pub stiffness: L,
+    /// Its inverse; 0 of no spring.
+    pub compliance: L,
     /// Coefficient of the dashpot beside the spring.
     pub damping: L,
     /// Largest load that the contact can carry.
@@ -44,7 +46,7 @@ pub fn spring_energy<L: Lanes>(history: &[L]) -> L {
 
 /// Deformation per load; 0 of no spring.
 #[inline(always)]
-fn compliance<L: Lanes>(stiffness: L) -> L {
+pub fn compliance<L: Lanes>(stiffness: L) -> L {
     (L::splat(1.0) / stiffness).keep(stiffness.gt(L::splat(0.0)))
 }
 
@@ -54,14 +56,14 @@ fn energy_of<L: Lanes>(load: L::Vector, compliance: L) -> L {
     load.square() * compliance * 0.5
 }
 
-/// Turns a vector with the contact: into the new contact plane at unchanged length, and by the spin about the normal.
+/// Turns a vector with the contact: into the new contact plane, and by the spin about the normal. Of its length a share is kept.
 #[inline(always)]
-pub fn carry_along<L: Lanes>(vector: L::Vector, normal: L::Vector, spin_angle: L) -> L::Vector {
+fn carry_along<L: Lanes>(vector: L::Vector, normal: L::Vector, spin_angle: L, softening: L) -> L::Vector {
     let flat = vector - normal * vector.inner(normal);
     let turned = flat + normal.outer(flat) * spin_angle;
     let length2 = turned.square();
     let factor = (vector.square() / length2).sqrt();
-    turned * L::select(length2.gt(L::splat(0.0)), factor, L::splat(1.0))
+    turned * (L::select(length2.gt(L::splat(0.0)), factor, L::splat(1.0)) * softening)
 }
 
 /// Whether a load is larger than the contact can carry.
@@ -88,7 +90,7 @@ pub fn advance_spring<L: Lanes>(input: &SpringInput<L>, history: &mut [L]) -> Sp
     let ratio = input.stiffness * old_compliance;
     let softens = ratio.lt(L::splat(1.0)) & old_compliance.gt(L::splat(0.0));
     let softening = L::select(softens, ratio, L::splat(1.0));
-    let kept = carry_along(old, input.normal, input.spin * input.dt) * softening;
+    let kept = carry_along(old, input.normal, input.spin * input.dt, softening);
     let half = input.rate * (input.stiffness * (0.5 * input.dt));
     // The slider holds the spring at the limit at each of its times. The dashpot's share of the load is cut, too, but
     // it never loads the spring: that would store energy that nobody put in.
@@ -102,11 +104,10 @@ pub fn advance_spring<L: Lanes>(input: &SpringInput<L>, history: &mut [L]) -> Sp
         next = held(held(middle, limit) - half, limit);
     }
     history[..3].copy_from_slice(&next.components());
-    let compliance = compliance(input.stiffness);
-    history[3] = compliance;
+    history[3] = input.compliance;
     let work = -load.inner(input.rate) * input.dt;
     SpringResponse {
         load,
-        dissipated: work - (energy_of(next, compliance) - before),
+        dissipated: work - (energy_of(next, input.compliance) - before),
     }
 }

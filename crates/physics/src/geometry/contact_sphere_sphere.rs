@@ -34,7 +34,8 @@ impl Contact {
 /// `(d + r_i - r_j)/2` from centre `i`. Coincident centres take the z axis as normal.
 #[inline(always)]
 pub fn contact_sphere_sphere(separation: DVec3, radius_i: f64, radius_j: f64) -> Contact {
-    let [x, y, z, overlap, lever_i, lever_j] = contact_sphere_sphere_wide(separation, radius_i, radius_j);
+    let [x, y, z, overlap, lever_i, lever_j] =
+        contact_sphere_sphere_wide(separation, radius_i, radius_j, Normals::Quotients);
     Contact {
         normal: DVec3::new(x, y, z),
         overlap,
@@ -43,16 +44,34 @@ pub fn contact_sphere_sphere(separation: DVec3, radius_i: f64, radius_j: f64) ->
     }
 }
 
+/// How the components of a normal are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Normals {
+    /// Each by a quotient. By the inverse, normals of a regular packing would differ in their last bits; near a fold of the
+    /// multi-contact equation the regular solution would be lost.
+    Quotients,
+    /// All by the inverse of the distance.
+    Inverse,
+}
+
 /// The same in every lane: the components of the normal, the overlap and both levers.
 #[inline(always)]
-pub fn contact_sphere_sphere_wide<L: Lanes>(separation: L::Vector, radius_i: L, radius_j: L) -> [L; 6] {
+pub fn contact_sphere_sphere_wide<L: Lanes>(
+    separation: L::Vector,
+    radius_i: L,
+    radius_j: L,
+    normals: Normals,
+) -> [L; 6] {
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
     let distance = separation.square().sqrt();
     let apart = distance.gt(zero);
-    // three quotients: times the inverse would leave normals of a regular packing that differ in their last bits, and near a
-    // fold of the multi-contact equation the regular solution would be lost
-    let [x, y, z] = separation.components();
-    let normal = L::Vector::new(x / distance, y / distance, z / distance);
+    let normal = match normals {
+        Normals::Quotients => {
+            let [x, y, z] = separation.components();
+            L::Vector::new(x / distance, y / distance, z / distance)
+        }
+        Normals::Inverse => separation * (one / distance),
+    };
     let normal = normal.or(apart, L::Vector::new(zero, zero, one));
     let [x, y, z] = normal.components();
     let lever_i = (distance + radius_i - radius_j) * 0.5;

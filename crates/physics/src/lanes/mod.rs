@@ -18,7 +18,7 @@ mod vector;
 mod x86;
 
 pub use cube_root::cube_root;
-pub use quad::{Four, Quad};
+pub use quad::{Eight, Four, Quad, Two};
 pub use vector::{Vector, Vector3};
 
 use std::fmt::Debug;
@@ -51,6 +51,10 @@ pub trait Lanes:
     type Rows: Copy + AsRef<[[f64; 4]]>;
     /// One row.
     type Quad: Quad;
+    /// Two vectors of one lane, side by side.
+    type Eight: Eight;
+    /// These of every lane.
+    type Eights: Copy + AsRef<[Self::Eight]>;
 
     /// The same number in every lane.
     fn splat(value: f64) -> Self;
@@ -78,6 +82,8 @@ pub trait Lanes:
     fn of_rows(rows: &[&[f64; 4]; MOST_LANES]) -> [Self; 4];
     /// The rows of a table of four columns, one per lane.
     fn rows(columns: [Self; 4]) -> Self::Rows;
+    /// Two vectors per lane as rows of eight numbers, with 0 behind each of them.
+    fn side_by_side(first: Self::Vector, second: Self::Vector) -> Self::Eights;
 
     /// The columns of rows of some tables, one row per lane, the same in each.
     #[inline(always)]
@@ -188,6 +194,13 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
     }
 }
 
+/// Components of a vector per lane, and 0.
+#[inline(always)]
+pub fn with_zero<L: Lanes>(vector: L::Vector) -> [L; 4] {
+    let [x, y, z] = vector.components();
+    [x, y, z, L::splat(0.0)]
+}
+
 /// A place in a slice per lane.
 pub type Places = [usize; MOST_LANES];
 
@@ -224,7 +237,7 @@ impl Instructions {
         let mut found = Vec::new();
         #[cfg(target_arch = "x86_64")]
         {
-            if std::arch::is_x86_feature_detected!("avx512f") && std::arch::is_x86_feature_detected!("avx2") {
+            if x86::has_avx512() {
                 found.push(Self::Avx512);
             }
             if std::arch::is_x86_feature_detected!("avx2") {
@@ -288,7 +301,7 @@ fn listed(instructions: &[Instructions]) -> String {
 pub fn run<K: Kernel>(instructions: Instructions, kernel: K) -> K::Output {
     match instructions {
         #[cfg(target_arch = "x86_64")]
-        Instructions::Avx512 if std::arch::is_x86_feature_detected!("avx512f") => x86::run_avx512(kernel),
+        Instructions::Avx512 if x86::has_avx512() => x86::run_avx512(kernel),
         #[cfg(target_arch = "x86_64")]
         Instructions::Avx2 if std::arch::is_x86_feature_detected!("avx2") => x86::run_avx2(kernel),
         #[cfg(target_arch = "aarch64")]

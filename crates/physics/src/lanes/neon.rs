@@ -3,7 +3,7 @@
 //! Unsafe because the instructions are reached through intrinsics.
 #![allow(unsafe_code)]
 
-use super::{Four, Lanes, MOST_LANES, Mask, Places, Vector3};
+use super::{Four, Lanes, MOST_LANES, Mask, Places, Two, Vector3, with_zero};
 use std::arch::aarch64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -102,6 +102,8 @@ impl Lanes for F64x2 {
     type Vector = Vector3<Self>;
     type Rows = [[f64; 4]; 2];
     type Quad = Four;
+    type Eight = Two<Four>;
+    type Eights = [Two<Four>; 2];
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -194,6 +196,12 @@ impl Lanes for F64x2 {
             column += 1;
         }
         rows
+    }
+
+    #[inline(always)]
+    fn side_by_side(first: Vector3<Self>, second: Vector3<Self>) -> [Two<Four>; 2] {
+        let (first, second) = (Self::rows(with_zero(first)), Self::rows(with_zero(second)));
+        [Two::of_rows(&first[0], &second[0]), Two::of_rows(&first[1], &second[1])]
     }
 }
 

@@ -17,6 +17,55 @@ pub trait Quad: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     fn lies_within(self, lower: Self, upper: Self) -> bool;
 }
 
+/// Eight numbers side by side, on which one operation acts at once: two vectors of one thing, each with a number beside it.
+pub trait Eight: Copy + Add<Output = Self> + Sub<Output = Self> {
+    /// From numbers.
+    fn load(from: &[f64; 8]) -> Self;
+    /// Puts the numbers.
+    fn store(self, to: &mut [f64; 8]);
+}
+
+/// Eight numbers as two times four.
+#[derive(Clone, Copy, Debug)]
+pub struct Two<Q>(Q, Q);
+
+impl<Q: Quad> Two<Q> {
+    /// Of rows of four numbers each.
+    #[inline(always)]
+    pub(super) fn of_rows(first: &[f64; 4], second: &[f64; 4]) -> Self {
+        Self(Q::load(first), Q::load(second))
+    }
+}
+
+impl<Q: Quad> Add for Two<Q> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0, self.1 + other.1)
+    }
+}
+
+impl<Q: Quad> Sub for Two<Q> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0, self.1 - other.1)
+    }
+}
+
+impl<Q: Quad> Eight for Two<Q> {
+    #[inline(always)]
+    fn load(&[a, b, c, d, e, f, g, h]: &[f64; 8]) -> Self {
+        Self(Q::load(&[a, b, c, d]), Q::load(&[e, f, g, h]))
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [f64; 8]) {
+        let ([a, b, c, d], [e, f, g, h]) = (self.0.store(), self.1.store());
+        *to = [a, b, c, d, e, f, g, h];
+    }
+}
+
 /// Four numbers without instructions of their own.
 #[derive(Clone, Copy, Debug)]
 pub struct Four([f64; 4]);

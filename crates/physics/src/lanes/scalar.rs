@@ -1,6 +1,6 @@
 //! One lane.
 
-use super::{Four, Lanes, MOST_LANES, Mask, Places};
+use super::{Four, Lanes, MOST_LANES, Mask, Places, Two, with_zero};
 use glam::DVec3;
 
 impl Mask for bool {
@@ -21,6 +21,8 @@ impl Lanes for f64 {
     type Vector = DVec3;
     type Rows = [[f64; 4]; 1];
     type Quad = Four;
+    type Eight = Two<Four>;
+    type Eights = [Two<Four>; 1];
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -86,6 +88,11 @@ impl Lanes for f64 {
     #[inline(always)]
     fn rows(columns: [Self; 4]) -> [[f64; 4]; 1] {
         [columns]
+    }
+
+    #[inline(always)]
+    fn side_by_side(first: DVec3, second: DVec3) -> [Two<Four>; 1] {
+        [Two::of_rows(&with_zero::<Self>(first), &with_zero::<Self>(second))]
     }
 
     #[inline(always)]

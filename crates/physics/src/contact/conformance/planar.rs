@@ -29,7 +29,6 @@ impl PlanarInput {
     pub fn friction(&self) -> TangentialInput {
         TangentialInput {
             size: self.size,
-            tangential_mass: self.inertia,
             overlap: self.overlap,
             normal: self.normal,
             velocity: self.rate,
@@ -216,7 +215,7 @@ impl PlanarCase {
         PlanarInput {
             size: self.size,
             inertia: if self.is_friction() {
-                2.0 / 7.0 * mass
+                self.size.tangential_mass()
             } else {
                 1.4 * mass * self.size.radius * self.size.radius
             },

@@ -142,7 +142,6 @@ impl<T: Tangential> AskLanes<PlanarInput> for OfTangential<'_, T> {
         let first = inputs[0].friction();
         let input = TangentialInput {
             size: size_of(|k| inputs[k].size),
-            tangential_mass: L::from_fn(|k| inputs[k].inertia),
             overlap: L::from_fn(|k| inputs[k].overlap),
             normal: vector_of::<L>(|k| inputs[k].normal),
             velocity: vector_of::<L>(|k| inputs[k].rate),

@@ -1,6 +1,6 @@
 //! The spring of Hertz, `F = K d^(3/2)`, which elastic and adhesive laws share.
 //!
-//! Everything follows from `F/d = K sqrt(d)`, which takes one root.
+//! Everything follows from the radius of contact, `a = sqrt(R d)`, which takes one root.
 
 use super::{NormalInput, mean_of_change, near_end, window};
 use crate::contact::{MaterialPair, PairSize};
@@ -9,8 +9,13 @@ use crate::lanes::{Lanes, Mask};
 /// What the stiffness follows from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum HertzSpring {
-    /// The materials: `K = 4/3 E sqrt(R)` with `4/3 E` [Pa].
-    Materials(f64),
+    /// The materials: `K = 4/3 E sqrt(R)`.
+    Materials {
+        /// `4/3 E` [Pa].
+        modulus: f64,
+        /// Its square root.
+        root: f64,
+    },
     /// An observed collision: stiffness per effective mass, `K/m` [1/(m^(1/2) s^2)].
     PerMass(f64),
 }
@@ -37,48 +42,69 @@ impl Power {
     }
 }
 
+/// Radius of contact, `sqrt(R d)`, of an overlap that is not negative [m].
+#[inline(always)]
+fn contact_radius<L: Lanes>(size: PairSize<L>, overlap: L) -> L {
+    (size.radius * overlap).sqrt()
+}
+
 impl HertzSpring {
     /// The spring of two materials.
     pub fn of(pair: &MaterialPair) -> Self {
-        Self::Materials(4.0 / 3.0 * pair.effective_modulus())
+        let modulus = 4.0 / 3.0 * pair.effective_modulus();
+        Self::Materials {
+            modulus,
+            root: modulus.sqrt(),
+        }
     }
 
     /// `K` [N/m^(3/2)].
     pub fn stiffness(&self, size: PairSize) -> f64 {
         match self {
-            Self::Materials(modulus) => modulus * size.radius.sqrt(),
+            Self::Materials { modulus, .. } => modulus * size.radius.sqrt(),
             Self::PerMass(per_mass) => per_mass * size.mass,
+        }
+    }
+
+    /// `K/sqrt(R)` [Pa], and its square root.
+    #[inline(always)]
+    fn modulus<L: Lanes>(&self, size: PairSize<L>) -> (L, L) {
+        match self {
+            Self::Materials { modulus, root } => (L::splat(*modulus), L::splat(*root)),
+            Self::PerMass(per_mass) => {
+                let modulus = size.mass * *per_mass / size.radius.sqrt();
+                (modulus, modulus.sqrt())
+            }
         }
     }
 
     /// `K sqrt(d)` [N/m].
     #[inline(always)]
     fn secant<L: Lanes>(&self, size: PairSize<L>, overlap: L) -> L {
-        match self {
-            Self::Materials(modulus) => (size.radius * overlap).sqrt() * *modulus,
-            Self::PerMass(per_mass) => size.mass * overlap.sqrt() * *per_mass,
-        }
+        contact_radius(size, overlap) * self.modulus(size).0
     }
 
     /// A power of the overlap.
     #[inline(always)]
     fn power<L: Lanes>(&self, power: Power, size: PairSize<L>, overlap: L) -> L {
-        let secant = self.secant(size, overlap);
         match power {
-            Power::Force => secant * overlap,
-            Power::Secant => secant,
-            Power::Damping => (size.mass * secant).sqrt(),
+            Power::Force => self.secant(size, overlap) * overlap,
+            Power::Secant => self.secant(size, overlap),
+            Power::Damping => (size.mass * contact_radius(size, overlap)).sqrt() * self.modulus(size).1,
         }
     }
 
     /// Mean of a power of the overlap over the part of the window in which the bodies overlap.
     #[inline(always)]
     pub fn mean<L: Lanes>(&self, power: Power, input: &NormalInput<L>) -> L {
-        let share = input.half_window / input.overlap;
+        let overlap = input.overlap.max(L::splat(0.0));
+        // the inverse of the radius is that which tangential laws take, too: 1/d = R/a^2
+        let inverse = L::splat(1.0) / contact_radius(input.size, overlap);
+        let share = input.half_window * (input.size.radius * inverse * inverse);
         let exponent = power.exponent();
         // f + f'' h^2/6
         let bend = exponent * (exponent - 1.0) / 6.0;
-        let smooth = self.power(power, input.size, input.overlap) * (share * share * bend + 1.0);
+        let smooth = self.power(power, input.size, overlap) * (share * share * bend + 1.0);
         let smooth = smooth.keep(input.overlap.gt(L::splat(0.0)));
         let near_end = near_end(input);
         if near_end.any() {

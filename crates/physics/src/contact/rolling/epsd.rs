@@ -1,7 +1,7 @@
 #![doc = include_str!("epsd.md")]
 
 use super::{Rolling, RollingInput, RollingResponse};
-use crate::contact::spring::{SpringInput, advance_spring, spring_energy};
+use crate::contact::spring::{SpringInput, advance_spring, compliance, spring_energy};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
@@ -56,6 +56,7 @@ impl Rolling for Epsd {
             rate: input.angular_velocity,
             spin: input.spin,
             stiffness,
+            compliance: compliance(stiffness),
             damping: (input.rolling_inertia * stiffness).sqrt() * (2.0 * self.parameters.damping_ratio),
             limit: input.size.radius * input.normal_force * self.parameters.rolling_friction,
             dt: input.dt,

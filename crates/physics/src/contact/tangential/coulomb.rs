@@ -43,7 +43,7 @@ impl Tangential for Coulomb {
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, _history: &mut [L]) -> TangentialResponse<L> {
         let limit = input.normal_force * self.friction;
-        let stopping = input.tangential_mass * (input.removable_share / input.dt);
+        let stopping = input.size.tangential_mass() * (input.removable_share / input.dt);
         let response = resist(input.velocity, limit, stopping, input.dt);
         TangentialResponse {
             force: response.load,

@@ -1,7 +1,7 @@
 #![doc = include_str!("linear_history.md")]
 
 use super::{Tangential, TangentialInput, TangentialResponse, dashpot};
-use crate::contact::spring::{SpringInput, advance_spring, spring_energy};
+use crate::contact::spring::{SpringInput, advance_spring, compliance, spring_energy};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
@@ -52,13 +52,14 @@ impl Tangential for LinearHistory {
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, history: &mut [L]) -> TangentialResponse<L> {
         let p = &self.parameters;
-        let stiffness = L::splat(p.stiffness);
+        let (stiffness, compliance) = (L::splat(p.stiffness), L::splat(compliance(p.stiffness)));
         let spring = SpringInput {
             normal: input.normal,
             rate: input.velocity,
             spin: input.spin,
             stiffness,
-            damping: dashpot(p.damping_ratio, stiffness, input.tangential_mass),
+            compliance,
+            damping: dashpot(p.damping_ratio, stiffness, input.size),
             limit: input.normal_force * p.friction,
             dt: input.dt,
         };

@@ -262,7 +262,7 @@ impl Tangential for MindlinDeresiewicz {
         let damping = dashpot(
             self.parameters.damping_ratio,
             self.modulus * radius,
-            input.tangential_mass,
+            input.size,
         );
         let load = held(middle - velocity * damping, limit);
         row.write(history);
@@ -342,7 +342,6 @@ mod tests {
             let path = displacement - self.moved;
             let mut input = TangentialInput {
                 size,
-                tangential_mass: 1.0,
                 overlap: self.radius * self.radius / size.radius,
                 normal: DVec3::Z,
                 velocity: DVec3::X * path,

@@ -1,8 +1,8 @@
 #![doc = include_str!("mindlin_history.md")]
 
-use super::{Tangential, TangentialInput, TangentialResponse, dashpot};
+use super::{Tangential, TangentialInput, TangentialResponse};
 use crate::contact::spring::{SpringInput, advance_spring, spring_energy};
-use crate::contact::{MaterialPair, PairSize};
+use crate::contact::{MaterialPair, PairSize, TANGENTIAL_SHARE};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
@@ -23,6 +23,10 @@ pub struct MindlinHistory {
     parameters: MindlinHistoryParameters,
     /// `8 G` [Pa].
     modulus: f64,
+    /// Its inverse [1/Pa].
+    inverse: f64,
+    /// Coefficient of the dashpot over `sqrt(m a)` with the radius `a` of contact: `2 zeta sqrt(8 G m_t/m)`.
+    dashpot: f64,
 }
 
 impl Tangential for MindlinHistory {
@@ -39,9 +43,12 @@ impl Tangential for MindlinHistory {
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let parameters = MindlinHistoryParameters::from_values(values)?;
+        let modulus = 8.0 * pair.effective_shear_modulus();
         Ok(Self {
             parameters,
-            modulus: 8.0 * pair.effective_shear_modulus(),
+            modulus,
+            inverse: 1.0 / modulus,
+            dashpot: 2.0 * parameters.damping_ratio * (modulus * TANGENTIAL_SHARE).sqrt(),
         })
     }
 
@@ -54,13 +61,15 @@ impl Tangential for MindlinHistory {
 
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, history: &mut [L]) -> TangentialResponse<L> {
-        let stiffness = self.spring(input.size, input.overlap);
+        // the roots and the quotient are those of the spring of Hertz
+        let radius = (input.size.radius * input.overlap).sqrt();
         let spring = SpringInput {
             normal: input.normal,
             rate: input.velocity,
             spin: input.spin,
-            stiffness,
-            damping: dashpot(self.parameters.damping_ratio, stiffness, input.tangential_mass),
+            stiffness: radius * self.modulus,
+            compliance: ((L::splat(1.0) / radius) * self.inverse).keep(radius.gt(L::splat(0.0))),
+            damping: (input.size.mass * radius).sqrt() * self.dashpot,
             limit: input.normal_force * self.parameters.friction,
             dt: input.dt,
         };
@@ -78,15 +87,7 @@ impl Tangential for MindlinHistory {
 
     #[inline(always)]
     fn stiffness(&self, size: PairSize, overlap: f64) -> f64 {
-        self.spring(size, overlap)
-    }
-}
-
-impl MindlinHistory {
-    /// Tangential stiffness, `8 G sqrt(R d)` [N/m].
-    #[inline(always)]
-    fn spring<L: Lanes>(&self, size: PairSize<L>, overlap: L) -> L {
-        (size.radius * overlap.max(L::splat(0.0))).sqrt() * self.modulus
+        (size.radius * overlap.max(0.0)).sqrt() * self.modulus
     }
 }
 

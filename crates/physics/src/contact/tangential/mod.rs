@@ -12,8 +12,6 @@ use glam::DVec3;
 pub struct TangentialInput<L: Lanes = f64> {
     /// Effective radius and mass.
     pub size: PairSize<L>,
-    /// Effective mass of tangential motion at the contact point, `1/(1/m + l_i^2/I_i + l_j^2/I_j)` [kg].
-    pub tangential_mass: L,
     /// Overlap of a Hertzian contact with this radius `a` of contact, `a^2/R` [m], not negative; without adhesion the
     /// overlap itself.
     pub overlap: L,
@@ -38,7 +36,6 @@ impl<L: Lanes> TangentialInput<L> {
     pub fn lane(&self, lane: usize) -> TangentialInput {
         TangentialInput {
             size: self.size.lane(lane),
-            tangential_mass: self.tangential_mass.as_slice()[lane],
             normal: vector_in::<L>(&self.normal, lane),
             velocity: vector_in::<L>(&self.velocity, lane),
             spin: self.spin.as_slice()[lane],
@@ -128,6 +125,6 @@ law_family! {
 
 /// Coefficient of a dashpot with this share of critical damping [N s/m].
 #[inline(always)]
-fn dashpot<L: Lanes>(damping_ratio: f64, stiffness: L, mass: L) -> L {
-    (stiffness * mass).sqrt() * (2.0 * damping_ratio)
+fn dashpot<L: Lanes>(damping_ratio: f64, stiffness: L, size: PairSize<L>) -> L {
+    (stiffness * size.tangential_mass()).sqrt() * (2.0 * damping_ratio)
 }

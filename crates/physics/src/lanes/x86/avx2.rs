@@ -1,7 +1,7 @@
 //! Four lanes of AVX2.
 
 use super::{at, check, check_rows, one, put, row, whole};
-use crate::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Quad, Vector3};
+use crate::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Quad, Two, Vector3, with_zero};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -75,6 +75,8 @@ impl Lanes for F64x4 {
     type Vector = Vector3<Self>;
     type Rows = [[f64; 4]; 4];
     type Quad = F64x4;
+    type Eight = Two<Self>;
+    type Eights = [Two<Self>; 4];
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -196,9 +198,35 @@ impl Lanes for F64x4 {
     }
 
     #[inline(always)]
+    fn strided(values: &[f64], start: usize, stride: usize) -> [Self; 4] {
+        let values = &values[start..start + 3 * stride + 4];
+        // SAFETY: all these rows are there
+        let [a, b, c, d] = transposed(unsafe {
+            [
+                row(values, 0),
+                row(values, stride),
+                row(values, 2 * stride),
+                row(values, 3 * stride),
+            ]
+        });
+        [Self(a), Self(b), Self(c), Self(d)]
+    }
+
+    #[inline(always)]
     fn rows([a, b, c, d]: [Self; 4]) -> [[f64; 4]; 4] {
         let [first, second, third, fourth] = transposed([a.0, b.0, c.0, d.0]);
         [put(first), put(second), put(third), put(fourth)]
+    }
+
+    #[inline(always)]
+    fn side_by_side(first: Vector3<Self>, second: Vector3<Self>) -> [Two<Self>; 4] {
+        let (first, second) = (Self::rows(with_zero(first)), Self::rows(with_zero(second)));
+        [
+            Two::of_rows(&first[0], &second[0]),
+            Two::of_rows(&first[1], &second[1]),
+            Two::of_rows(&first[2], &second[2]),
+            Two::of_rows(&first[3], &second[3]),
+        ]
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::avx2::F64x4;
 use super::{at, check, check_rows, one, one_by_one, put, row, whole};
-use crate::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Vector3};
+use crate::lanes::{Eight, Index, Lanes, MOST_LANES, Mask, Places, Vector3, with_zero};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -70,6 +70,8 @@ impl Lanes for F64x8 {
     type Vector = Vector3<Self>;
     type Rows = [[f64; 4]; 8];
     type Quad = F64x4;
+    type Eight = Self;
+    type Eights = [Self; 8];
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -223,17 +225,10 @@ impl Lanes for F64x8 {
     }
 
     #[inline(always)]
-    fn rows([a, b, c, d]: [Self; 4]) -> [[f64; 4]; 8] {
+    fn rows(columns: [Self; 4]) -> [[f64; 4]; 8] {
+        let [r04, r15, r26, r37] = rows_by_two(columns);
         // SAFETY: see the top of the module
         unsafe {
-            let (low_ab, high_ab) = (_mm512_unpacklo_pd(a.0, b.0), _mm512_unpackhi_pd(a.0, b.0));
-            let (low_cd, high_cd) = (_mm512_unpacklo_pd(c.0, d.0), _mm512_unpackhi_pd(c.0, d.0));
-            let even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
-            let odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-            let r04 = _mm512_permutex2var_pd(low_ab, even, low_cd);
-            let r26 = _mm512_permutex2var_pd(low_ab, odd, low_cd);
-            let r15 = _mm512_permutex2var_pd(high_ab, even, high_cd);
-            let r37 = _mm512_permutex2var_pd(high_ab, odd, high_cd);
             [
                 put(_mm512_castpd512_pd256(r04)),
                 put(_mm512_castpd512_pd256(r15)),
@@ -245,6 +240,55 @@ impl Lanes for F64x8 {
                 put(_mm512_extractf64x4_pd::<1>(r37)),
             ]
         }
+    }
+
+    #[inline(always)]
+    fn side_by_side(first: Vector3<Self>, second: Vector3<Self>) -> [Self; 8] {
+        let [a04, a15, a26, a37] = rows_by_two(with_zero(first));
+        let [b04, b15, b26, b37] = rows_by_two(with_zero(second));
+        // SAFETY: see the top of the module
+        unsafe {
+            [
+                Self(_mm512_shuffle_f64x2::<0b01_00_01_00>(a04, b04)),
+                Self(_mm512_shuffle_f64x2::<0b01_00_01_00>(a15, b15)),
+                Self(_mm512_shuffle_f64x2::<0b01_00_01_00>(a26, b26)),
+                Self(_mm512_shuffle_f64x2::<0b01_00_01_00>(a37, b37)),
+                Self(_mm512_shuffle_f64x2::<0b11_10_11_10>(a04, b04)),
+                Self(_mm512_shuffle_f64x2::<0b11_10_11_10>(a15, b15)),
+                Self(_mm512_shuffle_f64x2::<0b11_10_11_10>(a26, b26)),
+                Self(_mm512_shuffle_f64x2::<0b11_10_11_10>(a37, b37)),
+            ]
+        }
+    }
+}
+
+impl Eight for F64x8 {
+    #[inline(always)]
+    fn load(from: &[f64; 8]) -> Self {
+        <Self as Lanes>::load(from)
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [f64; 8]) {
+        <Self as Lanes>::store(self, to);
+    }
+}
+
+/// Rows of four columns, two in a register: 0 and 4, 1 and 5, 2 and 6, 3 and 7.
+#[inline(always)]
+fn rows_by_two([a, b, c, d]: [F64x8; 4]) -> [__m512d; 4] {
+    // SAFETY: see the top of the module
+    unsafe {
+        let (low_ab, high_ab) = (_mm512_unpacklo_pd(a.0, b.0), _mm512_unpackhi_pd(a.0, b.0));
+        let (low_cd, high_cd) = (_mm512_unpacklo_pd(c.0, d.0), _mm512_unpackhi_pd(c.0, d.0));
+        let even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+        let odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+        [
+            _mm512_permutex2var_pd(low_ab, even, low_cd),
+            _mm512_permutex2var_pd(high_ab, even, high_cd),
+            _mm512_permutex2var_pd(low_ab, odd, low_cd),
+            _mm512_permutex2var_pd(high_ab, odd, high_cd),
+        ]
     }
 }
 

@@ -43,10 +43,20 @@ use avx2::F64x4;
 use avx512::F64x8;
 use std::arch::x86_64::*;
 
+/// Whether this processor has AVX-512 as all servers do: also for registers of 128 and 256 bits, for bits, bytes and words.
+#[inline]
+pub(super) fn has_avx512() -> bool {
+    std::arch::is_x86_feature_detected!("avx512f")
+        && std::arch::is_x86_feature_detected!("avx512vl")
+        && std::arch::is_x86_feature_detected!("avx512dq")
+        && std::arch::is_x86_feature_detected!("avx512bw")
+        && std::arch::is_x86_feature_detected!("avx2")
+}
+
 /// Runs a kernel with AVX-512, which the processor must have.
 #[inline]
 pub(super) fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
-    #[target_feature(enable = "avx512f,avx2")]
+    #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw,avx2")]
     fn inner<K: Kernel>(kernel: K) -> K::Output {
         kernel.run::<F64x8>()
     }

@@ -1,0 +1,139 @@
+//! Laws that many runs have together: compiled as one, so that what is known of one is at hand for the other, and nothing is chosen
+//! within the loop over contacts. All others are chosen by every lot of contacts.
+
+use super::Tally;
+use super::asking::{Press, Pressed, Roll, Rub, Stiffness};
+use super::kinematics::Source;
+use super::respond::Respond;
+use super::sum::Sink;
+use demeter_physics::contact::PairLaw;
+use demeter_physics::contact::normal::{Normal, NormalLaw, NormalVisitor};
+use demeter_physics::contact::rolling::RollingResponse;
+use demeter_physics::contact::tangential::{Tangential, TangentialLaw, TangentialResponse, TangentialVisitor};
+use demeter_physics::lanes::{self, Instructions, Lanes, Vector};
+
+/// The laws of a material pair, as contacts ask them.
+pub(super) trait Laws: Copy {
+    /// Whether there is friction.
+    fn rubs(self) -> bool;
+    /// Whether rolling is resisted.
+    fn rolls(self) -> bool;
+    /// Normal forces.
+    fn press<L: Lanes>(self, ask: Press<L>) -> Pressed<L>;
+    /// Friction; no force where there is none.
+    fn rub<L: Lanes>(self, ask: Rub<L>) -> TangentialResponse<L>;
+    /// Tangent stiffness of the normal law.
+    fn stiffness<L: Lanes>(self, ask: Stiffness<L>) -> L;
+    /// Resistance to rolling; no torque where there is none.
+    fn roll<L: Lanes>(self, ask: Roll<L>) -> RollingResponse<L>;
+}
+
+impl Laws for &PairLaw {
+    #[inline(always)]
+    fn rubs(self) -> bool {
+        self.tangential.is_some()
+    }
+
+    #[inline(always)]
+    fn rolls(self) -> bool {
+        self.rolling.is_some()
+    }
+
+    #[inline(always)]
+    fn press<L: Lanes>(self, ask: Press<L>) -> Pressed<L> {
+        self.normal.visit(ask)
+    }
+
+    #[inline(always)]
+    fn rub<L: Lanes>(self, ask: Rub<L>) -> TangentialResponse<L> {
+        match &self.tangential {
+            Some(law) => law.visit(ask),
+            None => TangentialResponse {
+                force: L::Vector::null(),
+                dissipated: L::splat(0.0),
+            },
+        }
+    }
+
+    #[inline(always)]
+    fn stiffness<L: Lanes>(self, ask: Stiffness<L>) -> L {
+        self.normal.visit(ask)
+    }
+
+    #[inline(always)]
+    fn roll<L: Lanes>(self, ask: Roll<L>) -> RollingResponse<L> {
+        match &self.rolling {
+            Some(law) => law.visit(ask),
+            None => RollingResponse {
+                torque: L::Vector::null(),
+                dissipated: L::splat(0.0),
+            },
+        }
+    }
+}
+
+/// A normal law and friction, without resistance to rolling.
+struct Both<'a, N, T>(&'a N, &'a T);
+
+impl<N, T> Clone for Both<'_, N, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<N, T> Copy for Both<'_, N, T> {}
+
+impl<N: Normal, T: Tangential> Laws for Both<'_, N, T> {
+    #[inline(always)]
+    fn rubs(self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn rolls(self) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn press<L: Lanes>(self, ask: Press<L>) -> Pressed<L> {
+        NormalVisitor::visit(ask, self.0)
+    }
+
+    #[inline(always)]
+    fn rub<L: Lanes>(self, ask: Rub<L>) -> TangentialResponse<L> {
+        TangentialVisitor::visit(ask, self.1)
+    }
+
+    #[inline(always)]
+    fn stiffness<L: Lanes>(self, ask: Stiffness<L>) -> L {
+        NormalVisitor::visit(ask, self.0)
+    }
+
+    #[inline(always)]
+    fn roll<L: Lanes>(self, _ask: Roll<L>) -> RollingResponse<L> {
+        RollingResponse {
+            torque: L::Vector::null(),
+            dissipated: L::splat(0.0),
+        }
+    }
+}
+
+/// Asks the laws of a material pair about contacts: what was lost, and the first contact with too much overlap.
+pub(super) fn ask<S: Source, K: Sink>(
+    law: &PairLaw,
+    instructions: Instructions,
+    respond: Respond<S, K, ()>,
+) -> (Tally, Option<(usize, f64)>) {
+    use NormalLaw::{HertzTsuji, Linear};
+    use TangentialLaw::{Coulomb, LinearHistory, MindlinHistory};
+    if law.rolling.is_none() {
+        match (&law.normal, &law.tangential) {
+            (HertzTsuji(n), Some(MindlinHistory(t))) => return lanes::run(instructions, respond.with(Both(n, t))),
+            (HertzTsuji(n), Some(Coulomb(t))) => return lanes::run(instructions, respond.with(Both(n, t))),
+            (Linear(n), Some(LinearHistory(t))) => return lanes::run(instructions, respond.with(Both(n, t))),
+            (Linear(n), Some(Coulomb(t))) => return lanes::run(instructions, respond.with(Both(n, t))),
+            _ => {}
+        }
+    }
+    lanes::run(instructions, respond.with(law))
+}
