@@ -85,6 +85,11 @@ pub fn follow<L: Lanes, B: Branched<L>>(
     for kink in &law.kinks(size, state)[..B::PLACES] {
         near = near | (half_window * FAR).gt((overlap - *kink).abs());
     }
+    let step = L::select(approaching, half_window, -half_window);
+    let (first, last) = (overlap - step, overlap + step);
+    // the length that is integrated over: a window of some units of the last digit of the overlap is rounded
+    let length = last - first;
+    near = near & length.abs().gt(L::splat(0.0));
     let (mut mean, mut lost, mut end) = (Point::nothing(), L::splat(0.0), state);
     if (!near).any() {
         end = law.advance(size, state, overlap);
@@ -92,9 +97,8 @@ pub fn follow<L: Lanes, B: Branched<L>>(
         mean = law.point(size, end, overlap, approaching);
     }
     if near.any() {
-        let step = L::select(approaching, half_window, -half_window);
-        let (along, last) = walk(law, size, state, (overlap - step, overlap + step), approaching);
-        let share = L::splat(1.0) / (step * 2.0);
+        let (along, last) = walk(law, size, state, (first, last), approaching);
+        let share = L::splat(1.0) / length;
         mean = Point {
             elastic: L::select(near, along.work * share, mean.elastic),
             damping: L::select(near, along.damping * share, mean.damping),
