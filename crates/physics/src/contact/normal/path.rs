@@ -48,8 +48,8 @@ pub trait Branched<L: Lanes> {
     fn point(&self, size: PairSize<L>, state: Self::State, overlap: L, approaching: L::Mask) -> Point<L>;
     /// Energy that would be given back from here [J]; defined, and continuous, beyond the ends of the branch, too.
     fn stored(&self, size: PairSize<L>, state: Self::State, overlap: L) -> L;
-    /// Places at which the force or its slope jumps on a straight path that begins in this state; not a number where
-    /// there are fewer.
+    /// Places at which the force or its slope jumps on a straight path that begins in this state, of which the first
+    /// [`Branched::PLACES`] are looked at. One may be told twice, or be infinite where there are fewer.
     fn kinks(&self, size: PairSize<L>, state: Self::State) -> [L; KINKS];
     /// `yes` where the mask holds, `no` elsewhere.
     fn select(mask: L::Mask, yes: Self::State, no: Self::State) -> Self::State;
