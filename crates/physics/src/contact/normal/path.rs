@@ -48,8 +48,8 @@ pub trait Branched<L: Lanes> {
     fn point(&self, size: PairSize<L>, state: Self::State, overlap: L, approaching: L::Mask) -> Point<L>;
     /// Energy that would be given back from here [J]; defined, and continuous, beyond the ends of the branch, too.
     fn stored(&self, size: PairSize<L>, state: Self::State, overlap: L) -> L;
-    /// Places at which the force or its slope jumps on a straight path that begins in this state; not a number where
-    /// there are fewer.
+    /// Places at which the force or its slope jumps on a straight path that begins in this state, of which the first
+    /// [`Branched::PLACES`] are looked at. One may be told twice, or be infinite where there are fewer.
     fn kinks(&self, size: PairSize<L>, state: Self::State) -> [L; KINKS];
     /// `yes` where the mask holds, `no` elsewhere.
     fn select(mask: L::Mask, yes: Self::State, no: Self::State) -> Self::State;
@@ -85,6 +85,11 @@ pub fn follow<L: Lanes, B: Branched<L>>(
     for kink in &law.kinks(size, state)[..B::PLACES] {
         near = near | (half_window * FAR).gt((overlap - *kink).abs());
     }
+    let step = L::select(approaching, half_window, -half_window);
+    let (first, last) = (overlap - step, overlap + step);
+    // the length that is integrated over: a window of some units of the last digit of the overlap is rounded
+    let length = last - first;
+    near = near & length.abs().gt(L::splat(0.0));
     let (mut mean, mut lost, mut end) = (Point::nothing(), L::splat(0.0), state);
     if (!near).any() {
         end = law.advance(size, state, overlap);
@@ -92,9 +97,8 @@ pub fn follow<L: Lanes, B: Branched<L>>(
         mean = law.point(size, end, overlap, approaching);
     }
     if near.any() {
-        let step = L::select(approaching, half_window, -half_window);
-        let (along, last) = walk(law, size, state, (overlap - step, overlap + step), approaching);
-        let share = L::splat(1.0) / (step * 2.0);
+        let (along, last) = walk(law, size, state, (first, last), approaching);
+        let share = L::splat(1.0) / length;
         mean = Point {
             elastic: L::select(near, along.work * share, mean.elastic),
             damping: L::select(near, along.damping * share, mean.damping),

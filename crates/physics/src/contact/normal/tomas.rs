@@ -10,6 +10,7 @@ use super::path::{Branched, KINKS, Point, follow};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 use scale::{Dent, Scale};
@@ -121,28 +122,29 @@ impl Tomas {
 
     /// Everything that depends on the size.
     #[inline(always)]
-    fn scale(&self, size: PairSize) -> Scale {
-        let hertz = self.modulus * size.radius.sqrt();
-        let line = self.yield_slope * size.radius;
+    fn scale<L: Lanes>(&self, size: PairSize<L>) -> Scale<L> {
+        let hertz = size.radius.sqrt() * self.modulus;
+        let line = size.radius * self.yield_slope;
         let root = line / hertz;
+        let level = root * root;
         Scale {
             hertz,
             line,
-            limit: self.limit_slope * size.radius,
+            limit: size.radius * self.limit_slope,
             pull: match self.pull {
-                Pull::Constant(force) => force,
-                Pull::PerRadius(slope) => slope * size.radius,
+                Pull::Constant(force) => L::splat(force),
+                Pull::PerRadius(slope) => size.radius * slope,
             },
             separation: self.separation,
             range: self.range,
-            level: root * root,
-            yields_at: self.yield_factor * root * root,
+            level,
+            yields_at: level * self.yield_factor,
         }
     }
 
     /// Coefficient of the dashpot.
     #[inline(always)]
-    fn alpha(&self, size: PairSize, history: &mut [f64]) -> f64 {
+    fn alpha<L: Lanes>(&self, size: PairSize<L>, history: &mut [L]) -> L {
         let memory = history.get_mut(REMEMBERED..).unwrap_or_default();
         self.dashpot
             .coefficient(size, memory, |dashpot| Self { dashpot, ..*self })
@@ -200,11 +202,18 @@ impl Normal for Tomas {
         REMEMBERED + self.dashpot.history()
     }
 
-    #[inline]
+    const WIDE: bool = true;
+
+    #[inline(always)]
     fn respond(&self, input: &NormalInput, history: &mut [f64]) -> NormalResponse {
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let alpha = self.alpha(input.size, history);
         let (mut response, dent) = follow(self, input, Dent::of(history));
-        response.damping *= alpha * input.size.mass.sqrt();
+        response.damping = response.damping * alpha * input.size.mass.sqrt();
         dent.keep(history);
         response
     }
@@ -215,9 +224,18 @@ impl Normal for Tomas {
         self.stored(size, dent, overlap)
     }
 
-    #[inline]
     fn stiffness(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
+        self.stiffness_wide(size, overlap, history)
+    }
+
+    #[inline(always)]
+    fn stiffness_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
         self.scale(size).stiffness(Dent::of(history), overlap)
+    }
+
+    #[inline(always)]
+    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
+        overlap.max(L::splat(0.0))
     }
 
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
@@ -239,65 +257,55 @@ impl Normal for Tomas {
     }
 }
 
-impl Branched<f64> for Tomas {
-    type State = Dent;
+impl<L: Lanes> Branched<L> for Tomas {
+    type State = Dent<L>;
     const PLACES: usize = 3;
 
-    #[inline]
-    fn advance(&self, size: PairSize, dent: Dent, to: f64) -> Dent {
+    #[inline(always)]
+    fn advance(&self, size: PairSize<L>, dent: Dent<L>, to: L) -> Dent<L> {
         self.scale(size).dented(dent, to)
     }
 
     /// The damping is that of a coefficient 1 and a mass of 1 kg.
-    #[inline]
-    fn point(&self, size: PairSize, dent: Dent, overlap: f64, approaching: bool) -> Point {
+    #[inline(always)]
+    fn point(&self, size: PairSize<L>, dent: Dent<L>, overlap: L, approaching: L::Mask) -> Point<L> {
         let scale = self.scale(size);
+        let zero = L::splat(0.0);
         let elastic_part = overlap - dent.foot;
-        if elastic_part <= 0.0 {
-            return Point {
-                elastic: scale.attraction(dent, -elastic_part),
-                ..Point::nothing()
-            };
-        }
+        let touching = elastic_part.gt(zero);
+        let across = scale.attraction(dent, -elastic_part);
         let adhesion = scale.adhesion(dent);
-        let yielding = approaching && dent.deepest > 0.0 && overlap >= dent.deepest;
-        let elastic = if yielding {
-            scale.line * overlap - scale.pull
-        } else {
-            scale.hertz * elastic_part * elastic_part.sqrt() - adhesion
-        };
-        let spring = if yielding {
-            scale.line
-        } else if self.damps_total_overlap {
-            scale.hertz * overlap.sqrt()
-        } else {
-            scale.hertz * elastic_part.sqrt()
-        };
+        let yielding = approaching & dent.deepest.gt(zero) & overlap.ge(dent.deepest);
+        let root = elastic_part.sqrt();
+        let line = scale.line * overlap - scale.pull;
+        let curve = scale.hertz * elastic_part * root - adhesion;
+        let damped = if self.damps_total_overlap { overlap.sqrt() } else { root };
+        let spring = L::select(yielding, scale.line, scale.hertz * damped);
         Point {
-            elastic,
-            damping: spring.sqrt(),
-            adhesion,
+            elastic: L::select(touching, L::select(yielding, line, curve), across),
+            damping: spring.sqrt().keep(touching),
+            adhesion: adhesion.keep(touching),
         }
     }
 
-    #[inline]
-    fn stored(&self, size: PairSize, dent: Dent, overlap: f64) -> f64 {
+    #[inline(always)]
+    fn stored(&self, size: PairSize<L>, dent: Dent<L>, overlap: L) -> L {
         self.scale(size).stored(dent, overlap)
     }
 
-    #[inline]
-    fn kinks(&self, size: PairSize, dent: Dent) -> [f64; KINKS] {
+    #[inline(always)]
+    fn kinks(&self, size: PairSize<L>, dent: Dent<L>) -> [L; KINKS] {
         let limit = self.scale(size).limit_of(dent);
-        [dent.foot, limit, dent.foot - self.range, f64::NAN]
+        [dent.foot, limit, dent.foot - self.range, limit]
     }
 
-    #[inline]
-    fn select(mask: bool, yes: Dent, no: Dent) -> Dent {
-        if mask { yes } else { no }
+    #[inline(always)]
+    fn select(mask: L::Mask, yes: Dent<L>, no: Dent<L>) -> Dent<L> {
+        Dent::select(mask, yes, no)
     }
 
-    #[inline]
-    fn differ(one: Dent, other: Dent) -> bool {
-        one != other
+    #[inline(always)]
+    fn differ(one: Dent<L>, other: Dent<L>) -> L::Mask {
+        one.deepest.gt(other.deepest) | other.deepest.gt(one.deepest)
     }
 }

@@ -187,6 +187,25 @@ mod tests {
     }
 
     #[test]
+    fn windows_as_short_as_the_rounding_of_the_overlap_give_the_plain_force() {
+        let law = law(&[("loading_stiffness", 1e4), ("unloading_stiffness", 4e4)]).unwrap();
+        let (overlap, size) = (0.7e-6, PairSize::default());
+        let digit = overlap * f64::EPSILON;
+        for half_window in [1e-3, 0.3, 0.6, 1.3, 10.3].map(|share| share * digit) {
+            for rate in [1.0, -1.0] {
+                let input = NormalInput {
+                    size,
+                    overlap,
+                    rate,
+                    half_window,
+                };
+                let response = law.respond(&input, &mut [overlap]);
+                assert_relative_eq!(response.elastic, 1e4 * overlap, max_relative = 1e-13);
+            }
+        }
+    }
+
+    #[test]
     fn constant_restitution() {
         for e in [0.05, 0.3, 0.8, 1.0] {
             for (mass, speed) in [(1e-4, 1e-3), (1e-4, 3.0), (20.0, 0.1)] {
