@@ -259,11 +259,7 @@ impl Tangential for MindlinDeresiewicz {
         let velocity = DVec2::new(input.velocity.dot(row.axis), input.velocity.dot(across));
         let limit = self.parameters.friction * input.normal_force;
         let middle = row.shear(velocity, input, self.modulus, limit);
-        let damping = dashpot(
-            self.parameters.damping_ratio,
-            self.modulus * radius,
-            input.size,
-        );
+        let damping = dashpot(self.parameters.damping_ratio, self.modulus * radius, input.size);
         let load = held(middle - velocity * damping, limit);
         row.write(history);
         let work = -load.dot(velocity) * input.dt;
