@@ -131,7 +131,6 @@ impl Block {
     fn tangential_input<L: Lanes>(&self, at: usize) -> TangentialInput<L> {
         TangentialInput {
             size: self.size(at),
-            tangential_mass: L::load(&self.inertia[at..]),
             overlap: L::load(&self.overlap[at..]),
             normal: vector::<L>(&self.normal, at),
             velocity: vector::<L>(&self.motion, at),
