@@ -154,6 +154,44 @@ fn one_lane_is_plain_arithmetic() {
     }
 }
 
+/// Two vectors per lane side by side, added to rows and taken away from others.
+struct SideBySide<'a>(&'a [f64], &'a [f64]);
+
+impl Kernel for SideBySide<'_> {
+    type Output = Vec<[f64; 8]>;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> Vec<[f64; 8]> {
+        let mut found = Vec::new();
+        for (a, b) in self.0.chunks(L::COUNT).zip(self.1.chunks(L::COUNT)) {
+            let (a, b) = (L::load(a), L::load(b));
+            let rows = L::side_by_side(L::Vector::new(a, b, a + b), L::Vector::new(a * b, a - b, b));
+            for row in rows.as_ref() {
+                let [mut sum, mut difference] = [[0.25; 8]; 2];
+                (L::Eight::load(&sum) + *row).store(&mut sum);
+                (L::Eight::load(&difference) - *row).store(&mut difference);
+                found.extend([sum, difference]);
+            }
+        }
+        found
+    }
+}
+
+#[test]
+fn vectors_lie_side_by_side_with_all_instructions() {
+    let a: Vec<f64> = (0..2 * MOST_LANES).map(|k| 0.3 * k as f64 - 1.0).collect();
+    let b: Vec<f64> = a.iter().map(|x| 2.0 - x * x).collect();
+    let expected: Vec<[f64; 8]> = (a.iter().zip(&b))
+        .flat_map(|(a, b)| {
+            let row = [*a, *b, a + b, 0.0, a * b, a - b, *b, 0.0];
+            [row.map(|x| 0.25 + x), row.map(|x| 0.25 - x)]
+        })
+        .collect();
+    for instructions in Instructions::available() {
+        assert_eq!(run(instructions, SideBySide(&a, &b)), expected, "{}", instructions.name());
+    }
+}
+
 /// Fetches rows of which one is not there.
 struct Beyond(Index);
 
