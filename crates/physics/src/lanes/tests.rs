@@ -188,7 +188,12 @@ fn vectors_lie_side_by_side_with_all_instructions() {
         })
         .collect();
     for instructions in Instructions::available() {
-        assert_eq!(run(instructions, SideBySide(&a, &b)), expected, "{}", instructions.name());
+        assert_eq!(
+            run(instructions, SideBySide(&a, &b)),
+            expected,
+            "{}",
+            instructions.name()
+        );
     }
 }
 
