@@ -133,12 +133,11 @@ impl ContactChunk {
         if scene.is_coupled() {
             elastic.resize(count, 0.0);
         }
-        let law = scene.materials.law(self.law);
         let respond = Respond {
             source,
             sink,
             laws: (),
-            law,
+            law: scene.materials.law(self.law),
             dt: scene.dt,
             integrator: scene.integrator,
             answers: Answers {
@@ -151,7 +150,7 @@ impl ContactChunk {
                 elastic: &mut elastic,
             },
         };
-        let (lost, too_deep) = ask(law, scene.instructions, respond);
+        let (lost, too_deep) = ask(scene.instructions, respond);
         self.tally.add(&lost);
         if scene.is_coupled() {
             self.remember_coupling(&elastic, scene);

@@ -120,10 +120,10 @@ impl<N: Normal, T: Tangential> Laws for Both<'_, N, T> {
 
 /// Asks the laws of a material pair about contacts: what was lost, and the first contact with too much overlap.
 pub(super) fn ask<S: Source, K: Sink>(
-    law: &PairLaw,
     instructions: Instructions,
     respond: Respond<S, K, ()>,
 ) -> (Tally, Option<(usize, f64)>) {
+    let law = respond.law;
     use NormalLaw::{HertzTsuji, Linear};
     use TangentialLaw::{Coulomb, LinearHistory, MindlinHistory};
     if law.rolling.is_none() {
