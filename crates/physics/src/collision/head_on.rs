@@ -437,6 +437,7 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
             duration: self.time,
             max_overlap: self.max_overlap,
             max_force: largest_force(&self.records, self.pair).max(self.force()),
+            max_speed: self.largest_speed,
             final_overlap: overlap,
             energy,
             steps: self.steps,

@@ -79,6 +79,8 @@ pub struct Collision {
     pub max_overlap: f64,
     /// Largest total force [N].
     pub max_force: f64,
+    /// Largest speed at the ends of the steps [m/s]: much more than at the start where attraction is what moves the bodies.
+    pub(crate) max_speed: f64,
     /// Overlap at the end [m].
     pub final_overlap: f64,
     /// Energies.

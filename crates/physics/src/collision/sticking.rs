@@ -1,7 +1,7 @@
 //! The critical sticking speed: below it two bodies stick, above it they part.
 
 use super::head_on::HeadOn;
-use super::outcome::{CollisionError, Outcome, Start, Tolerance};
+use super::outcome::{Collision, CollisionError, Outcome, Start, Tolerance};
 use crate::contact::PairSize;
 use crate::contact::normal::{Normal, NormalLaw, NormalVisitor};
 
@@ -22,7 +22,8 @@ pub const BRACKET: f64 = 1e-7;
 /// Factor between the speeds that are tried in search of a bracket.
 const STRIDE: f64 = 4.0;
 
-/// Bodies that part at this share of the first speed tried part at every speed: below it, rounding decides.
+/// Bodies that part at this share of the first speed tried, or of the largest speed on the way, part at every speed: below it, rounding
+/// decides. What attracts may make them so fast that the energy they began with is lost in the rounding of that on the way.
 const NOTHING: f64 = 1e-7;
 
 /// The range of speeds that is searched, as power of [`STRIDE`] below and above the first one tried.
@@ -53,40 +54,41 @@ pub fn sticking_speed<L: Normal>(
     start: Start,
     tolerance: &Tolerance,
 ) -> Result<Sticking, CollisionError> {
-    let sticks = |speed: f64| -> Result<(bool, f64), CollisionError> {
+    let collide = |speed: f64| {
         let impact = HeadOn {
             law,
             size,
             speed,
             start,
         };
-        let collision = impact.run(tolerance)?;
-        Ok((collision.outcome == Outcome::Stick, collision.max_overlap))
+        impact.run(tolerance)
     };
+    let sticks = |collision: &Collision| collision.outcome == Outcome::Stick;
     // the speed that makes a dent of a millionth of the radius in the time scale of such a collision
     let overlap = 1e-6 * size.radius;
     let first = overlap / law.collision_time(size, overlap);
     let mut speed = first;
-    let (stuck_first, _) = sticks(speed)?;
+    let mut collision = collide(speed)?;
+    let stuck_first = sticks(&collision);
     let (mut stuck, mut parted) = (speed, speed);
     for stride in 0.. {
         let next = if stuck_first { speed * STRIDE } else { speed / STRIDE };
-        if next < NOTHING * first {
+        if !stuck_first && next < NOTHING * first.max(collision.max_speed) {
             return Ok(Sticking::Never(speed));
         }
-        let (stuck_now, max_overlap) = sticks(next)?;
-        if stuck_now != stuck_first {
+        collision = collide(next)?;
+        if sticks(&collision) != stuck_first {
             (stuck, parted) = if stuck_first { (speed, next) } else { (next, speed) };
             break;
         }
         speed = next;
-        if stuck_first && (max_overlap > size.radius || stride == MOST_STRIDES) {
+        if stuck_first && (collision.max_overlap > size.radius || stride == MOST_STRIDES) {
             return Ok(Sticking::Always(speed));
         }
     }
     while parted > stuck * (1.0 + BRACKET) {
         let middle = (stuck * parted).sqrt();
-        if sticks(middle)?.0 {
+        if sticks(&collide(middle)?) {
             stuck = middle;
         } else {
             parted = middle;
