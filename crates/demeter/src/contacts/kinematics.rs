@@ -6,7 +6,7 @@ use crate::particles::Grains;
 use crate::walls::Wall;
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
-use demeter_physics::lanes::{Index, Lanes, MOST_LANES, Places, Vector};
+use demeter_physics::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Vector};
 use glam::DVec3;
 
 /// Numbers of contacts from `k` on as lanes; 0 in lanes beyond the end.
@@ -252,7 +252,9 @@ fn size_of_pair<L: Lanes>([ri, rj]: [L; 2], [mass_i, mass_j]: [L; 2]) -> PairSiz
 /// Some contacts as they are in this step.
 pub(super) struct Sight<L: Lanes> {
     pub(super) motion: Motion<L>,
-    /// Lanes that act in this step.
+    pub(super) turning: Turning<L>,
+    /// Lanes that act in this step, as a mask and as bits.
+    pub(super) acting: L::Mask,
     pub(super) acts: u32,
     /// Lanes that do not, and may have done so in the step before.
     pub(super) ended: u32,
@@ -264,8 +266,6 @@ pub(super) struct Sight<L: Lanes> {
 pub(super) trait Source {
     /// The contacts from `k` on; those that are not `here` do not act.
     fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L>;
-    /// How the bodies of the contacts from `k` on turn.
-    fn turning<L: Lanes>(&self, k: usize) -> Turning<L>;
 }
 
 /// Pairs of grains of which some act.
@@ -304,15 +304,12 @@ impl Source for Approach<'_> {
                 inverse_masses: met.inverse_masses,
                 size: size_of_pair(met.radii, met.inverse_masses),
             },
+            turning: met.turning,
+            acting: met.acting,
             acts: met.acts,
             ended: before & !met.acts,
             too_deep: met.too_deep,
         }
-    }
-
-    #[inline(always)]
-    fn turning<L: Lanes>(&self, k: usize) -> Turning<L> {
-        self.meeting.turning(&listed::<L>(self.i, k), &listed::<L>(self.j, k))
     }
 }
 
@@ -336,9 +333,8 @@ impl Source for Known<'_> {
         let [nx, ny, nz, overlap] = L::columns(contacts, &places);
         shift(&mut places, 2);
         let [_, _, lever_i, lever_j] = L::columns(contacts, &places);
-        let [places, velocities, _] = self.grains.tables();
-        let [[_, _, _, ri], [vx, vy, vz, inverse_mass]] = L::fetch([places, velocities], &first);
-        let [[ux, uy, uz, other_mass]] = L::fetch([partners.velocity], &second);
+        let [[_, _, _, ri], [vx, vy, vz, inverse_mass], spin] = L::fetch(self.grains.tables(), &first);
+        let [[ux, uy, uz, other_mass], other_spin] = L::fetch([partners.velocity, partners.spin], &second);
         let normal = L::Vector::new(nx, ny, nz);
         let mut velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
         if let Some((codes, velocities)) = self.shifts {
@@ -370,18 +366,12 @@ impl Source for Known<'_> {
                 inverse_masses,
                 size,
             },
+            turning: Turning::of(spin, other_spin),
+            acting: L::Mask::of_bits(here),
             acts: here,
             ended: 0,
             too_deep: 0,
         }
-    }
-
-    #[inline(always)]
-    fn turning<L: Lanes>(&self, k: usize) -> Turning<L> {
-        let [_, _, spins] = self.grains.tables();
-        let [first] = L::fetch([spins], &listed::<L>(self.i, k));
-        let [second] = L::fetch([self.partners.spin], &self.partners.listed::<L>(k));
-        Turning::of(first, second)
     }
 }
 

@@ -68,7 +68,10 @@ pub(super) struct Met<L: Lanes> {
     pub(super) inverse_masses: [L; 2],
     /// Rate of approach [m/s].
     pub(super) rate: L,
-    /// Lanes that act in this step.
+    /// How they turn.
+    pub(super) turning: Turning<L>,
+    /// Lanes that act in this step, as a mask and as bits.
+    pub(super) acting: L::Mask,
     pub(super) acts: u32,
     /// Those of them with too much overlap.
     pub(super) too_deep: u32,
@@ -79,10 +82,8 @@ pub(super) struct Met<L: Lanes> {
 pub(super) struct Meeting<'a> {
     scene: &'a Scene<'a>,
     normals: Normals,
-    /// Positions and velocities.
-    tables: [&'a [[f64; 4]]; 2],
-    /// Angular velocities, with the inverse moments of inertia.
-    spins: &'a [[f64; 4]],
+    /// Positions, velocities, and angular velocities with the inverse moments of inertia.
+    tables: [&'a [[f64; 4]]; 3],
     /// Shifts of positions across periodic sides; empty where there are none.
     shifts: &'a [[f64; 4]],
     /// Velocities of these shifts; empty where the box keeps its shape.
@@ -91,7 +92,6 @@ pub(super) struct Meeting<'a> {
 
 impl<'a> Meeting<'a> {
     pub(super) fn new(scene: &'a Scene<'a>) -> Self {
-        let [places, velocities, spins] = scene.grains.tables();
         let is_coupled = scene.is_coupled();
         Self {
             scene,
@@ -100,8 +100,7 @@ impl<'a> Meeting<'a> {
             } else {
                 Normals::Inverse
             },
-            tables: [places, velocities],
-            spins,
+            tables: scene.grains.tables(),
             shifts: scene.comm.shifts(),
             shift_velocities: scene.comm.shift_velocities(),
         }
@@ -143,8 +142,8 @@ impl<'a> Meeting<'a> {
     /// How some pairs meet; those that are not `here` do not act.
     #[inline(always)]
     pub(super) fn meet<L: Lanes>(&self, lot: &Lot, here: u32) -> Met<L> {
-        let [place_i, [vx, vy, vz, inverse_mass]] = L::fetch(self.tables, &lot.first);
-        let [place_j, [ux, uy, uz, other_mass]] = L::fetch(self.tables, &lot.second);
+        let [place_i, [vx, vy, vz, inverse_mass], spin_i] = L::fetch(self.tables, &lot.first);
+        let [place_j, [ux, uy, uz, other_mass], spin_j] = L::fetch(self.tables, &lot.second);
         let (apart, ri, rj) = self.difference(place_i, place_j, lot);
         let [x, y, z, overlap, lever_i, lever_j] = contact_sphere_sphere_wide::<L>(apart, ri, rj, self.normals);
         let normal = L::Vector::new(x, y, z);
@@ -156,7 +155,8 @@ impl<'a> Meeting<'a> {
         let rate = -velocity.inner(normal);
         let bulged = overlap + self.bulges::<L>(lot);
         let half_window = rate.abs() * (0.5 * self.scene.dt);
-        let mut acts = (bulged + half_window).gt(L::splat(0.0)).bits() & here;
+        let mut acting = (bulged + half_window).gt(L::splat(0.0)) & L::Mask::of_bits(here);
+        let mut acts = acting.bits();
         if self.scene.max_reach > 0.0 && acts != here {
             let (bulged, rate) = (bulged.to_array(), rate.to_array());
             let mut apart = here & !acts;
@@ -166,6 +166,7 @@ impl<'a> Meeting<'a> {
                 acts |= u32::from(self.attract(bodies, bulged[lane], rate[lane])) << lane;
                 apart &= apart - 1;
             }
+            acting = L::Mask::of_bits(acts);
         }
         let allowed = L::select(ri.lt(rj), ri, rj) * self.scene.max_overlap;
         Met {
@@ -176,16 +177,11 @@ impl<'a> Meeting<'a> {
             velocity,
             inverse_masses: [inverse_mass, other_mass],
             rate,
+            turning: Turning::of(spin_i, spin_j),
+            acting,
             acts,
             too_deep: (!allowed.ge(overlap)).bits() & acts,
         }
-    }
-
-    /// How the grains of some pairs turn.
-    #[inline(always)]
-    pub(super) fn turning<L: Lanes>(&self, first: &Index, second: &Index) -> Turning<L> {
-        let ([first], [second]) = (L::fetch([self.spins], first), L::fetch([self.spins], second));
-        Turning::of(first, second)
     }
 
     /// Whether a law that attracts across a gap acts on two grains that do not touch.

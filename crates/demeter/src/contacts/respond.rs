@@ -12,7 +12,7 @@ use demeter_physics::contact::PairLaw;
 use demeter_physics::contact::rolling::RollingInput;
 use demeter_physics::contact::tangential::{TangentialInput, TangentialResponse};
 use demeter_physics::integrator::Integrator;
-use demeter_physics::lanes::{Kernel, Lanes, MOST_LANES, Mask, Vector, with_zero};
+use demeter_physics::lanes::{Kernel, Lanes, MOST_LANES, Vector, with_zero};
 
 /// What the contacts of a chunk know, and what comes out of a step.
 pub(super) struct Answers<'a> {
@@ -123,14 +123,21 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
         let mut booked = Tally::default();
         let mut too_deep = None;
         let nothing = L::Vector::null();
+        let mut waiting = None;
         for k in (0..count).step_by(L::COUNT) {
             let here = lanes_below((count - k).min(L::COUNT));
             let Sight {
                 motion,
+                turning,
+                acting,
                 acts,
                 ended,
                 too_deep: deep,
             } = source.look::<L>(k, here);
+            // what the contacts before do is added up while these wait for their distances
+            if let Some((k, loads)) = waiting.take() {
+                sink.put::<L>(k, &loads);
+            }
             // these are rare; which lanes act is not, and cannot be foretold: nothing branches on that
             if ended != 0 {
                 end(&mut answers, k, ended, law, &mut booked);
@@ -144,7 +151,6 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 let lane = deep.trailing_zeros() as usize;
                 too_deep = Some((k + lane, motion.overlap.to_array()[lane]));
             }
-            let acting = L::Mask::of_bits(acts);
             let mut lot = Lot {
                 k,
                 acting: acts,
@@ -169,7 +175,6 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 rate: motion.rate,
                 previous: load_some(answers.normal_force, k),
             });
-            let turning = source.turning::<L>(k);
             let force = pressed.force.keep(acting);
             losses.add(VISCOUS, k, pressed.viscous.keep(acting));
             losses.add(PLASTIC, k, pressed.lost.keep(acting));
@@ -230,7 +235,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
             let tangential = rubbed.force.or(acting, nothing);
             answers.put_tangential::<L>(k, tangential);
             let arm = motion.normal.outer(tangential);
-            let mut loads = Loads {
+            let mut loads: Loads<L> = Loads {
                 force: motion.normal * force + tangential,
                 first_torque: arm * -motion.levers[0],
                 second_torque: arm * motion.levers[1],
@@ -239,6 +244,9 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 loads.first_torque = loads.first_torque + rolling_torque;
                 loads.second_torque = loads.second_torque + rolling_torque;
             }
+            waiting = Some((k, loads));
+        }
+        if let Some((k, loads)) = waiting {
             sink.put::<L>(k, &loads);
         }
         booked.viscous += losses.sum(VISCOUS);
