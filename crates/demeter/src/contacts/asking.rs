@@ -4,6 +4,7 @@ use super::meetings::next_lane;
 use demeter_physics::contact::PairSize;
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalResponse, NormalVisitor, centred_force};
 use demeter_physics::contact::rolling::{Rolling, RollingInput, RollingResponse, RollingVisitor};
+use demeter_physics::contact::spring::{Carried, carry_along};
 use demeter_physics::contact::tangential::{Tangential, TangentialInput, TangentialResponse, TangentialVisitor};
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::{Lanes, MOST_LANES, Mask};
@@ -202,10 +203,32 @@ fn press_one_by_one<N: Normal, L: Lanes>(law: &N, input: &NormalInput<L>, lot: &
     (NormalResponse::of_lanes(&answers), L::load(&bearing))
 }
 
+/// What friction remembers, and the load among it as it is carried along: both are known before the normal force is.
+pub(super) struct Ahead<L: Lanes> {
+    memory: [L; MOST_WIDE_HISTORY],
+    carried: Carried<L>,
+}
+
+impl<L: Lanes> Ahead<L> {
+    /// Of a law; nothing where it remembers no such load.
+    #[inline(always)]
+    pub(super) fn of<T: Tangential>(lot: &Lot, normal: L::Vector, spin_angle: L) -> Option<Self> {
+        if !(T::REMEMBERS_A_SPRING && T::WIDE) {
+            return None;
+        }
+        let memory = lot.recall::<L>(T::HISTORY.len());
+        Some(Self {
+            memory,
+            carried: carry_along(&memory, normal, spin_angle),
+        })
+    }
+}
+
 /// Friction.
 pub(super) struct Rub<'l, 'a, L: Lanes> {
     pub(super) lot: &'l mut Lot<'a>,
     pub(super) input: TangentialInput<L>,
+    pub(super) ahead: Option<Ahead<L>>,
 }
 
 impl<L: Lanes> TangentialVisitor for Rub<'_, '_, L> {
@@ -213,11 +236,14 @@ impl<L: Lanes> TangentialVisitor for Rub<'_, '_, L> {
 
     #[inline(always)]
     fn visit<T: Tangential>(self, law: &T) -> TangentialResponse<L> {
-        let Self { lot, input } = self;
+        let Self { lot, input, ahead } = self;
         if T::WIDE {
             let length = T::HISTORY.len();
-            let mut history = lot.recall::<L>(length);
-            let response = law.respond_wide(&input, &mut history[..length]);
+            let (mut history, carried) = match ahead {
+                Some(Ahead { memory, carried }) => (memory, Some(carried)),
+                None => (lot.recall::<L>(length), None),
+            };
+            let response = law.respond_carried(&input, &mut history[..length], carried);
             lot.remember(&history, length);
             response
         } else {

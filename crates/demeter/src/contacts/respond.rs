@@ -167,6 +167,10 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 ..motion
             };
             let size = motion.size;
+            let spin = turning.spin(&motion);
+            lot.first = normal_length;
+            let ahead = laws.ahead(&lot, motion.normal, spin * dt);
+            lot.first = 0;
             let pressed = laws.press(Press {
                 lot: &mut lot,
                 size,
@@ -191,11 +195,12 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                         overlap: pressed.bearing_overlap,
                         normal: motion.normal,
                         velocity: turning.sliding(&motion).or(acting, nothing),
-                        spin: turning.spin(&motion),
+                        spin,
                         normal_force: pressed.friction_load,
                         dt,
                         removable_share: integrator.removable_share(),
                     },
+                    ahead,
                 });
                 losses.add(FRICTION, k, rubbed.dissipated.keep(acting));
             }
@@ -215,7 +220,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                         rolling_inertia: turning.rolling_inertia(&motion),
                         normal: motion.normal,
                         angular_velocity: turning.rolling(&motion).or(acting, nothing),
-                        spin: turning.spin(&motion),
+                        spin,
                         normal_force: pressed.friction_load,
                         normal_stiffness,
                         dt,

@@ -2,7 +2,7 @@
 //! within the loop over contacts. All others are chosen by every lot of contacts.
 
 use super::Tally;
-use super::asking::{Press, Pressed, Roll, Rub, Stiffness};
+use super::asking::{Ahead, Lot, Press, Pressed, Roll, Rub, Stiffness};
 use super::kinematics::Source;
 use super::respond::Respond;
 use super::sum::Sink;
@@ -20,6 +20,12 @@ pub(super) trait Laws: Copy {
     fn rolls(self) -> bool;
     /// Normal forces.
     fn press<L: Lanes>(self, ask: Press<L>) -> Pressed<L>;
+    /// What is known of friction before the normal force is, told the normal and by which angle the contact turns about it; perhaps
+    /// nothing.
+    #[inline(always)]
+    fn ahead<L: Lanes>(self, _lot: &Lot, _normal: L::Vector, _spin_angle: L) -> Option<Ahead<L>> {
+        None
+    }
     /// Friction; no force where there is none.
     fn rub<L: Lanes>(self, ask: Rub<L>) -> TangentialResponse<L>;
     /// Tangent stiffness of the normal law.
@@ -97,6 +103,11 @@ impl<N: Normal, T: Tangential> Laws for Both<'_, N, T> {
     #[inline(always)]
     fn press<L: Lanes>(self, ask: Press<L>) -> Pressed<L> {
         NormalVisitor::visit(ask, self.0)
+    }
+
+    #[inline(always)]
+    fn ahead<L: Lanes>(self, lot: &Lot, normal: L::Vector, spin_angle: L) -> Option<Ahead<L>> {
+        Ahead::of::<T>(lot, normal, spin_angle)
     }
 
     #[inline(always)]

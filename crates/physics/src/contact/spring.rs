@@ -56,14 +56,25 @@ fn energy_of<L: Lanes>(load: L::Vector, compliance: L) -> L {
     load.square() * compliance * 0.5
 }
 
-/// Turns a vector with the contact: into the new contact plane, and by the spin about the normal. Of its length a share is kept.
+/// A remembered load that turned with the contact; times `factor` it has the length that it had.
+#[derive(Clone, Copy, Debug)]
+pub struct Carried<L: Lanes = f64> {
+    turned: L::Vector,
+    factor: L,
+}
+
+/// Turns the load of a history with the contact: into the new contact plane, and by the spin about the normal.
 #[inline(always)]
-fn carry_along<L: Lanes>(vector: L::Vector, normal: L::Vector, spin_angle: L, softening: L) -> L::Vector {
+pub fn carry_along<L: Lanes>(history: &[L], normal: L::Vector, spin_angle: L) -> Carried<L> {
+    let vector = L::Vector::new(history[0], history[1], history[2]);
     let flat = vector - normal * vector.inner(normal);
     let turned = flat + normal.outer(flat) * spin_angle;
     let length2 = turned.square();
     let factor = (vector.square() / length2).sqrt();
-    turned * (L::select(length2.gt(L::splat(0.0)), factor, L::splat(1.0)) * softening)
+    Carried {
+        turned,
+        factor: L::select(length2.gt(L::splat(0.0)), factor, L::splat(1.0)),
+    }
 }
 
 /// Whether a load is larger than the contact can carry.
@@ -78,19 +89,27 @@ fn held<L: Lanes>(load: L::Vector, limit: L) -> L::Vector {
     (load * (limit / load.square().sqrt())).or(slides(load, limit), load)
 }
 
-/// Advances the spring by one step.
+/// Advances the spring by one step, told how its load is carried along where that is known already.
 ///
 /// When the stiffness falls (unloading), the load falls with it, so that no energy is made (Thornton 2015); when it
 /// rises, the load stays: the force is continuous in both directions.
 #[inline(always)]
-pub fn advance_spring<L: Lanes>(input: &SpringInput<L>, history: &mut [L]) -> SpringResponse<L> {
+pub fn advance_spring<L: Lanes>(
+    input: &SpringInput<L>,
+    history: &mut [L],
+    carried: Option<Carried<L>>,
+) -> SpringResponse<L> {
+    let carried = match carried {
+        Some(known) => known,
+        None => carry_along(history, input.normal, input.spin * input.dt),
+    };
     let old = L::Vector::new(history[0], history[1], history[2]);
     let old_compliance = history[3];
     let before = energy_of(old, old_compliance);
     let ratio = input.stiffness * old_compliance;
     let softens = ratio.lt(L::splat(1.0)) & old_compliance.gt(L::splat(0.0));
     let softening = L::select(softens, ratio, L::splat(1.0));
-    let kept = carry_along(old, input.normal, input.spin * input.dt, softening);
+    let kept = carried.turned * (carried.factor * softening);
     let half = input.rate * (input.stiffness * (0.5 * input.dt));
     // The slider holds the spring at the limit at each of its times. The dashpot's share of the load is cut, too, but
     // it never loads the spring: that would store energy that nobody put in.

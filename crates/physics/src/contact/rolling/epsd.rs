@@ -61,7 +61,7 @@ impl Rolling for Epsd {
             limit: input.size.radius * input.normal_force * self.parameters.rolling_friction,
             dt: input.dt,
         };
-        let response = advance_spring(&spring, history);
+        let response = advance_spring(&spring, history, None);
         RollingResponse {
             torque: response.load,
             dissipated: response.dissipated,

@@ -1,7 +1,7 @@
 #![doc = include_str!("linear_history.md")]
 
 use super::{Tangential, TangentialInput, TangentialResponse, dashpot};
-use crate::contact::spring::{SpringInput, advance_spring, compliance, spring_energy};
+use crate::contact::spring::{Carried, SpringInput, advance_spring, compliance, spring_energy};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
@@ -43,6 +43,7 @@ impl Tangential for LinearHistory {
     }
 
     const WIDE: bool = true;
+    const REMEMBERS_A_SPRING: bool = true;
 
     #[inline(always)]
     fn respond(&self, input: &TangentialInput, history: &mut [f64]) -> TangentialResponse {
@@ -51,6 +52,16 @@ impl Tangential for LinearHistory {
 
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, history: &mut [L]) -> TangentialResponse<L> {
+        self.respond_carried(input, history, None)
+    }
+
+    #[inline(always)]
+    fn respond_carried<L: Lanes>(
+        &self,
+        input: &TangentialInput<L>,
+        history: &mut [L],
+        carried: Option<Carried<L>>,
+    ) -> TangentialResponse<L> {
         let p = &self.parameters;
         let (stiffness, compliance) = (L::splat(p.stiffness), L::splat(compliance(p.stiffness)));
         let spring = SpringInput {
@@ -63,7 +74,7 @@ impl Tangential for LinearHistory {
             limit: input.normal_force * p.friction,
             dt: input.dt,
         };
-        let response = advance_spring(&spring, history);
+        let response = advance_spring(&spring, history, carried);
         TangentialResponse {
             force: response.load,
             dissipated: response.dissipated,

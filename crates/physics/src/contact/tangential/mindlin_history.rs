@@ -1,7 +1,7 @@
 #![doc = include_str!("mindlin_history.md")]
 
 use super::{Tangential, TangentialInput, TangentialResponse};
-use crate::contact::spring::{SpringInput, advance_spring, spring_energy};
+use crate::contact::spring::{Carried, SpringInput, advance_spring, spring_energy};
 use crate::contact::{MaterialPair, PairSize, TANGENTIAL_SHARE};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
@@ -53,6 +53,7 @@ impl Tangential for MindlinHistory {
     }
 
     const WIDE: bool = true;
+    const REMEMBERS_A_SPRING: bool = true;
 
     #[inline(always)]
     fn respond(&self, input: &TangentialInput, history: &mut [f64]) -> TangentialResponse {
@@ -61,6 +62,16 @@ impl Tangential for MindlinHistory {
 
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, history: &mut [L]) -> TangentialResponse<L> {
+        self.respond_carried(input, history, None)
+    }
+
+    #[inline(always)]
+    fn respond_carried<L: Lanes>(
+        &self,
+        input: &TangentialInput<L>,
+        history: &mut [L],
+        carried: Option<Carried<L>>,
+    ) -> TangentialResponse<L> {
         // the roots and the quotient are those of the spring of Hertz
         let radius = (input.size.radius * input.overlap).sqrt();
         let spring = SpringInput {
@@ -73,7 +84,7 @@ impl Tangential for MindlinHistory {
             limit: input.normal_force * self.parameters.friction,
             dt: input.dt,
         };
-        let response = advance_spring(&spring, history);
+        let response = advance_spring(&spring, history, carried);
         TangentialResponse {
             force: response.load,
             dissipated: response.dissipated,

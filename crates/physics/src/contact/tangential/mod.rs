@@ -1,6 +1,7 @@
 //! Tangential laws: friction in the contact plane.
 
 use super::lane_by_lane::{ask, vector_in, vector_of};
+use super::spring::Carried;
 use super::{MaterialPair, PairSize, law_family};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
@@ -91,6 +92,8 @@ pub trait Tangential: Copy + Send + Sync {
     const HISTORY: &'static [Dimension];
     /// Whether [`Tangential::respond_wide`] works on all lanes at once; if not, contacts are taken one by one.
     const WIDE: bool = false;
+    /// Whether the first values that it remembers are a load that turns with the contact ([`carry_along`](super::spring::carry_along)).
+    const REMEMBERS_A_SPRING: bool = false;
 
     /// Binds the law to a pair of materials.
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>>;
@@ -104,6 +107,16 @@ pub trait Tangential: Copy + Send + Sync {
             self.respond(&input.lane(lane), history)
         });
         TangentialResponse::of_lanes(&answers)
+    }
+    /// The same, told how the remembered load is carried along, where that is known already.
+    #[inline(always)]
+    fn respond_carried<L: Lanes>(
+        &self,
+        input: &TangentialInput<L>,
+        history: &mut [L],
+        _carried: Option<Carried<L>>,
+    ) -> TangentialResponse<L> {
+        self.respond_wide(input, history)
     }
     /// Energy stored with this history [J].
     fn energy(&self, history: &[f64]) -> f64;
