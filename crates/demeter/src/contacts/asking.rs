@@ -9,8 +9,10 @@ use demeter_physics::contact::tangential::{Tangential, TangentialInput, Tangenti
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::{Lanes, MOST_LANES, Mask};
 
-/// The most values that a law which works on all lanes remembers.
+/// The most values that a law which works on all lanes remembers, and as many as most of them do not exceed: to set more of them to 0
+/// than a law needs would take longer than some laws.
 const MOST_WIDE_HISTORY: usize = 16;
+const FEW: usize = 4;
 
 /// Half of the path of the overlap over which a normal law takes its mean [m].
 #[inline(always)]
@@ -51,8 +53,8 @@ impl Lot<'_> {
     /// count. The values left over repeat, there, those of a contact that acts: so that no law that notes a value takes them
     /// for new.
     #[inline(always)]
-    fn recall<L: Lanes>(&self, length: usize) -> [L; MOST_WIDE_HISTORY] {
-        let mut lanes = [L::splat(0.0); MOST_WIDE_HISTORY];
+    fn recall<L: Lanes, const MOST: usize>(&self, length: usize) -> [L; MOST] {
+        let mut lanes = [L::splat(0.0); MOST];
         let first = self.stride * self.k + self.first;
         let mut value = 0;
         if self.is_whole::<L>() {
@@ -84,7 +86,7 @@ impl Lot<'_> {
 
     /// Puts back what the contacts remember that act; the others remember nothing.
     #[inline(always)]
-    fn remember<L: Lanes>(&mut self, lanes: &[L; MOST_WIDE_HISTORY], length: usize) {
+    fn remember<L: Lanes>(&mut self, lanes: &[L], length: usize) {
         let first = self.stride * self.k + self.first;
         let is_acting = L::Mask::of_bits(self.acting);
         let mut value = 0;
@@ -157,21 +159,18 @@ impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
             previous,
         } = self;
         let dt = lot.dt;
-        let length = law.history();
         let input = NormalInput {
             size,
             overlap,
             rate,
             half_window: normal_window::<N, L>(lot.integrator, overlap, rate, dt),
         };
-        let (response, bearing_overlap) = if N::WIDE {
-            let mut history = lot.recall::<L>(length);
-            let response = law.respond_wide(&input, &mut history[..length]);
-            let bearing_overlap = law.bearing_overlap_wide(size, overlap, &history[..length]);
-            lot.remember(&history, length);
-            (response, bearing_overlap)
-        } else {
+        let (response, bearing_overlap) = if !N::WIDE {
             press_one_by_one(law, &input, lot)
+        } else if N::HISTORY.len() <= FEW {
+            press_together::<N, L, FEW>(law, &input, lot)
+        } else {
+            press_together::<N, L, MOST_WIDE_HISTORY>(law, &input, lot)
         };
         let (force, rate) = match lot.integrator {
             Integrator::VelocityVerlet => centred_force(response, rate, previous, inverse_mass, dt),
@@ -188,6 +187,21 @@ impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
             lost: response.lost,
         }
     }
+}
+
+/// Asks a normal law about all contacts.
+#[inline(always)]
+fn press_together<N: Normal, L: Lanes, const MOST: usize>(
+    law: &N,
+    input: &NormalInput<L>,
+    lot: &mut Lot,
+) -> (NormalResponse<L>, L) {
+    let length = law.history();
+    let mut history = lot.recall::<L, MOST>(length);
+    let response = law.respond_wide(input, &mut history[..length]);
+    let bearing_overlap = law.bearing_overlap_wide(input.size, input.overlap, &history[..length]);
+    lot.remember(&history, length);
+    (response, bearing_overlap)
 }
 
 /// Asks a normal law about one contact after the other.
@@ -216,7 +230,7 @@ impl<L: Lanes> Ahead<L> {
         if !(T::REMEMBERS_A_SPRING && T::WIDE) {
             return None;
         }
-        let memory = lot.recall::<L>(T::HISTORY.len());
+        let memory = lot.recall::<L, MOST_WIDE_HISTORY>(T::HISTORY.len());
         Some(Self {
             memory,
             carried: carry_along(&memory, normal, spin_angle),
@@ -241,7 +255,7 @@ impl<L: Lanes> TangentialVisitor for Rub<'_, '_, L> {
             let length = T::HISTORY.len();
             let (mut history, carried) = match ahead {
                 Some(Ahead { memory, carried }) => (memory, Some(carried)),
-                None => (lot.recall::<L>(length), None),
+                None => (lot.recall::<L, MOST_WIDE_HISTORY>(length), None),
             };
             let response = law.respond_carried(&input, &mut history[..length], carried);
             lot.remember(&history, length);
@@ -282,7 +296,7 @@ impl<L: Lanes> NormalVisitor for Stiffness<'_, '_, L> {
         let Self { lot, size, overlap } = self;
         let length = law.history();
         let stiffness = if N::WIDE {
-            let history = lot.recall::<L>(length);
+            let history = lot.recall::<L, MOST_WIDE_HISTORY>(length);
             law.stiffness_wide(size, overlap, &history[..length])
         } else {
             stiffness_one_by_one(law, size, overlap, lot)
@@ -317,7 +331,7 @@ impl<L: Lanes> RollingVisitor for Roll<'_, '_, L> {
         let Self { lot, input } = self;
         if R::WIDE {
             let length = R::HISTORY.len();
-            let mut history = lot.recall::<L>(length);
+            let mut history = lot.recall::<L, MOST_WIDE_HISTORY>(length);
             let response = law.respond_wide(&input, &mut history[..length]);
             lot.remember(&history, length);
             response

@@ -5,8 +5,7 @@ use super::meetings::Meeting;
 use super::respond::{Answers, Respond};
 use super::sum::{Across, AddAtOnce, Adder, Sink};
 use super::together::ask;
-use super::{ContactChunk, EightVectors, Scene};
-use demeter_physics::lanes::MOST_LANES;
+use super::{ContactChunk, EIGHT, EightVectors, Scene};
 use glam::DVec3;
 
 /// Contacts whose engagement one word tells.
@@ -124,7 +123,7 @@ impl ContactChunk {
     /// Evaluates the laws of all contacts. Tells the first with too much overlap.
     fn evaluate(&mut self, sink: &mut impl Sink, scene: &Scene, source: impl Source) -> Option<(usize, f64)> {
         let count = self.len();
-        (self.now.tangential).resize(count.div_ceil(MOST_LANES), EightVectors::default());
+        (self.now.tangential).resize(count.div_ceil(EIGHT), EightVectors::default());
         if scene.resists_rolling {
             self.rolling.clear();
             self.rolling.resize(count, [0.0; 4]);

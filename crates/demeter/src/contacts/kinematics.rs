@@ -45,16 +45,13 @@ fn put_last(numbers: &[f64; MOST_LANES], to: &mut [f64], k: usize) {
     rest.copy_from_slice(&numbers[..rest.len()]);
 }
 
-/// What is listed for the lanes from contact `k` on; lanes beyond the end repeat the last contact.
+/// Puts what is listed for the lanes from contact `k` on; lanes beyond the end repeat the last contact. An index that is put where it
+/// is used is never copied as a whole: to read at once what was written in parts, the processor waits until all of it is in memory.
 #[inline(always)]
-pub(super) fn listed<L: Lanes>(list: &[u32], k: usize) -> Index {
+pub(super) fn put_listed<L: Lanes>(list: &[u32], k: usize, index: &mut Index) {
     match list.get(k..k + L::COUNT) {
-        Some(all) => {
-            let mut index = [0; MOST_LANES];
-            index[..L::COUNT].copy_from_slice(all);
-            index
-        }
-        None => last_listed(list, k),
+        Some(all) => index[..L::COUNT].copy_from_slice(all),
+        None => *index = last_listed(list, k),
     }
 }
 
@@ -118,17 +115,15 @@ impl<'a> Partners<'a> {
     }
 
     #[inline(always)]
-    fn listed<L: Lanes>(&self, k: usize) -> Index {
+    fn put_listed<L: Lanes>(&self, k: usize, index: &mut Index) {
         if !self.index.is_empty() {
-            return listed::<L>(self.index, k);
+            return put_listed::<L>(self.index, k, index);
         }
-        let mut index = [0; MOST_LANES];
         let mut lane = 0;
         while lane < L::COUNT {
             index[lane] = (k + lane).min(self.velocity.len() - 1) as u32;
             lane += 1;
         }
-        index
     }
 }
 
@@ -284,8 +279,8 @@ impl Source for Approach<'_> {
     #[inline(always)]
     fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L> {
         let mut lot = Lot::empty();
-        lot.first = listed::<L>(self.i, k);
-        lot.second = listed::<L>(self.j, k);
+        put_listed::<L>(self.i, k, &mut lot.first);
+        put_listed::<L>(self.j, k, &mut lot.second);
         if !self.shift.is_empty() {
             lot.put_shifts::<L>(self.shift, k);
         }
@@ -329,9 +324,11 @@ impl Source for Known<'_> {
         let partners = &self.partners;
         let contacts = Contact::numbers(self.contacts);
         let mut places = places_in_turn::<L>(self.contacts.len(), k, Contact::NUMBERS);
-        let (first, second) = (listed::<L>(self.i, k), partners.listed::<L>(k));
+        let [mut first, mut second] = [[0; MOST_LANES]; 2];
+        put_listed::<L>(self.i, k, &mut first);
+        partners.put_listed::<L>(k, &mut second);
         let [nx, ny, nz, overlap] = L::columns(contacts, &places);
-        shift(&mut places, 2);
+        shift::<L>(&mut places, 2);
         let [_, _, lever_i, lever_j] = L::columns(contacts, &places);
         let [[_, _, _, ri], [vx, vy, vz, inverse_mass], spin] = L::fetch(self.grains.tables(), &first);
         let [[ux, uy, uz, other_mass], other_spin] = L::fetch([partners.velocity, partners.spin], &second);
@@ -377,9 +374,9 @@ impl Source for Known<'_> {
 
 /// Moves all places.
 #[inline(always)]
-pub(super) fn shift(places: &mut Places, by: usize) {
+fn shift<L: Lanes>(places: &mut Places, by: usize) {
     let mut lane = 0;
-    while lane < MOST_LANES {
+    while lane < L::COUNT {
         places[lane] += by;
         lane += 1;
     }

@@ -41,7 +41,6 @@ use crate::particles::{make_room, set_aside};
 use crate::walls::Mark;
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
-use demeter_physics::lanes::MOST_LANES;
 use evaluate::WORD;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -78,8 +77,12 @@ impl Tally {
     }
 }
 
+/// How many contacts lie together where numbers are kept component by component, or summed up in as many sums: the same for all
+/// instructions, a multiple of the lanes of every register.
+pub(crate) const EIGHT: usize = 8;
+
 /// Vectors of eight contacts, component by component.
-pub(crate) type EightVectors = [[f64; MOST_LANES]; 3];
+pub(crate) type EightVectors = [[f64; EIGHT]; 3];
 
 /// What survives of a contact from one step to the next.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -127,9 +130,9 @@ impl Kept {
         let place = self.len();
         self.normal_force.push(normal);
         self.tangential
-            .resize(self.len().div_ceil(MOST_LANES), EightVectors::default());
+            .resize(self.len().div_ceil(EIGHT), EightVectors::default());
         for (axis, component) in tangential.to_array().into_iter().enumerate() {
-            self.tangential[place / MOST_LANES][axis][place % MOST_LANES] = component;
+            self.tangential[place / EIGHT][axis][place % EIGHT] = component;
         }
     }
 
@@ -150,7 +153,7 @@ impl Kept {
     fn clear_tangential(&mut self) {
         self.tangential.clear();
         self.tangential
-            .resize(self.len().div_ceil(MOST_LANES), EightVectors::default());
+            .resize(self.len().div_ceil(EIGHT), EightVectors::default());
     }
 
     /// Puts the candidates of contacts, of which each has at most one.
@@ -259,7 +262,7 @@ impl ContactChunk {
         make_room(&mut self.engaged, contacts.div_ceil(WORD));
         make_room(&mut self.now.candidate, contacts);
         make_room(&mut self.now.normal_force, contacts);
-        make_room(&mut self.now.tangential, contacts.div_ceil(MOST_LANES));
+        make_room(&mut self.now.tangential, contacts.div_ceil(EIGHT));
         make_room(&mut self.now.history, contacts * stride);
     }
 
@@ -286,8 +289,8 @@ impl ContactChunk {
 
     /// Its part in the contact plane [N].
     pub fn tangential_force(&self, contact: usize) -> DVec3 {
-        let [x, y, z] = &self.now.tangential[contact / MOST_LANES];
-        let lane = contact % MOST_LANES;
+        let [x, y, z] = &self.now.tangential[contact / EIGHT];
+        let lane = contact % EIGHT;
         DVec3::new(x[lane], y[lane], z[lane])
     }
 

@@ -7,12 +7,12 @@ use super::laws::{normal_history, tangential_history};
 use super::meetings::{lanes_below, next_lane};
 use super::sum::{Loads, Sink};
 use super::together::Laws;
-use super::{EightVectors, Tally};
+use super::{EIGHT, EightVectors, Tally};
 use demeter_physics::contact::PairLaw;
 use demeter_physics::contact::rolling::RollingInput;
 use demeter_physics::contact::tangential::{TangentialInput, TangentialResponse};
 use demeter_physics::integrator::Integrator;
-use demeter_physics::lanes::{Kernel, Lanes, MOST_LANES, Vector, with_zero};
+use demeter_physics::lanes::{Kernel, Lanes, Vector, with_zero};
 
 /// What the contacts of a chunk know, and what comes out of a step.
 pub(super) struct Answers<'a> {
@@ -69,14 +69,18 @@ impl<'a, S, K> Respond<'a, S, K, ()> {
 
 /// Sums over contacts, in an order that no number of lanes changes.
 #[repr(align(64))]
-struct Losses([[f64; MOST_LANES]; 4]);
+struct Losses([[f64; EIGHT]; 4]);
 
 impl Losses {
     /// Adds what the contacts from `k` on lose.
     #[inline(always)]
     fn add<L: Lanes>(&mut self, kind: usize, k: usize, lost: L) {
-        let sums = &mut self.0[kind][k % MOST_LANES..];
-        (L::load(sums) + lost).store(sums);
+        let sums = &mut self.0[kind][k % EIGHT..];
+        let mut which = 0;
+        while which < L::REGISTERS {
+            (L::Register::load(sums) + lost.register(which)).store(sums);
+            which += 1;
+        }
     }
 
     fn sum(&self, kind: usize) -> f64 {
@@ -119,11 +123,10 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
         } = self;
         let count = answers.normal_force.len();
         let (normal_length, tangential_length) = (normal_history(law), tangential_history(law));
-        let mut losses = Losses([[0.0; MOST_LANES]; 4]);
+        let mut losses = Losses([[0.0; EIGHT]; 4]);
         let mut booked = Tally::default();
         let mut too_deep = None;
         let nothing = L::Vector::null();
-        let mut waiting = None;
         for k in (0..count).step_by(L::COUNT) {
             let here = lanes_below((count - k).min(L::COUNT));
             let Sight {
@@ -134,10 +137,6 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 ended,
                 too_deep: deep,
             } = source.look::<L>(k, here);
-            // what the contacts before do is added up while these wait for their distances
-            if let Some((k, loads)) = waiting.take() {
-                sink.put::<L>(k, &loads);
-            }
             // these are rare; which lanes act is not, and cannot be foretold: nothing branches on that
             if ended != 0 {
                 end(&mut answers, k, ended, law, &mut booked);
@@ -240,7 +239,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
             let tangential = rubbed.force.or(acting, nothing);
             answers.put_tangential::<L>(k, tangential);
             let arm = motion.normal.outer(tangential);
-            let mut loads: Loads<L> = Loads {
+            let mut loads = Loads::<L> {
                 force: motion.normal * force + tangential,
                 first_torque: arm * -motion.levers[0],
                 second_torque: arm * motion.levers[1],
@@ -249,10 +248,14 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 loads.first_torque = loads.first_torque + rolling_torque;
                 loads.second_torque = loads.second_torque + rolling_torque;
             }
-            waiting = Some((k, loads));
-        }
-        if let Some((k, loads)) = waiting {
-            sink.put::<L>(k, &loads);
+            let mut which = 0;
+            while which < L::REGISTERS {
+                let first = k + which * L::Register::COUNT;
+                if first < count {
+                    sink.put::<L::Register>(first, &loads.register(which));
+                }
+                which += 1;
+            }
         }
         booked.viscous += losses.sum(VISCOUS);
         booked.plastic += losses.sum(PLASTIC);
@@ -286,11 +289,18 @@ impl Answers<'_> {
     /// Puts the tangential forces of the contacts from `k` on.
     #[inline(always)]
     fn put_tangential<L: Lanes>(&mut self, k: usize, tangential: L::Vector) {
-        let [x, y, z] = &mut self.tangential[k / MOST_LANES];
         let components = tangential.components();
-        components[0].store(&mut x[k % MOST_LANES..]);
-        components[1].store(&mut y[k % MOST_LANES..]);
-        components[2].store(&mut z[k % MOST_LANES..]);
+        let mut which = 0;
+        while which < L::REGISTERS {
+            let place = k + which * L::Register::COUNT;
+            // the last registers may lie beyond the end
+            if let Some([x, y, z]) = self.tangential.get_mut(place / EIGHT) {
+                components[0].register(which).store(&mut x[place % EIGHT..]);
+                components[1].register(which).store(&mut y[place % EIGHT..]);
+                components[2].register(which).store(&mut z[place % EIGHT..]);
+            }
+            which += 1;
+        }
     }
 
     /// Tells what is asked beside forces of the contacts from `k` on.

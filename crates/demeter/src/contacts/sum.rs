@@ -12,7 +12,9 @@ use crate::comm::Single;
 use crate::neighbours::Neighbours;
 use crate::particles::set_aside;
 use crate::threads::join;
-use demeter_physics::lanes::{self, Eight, Four, Instructions, Kernel, Lanes, MOST_LANES, Quad, Two, with_zero};
+use demeter_physics::lanes::{
+    self, Eight, Four, Instructions, Kernel, Lanes, MOST_LANES, Quad, Two, Vector, with_zero,
+};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -135,6 +137,24 @@ pub(super) struct Loads<L: Lanes> {
     pub(super) first_torque: L::Vector,
     /// The opposite of the torque on the second [N m].
     pub(super) second_torque: L::Vector,
+}
+
+impl<L: Lanes> Loads<L> {
+    /// Those in one of the registers.
+    #[inline(always)]
+    pub(super) fn register(&self, which: usize) -> Loads<L::Register> {
+        Loads {
+            force: of_register::<L>(self.force, which),
+            first_torque: of_register::<L>(self.first_torque, which),
+            second_torque: of_register::<L>(self.second_torque, which),
+        }
+    }
+}
+
+#[inline(always)]
+fn of_register<L: Lanes>(vector: L::Vector, which: usize) -> <L::Register as Lanes>::Vector {
+    let [x, y, z] = vector.components();
+    Vector::new(x.register(which), y.register(which), z.register(which))
 }
 
 /// Where what contacts do is added up.

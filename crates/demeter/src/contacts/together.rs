@@ -1,5 +1,5 @@
 //! Laws that many runs have together: compiled as one, so that what is known of one is at hand for the other, and nothing is chosen
-//! within the loop over contacts. All others are chosen by every lot of contacts.
+//! within the loop over contacts, which takes two registers at a time if there are enough. All others are chosen by every lot of contacts.
 
 use super::Tally;
 use super::asking::{Ahead, Lot, Press, Pressed, Roll, Rub, Stiffness};
@@ -139,10 +139,12 @@ pub(super) fn ask<S: Source, K: Sink>(
     use TangentialLaw::{Coulomb, LinearHistory, MindlinHistory};
     if law.rolling.is_none() {
         match (&law.normal, &law.tangential) {
-            (HertzTsuji(n), Some(MindlinHistory(t))) => return lanes::run(instructions, respond.with(Both(n, t))),
-            (HertzTsuji(n), Some(Coulomb(t))) => return lanes::run(instructions, respond.with(Both(n, t))),
-            (Linear(n), Some(LinearHistory(t))) => return lanes::run(instructions, respond.with(Both(n, t))),
-            (Linear(n), Some(Coulomb(t))) => return lanes::run(instructions, respond.with(Both(n, t))),
+            (HertzTsuji(n), Some(MindlinHistory(t))) => {
+                return lanes::run_on_two(instructions, respond.with(Both(n, t)));
+            }
+            (HertzTsuji(n), Some(Coulomb(t))) => return lanes::run_on_two(instructions, respond.with(Both(n, t))),
+            (Linear(n), Some(LinearHistory(t))) => return lanes::run_on_two(instructions, respond.with(Both(n, t))),
+            (Linear(n), Some(Coulomb(t))) => return lanes::run_on_two(instructions, respond.with(Both(n, t))),
             _ => {}
         }
     }

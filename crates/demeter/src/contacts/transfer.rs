@@ -1,12 +1,11 @@
 //! Handing contacts over when the candidates are found anew, and to and from a checkpoint.
 
 use super::coupling::Coupled;
-use super::{CHUNK, ContactChunk, Contacts, EightVectors, WORD};
+use super::{CHUNK, ContactChunk, Contacts, EIGHT, EightVectors, WORD};
 use crate::comm::together::Together;
 use crate::neighbours::{GONE, Neighbours};
 use crate::particles::{Grains, set_aside};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
-use demeter_physics::lanes::MOST_LANES;
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::ser::SerializeSeq;
@@ -415,14 +414,14 @@ impl ContactChunk {
             .extend(before.coupling.get(contacts.clone()).into_iter().flatten());
         now.take_on(before, contacts.clone(), stride);
         now.tangential
-            .resize(now.len().div_ceil(MOST_LANES), EightVectors::default());
+            .resize(now.len().div_ceil(EIGHT), EightVectors::default());
         if !old.engaged.is_empty() {
             self.engaged.resize(self.now.len().div_ceil(WORD), 0);
         }
         for (place, contact) in (first..).zip(contacts) {
             for axis in 0..3 {
-                self.now.tangential[place / MOST_LANES][axis][place % MOST_LANES] =
-                    before.tangential[contact / MOST_LANES][axis][contact % MOST_LANES];
+                self.now.tangential[place / EIGHT][axis][place % EIGHT] =
+                    before.tangential[contact / EIGHT][axis][contact % EIGHT];
             }
             if !old.engaged.is_empty() {
                 self.engaged[place / WORD] |= u64::from(old.is_engaged(contact)) << (place % WORD);

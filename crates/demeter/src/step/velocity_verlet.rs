@@ -287,9 +287,10 @@ impl<F: Forces> Kernel for Drift<'_, F> {
         let (mut of_middle, mut of_end) = (Bounds::<L::Quad>::nothing(), Bounds::<L::Quad>::nothing());
         let mut displacement2 = L::splat(0.0);
         let mut misplaced = None;
+        // behind the last grain they still hold what was there before, which counts no more
+        let (mut spins, mut displacements) = ([[0.0; 4]; MOST_LANES], [[0.0; 4]; MOST_LANES]);
         for k in (0..count).step_by(L::COUNT) {
             let here = k..(k + L::COUNT).min(count);
-            let (mut spins, mut displacements) = ([[0.0; 4]; MOST_LANES], [[0.0; 4]; MOST_LANES]);
             let rows = spins.iter_mut().zip(&mut displacements);
             for (g, (turning, displacement)) in here.clone().zip(rows) {
                 let now = forces.begin::<L::Quad>(g, &velocity[g], &spin[g]);

@@ -4,7 +4,7 @@
 //! Every operation is that of IEEE 754 in each lane: sums, products, quotients and roots are rounded once, products and sums
 //! are never fused. So each lane holds the bits that the same formula gives for one `f64`, on any processor.
 //!
-//! [`run`] chooses the registers at run time.
+//! [`run`] chooses the registers at run time. [`run_on_two`] takes two of them as one, if there are enough.
 
 mod cube_root;
 #[cfg(target_arch = "aarch64")]
@@ -55,6 +55,13 @@ pub trait Lanes:
     type Eight: Eight;
     /// These of every lane.
     type Eights: Copy + AsRef<[Self::Eight]>;
+    /// As many of them as one register holds.
+    type Register: Lanes;
+    /// How many registers that are.
+    const REGISTERS: usize = Self::COUNT / Self::Register::COUNT;
+
+    /// One of the registers.
+    fn register(self, which: usize) -> Self::Register;
 
     /// The same number in every lane.
     fn splat(value: f64) -> Self;
@@ -208,7 +215,7 @@ pub type Places = [usize; MOST_LANES];
 pub type Index = [u32; MOST_LANES];
 
 /// The largest number of lanes.
-pub const MOST_LANES: usize = 8;
+pub const MOST_LANES: usize = 16;
 
 /// Work that is written over [`Lanes`].
 pub trait Kernel {
@@ -307,5 +314,16 @@ pub fn run<K: Kernel>(instructions: Instructions, kernel: K) -> K::Output {
         #[cfg(target_arch = "aarch64")]
         Instructions::Neon => kernel.run::<neon::F64x2>(),
         _ => kernel.run::<f64>(),
+    }
+}
+
+/// The same with two registers at a time where the processor has enough of them: in long formulas one computes while the other waits
+/// for roots, quotients, or memory, and the same bits come out.
+#[inline]
+pub fn run_on_two<K: Kernel>(instructions: Instructions, kernel: K) -> K::Output {
+    match instructions {
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx512 if x86::has_avx512() => x86::run_two_avx512(kernel),
+        _ => run(instructions, kernel),
     }
 }

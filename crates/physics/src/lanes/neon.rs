@@ -104,6 +104,12 @@ impl Lanes for F64x2 {
     type Quad = Four;
     type Eight = Two<Four>;
     type Eights = [Two<Four>; 2];
+    type Register = Self;
+
+    #[inline(always)]
+    fn register(self, _: usize) -> Self {
+        self
+    }
 
     #[inline(always)]
     fn splat(value: f64) -> Self {

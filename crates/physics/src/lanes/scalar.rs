@@ -23,6 +23,12 @@ impl Lanes for f64 {
     type Quad = Four;
     type Eight = Two<Four>;
     type Eights = [Two<Four>; 1];
+    type Register = Self;
+
+    #[inline(always)]
+    fn register(self, _: usize) -> Self {
+        self
+    }
 
     #[inline(always)]
     fn splat(value: f64) -> Self {

@@ -124,12 +124,9 @@ fn all_instructions_give_the_same_bits() {
     let portable = run(Instructions::Portable, Everything(&a, &b));
     assert!(portable.iter().all(|results| results.len() == a.len()));
     for instructions in Instructions::available() {
-        assert_eq!(
-            run(instructions, Everything(&a, &b)),
-            portable,
-            "{}",
-            instructions.name()
-        );
+        let name = instructions.name();
+        assert_eq!(run(instructions, Everything(&a, &b)), portable, "{name}");
+        assert_eq!(run_on_two(instructions, Everything(&a, &b)), portable, "two of {name}");
     }
 }
 
@@ -188,12 +185,9 @@ fn vectors_lie_side_by_side_with_all_instructions() {
         })
         .collect();
     for instructions in Instructions::available() {
-        assert_eq!(
-            run(instructions, SideBySide(&a, &b)),
-            expected,
-            "{}",
-            instructions.name()
-        );
+        let name = instructions.name();
+        assert_eq!(run(instructions, SideBySide(&a, &b)), expected, "{name}");
+        assert_eq!(run_on_two(instructions, SideBySide(&a, &b)), expected, "two of {name}");
     }
 }
 
@@ -210,22 +204,85 @@ impl Kernel for Beyond {
     }
 }
 
+/// Takes rows of four out of some numbers, and single numbers out of others, of which one is not there.
+struct BeyondPlaces<'a>(Places, &'a [f64], &'a [f64]);
+
+impl Kernel for BeyondPlaces<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> f64 {
+        let [x, ..] = L::columns(self.1, &self.0);
+        (x + L::gather(self.2, &self.0)).to_array()[0]
+    }
+}
+
+/// How many lanes there are.
+struct Count;
+
+impl Kernel for Count {
+    type Output = usize;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> usize {
+        assert_eq!(L::REGISTERS * L::Register::COUNT, L::COUNT);
+        L::COUNT
+    }
+}
+
 #[test]
 fn rows_that_are_not_there_are_never_read() {
     for instructions in Instructions::available() {
+        let name = instructions.name();
         assert_eq!(run(instructions, Beyond([7; MOST_LANES])), 0.0);
-        let lanes = match instructions {
-            Instructions::Portable => 1,
-            Instructions::Neon => 2,
-            Instructions::Avx2 => 4,
-            Instructions::Avx512 => 8,
-        };
-        for lane in 0..lanes {
-            let mut index = [0; MOST_LANES];
+        assert_eq!(run_on_two(instructions, Beyond([7; MOST_LANES])), 0.0);
+        let enough = BeyondPlaces([9; MOST_LANES], &[0.0; 13], &[0.0; 10]);
+        assert_eq!(run_on_two(instructions, enough), 0.0);
+        for lane in 0..run_on_two(instructions, Count) {
+            let (mut index, mut places) = ([0; MOST_LANES], [0; MOST_LANES]);
             index[lane] = 8;
-            let read = std::panic::catch_unwind(|| run(instructions, Beyond(index)));
-            assert!(read.is_err(), "{} lane {lane}", instructions.name());
+            places[lane] = 9;
+            if lane < run(instructions, Count) {
+                let read = std::panic::catch_unwind(|| run(instructions, Beyond(index)));
+                assert!(read.is_err(), "{name} lane {lane}");
+            }
+            let read = std::panic::catch_unwind(|| run_on_two(instructions, Beyond(index)));
+            assert!(read.is_err(), "two of {name}, lane {lane}");
+            for (rows, numbers) in [(12, 10), (13, 9)] {
+                let numbers = (vec![0.0; rows], vec![0.0; numbers]);
+                let read =
+                    std::panic::catch_unwind(|| run_on_two(instructions, BeyondPlaces(places, &numbers.0, &numbers.1)));
+                assert!(read.is_err(), "two of {name}, lane {lane}");
+            }
         }
+    }
+}
+
+/// Puts every register by itself.
+struct ByRegister<'a>(&'a [f64]);
+
+impl Kernel for ByRegister<'_> {
+    type Output = Vec<f64>;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> Vec<f64> {
+        let mut put = vec![0.0; self.0.len()];
+        for (from, to) in self.0.chunks(L::COUNT).zip(put.chunks_mut(L::COUNT)) {
+            for which in 0..L::REGISTERS {
+                let register = L::load(from).register(which);
+                register.store(&mut to[which * L::Register::COUNT..]);
+            }
+        }
+        put
+    }
+}
+
+#[test]
+fn registers_lie_one_behind_the_other() {
+    let numbers: Vec<f64> = (0..2 * MOST_LANES).map(|k| k as f64).collect();
+    for instructions in Instructions::available() {
+        assert_eq!(run(instructions, ByRegister(&numbers)), numbers);
+        assert_eq!(run_on_two(instructions, ByRegister(&numbers)), numbers);
     }
 }
 

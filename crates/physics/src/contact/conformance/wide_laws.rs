@@ -7,7 +7,7 @@ use crate::contact::normal::{self, Normal, NormalInput, NormalLaw, NormalVisitor
 use crate::contact::rolling::{Rolling, RollingInput, RollingVisitor};
 use crate::contact::tangential::{Tangential, TangentialInput, TangentialVisitor};
 use crate::contact::{LawInfo, PairSize};
-use crate::lanes::{Instructions, Kernel, Lanes, MOST_LANES, run};
+use crate::lanes::{Instructions, Kernel, Lanes, MOST_LANES, run, run_on_two};
 use crate::parameters::Values;
 
 /// Contacts that are asked together.
@@ -22,9 +22,12 @@ type Histories = [[f64; MOST_HISTORY]; CONTACTS];
 /// Everything that a law answers for one contact.
 type Answer = Vec<f64>;
 
-/// Takes blocks of contacts through a law: one by one, or with these instructions.
+/// Instructions, and how many registers are taken at a time, if there are enough.
+type Registers = (Instructions, usize);
+
+/// Takes blocks of contacts through a law: one by one, or with these registers.
 struct Ask<'a, I> {
-    instructions: Option<Instructions>,
+    registers: Option<Registers>,
     inputs: &'a [I],
     histories: &'a mut Histories,
 }
@@ -70,12 +73,13 @@ impl<A: AskLanes<I>, I> Kernel for Blocks<'_, A, I> {
 impl<I> Ask<'_, I> {
     fn ask<A: AskLanes<I>>(self, law: &A) -> Vec<Answer> {
         let Self {
-            instructions,
+            registers,
             inputs,
             histories,
         } = self;
-        match instructions {
-            Some(instructions) => run(instructions, Blocks { law, inputs, histories }),
+        match registers {
+            Some((instructions, 2)) => run_on_two(instructions, Blocks { law, inputs, histories }),
+            Some((instructions, _)) => run(instructions, Blocks { law, inputs, histories }),
             None => (inputs.iter().zip(histories))
                 .map(|(input, history)| law.one(input, &mut history[..law.remembered()]))
                 .collect(),
@@ -226,7 +230,8 @@ fn compare<I>(name: &str, drive: &[Vec<I>], fresh: &[Vec<bool>], ask: impl Fn(As
     let start = || [[0.0; MOST_HISTORY]; CONTACTS];
     let mut single = start();
     let mut wide: Vec<_> = (Instructions::available().into_iter())
-        .map(|instructions| (instructions, start()))
+        .map(|instructions| ((instructions, 1), start()))
+        .chain([((Instructions::widest(), 2), start())])
         .collect();
     for (step, (inputs, fresh)) in drive.iter().zip(fresh).enumerate() {
         for histories in wide.iter_mut().map(|(_, h)| h).chain([&mut single]) {
@@ -235,19 +240,20 @@ fn compare<I>(name: &str, drive: &[Vec<I>], fresh: &[Vec<bool>], ask: impl Fn(As
             }
         }
         let expected = ask(Ask {
-            instructions: None,
+            registers: None,
             inputs,
             histories: &mut single,
         });
-        for (instructions, histories) in &mut wide {
+        for (registers, histories) in &mut wide {
             let found = ask(Ask {
-                instructions: Some(*instructions),
+                registers: Some(*registers),
                 inputs,
                 histories,
             });
             assert_eq!(found.len(), CONTACTS);
             for contact in 0..CONTACTS {
-                let at = format!("{name}, {}, step {step}, contact {contact}", instructions.name());
+                let (instructions, count) = (registers.0.name(), registers.1);
+                let at = format!("{name}, {count} of {instructions}, step {step}, contact {contact}");
                 let (found, expected) = (&found[contact], &expected[contact]);
                 assert_eq!(bits(found), bits(expected), "{at}: {found:?} for {expected:?}");
                 let (found, expected) = (&histories[contact], &single[contact]);

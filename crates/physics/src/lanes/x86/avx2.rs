@@ -1,6 +1,6 @@
 //! Four lanes of AVX2.
 
-use super::{at, check, check_rows, one, put, row, whole};
+use super::{at, by, check, check_rows, one, put, row, whole};
 use crate::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Quad, Two, Vector3, with_zero};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -77,6 +77,12 @@ impl Lanes for F64x4 {
     type Quad = F64x4;
     type Eight = Two<Self>;
     type Eights = [Two<Self>; 4];
+    type Register = Self;
+
+    #[inline(always)]
+    fn register(self, _: usize) -> Self {
+        self
+    }
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -142,7 +148,8 @@ impl Lanes for F64x4 {
 
     #[inline(always)]
     fn gather(values: &[f64], p: &Places) -> Self {
-        check(values, p, 4, 1);
+        let p = &by::<4, _>(p)[0];
+        check(values, p, 1);
         // SAFETY: see the top of the module; the numbers are there
         unsafe {
             let [a, b] = [one(values, p[0]), one(values, p[1])];
@@ -153,7 +160,8 @@ impl Lanes for F64x4 {
 
     #[inline(always)]
     fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
-        check(values, starts, 4, 4);
+        let starts = &by::<4, _>(starts)[0];
+        check(values, starts, 4);
         // SAFETY: the numbers are there
         let rows = unsafe {
             [

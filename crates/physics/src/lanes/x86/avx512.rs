@@ -1,7 +1,7 @@
 //! Eight lanes of AVX-512.
 
 use super::avx2::F64x4;
-use super::{at, check, check_rows, one, one_by_one, put, row, whole};
+use super::{at, by, check, check_rows, one, one_by_one, put, row, whole};
 use crate::lanes::{Eight, Index, Lanes, MOST_LANES, Mask, Places, Vector3, with_zero};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -72,6 +72,12 @@ impl Lanes for F64x8 {
     type Quad = F64x4;
     type Eight = Self;
     type Eights = [Self; 8];
+    type Register = Self;
+
+    #[inline(always)]
+    fn register(self, _: usize) -> Self {
+        self
+    }
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -136,74 +142,26 @@ impl Lanes for F64x8 {
     }
 
     #[inline(always)]
-    fn gather(values: &[f64], p: &Places) -> Self {
-        check(values, p, 8, 1);
-        // SAFETY: see the top of the module; the numbers are there
-        unsafe {
-            let [a, b] = [one(values, p[0]), one(values, p[1])];
-            let [c, d] = [one(values, p[2]), one(values, p[3])];
-            let [e, f] = [one(values, p[4]), one(values, p[5])];
-            let [g, h] = [one(values, p[6]), one(values, p[7])];
-            Self(_mm512_setr_pd(a, b, c, d, e, f, g, h))
-        }
+    fn gather(values: &[f64], places: &Places) -> Self {
+        gathered(values, &by(places)[0])
     }
 
     #[inline(always)]
     fn columns(values: &[f64], starts: &Places) -> [Self; 4] {
-        check(values, starts, 8, 4);
-        // SAFETY: the numbers are there
-        unsafe {
-            eight_rows([
-                row(values, starts[0]),
-                row(values, starts[1]),
-                row(values, starts[2]),
-                row(values, starts[3]),
-                row(values, starts[4]),
-                row(values, starts[5]),
-                row(values, starts[6]),
-                row(values, starts[7]),
-            ])
-        }
+        columns_from(values, &by(starts)[0])
     }
 
     #[inline(always)]
     fn of_rows(rows: &[&[f64; 4]; MOST_LANES]) -> [Self; 4] {
-        eight_rows([
-            whole(rows[0]),
-            whole(rows[1]),
-            whole(rows[2]),
-            whole(rows[3]),
-            whole(rows[4]),
-            whole(rows[5]),
-            whole(rows[6]),
-            whole(rows[7]),
-        ])
+        columns_of(&by(rows)[0])
     }
 
     #[inline(always)]
     fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &Index) -> [[Self; 4]; N] {
+        let index = &by(index)[0];
         check_rows(&tables, largest_of_eight(index));
-        let index = one_by_one(index);
-        let mut columns = [[Self::splat(0.0); 4]; N];
-        let mut table = 0;
-        while table < N {
-            let rows = tables[table];
-            // SAFETY: all these rows are there
-            columns[table] = eight_rows(unsafe {
-                [
-                    at(rows, index[0]),
-                    at(rows, index[1]),
-                    at(rows, index[2]),
-                    at(rows, index[3]),
-                    at(rows, index[4]),
-                    at(rows, index[5]),
-                    at(rows, index[6]),
-                    at(rows, index[7]),
-                ]
-            });
-            table += 1;
-        }
-        columns
+        // SAFETY: all these rows are there
+        unsafe { fetched(tables, index) }
     }
 
     #[inline(always)]
@@ -292,9 +250,86 @@ fn rows_by_two([a, b, c, d]: [F64x8; 4]) -> [__m512d; 4] {
     }
 }
 
+/// One number of `values` per lane.
+#[inline(always)]
+pub(super) fn gathered(values: &[f64], p: &[usize; 8]) -> F64x8 {
+    check(values, p, 1);
+    // SAFETY: see the top of the module; the numbers are there
+    unsafe {
+        let [a, b] = [one(values, p[0]), one(values, p[1])];
+        let [c, d] = [one(values, p[2]), one(values, p[3])];
+        let [e, f] = [one(values, p[4]), one(values, p[5])];
+        let [g, h] = [one(values, p[6]), one(values, p[7])];
+        F64x8(_mm512_setr_pd(a, b, c, d, e, f, g, h))
+    }
+}
+
+/// The columns of rows of `values`.
+#[inline(always)]
+pub(super) fn columns_from(values: &[f64], starts: &[usize; 8]) -> [F64x8; 4] {
+    check(values, starts, 4);
+    // SAFETY: the numbers are there
+    eight_rows(unsafe {
+        [
+            row(values, starts[0]),
+            row(values, starts[1]),
+            row(values, starts[2]),
+            row(values, starts[3]),
+            row(values, starts[4]),
+            row(values, starts[5]),
+            row(values, starts[6]),
+            row(values, starts[7]),
+        ]
+    })
+}
+
+/// The columns of rows, wherever they lie.
+#[inline(always)]
+pub(super) fn columns_of(rows: &[&[f64; 4]; 8]) -> [F64x8; 4] {
+    eight_rows([
+        whole(rows[0]),
+        whole(rows[1]),
+        whole(rows[2]),
+        whole(rows[3]),
+        whole(rows[4]),
+        whole(rows[5]),
+        whole(rows[6]),
+        whole(rows[7]),
+    ])
+}
+
+/// The columns of rows of some tables.
+///
+/// # Safety
+/// They must be there.
+#[inline(always)]
+pub(super) unsafe fn fetched<const N: usize>(tables: [&[[f64; 4]]; N], index: &[u32; 8]) -> [[F64x8; 4]; N] {
+    let index = one_by_one(index);
+    let mut columns = [[F64x8::splat(0.0); 4]; N];
+    let mut table = 0;
+    while table < N {
+        let rows = tables[table];
+        // SAFETY: as the caller promises
+        columns[table] = eight_rows(unsafe {
+            [
+                at(rows, index[0]),
+                at(rows, index[1]),
+                at(rows, index[2]),
+                at(rows, index[3]),
+                at(rows, index[4]),
+                at(rows, index[5]),
+                at(rows, index[6]),
+                at(rows, index[7]),
+            ]
+        });
+        table += 1;
+    }
+    columns
+}
+
 /// The largest of eight numbers.
 #[inline(always)]
-fn largest_of_eight(index: &Index) -> u32 {
+pub(super) fn largest_of_eight(index: &[u32; 8]) -> u32 {
     // SAFETY: see the top of the module; eight numbers are there
     unsafe {
         let all = _mm256_loadu_si256(index.as_ptr().cast());

@@ -1,7 +1,7 @@
-//! Four and eight lanes of x86-64.
+//! Four, eight, and sixteen lanes of x86-64.
 //!
-//! Unsafe because instructions are used that not every processor has. The types here are made by [`run_avx2`] and
-//! [`run_avx512`] alone, which [`super::run`] calls only where the processor has them.
+//! Unsafe because instructions are used that not every processor has. The types here are made by [`run_avx2`],
+//! [`run_avx512`] and [`run_two_avx512`] alone, which [`super::run`] and [`super::run_on_two`] call only where the processor has them.
 #![allow(unsafe_code)]
 
 macro_rules! arithmetic {
@@ -37,11 +37,13 @@ macro_rules! arithmetic {
 
 mod avx2;
 mod avx512;
+mod two_avx512;
 
-use super::{Index, Kernel, MOST_LANES, Places};
+use super::{Kernel, MOST_LANES};
 use avx2::F64x4;
 use avx512::F64x8;
 use std::arch::x86_64::*;
+use two_avx512::F64x16;
 
 /// Whether this processor has AVX-512 as all servers do: also for registers of 128 and 256 bits, for bits, bytes and words.
 #[inline]
@@ -64,6 +66,17 @@ pub(super) fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
     unsafe { inner(kernel) }
 }
 
+/// Runs a kernel with two registers of AVX-512 at a time, which the processor must have.
+#[inline]
+pub(super) fn run_two_avx512<K: Kernel>(kernel: K) -> K::Output {
+    #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw,avx2")]
+    fn inner<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run::<F64x16>()
+    }
+    // SAFETY: the caller has asked the processor
+    unsafe { inner(kernel) }
+}
+
 /// Runs a kernel with AVX2, which the processor must have.
 #[inline]
 pub(super) fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
@@ -75,12 +88,12 @@ pub(super) fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     unsafe { inner(kernel) }
 }
 
-/// Asserts that `width` numbers are there from all of the first places on.
+/// Asserts that `width` numbers are there from all of these places on.
 #[inline(always)]
-fn check(values: &[f64], places: &Places, lanes: usize, width: usize) {
+fn check<const N: usize>(values: &[f64], places: &[usize; N], width: usize) {
     let mut last = places[0];
     let mut lane = 1;
-    while lane < lanes {
+    while lane < N {
         last = if places[lane] > last { places[lane] } else { last };
         lane += 1;
     }
@@ -127,10 +140,10 @@ fn check_rows<const N: usize>(tables: &[&[[f64; 4]]; N], index: u32) {
 /// Indices read one after the other: the compiler would read all at once, and each that is taken out of a register takes two turns
 /// where registers are shuffled, which the kernels need most.
 #[inline(always)]
-fn one_by_one(index: &Index) -> Index {
-    let mut separate = [0; MOST_LANES];
+fn one_by_one(index: &[u32; 8]) -> [u32; 8] {
+    let mut separate = [0; 8];
     let mut lane = 0;
-    while lane < MOST_LANES {
+    while lane < 8 {
         // SAFETY: a reference can be read
         separate[lane] = unsafe { std::ptr::read_volatile(&raw const index[lane]) };
         lane += 1;
@@ -153,4 +166,10 @@ unsafe fn at(table: &[[f64; 4]], index: u32) -> __m256d {
 fn whole(row: &[f64; 4]) -> __m256d {
     // SAFETY: see above; four numbers are there
     unsafe { _mm256_loadu_pd(row.as_ptr()) }
+}
+
+/// What there is for as many lanes as there may be, by so many lanes at a time.
+#[inline(always)]
+fn by<const N: usize, T>(all: &[T; MOST_LANES]) -> &[[T; N]] {
+    all.as_chunks().0
 }
