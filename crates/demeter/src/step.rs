@@ -10,6 +10,7 @@ pub use coupled::{CouplingMemory, Effort};
 
 use crate::contacts::sum::{Adder, Work};
 use crate::contacts::{ContactChunk, Fault, Scene};
+use crate::neighbours::Neighbours;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::simulation::profile::{Part, Profile};
 use crate::simulation::{Counts, Phase, Simulation};
@@ -156,7 +157,7 @@ impl Simulation {
     fn find_contacts(&mut self, motion: &Motion) -> Result<(), Fault> {
         let wall_speed = self.wall_speed();
         let max_speed = motion.max_speed.max(wall_speed);
-        self.path += motion.max_step + wall_speed * self.dt;
+        self.surfaces.find(&self.walls);
         if self.coupling.is_some() {
             return self.find_coupled_contacts(max_speed);
         }
@@ -169,7 +170,7 @@ impl Simulation {
             integrator: self.integrator,
             step: self.step,
             max_speed,
-            path: self.path,
+            surfaces: &self.surfaces,
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride: self.contacts.stride,
@@ -183,13 +184,7 @@ impl Simulation {
         // images across the sides of a box that deforms move, too, and a predictor-corrector is not bounded by velocities
         let are_bounded = self.integrator == Integrator::VelocityVerlet && !scene.is_deforming();
         let spreads = are_bounded.then_some(&self.spreads[..]);
-        let approach = |segment: usize| {
-            let Some(spreads) = spreads else {
-                return (2.0 * motion.max_step, scene.widest_window());
-            };
-            let nearer = neighbours.approach(segment, spreads) * scene.dt;
-            (nearer, scene.window(0.5 * nearer))
-        };
+        let approach = |segment| approach(segment, &scene, motion, wall_speed, (neighbours, spreads));
         self.near.advance(segments.clone(), approach);
         let near = &self.near;
         let work = Work {
@@ -203,10 +198,11 @@ impl Simulation {
                 chunk.step_pairs(neighbours.chunk(c), reach, &scene, adder, found);
                 clock.took(Part::Laws);
             },
-            at_walls: |c: usize, chunk: &mut ContactChunk| {
+            at_walls: |c: usize, chunk: &mut ContactChunk, adder: &mut Adder| {
                 let mut clock = Profile::chunk(profile);
-                chunk.find_walls(neighbours.wall_chunk(c), &scene);
-                chunk.evaluate_walls(&scene);
+                let reach = near.at_walls(neighbours.segment_of_wall_chunk(c));
+                chunk.meet_walls(neighbours.wall_chunk(c), reach, &scene);
+                chunk.evaluate_walls(&scene, adder);
                 clock.took(Part::Walls);
             },
         };
@@ -254,6 +250,25 @@ impl Simulation {
             "angular velocity"
         }
     }
+}
+
+/// How much nearer two grains of a segment came at most in a step, and within which window they may act [m]; the same of a grain and a
+/// wall.
+fn approach(
+    segment: usize,
+    scene: &Scene,
+    motion: &Motion,
+    wall_speed: f64,
+    (neighbours, spreads): (&Neighbours, Option<&[Spread]>),
+) -> [(f64, f64); 2] {
+    let (widest, step_of_walls) = (scene.widest_window(), wall_speed * scene.dt);
+    let Some(spreads) = spreads else {
+        return [2.0 * motion.max_step, motion.max_step + step_of_walls].map(|nearer| (nearer, widest));
+    };
+    let nearer = neighbours.approach(segment, spreads) * scene.dt;
+    let to_wall = neighbours.spread_of(segment, spreads).speed() * scene.dt + step_of_walls;
+    let window_at_wall = scene.window(0.5 * to_wall).min(widest);
+    [(nearer, scene.window(0.5 * nearer)), (to_wall, window_at_wall)]
 }
 
 /// Parts that the work on the contacts of so many grains is cut into.

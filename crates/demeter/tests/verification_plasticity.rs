@@ -205,7 +205,7 @@ fn a_dent_lasts_through_unloading_and_reloading() {
             for wall in 0..2 {
                 // in the dent it touches without force: it is in the table, but does not act
                 let mut found = contacts.iter().flat_map(|chunk| {
-                    let here = (0..chunk.len()).filter(|&k| chunk.j[k] as usize == wall);
+                    let here = (0..chunk.len()).filter(|&k| chunk.j[k] as usize == wall && chunk.is_engaged(k));
                     here.map(|k| (sim.contact(chunk, k), chunk.normal_force()[k]))
                 });
                 let Some((contact, force)) = found.next() else {

@@ -1,6 +1,6 @@
 //! The laws of all contacts of a chunk: those between grains, which meet now or whose geometry is known, and those with walls.
 
-use super::kinematics::{Approach, Known, Partners, Source};
+use super::kinematics::{Approach, Known, Source};
 use super::meetings::Meeting;
 use super::respond::{Answers, Respond};
 use super::sum::{Across, AddAtOnce, Adder, Sink};
@@ -40,7 +40,7 @@ impl ContactChunk {
             contacts: &geometry,
             grains: scene.grains,
             i: &i,
-            partners: Partners::grains(scene.grains, &j),
+            j: &j,
             shifts: (scene.is_deforming()).then_some((&shift, scene.comm.shift_velocities())),
         };
         self.collect(adder, (&i, &j, &shift), scene, known);
@@ -48,54 +48,8 @@ impl ContactChunk {
         self.now.geometry = geometry;
     }
 
-    /// Evaluates the laws of all contacts with walls, and sums up what the walls feel.
-    pub(crate) fn evaluate_walls(&mut self, scene: &Scene) {
-        if scene.records_walls {
-            self.losses.clear();
-            self.losses.resize(self.len(), [0.0; 2]);
-        }
-        let mut surfaces = std::mem::take(&mut self.surfaces);
-        let (i, j, shift) = self.take_bodies();
-        let geometry = std::mem::take(&mut self.now.geometry);
-        if scene.is_coupled() {
-            // the surfaces are displaced since contacts were found
-            surfaces.find(&geometry, &i, &j, scene.grains, scene.walls);
-        }
-        let known = Known {
-            contacts: &geometry,
-            grains: scene.grains,
-            i: &i,
-            partners: Partners::walls(&surfaces),
-            shifts: None,
-        };
-        let mut load = std::mem::take(&mut self.load);
-        load.clear();
-        self.evaluate(&mut load, scene, known);
-        load.truncate(self.len());
-        self.load = load;
-        (self.i, self.j, self.shift) = (i, j, shift);
-        self.now.geometry = geometry;
-        for k in 0..self.len() {
-            let wall = &scene.walls[self.j[k] as usize];
-            let contact = &self.now.geometry[k];
-            let point = scene.grains.position[self.i[k] as usize] - contact.normal * contact.lever_i;
-            let (force, torque) = (-self.force(k, contact.normal), -self.rolling_torque(k));
-            if !wall.is_at_rest() {
-                let power = force.dot(surfaces.velocity(k)) + torque.dot(wall.angular_velocity());
-                self.tally.wall_work -= scene.dt * power;
-            }
-            let load = &mut self.wall_load[self.j[k] as usize];
-            load.0 += force;
-            load.1 += (point - wall.origin()).cross(force) + torque;
-        }
-        self.surfaces = surfaces;
-        if scene.records_walls {
-            self.mark_walls(scene);
-        }
-    }
-
     /// The bodies of all contacts and the shifts between them, to be put back.
-    fn take_bodies(&mut self) -> (Vec<u32>, Vec<u32>, Vec<u8>) {
+    pub(super) fn take_bodies(&mut self) -> (Vec<u32>, Vec<u32>, Vec<u8>) {
         let Self { i, j, shift, .. } = self;
         (std::mem::take(i), std::mem::take(j), std::mem::take(shift))
     }
@@ -121,7 +75,12 @@ impl ContactChunk {
     }
 
     /// Evaluates the laws of all contacts. Tells the first with too much overlap.
-    fn evaluate(&mut self, sink: &mut impl Sink, scene: &Scene, source: impl Source) -> Option<(usize, f64)> {
+    pub(super) fn evaluate(
+        &mut self,
+        sink: &mut impl Sink,
+        scene: &Scene,
+        source: impl Source,
+    ) -> Option<(usize, f64)> {
         let count = self.len();
         (self.now.tangential).resize(count.div_ceil(EIGHT), EightVectors::default());
         if scene.resists_rolling {

@@ -3,11 +3,9 @@
 use super::evaluate::WORD;
 use super::meetings::{Lot, Meeting};
 use crate::particles::Grains;
-use crate::walls::Wall;
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Vector};
-use glam::DVec3;
 
 /// Numbers of contacts from `k` on as lanes; 0 in lanes beyond the end.
 #[inline(always)]
@@ -78,94 +76,6 @@ pub(super) fn places_in_turn<L: Lanes>(count: usize, k: usize, width: usize) -> 
         }
     }
     places
-}
-
-/// The second bodies of contacts: rows of numbers, and which of them belong to which contact.
-#[derive(Clone, Copy)]
-pub(super) struct Partners<'a> {
-    /// Velocities, with the inverse masses; of walls, those along the normals.
-    velocity: &'a [[f64; 4]],
-    /// Angular velocities, with the inverse moments of inertia.
-    spin: &'a [[f64; 4]],
-    /// Positions, with the radii; none of walls.
-    position: Option<&'a [[f64; 4]]>,
-    /// Rows of the contacts; each has its own where there is nothing here.
-    index: &'a [u32],
-}
-
-impl<'a> Partners<'a> {
-    /// Grains as second bodies.
-    pub(super) fn grains(grains: &'a Grains, j: &'a [u32]) -> Self {
-        Self {
-            velocity: grains.velocity.table(),
-            spin: grains.angular_velocity.table(),
-            position: Some(grains.position.table()),
-            index: j,
-        }
-    }
-
-    /// Walls as second bodies.
-    pub(super) fn walls(surfaces: &'a Surfaces) -> Self {
-        Self {
-            velocity: &surfaces.velocity,
-            spin: &surfaces.spin,
-            position: None,
-            index: &[],
-        }
-    }
-
-    #[inline(always)]
-    fn put_listed<L: Lanes>(&self, k: usize, index: &mut Index) {
-        if !self.index.is_empty() {
-            return put_listed::<L>(self.index, k, index);
-        }
-        let mut lane = 0;
-        while lane < L::COUNT {
-            index[lane] = (k + lane).min(self.velocity.len() - 1) as u32;
-            lane += 1;
-        }
-    }
-}
-
-/// How the surfaces of walls move at the contacts of a chunk.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Surfaces {
-    velocity: Vec<[f64; 4]>,
-    spin: Vec<[f64; 4]>,
-}
-
-impl Surfaces {
-    /// Of contacts of grains with walls.
-    pub(super) fn find(&mut self, contacts: &[Contact], i: &[u32], j: &[u32], grains: &Grains, walls: &[Wall]) {
-        self.clear();
-        for (k, contact) in contacts.iter().enumerate() {
-            let wall = &walls[j[k] as usize];
-            let point = grains.position[i[k] as usize] - contact.normal * contact.lever_i;
-            self.push(wall, walls, (point, wall.velocity_at(point)), contact.normal);
-        }
-    }
-
-    pub(super) fn clear(&mut self) {
-        self.velocity.clear();
-        self.spin.clear();
-    }
-
-    /// Adds a contact with a wall at a point that has a velocity.
-    #[inline]
-    pub(super) fn push(&mut self, wall: &Wall, walls: &[Wall], (point, velocity): (DVec3, DVec3), normal: DVec3) {
-        // a free wall gives way, and what moves with it
-        let giving = wall.leader().and_then(|leader| walls.get(leader)).unwrap_or(wall);
-        let inverse_mass = giving.inverse_mass_at(point, -normal);
-        self.velocity.push(velocity.extend(inverse_mass).to_array());
-        self.spin.push(wall.angular_velocity().extend(0.0).to_array());
-    }
-
-    /// Velocity of the surface at a contact [m/s].
-    #[inline]
-    pub(super) fn velocity(&self, contact: usize) -> DVec3 {
-        let [x, y, z, _] = self.velocity[contact];
-        DVec3::new(x, y, z)
-    }
 }
 
 /// How two bodies in contact move, one contact per lane.
@@ -259,8 +169,20 @@ pub(super) struct Sight<L: Lanes> {
 
 /// Where contacts are seen.
 pub(super) trait Source {
+    /// Whether a chunk has so many of them that it pays to take two registers at a time.
+    const ARE_MANY: bool = false;
+
     /// The contacts from `k` on; those that are not `here` do not act.
     fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L>;
+}
+
+/// Notes which of the contacts from `k` on that are `here` act in this step, a bit each; tells which did in the step before and do no more.
+#[inline(always)]
+pub(super) fn note_engaged(engaged: &mut [u64], k: usize, here: u32, acts: u32) -> u32 {
+    let word = &mut engaged[k / WORD];
+    let before = (*word >> (k % WORD)) as u32 & here;
+    *word ^= u64::from(before ^ acts) << (k % WORD);
+    before & !acts
 }
 
 /// Pairs of grains of which some act.
@@ -276,6 +198,8 @@ pub(super) struct Approach<'a> {
 }
 
 impl Source for Approach<'_> {
+    const ARE_MANY: bool = true;
+
     #[inline(always)]
     fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L> {
         let mut lot = Lot::empty();
@@ -285,9 +209,7 @@ impl Source for Approach<'_> {
             lot.put_shifts::<L>(self.shift, k);
         }
         let met = self.meeting.meet::<L>(&lot, here);
-        let word = &mut self.engaged[k / WORD];
-        let before = (*word >> (k % WORD)) as u32 & here;
-        *word ^= u64::from(before ^ met.acts) << (k % WORD);
+        let ended = note_engaged(self.engaged, k, here, met.acts);
         Sight {
             motion: Motion {
                 normal: met.normal,
@@ -302,18 +224,18 @@ impl Source for Approach<'_> {
             turning: met.turning,
             acting: met.acting,
             acts: met.acts,
-            ended: before & !met.acts,
+            ended,
             too_deep: met.too_deep,
         }
     }
 }
 
-/// Contacts whose geometry is known: all of them act.
+/// Pairs of grains whose geometry is known: all of them act.
 pub(super) struct Known<'a> {
     pub(super) contacts: &'a [Contact],
     pub(super) grains: &'a Grains,
     pub(super) i: &'a [u32],
-    pub(super) partners: Partners<'a>,
+    pub(super) j: &'a [u32],
     /// Where the box deforms, codes of the shifts of the contacts, and the velocities of all shifts.
     pub(super) shifts: Option<(&'a [u8], &'a [[f64; 4]])>,
 }
@@ -321,17 +243,17 @@ pub(super) struct Known<'a> {
 impl Source for Known<'_> {
     #[inline(always)]
     fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L> {
-        let partners = &self.partners;
         let contacts = Contact::numbers(self.contacts);
         let mut places = places_in_turn::<L>(self.contacts.len(), k, Contact::NUMBERS);
         let [mut first, mut second] = [[0; MOST_LANES]; 2];
         put_listed::<L>(self.i, k, &mut first);
-        partners.put_listed::<L>(k, &mut second);
+        put_listed::<L>(self.j, k, &mut second);
         let [nx, ny, nz, overlap] = L::columns(contacts, &places);
         shift::<L>(&mut places, 2);
         let [_, _, lever_i, lever_j] = L::columns(contacts, &places);
-        let [[_, _, _, ri], [vx, vy, vz, inverse_mass], spin] = L::fetch(self.grains.tables(), &first);
-        let [[ux, uy, uz, other_mass], other_spin] = L::fetch([partners.velocity, partners.spin], &second);
+        let tables = self.grains.tables();
+        let [[_, _, _, ri], [vx, vy, vz, inverse_mass], spin] = L::fetch(tables, &first);
+        let [[_, _, _, rj], [ux, uy, uz, other_mass], other_spin] = L::fetch(tables, &second);
         let normal = L::Vector::new(nx, ny, nz);
         let mut velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
         if let Some((codes, velocities)) = self.shifts {
@@ -340,18 +262,7 @@ impl Source for Known<'_> {
             let [[x, y, z, _]] = L::fetch([velocities], &lot.shift);
             velocity = velocity + L::Vector::new(x, y, z);
         }
-        let along_normal = inverse_mass + other_mass;
-        let (size, inverse_masses) = if let Some(position) = partners.position {
-            let [[_, _, _, rj]] = L::fetch([position], &second);
-            let inverse_masses = [inverse_mass, other_mass];
-            (size_of_pair([ri, rj], inverse_masses), inverse_masses)
-        } else {
-            let size = PairSize {
-                radius: ri,
-                mass: L::splat(1.0) / along_normal,
-            };
-            (size, [inverse_mass, L::splat(0.0)])
-        };
+        let inverse_masses = [inverse_mass, other_mass];
         Sight {
             motion: Motion {
                 normal,
@@ -359,9 +270,9 @@ impl Source for Known<'_> {
                 velocity,
                 rate: -velocity.inner(normal),
                 levers: [lever_i, lever_j],
-                inverse_mass: along_normal,
+                inverse_mass: inverse_mass + other_mass,
                 inverse_masses,
-                size,
+                size: size_of_pair([ri, rj], inverse_masses),
             },
             turning: Turning::of(spin, other_spin),
             acting: L::Mask::of_bits(here),
@@ -374,7 +285,7 @@ impl Source for Known<'_> {
 
 /// Moves all places.
 #[inline(always)]
-fn shift<L: Lanes>(places: &mut Places, by: usize) {
+pub(super) fn shift<L: Lanes>(places: &mut Places, by: usize) {
     let mut lane = 0;
     while lane < L::COUNT {
         places[lane] += by;

@@ -16,7 +16,8 @@ impl ContactChunk {
                     continue;
                 }
                 let history = &self.before.history[k * scene.stride..(k + 1) * scene.stride];
-                if history.is_empty() {
+                let sliding = spring_energies(law, history).0;
+                if sliding == 0.0 {
                     continue;
                 }
                 let contact = &self.before.geometry[k];
@@ -29,7 +30,7 @@ impl ContactChunk {
                     normal: contact.normal,
                     tangential: glam::DVec3::ZERO,
                     impact: 0.0,
-                    sliding: spring_energies(law, history).0,
+                    sliding,
                 });
             }
         }
@@ -39,7 +40,9 @@ impl ContactChunk {
     pub(super) fn mark_walls(&mut self, scene: &Scene) {
         for k in 0..self.len() {
             let wall = &scene.walls[self.j[k] as usize];
-            if !wall.is_recorded() {
+            // what the springs held of one that ended is lost in this step
+            let does_nothing = !self.is_engaged(k) && self.losses[k] == [0.0; 2];
+            if !wall.is_recorded() || does_nothing {
                 continue;
             }
             let (g, contact) = (self.i[k] as usize, &self.now.geometry[k]);

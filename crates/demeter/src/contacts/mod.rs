@@ -10,12 +10,14 @@
 //! and [`sum`] then adds up per grain, in the order of the partners in memory.
 
 mod asking;
+mod at_walls;
 pub mod coupling;
 mod evaluate;
 mod fault;
 mod kinematics;
 pub mod laws;
 mod leaving;
+mod look_again;
 mod marks;
 mod meetings;
 mod merge;
@@ -28,6 +30,7 @@ mod together;
 mod transfer;
 mod wall_contacts;
 
+pub use at_walls::Surfaces;
 pub use coupling::Coupling;
 pub use fault::Fault;
 pub(crate) use leaving::PairsAndWalls;
@@ -202,11 +205,8 @@ pub struct ContactChunk {
     /// Code of the shift across periodic sides, where there are any; found from the candidates when needed.
     #[serde(skip)]
     shift: Vec<u8>,
-    /// Bits of the contacts between grains that are engaged, a word for each block; empty where all are.
+    /// Bits of the contacts that are engaged, a word for each block; empty where all are.
     engaged: Vec<u64>,
-    /// What every contact with a wall does to the grain; nothing between grains, whose loads are summed up at once.
-    #[serde(skip)]
-    pub(crate) load: Vec<Load>,
     /// Torque of the rolling laws on the first body [N m]; empty where no law resists rolling.
     pub(crate) rolling: Vec<[f64; 4]>,
     /// Work of this step.
@@ -222,9 +222,9 @@ pub struct ContactChunk {
     /// Normal forces that do not depend on the rate [N], where contacts feel each other.
     #[serde(skip)]
     elastic: Vec<f64>,
-    /// How the surfaces of walls move at the contacts.
+    /// What every wall feels, while contacts are summed up.
     #[serde(skip)]
-    surfaces: kinematics::Surfaces,
+    felt: Vec<Load>,
     #[serde(skip)]
     pub(crate) marks: Vec<Mark>,
     /// The fault with the lowest id, if any.
@@ -246,7 +246,6 @@ impl ContactChunk {
         self.j.clear();
         self.shift.clear();
         self.engaged.clear();
-        self.load.clear();
         self.rolling.clear();
         self.tally = Tally::default();
         self.wall_load.clear();
@@ -276,9 +275,14 @@ impl ContactChunk {
         let other = of(|k| set_aside(&k.geometry) + set_aside(&k.coupling));
         [
             bodies + set_aside(&self.i) + set_aside(&self.j) + set_aside(&self.shift) + set_aside(&self.engaged),
-            forces + set_aside(&self.load) + set_aside(&self.rolling),
+            forces + set_aside(&self.rolling),
             of(|k| set_aside(&k.history)),
-            other + set_aside(&self.goes_on) + set_aside(&self.losses) + set_aside(&self.elastic) + size_of::<Self>(),
+            other
+                + set_aside(&self.felt)
+                + set_aside(&self.goes_on)
+                + set_aside(&self.losses)
+                + set_aside(&self.elastic)
+                + size_of::<Self>(),
         ]
     }
 
@@ -318,7 +322,7 @@ impl ContactChunk {
     /// within half a step. The others in the table are merely near; they have no force and remember nothing.
     #[inline]
     pub fn is_engaged(&self, contact: usize) -> bool {
-        (self.engaged.get(contact / WORD)).is_none_or(|word| word >> (contact % WORD) & 1 != 0)
+        is_set(&self.engaged, contact)
     }
 
     /// Number of contacts that are engaged.
@@ -380,6 +384,12 @@ impl ContactChunk {
     }
 }
 
+/// Whether the bit of a contact is set; it is where there are no bits.
+#[inline(always)]
+fn is_set(bits: &[u64], contact: usize) -> bool {
+    (bits.get(contact / WORD)).is_none_or(|word| word >> (contact % WORD) & 1 != 0)
+}
+
 /// All contacts: between grains, and between grains and walls.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
@@ -409,9 +419,9 @@ impl Contacts {
         self.pairs.iter().map(ContactChunk::engaged).sum()
     }
 
-    /// Number of contacts with walls, those without force counted.
+    /// Number of contacts with walls that are engaged, those without force counted.
     pub fn wall_count(&self) -> usize {
-        self.walls.iter().map(ContactChunk::len).sum()
+        self.walls.iter().map(ContactChunk::engaged).sum()
     }
 
     /// The first fault, between grains before walls.

@@ -9,7 +9,7 @@ use super::laws::largest_reach;
 use super::meetings::{FindPairs, Found};
 use super::near::FindNear;
 use super::sum::Adder;
-use super::{ContactChunk, Fault, Kept, Tally};
+use super::{ContactChunk, Fault, Kept, Surfaces, Tally};
 use crate::comm::Single;
 use crate::materials::Materials;
 use crate::neighbours::Pair;
@@ -40,9 +40,8 @@ pub struct Scene<'a> {
     pub step: u64,
     /// Largest speed of any grain or wall surface [m/s].
     pub max_speed: f64,
-    /// How far grains and walls can have come nearer to each other since the run began, never less than they have; infinite where
-    /// that is not known [m].
-    pub path: f64,
+    /// How the walls move.
+    pub surfaces: &'a Surfaces,
     /// Largest gap across which any law acts [m].
     pub max_reach: f64,
     /// Largest overlap allowed, as share of the smaller radius.

@@ -14,8 +14,9 @@ use std::ops::Range;
 /// The table shall serve for so many steps.
 const STEPS: f64 = 24.0;
 
-/// Looking for contacts costs as much as this share of the pairs that come into the table with a reach of the mean radius.
-const SEARCH: f64 = 0.05;
+/// Looking for contacts costs as much as this share of those that come into the table with a reach of the mean radius: between grains,
+/// and with walls, of which each part is looked at alone.
+const SEARCH: [f64; 2] = [0.05, 2.0];
 
 /// The least and the most that the reach goes beyond what acts in one step, as shares of the mean radius.
 const ROOM: (f64, f64) = (1e-5, 0.1);
@@ -41,15 +42,15 @@ impl NearTable {
 
     /// Notes a step in which no two grains came `nearer` than by this. Tells the reach to look for contacts with where the table
     /// does not serve any more: some candidate outside of it may be as near as `window`.
-    fn advance(&mut self, nearer: f64, window: f64, mean_radius: f64) -> Option<f64> {
+    fn advance(&mut self, (nearer, window): (f64, f64), search: f64, mean_radius: f64) -> Option<f64> {
         let nearer = nearer + ROUNDING * mean_radius;
         self.approached += nearer;
         // not a number serves no more
         if self.approached + window <= self.reach {
             return None;
         }
-        // a step costs `SEARCH nearer/room + room/mean_radius`: least where both are the same
-        let best = (STEPS * nearer).min((SEARCH * nearer * mean_radius).sqrt());
+        // a step costs `search nearer/room + room/mean_radius`: least where both are the same
+        let best = (STEPS * nearer).min((search * nearer * mean_radius).sqrt());
         // where motion is not bounded, the table serves for one step
         let room = if best.is_finite() { best } else { 0.0 };
         self.reach = window + room.clamp(ROOM.0 * mean_radius, ROOM.1 * mean_radius);
@@ -58,22 +59,45 @@ impl NearTable {
     }
 }
 
-/// How far the table of contacts reaches in every segment: where grains move together it need not reach as far as where they meet.
+/// The tables of contacts of a segment: between grains, and with walls.
+type TwoTables = [NearTable; 2];
+
+/// How far the tables of contacts reach in every segment: where grains move together they need not reach as far as where they meet.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct NearTables {
-    of_segments: Vec<NearTable>,
+    of_segments: Vec<TwoTables>,
     /// Mean radius of the grains [m].
     mean_radius: f64,
-    /// The reach to look for contacts with in this step.
+    /// How they serve in this step.
     #[serde(skip)]
-    reach: Vec<Option<f64>>,
+    in_step: Vec<[InStep; 2]>,
+}
+
+/// How a table serves in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct InStep {
+    /// The reach to look for contacts with [m]; none where the table serves.
+    reach: Option<f64>,
+    /// Distance beyond touching at which bodies may act [m].
+    window: f64,
+}
+
+/// How far a table of contacts with walls reaches.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reach {
+    /// Distance beyond touching [m].
+    pub(crate) distance: f64,
+    /// Whether it reaches so far from this step on.
+    pub(crate) is_new: bool,
+    /// Distance beyond touching at which bodies may act in this step [m].
+    pub(crate) window: f64,
 }
 
 /// What is saved of [`NearTables`].
 #[derive(Serialize)]
 #[serde(rename = "NearTables")]
 struct Written<'a, 'b> {
-    of_segments: Listed<'a, 'b, NearTable>,
+    of_segments: Listed<'a, 'b, TwoTables>,
     mean_radius: f64,
 }
 
@@ -87,13 +111,18 @@ impl InParts for NearTables {
 }
 
 impl NearTables {
-    /// Notes a step. `approach` tells of a segment how much nearer two grains came at most, and within which window they may act [m].
-    /// The others have no table here.
-    pub(crate) fn advance(&mut self, segments: Range<usize>, approach: impl Fn(usize) -> (f64, f64)) {
-        self.reach.resize(self.of_segments.len(), None);
+    /// Notes a step. `approach` tells of a segment how much nearer two grains came at most, and within which window they may act [m],
+    /// and the same of a grain and a wall. The others have no tables here.
+    pub(crate) fn advance(&mut self, segments: Range<usize>, approach: impl Fn(usize) -> [(f64, f64); 2]) {
+        (self.in_step).resize(self.of_segments.len(), Default::default());
         for segment in segments {
-            let (nearer, window) = approach(segment);
-            self.reach[segment] = self.of_segments[segment].advance(nearer, window, self.mean_radius);
+            let approach = approach(segment);
+            for (kind, (&approach, search)) in approach.iter().zip(SEARCH).enumerate() {
+                self.in_step[segment][kind] = InStep {
+                    reach: self.of_segments[segment][kind].advance(approach, search, self.mean_radius),
+                    window: approach.1,
+                };
+            }
         }
     }
 
@@ -107,7 +136,7 @@ impl NearTables {
         Self {
             of_segments: self.of_segments[segments].to_vec(),
             mean_radius: self.mean_radius,
-            reach: Vec::new(),
+            in_step: Vec::new(),
         }
     }
 
@@ -116,27 +145,38 @@ impl NearTables {
         Self {
             mean_radius: parts.first().map_or(0.0, |part| part.mean_radius),
             of_segments: parts.into_iter().flat_map(|part| part.of_segments).collect(),
-            reach: Vec::new(),
+            in_step: Vec::new(),
         }
     }
 
     /// The reach to look for the contacts of a segment with in this step; none where its table serves.
     #[inline(always)]
     pub(crate) fn reach(&self, segment: usize) -> Option<f64> {
-        self.reach[segment]
+        self.in_step[segment][0].reach
+    }
+
+    /// How far the contacts of a segment with walls reach.
+    #[inline(always)]
+    pub(crate) fn at_walls(&self, segment: usize) -> Reach {
+        let InStep { reach, window } = self.in_step[segment][1];
+        Reach {
+            distance: self.of_segments[segment][1].reach,
+            is_new: reach.is_some(),
+            window,
+        }
     }
 
     /// Has the contacts looked for in the next step, among new candidates.
     pub(crate) fn forget(&mut self, segments: usize, mean_radius: f64) {
         self.of_segments.clear();
-        self.of_segments.resize(segments, NearTable::NONE);
+        self.of_segments.resize(segments, [NearTable::NONE; 2]);
         self.mean_radius = mean_radius;
     }
 
     /// Whether there are as many as segments, and the numbers are possible, as they are unless a file was tampered with.
     pub(crate) fn are_sound(&self, segments: usize) -> bool {
         let is_sound = |table: &NearTable| table.reach >= 0.0 && table.approached >= 0.0;
-        self.of_segments.len() == segments && self.mean_radius >= 0.0 && self.of_segments.iter().all(is_sound)
+        self.of_segments.len() == segments && self.mean_radius >= 0.0 && self.of_segments.iter().flatten().all(is_sound)
     }
 }
 
@@ -194,11 +234,11 @@ mod tests {
         let mut looked = [0u32; 3];
         for step in 0..1000 {
             let before = tables.clone();
-            tables.advance(0..3, |segment| (nearer[segment], 0.5 * nearer[segment]));
+            tables.advance(0..3, |segment| [(nearer[segment], 0.5 * nearer[segment]); 2]);
             for segment in 0..3 {
                 let Some(reach) = tables.reach(segment) else {
                     // nobody outside has come as near as to act
-                    let (table, was) = (&tables.of_segments[segment], &before.of_segments[segment]);
+                    let (table, was) = (&tables.of_segments[segment][0], &before.of_segments[segment][0]);
                     assert!(table.reach == was.reach && table.approached + 0.5 * nearer[segment] <= table.reach);
                     continue;
                 };
@@ -214,11 +254,11 @@ mod tests {
             (80..130).contains(&looked[0]) && (35..50).contains(&looked[1]) && looked[2] == 1,
             "{looked:?}"
         );
-        let reach = |segment: usize| tables.of_segments[segment].reach;
+        let reach = |segment: usize| tables.of_segments[segment][0].reach;
         assert!(reach(1) < 0.1 * reach(0) && reach(2) < reach(1));
         // motion that is not bounded
-        tables.advance(1..2, |_| (f64::INFINITY, 0.1));
-        tables.advance(1..2, |_| (f64::NAN, 0.1));
+        tables.advance(1..2, |_| [(f64::INFINITY, 0.1); 2]);
+        tables.advance(1..2, |_| [(f64::NAN, 0.1); 2]);
         assert!(tables.reach(1).is_some_and(|reach| reach > 0.1) && tables.are_sound(3) && !tables.are_sound(2));
     }
 }

@@ -3,7 +3,7 @@
 
 use super::asking::{Lot, Press, Pressed, Roll, Rub, Stiffness};
 use super::kinematics::{Motion, Sight, Source, load_some, store_some};
-use super::laws::{normal_history, tangential_history};
+use super::laws::{normal_history, spring_energies, tangential_history};
 use super::meetings::{lanes_below, next_lane};
 use super::sum::{Loads, Sink};
 use super::together::Laws;
@@ -25,7 +25,7 @@ pub(super) struct Answers<'a> {
     pub(super) tangential: &'a mut [EightVectors],
     /// Torque of the rolling law on the first body [N m]; empty where no law resists rolling.
     pub(super) torques: &'a mut [[f64; 4]],
-    /// What every contact loses, by its normal law and by friction [J]; empty where nobody asks.
+    /// What every contact loses, by its normal law and by friction [J], nothing yet; empty where nobody asks.
     pub(super) losses: &'a mut [[f64; 2]],
     /// Normal force that does not depend on the rate [N]; empty where nobody asks.
     pub(super) elastic: &'a mut [f64],
@@ -101,6 +101,9 @@ fn end(answers: &mut Answers, k: usize, mut ended: u32, law: &PairLaw, booked: &
         let history = &mut answers.history[first..first + answers.stride];
         if history.iter().any(|&value| value != 0.0) {
             booked.book_end(history, law);
+            if let Some(lost) = answers.losses.get_mut(k + lane) {
+                lost[1] += spring_energies(law, history).0;
+            }
             history.fill(0.0);
         }
     }
@@ -278,9 +281,6 @@ impl Answers<'_> {
         if let Some(torques) = self.torques.get_mut(places.clone()) {
             torques.fill([0.0; 4]);
         }
-        if let Some(losses) = self.losses.get_mut(places.clone()) {
-            losses.fill([0.0; 2]);
-        }
         if let Some(elastic) = self.elastic.get_mut(places) {
             elastic.fill(0.0);
         }
@@ -321,7 +321,8 @@ impl Answers<'_> {
             let normal = (pressed.viscous + pressed.lost).keep(acting).to_array();
             let friction = rubbed.dissipated.keep(acting).to_array();
             for (told, (normal, friction)) in losses.iter_mut().zip(normal.iter().zip(friction)) {
-                *told = [*normal, friction];
+                told[0] += normal;
+                told[1] += friction;
             }
         }
         if let Some(elastic) = self.elastic.get_mut(places) {

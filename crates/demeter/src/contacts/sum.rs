@@ -1,5 +1,5 @@
-//! Sum per grain over its contacts: those with grains segment by segment of the table of pairs, there law by law, and of each law in
-//! the order of the partners' places in memory; then those with walls in the order of the walls.
+//! Sum per grain over its contacts, segment by segment of the table of pairs: there law by law, and of each law in the order of the
+//! partners' places in memory; behind those with grains of its own segment those with walls, law by law in the order of the walls.
 //!
 //! What a contact does is added to both of its grains as soon as its laws were asked, in the order of [`PairTable`], while
 //! it is still in the cache. A task adds to its own grains, and what it has for those of other tasks is added when all are
@@ -26,7 +26,7 @@ pub(crate) struct Load([f64; 8]);
 impl Load {
     /// Adds what a contact does to its first body (0), or takes away what stands for its second (1), on which it does the opposite.
     #[inline(always)]
-    fn add<E: Eight>(&mut self, load: E, side: usize) {
+    pub(super) fn add<E: Eight>(&mut self, load: E, side: usize) {
         let sum = E::load(&self.0);
         let sum = if side == 0 { sum + load } else { sum - load };
         sum.store(&mut self.0);
@@ -39,6 +39,12 @@ impl Load {
             return [&[0.0; 4]; 2];
         };
         [force, torque]
+    }
+
+    /// The same as vectors.
+    pub(super) fn vectors(&self) -> (DVec3, DVec3) {
+        let [force, torque] = self.parts();
+        (DVec3::from_slice(force), DVec3::from_slice(torque))
     }
 }
 
@@ -75,56 +81,29 @@ pub(crate) struct Sums {
 
 /// Sums of the grains from one on, to be read.
 #[derive(Clone, Copy)]
-pub(crate) struct GrainSums<'a> {
-    sums: &'a [Load],
-    first: usize,
-    neighbours: &'a Neighbours,
-    walls: &'a [ContactChunk],
-}
+pub(crate) struct GrainSums<'a>(&'a [Load]);
 
 impl<'a> GrainSums<'a> {
     /// Those from a grain on.
-    pub(crate) fn from(first: usize, sums: &'a Sums, neighbours: &'a Neighbours, walls: &'a [ContactChunk]) -> Self {
-        Self {
-            sums: &sums.sums[first - sums.first..],
-            first,
-            neighbours,
-            walls,
-        }
+    pub(crate) fn from(first: usize, sums: &'a Sums) -> Self {
+        Self(&sums.sums[first - sums.first..])
     }
 
     /// Those behind so many of them.
     pub(crate) fn behind(self, grains: usize) -> Self {
-        Self {
-            sums: &self.sums[grains..],
-            first: self.first + grains,
-            ..self
-        }
+        Self(&self.0[grains..])
     }
 
     /// Force [N] and torque [N m] of all contacts on a grain, told by how far it lies behind the first; 0 beside them.
     #[inline(always)]
     pub(crate) fn of<Q: Quad>(&self, k: usize) -> (Q, Q) {
-        let [force, torque] = self.sums[k].parts();
-        let (mut force, mut torque) = (Q::load(force), Q::load(torque));
-        for (chunk, slot) in self.neighbours.wall_pairs_of(self.first + k) {
-            let chunk = &self.walls[chunk];
-            for contact in chunk.contacts_of(slot) {
-                let [one, other] = chunk.load[contact].parts();
-                force = force + Q::load(one);
-                torque = torque + Q::load(other);
-            }
-        }
-        (force, torque)
+        let [force, torque] = self.0[k].parts();
+        (Q::load(force), Q::load(torque))
     }
-}
 
-impl GrainSums<'_> {
     /// The same as vectors.
     pub(crate) fn vectors_of(&self, k: usize) -> (DVec3, DVec3) {
-        let (force, torque) = self.of::<Four>(k);
-        let ([fx, fy, fz, _], [tx, ty, tz, _]) = (force.store(), torque.store());
-        (DVec3::new(fx, fy, fz), DVec3::new(tx, ty, tz))
+        self.0[k].vectors()
     }
 }
 
@@ -165,22 +144,6 @@ pub(super) trait Sink {
     fn put_nothing<L: Lanes>(&mut self, k: usize);
 }
 
-impl Sink for Vec<Load> {
-    #[inline(always)]
-    fn put<L: Lanes>(&mut self, k: usize, loads: &Loads<L>) {
-        let rows = L::side_by_side(loads.force, loads.first_torque);
-        self.put_nothing::<L>(k);
-        for (load, row) in self[k..].iter_mut().zip(rows.as_ref()) {
-            row.store(&mut load.0);
-        }
-    }
-
-    #[inline(always)]
-    fn put_nothing<L: Lanes>(&mut self, k: usize) {
-        self.resize(k + L::COUNT, Load::default());
-    }
-}
-
 /// A load per lane.
 type Loads8 = [Load; MOST_LANES];
 
@@ -200,6 +163,14 @@ impl Adder<'_> {
         for ((&i, &j), (first, second)) in i.iter().zip(j).zip(first.iter().zip(second)) {
             self.add(i, 0, first);
             self.add(j, 1, second);
+        }
+    }
+
+    /// Adds what a contact with a wall does to its grain, which is one of the task's own.
+    #[inline(always)]
+    pub(super) fn add_own<E: Eight>(&mut self, grain: u32, load: E) {
+        if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
+            sum.add(load, 0);
         }
     }
 
@@ -314,8 +285,7 @@ pub(crate) struct Work<'a, S, W> {
     pub(crate) instructions: Instructions,
     /// Finds what the contacts of a chunk between grains do, told by its number.
     pub(crate) step: S,
-    /// The same of a chunk with walls, whose loads wait there. Those of a segment come right after its pairs: the grains are in the
-    /// cache then.
+    /// The same of a chunk with walls. Those of a segment come right after its pairs: the grains are in the cache then.
     pub(crate) at_walls: W,
 }
 
@@ -331,7 +301,7 @@ impl Sums {
     pub(crate) fn work<S, W>(&mut self, contacts: &mut Contacts, own: Range<usize>, parts: usize, work: &Work<S, W>)
     where
         S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
-        W: Fn(usize, &mut ContactChunk) + Sync,
+        W: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
     {
         let Range { start, end } = work.segments;
         self.first = own.start;
@@ -384,7 +354,7 @@ impl<'a> Task<'a> {
     fn work<S, W>(self, work: &Work<S, W>)
     where
         S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
-        W: Fn(usize, &mut ContactChunk) + Sync,
+        W: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
     {
         if self.strays.len() < 2 {
             return self.work_alone(work);
@@ -431,7 +401,7 @@ impl<'a> Task<'a> {
     fn work_alone<S, W>(self, work: &Work<S, W>)
     where
         S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
-        W: Fn(usize, &mut ContactChunk) + Sync,
+        W: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
     {
         let neighbours = work.neighbours;
         let mut adder = Adder {
@@ -449,7 +419,7 @@ impl<'a> Task<'a> {
                 (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], &mut adder);
             }
             for chunk in neighbours.wall_chunks_of_segment(segment) {
-                (work.at_walls)(chunk, &mut self.wall_chunks[chunk - self.first_wall_chunk]);
+                (work.at_walls)(chunk, &mut self.wall_chunks[chunk - self.first_wall_chunk], &mut adder);
             }
         }
     }

@@ -129,6 +129,18 @@ impl<N: Normal, T: Tangential> Laws for Both<'_, N, T> {
     }
 }
 
+/// Asks laws that run together.
+fn run<S: Source, K: Sink, W: Laws>(
+    instructions: Instructions,
+    respond: Respond<S, K, W>,
+) -> (Tally, Option<(usize, f64)>) {
+    if S::ARE_MANY {
+        lanes::run_on_two(instructions, respond)
+    } else {
+        lanes::run(instructions, respond)
+    }
+}
+
 /// Asks the laws of a material pair about contacts: what was lost, and the first contact with too much overlap.
 pub(super) fn ask<S: Source, K: Sink>(
     instructions: Instructions,
@@ -139,12 +151,10 @@ pub(super) fn ask<S: Source, K: Sink>(
     use TangentialLaw::{Coulomb, LinearHistory, MindlinHistory};
     if law.rolling.is_none() {
         match (&law.normal, &law.tangential) {
-            (HertzTsuji(n), Some(MindlinHistory(t))) => {
-                return lanes::run_on_two(instructions, respond.with(Both(n, t)));
-            }
-            (HertzTsuji(n), Some(Coulomb(t))) => return lanes::run_on_two(instructions, respond.with(Both(n, t))),
-            (Linear(n), Some(LinearHistory(t))) => return lanes::run_on_two(instructions, respond.with(Both(n, t))),
-            (Linear(n), Some(Coulomb(t))) => return lanes::run_on_two(instructions, respond.with(Both(n, t))),
+            (HertzTsuji(n), Some(MindlinHistory(t))) => return run(instructions, respond.with(Both(n, t))),
+            (HertzTsuji(n), Some(Coulomb(t))) => return run(instructions, respond.with(Both(n, t))),
+            (Linear(n), Some(LinearHistory(t))) => return run(instructions, respond.with(Both(n, t))),
+            (Linear(n), Some(Coulomb(t))) => return run(instructions, respond.with(Both(n, t))),
             _ => {}
         }
     }

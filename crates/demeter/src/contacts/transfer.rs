@@ -446,7 +446,7 @@ impl ContactChunk {
         let history = contact.history.iter().copied();
         now.history.extend(history.chain(std::iter::repeat(0.0)).take(stride));
         now.coupling.extend(contact.coupling.as_deref());
-        if !contact.key.wall && contact.geometry.is_none() {
+        if contact.coupling.is_none() {
             self.note_engaged(contact.is_engaged);
         }
     }

@@ -1,11 +1,13 @@
-//! Contacts of grains and walls: which parts of a wall every grain touches in this step.
+//! Contacts of grains and walls: which parts of a wall every grain may touch in this step.
 
-use super::kinematics::Surfaces;
-use super::{ContactChunk, Kept, Scene};
+use super::look_again::LookAgain;
+use super::near::Reach;
+use super::{ContactChunk, Kept, Scene, is_set};
 use crate::neighbours::WallPair;
 use crate::walls::SurfaceContact;
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use demeter_physics::lanes;
 use glam::DVec3;
 
 /// What the grains of a chunk touch.
@@ -16,6 +18,8 @@ pub(super) struct Touched {
     ends: Vec<u32>,
     /// Contacts of the step before that were taken up: of one candidate.
     taken: Vec<usize>,
+    /// Which of the contacts of the step before were engaged, a bit each.
+    engaged: Vec<u64>,
     near: NearParts,
 }
 
@@ -26,12 +30,9 @@ struct NearParts {
     /// Parts, one candidate after the other, and where those of each candidate end.
     parts: Vec<u32>,
     ends: Vec<u32>,
-    /// The path of the run, with the widest window of a step, up to which they serve [m].
-    serves: f64,
+    /// Whether some are triangles, on which contacts come and go while the parts serve.
+    are_triangles: bool,
 }
-
-/// The parts shall serve until the fastest body has gone as far as in so many steps.
-const STEPS: f64 = 32.0;
 
 impl NearParts {
     /// Forgets all.
@@ -39,22 +40,18 @@ impl NearParts {
         self.ends.clear();
     }
 
-    /// Looks for parts anew where these do not serve any more.
-    fn renew(&mut self, pairs: &[WallPair], scene: &Scene, window: f64) {
-        // what is not a number serves no more
-        if self.ends.len() == pairs.len() && scene.path + window <= self.serves {
-            return;
-        }
-        let room = window + STEPS * scene.max_speed * scene.dt;
+    /// Looks for parts so far beyond touching [m].
+    fn renew(&mut self, pairs: &[WallPair], reach: f64, scene: &Scene) {
         self.parts.clear();
         self.ends.clear();
-        self.serves = scene.path + room;
+        self.are_triangles = false;
         for pair in pairs {
             let (g, wall) = (pair.grain as usize, &scene.walls[pair.wall as usize]);
             // room for the rounding of paths and distances
-            let reach = (scene.grains.radius(g) + room) * (1.0 + 1e-9);
+            let reach = (scene.grains.radius(g) + reach) * (1.0 + 1e-9);
             wall.parts_near(scene.grains.position[g], reach, &mut self.parts);
             self.ends.push(self.parts.len() as u32);
+            self.are_triangles |= wall.mesh().is_some();
         }
     }
 
@@ -66,42 +63,55 @@ impl NearParts {
 }
 
 impl Touched {
-    /// Looks at all candidates, whose material pair is `law`, and notes how the walls move where they are touched.
-    fn look(&mut self, pairs: &[WallPair], law: u32, surfaces: &mut Surfaces, scene: &Scene) {
+    fn clear(&mut self) {
         self.parts.clear();
         self.ends.clear();
-        surfaces.clear();
-        let window = scene.widest_window();
-        // where surfaces bulge, or the path of a step is not told, they are asked as a whole
-        let lists = !scene.is_coupled() && scene.path.is_finite();
-        if lists {
-            self.near.renew(pairs, scene, window);
-        }
+    }
+
+    /// Looks at all candidates: at triangles within the window of a step, at other parts as long as they are in the table, or come into
+    /// it where `contacts` are of an older one.
+    fn look(&mut self, pairs: &[WallPair], reach: Reach, contacts: &Kept, scene: &Scene) {
+        self.clear();
         for (c, pair) in pairs.iter().enumerate() {
-            if lists && self.near.of(c).is_empty() {
-                self.ends.push(self.parts.len() as u32);
-                continue;
+            let (g, wall) = (pair.grain as usize, &scene.walls[pair.wall as usize]);
+            let centre = scene.grains.position[g];
+            let within = scene.grains.radius(g) + reach.window;
+            let near = self.near.of(c);
+            if wall.mesh().is_some() {
+                wall.contacts_among(near, centre, within, &mut self.parts);
+            } else {
+                let elements = if reach.is_new {
+                    near
+                } else {
+                    &contacts.element[contacts.range(c)]
+                };
+                let contacts = elements
+                    .iter()
+                    .filter_map(|&part| wall.contact_with(part, centre, within));
+                self.parts.extend(contacts);
             }
+            self.ends.push(self.parts.len() as u32);
+        }
+    }
+
+    /// Looks at all candidates, whose material pair is `law`, for what is touched where contacts feel each other.
+    fn look_for_coupled(&mut self, pairs: &[WallPair], law: u32, scene: &Scene) {
+        self.clear();
+        let window = scene.widest_window();
+        for pair in pairs {
             let (g, wall) = (pair.grain as usize, &scene.walls[pair.wall as usize]);
             let (centre, radius) = (scene.grains.position[g], scene.grains.radius(g));
             let bulge = scene.bulge(g);
             let first = self.parts.len();
-            let reach = radius + window + bulge;
-            if lists {
-                wall.contacts_among(self.near.of(c), centre, reach, &mut self.parts);
-            } else {
-                wall.contacts(centre, reach, &mut self.parts);
-            }
+            // where surfaces bulge, walls are asked as a whole
+            wall.contacts(centre, radius + window + bulge, &mut self.parts);
             let mut kept = first;
             for k in first..self.parts.len() {
                 let part = self.parts[k];
-                let foot = centre - part.normal * part.distance;
-                let velocity = wall.velocity_at(foot);
-                let rate = (velocity - scene.grains.velocity[g]).dot(part.normal);
-                if scene.acts(law, || scene.size_at_wall(g), radius - part.distance + bulge, rate) {
+                let overlap = radius - part.distance + bulge;
+                if scene.acts(law, || scene.size_at_wall(g), overlap, scene.rate_at_wall(pair, &part)) {
                     self.parts[kept] = part;
                     kept += 1;
-                    surfaces.push(wall, scene.walls, (foot, velocity), part.normal);
                 }
             }
             self.parts.truncate(kept);
@@ -128,15 +138,22 @@ impl Touched {
 }
 
 impl Scene<'_> {
-    fn size_at_wall(&self, grain: usize) -> PairSize {
+    pub(super) fn size_at_wall(&self, grain: usize) -> PairSize {
         PairSize {
             radius: self.grains.radius(grain),
             mass: self.grains.mass[grain],
         }
     }
+
+    /// Rate at which a grain approaches a part of a wall [m/s].
+    fn rate_at_wall(&self, pair: &WallPair, part: &SurfaceContact) -> f64 {
+        let (g, wall) = (pair.grain as usize, &self.walls[pair.wall as usize]);
+        let of_wall = wall.velocity_at(self.grains.position[g] - part.normal * part.distance);
+        (of_wall - self.grains.velocity[g]).dot(part.normal)
+    }
 }
 
-fn geometry(part: &SurfaceContact, radius: f64) -> Contact {
+pub(super) fn geometry(part: &SurfaceContact, radius: f64) -> Contact {
     Contact {
         normal: part.normal,
         overlap: radius - part.distance,
@@ -146,28 +163,53 @@ fn geometry(part: &SurfaceContact, radius: f64) -> Contact {
 }
 
 impl ContactChunk {
-    /// Finds the contacts of a chunk of pairs of grain and wall.
+    /// Finds how the grains of a chunk meet the parts of walls in the table, which reaches as told.
+    pub(crate) fn meet_walls(&mut self, (pairs, law): (&[WallPair], u32), reach: Reach, scene: &Scene) {
+        self.begin(scene.walls.len(), law);
+        let mut touched = std::mem::take(&mut self.touched);
+        if reach.is_new || touched.near.ends.len() != pairs.len() {
+            touched.near.renew(pairs, reach.distance, scene);
+        }
+        if reach.is_new || touched.near.are_triangles {
+            touched.look(pairs, reach, &self.now, scene);
+            self.touch(pairs, &mut touched, scene);
+        } else {
+            let look = LookAgain {
+                scene,
+                window: reach.window,
+                i: &self.i,
+                j: &self.j,
+                element: &self.now.element,
+                contacts: &mut self.now.geometry,
+            };
+            lanes::run(scene.instructions, look);
+        }
+        self.touched = touched;
+    }
+
+    /// Finds the contacts of a chunk of pairs of grain and wall that feel each other.
     pub(crate) fn find_walls(&mut self, (pairs, law): (&[WallPair], u32), scene: &Scene) {
         self.begin(scene.walls.len(), law);
         let mut touched = std::mem::take(&mut self.touched);
-        touched.look(pairs, law, &mut self.surfaces, scene);
-        if touched.are(&self.now) && !scene.is_coupled() {
-            for ((contact, part), &g) in self.now.geometry.iter_mut().zip(&touched.parts).zip(&self.i) {
-                *contact = geometry(part, scene.grains.radius(g as usize));
-            }
-        } else {
-            self.renew_walls(pairs, &mut touched, scene);
-        }
+        touched.look_for_coupled(pairs, law, scene);
+        self.renew_walls(pairs, &mut touched, scene);
         self.touched = touched;
         for k in 0..self.len() {
-            let (g, wall) = (self.i[k] as usize, self.j[k] as usize);
-            let (overlap, radius) = (self.now.geometry[k].overlap, scene.grains.radius(g));
+            let (overlap, radius) = (self.now.geometry[k].overlap, scene.grains.radius(self.i[k] as usize));
             let is_allowed = overlap <= scene.max_overlap * radius;
             if !is_allowed {
-                self.watch_overlap(scene, g, overlap / radius, || {
-                    format!("wall {}", scene.walls[wall].name)
-                });
+                self.note_overlap_at_wall(k, overlap, scene);
             }
+        }
+    }
+
+    /// Has the contacts be those that were found.
+    fn touch(&mut self, pairs: &[WallPair], touched: &mut Touched, scene: &Scene) {
+        if !touched.are(&self.now) {
+            return self.renew_walls(pairs, touched, scene);
+        }
+        for ((contact, part), &g) in self.now.geometry.iter_mut().zip(&touched.parts).zip(&self.i) {
+            *contact = geometry(part, scene.grains.radius(g as usize));
         }
     }
 
@@ -175,6 +217,8 @@ impl ContactChunk {
     fn renew_walls(&mut self, pairs: &[WallPair], touched: &mut Touched, scene: &Scene) {
         std::mem::swap(&mut self.now, &mut self.before);
         self.now.clear();
+        let engaged = std::mem::replace(&mut self.engaged, std::mem::take(&mut touched.engaged));
+        self.engaged.clear();
         self.goes_on.clear();
         self.goes_on.resize(self.before.len(), false);
         self.i.clear();
@@ -184,19 +228,23 @@ impl ContactChunk {
             let (g, parts) = (pair.grain as usize, touched.of(c));
             taken.clear();
             for (k, part) in parts.iter().enumerate() {
-                let old = self.before.heir(c, parts, k, &taken);
+                let old = self
+                    .before
+                    .heir(c, parts, k, |old| is_set(&engaged, old) && !taken.contains(&old));
                 taken.extend(old);
                 let contact = geometry(part, scene.grains.radius(g));
                 self.push(scene.stride, (pair.grain, pair.wall, part.element), contact, old);
                 if scene.is_coupled() {
-                    let of_wall = self.surfaces.velocity(self.len() - 1);
-                    let rate = (of_wall - scene.grains.velocity[g]).dot(part.normal);
-                    self.coupling.push(rate, scene.size_at_wall(g), old);
+                    self.coupling
+                        .push(scene.rate_at_wall(pair, part), scene.size_at_wall(g), old);
+                } else {
+                    // so that one that does not act any more is ended
+                    self.note_engaged(old.is_some_and(|old| is_set(&engaged, old)));
                 }
             }
             self.now.start.push(self.now.len() as u32);
         }
-        touched.taken = taken;
+        (touched.taken, touched.engaged) = (taken, engaged);
         if scene.records_walls {
             self.mark_ends(pairs, scene);
         }
@@ -233,13 +281,19 @@ const SAME_SURFACE: f64 = 0.5;
 
 impl Kept {
     /// The contact of the step before that contact `k` of a grain and a wall continues: the same element, else (a grain
-    /// that rolled from one triangle onto the next) the one with the closest normal that no other continues.
-    fn heir(&self, candidate: usize, touched: &[SurfaceContact], k: usize, taken: &[usize]) -> Option<usize> {
+    /// that rolled from one triangle onto the next) the one with the closest normal of those that are free for it.
+    fn heir(
+        &self,
+        candidate: usize,
+        touched: &[SurfaceContact],
+        k: usize,
+        is_free: impl Fn(usize) -> bool,
+    ) -> Option<usize> {
         let old = self.range(candidate);
         if let Some(same) = old.clone().find(|&o| self.element[o] == touched[k].element) {
             return Some(same);
         }
-        old.filter(|o| !taken.contains(o) && touched.iter().all(|s| s.element != self.element[*o]))
+        old.filter(|&o| is_free(o) && touched.iter().all(|s| s.element != self.element[o]))
             .map(|o| (self.geometry[o].normal.dot(touched[k].normal), o))
             .filter(|(cosine, _)| *cosine > SAME_SURFACE)
             .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)))

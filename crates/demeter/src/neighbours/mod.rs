@@ -283,6 +283,11 @@ impl Neighbours {
         self.pairs.table.segment_of(chunk)
     }
 
+    /// The segment of a chunk of pairs with walls.
+    pub(crate) fn segment_of_wall_chunk(&self, chunk: usize) -> usize {
+        self.walls.segment_of(chunk)
+    }
+
     /// Stretches whose velocities are bounded together of a segment.
     pub(crate) fn spreads_of_segment(&self, segment: usize) -> Range<usize> {
         let grains = self.grains_of_segment(segment);

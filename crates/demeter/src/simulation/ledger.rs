@@ -362,7 +362,8 @@ impl Simulation {
         let of_segment = |segment: Segment<'_>| {
             let mut sum = Energies::default();
             for chunk in segment.walls {
-                for k in (0..chunk.len()).filter(|&k| walls.contains(&(chunk.j[k] as usize))) {
+                let counts = |&k: &usize| chunk.is_engaged(k) && walls.contains(&(chunk.j[k] as usize));
+                for k in (0..chunk.len()).filter(counts) {
                     let stored = self.stored_in(chunk, k, true);
                     sum.elastic += stored.normal;
                     sum.tangential += stored.tangential;

@@ -46,7 +46,7 @@ use time_step::largest_reach;
 use crate::comm::Single;
 use crate::contacts::step_work::StepWork;
 use crate::contacts::sum::Sums;
-use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTables, laws};
+use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTables, Surfaces, laws};
 use crate::materials::Materials;
 use crate::neighbours::{Bounds, Neighbours, SpatialOrder};
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
@@ -162,8 +162,8 @@ pub struct Simulation {
     walls_before: Vec<Pose>,
     /// What all freely moving walls did in the latest step.
     pub(crate) free_walls: FreeStep,
-    /// How far grains and walls can have come nearer to each other since the first step of this run of the program [m].
-    pub(crate) path: f64,
+    /// How the walls move in this step.
+    pub(crate) surfaces: Surfaces,
     /// Keeps the other threads from sleeping within a step.
     pub(crate) awake: Awake,
     started: bool,
@@ -235,7 +235,7 @@ impl Simulation {
             rebuilds: 0,
             bounds: (DVec3::ZERO, DVec3::ZERO),
             free_walls: FreeStep::default(),
-            path: 0.0,
+            surfaces: Surfaces::default(),
             awake: Awake::default(),
             started: false,
             awaits_kick: false,

@@ -3,9 +3,10 @@
 
 use crate::contacts::Contacts;
 use crate::materials::Materials;
-use crate::neighbours::{Neighbours, WallPair};
+use crate::neighbours::Neighbours;
 use crate::particles::{Grains, HigherDerivatives, Row};
 use demeter_physics::contact::PairLaw;
+use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes::{self, Instructions, Kernel, Lanes};
 use glam::{DQuat, DVec3};
 use rayon::prelude::*;
@@ -16,9 +17,6 @@ use std::time::Instant;
 /// Operations on `f64` of one grain in one step: two half kicks and a drift of place and orientation, body force, speed and
 /// displacement. Here and below sums, products, quotients, roots and comparisons count as one each.
 const OPERATIONS_PER_GRAIN: f64 = 110.0;
-
-/// Of one candidate with a wall: distance and the sum of the radius with the window.
-const OPERATIONS_PER_CANDIDATE: f64 = 12.0;
 
 /// Of one contact whatever its laws: geometry (16), motion of the two surfaces against each other (57), load (15), and what
 /// both grains sum up (32).
@@ -92,18 +90,18 @@ impl Work {
 
     /// What the work needs at least: every pass of a step reads and writes each row of its tables once, nothing stays in
     /// the cache from one pass to the next, and everything does from one use to the next within a pass. Searches for
-    /// candidates and for contacts between grains are left out.
+    /// candidates and for contacts are left out.
     ///
-    /// With `G` grains, `W` candidates with walls, `C` contacts (with grains and walls) and `h` values of history, bytes are
+    /// With `G` grains, `C` contacts (with grains and walls), `W` of them with walls, and `h` values of history, bytes are
     ///
-    /// `G (motion + contacts) + W (candidate + entry + start) + C (2 (h + 1) 8 + bodies + tangential force)`
+    /// `G (motion + contacts) + C (2 (h + 1) 8 + bodies + tangential force) + W (element + geometry)`
     ///
     /// | term | bytes | of |
     /// |---|---|---|
-    /// | motion: kick and drift in one pass | 492 | position, velocity, spin, orientation, force, torque (32 each, read and written); reference (32), mass, the sum (64), where candidates with walls begin |
-    /// | motion: in two, as with custom forces or in a box that deforms | 684 | in the drift all but mass, sum, beginning, written force and torque; in the kick all but position, orientation, reference |
+    /// | motion: kick and drift in one pass | 488 | position, velocity, spin, orientation, force, torque (32 each, read and written); reference (32), mass, the sum (64) |
+    /// | motion: in two, as with custom forces or in a box that deforms | 680 | in the drift all but mass, sum, written force and torque; in the kick all but position, orientation, reference |
     /// | contacts | 224 | rows of position, velocity, spin; the sum (64, read and written) |
-    /// | candidate, entry, start | 8 + 4 + 4 | grain and wall; its number for the grain; where its contacts begin |
+    /// | element, geometry | 4 + 48 | of the wall; written |
     /// | history, normal force | 16 h + 16 | read and written |
     /// | bodies | 8 | both grains |
     /// | tangential force | 24 | written; 32 more where some law resists rolling |
@@ -113,7 +111,7 @@ impl Work {
     pub(super) fn needs(&self, stride: usize, rolls: bool, passes: Passes) -> Needs {
         let (row, turn) = (size_of::<Row>(), size_of::<DQuat>());
         let sum = 2 * row;
-        let loads = size_of::<f64>() + sum + size_of::<u32>();
+        let loads = size_of::<f64>() + sum;
         let contacts = 3 * row + 2 * sum;
         let joined = 2 * (5 * row + turn) + row + loads;
         let apart = 2 * (3 * row + turn) + 3 * row + 8 * row + loads;
@@ -123,19 +121,16 @@ impl Work {
             Passes::Gear => apart + 4 * size_of::<HigherDerivatives>() + 2 * (row + turn),
         };
         let per_grain = motion + contacts;
-        let (entry, start) = (size_of::<u32>(), size_of::<u32>());
-        let per_wall_candidate = size_of::<WallPair>() + entry + start;
+        let at_wall = size_of::<u32>() + size_of::<Contact>();
         let rolling = if rolls { row } else { 0 };
         let history = 2 * (stride + 1) * size_of::<f64>();
         let per_contact = history + 2 * size_of::<u32>() + size_of::<DVec3>() + rolling;
         let product = |count: u64, each: usize| count as f64 * each as f64;
         Needs {
             bytes: product(self.grains, per_grain)
-                + product(self.wall_candidates, per_wall_candidate)
-                + product(self.contacts + self.wall_contacts, per_contact),
-            operations: self.operations
-                + self.grains as f64 * OPERATIONS_PER_GRAIN
-                + self.wall_candidates as f64 * OPERATIONS_PER_CANDIDATE,
+                + product(self.contacts + self.wall_contacts, per_contact)
+                + product(self.wall_contacts, at_wall),
+            operations: self.operations + self.grains as f64 * OPERATIONS_PER_GRAIN,
         }
     }
 }
@@ -316,10 +311,10 @@ mod tests {
             set(&mut work);
             work
         };
-        assert_eq!(of(one(|w| w.grains = 1), 4), 492.0 + 224.0);
-        assert_eq!(of(one(|w| w.wall_candidates = 1), 4), 16.0);
+        assert_eq!(of(one(|w| w.grains = 1), 4), 488.0 + 224.0);
         let contact = one(|w| w.contacts = 1);
         assert_eq!(of(contact, 4), 16.0 * 4.0 + 16.0 + 8.0 + 24.0);
+        assert_eq!(of(one(|w| w.wall_contacts = 1), 4), of(contact, 4) + 52.0);
         assert_eq!(contact.needs(4, true, Passes::Joined).bytes, of(contact, 4) + 32.0);
     }
 

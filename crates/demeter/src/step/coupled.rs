@@ -278,13 +278,13 @@ impl Simulation {
                     chunk.deform(at, &scene);
                     chunk.evaluate_pairs(&scene, adder);
                 },
-                at_walls: |number: usize, chunk: &mut ContactChunk| {
+                at_walls: |number: usize, chunk: &mut ContactChunk, adder: &mut Adder| {
                     let at = ChunkPlace {
                         wall: true,
                         chunk: number,
                     };
                     chunk.deform(at, &scene);
-                    chunk.evaluate_walls(&scene);
+                    chunk.evaluate_walls(&scene, adder);
                 },
             };
             let own = self.own_grains();
@@ -306,7 +306,7 @@ impl Simulation {
             integrator: self.integrator,
             step: self.step,
             max_speed,
-            path: f64::INFINITY,
+            surfaces: &self.surfaces,
             max_reach: self.max_reach,
             max_overlap: self.max_overlap,
             stride,

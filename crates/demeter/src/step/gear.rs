@@ -79,8 +79,7 @@ impl Simulation {
     /// that is not a number.
     pub(super) fn correct(&mut self) -> Option<usize> {
         let method = Gear::new(self.dt);
-        let (neighbours, walls, gravity) = (&self.neighbours, &self.contacts.walls, self.gravity);
-        let sums = &self.sums;
+        let (sums, gravity) = (&self.sums, self.gravity);
         let own = self.own_grains();
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
@@ -105,7 +104,7 @@ impl Simulation {
             .map(
                 |(task, ((position, velocity), (orientation, spin), (force, torque), higher, mass))| {
                     let mut bad = None;
-                    let sums = GrainSums::from(own.start + task * n, sums, neighbours, walls);
+                    let sums = GrainSums::from(own.start + task * n, sums);
                     for k in 0..velocity.len() {
                         let (contact_force, new_torque) = sums.vectors_of(k);
                         let new_force = contact_force + gravity * mass[k];

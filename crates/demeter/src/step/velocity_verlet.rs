@@ -45,7 +45,7 @@ impl Simulation {
             ids,
             force,
             torque,
-            sums: GrainSums::from(some.start, &self.sums, &self.neighbours, &self.contacts.walls),
+            sums: GrainSums::from(some.start, &self.sums),
             mass: &grains.mass[some],
             gravity: self.gravity,
             correction: 0.5 * dt,
@@ -58,8 +58,7 @@ impl Simulation {
     /// Sum per grain, body force, and the kick over `correction` [s] that corrects the predicted velocity. Tells the first
     /// grain, by its id, with a value that is not a number.
     pub(super) fn kick(&mut self, correction: f64) -> Option<usize> {
-        let (neighbours, walls, gravity) = (&self.neighbours, &self.contacts.walls, self.gravity);
-        let (sums, instructions) = (&self.sums, self.instructions);
+        let (sums, gravity, instructions) = (&self.sums, self.gravity, self.instructions);
         let own = self.own_grains();
         let grains = &mut self.grains;
         let ids = &grains.id;
@@ -72,7 +71,7 @@ impl Simulation {
                 force: &mut grains.force.table_mut()[own.clone()],
                 torque: &mut grains.torque.table_mut()[own.clone()],
                 mass: &grains.mass[own.clone()],
-                sums: GrainSums::from(own.start, sums, neighbours, walls),
+                sums: GrainSums::from(own.start, sums),
                 gravity,
                 correction,
                 bad: None,

@@ -19,6 +19,7 @@ mod motor;
 mod movement;
 mod outline;
 mod pace;
+mod placed;
 mod pose;
 mod record;
 mod servo;
@@ -35,6 +36,7 @@ pub use motion_file::{MotionFile, MotionFileError, MotionFileProblem, read_motio
 pub use motion_table::{AtEnd, Interpolation, MAX_TABLE_ROWS, MotionTable, TableRows};
 pub use motor::{Driven, FreeStep};
 pub use pace::Pace;
+pub(crate) use placed::PlacedPart;
 pub use pose::Pose;
 pub(crate) use record::Mark;
 pub use record::{ElementRecord, Recording, WearCoefficients};

@@ -114,14 +114,14 @@ impl Surface {
         }
     }
 
-    /// Appends all parts within `reach`: triangles of a mesh, faces of a box, 0 of what has one part.
+    /// Appends all parts within `reach`: triangles of a mesh, else elements.
     pub(super) fn parts_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
         match self {
             Surface::Mesh(mesh) => mesh.triangles_near(centre, reach, out),
             Surface::Box { faces, reach: ends, .. } => {
-                for (part, (_, plane)) in (0..).zip(faces) {
+                for (face, plane) in faces {
                     if contact_box_face(plane, *ends, centre).distance < reach {
-                        out.push(part);
+                        out.push(*face);
                     }
                 }
             }
@@ -129,19 +129,26 @@ impl Surface {
         }
     }
 
-    /// Appends all contacts with `distance < reach`, sorted by element, where [`Surface::parts_near`] told the parts that may have any.
+    /// The contact with an element, however far away, where there is no more than one with each: `None` of meshes. What a sphere of
+    /// radius `reach` has left behind is as far away as to do nothing.
     #[inline]
-    pub(super) fn contacts_among(&self, parts: &[u32], centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
-        match self {
-            Surface::Mesh(mesh) => mesh.contacts_among(parts, centre, reach, out),
+    pub(super) fn contact_with(&self, element: u32, centre: DVec3, reach: f64) -> Option<SurfaceContact> {
+        let mut point = match self {
+            Surface::Mesh(_) => return None,
             Surface::Box { faces, reach: ends, .. } => {
-                for (element, plane) in parts.iter().filter_map(|&part| faces.get(part as usize)) {
-                    push(contact_box_face(plane, *ends, centre), *element, reach, out);
-                }
+                let (_, plane) = faces.iter().find(|(face, _)| *face == element)?;
+                contact_box_face(plane, *ends, centre)
             }
-            _ if parts.is_empty() => {}
-            single => single.contacts(centre, reach, out),
+            single => single.closest(centre)?,
+        };
+        if self.is_left_behind(&point, reach) {
+            point.distance = 2.0 * reach;
         }
+        Some(SurfaceContact {
+            normal: point.normal,
+            distance: point.distance,
+            element,
+        })
     }
 
     /// Whether a sphere has wholly passed through the side of an open-ended surface, or came beside it around an end.

@@ -7,6 +7,7 @@ use super::motion::Motions;
 use super::motion_checks::check_motions;
 use super::motor::{Driven, FreeStep, Motor};
 use super::outline;
+use super::placed::PlacedPart;
 use super::pose::Pose;
 use super::record::{ElementRecord, Mark, Record, Recording};
 use super::shape::Shape;
@@ -96,15 +97,30 @@ impl Wall {
         self.turn(&mut out[first..]);
     }
 
-    /// The same, where [`Wall::parts_near`] told the parts that may be within reach.
-    #[inline]
-    pub(crate) fn contacts_among(&self, parts: &[u32], centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+    /// The same of a mesh, where [`Wall::parts_near`] told the triangles that may be within reach.
+    pub(crate) fn contacts_among(&self, triangles: &[u32], centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+        let Surface::Mesh(mesh) = &self.surface else { return };
         let first = out.len();
-        (self.surface).contacts_among(parts, self.motor.pose.unplace(self.origin, centre), reach, out);
+        mesh.contacts_among(triangles, self.motor.pose.unplace(self.origin, centre), reach, out);
         self.turn(&mut out[first..]);
     }
 
-    /// Appends all parts of the surface within `reach` of a point [m]: triangles of a mesh, faces of a box, 0 of what has one part.
+    /// The contact with an element, however far away, where a grain has no more than one with each: `None` of meshes, on which contacts
+    /// pass from one to the next. What a grain has left behind (see [`Wall::contacts`]) is as far away as to do nothing.
+    #[inline]
+    pub(crate) fn contact_with(&self, element: u32, centre: DVec3, reach: f64) -> Option<SurfaceContact> {
+        let pose = &self.motor.pose;
+        let mut contact = (self.surface).contact_with(element, pose.unplace(self.origin, centre), reach)?;
+        contact.normal = pose.turn(contact.normal);
+        Some(contact)
+    }
+
+    /// An element as it stands now, where several grains at a time can be held to it.
+    pub(crate) fn placed_part(&self, element: u32) -> Option<PlacedPart> {
+        PlacedPart::new(&self.surface, element, &self.motor.pose, self.origin)
+    }
+
+    /// Appends all parts of the surface within `reach` of a point [m]: triangles of a mesh, else elements.
     pub(crate) fn parts_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
         (self.surface).parts_near(self.motor.pose.unplace(self.origin, centre), reach, out);
     }
@@ -151,6 +167,18 @@ impl Wall {
     #[inline]
     pub(crate) fn is_at_rest(&self) -> bool {
         self.motor.velocity == DVec3::ZERO && self.motor.angular_velocity == DVec3::ZERO
+    }
+
+    /// Velocity of the [`origin`](Self::origin) [m/s].
+    #[inline]
+    pub(crate) fn velocity(&self) -> DVec3 {
+        self.motor.velocity
+    }
+
+    /// Whether the wall moves freely.
+    #[inline]
+    pub(crate) fn is_free(&self) -> bool {
+        self.motor.free_motion().is_some()
     }
 
     /// Velocity of the wall, as a rigid body, at a point of the world [m/s].

@@ -1,0 +1,254 @@
+//! What contacts with walls do, several contacts at a time: to the grains, and to the walls.
+
+use super::kinematics::{Motion, Sight, Source, Turning, note_engaged, places_in_turn, put_listed, shift};
+use super::meetings::next_lane;
+use super::sum::{Adder, Load, Loads, Sink};
+use super::{ContactChunk, Scene};
+use crate::walls::Wall;
+use demeter_physics::contact::PairSize;
+use demeter_physics::geometry::contact_sphere_sphere::Contact;
+use demeter_physics::lanes::{Index, Lanes, MOST_LANES, Mask, Vector, with_zero};
+use glam::DVec3;
+
+/// How all walls move in a step, a row each with 0 behind it.
+#[derive(Clone, Debug, Default)]
+pub struct Surfaces {
+    /// Velocities of the origins [m/s].
+    velocity: Vec<[f64; 4]>,
+    /// Angular velocities [1/s].
+    spin: Vec<[f64; 4]>,
+    /// Origins [m].
+    origin: Vec<[f64; 4]>,
+    /// The wall whose free motion each follows; empty where none moves freely.
+    giving: Vec<u32>,
+    /// Whether no wall moves.
+    is_at_rest: bool,
+}
+
+impl Surfaces {
+    /// Looks at the walls.
+    pub(crate) fn find(&mut self, walls: &[Wall]) {
+        let row = |vector: DVec3| vector.extend(0.0).to_array();
+        self.velocity.clear();
+        self.velocity.extend(walls.iter().map(|wall| row(wall.velocity())));
+        self.spin.clear();
+        self.spin.extend(walls.iter().map(|wall| row(wall.angular_velocity())));
+        self.origin.clear();
+        self.origin.extend(walls.iter().map(|wall| row(wall.origin())));
+        self.giving.clear();
+        if walls.iter().any(Wall::is_free) {
+            // what moves with a free wall gives way as that does
+            let giving = |(k, wall): (usize, &Wall)| wall.leader().filter(|&leader| leader < walls.len()).unwrap_or(k);
+            self.giving
+                .extend(walls.iter().enumerate().map(giving).map(|k| k as u32));
+        }
+        self.is_at_rest = walls.iter().all(Wall::is_at_rest);
+    }
+
+    /// Velocities of some walls at points [m/s].
+    #[inline(always)]
+    fn velocities<L: Lanes>(&self, walls: &Index, points: L::Vector) -> L::Vector {
+        let [[ux, uy, uz, _], [wx, wy, wz, _], [ox, oy, oz, _]] =
+            L::fetch([&self.velocity, &self.spin, &self.origin], walls);
+        let arms = points - L::Vector::new(ox, oy, oz);
+        L::Vector::new(ux, uy, uz) + L::Vector::new(wx, wy, wz).outer(arms)
+    }
+}
+
+/// Contacts with walls, whose geometry is known.
+struct AtWalls<'a> {
+    scene: &'a Scene<'a>,
+    law: u32,
+    contacts: &'a [Contact],
+    i: &'a [u32],
+    j: &'a [u32],
+    /// Which of them acted in the step before, a bit each, and then in this one; `None` where all act.
+    engaged: Option<&'a mut [u64]>,
+}
+
+impl AtWalls<'_> {
+    /// Inverse masses with which walls give way to pushes against their normals at some points [1/kg].
+    #[inline(always)]
+    fn inverse_masses<L: Lanes>(&self, walls: &Index, points: L::Vector, normals: L::Vector) -> L {
+        let giving = &self.scene.surfaces.giving;
+        if giving.is_empty() {
+            return L::splat(0.0);
+        }
+        let (points, normals) = (L::rows(with_zero::<L>(points)), L::rows(with_zero::<L>(normals)));
+        let mut masses = [0.0; MOST_LANES];
+        let mut lane = 0;
+        while lane < L::COUNT {
+            let [point, normal] =
+                [points.as_ref()[lane], normals.as_ref()[lane]].map(|[x, y, z, _]| DVec3::new(x, y, z));
+            let wall = &self.scene.walls[giving[walls[lane] as usize] as usize];
+            masses[lane] = wall.inverse_mass_at(point, -normal);
+            lane += 1;
+        }
+        L::load(&masses)
+    }
+
+    /// Of lanes that do not touch, those that a law attracts across the gap.
+    #[cold]
+    #[inline(never)]
+    fn attracted(&self, grains: &Index, overlap: &[f64; MOST_LANES], rate: &[f64; MOST_LANES], mut apart: u32) -> u32 {
+        let mut acts = 0;
+        while let Some(lane) = next_lane(&mut apart) {
+            let size = || self.scene.size_at_wall(grains[lane] as usize);
+            acts |= u32::from(self.scene.acts(self.law, size, overlap[lane], rate[lane])) << lane;
+        }
+        acts
+    }
+}
+
+impl Source for AtWalls<'_> {
+    #[inline(always)]
+    fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L> {
+        let scene = self.scene;
+        let contacts = Contact::numbers(self.contacts);
+        let mut places = places_in_turn::<L>(self.contacts.len(), k, Contact::NUMBERS);
+        let [mut grains, mut walls] = [[0; MOST_LANES]; 2];
+        put_listed::<L>(self.i, k, &mut grains);
+        put_listed::<L>(self.j, k, &mut walls);
+        let [nx, ny, nz, overlap] = L::columns(contacts, &places);
+        shift::<L>(&mut places, 2);
+        let [_, _, lever, no_lever] = L::columns(contacts, &places);
+        let [[x, y, z, radius], [vx, vy, vz, inverse_mass], spin] = L::fetch(scene.grains.tables(), &grains);
+        let [of_wall] = L::fetch([&scene.surfaces.spin], &walls);
+        let normal = L::Vector::new(nx, ny, nz);
+        let mut velocity = L::Vector::new(vx, vy, vz);
+        let mut along_normal = inverse_mass;
+        if !scene.surfaces.is_at_rest || !scene.surfaces.giving.is_empty() {
+            let points = L::Vector::new(x, y, z) - normal * lever;
+            velocity = velocity - scene.surfaces.velocities::<L>(&walls, points);
+            along_normal = along_normal + self.inverse_masses::<L>(&walls, points, normal);
+        }
+        let rate = -velocity.inner(normal);
+        let (mut acts, mut ended, mut too_deep) = (here, 0, 0);
+        if self.engaged.is_some() {
+            let half_window = rate.abs() * (0.5 * scene.dt);
+            acts &= (overlap + half_window).gt(L::splat(0.0)).bits();
+            if scene.max_reach > 0.0 && acts != here {
+                acts |= self.attracted(&grains, &overlap.to_array(), &rate.to_array(), here & !acts);
+            }
+            too_deep = (!(radius * scene.max_overlap).ge(overlap)).bits() & acts;
+        }
+        if let Some(engaged) = &mut self.engaged {
+            ended = note_engaged(engaged, k, here, acts);
+        }
+        Sight {
+            motion: Motion {
+                normal,
+                overlap,
+                velocity,
+                rate,
+                levers: [lever, no_lever],
+                inverse_mass: along_normal,
+                inverse_masses: [inverse_mass, L::splat(0.0)],
+                size: PairSize {
+                    radius,
+                    mass: L::splat(1.0) / along_normal,
+                },
+            },
+            turning: Turning::of(spin, of_wall),
+            acting: L::Mask::of_bits(acts),
+            acts,
+            ended,
+            too_deep,
+        }
+    }
+}
+
+/// Adds up what contacts with walls do, as they come.
+struct AddAtWalls<'s, 'a> {
+    adder: &'s mut Adder<'a>,
+    scene: &'s Scene<'s>,
+    i: &'s [u32],
+    j: &'s [u32],
+    /// Force [N] on every wall, and torque about its origin [N m].
+    felt: &'s mut [Load],
+}
+
+impl Sink for AddAtWalls<'_, '_> {
+    #[inline(always)]
+    fn put<L: Lanes>(&mut self, k: usize, loads: &Loads<L>) {
+        let [mut grains, mut walls] = [[0; MOST_LANES]; 2];
+        put_listed::<L>(self.i, k, &mut grains);
+        put_listed::<L>(self.j, k, &mut walls);
+        let [positions, ..] = self.scene.grains.tables();
+        let [[x, y, z, _]] = L::fetch([positions], &grains);
+        let [[ox, oy, oz, _]] = L::fetch([&self.scene.surfaces.origin], &walls);
+        // the torque about the centre of the grain is that about the contact point and of the force there
+        let arms = L::Vector::new(x - ox, y - oy, z - oz);
+        let about_origin = arms.outer(loads.force) + loads.first_torque;
+        let on_grains = L::side_by_side(loads.force, loads.first_torque);
+        let on_walls = L::side_by_side(loads.force, about_origin);
+        let mut lane = 0;
+        while lane < L::COUNT && k + lane < self.i.len() {
+            self.adder.add_own(grains[lane], on_grains.as_ref()[lane]);
+            self.felt[walls[lane] as usize].add(on_walls.as_ref()[lane], 1);
+            lane += 1;
+        }
+    }
+
+    #[inline(always)]
+    fn put_nothing<L: Lanes>(&mut self, _k: usize) {}
+}
+
+impl ContactChunk {
+    /// Evaluates the laws of all contacts with walls, hands over what they do to the grains, and sums up what the walls feel.
+    pub(crate) fn evaluate_walls(&mut self, scene: &Scene, adder: &mut Adder) {
+        if self.is_empty() {
+            return;
+        }
+        if scene.records_walls {
+            self.losses.clear();
+            self.losses.resize(self.len(), [0.0; 2]);
+        }
+        let mut engaged = std::mem::take(&mut self.engaged);
+        let mut felt = std::mem::take(&mut self.felt);
+        let (i, j, shift) = self.take_bodies();
+        let contacts = std::mem::take(&mut self.now.geometry);
+        felt.clear();
+        felt.resize(scene.walls.len(), Load::default());
+        let source = AtWalls {
+            scene,
+            law: self.law,
+            contacts: &contacts,
+            i: &i,
+            j: &j,
+            engaged: (!scene.is_coupled()).then_some(&mut engaged),
+        };
+        let mut sink = AddAtWalls {
+            adder,
+            scene,
+            i: &i,
+            j: &j,
+            felt: &mut felt,
+        };
+        let too_deep = self.evaluate(&mut sink, scene, source);
+        (self.i, self.j, self.shift) = (i, j, shift);
+        self.now.geometry = contacts;
+        self.engaged = engaged;
+        for ((wall, load), felt) in scene.walls.iter().zip(&mut self.wall_load).zip(&felt) {
+            *load = felt.vectors();
+            if !wall.is_at_rest() {
+                let power = load.0.dot(wall.velocity()) + load.1.dot(wall.angular_velocity());
+                self.tally.wall_work -= scene.dt * power;
+            }
+        }
+        self.felt = felt;
+        if let Some((k, overlap)) = too_deep {
+            self.note_overlap_at_wall(k, overlap, scene);
+        }
+        if scene.records_walls {
+            self.mark_walls(scene);
+        }
+    }
+
+    /// Notes that a contact with a wall has too much overlap.
+    pub(super) fn note_overlap_at_wall(&mut self, contact: usize, overlap: f64, scene: &Scene) {
+        let (g, wall) = (self.i[contact] as usize, self.j[contact] as usize);
+        let partner = || format!("wall {}", scene.walls[wall].name);
+        self.watch_overlap(scene, g, overlap / scene.grains.radius(g), partner);
+    }
+}
