@@ -5,7 +5,7 @@ pub use crate::output::picture::Cut;
 use crate::output::picture::{Image, PictureOptions, colour_end, render_packing, shown_region};
 use crate::output::vtp::{PolyData, Values};
 use crate::output::{ContactRecord, Frame, FramePart, MATERIAL_NAMES, WALL_NAMES, WallSurface};
-use crate::particles::Grains;
+use crate::particles::{Grains, Rows};
 use crate::results::{ResultsError, Run, TableFile, TableKind};
 use glam::{DQuat, DVec3};
 use std::str::FromStr;
@@ -83,9 +83,8 @@ impl LoadedFrame {
             self.grains.velocity.push(velocities[k], 0.0);
             self.grains.angular_velocity.push(spins[k], 0.0);
             self.grains.orientation.push(DQuat::IDENTITY);
-            self.grains.force.push(DVec3::ZERO, 0.0);
-            self.grains.torque.push(DVec3::ZERO, 0.0);
         }
+        self.grains.load = Rows::zeros(self.grains.len());
         let material = |name: &String| Material {
             name: name.clone(),
             young_modulus: f64::NAN,

@@ -8,7 +8,7 @@ mod walls;
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
-use crate::contacts::sum::{Adder, Work};
+use crate::contacts::sum::{Adder, PARTS_PER_THREAD, Work};
 use crate::contacts::{ContactChunk, Fault, Scene};
 use crate::neighbours::Neighbours;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
@@ -19,9 +19,6 @@ use std::ops::Range;
 
 /// Grains handled by one task.
 const GRAINS_PER_TASK: usize = 1024;
-
-/// Parts of the table of pairs per thread: more share the work out better, fewer have fewer pairs of grains of different parts.
-const PARTS_PER_THREAD: usize = 4;
 
 /// Grains that a part has at least.
 const LEAST_GRAINS_OF_A_PART: usize = 400;
@@ -34,7 +31,7 @@ impl Simulation {
     }
 
     /// The same, but the kick that ends the step may be left to the next one: until [`settle`](Self::settle) velocities are those
-    /// predicted, and forces and torques those of the step before.
+    /// predicted, and forces and torques those of contacts alone.
     pub(crate) fn step_on(&mut self) -> Result<(), Fault> {
         self.start()?;
         self.divide();
@@ -47,6 +44,10 @@ impl Simulation {
         let spreads = self.grains.len().div_ceil(GRAINS_OF_A_SPREAD);
         self.spreads.resize(spreads, Spread::ANY);
         self.deform_box();
+        if self.integrator == Integrator::VelocityVerlet {
+            // also where a process has no grains: what it is told of some has their half kicks
+            self.grains.foresee_half_kicks();
+        }
         let motion = self.move_and_exchange(Self::move_grains);
         self.awaits_kick = false;
         let fault = self.fault_of_grain(motion.bad, self.step - 1);
@@ -161,6 +162,7 @@ impl Simulation {
         if self.coupling.is_some() {
             return self.find_coupled_contacts(max_speed);
         }
+        let mut loads = std::mem::take(&mut self.grains.load);
         let scene = Scene {
             grains: &self.grains,
             walls: &self.walls,
@@ -207,7 +209,8 @@ impl Simulation {
             },
         };
         let parts = parts(own.len());
-        (self.sums).work(&mut self.contacts, own, parts, &work);
+        (self.sums).work((&mut loads, &mut self.contacts), own, parts, &work);
+        self.grains.load = loads;
         Ok(())
     }
 
@@ -218,7 +221,10 @@ impl Simulation {
             (Integrator::Gear, Moment::Step) => self.correct(),
             (Integrator::VelocityVerlet, Moment::Step) => self.kick(0.5 * self.dt),
             // at the start of a run the velocities are those given
-            (_, Moment::Start) => self.kick(0.0),
+            (_, Moment::Start) => {
+                self.grains.half_kicks.0.clear();
+                self.kick(0.0)
+            }
         };
         let fault = self.fault_of_grain(bad, self.step);
         self.fault_of_any(fault)?;
@@ -242,7 +248,7 @@ impl Simulation {
     /// Which quantity of a grain is not finite: the cause before its effects.
     fn not_finite(&self, g: usize) -> &'static str {
         let grains = &self.grains;
-        if !(grains.force[g].is_finite() && grains.torque[g].is_finite()) {
+        if !(grains.force(g).is_finite() && grains.torque(g).is_finite()) {
             "force"
         } else if !grains.velocity[g].is_finite() {
             "velocity"

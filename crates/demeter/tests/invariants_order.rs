@@ -40,7 +40,7 @@ fn snapshot(sim: &Simulation) -> Vec<u8> {
                 g.velocity[k],
                 g.angular_velocity[k],
                 g.orientation[k],
-                g.force[k],
+                g.force(k),
                 g.higher.get(k).copied(),
             )
         })

@@ -458,13 +458,13 @@ impl Simulation {
     /// Total forces on the grains in the latest step [N], (n, 3); without a copy.
     #[getter]
     fn forces<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Force, |s, sim| s.vectors(&sim.grains.force))
+        Self::show(slf, Table::Load, |s, sim| s.forces(&sim.grains.load))
     }
 
     /// Total torques on the grains in the latest step [N m], (n, 3); without a copy.
     #[getter]
     fn torques<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Torque, |s, sim| s.vectors(&sim.grains.torque))
+        Self::show(slf, Table::Load, |s, sim| s.torques(&sim.grains.load))
     }
 
     /// Radii [m], (n,); without a copy.

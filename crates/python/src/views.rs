@@ -6,7 +6,8 @@
 
 use crate::errors::Error;
 use crate::simulation::Simulation;
-use engine::particles::{Grains, Rows};
+use bytemuck::Pod;
+use engine::particles::{Grains, Load, Rows};
 use engine::simulation::Simulation as EngineSimulation;
 use glam::DQuat;
 use numpy::ndarray::{ArrayView1, ArrayView2, ShapeBuilder};
@@ -22,8 +23,7 @@ pub enum Table {
     Velocity,
     AngularVelocity,
     Orientation,
-    Force,
-    Torque,
+    Load,
     Mass,
     Id,
     Material,
@@ -106,8 +106,7 @@ fn take(grains: &mut Grains, table: Table) -> Box<dyn Any + Send + Sync> {
         Table::Velocity => swap(&mut grains.velocity),
         Table::AngularVelocity => swap(&mut grains.angular_velocity),
         Table::Orientation => swap(&mut grains.orientation),
-        Table::Force => swap(&mut grains.force),
-        Table::Torque => swap(&mut grains.torque),
+        Table::Load => swap(&mut grains.load),
         Table::Mass => swap(&mut grains.mass),
         Table::Id => swap(&mut grains.id),
         Table::Material => swap(&mut grains.material),
@@ -124,11 +123,26 @@ pub struct Showing<'a, 'py> {
 impl<'py> Showing<'_, 'py> {
     /// The vectors of rows, as an array of three columns.
     pub fn vectors(self, rows: &Rows) -> PyResult<Bound<'py, PyAny>> {
-        let numbers = rows.table().as_flattened();
+        self.vectors_of(rows, 0)
+    }
+
+    /// Forces.
+    pub fn forces(self, loads: &Rows<Load>) -> PyResult<Bound<'py, PyAny>> {
+        self.vectors_of(loads, 0)
+    }
+
+    /// Torques.
+    pub fn torques(self, loads: &Rows<Load>) -> PyResult<Bound<'py, PyAny>> {
+        self.vectors_of(loads, 4)
+    }
+
+    /// The vectors that stand behind so many numbers of every row.
+    fn vectors_of<T: Pod>(self, rows: &Rows<T>, behind: usize) -> PyResult<Bound<'py, PyAny>> {
+        let width = size_of::<T>() / size_of::<f64>();
         let view = match rows.is_empty() {
             // where there is nothing, strides lead out of it
             true => ArrayView2::from_shape((0, 3), &[]),
-            false => ArrayView2::from_shape((rows.len(), 3).strides((4, 1)), numbers),
+            false => ArrayView2::from_shape((rows.len(), 3).strides((width, 1)), &rows.numbers()[behind..]),
         };
         self.show2(view.map_err(|e| Error::new_err(e.to_string()))?)
     }

@@ -193,7 +193,7 @@ impl Single {
                 }
             }
             if image != grains.image[g] {
-                let middle = grains.velocity[g] - grains.force[g] * (ahead * grains.inverse_mass(g));
+                let middle = grains.velocity[g] - grains.force(g) * (ahead * grains.inverse_mass(g));
                 gained += grains.mass[g] * (middle + 0.5 * change).dot(change);
                 grains.position[g] = place;
                 grains.velocity[g] += change;

@@ -2,8 +2,9 @@
 
 use super::kinematics::{Motion, Sight, Source, Turning, note_engaged, places_in_turn, put_listed, shift};
 use super::meetings::next_lane;
-use super::sum::{Adder, Load, Loads, Sink};
+use super::sum::{Adder, Loads, Sink};
 use super::{ContactChunk, Scene};
+use crate::particles::Load;
 use crate::walls::Wall;
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
@@ -185,7 +186,7 @@ impl Sink for AddAtWalls<'_, '_> {
         let mut lane = 0;
         while lane < L::COUNT && k + lane < self.i.len() {
             self.adder.add_own(grains[lane], on_grains.as_ref()[lane]);
-            self.felt[walls[lane] as usize].add(on_walls.as_ref()[lane], 1);
+            self.felt[walls[lane] as usize].add_side(on_walls.as_ref()[lane], 1);
             lane += 1;
         }
     }
@@ -230,7 +231,7 @@ impl ContactChunk {
         self.now.geometry = contacts;
         self.engaged = engaged;
         for ((wall, load), felt) in scene.walls.iter().zip(&mut self.wall_load).zip(&felt) {
-            *load = felt.vectors();
+            *load = (felt.force(), felt.torque());
             if !wall.is_at_rest() {
                 let power = load.0.dot(wall.velocity()) + load.1.dot(wall.angular_velocity());
                 self.tally.wall_work -= scene.dt * power;

@@ -18,15 +18,12 @@ impl Contacts {
             let are_walls = kind == 1;
             for chunk in chunks {
                 let mut of_chunk: BTreeMap<usize, ContactChunk> = BTreeMap::new();
-                for slot in 0..chunk.candidates(are_walls) {
-                    let contacts = chunk.contacts_of(slot);
-                    let Some(first) = contacts.clone().next() else {
-                        continue;
-                    };
+                for (_, contacts) in chunk.now.of_candidates() {
+                    let first = contacts.start;
                     for rank in receivers(chunk.i[first], (!are_walls).then(|| chunk.j[first])) {
                         let copy = of_chunk.entry(rank).or_insert_with(|| chunk.begin_copy());
                         copy.take_over(chunk, contacts.clone(), self.stride);
-                        copy.end_candidate(are_walls);
+                        copy.end_candidate(copy.now.candidate.len(), are_walls);
                     }
                 }
                 for (rank, copy) in of_chunk {

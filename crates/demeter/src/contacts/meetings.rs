@@ -218,9 +218,9 @@ pub(super) fn next_lane(bits: &mut u32) -> Option<usize> {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Found {
     /// Candidates near enough that their rate matters.
-    pub(super) near: Vec<u32>,
+    pub(super) near: Vec<u16>,
     /// Candidates that act, in their order.
-    pub(super) candidates: Vec<u32>,
+    pub(super) candidates: Vec<u16>,
     /// How they meet.
     pub(super) geometry: Vec<Contact>,
     /// The first contact with too much overlap.
@@ -261,7 +261,7 @@ impl Kernel for FindPairs<'_> {
         for n in (0..near.len()).step_by(L::COUNT) {
             let mut lane = 0;
             while lane < L::COUNT {
-                lot.put(lane, &pairs[near[(n + lane).min(near.len() - 1)] as usize]);
+                lot.put(lane, &pairs[usize::from(near[(n + lane).min(near.len() - 1)])]);
                 lane += 1;
             }
             let met = meeting.meet::<L>(&lot, lanes_below((near.len() - n).min(L::COUNT)));

@@ -1,7 +1,7 @@
 //! Handing contacts over where all grains kept their places in memory: then the contacts of the old chunks and the candidates of the
 //! new ones come in one order, and are merged.
 
-use super::transfer::{Heirs, ROUNDS, Transfer};
+use super::transfer::{Heirs, Transfer, chunks_of_round};
 use super::{ContactChunk, Kept};
 use crate::threads::{Divisible, divide};
 use std::ops::Range;
@@ -79,7 +79,7 @@ impl Transfer {
     /// Moves all contacts into chunks for new candidates, straight from the old chunks.
     pub(super) fn merge<H: Heirs>(&mut self, chunks: &mut Vec<ContactChunk>, heirs: &H, stride: usize) {
         let count = heirs.chunks();
-        let round = count.div_ceil(ROUNDS).max(2 * rayon::current_num_threads());
+        let round = chunks_of_round(count);
         for chunk in chunks.drain(..) {
             if chunk.is_empty() {
                 self.spare.push(chunk);
@@ -110,8 +110,6 @@ impl Transfer {
             freed += next;
             done = end;
         }
-        self.spare.append(&mut self.old);
-        self.spare.truncate(2 * round);
     }
 }
 
@@ -122,7 +120,7 @@ impl ContactChunk {
         let (_, candidates) = heirs.of_chunk(number);
         let place_of = |slot: usize| heirs.place(heirs.bodies(number, slot));
         let most = old.pieces(number).map(|(_, contacts)| contacts.len()).sum();
-        self.make_room(most, stride);
+        self.fit(most, stride);
         let mut slot = 0;
         for (chunk, contacts) in old.pieces(number) {
             // contacts that go on one behind the other are taken over together
@@ -138,7 +136,7 @@ impl ContactChunk {
                 if place_of(slot) != place {
                     continue;
                 }
-                self.now.candidate.push(slot as u32);
+                self.now.candidate.push(slot as u16);
                 if going_on.end != contact {
                     self.take_over(chunk, going_on, stride);
                     going_on = contact..contact;
@@ -147,22 +145,17 @@ impl ContactChunk {
             }
             self.take_over(chunk, going_on, stride);
         }
-        self.now.find_places(candidates, heirs.are_walls());
+        if heirs.are_walls() {
+            self.now.find_starts(candidates);
+        }
     }
 }
 
 impl Kept {
-    /// Notes where the contacts of so many candidates are, told the candidates of all contacts.
-    fn find_places(&mut self, candidates: usize, walls: bool) {
-        if !walls {
-            self.place.resize(candidates, 0);
-            for (contact, &candidate) in self.candidate.iter().enumerate() {
-                self.place[candidate as usize] = contact as u16 + 1;
-            }
-            return;
-        }
+    /// Notes where the contacts of so many candidates with walls are, told the candidates of all contacts.
+    fn find_starts(&mut self, candidates: usize) {
         let mut contact = 0;
-        for candidate in 0..candidates as u32 {
+        for candidate in 0..candidates as u16 {
             while self.candidate.get(contact) == Some(&candidate) {
                 contact += 1;
             }

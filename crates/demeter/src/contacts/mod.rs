@@ -40,7 +40,7 @@ pub use transfer::{CarriedContact, CarriedContacts, ContactKey};
 
 pub use crate::neighbours::CHUNK;
 
-use crate::particles::{make_room, set_aside};
+use crate::particles::{Load, make_room, make_room_for, set_aside};
 use crate::walls::Mark;
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
@@ -48,7 +48,6 @@ use evaluate::WORD;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
-use sum::Load;
 
 /// Work of the contact forces in one step [J], and what is needed to watch a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -92,10 +91,11 @@ pub(crate) type EightVectors = [[f64; EIGHT]; 3];
 pub(crate) struct Kept {
     /// Contacts of candidate `c` of a chunk with walls: `start[c]..start[c + 1]`.
     pub(crate) start: Vec<u32>,
-    /// Number of the contact of every candidate between grains, which has at most one, from 1; 0 where it is none.
-    pub(crate) place: Vec<u16>,
-    /// Candidate of every contact between grains.
-    pub(crate) candidate: Vec<u32>,
+    /// Candidate of every contact between grains: each has at most one.
+    pub(crate) candidate: Vec<u16>,
+    /// Number of the contact of every candidate between grains, from 1, 0 where it is none: where it is often asked for, as contacts feel
+    /// each other.
+    place: Vec<u16>,
     /// Element of the wall that is touched; empty between grains.
     pub(crate) element: Vec<u32>,
     /// Geometry; between grains whose contacts do not feel each other only while forces are found.
@@ -159,15 +159,30 @@ impl Kept {
             .resize(self.len().div_ceil(EIGHT), EightVectors::default());
     }
 
-    /// Puts the candidates of contacts, of which each has at most one.
-    pub(crate) fn set_candidates(&mut self, candidates: &[u32], count: usize) {
-        self.candidate.clear();
-        self.candidate.extend_from_slice(candidates);
-        self.place.clear();
-        self.place.resize(count, 0);
-        for (contact, &candidate) in candidates.iter().enumerate() {
-            self.place[candidate as usize] = contact as u16 + 1;
+    /// Notes where the contacts of so many candidates between grains are.
+    fn note_places(&mut self, candidates: usize) {
+        self.place.resize(candidates, 0);
+        for (contact, &candidate) in (1..).zip(&self.candidate) {
+            self.place[usize::from(candidate)] = contact;
         }
+    }
+
+    /// Copies contacts between grains that do not feel each other.
+    fn copy(&mut self, other: &Self, stride: usize) {
+        self.clear();
+        self.make_room(other.len(), stride);
+        self.candidate.extend_from_slice(&other.candidate);
+        self.normal_force.extend_from_slice(&other.normal_force);
+        self.tangential.extend_from_slice(&other.tangential);
+        self.history.extend_from_slice(&other.history);
+    }
+
+    /// Sets memory aside for so many contacts where there is none.
+    fn make_room(&mut self, contacts: usize, stride: usize) {
+        make_room(&mut self.candidate, contacts);
+        make_room(&mut self.normal_force, contacts);
+        make_room(&mut self.tangential, contacts.div_ceil(EIGHT));
+        make_room(&mut self.history, contacts * stride);
     }
 
     pub(crate) fn range(&self, candidate: usize) -> Range<usize> {
@@ -176,8 +191,19 @@ impl Kept {
         } else if self.start.len() > candidate + 1 {
             self.start[candidate] as usize..self.start[candidate + 1] as usize
         } else {
-            0..0
+            match self.candidate.binary_search(&(candidate as u16)) {
+                Ok(place) => place..place + 1,
+                Err(_) => 0..0,
+            }
         }
+    }
+
+    /// Candidates that have contacts, each with these.
+    fn of_candidates(&self) -> impl Iterator<Item = (usize, Range<usize>)> + '_ {
+        let at_walls =
+            (self.start.windows(2).enumerate()).map(|(slot, ends)| (slot, ends[0] as usize..ends[1] as usize));
+        let of_pairs = (self.candidate.iter().enumerate()).map(|(place, &slot)| (usize::from(slot), place..place + 1));
+        at_walls.filter(|(_, contacts)| !contacts.is_empty()).chain(of_pairs)
     }
 }
 
@@ -254,15 +280,22 @@ impl ContactChunk {
         self.across = [DVec3::ZERO; 3];
     }
 
+    /// Takes the memory that so many contacts need, where there is none, and no more.
+    fn fit(&mut self, contacts: usize, stride: usize) {
+        make_room_for(&mut self.i, contacts);
+        make_room_for(&mut self.j, contacts);
+        make_room_for(&mut self.now.candidate, contacts);
+        make_room_for(&mut self.now.normal_force, contacts);
+        make_room_for(&mut self.now.tangential, contacts.div_ceil(EIGHT));
+        make_room_for(&mut self.now.history, contacts * stride);
+    }
+
     /// Sets memory aside for the contacts of a chunk that has none.
     fn make_room(&mut self, contacts: usize, stride: usize) {
         make_room(&mut self.i, contacts);
         make_room(&mut self.j, contacts);
         make_room(&mut self.engaged, contacts.div_ceil(WORD));
-        make_room(&mut self.now.candidate, contacts);
-        make_room(&mut self.now.normal_force, contacts);
-        make_room(&mut self.now.tangential, contacts.div_ceil(EIGHT));
-        make_room(&mut self.now.history, contacts * stride);
+        self.now.make_room(contacts, stride);
     }
 
     /// Bytes set aside for bodies, forces, histories, and all else.
@@ -399,8 +432,8 @@ pub struct Contacts {
     pub walls: Vec<ContactChunk>,
     /// Number of history values per contact.
     pub stride: usize,
-    /// Memory for handing contacts over to new candidates, between grains and with walls.
-    pub(crate) transfer: [transfer::Transfer; 2],
+    /// Chunks without contacts for the next search, between grains and with walls.
+    pub(crate) spare: [Vec<ContactChunk>; 2],
 }
 
 impl Contacts {

@@ -145,6 +145,9 @@ impl ContactChunk {
                 );
                 if found.candidates != self.now.candidate {
                     self.renew(pairs, found, scene);
+                    // the memory of the thread is as large as its largest chunk needed
+                    self.before.copy(&self.now, scene.stride);
+                    std::mem::swap(&mut self.now, &mut self.before);
                 }
                 std::mem::swap(before, &mut self.before);
             });
@@ -161,7 +164,7 @@ impl ContactChunk {
         self.shift.clear();
         let candidates = self.now.candidate.iter();
         self.shift
-            .extend(candidates.map(|&candidate| pairs[candidate as usize].shift));
+            .extend(candidates.map(|&candidate| pairs[usize::from(candidate)].shift));
     }
 
     /// Finds the contacts of a chunk of pairs of grains that feel each other.
@@ -212,7 +215,7 @@ impl ContactChunk {
                 old += 1;
             }
             let goes_on = self.before.candidate.get(old) == Some(&candidate);
-            let pair = &pairs[candidate as usize];
+            let pair = &pairs[usize::from(candidate)];
             self.i.push(pair.i);
             self.j.push(pair.j);
             if goes_on && going_on.end == old {
@@ -236,8 +239,9 @@ impl ContactChunk {
             self.book_end(old, scene);
         }
         self.now.clear_tangential();
-        self.now.set_candidates(&found.candidates, pairs.len());
+        self.now.candidate.extend_from_slice(&found.candidates);
         if scene.is_coupled() {
+            self.now.note_places(pairs.len());
             self.engaged.clear();
         }
     }

@@ -186,7 +186,7 @@ pub(super) struct FindNear<'a> {
     pub(super) scene: &'a Scene<'a>,
     /// Distance beyond touching, and beyond what the surfaces may bulge [m].
     pub(super) reach: f64,
-    pub(super) near: &'a mut Vec<u32>,
+    pub(super) near: &'a mut Vec<u16>,
 }
 
 impl Kernel for FindNear<'_> {
@@ -212,7 +212,7 @@ impl Kernel for FindNear<'_> {
             // every lane is written, and counted only where it is near: which are cannot be foretold
             let mut lane = 0;
             while lane < L::COUNT {
-                near[found] = (c + lane) as u32;
+                near[found] = (c + lane) as u16;
                 found += (bits >> lane & 1) as usize;
                 lane += 1;
             }

@@ -10,41 +10,22 @@
 use super::{ContactChunk, Contacts};
 use crate::comm::Single;
 use crate::neighbours::Neighbours;
-use crate::particles::set_aside;
+use crate::particles::{Load, Rows, set_aside};
 use crate::threads::join;
-use demeter_physics::lanes::{
-    self, Eight, Four, Instructions, Kernel, Lanes, MOST_LANES, Quad, Two, Vector, with_zero,
-};
+use demeter_physics::lanes::{self, Eight, Four, Instructions, Kernel, Lanes, MOST_LANES, Two, Vector, with_zero};
 use glam::DVec3;
 use std::ops::Range;
 
-/// What contacts do to one grain: force [N] and torque [N m], each with 0 behind it.
-#[derive(Clone, Copy, Debug, Default)]
-#[repr(align(64))]
-pub(crate) struct Load([f64; 8]);
+/// Parts of the table of pairs per thread: more share the work out better, fewer have fewer pairs of grains of different parts.
+pub(crate) const PARTS_PER_THREAD: usize = 4;
 
 impl Load {
     /// Adds what a contact does to its first body (0), or takes away what stands for its second (1), on which it does the opposite.
     #[inline(always)]
-    pub(super) fn add<E: Eight>(&mut self, load: E, side: usize) {
+    pub(super) fn add_side<E: Eight>(&mut self, load: E, side: usize) {
         let sum = E::load(&self.0);
         let sum = if side == 0 { sum + load } else { sum - load };
         sum.store(&mut self.0);
-    }
-
-    /// Force [N] and torque [N m].
-    #[inline(always)]
-    fn parts(&self) -> [&[f64; 4]; 2] {
-        let [force, torque] = self.0.as_chunks().0 else {
-            return [&[0.0; 4]; 2];
-        };
-        [force, torque]
-    }
-
-    /// The same as vectors.
-    pub(super) fn vectors(&self) -> (DVec3, DVec3) {
-        let [force, torque] = self.parts();
-        (DVec3::from_slice(force), DVec3::from_slice(torque))
     }
 }
 
@@ -69,42 +50,11 @@ impl Strays {
     }
 }
 
-/// Sums of the contact loads of this step: of the grains that this process moves.
+/// Memory for adding up what contacts do to grains.
 #[derive(Debug, Default)]
 pub(crate) struct Sums {
-    sums: Vec<Load>,
-    /// The grain of the first.
-    first: usize,
     /// What every task has for grains of those before it.
     strays: Vec<Strays>,
-}
-
-/// Sums of the grains from one on, to be read.
-#[derive(Clone, Copy)]
-pub(crate) struct GrainSums<'a>(&'a [Load]);
-
-impl<'a> GrainSums<'a> {
-    /// Those from a grain on.
-    pub(crate) fn from(first: usize, sums: &'a Sums) -> Self {
-        Self(&sums.sums[first - sums.first..])
-    }
-
-    /// Those behind so many of them.
-    pub(crate) fn behind(self, grains: usize) -> Self {
-        Self(&self.0[grains..])
-    }
-
-    /// Force [N] and torque [N m] of all contacts on a grain, told by how far it lies behind the first; 0 beside them.
-    #[inline(always)]
-    pub(crate) fn of<Q: Quad>(&self, k: usize) -> (Q, Q) {
-        let [force, torque] = self.0[k].parts();
-        (Q::load(force), Q::load(torque))
-    }
-
-    /// The same as vectors.
-    pub(crate) fn vectors_of(&self, k: usize) -> (DVec3, DVec3) {
-        self.0[k].vectors()
-    }
 }
 
 /// What contacts do to both of their bodies, one contact per lane.
@@ -170,13 +120,13 @@ impl Adder<'_> {
     #[inline(always)]
     pub(super) fn add_own<E: Eight>(&mut self, grain: u32, load: E) {
         if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
-            sum.add(load, 0);
+            sum.add_side(load, 0);
         }
     }
 
     fn add(&mut self, grain: u32, side: usize, load: &Load) {
         if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
-            sum.add(Two::<Four>::load(&load.0), side);
+            sum.add_side(Two::<Four>::load(&load.0), side);
         } else if self.own.contains(&grain) {
             self.strays.push(grain, side, *load);
         }
@@ -238,8 +188,8 @@ impl Sink for AddAtOnce<'_, '_> {
             let sums = &mut *self.adder.sums;
             let mut lane = 0;
             while lane < L::COUNT {
-                sums[(i[lane] - first_grain) as usize].add(first.as_ref()[lane], 0);
-                sums[(j[lane] - first_grain) as usize].add(second.as_ref()[lane], 1);
+                sums[(i[lane] - first_grain) as usize].add_side(first.as_ref()[lane], 0);
+                sums[(j[lane] - first_grain) as usize].add_side(second.as_ref()[lane], 1);
                 lane += 1;
             }
         } else {
@@ -293,21 +243,25 @@ impl Sums {
     /// Bytes set aside.
     pub(crate) fn bytes(&self) -> usize {
         let stray = |s: &Strays| set_aside(&s.grains) + set_aside(&s.loads);
-        set_aside(&self.sums) + self.strays.iter().map(stray).sum::<usize>()
+        self.strays.iter().map(stray).sum()
     }
 
-    /// Works on the chunks of all segments, between grains and with walls, in parallel in `parts`, and sums up for the own grains, which the
-    /// first of the segments have: into how many parts the work is cut changes no sum.
-    pub(crate) fn work<S, W>(&mut self, contacts: &mut Contacts, own: Range<usize>, parts: usize, work: &Work<S, W>)
-    where
+    /// Works on the chunks of all segments, between grains and with walls, in parallel in `parts`, and sums up for the own grains, which
+    /// the segments have, in their `loads`: into how many parts the work is cut changes no sum.
+    pub(crate) fn work<S, W>(
+        &mut self,
+        (loads, contacts): (&mut Rows<Load>, &mut Contacts),
+        own: Range<usize>,
+        parts: usize,
+        work: &Work<S, W>,
+    ) where
         S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
         W: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
     {
         let Range { start, end } = work.segments;
-        self.first = own.start;
-        self.sums.resize(own.len(), Load::default());
+        let sums = &mut loads.rows_mut()[own.clone()];
         if start == end {
-            return;
+            return sums.fill(Load::default());
         }
         let parts = parts.clamp(1, end - start);
         let chunks = of_segments(start..end, |s| work.neighbours.chunks_of_segment(s));
@@ -320,7 +274,7 @@ impl Sums {
             chunks: &mut contacts.pairs[chunks],
             first_wall_chunk: wall_chunks.start,
             wall_chunks: &mut contacts.walls[wall_chunks],
-            sums: &mut self.sums,
+            sums: &mut *sums,
             first_grain: own.start,
             strays: &mut self.strays,
             own: own.start as u32..own.end as u32,
@@ -328,19 +282,7 @@ impl Sums {
         all.work(work);
         if parts > 1 {
             let tasks = rayon::current_num_threads();
-            add_strays(own.start, &mut self.sums, &self.strays, tasks, work.instructions);
-        }
-    }
-}
-
-impl Sums {
-    /// Adds loads on all grains that are not of contacts: forces [N] and torques [N m].
-    pub(crate) fn add_loads(&mut self, forces: &[DVec3], torques: &[DVec3]) {
-        for ((sum, force), torque) in self.sums.iter_mut().zip(forces).zip(torques) {
-            for axis in 0..3 {
-                sum.0[axis] += force[axis];
-                sum.0[4 + axis] += torque[axis];
-            }
+            add_strays(own.start, sums, &self.strays, tasks, work.instructions);
         }
     }
 }
@@ -366,7 +308,13 @@ impl<'a> Task<'a> {
     fn cut(self, neighbours: &Neighbours) -> (Self, Self) {
         let parts = self.strays.len();
         let (begin, end) = (self.segments.start, self.segments.end);
-        let middle = begin + (end - begin) * (parts / 2) / parts;
+        // what a thread does last is small: so threads that are not equally fast end together
+        let (first_parts, share) = if parts > PARTS_PER_THREAD {
+            (parts / 2, parts)
+        } else {
+            (1, 2)
+        };
+        let middle = begin + (end - begin) * first_parts / share;
         let chunk = neighbours.chunks_of_segment(middle).start;
         let wall_chunk = neighbours.wall_chunks_of_segment(middle).start;
         let grain = neighbours.grains_of_segment(middle).start;
@@ -374,7 +322,7 @@ impl<'a> Task<'a> {
         let (wall_chunks, other_wall_chunks) = self.wall_chunks.split_at_mut(wall_chunk - self.first_wall_chunk);
         // grains of other processes lie behind the own ones
         let (sums, other_sums) = self.sums.split_at_mut((grain - self.first_grain).min(self.sums.len()));
-        let (strays, other_strays) = self.strays.split_at_mut(parts / 2);
+        let (strays, other_strays) = self.strays.split_at_mut(first_parts);
         let one = Self {
             segments: begin..middle,
             chunks,
@@ -456,7 +404,7 @@ impl Kernel for AddStrays<'_> {
                 let Some(sum) = self.sums.get_mut((grain as usize).wrapping_sub(self.first)) else {
                     continue;
                 };
-                sum.add(L::Eight::load(&strays.loads[k].0), side as usize);
+                sum.add_side(L::Eight::load(&strays.loads[k].0), side as usize);
             }
         }
     }

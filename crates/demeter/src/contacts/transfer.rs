@@ -4,7 +4,7 @@ use super::coupling::Coupled;
 use super::{CHUNK, ContactChunk, Contacts, EIGHT, EightVectors, WORD};
 use crate::comm::together::Together;
 use crate::neighbours::{GONE, Neighbours};
-use crate::particles::{Grains, set_aside};
+use crate::particles::Grains;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -148,11 +148,16 @@ const NONE: u32 = u32::MAX;
 const SLOT_BITS: u32 = CHUNK.next_power_of_two().trailing_zeros();
 
 /// Contacts are handed over in so many rounds, after each of which the memory of old chunks is free for new ones.
-pub(super) const ROUNDS: usize = 16;
+const ROUNDS: usize = 16;
 
-/// Memory for handing contacts over.
+/// New chunks that one round fills, of so many.
+pub(super) fn chunks_of_round(chunks: usize) -> usize {
+    chunks.div_ceil(ROUNDS).max(2 * rayon::current_num_threads())
+}
+
+/// Contacts while they are handed over.
 #[derive(Debug, Default)]
-pub(crate) struct Transfer {
+pub(super) struct Transfer {
     /// For every new candidate, the chunk and the place in it of the old one.
     heir: Vec<AtomicU32>,
     /// The last new chunk that takes contacts from every old one; [`NONE`] when its memory is free.
@@ -160,13 +165,6 @@ pub(crate) struct Transfer {
     pub(super) old: Vec<ContactChunk>,
     /// Chunks whose memory waits to be used again.
     pub(super) spare: Vec<ContactChunk>,
-}
-
-impl Clone for Transfer {
-    /// Another table of contacts has its own memory.
-    fn clone(&self) -> Self {
-        Self::default()
-    }
 }
 
 /// New candidates that contacts are handed to.
@@ -285,10 +283,23 @@ impl Heirs for Walls<'_> {
 }
 
 impl Transfer {
-    /// Bytes set aside between searches.
-    pub(crate) fn bytes(&self) -> usize {
-        let spare = self.spare.iter().flat_map(ContactChunk::bytes).sum::<usize>();
-        set_aside(&self.heir) + set_aside(&self.last_use) + spare
+    /// Begins with spare chunks.
+    fn begin(spare: Vec<ContactChunk>) -> Self {
+        Self {
+            spare,
+            ..Self::default()
+        }
+    }
+
+    /// Some spare chunks for the next time, with the memory that steps need; that for contacts is worth more until then.
+    fn end(mut self, chunks: usize) -> Vec<ContactChunk> {
+        self.spare.append(&mut self.old);
+        self.spare.truncate(2 * chunks_of_round(chunks));
+        for chunk in &mut self.spare {
+            chunk.forget();
+            chunk.fit(0, 0);
+        }
+        self.spare
     }
 
     /// Moves all contacts into chunks for new candidates, straight from the old chunks, wherever grains went in between.
@@ -296,7 +307,7 @@ impl Transfer {
         std::mem::swap(chunks, &mut self.old);
         self.find_heirs(heirs);
         let count = heirs.chunks();
-        let round = count.div_ceil(ROUNDS).max(2 * rayon::current_num_threads());
+        let round = chunks_of_round(count);
         let mut done = 0;
         while done < count {
             let end = (done + round).min(count);
@@ -312,7 +323,7 @@ impl Transfer {
                 };
                 let mine = &heir[before..before + candidates];
                 let contacts = mine.iter().filter_map(inherited).map(|(_, contacts)| contacts.len());
-                chunk.make_room(contacts.sum(), stride);
+                chunk.fit(contacts.sum(), stride);
                 for (slot, heir) in mine.iter().enumerate() {
                     if let Some((old, contacts)) = inherited(heir) {
                         let (i, j) = heirs.bodies(done + k, slot);
@@ -321,17 +332,12 @@ impl Transfer {
                         chunk.i[first..].fill(i);
                         chunk.j[first..].fill(j);
                     }
-                    chunk.end_candidate(heirs.are_walls());
+                    chunk.end_candidate(slot, heirs.are_walls());
                 }
             });
             self.free_chunks(end);
             done = end;
         }
-        self.free_chunks(usize::MAX);
-        self.old.clear();
-        self.spare.truncate(2 * round);
-        // grains are seldom put in another order
-        (self.heir, self.last_use) = Default::default();
     }
 
     /// Finds for every new candidate the old one with its contacts. Contacts whose bodies are no candidates end.
@@ -342,10 +348,7 @@ impl Transfer {
         self.last_use.resize(self.old.len(), 0);
         let heir = &self.heir;
         (self.old.par_iter().zip(&mut self.last_use).enumerate()).for_each(|(number, (chunk, last_use))| {
-            for slot in 0..chunk.candidates(heirs.are_walls()) {
-                let Some(contact) = chunk.contacts_of(slot).next() else {
-                    continue;
-                };
+            for (slot, Range { start: contact, .. }) in chunk.now.of_candidates() {
                 if let Some((new_chunk, candidate)) = heirs.find(chunk.i[contact], chunk.j[contact]) {
                     let place = (number << SLOT_BITS | slot) as u32;
                     heir[candidate].store(place, Ordering::Relaxed);
@@ -374,25 +377,13 @@ fn contacts_from(old: &[ContactChunk], from: u32) -> (&ContactChunk, Range<usize
 }
 
 impl ContactChunk {
-    /// Number of candidates, with walls or between grains.
-    pub(super) fn candidates(&self, walls: bool) -> usize {
-        if walls {
-            self.now.start.len().saturating_sub(1)
-        } else {
-            self.now.place.len()
-        }
-    }
-
-    /// Ends the contacts of one candidate.
-    pub(super) fn end_candidate(&mut self, walls: bool) {
+    /// Ends the contacts of one candidate, told its number.
+    pub(super) fn end_candidate(&mut self, slot: usize, walls: bool) {
         let contacts = self.now.len();
         if walls {
             self.now.start.push(contacts as u32);
         } else {
-            let candidate = self.now.place.len() as u32;
-            let is_contact = contacts > self.now.candidate.len();
-            self.now.candidate.resize(contacts, candidate);
-            self.now.place.push(if is_contact { contacts as u16 } else { 0 });
+            self.now.candidate.resize(contacts, slot as u16);
         }
     }
 
@@ -457,8 +448,8 @@ impl Contacts {
     /// every grain.
     pub(crate) fn hand_over(&mut self, neighbours: &Neighbours, moved_to: Option<&[u32]>) {
         let stride = self.stride;
-        let [of_pairs, of_walls] = &mut self.transfer;
         let (pairs, walls) = (Pairs(neighbours, moved_to), Walls(neighbours, moved_to));
+        let [mut of_pairs, mut of_walls] = std::mem::take(&mut self.spare).map(Transfer::begin);
         if moved_to.is_some() {
             of_pairs.look_up(&mut self.pairs, &pairs, stride);
             of_walls.look_up(&mut self.walls, &walls, stride);
@@ -466,6 +457,7 @@ impl Contacts {
             of_pairs.merge(&mut self.pairs, &pairs, stride);
             of_walls.merge(&mut self.walls, &walls, stride);
         }
+        self.spare = [of_pairs.end(self.pairs.len()), of_walls.end(self.walls.len())];
     }
 
     /// All contacts, by rising keys.
@@ -559,7 +551,7 @@ fn refill(chunks: &mut Vec<ContactChunk>, heirs: &impl Heirs, fill: impl Fn((u32
         chunk.law = heirs.law(number);
         for slot in 0..heirs.of_chunk(number).1 {
             fill(heirs.bodies(number, slot), chunk);
-            chunk.end_candidate(heirs.are_walls());
+            chunk.end_candidate(slot, heirs.are_walls());
         }
     }
 }

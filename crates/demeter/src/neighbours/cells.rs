@@ -337,10 +337,4 @@ impl Cells {
             column[count..].fill(f32::INFINITY);
         }
     }
-
-    /// Bytes in use.
-    pub(super) fn bytes(&self) -> usize {
-        self.rows.bytes()
-            + 4 * (self.place.capacity() + self.start.capacity() + self.member.capacity() + 4 * self.x.capacity())
-    }
 }

@@ -1,6 +1,6 @@
 //! Candidate pairs: grains and walls close enough to touch before the next rebuild.
 //!
-//! A rebuild works in the memory of the one before and in parallel, and gives the same on any number of threads:
+//! A rebuild works in parallel and gives the same on any number of threads; what it needs beyond the table it gives back:
 //!
 //! 1. `cells`: grains are sorted into a grid per size class, and their places copied in that order; where a run is shared, those
 //!    that are near own ones (`vicinity`), into the cells of all;
@@ -47,8 +47,9 @@ use std::fmt::{Debug, Formatter};
 use std::ops::Range;
 use table::{Segment, Table};
 
-/// A candidate pair of grains; `i` has the lower id.
+/// A candidate pair of grains; `i` has the lower id. There are several per grain, so no byte is left unused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[repr(C, packed)]
 pub struct Pair {
     /// Index of the grain with the lower id.
     pub i: u32,
@@ -159,6 +160,8 @@ impl Neighbours {
         let search = &mut self.search;
         self.effort = search.pairs(&mut self.pairs, grains, (materials, comm), skin, (own, vicinity));
         search.walls(&mut self.walls, grains, (walls, materials), skin, own);
+        self.search.forget();
+        self.pairs.forget_found();
         self.total = self.pairs.table.len();
         self.find_incidence(grains);
         match vicinity {
@@ -349,11 +352,9 @@ impl Neighbours {
         self.effort.scattered as f64 / self.total.max(1) as f64
     }
 
-    /// Bytes in use: of the table, with so many own grains, and of what a search needs.
-    pub fn bytes(&self, own: usize) -> (usize, usize) {
-        let (pairs, found) = self.pairs.bytes();
+    /// Bytes in use, with so many own grains.
+    pub fn bytes(&self, own: usize) -> usize {
         let incidence = self.incidence.as_ref().map_or(0, Incidence::bytes) + self.wall_incidence.bytes();
-        let table = pairs + self.walls.bytes() + incidence + own * size_of::<Row>();
-        (table, found + self.search.bytes())
+        self.pairs.bytes() + self.walls.bytes() + incidence + own * size_of::<Row>()
     }
 }

@@ -1,7 +1,7 @@
 //! Order of the grains along a space-filling curve, so that neighbours in space are neighbours in memory.
 
 use super::vicinity::Bounds;
-use crate::particles::{Grains, Row, set_aside};
+use crate::particles::{Grains, Row};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -62,11 +62,6 @@ impl SpatialOrder {
     /// Puts grains into the order that was found or chosen.
     pub(crate) fn apply(&self, grains: &mut Grains) {
         grains.reorder(&self.order);
-    }
-
-    /// Bytes set aside.
-    pub(crate) fn bytes(&self) -> usize {
-        set_aside(&self.keyed) + set_aside(&self.order) + set_aside(&self.moved_to)
     }
 
     fn note_moves(&mut self, grains: usize) {

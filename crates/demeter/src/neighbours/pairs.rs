@@ -7,6 +7,7 @@
 
 use super::Pair;
 use super::table::{LawOrder, NOWHERE, Segment, Table};
+use crate::particles::set_aside;
 use rayon::prelude::*;
 use serde::Deserialize;
 use std::ops::Range;
@@ -202,14 +203,17 @@ impl PairTable {
         }
     }
 
-    /// Bytes in use: of the table, and of what a search needs.
-    pub(super) fn bytes(&self) -> (usize, usize) {
-        let found: usize = self.strays_found.iter().map(Vec::capacity).sum();
-        let starts: usize = self.starts.iter().map(|s| s.capacity() * size_of::<u32>()).sum();
-        let others: usize = self.others.iter().map(|s| s.capacity() * size_of::<u32>()).sum();
-        let strays = (found + self.strays.capacity()) * size_of::<Pair>();
-        let firsts = self.first_strays.capacity() * size_of::<u32>();
-        (self.table.bytes() + starts + others, strays + firsts)
+    /// Gives back what only a search needs.
+    pub(super) fn forget_found(&mut self) {
+        self.strays_found = Vec::new();
+        self.strays = Vec::new();
+        self.first_strays = Vec::new();
+    }
+
+    /// Bytes in use.
+    pub(super) fn bytes(&self) -> usize {
+        let of = |lists: &[Vec<u32>]| lists.iter().map(set_aside).sum::<usize>();
+        self.table.bytes() + of(&self.starts) + of(&self.others)
     }
 }
 

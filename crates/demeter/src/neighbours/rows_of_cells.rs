@@ -53,9 +53,4 @@ impl RowsOfCells {
     pub(super) fn cells(&self) -> usize {
         self.cells
     }
-
-    /// Bytes in use.
-    pub(super) fn bytes(&self) -> usize {
-        4 * self.starts.capacity()
-    }
 }

@@ -164,9 +164,9 @@ impl Search {
         table.cut();
     }
 
-    /// Bytes in use.
-    pub(super) fn bytes(&self) -> usize {
-        self.cells.bytes()
+    /// Gives its memory back, but for that of the threads: until the next search it is worth more.
+    pub(super) fn forget(&mut self) {
+        self.cells = Cells::default();
     }
 }
 

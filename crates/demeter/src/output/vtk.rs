@@ -17,7 +17,7 @@ use super::folder::RunFolder;
 use super::frame::{ContactRecord, ContactSums, Frame, FrameBox, WallSurface};
 use super::vtk_file::{NewArray, NewPolyData};
 use super::vtp::{Array, Cells, Values};
-use crate::particles::Rows;
+use crate::particles::{Load, Rows};
 use crate::walls::ElementRecord;
 use glam::DVec3;
 use serde::Serialize;
@@ -126,6 +126,10 @@ fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
         let own = of.rows()[own.clone()].iter();
         NewArray::vectors(name, all.joined(own.map(|row| row.vector)))
     };
+    let loads = |name, part: fn(&Load) -> DVec3| {
+        let own = g.load.rows()[own.clone()].iter();
+        NewArray::vectors(name, all.joined(own.map(part)))
+    };
     let radii = || g.position.rows()[own.clone()].iter().map(|row| row.scalar);
     let materials = g.material[own.clone()].iter().map(|m| i32::from(*m));
     let orientations = g.orientation[own.clone()].iter().map(|q| q.to_array());
@@ -138,8 +142,8 @@ fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
         vectors("velocity", &g.velocity),
         vectors("angular_velocity", &g.angular_velocity),
         NewArray::rows("orientation", all.joined(orientations)),
-        vectors("force", &g.force),
-        vectors("torque", &g.torque),
+        loads("force", Load::force),
+        loads("torque", Load::torque),
         NewArray::counts("coordination", all.joined(sums.coordination.iter().copied())),
         NewArray::scalars("contact_force", all.joined(sums.force.iter().copied())),
         NewArray::scalars("mean_normal_stress", all.joined(sums.stress.iter().copied())),

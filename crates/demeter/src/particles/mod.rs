@@ -3,6 +3,7 @@
 mod by_id;
 mod domain;
 mod interior;
+mod load;
 mod origins;
 mod rows;
 pub(crate) mod spread;
@@ -12,6 +13,9 @@ mod zone;
 pub use by_id::ById;
 pub use domain::{Domain, Outside};
 pub use interior::{Interior, InteriorError};
+pub(crate) use load::HalfKick;
+use load::HalfKicks;
+pub use load::Load;
 pub use origins::Origins;
 use rows::{Kept, copy_kept};
 pub use rows::{Row, Rows};
@@ -60,10 +64,11 @@ pub struct Grains {
     pub angular_velocity: Rows,
     /// Orientation.
     pub orientation: Vec<DQuat>,
-    /// Total force of the latest step [N]; beside it 0.
-    pub force: Rows,
-    /// Total torque of the latest step [N m]; beside it 0.
-    pub torque: Rows,
+    /// Total force [N] and torque [N m] of the latest step.
+    pub load: Rows<Load>,
+    /// What a step of velocity Verlet foresees, until it has ended; empty otherwise.
+    #[serde(skip)]
+    pub(crate) half_kicks: HalfKicks,
     /// What the predictor-corrector remembers beyond forces and torques; empty with velocity Verlet.
     pub higher: Vec<HigherDerivatives>,
 }
@@ -79,6 +84,8 @@ pub struct HigherDerivatives {
     pub translation: Derivatives,
     /// Second to fourth derivative of the angular velocity [1/s^3, 1/s^4, 1/s^5].
     pub rotation: Derivatives,
+    /// Acceleration [m/s^2] and angular acceleration [1/s^2] that are foreseen for the end of a step, until it has ended.
+    pub foreseen: [DVec3; 2],
 }
 
 impl Grains {
@@ -96,6 +103,18 @@ impl Grains {
     #[inline(always)]
     pub fn radius(&self, grain: usize) -> f64 {
         self.position.scalar(grain)
+    }
+
+    /// Total force on a grain in the latest step [N].
+    #[inline(always)]
+    pub fn force(&self, grain: usize) -> DVec3 {
+        self.load.rows()[grain].force()
+    }
+
+    /// Total torque on a grain in the latest step [N m].
+    #[inline(always)]
+    pub fn torque(&self, grain: usize) -> DVec3 {
+        self.load.rows()[grain].torque()
     }
 
     /// All radii [m].
@@ -147,6 +166,13 @@ impl Grains {
         }
     }
 
+    /// Has room for the half kicks that a step foresees: zeros where none are foreseen yet, which take no memory until they are written.
+    pub(crate) fn foresee_half_kicks(&mut self) {
+        if self.half_kicks.0.len() != self.len() {
+            self.half_kicks.0 = bytemuck::zeroed_vec(self.len());
+        }
+    }
+
     /// Adds a grain with the given id.
     pub fn push(&mut self, id: u32, grain: &NewGrain) {
         let r = grain.radius;
@@ -164,8 +190,10 @@ impl Grains {
         self.velocity.push(grain.velocity, inverse_mass);
         self.angular_velocity.push(grain.angular_velocity, inverse_inertia);
         self.orientation.push(DQuat::IDENTITY);
-        self.force.push(DVec3::ZERO, 0.0);
-        self.torque.push(DVec3::ZERO, 0.0);
+        self.load.push_row(Load::default());
+        if !self.half_kicks.0.is_empty() {
+            self.half_kicks.0.push(HalfKick::default());
+        }
         if !self.higher.is_empty() {
             self.higher.push(HigherDerivatives::default());
         }
@@ -174,7 +202,7 @@ impl Grains {
     /// Forgets forces, torques and crossings of periodic sides: these take no memory until they are written.
     pub(crate) fn unload(&mut self) {
         let count = self.len();
-        (self.force, self.torque) = (Rows::zeros(count), Rows::zeros(count));
+        self.load = Rows::zeros(count);
         self.image = vec![[0; 3]; count];
     }
 
@@ -188,8 +216,10 @@ impl Grains {
         self.velocity.append(&other.velocity);
         self.angular_velocity.append(&other.angular_velocity);
         self.orientation.extend_from_slice(&other.orientation);
-        self.force.append(&other.force);
-        self.torque.append(&other.torque);
+        self.load.append(&other.load);
+        if !self.half_kicks.0.is_empty() {
+            self.half_kicks.0.resize(self.id.len(), HalfKick::default());
+        }
         if !self.higher.is_empty() {
             self.higher.resize(self.id.len(), HigherDerivatives::default());
         }
@@ -201,20 +231,18 @@ impl Grains {
             some.for_each(|g| packed.extend_from_slice(bytemuck::bytes_of(&values[g])));
         }
         let mut packed: Vec<u8> = Vec::new();
-        for rows in [
-            &self.position,
-            &self.velocity,
-            &self.angular_velocity,
-            &self.force,
-            &self.torque,
-        ] {
+        for rows in [&self.position, &self.velocity, &self.angular_velocity] {
             put(&mut packed, rows.rows(), some.clone());
         }
+        put(&mut packed, self.load.rows(), some.clone());
         put(&mut packed, &self.id, some.clone());
         put(&mut packed, &self.material, some.clone());
         put(&mut packed, &self.mass, some.clone());
         put(&mut packed, &self.image, some.clone());
         put(&mut packed, &self.orientation, some.clone());
+        if !self.half_kicks.0.is_empty() {
+            put(&mut packed, &self.half_kicks.0, some.clone());
+        }
         if !self.higher.is_empty() {
             put(&mut packed, &self.higher, some);
         }
@@ -234,21 +262,17 @@ impl Grains {
             })
         }
         let mut rest = packed;
-        let rows = [
-            &mut self.position,
-            &mut self.velocity,
-            &mut self.angular_velocity,
-            &mut self.force,
-            &mut self.torque,
-        ];
+        let rows = [&mut self.position, &mut self.velocity, &mut self.angular_velocity];
         let fits = rows
             .into_iter()
             .all(|rows| take(&mut rest, rows.rows_mut(), some.clone()))
+            && take(&mut rest, self.load.rows_mut(), some.clone())
             && take(&mut rest, &mut self.id, some.clone())
             && take(&mut rest, &mut self.material, some.clone())
             && take(&mut rest, &mut self.mass, some.clone())
             && take(&mut rest, &mut self.image, some.clone())
             && take(&mut rest, &mut self.orientation, some.clone())
+            && (self.half_kicks.0.is_empty() || take(&mut rest, &mut self.half_kicks.0, some.clone()))
             && (self.higher.is_empty() || take(&mut rest, &mut self.higher, some));
         fits && rest.is_empty()
     }
@@ -285,7 +309,8 @@ impl Grains {
             size_of::<HigherDerivatives>()
         };
         let scalars = size_of::<u32>() + size_of::<u16>() + size_of::<f64>() + size_of::<[i32; 3]>();
-        count * (scalars + 5 * size_of::<Row>() + size_of::<DQuat>() + higher)
+        let rows = 3 * size_of::<Row>() + size_of::<Load>() + size_of::<DQuat>();
+        count * (scalars + rows + size_of::<HalfKick>() + higher)
     }
 
     /// Puts the grains into a new order: the grain at `order[k]` goes to index `k`. Grains not named are dropped.
@@ -310,8 +335,10 @@ impl Grains {
         self.velocity.keep(count, some.clone());
         self.angular_velocity.keep(count, some.clone());
         keep(&mut self.orientation, count, some.clone());
-        self.force.keep(count, some.clone());
-        self.torque.keep(count, some.clone());
+        self.load.keep(count, some.clone());
+        if !self.half_kicks.0.is_empty() {
+            keep(&mut self.half_kicks.0, count, some.clone());
+        }
         if !self.higher.is_empty() {
             keep(&mut self.higher, count, some);
         }
@@ -325,8 +352,20 @@ const SPARE: usize = 256;
 pub(crate) fn make_room<T>(list: &mut Vec<T>, count: usize) {
     debug_assert!(list.is_empty());
     if list.capacity() < count {
-        list.reserve_exact(count + (count / 16).max(SPARE / size_of::<T>()));
+        list.reserve_exact(count + spare::<T>(count));
     }
+}
+
+/// The same, and gives memory back that is much too large.
+pub(crate) fn make_room_for<T>(list: &mut Vec<T>, count: usize) {
+    if list.capacity() > count + 4 * spare::<T>(count) {
+        *list = Vec::new();
+    }
+    make_room(list, count);
+}
+
+fn spare<T>(count: usize) -> usize {
+    (count / 16).max(SPARE / size_of::<T>())
 }
 
 /// Bytes that a list has set aside, in use or not.

@@ -1,9 +1,10 @@
-//! Vectors of all grains, each with a number beside it, in rows that one load of 32 bytes fetches.
+//! Rows of numbers of all grains: a vector with a number beside it, which one load of 32 bytes fetches, or what acts on a grain.
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt::{Debug, Formatter};
+use std::marker::PhantomData;
 use std::ops::{Index, IndexMut, Range};
 
 /// A vector and a number that is used together with it.
@@ -28,27 +29,41 @@ pub(super) fn copy_kept<T: Pod>(to: &mut [T], from: &[T], some: impl Iterator<It
     some.for_each(|(new, old)| to[new] = from[old]);
 }
 
-/// One [`Row`] per grain; indexing gives the vector.
+/// A row of numbers per grain, none of which lies in two lines of the cache; indexing rows of vectors gives the vector.
 ///
-/// Rows begin at multiples of 32 bytes. The memory is that of plain numbers, as the allocator hands out zeros that take no memory until
+/// Rows begin at multiples of their size. The memory is that of plain numbers, as the allocator hands out zeros that take no memory until
 /// they are written only where it is not asked for more than its own alignment.
-#[derive(Default)]
-pub struct Rows {
+pub struct Rows<T = Row> {
     numbers: Vec<f64>,
     /// Numbers before the first row.
     first: usize,
+    of: PhantomData<T>,
 }
 
-/// Numbers of a row.
-const WIDTH: usize = size_of::<Row>() / size_of::<f64>();
+impl<T> Default for Rows<T> {
+    fn default() -> Self {
+        Self {
+            numbers: Vec::new(),
+            first: 0,
+            of: PhantomData,
+        }
+    }
+}
 
-impl Rows {
+impl<T: Pod> Rows<T> {
+    /// Numbers of a row.
+    const WIDTH: usize = size_of::<T>() / size_of::<f64>();
+
     /// So many rows, all zero; they take no memory until they are written.
     pub(crate) fn zeros(count: usize) -> Self {
-        let numbers = vec![0.0; WIDTH * count + WIDTH - 1];
-        let first = numbers_to_skip(&numbers);
-        let mut rows = Self { numbers, first };
-        rows.numbers.truncate(first + WIDTH * count);
+        let numbers = vec![0.0; Self::WIDTH * count + Self::WIDTH - 1];
+        let first = numbers_to_skip::<T>(&numbers);
+        let mut rows = Self {
+            numbers,
+            first,
+            of: PhantomData,
+        };
+        rows.numbers.truncate(first + Self::WIDTH * count);
         rows
     }
 
@@ -61,7 +76,7 @@ impl Rows {
 
     /// Number of rows.
     pub fn len(&self) -> usize {
-        (self.numbers.len() - self.first) / WIDTH
+        (self.numbers.len() - self.first) / Self::WIDTH
     }
 
     /// Whether there is none.
@@ -69,9 +84,9 @@ impl Rows {
         self.len() == 0
     }
 
-    /// Adds a row.
-    pub fn push(&mut self, vector: DVec3, scalar: f64) {
-        self.extend(std::iter::once(Row { vector, scalar }));
+    /// Adds a row as it is.
+    pub(crate) fn push_row(&mut self, row: T) {
+        self.extend(std::iter::once(row));
     }
 
     /// Adds copies of all rows of another table.
@@ -79,11 +94,11 @@ impl Rows {
         self.extend(other.rows().iter().copied());
     }
 
-    fn extend(&mut self, rows: impl ExactSizeIterator<Item = Row>) {
-        let more = WIDTH * rows.len();
+    fn extend(&mut self, rows: impl ExactSizeIterator<Item = T>) {
+        let more = Self::WIDTH * rows.len();
         if self.numbers.len() + more > self.numbers.capacity() {
-            self.numbers.reserve(more + WIDTH - 1);
-            let (from, to) = (self.first, numbers_to_skip(&self.numbers));
+            self.numbers.reserve(more + Self::WIDTH - 1);
+            let (from, to) = (self.first, numbers_to_skip::<T>(&self.numbers));
             let end = self.numbers.len();
             self.numbers.resize(end.max(end - from + to), 0.0);
             self.numbers.copy_within(from..end, to);
@@ -93,6 +108,52 @@ impl Rows {
         for row in rows {
             self.numbers.extend_from_slice(bytemuck::cast_slice(&[row]));
         }
+    }
+
+    /// The rows.
+    #[inline(always)]
+    pub fn rows(&self) -> &[T] {
+        match self.numbers() {
+            // an empty list begins anywhere
+            [] => &[],
+            numbers => bytemuck::cast_slice(numbers),
+        }
+    }
+
+    /// The rows, to be changed.
+    #[inline(always)]
+    pub fn rows_mut(&mut self) -> &mut [T] {
+        match &mut self.numbers[self.first..] {
+            [] => &mut [],
+            numbers => bytemuck::cast_slice_mut(numbers),
+        }
+    }
+
+    /// All numbers, row by row.
+    pub fn numbers(&self) -> &[f64] {
+        &self.numbers[self.first..]
+    }
+
+    /// Takes the rows of another table, in memory that is here already where it is enough.
+    pub(crate) fn copy(&mut self, other: &Self) {
+        if self.len() != other.len() {
+            *self = Self::zeros(other.len());
+        }
+        self.rows_mut().copy_from_slice(other.rows());
+    }
+
+    /// So many rows, some of them those of this table; all others are forgotten and take no memory.
+    pub(super) fn keep(&mut self, count: usize, some: impl Iterator<Item = Kept>) {
+        let mut kept = Self::zeros(count);
+        copy_kept(kept.rows_mut(), self.rows(), some);
+        *self = kept;
+    }
+}
+
+impl Rows {
+    /// Adds a row.
+    pub fn push(&mut self, vector: DVec3, scalar: f64) {
+        self.push_row(Row { vector, scalar });
     }
 
     /// The number of a row.
@@ -129,13 +190,7 @@ impl Rows {
     /// The rows as plain numbers.
     #[inline(always)]
     pub fn table(&self) -> &[[f64; 4]] {
-        bytemuck::cast_slice(&self.numbers[self.first..])
-    }
-
-    /// The rows.
-    #[inline(always)]
-    pub fn rows(&self) -> &[Row] {
-        bytemuck::cast_slice(&self.numbers[self.first..])
+        bytemuck::cast_slice(self.numbers())
     }
 
     /// The rows as plain numbers, to be changed.
@@ -143,42 +198,21 @@ impl Rows {
     pub fn table_mut(&mut self) -> &mut [[f64; 4]] {
         bytemuck::cast_slice_mut(&mut self.numbers[self.first..])
     }
-
-    /// The rows, to be changed.
-    #[inline(always)]
-    pub fn rows_mut(&mut self) -> &mut [Row] {
-        bytemuck::cast_slice_mut(&mut self.numbers[self.first..])
-    }
-
-    /// Takes the rows of another table, in memory that is here already where it is enough.
-    pub(crate) fn copy(&mut self, other: &Self) {
-        if self.len() != other.len() {
-            *self = Self::zeros(other.len());
-        }
-        self.rows_mut().copy_from_slice(other.rows());
-    }
-
-    /// So many rows, some of them those of this table; all others are forgotten and take no memory.
-    pub(super) fn keep(&mut self, count: usize, some: impl Iterator<Item = Kept>) {
-        let mut kept = Self::zeros(count);
-        copy_kept(kept.rows_mut(), self.rows(), some);
-        *self = kept;
-    }
 }
 
 /// Numbers to leave out at the beginning of some memory so that what follows begins at a multiple of the size of a row.
-fn numbers_to_skip(numbers: &[f64]) -> usize {
+fn numbers_to_skip<T>(numbers: &[f64]) -> usize {
     let address = numbers.as_ptr().addr();
-    (address.next_multiple_of(size_of::<Row>()) - address) / size_of::<f64>()
+    (address.next_multiple_of(size_of::<T>()) - address) / size_of::<f64>()
 }
 
-impl Debug for Rows {
+impl<T: Pod + Debug> Debug for Rows<T> {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
         self.rows().fmt(formatter)
     }
 }
 
-impl Clone for Rows {
+impl<T: Pod> Clone for Rows<T> {
     fn clone(&self) -> Self {
         let mut rows = Self::default();
         rows.copy(self);
@@ -186,22 +220,22 @@ impl Clone for Rows {
     }
 }
 
-impl PartialEq for Rows {
+impl<T: Pod + PartialEq> PartialEq for Rows<T> {
     fn eq(&self, other: &Self) -> bool {
         self.rows() == other.rows()
     }
 }
 
-impl Serialize for Rows {
+impl<T: Pod + Serialize> Serialize for Rows<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.rows().serialize(serializer)
     }
 }
 
-impl<'a> Deserialize<'a> for Rows {
+impl<'a, T: Pod + Deserialize<'a>> Deserialize<'a> for Rows<T> {
     fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
         let mut rows = Self::default();
-        rows.extend(Vec::<Row>::deserialize(deserializer)?.into_iter());
+        rows.extend(Vec::<T>::deserialize(deserializer)?.into_iter());
         Ok(rows)
     }
 }

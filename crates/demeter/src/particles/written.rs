@@ -1,6 +1,6 @@
 //! Grains as they are written, where one process has them all and where several share them.
 
-use super::{Grains, HigherDerivatives, Row};
+use super::{Grains, HigherDerivatives, Load, Row};
 use crate::comm::parts::{InParts, Listed, Part};
 use glam::DQuat;
 use serde::{Serialize, Serializer};
@@ -17,8 +17,7 @@ struct Written<'a, 'b> {
     velocity: Listed<'a, 'b, Row>,
     angular_velocity: Listed<'a, 'b, Row>,
     orientation: Listed<'a, 'b, DQuat>,
-    force: Listed<'a, 'b, Row>,
-    torque: Listed<'a, 'b, Row>,
+    load: Listed<'a, 'b, Load>,
     higher: Listed<'a, 'b, HigherDerivatives>,
 }
 
@@ -33,8 +32,7 @@ impl InParts for Grains {
             velocity: part.of_grains(self.velocity.rows()),
             angular_velocity: part.of_grains(self.angular_velocity.rows()),
             orientation: part.of_grains(&self.orientation),
-            force: part.of_grains(self.force.rows()),
-            torque: part.of_grains(self.torque.rows()),
+            load: part.of_grains(self.load.rows()),
             higher: part.of_grains(&self.higher),
         }
     }

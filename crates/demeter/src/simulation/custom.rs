@@ -10,7 +10,7 @@
 
 use super::Simulation;
 use crate::contacts::Fault;
-use crate::particles::Grains;
+use crate::particles::{Grains, Load};
 use crate::walls::{Driven, Motion, WallError};
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -265,6 +265,7 @@ impl Simulation {
 
     /// Asks the custom forces and adds their loads to the sums of the contacts.
     pub(crate) fn add_custom_loads(&mut self) {
+        let own = self.own_grains();
         let Some(customs) = self.customs.as_mut().filter(|c| !c.forces.is_empty()) else {
             return;
         };
@@ -285,7 +286,11 @@ impl Simulation {
                 });
             }
         }
-        self.sums.add_loads(&customs.loads.force, &customs.loads.torque);
+        let loads = self.grains.load.rows_mut()[own.clone()].iter_mut();
+        let told = customs.loads.force[own.clone()].iter().zip(&customs.loads.torque[own]);
+        for (load, (force, torque)) in loads.zip(told) {
+            load.add(&Load::new(*force, *torque));
+        }
     }
 
     /// Books what the custom forces did in a step; without one their power is noted alone.

@@ -240,7 +240,7 @@ impl Simulation {
                 for g in some {
                     let place = grains.position[g] - middle;
                     let beyond = grains.velocity[g] - deforming.flow(&rates, place);
-                    let terms = [dyad(beyond * grains.mass[g], beyond), dyad(grains.force[g], place)];
+                    let terms = [dyad(beyond * grains.mass[g], beyond), dyad(grains.force(g), place)];
                     sum.iter_mut()
                         .zip(terms.as_flattened())
                         .for_each(|(sum, term)| *sum += term);
@@ -345,16 +345,16 @@ impl Simulation {
         let of_segments: Vec<[f64; 2]> = (
             grains.position.rows()[own.clone()].par_chunks(n),
             grains.velocity.rows_mut()[own.clone()].par_chunks_mut(n),
-            grains.force.rows()[own.clone()].par_chunks(n),
+            grains.load.rows()[own.clone()].par_chunks(n),
             grains.mass[own].par_chunks(n),
         )
             .into_par_iter()
-            .map(|(position, velocity, force, mass)| {
+            .map(|(position, velocity, load, mass)| {
                 let (mut gained, mut work) = (0.0, 0.0);
-                for (((position, velocity), force), mass) in position.iter().zip(velocity).zip(force).zip(mass) {
+                for (((position, velocity), load), mass) in position.iter().zip(velocity).zip(load).zip(mass) {
                     let place = position.vector - middle;
                     let kick = kick(place);
-                    let then = velocity.vector - force.vector * (ahead * velocity.scalar);
+                    let then = velocity.vector - load.force() * (ahead * velocity.scalar);
                     gained += mass * (then + 0.5 * kick).dot(kick);
                     velocity.vector += kick;
                     let beyond = velocity.vector - deforming.flow(rates, place);
@@ -414,13 +414,13 @@ impl Simulation {
         let (speed2, step2) = (
             grains.position.rows()[own.clone()].par_chunks(n),
             grains.velocity.rows()[own.clone()].par_chunks(n),
-            grains.force.rows()[own].par_chunks(n),
+            grains.load.rows()[own].par_chunks(n),
         )
             .into_par_iter()
-            .map(|(position, velocity, force)| {
+            .map(|(position, velocity, load)| {
                 let (mut speed2, mut step2) = (0.0f64, 0.0f64);
-                for ((position, velocity), force) in position.iter().zip(velocity).zip(force) {
-                    let middle_velocity = velocity.vector - force.vector * (0.5 * dt * velocity.scalar);
+                for ((position, velocity), load) in position.iter().zip(velocity).zip(load) {
+                    let middle_velocity = velocity.vector - load.force() * (0.5 * dt * velocity.scalar);
                     let place = position.vector - middle;
                     let before = place - middle_velocity * dt;
                     let beyond = velocity.vector - deforming.flow(&rates, place);

@@ -26,7 +26,7 @@ use crate::comm::together::Together;
 use crate::comm::tree::{Then, turns};
 use crate::comm::{Message, Ranks};
 use crate::contacts::{Contacts, NearTables};
-use crate::neighbours::{Neighbours, SearchEffort, SpatialOrder};
+use crate::neighbours::{Neighbours, SearchEffort};
 use handing::rank_in;
 use near::SizesOfAll;
 pub use report::{Sharing, SharingReport};
@@ -505,8 +505,6 @@ impl Simulation {
         if let Some(division) = &mut self.division {
             division.find_borders(&self.neighbours, self.coupling.is_some());
         }
-        // this is rare, and has numbers of all grains
-        self.order = SpatialOrder::default();
     }
 
     /// Notes how evenly the work is divided right after it was.

@@ -3,10 +3,11 @@
 use super::time_step::largest_reach;
 use super::{Simulation, SkinTuner};
 use crate::contacts::Coupling;
-use crate::particles::{Grains, HigherDerivatives, NewGrain};
+use crate::particles::{Grains, HigherDerivatives, Load, NewGrain};
 use crate::simulation::{Skin, WallPartner};
 use crate::step::CouplingState;
 use demeter_physics::integrator::Integrator;
+use glam::DVec3;
 use std::ops::Range;
 
 /// Why grains cannot come.
@@ -96,7 +97,7 @@ impl Simulation {
         }
         for g in before..self.grains.len() {
             // the first half kick is that of gravity alone
-            self.grains.force[g] = self.gravity * self.grains.mass[g];
+            self.grains.load.rows_mut()[g] = Load::new(self.gravity * self.grains.mass[g], DVec3::ZERO);
         }
         self.lengthen_division();
         self.find_candidates();

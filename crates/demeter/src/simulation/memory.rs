@@ -15,10 +15,10 @@ pub struct MemoryPart {
 }
 
 impl Simulation {
-    /// Memory of the tables that grow with the number of grains and contacts. The program itself and what output and measures need
-    /// come on top.
+    /// Memory of the tables that grow with the number of grains and contacts. The program itself, what output and measures need, and
+    /// what a search for candidates takes as long as it lasts come on top.
     pub fn memory(&self) -> Vec<MemoryPart> {
-        let (candidates, search) = self.neighbours.bytes(self.own_grains().len());
+        let candidates = self.neighbours.bytes(self.own_grains().len());
         let mut contacts = [0; 4];
         for chunk in self.contacts.pairs.iter().chain(&self.contacts.walls) {
             for (sum, bytes) in contacts.iter_mut().zip(chunk.bytes()) {
@@ -26,17 +26,13 @@ impl Simulation {
             }
         }
         let [bodies, forces, history, other] = contacts;
-        let handing_over: usize = self.contacts.transfer.iter().map(|transfer| transfer.bytes()).sum();
         let parts = [
             ("grains", self.grains.bytes_of(self.known_grains())),
-            ("order of the grains", self.order.bytes()),
-            ("search", search),
             ("candidates", candidates),
             ("contacts: bodies", bodies),
             ("contacts: forces", forces),
             ("contacts: history", history),
             ("contacts: other", other),
-            ("contacts handed over", handing_over),
             ("sums", self.sums.bytes()),
         ];
         let grains = self.grains.len().max(1) as f64;

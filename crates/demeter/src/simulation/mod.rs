@@ -379,6 +379,8 @@ impl Simulation {
         self.count_candidates();
         let moved_to = (places != Places::Kept).then(|| self.order.moved_to());
         self.contacts.hand_over(&self.neighbours, moved_to);
+        // this is rare, and the memory is worth more
+        self.order = SpatialOrder::default();
         self.tuner.note_rebuild(self.step);
         let mean_radius = self.mean_radius();
         self.near.forget(self.neighbours.segments(), mean_radius);

@@ -4,7 +4,7 @@
 use crate::contacts::Contacts;
 use crate::materials::Materials;
 use crate::neighbours::Neighbours;
-use crate::particles::{Grains, HigherDerivatives, Row};
+use crate::particles::{Grains, HalfKick, HigherDerivatives, Load, Row};
 use demeter_physics::contact::PairLaw;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes::{self, Instructions, Kernel, Lanes};
@@ -98,9 +98,9 @@ impl Work {
     ///
     /// | term | bytes | of |
     /// |---|---|---|
-    /// | motion: kick and drift in one pass | 488 | position, velocity, spin, orientation, force, torque (32 each, read and written); reference (32), mass, the sum (64) |
-    /// | motion: in two, as with custom forces or in a box that deforms | 680 | in the drift all but mass, sum, written force and torque; in the kick all but position, orientation, reference |
-    /// | contacts | 224 | rows of position, velocity, spin; the sum (64, read and written) |
+    /// | motion: kick and drift in one pass | 424 | position, velocity, spin, orientation, half kick (32 each, read and written); reference (32), mass, load (64) |
+    /// | motion: in two, as with custom forces or in a box that deforms | 680 | in the drift all but mass, half kick written only; in the kick velocity, spin and load read and written, half kick, mass |
+    /// | contacts | 224 | rows of position, velocity, spin; the load (64, read and written) |
     /// | element, geometry | 4 + 48 | of the wall; written |
     /// | history, normal force | 16 h + 16 | read and written |
     /// | bodies | 8 | both grains |
@@ -110,15 +110,15 @@ impl Work {
     /// and writes the derivatives in both passes, and place and orientation in the second.
     pub(super) fn needs(&self, stride: usize, rolls: bool, passes: Passes) -> Needs {
         let (row, turn) = (size_of::<Row>(), size_of::<DQuat>());
-        let sum = 2 * row;
-        let loads = size_of::<f64>() + sum;
-        let contacts = 3 * row + 2 * sum;
-        let joined = 2 * (5 * row + turn) + row + loads;
-        let apart = 2 * (3 * row + turn) + 3 * row + 8 * row + loads;
+        let (load, half_kick, mass) = (size_of::<Load>(), size_of::<HalfKick>(), size_of::<f64>());
+        let contacts = 3 * row + 2 * load;
+        let drift = 2 * (3 * row + turn) + row + load + half_kick;
+        let joined = drift + half_kick + mass;
+        let apart = drift + 2 * (2 * row + load) + half_kick + mass;
         let motion = match passes {
             Passes::Joined => joined,
             Passes::Apart => apart,
-            Passes::Gear => apart + 4 * size_of::<HigherDerivatives>() + 2 * (row + turn),
+            Passes::Gear => apart - 2 * half_kick + 4 * size_of::<HigherDerivatives>() + 2 * (row + turn),
         };
         let per_grain = motion + contacts;
         let at_wall = size_of::<u32>() + size_of::<Contact>();
@@ -311,7 +311,9 @@ mod tests {
             set(&mut work);
             work
         };
-        assert_eq!(of(one(|w| w.grains = 1), 4), 488.0 + 224.0);
+        let grain = one(|w| w.grains = 1);
+        assert_eq!(of(grain, 4), 424.0 + 224.0);
+        assert_eq!(grain.needs(4, false, Passes::Apart).bytes, 680.0 + 224.0);
         let contact = one(|w| w.contacts = 1);
         assert_eq!(of(contact, 4), 16.0 * 4.0 + 16.0 + 8.0 + 24.0);
         assert_eq!(of(one(|w| w.wall_contacts = 1), 4), of(contact, 4) + 52.0);

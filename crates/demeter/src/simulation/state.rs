@@ -99,8 +99,7 @@ impl SimulationState<'_> {
             g.velocity.len(),
             g.angular_velocity.len(),
             g.orientation.len(),
-            g.force.len(),
-            g.torque.len(),
+            g.load.len(),
         ];
         if self.walls.len() != walls {
             Err(StateError::Walls {

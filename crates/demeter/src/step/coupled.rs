@@ -265,6 +265,7 @@ impl Simulation {
     /// Evaluates the laws at the displaced surfaces, and sums up.
     fn evaluate_displaced(&mut self, max_speed: f64) {
         let (mut contacts, mut sums) = (std::mem::take(&mut self.contacts), std::mem::take(&mut self.sums));
+        let mut loads = std::mem::take(&mut self.grains.load);
         if let Some(scene) = self.coupled_scene(max_speed, contacts.stride) {
             let work = Work {
                 neighbours: &self.neighbours,
@@ -289,9 +290,9 @@ impl Simulation {
             };
             let own = self.own_grains();
             let parts = parts(own.len());
-            sums.work(&mut contacts, own, parts, &work);
+            sums.work((&mut loads, &mut contacts), own, parts, &work);
         }
-        (self.contacts, self.sums) = (contacts, sums);
+        (self.contacts, self.sums, self.grains.load) = (contacts, sums, loads);
     }
 
     /// What contacts that feel each other are made of.

@@ -1,13 +1,12 @@
 //! The predictor-corrector of Gear.
 //!
 //! Forces are found at the predicted places, which the test of the candidates sees; the corrector then moves the grains by
-//! a little, which the next prediction starts from. Between the two, force and torque are those predicted.
+//! a little, which the next prediction starts from.
 
 use super::{GRAINS_PER_TASK, Motion, first_by_id};
-use crate::contacts::sum::GrainSums;
+use crate::particles::Load;
 use crate::simulation::Simulation;
 use demeter_physics::integrator::gear::{self, Gear};
-use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -27,38 +26,28 @@ impl Simulation {
                 grains.orientation[some.clone()].par_chunks_mut(n),
                 grains.angular_velocity.rows_mut()[some.clone()].par_chunks_mut(n),
             ),
-            (
-                grains.force.rows_mut()[some.clone()].par_chunks_mut(n),
-                grains.torque.rows_mut()[some.clone()].par_chunks_mut(n),
-            ),
+            grains.load.rows()[some.clone()].par_chunks(n),
             grains.higher[some.clone()].par_chunks_mut(n),
-            grains.mass[some.clone()].par_chunks(n),
             self.neighbours.reference.rows()[some.clone()].par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
             .map(
-                |(task, ((position, velocity), (orientation, spin), (force, torque), higher, mass, reference))| {
+                |(task, ((position, velocity), (orientation, spin), load, higher, reference))| {
                     let mut motion = Motion::default();
                     let (mut speed2, mut displacement2) = (0.0f64, 0.0f64);
                     for k in 0..position.len() {
                         let mut moving = gear::Motion {
                             place: position[k].vector,
                             rate: velocity[k].vector,
-                            acceleration: force[k].vector * velocity[k].scalar,
+                            acceleration: load[k].force() * velocity[k].scalar,
                         };
                         method.predict(&mut moving, &mut higher[k].translation);
                         (position[k].vector, velocity[k].vector) = (moving.place, moving.rate);
-                        force[k].vector = moving.acceleration * mass[k];
-                        let inverse_inertia = spin[k].scalar;
-                        let mut twist = torque[k].vector * inverse_inertia;
+                        let mut twist = load[k].torque() * spin[k].scalar;
                         let derivatives = &mut higher[k].rotation;
                         method.predict_rotation(&mut orientation[k], &mut spin[k].vector, &mut twist, derivatives);
-                        torque[k].vector = if inverse_inertia > 0.0 {
-                            twist / inverse_inertia
-                        } else {
-                            DVec3::ZERO
-                        };
+                        higher[k].foreseen = [moving.acceleration, twist];
                         speed2 = speed2.max(velocity[k].vector.length_squared());
                         displacement2 = displacement2.max((position[k].vector - reference[k].vector).length_squared());
                         if motion.misplaced.is_none() && !domain.contains(position[k].vector) {
@@ -79,7 +68,7 @@ impl Simulation {
     /// that is not a number.
     pub(super) fn correct(&mut self) -> Option<usize> {
         let method = Gear::new(self.dt);
-        let (sums, gravity) = (&self.sums, self.gravity);
+        let gravity = self.gravity;
         let own = self.own_grains();
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
@@ -92,42 +81,37 @@ impl Simulation {
                 grains.orientation[own.clone()].par_chunks_mut(n),
                 grains.angular_velocity.rows_mut()[own.clone()].par_chunks_mut(n),
             ),
-            (
-                grains.force.rows_mut()[own.clone()].par_chunks_mut(n),
-                grains.torque.rows_mut()[own.clone()].par_chunks_mut(n),
-            ),
+            grains.load.rows_mut()[own.clone()].par_chunks_mut(n),
             grains.higher[own.clone()].par_chunks_mut(n),
             grains.mass[own.clone()].par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
             .map(
-                |(task, ((position, velocity), (orientation, spin), (force, torque), higher, mass))| {
+                |(task, ((position, velocity), (orientation, spin), load, higher, mass))| {
                     let mut bad = None;
-                    let sums = GrainSums::from(own.start + task * n, sums);
                     for k in 0..velocity.len() {
-                        let (contact_force, new_torque) = sums.vectors_of(k);
-                        let new_force = contact_force + gravity * mass[k];
-                        let error = (new_force - force[k].vector) * velocity[k].scalar;
+                        let (force, torque) = (load[k].force() + gravity * mass[k], load[k].torque());
+                        let [acceleration, twist] = higher[k].foreseen;
+                        let error = force * velocity[k].scalar - acceleration;
                         method.correct(
                             &mut position[k].vector,
                             &mut velocity[k].vector,
                             &mut higher[k].translation,
                             error,
                         );
-                        let error = (new_torque - torque[k].vector) * spin[k].scalar;
+                        let error = torque * spin[k].scalar - twist;
                         method.correct_rotation(
                             &mut orientation[k],
                             &mut spin[k].vector,
                             &mut higher[k].rotation,
                             error,
                         );
-                        force[k].vector = new_force;
-                        torque[k].vector = new_torque;
+                        load[k] = Load::new(force, torque);
                         if !(velocity[k].vector.is_finite()
                             && spin[k].vector.is_finite()
-                            && new_force.is_finite()
-                            && new_torque.is_finite())
+                            && force.is_finite()
+                            && torque.is_finite())
                         {
                             bad = first_by_id(ids, bad, Some(own.start + task * n + k));
                         }

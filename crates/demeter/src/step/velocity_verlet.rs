@@ -2,9 +2,8 @@
 //! between; the bits are the same.
 
 use super::{GRAINS_PER_TASK, Motion, first_by_id};
-use crate::contacts::sum::GrainSums;
-use crate::particles::Domain;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
+use crate::particles::{Domain, HalfKick, Load};
 use crate::simulation::Simulation;
 use crate::threads::{Divisible, divide};
 use demeter_physics::integrator::rotate_wide;
@@ -19,16 +18,14 @@ impl Simulation {
         let (dt, domain, instructions) = (self.dt, *self.comm.domain(), self.instructions);
         let grains = &mut self.grains;
         let ids = &grains.id;
-        let (force, torque) = (
-            &mut grains.force.table_mut()[some.clone()],
-            &mut grains.torque.table_mut()[some.clone()],
-        );
+        let loads = &grains.load.rows()[some.clone()];
         let moved = Moved {
             first: some.start,
             spreads: &mut self.spreads[some.start / GRAINS_OF_A_SPREAD..some.end.div_ceil(GRAINS_OF_A_SPREAD)],
             position: &mut grains.position.table_mut()[some.clone()],
             velocity: &mut grains.velocity.table_mut()[some.clone()],
             spin: &mut grains.angular_velocity.table_mut()[some.clone()],
+            half_kicks: &mut grains.half_kicks.0[some.clone()],
             orientation: &mut grains.orientation[some.clone()],
             reference: &self.neighbours.reference.table()[some.clone()],
             dt,
@@ -36,58 +33,53 @@ impl Simulation {
         };
         let merge = |one: Motion, other: Motion| one.merge(other, ids);
         if !self.awaits_kick {
-            let forces = Told { force, torque };
+            let forces = Told(loads);
             let drift = |some: Drift<Told>| lanes::run(instructions, some);
             return divide(Drift { moved, forces }, GRAINS_OF_A_SPREAD, &drift, &merge);
         }
         let forces = Summed {
             first: some.start,
             ids,
-            force,
-            torque,
-            sums: GrainSums::from(some.start, &self.sums),
+            loads,
             mass: &grains.mass[some],
             gravity: self.gravity,
-            correction: 0.5 * dt,
+            kick: 0.5 * dt,
             bad: None,
         };
         let drift = |some: Drift<Summed>| lanes::run(instructions, some);
         divide(Drift { moved, forces }, GRAINS_OF_A_SPREAD, &drift, &merge)
     }
 
-    /// Sum per grain, body force, and the kick over `correction` [s] that corrects the predicted velocity. Tells the first
-    /// grain, by its id, with a value that is not a number.
-    pub(super) fn kick(&mut self, correction: f64) -> Option<usize> {
-        let (sums, gravity, instructions) = (&self.sums, self.gravity, self.instructions);
+    /// Body force, and the half kick over `kick` [s] in place of the one that was foreseen. Tells the first grain, by its id, with a
+    /// value that is not a number.
+    pub(super) fn kick(&mut self, kick: f64) -> Option<usize> {
+        let (gravity, instructions) = (self.gravity, self.instructions);
         let own = self.own_grains();
         let grains = &mut self.grains;
+        grains.foresee_half_kicks();
         let ids = &grains.id;
         let all = Kick {
+            first: own.start,
             velocity: &mut grains.velocity.table_mut()[own.clone()],
             spin: &mut grains.angular_velocity.table_mut()[own.clone()],
-            forces: Summed {
-                first: own.start,
-                ids,
-                force: &mut grains.force.table_mut()[own.clone()],
-                torque: &mut grains.torque.table_mut()[own.clone()],
-                mass: &grains.mass[own.clone()],
-                sums: GrainSums::from(own.start, sums),
-                gravity,
-                correction,
-                bad: None,
-            },
+            half_kicks: &grains.half_kicks.0[own.clone()],
+            loads: &mut grains.load.rows_mut()[own.clone()],
+            mass: &grains.mass[own],
+            ids,
+            gravity,
+            kick,
         };
         let kick = |some: Kick| lanes::run(instructions, some);
         divide(all, GRAINS_PER_TASK, &kick, &|one, other| first_by_id(ids, one, other))
     }
 }
 
-/// Motion and loads of one grain at the beginning of a step; what stands beside vectors stays.
+/// How a grain moves at the beginning of a step, and the half kick of what acts on it; what stands beside vectors stays.
 struct State<Q> {
     velocity: Q,
     spin: Q,
-    force: Q,
-    torque: Q,
+    kick: Q,
+    twist: Q,
 }
 
 /// Where the loads on some grains come from.
@@ -95,37 +87,30 @@ trait Forces: Sized + Send {
     /// Those on the first so many, and on the others.
     fn split(self, first: usize) -> (Self, Self);
 
-    /// How a grain moves, and what acts on it, told its velocity and angular velocity as they stand in the tables.
-    fn begin<Q: Quad>(&mut self, k: usize, velocity: &[f64; 4], spin: &[f64; 4]) -> State<Q>;
+    /// How a grain moves, told its rows of velocity and angular velocity, the half kick foreseen, and half a step [s].
+    fn begin<Q: Quad>(&mut self, k: usize, rows: [&[f64; 4]; 2], foreseen: &HalfKick, half: f64) -> State<Q>;
 
     /// The first grain, by its id, with a value that is not a number.
     fn bad(&self) -> Option<usize>;
 }
 
 /// Loads as they stand in the tables.
-struct Told<'a> {
-    force: &'a [[f64; 4]],
-    torque: &'a [[f64; 4]],
-}
+struct Told<'a>(&'a [Load]);
 
 impl Forces for Told<'_> {
     fn split(self, first: usize) -> (Self, Self) {
-        let (force, forces) = self.force.split_at(first);
-        let (torque, torques) = self.torque.split_at(first);
-        let others = Self {
-            force: forces,
-            torque: torques,
-        };
-        (Self { force, torque }, others)
+        let (some, others) = self.0.split_at(first);
+        (Self(some), Self(others))
     }
 
     #[inline(always)]
-    fn begin<Q: Quad>(&mut self, k: usize, velocity: &[f64; 4], spin: &[f64; 4]) -> State<Q> {
+    fn begin<Q: Quad>(&mut self, k: usize, [velocity, spin]: [&[f64; 4]; 2], _: &HalfKick, half: f64) -> State<Q> {
+        let [force, torque] = self.0[k].parts();
         State {
             velocity: Q::load(velocity),
             spin: Q::load(spin),
-            force: Q::load(&self.force[k]),
-            torque: Q::load(&self.torque[k]),
+            kick: Q::load(force) * Q::all(half * velocity[3]),
+            twist: Q::load(torque) * Q::all(half * spin[3]),
         }
     }
 
@@ -134,65 +119,82 @@ impl Forces for Told<'_> {
     }
 }
 
-/// Loads that are summed up now, with which predicted velocities are corrected.
+/// Loads of contacts that were summed up, whose half kick takes the place of the one foreseen.
 struct Summed<'a> {
     /// Index of the first grain.
     first: usize,
     ids: &'a [u32],
-    force: &'a mut [[f64; 4]],
-    torque: &'a mut [[f64; 4]],
+    loads: &'a [Load],
     mass: &'a [f64],
-    sums: GrainSums<'a>,
     gravity: DVec3,
-    correction: f64,
+    /// Length of the half kick [s].
+    kick: f64,
     bad: Option<usize>,
+}
+
+/// How a grain moves after a half kick over some time [s] by what contacts and gravity do, in place of the one that was foreseen; and
+/// what acts on it, gravity added.
+#[inline(always)]
+fn kicked<Q: Quad>(
+    load: &Load,
+    body_force: Q,
+    [velocity, spin]: [&[f64; 4]; 2],
+    HalfKick([kick, twist]): &HalfKick,
+    time: f64,
+) -> (State<Q>, [Q; 2]) {
+    let [force, torque] = load.parts();
+    let (force, torque) = (Q::load(force) + body_force, Q::load(torque));
+    let (middle, middle_spin) = (
+        Q::load(velocity) - Q::load_singles(kick),
+        Q::load(spin) - Q::load_singles(twist),
+    );
+    let (kick, twist) = (force * Q::all(time * velocity[3]), torque * Q::all(time * spin[3]));
+    let state = State {
+        velocity: middle + kick,
+        spin: middle_spin + twist,
+        kick,
+        twist,
+    };
+    (state, [force, torque])
+}
+
+/// Whether any value of a grain is not a number.
+#[inline(always)]
+fn is_bad<Q: Quad>(state: &State<Q>, [force, torque]: [Q; 2]) -> bool {
+    // a sum is finite only where all are
+    let all = (state.velocity + state.spin) + (force + torque);
+    !all.lies_within(Q::all(f64::MIN), Q::all(f64::MAX)) && {
+        let values = [
+            state.velocity.store(),
+            state.spin.store(),
+            force.store(),
+            torque.store(),
+        ];
+        values.as_flattened().iter().any(|value| !value.is_finite())
+    }
 }
 
 impl Forces for Summed<'_> {
     fn split(self, first: usize) -> (Self, Self) {
-        let (force, forces) = self.force.split_at_mut(first);
-        let (torque, torques) = self.torque.split_at_mut(first);
+        let (loads, other_loads) = self.loads.split_at(first);
         let (mass, masses) = self.mass.split_at(first);
         let others = Self {
             first: self.first + first,
-            force: forces,
-            torque: torques,
+            loads: other_loads,
             mass: masses,
-            sums: self.sums.behind(first),
             ..self
         };
-        let some = Self {
-            force,
-            torque,
-            mass,
-            ..self
-        };
-        (some, others)
+        (Self { loads, mass, ..self }, others)
     }
 
     #[inline(always)]
-    fn begin<Q: Quad>(&mut self, k: usize, velocity: &[f64; 4], spin: &[f64; 4]) -> State<Q> {
-        let (contact_force, new_torque) = self.sums.of::<Q>(k);
-        let new_force = contact_force + row::<Q>(self.gravity, 0.0) * Q::all(self.mass[k]);
-        let change = (new_force - Q::load(&self.force[k])) * Q::all(self.correction * velocity[3]);
-        let twist = (new_torque - Q::load(&self.torque[k])) * Q::all(self.correction * spin[3]);
-        let (new_velocity, new_spin) = (Q::load(velocity) + change, Q::load(spin) + twist);
-        self.force[k] = new_force.store();
-        self.torque[k] = new_torque.store();
-        // a sum is finite only where all are
-        let all = (new_velocity + new_spin) + (new_force + new_torque);
-        if !all.lies_within(Q::all(f64::MIN), Q::all(f64::MAX)) {
-            let values = [new_velocity.store(), new_spin.store(), self.force[k], self.torque[k]];
-            if values.as_flattened().iter().any(|value| !value.is_finite()) {
-                self.bad = first_by_id(self.ids, self.bad, Some(self.first + k));
-            }
+    fn begin<Q: Quad>(&mut self, k: usize, rows: [&[f64; 4]; 2], foreseen: &HalfKick, _: f64) -> State<Q> {
+        let body_force = row::<Q>(self.gravity, 0.0) * Q::all(self.mass[k]);
+        let (state, loads) = kicked(&self.loads[k], body_force, rows, foreseen, self.kick);
+        if is_bad(&state, loads) {
+            self.bad = first_by_id(self.ids, self.bad, Some(self.first + k));
         }
-        State {
-            velocity: new_velocity,
-            spin: new_spin,
-            force: new_force,
-            torque: new_torque,
-        }
+        state
     }
 
     fn bad(&self) -> Option<usize> {
@@ -208,6 +210,8 @@ struct Moved<'a> {
     position: &'a mut [[f64; 4]],
     velocity: &'a mut [[f64; 4]],
     spin: &'a mut [[f64; 4]],
+    /// Those that the latest step foresaw, and then those of this one.
+    half_kicks: &'a mut [HalfKick],
     orientation: &'a mut [DQuat],
     reference: &'a [[f64; 4]],
     dt: f64,
@@ -232,6 +236,7 @@ impl<F: Forces> Divisible for Drift<'_, F> {
         let (position, positions) = all.position.split_at_mut(first);
         let (velocity, velocities) = all.velocity.split_at_mut(first);
         let (spin, spins) = all.spin.split_at_mut(first);
+        let (half_kicks, other_kicks) = all.half_kicks.split_at_mut(first);
         let (orientation, orientations) = all.orientation.split_at_mut(first);
         let (reference, references) = all.reference.split_at(first);
         let others = Moved {
@@ -240,6 +245,7 @@ impl<F: Forces> Divisible for Drift<'_, F> {
             position: positions,
             velocity: velocities,
             spin: spins,
+            half_kicks: other_kicks,
             orientation: orientations,
             reference: references,
             ..all
@@ -249,6 +255,7 @@ impl<F: Forces> Divisible for Drift<'_, F> {
             position,
             velocity,
             spin,
+            half_kicks,
             orientation,
             reference,
             ..all
@@ -283,6 +290,7 @@ impl<F: Forces> Kernel for Drift<'_, F> {
         // tables of one length: each index is checked once
         let (velocity, spin) = (&mut moved.velocity[..count], &mut moved.spin[..count]);
         let (position, reference) = (&mut moved.position[..count], &moved.reference[..count]);
+        let half_kicks = &mut moved.half_kicks[..count];
         let (mut of_middle, mut of_end) = (Bounds::<L::Quad>::nothing(), Bounds::<L::Quad>::nothing());
         let mut displacement2 = L::splat(0.0);
         let mut misplaced = None;
@@ -292,16 +300,17 @@ impl<F: Forces> Kernel for Drift<'_, F> {
             let here = k..(k + L::COUNT).min(count);
             let rows = spins.iter_mut().zip(&mut displacements);
             for (g, (turning, displacement)) in here.clone().zip(rows) {
-                let now = forces.begin::<L::Quad>(g, &velocity[g], &spin[g]);
-                let kick = now.force * L::Quad::all(half * velocity[g][3]);
-                let twist = now.torque * L::Quad::all(half * spin[g][3]);
-                let middle = now.velocity + kick;
-                let middle_spin = now.spin + twist;
+                let now = forces.begin::<L::Quad>(g, [&velocity[g], &spin[g]], &half_kicks[g], half);
+                let middle = now.velocity + now.kick;
+                let middle_spin = now.spin + now.twist;
                 let place = L::Quad::load(&position[g]) + middle * time;
-                let ahead = middle + kick;
+                // the velocity that is foreseen needs no more than singles, which take half the memory until the kick is known
+                let foreseen = [now.kick.singles(), now.twist.singles()];
+                let ahead = middle + L::Quad::load_singles(&foreseen[0]);
+                half_kicks[g] = HalfKick(foreseen);
                 position[g] = place.store();
                 velocity[g] = ahead.store();
-                spin[g] = (middle_spin + twist).store();
+                spin[g] = (middle_spin + L::Quad::load_singles(&foreseen[1])).store();
                 *turning = middle_spin.store();
                 *displacement = (place - L::Quad::load(&reference[g])).store();
                 of_end.include(ahead);
@@ -384,9 +393,18 @@ impl<Q: Quad> Bounds<Q> {
 
 /// The second half of a step of some grains.
 struct Kick<'a> {
+    /// Index of the first grain.
+    first: usize,
     velocity: &'a mut [[f64; 4]],
     spin: &'a mut [[f64; 4]],
-    forces: Summed<'a>,
+    half_kicks: &'a [HalfKick],
+    /// Of contacts, and then with gravity.
+    loads: &'a mut [Load],
+    mass: &'a [f64],
+    ids: &'a [u32],
+    gravity: DVec3,
+    /// Length of the half kick [s].
+    kick: f64,
 }
 
 impl Divisible for Kick<'_> {
@@ -397,13 +415,26 @@ impl Divisible for Kick<'_> {
     fn split(self, first: usize) -> (Self, Self) {
         let (velocity, velocities) = self.velocity.split_at_mut(first);
         let (spin, spins) = self.spin.split_at_mut(first);
-        let (forces, other_forces) = self.forces.split(first);
+        let (half_kicks, other_kicks) = self.half_kicks.split_at(first);
+        let (loads, other_loads) = self.loads.split_at_mut(first);
+        let (mass, masses) = self.mass.split_at(first);
         let others = Self {
+            first: self.first + first,
             velocity: velocities,
             spin: spins,
-            forces: other_forces,
+            half_kicks: other_kicks,
+            loads: other_loads,
+            mass: masses,
+            ..self
         };
-        let some = Self { velocity, spin, forces };
+        let some = Self {
+            velocity,
+            spin,
+            half_kicks,
+            loads,
+            mass,
+            ..self
+        };
         (some, others)
     }
 }
@@ -412,12 +443,20 @@ impl Kernel for Kick<'_> {
     type Output = Option<usize>;
 
     #[inline(always)]
-    fn run<L: Lanes>(mut self) -> Option<usize> {
-        for (k, (velocity, spin)) in self.velocity.iter_mut().zip(&mut *self.spin).enumerate() {
-            let now = self.forces.begin::<L::Quad>(k, velocity, spin);
-            *velocity = now.velocity.store();
-            *spin = now.spin.store();
+    fn run<L: Lanes>(self) -> Option<usize> {
+        let mut bad = None;
+        for (k, (velocity, spin)) in self.velocity.iter_mut().zip(self.spin).enumerate() {
+            let body_force = row::<L::Quad>(self.gravity, 0.0) * L::Quad::all(self.mass[k]);
+            let rows = [&*velocity, &*spin];
+            let (state, loads) = kicked(&self.loads[k], body_force, rows, &self.half_kicks[k], self.kick);
+            if is_bad(&state, loads) {
+                bad = first_by_id(self.ids, bad, Some(self.first + k));
+            }
+            let ([fx, fy, fz, _], [tx, ty, tz, _]) = (loads[0].store(), loads[1].store());
+            self.loads[k] = Load([fx, fy, fz, 0.0, tx, ty, tz, 0.0]);
+            *velocity = state.velocity.store();
+            *spin = state.spin.store();
         }
-        self.forces.bad
+        bad
     }
 }

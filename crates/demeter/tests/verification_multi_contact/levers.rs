@@ -62,8 +62,9 @@ fn torque_is_lever_times_force() {
                 }
             }
         }
-        for (found, expected) in sim.grains.torque.iter().zip(torque) {
-            assert!((*found - expected).length() < 1e-15, "{found} {expected}");
+        for (load, expected) in sim.grains.load.rows().iter().zip(torque) {
+            let found = load.torque();
+            assert!((found - expected).length() < 1e-15, "{found} {expected}");
         }
     }
 }

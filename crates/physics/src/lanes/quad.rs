@@ -9,6 +9,10 @@ pub trait Quad: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     fn load(from: &[f64; 4]) -> Self;
     /// As numbers.
     fn store(self) -> [f64; 4];
+    /// From numbers of half the precision.
+    fn load_singles(from: &[f32; 4]) -> Self;
+    /// Each rounded to the nearest number of half the precision, to the even one of two.
+    fn singles(self) -> [f32; 4];
     /// The same number four times.
     fn all(value: f64) -> Self;
     /// The larger number in each place; that of `self` where `other` is not a number.
@@ -96,6 +100,17 @@ impl Quad for Four {
     #[inline(always)]
     fn store(self) -> [f64; 4] {
         self.0
+    }
+
+    #[inline(always)]
+    fn load_singles(&[a, b, c, d]: &[f32; 4]) -> Self {
+        Self([f64::from(a), f64::from(b), f64::from(c), f64::from(d)])
+    }
+
+    #[inline(always)]
+    fn singles(self) -> [f32; 4] {
+        let [a, b, c, d] = self.0;
+        [a as f32, b as f32, c as f32, d as f32]
     }
 
     #[inline(always)]

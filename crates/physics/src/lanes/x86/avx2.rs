@@ -250,6 +250,20 @@ impl Quad for F64x4 {
     }
 
     #[inline(always)]
+    fn load_singles(from: &[f32; 4]) -> Self {
+        // SAFETY: see the top of the module
+        Self(unsafe { _mm256_cvtps_pd(_mm_loadu_ps(from.as_ptr())) })
+    }
+
+    #[inline(always)]
+    fn singles(self) -> [f32; 4] {
+        let mut to = [0.0; 4];
+        // SAFETY: see the top of the module
+        unsafe { _mm_storeu_ps(to.as_mut_ptr(), _mm256_cvtpd_ps(self.0)) };
+        to
+    }
+
+    #[inline(always)]
     fn all(value: f64) -> Self {
         Self::splat(value)
     }
