@@ -391,34 +391,3 @@ proptest! {
         }
     }
 }
-
-#[test]
-fn triangles_told_as_near_give_the_same_contacts_until_they_are_passed() {
-    let mut dice = Dice::new(29);
-    let mut touched = 0;
-    for _ in 0..20 {
-        let bumps = |p: DVec3| v(p.x, p.y, 0.08 * libm::sin(9.0 * p.x) * libm::cos(7.0 * p.y));
-        let mesh = Mesh::new(&plane(8, 0.3, &mut dice, bumps)).unwrap();
-        let (reach, room) = (0.12, 0.05);
-        for _ in 0..50 {
-            let from = v(
-                dice.between(-0.1, 1.1),
-                dice.between(-0.1, 1.1),
-                dice.between(-0.25, 0.25),
-            );
-            let mut near = vec![];
-            mesh.triangles_near(from, reach + room, &mut near);
-            for _ in 0..20 {
-                // anywhere within the room
-                let step = dice.point(1.0);
-                let centre = from + step * (room * dice.between(0.0, 1.0) / step.length().max(1e-9));
-                let mut among = vec![];
-                mesh.contacts_among(&near, centre, reach, &mut among);
-                let all = contacts(&mesh, centre, reach);
-                assert_eq!(among, all, "{from} {centre}");
-                touched += all.len();
-            }
-        }
-    }
-    assert!(touched > 5000, "{touched}");
-}

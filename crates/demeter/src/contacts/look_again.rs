@@ -18,6 +18,8 @@ pub(super) struct LookAgain<'a> {
     pub(super) element: &'a [u32],
     /// Distance beyond touching at which bodies may act in this step [m].
     pub(super) window: f64,
+    /// Whether there are contacts with meshes among them, which are left alone.
+    pub(super) beside_meshes: bool,
     pub(super) contacts: &'a mut [Contact],
 }
 
@@ -27,6 +29,20 @@ type Part = ((u32, u32), Option<PlacedPart>);
 impl LookAgain<'_> {
     fn place(&self, (wall, element): (u32, u32)) -> Part {
         ((wall, element), self.scene.walls[wall as usize].placed_part(element))
+    }
+
+    /// Lanes whose wall is not a mesh, among some.
+    #[inline(always)]
+    fn off_meshes<L: Lanes>(&self, walls: &Index, among: u32) -> u32 {
+        if !self.beside_meshes {
+            return among;
+        }
+        let (mut off, mut lane) = (0, 0);
+        while lane < L::COUNT {
+            off |= u32::from(self.scene.walls[walls[lane] as usize].mesh().is_none()) << lane;
+            lane += 1;
+        }
+        off & among
     }
 
     /// Looks at a contact alone.
@@ -65,9 +81,12 @@ impl Kernel for LookAgain<'_> {
             put_listed::<L>(self.i, k, &mut grains);
             put_listed::<L>(self.j, k, &mut walls);
             put_listed::<L>(self.element, k, &mut elements);
+            let here = self.off_meshes::<L>(&walls, lanes_below((count - k).min(L::COUNT)));
+            if here == 0 {
+                continue;
+            }
             let [[x, y, z, radius]] = L::fetch([positions], &grains);
             let (mut normal, mut distance) = (L::Vector::null(), L::splat(0.0));
-            let here = lanes_below((count - k).min(L::COUNT));
             let (mut left, mut told) = (here, 0);
             while left != 0 {
                 let one = left.trailing_zeros() as usize;
@@ -91,6 +110,9 @@ impl Kernel for LookAgain<'_> {
             let levers = distance.to_array();
             let end = (k + L::COUNT).min(count);
             for (lane, contact) in self.contacts[k..end].iter_mut().enumerate() {
+                if here >> lane & 1 == 0 {
+                    continue;
+                }
                 let [x, y, z, overlap] = rows.as_ref()[lane];
                 *contact = Contact {
                     normal: DVec3::new(x, y, z),

@@ -23,6 +23,7 @@ mod meetings;
 mod merge;
 pub mod narrow;
 mod near;
+mod near_triangles;
 mod respond;
 pub(crate) mod step_work;
 pub mod sum;

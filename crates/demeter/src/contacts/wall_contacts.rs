@@ -2,6 +2,7 @@
 
 use super::look_again::LookAgain;
 use super::near::Reach;
+use super::near_triangles::{NearTriangles, Within};
 use super::{ContactChunk, Kept, Scene, is_set};
 use crate::neighbours::WallPair;
 use crate::walls::SurfaceContact;
@@ -9,6 +10,9 @@ use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes;
 use glam::DVec3;
+
+/// Room for the rounding of paths and distances.
+const ROUNDING: f64 = 1.0 + 1e-9;
 
 /// What the grains of a chunk touch.
 #[derive(Clone, Debug, Default)]
@@ -21,17 +25,19 @@ pub(super) struct Touched {
     /// Which of the contacts of the step before were engaged, a bit each.
     engaged: Vec<u64>,
     near: NearParts,
+    within: Within,
 }
 
 /// Parts of walls that the grains of a chunk may touch within the next steps: triangles of a mesh, faces of a box, the one part of other
 /// shapes. They are looked for anew when grains and walls have moved so far that others may be touched.
 #[derive(Clone, Debug, Default)]
 struct NearParts {
-    /// Parts, one candidate after the other, and where those of each candidate end.
+    /// Faces and single parts, one candidate after the other, and where those of each candidate end.
     parts: Vec<u32>,
     ends: Vec<u32>,
-    /// Whether some are triangles, on which contacts come and go while the parts serve.
-    are_triangles: bool,
+    triangles: NearTriangles,
+    /// Whether some walls are meshes, on which contacts come and go while the parts serve.
+    has_meshes: bool,
 }
 
 impl NearParts {
@@ -41,21 +47,30 @@ impl NearParts {
     }
 
     /// Looks for parts so far beyond touching [m].
-    fn renew(&mut self, pairs: &[WallPair], reach: f64, scene: &Scene) {
+    fn renew(&mut self, pairs: &[WallPair], reach: f64, scene: &Scene, within: &mut Within) {
         self.parts.clear();
         self.ends.clear();
-        self.are_triangles = false;
-        for pair in pairs {
+        self.triangles.clear();
+        self.has_meshes = false;
+        for (c, pair) in pairs.iter().enumerate() {
             let (g, wall) = (pair.grain as usize, &scene.walls[pair.wall as usize]);
-            // room for the rounding of paths and distances
-            let reach = (scene.grains.radius(g) + reach) * (1.0 + 1e-9);
-            wall.parts_near(scene.grains.position[g], reach, &mut self.parts);
+            let reach = (scene.grains.radius(g) + reach) * ROUNDING;
+            let centre = scene.grains.position[g];
+            if wall.mesh().is_some() {
+                (self.triangles).extend(c, pair, |triangles| wall.parts_near(centre, reach, triangles));
+                self.has_meshes = true;
+            } else {
+                wall.parts_near(centre, reach, &mut self.parts);
+            }
             self.ends.push(self.parts.len() as u32);
-            self.are_triangles |= wall.mesh().is_some();
+        }
+        if self.has_meshes {
+            self.triangles.find((reach, ROUNDING), scene, within);
+            self.triangles.keep(within, pairs);
         }
     }
 
-    /// Those of a candidate.
+    /// Faces and single parts of a candidate.
     fn of(&self, candidate: usize) -> &[u32] {
         let first = candidate.checked_sub(1).map_or(0, |before| self.ends[before] as usize);
         &self.parts[first..self.ends[candidate] as usize]
@@ -68,27 +83,27 @@ impl Touched {
         self.ends.clear();
     }
 
-    /// Looks at all candidates: at triangles within the window of a step, at other parts as long as they are in the table, or come into
-    /// it where `contacts` are of an older one.
+    /// Looks at all candidates: at triangles within the window of a step, at other parts where they come into a new table. Those of an
+    /// older one stay as they were in the step before.
     fn look(&mut self, pairs: &[WallPair], reach: Reach, contacts: &Kept, scene: &Scene) {
         self.clear();
+        if self.near.has_meshes {
+            self.near.triangles.find((reach.window, 1.0), scene, &mut self.within);
+        }
         for (c, pair) in pairs.iter().enumerate() {
             let (g, wall) = (pair.grain as usize, &scene.walls[pair.wall as usize]);
-            let centre = scene.grains.position[g];
-            let within = scene.grains.radius(g) + reach.window;
-            let near = self.near.of(c);
             if wall.mesh().is_some() {
-                wall.contacts_among(near, centre, within, &mut self.parts);
-            } else {
-                let elements = if reach.is_new {
-                    near
-                } else {
-                    &contacts.element[contacts.range(c)]
-                };
-                let contacts = elements
-                    .iter()
-                    .filter_map(|&part| wall.contact_with(part, centre, within));
+                let points = self.within.next_of(c);
+                if !points.is_empty() {
+                    wall.contacts_of(points, &mut self.parts);
+                }
+            } else if reach.is_new {
+                let (centre, within) = (scene.grains.position[g], scene.grains.radius(g) + reach.window);
+                let parts = self.near.of(c).iter();
+                let contacts = parts.filter_map(|&part| wall.contact_with(part, centre, within));
                 self.parts.extend(contacts);
+            } else {
+                self.parts.extend(contacts.range(c).map(|k| contacts.at_wall(k)));
             }
             self.ends.push(self.parts.len() as u32);
         }
@@ -168,15 +183,18 @@ impl ContactChunk {
         self.begin(scene.walls.len(), law);
         let mut touched = std::mem::take(&mut self.touched);
         if reach.is_new || touched.near.ends.len() != pairs.len() {
-            touched.near.renew(pairs, reach.distance, scene);
+            (touched.near).renew(pairs, reach.distance, scene, &mut touched.within);
         }
-        if reach.is_new || touched.near.are_triangles {
+        let has_meshes = touched.near.has_meshes;
+        if reach.is_new || has_meshes {
             touched.look(pairs, reach, &self.now, scene);
             self.touch(pairs, &mut touched, scene);
-        } else {
+        }
+        if !reach.is_new {
             let look = LookAgain {
                 scene,
                 window: reach.window,
+                beside_meshes: has_meshes,
                 i: &self.i,
                 j: &self.j,
                 element: &self.now.element,
@@ -280,6 +298,16 @@ impl ContactChunk {
 const SAME_SURFACE: f64 = 0.5;
 
 impl Kept {
+    /// The part of a wall in a contact.
+    fn at_wall(&self, contact: usize) -> SurfaceContact {
+        let geometry = &self.geometry[contact];
+        SurfaceContact {
+            normal: geometry.normal,
+            distance: geometry.lever_i,
+            element: self.element[contact],
+        }
+    }
+
     /// The contact of the step before that contact `k` of a grain and a wall continues: the same element, else (a grain
     /// that rolled from one triangle onto the next) the one with the closest normal of those that are free for it.
     fn heir(

@@ -28,6 +28,7 @@ mod surface;
 mod wall;
 
 pub use error::WallError;
+pub(crate) use mesh::TrianglePoint;
 pub use mesh::{Mesh, MeshError};
 pub use mesh_file::{MeshFileContent, MeshFileError, MeshFormat, read_mesh};
 pub use motion::{FreeMotion, Freedom, Motion, MotionPart, Motions};

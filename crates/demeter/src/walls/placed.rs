@@ -77,8 +77,9 @@ impl PlacedPart {
     }
 }
 
+/// The same vector in every lane.
 #[inline(always)]
-fn splat<L: Lanes>(vector: DVec3) -> L::Vector {
+pub(super) fn splat<L: Lanes>(vector: DVec3) -> L::Vector {
     L::Vector::new(L::splat(vector.x), L::splat(vector.y), L::splat(vector.z))
 }
 

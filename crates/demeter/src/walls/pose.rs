@@ -1,5 +1,7 @@
 //! Where a wall stands.
 
+use super::placed::splat;
+use demeter_physics::lanes::{Lanes, Vector};
 use glam::{DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
@@ -47,6 +49,17 @@ impl Pose {
         }
     }
 
+    /// Wall-frame places of points of the world [m], one in each lane.
+    #[inline(always)]
+    pub(crate) fn unplace_wide<L: Lanes>(&self, origin: DVec3, points: L::Vector) -> L::Vector {
+        if self.is_unrotated() {
+            return points - splat::<L>(self.translation);
+        }
+        let origin = splat::<L>(origin);
+        let from_origin = points - origin - splat::<L>(self.translation);
+        origin + turned::<L>(self.rotation.conjugate(), from_origin)
+    }
+
     /// World direction of a direction of the wall frame.
     #[inline]
     pub fn turn(&self, direction: DVec3) -> DVec3 {
@@ -56,6 +69,27 @@ impl Pose {
             self.rotation * direction
         }
     }
+
+    /// World directions of directions of the wall frame, one in each lane.
+    #[inline(always)]
+    pub(crate) fn turn_wide<L: Lanes>(&self, directions: L::Vector) -> L::Vector {
+        if self.is_unrotated() {
+            directions
+        } else {
+            turned::<L>(self.rotation, directions)
+        }
+    }
+}
+
+/// Vectors turned by a rotation.
+#[inline(always)]
+fn turned<L: Lanes>(rotation: DQuat, vectors: L::Vector) -> L::Vector {
+    let [x, y, z, w] = rotation.to_array();
+    let axis = DVec3::new(x, y, z);
+    let wide = splat::<L>(axis);
+    vectors * L::splat(w * w - axis.length_squared())
+        + wide * (vectors.inner(wide) * 2.0)
+        + wide.outer(vectors) * L::splat(2.0 * w)
 }
 
 /// Rotation by `angle` [rad] about the unit vector `axis`, right-handed; the same bits on every machine.
@@ -77,6 +111,8 @@ mod tests {
         };
         let (origin, point) = (DVec3::new(4.0, 5.0, 6.0), DVec3::new(-1.0, 0.3, 2.0));
         assert!((pose.unplace(origin, pose.place(origin, point)) - point).length() < 1e-14);
+        assert!((pose.unplace_wide::<f64>(origin, point) - pose.unplace(origin, point)).length() < 1e-14);
+        assert!((pose.turn_wide::<f64>(point) - pose.turn(point)).length() < 1e-14);
         assert!(
             (pose.place(origin, point).distance(pose.place(origin, origin)) - point.distance(origin)).abs() < 1e-14
         );

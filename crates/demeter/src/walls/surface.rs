@@ -114,7 +114,7 @@ impl Surface {
         }
     }
 
-    /// Appends all parts within `reach`: triangles of a mesh, else elements.
+    /// Appends all parts within `reach`: triangles of a mesh that may be as near, else elements.
     pub(super) fn parts_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
         match self {
             Surface::Mesh(mesh) => mesh.triangles_near(centre, reach, out),

@@ -2,7 +2,7 @@
 
 use super::elements;
 use super::error::WallError;
-use super::mesh::Mesh;
+use super::mesh::{Mesh, TrianglePoint};
 use super::motion::Motions;
 use super::motion_checks::check_motions;
 use super::motor::{Driven, FreeStep, Motor};
@@ -12,6 +12,8 @@ use super::pose::Pose;
 use super::record::{ElementRecord, Mark, Record, Recording};
 use super::shape::Shape;
 use super::surface::Surface;
+use demeter_physics::geometry::contact_sphere_triangle::ClosestPoints;
+use demeter_physics::lanes::{Index, Lanes};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -97,12 +99,33 @@ impl Wall {
         self.turn(&mut out[first..]);
     }
 
-    /// The same of a mesh, where [`Wall::parts_near`] told the triangles that may be within reach.
-    pub(crate) fn contacts_among(&self, triangles: &[u32], centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
-        let Surface::Mesh(mesh) = &self.surface else { return };
-        let first = out.len();
-        mesh.contacts_among(triangles, self.motor.pose.unplace(self.origin, centre), reach, out);
-        self.turn(&mut out[first..]);
+    /// The points of some triangles of a mesh, of which [`Wall::parts_near`] told, that are closest to some centres; nowhere for other
+    /// shapes.
+    #[inline(always)]
+    pub(crate) fn closest_points<L: Lanes>(&self, triangles: &Index, centres: L::Vector) -> ClosestPoints<L> {
+        let Surface::Mesh(mesh) = &self.surface else {
+            return ClosestPoints::nowhere();
+        };
+        let pose = &self.motor.pose;
+        let mut points = mesh.closest_points(triangles, pose.unplace_wide::<L>(self.origin, centres));
+        points.normal = pose.turn_wide::<L>(points.normal);
+        points
+    }
+
+    /// Has triangles of a mesh that are needed soon fetched into the caches.
+    #[inline(always)]
+    pub(crate) fn fetch_ahead(&self, triangles: &[u32]) {
+        if let Surface::Mesh(mesh) = &self.surface {
+            mesh.fetch_ahead(triangles);
+        }
+    }
+
+    /// Appends the contacts among the closest points of all triangles within reach, sorted by element.
+    #[inline]
+    pub(crate) fn contacts_of(&self, points: &mut [TrianglePoint], out: &mut Vec<SurfaceContact>) {
+        if let Surface::Mesh(mesh) = &self.surface {
+            mesh.contacts_of(points, |normal| self.motor.pose.turn(normal), out);
+        }
     }
 
     /// The contact with an element, however far away, where a grain has no more than one with each: `None` of meshes, on which contacts
@@ -120,7 +143,7 @@ impl Wall {
         PlacedPart::new(&self.surface, element, &self.motor.pose, self.origin)
     }
 
-    /// Appends all parts of the surface within `reach` of a point [m]: triangles of a mesh, else elements.
+    /// Appends all parts of the surface within `reach` of a point [m]: triangles of a mesh that may be as near, else elements.
     pub(crate) fn parts_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
         (self.surface).parts_near(self.motor.pose.unplace(self.origin, centre), reach, out);
     }

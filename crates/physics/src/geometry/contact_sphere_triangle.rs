@@ -1,14 +1,21 @@
 //! Contact of a sphere and a triangle without thickness.
 
+use super::surface_point::LEAST_LENGTH;
 use super::{Feature, SurfacePoint};
+use crate::lanes::{Index, Lanes, MOST_LANES, Vector, fetch_ahead};
+use bytemuck::NoUninit;
 use glam::DVec3;
 
 /// Triangle; touches spheres on both sides, at its edges and at its corners.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, NoUninit)]
+#[repr(C)]
 pub struct Triangle {
     corners: [DVec3; 3],
     normal: DVec3,
 }
+
+/// Rows of four numbers that make up a triangle.
+const ROWS: u32 = 3;
 
 impl Triangle {
     /// Smallest area that a triangle may have, as a share of the square of its longest edge. Below it the normal is lost
@@ -40,6 +47,14 @@ impl Triangle {
     #[inline]
     pub fn normal(&self) -> DVec3 {
         self.normal
+    }
+
+    /// Has a triangle that is needed soon fetched into the caches.
+    #[inline(always)]
+    pub fn fetch_ahead(&self) {
+        fetch_ahead(&self.corners[0]);
+        // the triangle may reach into another line
+        fetch_ahead(&self.normal.z);
     }
 
     /// The closest point when it is known to lie in the interior of the face: the projection on the plane.
@@ -94,6 +109,151 @@ pub fn contact_sphere_triangle(triangle: &Triangle, centre: DVec3) -> SurfacePoi
     triangle.face_point(centre)
 }
 
+/// Closest points of triangles, one per lane.
+#[derive(Clone, Copy, Debug)]
+pub struct ClosestPoints<L: Lanes> {
+    /// Unit vector from the triangle towards the centre.
+    pub normal: L::Vector,
+    /// Distance of the centre from the triangle [m].
+    pub distance: L,
+    /// On which part of the triangle they lie: 0 in the face, from 1 on edges, from 4 on corners.
+    features: L,
+}
+
+impl<L: Lanes> ClosestPoints<L> {
+    /// Points that are nowhere.
+    #[inline(always)]
+    pub fn nowhere() -> Self {
+        Self {
+            normal: L::Vector::null(),
+            distance: L::splat(f64::INFINITY),
+            features: L::splat(0.0),
+        }
+    }
+
+    /// These where the mask holds, `no` elsewhere.
+    #[inline(always)]
+    #[must_use]
+    pub fn or(self, mask: L::Mask, no: Self) -> Self {
+        Self {
+            normal: self.normal.or(mask, no.normal),
+            distance: L::select(mask, self.distance, no.distance),
+            features: L::select(mask, self.features, no.features),
+        }
+    }
+
+    /// On which part of its triangle the point of every lane lies.
+    #[inline(always)]
+    pub fn features(&self) -> Features {
+        Features(self.features.to_array())
+    }
+}
+
+/// On which part of its triangle the closest point of every lane lies.
+#[derive(Clone, Copy, Debug)]
+pub struct Features([f64; MOST_LANES]);
+
+impl Features {
+    /// That of a lane.
+    #[inline(always)]
+    pub fn of(&self, lane: usize) -> Feature {
+        match self.0[lane] as u8 {
+            0 => Feature::Face,
+            code @ ..4 => Feature::Edge(code - 1),
+            code => Feature::Vertex(code - 4),
+        }
+    }
+}
+
+/// The same as [`contact_sphere_triangle`], bit for bit, of a triangle out of a list for each lane. A centre that is nearer than the
+/// square root of the smallest numbers counts as one in the triangle.
+#[inline(always)]
+pub fn contact_sphere_triangle_wide<L: Lanes>(
+    triangles: &[Triangle],
+    index: &Index,
+    centre: L::Vector,
+) -> ClosestPoints<L> {
+    let rows: &[[f64; 4]] = bytemuck::cast_slice(triangles);
+    let mut first_rows = [0; MOST_LANES];
+    let mut lane = 0;
+    while lane < L::COUNT {
+        first_rows[lane] = ROWS * index[lane];
+        lane += 1;
+    }
+    let [[ax, ay, az, bx], [by, bz, cx, cy], [cz, nx, ny, nz]] = L::fetch([rows, &rows[1..], &rows[2..]], &first_rows);
+    let (a, b, c) = (
+        L::Vector::new(ax, ay, az),
+        L::Vector::new(bx, by, bz),
+        L::Vector::new(cx, cy, cz),
+    );
+    let normal = L::Vector::new(nx, ny, nz);
+    let zero = L::splat(0.0);
+
+    let (ab, ac) = (b - a, c - a);
+    let (from_a, from_b, from_c) = (centre - a, centre - b, centre - c);
+    let (d1, d2) = (ab.inner(from_a), ac.inner(from_a));
+    let (d3, d4) = (ab.inner(from_b), ac.inner(from_b));
+    let (d5, d6) = (ab.inner(from_c), ac.inner(from_c));
+    let at_a = zero.ge(d1) & zero.ge(d2);
+    let at_b = d3.ge(zero) & d3.ge(d4);
+    let at_c = d6.ge(zero) & d6.ge(d5);
+    let on_ab = zero.ge(d1 * d4 - d3 * d2) & d1.ge(zero) & zero.ge(d3);
+    let on_ca = zero.ge(d5 * d2 - d1 * d6) & d2.ge(zero) & zero.ge(d6);
+    let on_bc = zero.ge(d3 * d6 - d5 * d4) & d4.ge(d3) & d5.ge(d6);
+
+    // what comes later here is asked first there
+    let mut spot = Spot::<L> {
+        start: b,
+        along: c - b,
+        part: d4 - d3,
+        rest: d5 - d6,
+        feature: L::select(on_bc, L::splat(2.0), zero),
+    };
+    spot.put(on_ca, (a, ac), (d2, -d6), 3.0);
+    spot.put(at_c, (c, ac), (zero, zero), 6.0);
+    spot.put(on_ab, (a, ab), (d1, -d3), 1.0);
+    spot.put(at_b, (b, ab), (zero, zero), 5.0);
+    spot.put(at_a, (a, ab), (zero, zero), 4.0);
+
+    let whole = spot.part + spot.rest;
+    let share = (spot.part / whole).keep(whole.gt(zero));
+    let apart = centre - (spot.start + spot.along * share);
+    let length = apart.square().sqrt();
+    let [x, y, z] = apart.components();
+    let is_off = length.gt(L::splat(LEAST_LENGTH));
+    let away = L::Vector::new(x / length, y / length, z / length).or(is_off, normal);
+
+    let height = from_a.inner(normal);
+    let up = (-normal).or(height.lt(zero), normal);
+    let is_beside = spot.feature.gt(zero);
+    ClosestPoints {
+        normal: away.or(is_beside, up),
+        distance: L::select(is_beside, length.keep(is_off), height.abs()),
+        features: spot.feature,
+    }
+}
+
+/// Where on the rim of a triangle the closest point lies.
+struct Spot<L: Lanes> {
+    start: L::Vector,
+    along: L::Vector,
+    part: L,
+    rest: L,
+    feature: L,
+}
+
+impl<L: Lanes> Spot<L> {
+    /// Takes another place where the mask holds.
+    #[inline(always)]
+    fn put(&mut self, mask: L::Mask, (start, along): (L::Vector, L::Vector), (part, rest): (L, L), feature: f64) {
+        self.start = start.or(mask, self.start);
+        self.along = along.or(mask, self.along);
+        self.part = L::select(mask, part, self.part);
+        self.rest = L::select(mask, rest, self.rest);
+        self.feature = L::select(mask, L::splat(feature), self.feature);
+    }
+}
+
 /// `part / (part + rest)` for two parts that are not negative; 0 when both vanish.
 #[inline(always)]
 fn share(part: f64, rest: f64) -> f64 {
@@ -105,6 +265,7 @@ fn share(part: f64, rest: f64) -> f64 {
 mod tests {
     use super::super::surface_point::sampling::{centres, nearest};
     use super::*;
+    use crate::lanes::{self, Instructions, Kernel};
 
     fn example() -> Triangle {
         let corners = [
@@ -148,6 +309,93 @@ mod tests {
             faces > 5 && edges.iter().chain(&vertices).all(|&n| n > 5),
             "{faces} {edges:?} {vertices:?}"
         );
+    }
+
+    struct Wide<'a>(&'a [Triangle], &'a [DVec3]);
+
+    impl Kernel for Wide<'_> {
+        type Output = Vec<(DVec3, f64, Feature)>;
+
+        #[inline(always)]
+        fn run<L: Lanes>(self) -> Self::Output {
+            let Self(triangles, centres) = self;
+            let mut found = Vec::new();
+            for first in (0..centres.len()).step_by(L::COUNT) {
+                let at = |lane: usize| (first + lane).min(centres.len() - 1);
+                let index = std::array::from_fn(|lane| (at(lane) % triangles.len()) as u32);
+                let mut components = [[0.0; MOST_LANES]; 3];
+                for (axis, lanes) in components.iter_mut().enumerate() {
+                    for (lane, number) in lanes.iter_mut().enumerate() {
+                        *number = centres[at(lane)][axis];
+                    }
+                }
+                let [x, y, z] = components.map(|lanes| L::load(&lanes));
+                let points = contact_sphere_triangle_wide::<L>(triangles, &index, L::Vector::new(x, y, z));
+                let [x, y, z] = points.normal.components().map(|lanes| lanes.to_array());
+                let (distance, features) = (points.distance.to_array(), points.features());
+                for lane in 0..L::COUNT.min(centres.len() - first) {
+                    found.push((DVec3::new(x[lane], y[lane], z[lane]), distance[lane], features.of(lane)));
+                }
+            }
+            found
+        }
+    }
+
+    #[test]
+    fn lanes_have_the_bits_of_one() {
+        let example = example();
+        let [a, b, c] = example.corners();
+        let triangles = [
+            example,
+            Triangle::new([c, b, a]).unwrap(),
+            Triangle::new([DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1e-7, 0.0)]).unwrap(),
+        ];
+        let mut at = centres();
+        at.extend(triangles.iter().flat_map(|triangle| {
+            let [a, b, c] = triangle.corners();
+            [
+                a,
+                b,
+                c,
+                (a + b) * 0.5,
+                (b + c) * 0.5,
+                (c + a) * 0.5,
+                (a + b + c) / 3.0,
+                a - triangle.normal(),
+                DVec3::ZERO,
+            ]
+        }));
+        at.push(DVec3::splat(f64::NAN));
+        for shift in 0..triangles.len() {
+            at.rotate_right(shift);
+            for instructions in Instructions::available() {
+                let found = lanes::run(instructions, Wide(&triangles, &at));
+                for (k, (normal, distance, feature)) in found.into_iter().enumerate() {
+                    let expected = contact_sphere_triangle(&triangles[k % triangles.len()], at[k]);
+                    let told = (normal.to_array(), distance, feature);
+                    let bits = |n: f64| {
+                        if n.is_nan() {
+                            f64::NAN.to_bits()
+                        } else {
+                            (n + 0.0).to_bits()
+                        }
+                    };
+                    assert_eq!(feature, expected.feature, "{} {told:?} {expected:?}", at[k]);
+                    assert_eq!(
+                        bits(distance),
+                        bits(expected.distance),
+                        "{} {told:?} {expected:?}",
+                        at[k]
+                    );
+                    assert_eq!(
+                        normal.to_array().map(bits),
+                        expected.normal.to_array().map(bits),
+                        "{} {told:?} {expected:?}",
+                        at[k]
+                    );
+                }
+            }
+        }
     }
 
     #[test]

@@ -67,12 +67,15 @@ impl SurfacePoint {
     }
 }
 
+/// The square of a smaller length may vanish.
+pub(crate) const LEAST_LENGTH: f64 = 1e-140;
+
 /// Unit vector and length of `v`; the zero vector gives `(fallback, 0)`. Safe down to the smallest numbers, where the
 /// square of a length vanishes.
 #[inline]
 pub(crate) fn direction(v: DVec3, fallback: DVec3) -> (DVec3, f64) {
     let length = v.length();
-    if length > 1e-140 {
+    if length > LEAST_LENGTH {
         return (v / length, length);
     }
     let largest = v.abs().max_element();

@@ -201,6 +201,15 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
     }
 }
 
+/// Has what will be read soon fetched into the caches, on processors that can be told.
+#[inline(always)]
+pub fn fetch_ahead<T>(place: &T) {
+    #[cfg(target_arch = "x86_64")]
+    x86::fetch_ahead(place);
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = place;
+}
+
 /// Components of a vector per lane, and 0.
 #[inline(always)]
 pub fn with_zero<L: Lanes>(vector: L::Vector) -> [L; 4] {

@@ -12,15 +12,23 @@
 //!   facets that stand for one curved surface, of triangles given twice, and of the two skins of a thin sheet. On a
 //!   faceted surface the force so follows from one overlap, the largest, and stays continuous from facet to facet.
 //!
+//! A triangle with a closer point is itself among those within reach: to decide, no others are asked. They are taken from the closest on, since
+//! what has the direction of one that is kept need not be judged.
+//!
 //! Keys: a face contact has the lowest triangle of its flat patch as key, the same on the whole patch; edges and vertices
 //! have keys of their own above those of the triangles.
 
 use super::Mesh;
 use super::topology::Junction;
 use crate::walls::SurfaceContact;
-use demeter_physics::geometry::contact_sphere_triangle::contact_sphere_triangle;
-use demeter_physics::geometry::{Feature, SurfacePoint};
+use demeter_physics::geometry::Feature;
+use demeter_physics::geometry::contact_sphere_triangle::{
+    ClosestPoints, contact_sphere_triangle, contact_sphere_triangle_wide,
+};
+use demeter_physics::lanes::{Index, Lanes};
 use glam::DVec3;
+use std::cell::RefCell;
+use std::cmp::Ordering;
 
 /// Cosine of the largest angle, 21.6 degrees, between normals of contacts that are one. Two planes that meet at this bend
 /// touch a sphere both at once only from an overlap of 7 % of the radius on. A cylinder of 17 facets is still smooth.
@@ -28,41 +36,110 @@ const SAME_DIRECTION: f64 = 0.93;
 /// Share by which the closest points of two triangles may differ in distance and still be the same point.
 const SAME_DISTANCE: f64 = 1e-12;
 
+/// So many triangles do not stay in the first of the caches from step to step.
+const MANY: usize = 512;
+
+/// The point of a triangle that is closest to a grain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TrianglePoint {
+    pub(crate) triangle: u32,
+    /// On which part of the triangle it lies.
+    pub(crate) feature: Feature,
+    /// Unit vector from the triangle to the grain.
+    pub(crate) normal: DVec3,
+    /// Distance of the centre [m].
+    pub(crate) distance: f64,
+}
+
+thread_local! {
+    static POINTS: RefCell<Vec<TrianglePoint>> = RefCell::default();
+}
+
 impl Mesh {
     /// Appends all contacts of a sphere centre with `distance < reach`, sorted by element.
     pub fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
-        let first = out.len();
-        self.hierarchy.any_near(centre, reach, |triangle| {
-            self.try_triangle(triangle, centre, reach, first, out);
-            false
+        POINTS.with_borrow_mut(|points| {
+            points.clear();
+            self.hierarchy.any_near(centre, reach, |triangle| {
+                let point = contact_sphere_triangle(&self.triangles[triangle as usize], centre);
+                if point.distance < reach {
+                    points.push(TrianglePoint {
+                        triangle,
+                        feature: point.feature,
+                        normal: point.normal,
+                        distance: point.distance,
+                    });
+                }
+                false
+            });
+            self.contacts_of(points, |normal| normal, out);
         });
-        keep_deepest(out, first);
     }
 
-    /// The same, where [`Mesh::triangles_near`] told the triangles that may be within reach.
-    pub fn contacts_among(&self, triangles: &[u32], centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+    /// Appends the contacts among the closest points of all triangles within reach, sorted by element. The normals of the points are
+    /// those that `turn` makes of normals in the wall frame.
+    pub(crate) fn contacts_of(
+        &self,
+        points: &mut [TrianglePoint],
+        turn: impl Fn(DVec3) -> DVec3,
+        out: &mut Vec<SurfaceContact>,
+    ) {
+        let Some(closest) = (0..points.len()).min_by(|&a, &b| self.order(&points[a], &points[b])) else {
+            return;
+        };
+        points.swap(0, closest);
         let first = out.len();
-        for &triangle in triangles {
-            self.try_triangle(triangle, centre, reach, first, out);
+        out.extend(self.judge(&points[0], &[], &turn));
+        if points[1..].iter().all(|point| is_known(point, &out[first..])) {
+            return;
         }
-        keep_deepest(out, first);
+        points[1..].sort_unstable_by(|a, b| self.order(a, b));
+        for n in 1..points.len() {
+            if is_known(&points[n], &out[first..]) {
+                continue;
+            }
+            let Some(contact) = self.judge(&points[n], &points[..n], &turn) else {
+                continue;
+            };
+            if out[first..].iter().all(|other| other.element != contact.element) {
+                out.push(contact);
+            }
+        }
+        out[first..].sort_unstable_by_key(|contact| contact.element);
     }
 
-    /// Appends all triangles within `reach` of a point, in the order in which [`Mesh::contacts`] looks at them.
+    /// Which of two points is asked first, in whatever order they were found.
+    fn order(&self, a: &TrianglePoint, b: &TrianglePoint) -> Ordering {
+        let names = |point: &TrianglePoint| (self.topology.patch(point.triangle), point.triangle);
+        (a.distance.total_cmp(&b.distance)).then_with(|| names(a).cmp(&names(b)))
+    }
+
+    /// Appends all triangles that may be within `reach` of a point.
     pub fn triangles_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
         self.hierarchy.any_near(centre, reach, |triangle| {
-            if contact_sphere_triangle(&self.triangles[triangle as usize], centre).distance <= reach {
-                out.push(triangle);
-            }
+            out.push(triangle);
             false
         });
     }
 
-    fn try_triangle(&self, triangle: u32, centre: DVec3, reach: f64, first: usize, out: &mut Vec<SurfaceContact>) {
-        let point = contact_sphere_triangle(&self.triangles[triangle as usize], centre);
-        if point.distance < reach {
-            self.judge(triangle, &point, centre, first, out);
+    /// Has triangles that are needed soon fetched into the caches, if all of them have no room there; those that this mesh does not have
+    /// are passed over.
+    #[inline(always)]
+    pub(crate) fn fetch_ahead(&self, triangles: &[u32]) {
+        if self.triangles.len() < MANY {
+            return;
         }
+        for &triangle in triangles {
+            if let Some(triangle) = self.triangles.get(triangle as usize) {
+                triangle.fetch_ahead();
+            }
+        }
+    }
+
+    /// The points of some triangles that are closest to some centres in the wall frame.
+    #[inline(always)]
+    pub(crate) fn closest_points<L: Lanes>(&self, triangles: &Index, centres: L::Vector) -> ClosestPoints<L> {
+        contact_sphere_triangle_wide(&self.triangles, triangles, centres)
     }
 
     /// Whether a triangle is within `reach` of a point.
@@ -72,65 +149,54 @@ impl Mesh {
         })
     }
 
-    /// Appends the closest point of a triangle if it is a contact.
-    fn judge(&self, triangle: u32, point: &SurfacePoint, centre: DVec3, first: usize, out: &mut Vec<SurfaceContact>) {
-        let junction = match point.feature {
-            Feature::Face => {
-                out.push(self.face_contact(triangle, point));
-                return;
-            }
-            Feature::Edge(side) => self.topology.edge(triangle, side),
-            Feature::Vertex(corner) => self.topology.vertex(triangle, corner),
-        };
-        let known = out[first..].iter().any(|contact| contact.element == junction.key);
-        if known || self.has_closer(&junction, point.distance, centre) {
-            return;
-        }
-        out.push(if junction.flat {
-            self.face_contact(triangle, &self.triangles[triangle as usize].face_point(centre))
-        } else {
-            SurfaceContact {
-                normal: point.normal,
-                distance: point.distance,
-                element: junction.key,
-            }
-        });
-    }
-
-    fn face_contact(&self, triangle: u32, point: &SurfacePoint) -> SurfaceContact {
-        SurfaceContact {
+    /// The contact at the closest point of a triangle, if there is one beside those that are `nearer`.
+    fn judge(
+        &self,
+        point: &TrianglePoint,
+        nearer: &[TrianglePoint],
+        turn: impl Fn(DVec3) -> DVec3,
+    ) -> Option<SurfaceContact> {
+        let mut contact = SurfaceContact {
             normal: point.normal,
             distance: point.distance,
-            element: self.topology.patch(triangle),
-        }
-    }
-
-    fn has_closer(&self, junction: &Junction<'_>, distance: f64, centre: DVec3) -> bool {
-        let closer = distance * (1.0 - SAME_DISTANCE);
-        junction
-            .triangles
-            .iter()
-            .any(|&other| contact_sphere_triangle(&self.triangles[other as usize], centre).distance < closer)
-    }
-}
-
-/// Keeps, of the contacts from `first` on, the deepest of each direction, and sorts them by element.
-fn keep_deepest(out: &mut Vec<SurfaceContact>, first: usize) {
-    if out.len() < first + 2 {
-        return;
-    }
-    out[first..].sort_unstable_by(|a, b| a.distance.total_cmp(&b.distance).then(a.element.cmp(&b.element)));
-    let mut kept = first;
-    for index in first..out.len() {
-        let contact = out[index];
-        let same = |other: &SurfaceContact| {
-            other.element == contact.element || other.normal.dot(contact.normal) > SAME_DIRECTION
+            element: self.topology.patch(point.triangle),
         };
-        if !out[first..kept].iter().any(same) {
-            out[kept] = contact;
-            kept += 1;
+        let junction = match point.feature {
+            Feature::Face => return Some(contact),
+            Feature::Edge(side) => self.topology.edge(point.triangle, side),
+            Feature::Vertex(corner) => self.topology.vertex(point.triangle, corner),
+        };
+        if junction.has_closer(point.distance, nearer) {
+            return None;
         }
+        if junction.flat {
+            let normal = turn(self.triangles[point.triangle as usize].normal());
+            let height = point.distance * normal.dot(point.normal);
+            contact.normal = if height < 0.0 { -normal } else { normal };
+            contact.distance = height.abs();
+        } else {
+            contact.element = junction.key;
+        }
+        Some(contact)
     }
-    out.truncate(kept);
-    out[first..].sort_unstable_by_key(|contact| contact.element);
 }
+
+/// Whether a contact is known that has the direction of a point.
+fn is_known(point: &TrianglePoint, contacts: &[SurfaceContact]) -> bool {
+    contacts
+        .iter()
+        .any(|other| other.normal.dot(point.normal) > SAME_DIRECTION)
+}
+
+impl Junction<'_> {
+    /// Whether one of the triangles that meet here has a point closer than `distance`.
+    fn has_closer(&self, distance: f64, nearer: &[TrianglePoint]) -> bool {
+        let closer = distance * (1.0 - SAME_DISTANCE);
+        let is_closer = |point: &TrianglePoint| point.distance < closer && self.triangles.contains(&point.triangle);
+        nearer.iter().any(is_closer)
+    }
+}
+
+#[cfg(test)]
+#[path = "contacts_tests.rs"]
+mod tests;

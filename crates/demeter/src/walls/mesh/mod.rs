@@ -14,6 +14,7 @@ mod repair;
 mod topology;
 mod weld;
 
+pub(crate) use contacts::TrianglePoint;
 pub use crossings::Crossings;
 pub use inspection::{Inspection, Places, Rim};
 pub use repair::{LeftOut, Repair};

@@ -1,0 +1,213 @@
+//! Contacts found several triangles at a time are those of the rule, told triangle by triangle.
+
+use super::*;
+use crate::walls::{Motion, Shape, Wall};
+use demeter_physics::lanes::{self, Instructions, Kernel, MOST_LANES, Mask, Vector};
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
+
+type Corners = Vec<[DVec3; 3]>;
+
+fn share(dice: &mut Pcg64) -> f64 {
+    (dice.next_u64() >> 11) as f64 * 2f64.powi(-53)
+}
+
+fn point(dice: &mut Pcg64, lower: DVec3, upper: DVec3) -> DVec3 {
+    lower + (upper - lower) * DVec3::from_array([0; 3].map(|_| share(dice)))
+}
+
+/// The rule as it is told in words: every triangle within reach is judged by all triangles that it meets.
+fn by_the_rule(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
+    let closest = |triangle: u32| contact_sphere_triangle(&mesh.triangles[triangle as usize], centre);
+    let mut found: Vec<SurfaceContact> = Vec::new();
+    for triangle in 0..mesh.triangles.len() as u32 {
+        let point = closest(triangle);
+        if point.distance >= reach {
+            continue;
+        }
+        let junction = match point.feature {
+            Feature::Face => None,
+            Feature::Edge(side) => Some(mesh.topology.edge(triangle, side)),
+            Feature::Vertex(corner) => Some(mesh.topology.vertex(triangle, corner)),
+        };
+        let closer = point.distance * (1.0 - SAME_DISTANCE);
+        let is_led = |junction: &Junction| junction.triangles.iter().any(|&other| closest(other).distance < closer);
+        if junction.as_ref().is_some_and(is_led) {
+            continue;
+        }
+        let on_face = junction.as_ref().is_none_or(|junction| junction.flat);
+        let point = if on_face {
+            mesh.triangles[triangle as usize].face_point(centre)
+        } else {
+            point
+        };
+        found.push(SurfaceContact {
+            normal: point.normal,
+            distance: point.distance,
+            element: junction
+                .filter(|_| !on_face)
+                .map_or(mesh.topology.patch(triangle), |at| at.key),
+        });
+    }
+    found.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.element.cmp(&b.element)));
+    let mut kept: Vec<SurfaceContact> = Vec::new();
+    for contact in found {
+        let same = |other: &SurfaceContact| {
+            other.element == contact.element || other.normal.dot(contact.normal) > SAME_DIRECTION
+        };
+        if !kept.iter().any(same) {
+            kept.push(contact);
+        }
+    }
+    kept.sort_by_key(|contact| contact.element);
+    kept
+}
+
+/// Finds the contacts among the triangles that are near.
+struct Among<'a> {
+    wall: &'a Wall,
+    near: &'a [u32],
+    centre: DVec3,
+    reach: f64,
+}
+
+impl Kernel for Among<'_> {
+    type Output = Vec<SurfaceContact>;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> Self::Output {
+        let mut points = Vec::new();
+        let [x, y, z] = self.centre.to_array();
+        let centre = L::Vector::new(L::splat(x), L::splat(y), L::splat(z));
+        for first in (0..self.near.len()).step_by(L::COUNT) {
+            let mut triangles = [self.near[first]; MOST_LANES];
+            let some = &self.near[first..(first + L::COUNT).min(self.near.len())];
+            triangles[..some.len()].copy_from_slice(some);
+            let found = self.wall.closest_points::<L>(&triangles, centre);
+            let is_within = L::splat(self.reach).gt(found.distance).bits();
+            let [x, y, z] = found.normal.components();
+            let (rows, features) = (L::rows([x, y, z, found.distance]), found.features());
+            for (lane, &triangle) in some.iter().enumerate() {
+                let [x, y, z, distance] = rows.as_ref()[lane];
+                if is_within >> lane & 1 != 0 {
+                    points.push(TrianglePoint {
+                        triangle,
+                        feature: features.of(lane),
+                        normal: DVec3::new(x, y, z),
+                        distance,
+                    });
+                }
+            }
+        }
+        let mut contacts = Vec::new();
+        self.wall.contacts_of(&mut points, &mut contacts);
+        contacts
+    }
+}
+
+fn sheet(cells: usize, height: impl Fn(f64, f64) -> f64) -> Corners {
+    let at = |i: usize, j: usize| {
+        let (x, y) = (i as f64 / cells as f64, j as f64 / cells as f64);
+        DVec3::new(x, y, height(x, y))
+    };
+    let mut corners = Vec::new();
+    for i in 0..cells {
+        for j in 0..cells {
+            let (a, b, c, d) = (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+            corners.push([a, b, c]);
+            corners.push([a, c, d]);
+        }
+    }
+    corners
+}
+
+/// Meshes with seams, and with convex and concave edges and corners.
+fn meshes() -> Vec<Corners> {
+    let blocks = |x: f64, y: f64| 0.3 * f64::from(x > 0.4) * f64::from(y > 0.55);
+    let bumps = |x: f64, y: f64| 0.08 * libm::sin(9.0 * x) * libm::cos(7.0 * y);
+    let roof = |x: f64, y: f64| (x - 0.5).abs().min((y - 0.5).abs());
+    let mut twice = sheet(3, roof);
+    twice.extend(sheet(2, |_, _| 0.0));
+    vec![sheet(9, blocks), sheet(8, bumps), sheet(4, roof), twice]
+}
+
+fn same(found: &[SurfaceContact], expected: &[SurfaceContact]) -> bool {
+    let mut pairs = found.iter().zip(expected);
+    found.len() == expected.len()
+        && pairs.all(|(a, b)| {
+            a.element == b.element && (a.distance - b.distance).abs() < 1e-13 && (a.normal - b.normal).length() < 1e-11
+        })
+}
+
+#[test]
+fn lanes_find_the_contacts_of_the_rule() {
+    let mut dice = Pcg64::new(7, 0);
+    let turning = Motion::Rotation {
+        point: DVec3::new(0.3, 0.1, 0.0),
+        axis: DVec3::new(0.0, 0.6, 0.8),
+        angular_velocity: 2.0,
+    };
+    let (mut counts, mut corner_counts) = ([0; 4], 0);
+    for corners in meshes() {
+        for is_reversed in [false, true] {
+            let mut triangles = corners.clone();
+            if is_reversed {
+                triangles.reverse();
+            }
+            let mut walls = Vec::new();
+            for motion in [Motion::Rest, turning.clone()] {
+                let shape = Shape::Mesh {
+                    triangles: triangles.clone(),
+                };
+                let mut wall = Wall::new("wall", 0, shape, motion).unwrap();
+                wall.advance(0.2);
+                walls.push(wall);
+            }
+            for _ in 0..2000 {
+                let place = point(&mut dice, DVec3::new(-0.1, -0.1, -0.2), DVec3::new(1.1, 1.1, 0.6));
+                let reach = 0.05 + 0.15 * share(&mut dice);
+                let mesh = walls[0].mesh().unwrap();
+                let expected = by_the_rule(mesh, place, reach);
+                let mut one_by_one = Vec::new();
+                mesh.contacts(place, reach, &mut one_by_one);
+                assert!(same(&one_by_one, &expected), "{place}: {one_by_one:?} {expected:?}");
+                counts[expected.len().min(3)] += 1;
+                let is_on_face = |contact: &SurfaceContact| (contact.element as usize) < triangles.len();
+                corner_counts += expected.iter().filter(|contact| !is_on_face(contact)).count();
+                for wall in &walls {
+                    let centre = wall.carried(place);
+                    let mut expected = Vec::new();
+                    wall.contacts(centre, reach, &mut expected);
+                    // more of them are near than are within reach, and it does not matter which
+                    let mut near = Vec::new();
+                    wall.parts_near(
+                        centre + 0.02 * DVec3::X,
+                        reach + 0.02 + 0.1 * share(&mut dice),
+                        &mut near,
+                    );
+                    let mut first = None;
+                    for instructions in Instructions::available() {
+                        let among = Among {
+                            wall,
+                            near: &near,
+                            centre,
+                            reach,
+                        };
+                        let found = lanes::run(instructions, among);
+                        assert!(same(&found, &expected), "{place}: {found:?} {expected:?}");
+                        // where the centre needs no turning, to the last bit
+                        assert!(
+                            found == expected || !wall.is_at_rest(),
+                            "{place}: {found:?} {expected:?}"
+                        );
+                        assert_eq!(&found, first.get_or_insert(found.clone()), "{instructions:?}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(
+        counts.iter().all(|&count| count > 30) && corner_counts > 1000,
+        "{counts:?} {corner_counts}"
+    );
+}
