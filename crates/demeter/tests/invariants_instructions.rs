@@ -11,7 +11,7 @@ use demeter::walls::Wall;
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::{Instructions, MOST_LANES};
 
-/// All that a run came to: grains, walls, contacts, and every twentieth row of the series.
+/// All that a run came to: grains, walls, contacts, and every twentieth row of the series, with the contacts then.
 #[derive(PartialEq)]
 struct Fingerprint {
     state: Vec<u8>,
@@ -33,6 +33,7 @@ fn run(integrator: Integrator, name: &str, set: impl FnOnce(&mut Simulation) + S
             contacts = contacts.max(sim.contacts.pair_count());
             if step % 20 == 0 {
                 series += &format!("{:?}\n", measure(&mut sim, Moment::default(), None));
+                series += &format!("{:?}\n", contact_records(&sim));
             }
         }
         let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
