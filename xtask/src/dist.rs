@@ -23,13 +23,12 @@ const LICENCES: [&str; 5] = ["license", "licence", "copying", "copyright", "unli
 pub fn pack() -> Result<(), String> {
     let target = target()?;
     let cargo_flags = ["build", "--release", "--locked", "-p", BINARY, "--target", &target];
-    // line tables are for those who build it themselves
-    let flags = if target.contains("-linux-") {
-        "-C strip=debuginfo -C target-feature=+crt-static"
-    } else {
-        "-C strip=debuginfo"
-    };
-    run_cargo(&cargo_flags, &[("RUSTFLAGS", flags)])?;
+    // line tables are for those who build it themselves; these flags take the place of those in `.cargo/config.toml`
+    let mut flags = "-C llvm-args=-align-all-functions=6 -C strip=debuginfo".to_string();
+    if target.contains("-linux-") {
+        flags += " -C target-feature=+crt-static";
+    }
+    run_cargo(&cargo_flags, &[("RUSTFLAGS", &flags)])?;
     let built = target_folder()?;
     let name = format!("demeter-{}-{target}", version()?);
     let folder = built.join("dist").join(&name);

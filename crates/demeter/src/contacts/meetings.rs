@@ -41,14 +41,14 @@ impl Lot {
     /// Puts the codes of the shifts of pairs.
     #[inline(always)]
     pub(super) fn put_shifts<L: Lanes>(&mut self, codes: &[u8], k: usize) {
-        self.is_shifted = false;
-        let mut lane = 0;
+        let (mut differing, mut lane) = (0, 0);
         while lane < L::COUNT {
             let code = codes[(k + lane).min(codes.len() - 1)];
             self.shift[lane] = u32::from(code);
-            self.is_shifted |= code != Single::UNSHIFTED;
+            differing |= code ^ Single::UNSHIFTED;
             lane += 1;
         }
+        self.is_shifted = differing != 0;
     }
 }
 
