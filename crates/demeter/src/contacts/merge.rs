@@ -3,6 +3,7 @@
 
 use super::transfer::{Heirs, Transfer, chunks_of_round};
 use super::{ContactChunk, Kept};
+use crate::particles::Beyond;
 use crate::threads::{Divisible, divide};
 use std::ops::Range;
 
@@ -120,7 +121,7 @@ impl ContactChunk {
         let (_, candidates) = heirs.of_chunk(number);
         let place_of = |slot: usize| heirs.place(heirs.bodies(number, slot));
         let most = old.pieces(number).map(|(_, contacts)| contacts.len()).sum();
-        self.fit(most, stride);
+        self.make_room(most, stride, Beyond::GivenBack);
         let mut slot = 0;
         for (chunk, contacts) in old.pieces(number) {
             // contacts that go on one behind the other are taken over together

@@ -41,7 +41,7 @@ pub use transfer::{CarriedContact, CarriedContacts, ContactKey};
 
 pub use crate::neighbours::CHUNK;
 
-use crate::particles::{Load, make_room, make_room_for, set_aside};
+use crate::particles::{Beyond, Load, make_room, set_aside};
 use crate::walls::Mark;
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
@@ -171,7 +171,7 @@ impl Kept {
     /// Copies contacts between grains that do not feel each other.
     fn copy(&mut self, other: &Self, stride: usize) {
         self.clear();
-        self.make_room(other.len(), stride);
+        self.make_room(other.len(), stride, Beyond::Kept);
         self.candidate.extend_from_slice(&other.candidate);
         self.normal_force.extend_from_slice(&other.normal_force);
         self.tangential.extend_from_slice(&other.tangential);
@@ -179,11 +179,11 @@ impl Kept {
     }
 
     /// Sets memory aside for so many contacts where there is none.
-    fn make_room(&mut self, contacts: usize, stride: usize) {
-        make_room(&mut self.candidate, contacts);
-        make_room(&mut self.normal_force, contacts);
-        make_room(&mut self.tangential, contacts.div_ceil(EIGHT));
-        make_room(&mut self.history, contacts * stride);
+    fn make_room(&mut self, contacts: usize, stride: usize, beyond: Beyond) {
+        make_room(&mut self.candidate, contacts, beyond);
+        make_room(&mut self.normal_force, contacts, beyond);
+        make_room(&mut self.tangential, contacts.div_ceil(EIGHT), beyond);
+        make_room(&mut self.history, contacts * stride, beyond);
     }
 
     pub(crate) fn range(&self, candidate: usize) -> Range<usize> {
@@ -281,22 +281,12 @@ impl ContactChunk {
         self.across = [DVec3::ZERO; 3];
     }
 
-    /// Takes the memory that so many contacts need, where there is none, and no more.
-    fn fit(&mut self, contacts: usize, stride: usize) {
-        make_room_for(&mut self.i, contacts);
-        make_room_for(&mut self.j, contacts);
-        make_room_for(&mut self.now.candidate, contacts);
-        make_room_for(&mut self.now.normal_force, contacts);
-        make_room_for(&mut self.now.tangential, contacts.div_ceil(EIGHT));
-        make_room_for(&mut self.now.history, contacts * stride);
-    }
-
     /// Sets memory aside for the contacts of a chunk that has none.
-    fn make_room(&mut self, contacts: usize, stride: usize) {
-        make_room(&mut self.i, contacts);
-        make_room(&mut self.j, contacts);
-        make_room(&mut self.engaged, contacts.div_ceil(WORD));
-        self.now.make_room(contacts, stride);
+    fn make_room(&mut self, contacts: usize, stride: usize, beyond: Beyond) {
+        make_room(&mut self.i, contacts, beyond);
+        make_room(&mut self.j, contacts, beyond);
+        make_room(&mut self.engaged, contacts.div_ceil(WORD), beyond);
+        self.now.make_room(contacts, stride, beyond);
     }
 
     /// Bytes set aside for bodies, forces, histories, and all else.

@@ -13,7 +13,7 @@ use super::{ContactChunk, Fault, Kept, Surfaces, Tally};
 use crate::comm::Single;
 use crate::materials::Materials;
 use crate::neighbours::Pair;
-use crate::particles::Grains;
+use crate::particles::{Beyond, Grains};
 use crate::walls::Wall;
 use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::integrator::Integrator;
@@ -204,7 +204,7 @@ impl ContactChunk {
         self.j.clear();
         self.shift.clear();
         self.engaged.clear();
-        self.make_room(found.candidates.len(), stride);
+        self.make_room(found.candidates.len(), stride, Beyond::Kept);
         self.engaged.resize(found.candidates.len().div_ceil(WORD), 0);
         let mut old = 0;
         // contacts that go on one behind the other are taken over together

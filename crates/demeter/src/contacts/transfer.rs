@@ -4,7 +4,7 @@ use super::coupling::Coupled;
 use super::{CHUNK, ContactChunk, Contacts, EIGHT, EightVectors, WORD};
 use crate::comm::together::Together;
 use crate::neighbours::{GONE, Neighbours};
-use crate::particles::Grains;
+use crate::particles::{Beyond, Grains};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -297,7 +297,7 @@ impl Transfer {
         self.spare.truncate(2 * chunks_of_round(chunks));
         for chunk in &mut self.spare {
             chunk.forget();
-            chunk.fit(0, 0);
+            chunk.make_room(0, 0, Beyond::GivenBack);
         }
         self.spare
     }
@@ -323,7 +323,7 @@ impl Transfer {
                 };
                 let mine = &heir[before..before + candidates];
                 let contacts = mine.iter().filter_map(inherited).map(|(_, contacts)| contacts.len());
-                chunk.fit(contacts.sum(), stride);
+                chunk.make_room(contacts.sum(), stride, Beyond::GivenBack);
                 for (slot, heir) in mine.iter().enumerate() {
                     if let Some((old, contacts)) = inherited(heir) {
                         let (i, j) = heirs.bodies(done + k, slot);

@@ -1,6 +1,6 @@
 //! The table of candidates: cut into chunks of one law each.
 
-use crate::particles::make_room_for;
+use crate::particles::{Beyond, make_room};
 use serde::{Deserialize, Serialize};
 
 /// Most candidates of one chunk.
@@ -102,7 +102,7 @@ impl<C: Copy> Segment<C> {
         self.candidates.clear();
         self.runs.clear();
         self.order.clear();
-        make_room_for(&mut self.candidates, found.len());
+        make_room(&mut self.candidates, found.len(), Beyond::GivenBack);
         let Some(&law) = laws.first() else { return };
         if laws.iter().all(|&other| other == law) {
             self.candidates.extend_from_slice(found);

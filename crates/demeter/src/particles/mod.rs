@@ -66,7 +66,7 @@ pub struct Grains {
     pub orientation: Vec<DQuat>,
     /// Total force [N] and torque [N m] of the latest step.
     pub load: Rows<Load>,
-    /// What a step of velocity Verlet foresees, until it has ended; empty otherwise.
+    /// What a step of velocity Verlet foresees, until it has ended; empty before the first.
     #[serde(skip)]
     pub(crate) half_kicks: HalfKicks,
     /// What the predictor-corrector remembers beyond forces and torques; empty with velocity Verlet.
@@ -348,24 +348,25 @@ impl Grains {
 /// Bytes that an empty list has in spare at least, when memory is set aside for it.
 const SPARE: usize = 256;
 
-/// Sets memory aside for so many in an empty list, with little more: pushed one by one, a list takes up to twice as much.
-pub(crate) fn make_room<T>(list: &mut Vec<T>, count: usize) {
-    debug_assert!(list.is_empty());
-    if list.capacity() < count {
-        list.reserve_exact(count + spare::<T>(count));
-    }
+/// What becomes of memory that an empty list has set aside beyond what it needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Beyond {
+    /// It stays.
+    Kept,
+    /// It is given back where it is much.
+    GivenBack,
 }
 
-/// The same, and gives memory back that is much too large.
-pub(crate) fn make_room_for<T>(list: &mut Vec<T>, count: usize) {
-    if list.capacity() > count + 4 * spare::<T>(count) {
+/// Sets memory aside for so many in an empty list, with little more: pushed one by one, a list takes up to twice as much.
+pub(crate) fn make_room<T>(list: &mut Vec<T>, count: usize, beyond: Beyond) {
+    debug_assert!(list.is_empty());
+    let spare = (count / 16).max(SPARE / size_of::<T>());
+    if beyond == Beyond::GivenBack && list.capacity() > count + 4 * spare {
         *list = Vec::new();
     }
-    make_room(list, count);
-}
-
-fn spare<T>(count: usize) -> usize {
-    (count / 16).max(SPARE / size_of::<T>())
+    if list.capacity() < count {
+        list.reserve_exact(count + spare);
+    }
 }
 
 /// Bytes that a list has set aside, in use or not.
