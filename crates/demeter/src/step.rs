@@ -8,7 +8,7 @@ mod walls;
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
-use crate::contacts::sum::{Adder, PARTS_PER_THREAD, Work};
+use crate::contacts::sum::{Adder, Work};
 use crate::contacts::{ContactChunk, Fault, Scene};
 use crate::neighbours::Neighbours;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
@@ -277,13 +277,10 @@ fn approach(
     [(nearer, scene.window(0.5 * nearer)), (to_wall, window_at_wall)]
 }
 
-/// Parts that the work on the contacts of so many grains is cut into.
+/// Parts that the work on the contacts of so many grains is cut into: each costs something for pairs with grains of others, and few
+/// grains are done before another thread has begun.
 fn parts(grains: usize) -> usize {
-    match rayon::current_num_threads() {
-        1 => 1,
-        // so few grains are done before another thread has begun
-        threads => (PARTS_PER_THREAD * threads).min(grains / LEAST_GRAINS_OF_A_PART),
-    }
+    rayon::current_num_threads().min(grains / LEAST_GRAINS_OF_A_PART).max(1)
 }
 
 /// The one of two grains that has the lower id.

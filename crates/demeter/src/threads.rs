@@ -5,6 +5,7 @@
 //! job that looks for work for a while longer, yields its core to whoever wants it, and ends when nothing comes.
 
 use rayon::Yield;
+use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -106,12 +107,47 @@ pub(crate) fn divide<W: Divisible, R: Send>(
     does: &(impl Fn(W) -> R + Sync),
     merge: &(impl Fn(R, R) -> R + Sync),
 ) -> R {
+    let (threads, pieces) = (rayon::current_num_threads(), work.len().div_ceil(most));
+    let mut cuts: Vec<usize> = (1..threads).map(|t| t * pieces / threads * most).collect();
+    cuts.dedup();
+    divide_at((0, inside(&cuts, &(0..work.len()))), work, most, does, merge)
+}
+
+/// Those of some ascending cuts that lie inside a range.
+pub(crate) fn inside<'a>(cuts: &'a [usize], range: &Range<usize>) -> &'a [usize] {
+    let first = cuts.partition_point(|&cut| cut <= range.start);
+    let end = cuts.partition_point(|&cut| cut < range.end);
+    &cuts[first..end.max(first)]
+}
+
+/// The same where each thread begins with a part of its own: the first thing has a number, and so have those with which the other
+/// parts begin. What a thread does it does from the end to the beginning: a pass that goes the other way before it left the end
+/// in the caches, and one after it finds the beginning there.
+pub(crate) fn divide_at<W: Divisible, R: Send>(
+    (first, cuts): (usize, &[usize]),
+    work: W,
+    most: usize,
+    does: &(impl Fn(W) -> R + Sync),
+    merge: &(impl Fn(R, R) -> R + Sync),
+) -> R {
+    let half = cuts.len() / 2;
+    if let Some(&cut) = cuts.get(half) {
+        let (one, other) = work.split(cut - first);
+        let (one, other) = join(
+            || divide_at((first, &cuts[..half]), one, most, does, merge),
+            || divide_at((cut, &cuts[half + 1..]), other, most, does, merge),
+        );
+        return merge(one, other);
+    }
     let pieces = work.len().div_ceil(most);
     if pieces < 2 {
         return does(work);
     }
     let (one, other) = work.split(pieces / 2 * most);
-    let (one, other) = join(|| divide(one, most, does, merge), || divide(other, most, does, merge));
+    let (other, one) = join(
+        || divide_at((first, cuts), other, most, does, merge),
+        || divide_at((first, cuts), one, most, does, merge),
+    );
     merge(one, other)
 }
 
@@ -153,6 +189,23 @@ mod tests {
                 assert_eq!(found, (1..=count).collect::<Vec<_>>());
                 assert_eq!(all, found);
             }
+        }
+    }
+
+    #[test]
+    fn threads_begin_where_they_are_told() {
+        let starts = |first: usize, cuts: &[usize], threads| {
+            let mut all: Vec<usize> = (first..first + 100).collect();
+            let does = |some: Numbers| vec![some.0[0]];
+            let merge = |one: Vec<usize>, other: Vec<usize>| [one, other].concat();
+            let at = (first, inside(cuts, &(first..first + 100)));
+            on_threads(threads, || divide_at(at, Numbers(&mut all), 40, &does, &merge))
+        };
+        for threads in [1, 3] {
+            assert_eq!(starts(0, &[], threads), [0, 40, 80]);
+            assert_eq!(starts(7, &[37, 47], threads), [7, 37, 47, 87]);
+            // what lies outside is the work of others
+            assert_eq!(starts(7, &[0, 7, 27, 107, 200], threads), [7, 27, 67]);
         }
     }
 

@@ -25,6 +25,7 @@ pub mod narrow;
 mod near;
 mod near_triangles;
 mod respond;
+mod shares;
 pub(crate) mod step_work;
 pub mod sum;
 mod together;

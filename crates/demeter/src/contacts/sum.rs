@@ -7,17 +7,16 @@
 //!
 //! [`PairTable`]: crate::neighbours
 
+use super::shares::Shares;
 use super::{ContactChunk, Contacts};
 use crate::comm::Single;
 use crate::neighbours::Neighbours;
 use crate::particles::{Load, Rows, set_aside};
 use crate::threads::join;
-use demeter_physics::lanes::{self, Eight, Four, Instructions, Kernel, Lanes, MOST_LANES, Two, Vector, with_zero};
+use demeter_physics::lanes::{self, Eight, Instructions, Kernel, Lanes, Vector, with_zero};
 use glam::DVec3;
 use std::ops::Range;
-
-/// Parts of the table of pairs per thread: more share the work out better, fewer have fewer pairs of grains of different parts.
-pub(crate) const PARTS_PER_THREAD: usize = 4;
+use std::time::{Duration, Instant};
 
 impl Load {
     /// Adds what a contact does to its first body (0), or takes away what stands for its second (1), on which it does the opposite.
@@ -44,17 +43,25 @@ impl Strays {
     }
 
     #[inline(never)]
-    fn push(&mut self, grain: u32, side: usize, load: Load) {
+    fn push(&mut self, grain: u32, side: usize, load: &Load) {
         self.grains.push((grain, side as u32));
-        self.loads.push(load);
+        self.loads.push(*load);
     }
 }
 
-/// Memory for adding up what contacts do to grains.
+/// What comes out of a task beside the sums of its grains.
+#[derive(Debug, Default)]
+struct Outcome {
+    /// What it has for grains of those before it.
+    strays: Strays,
+    took: Duration,
+}
+
+/// Adds up what contacts do to grains.
 #[derive(Debug, Default)]
 pub(crate) struct Sums {
-    /// What every task has for grains of those before it.
-    strays: Vec<Strays>,
+    outcomes: Vec<Outcome>,
+    pub(crate) shares: Shares,
 }
 
 /// What contacts do to both of their bodies, one contact per lane.
@@ -94,9 +101,6 @@ pub(super) trait Sink {
     fn put_nothing<L: Lanes>(&mut self, k: usize);
 }
 
-/// A load per lane.
-type Loads8 = [Load; MOST_LANES];
-
 /// Sums of the grains of a task, and what it has for others.
 pub(crate) struct Adder<'a> {
     first_grain: u32,
@@ -107,15 +111,6 @@ pub(crate) struct Adder<'a> {
 }
 
 impl Adder<'_> {
-    /// Adds what contacts do to their bodies, of which some may be the work of others.
-    #[inline(never)]
-    fn add_some(&mut self, i: &[u32], j: &[u32], first: &Loads8, second: &Loads8) {
-        for ((&i, &j), (first, second)) in i.iter().zip(j).zip(first.iter().zip(second)) {
-            self.add(i, 0, first);
-            self.add(j, 1, second);
-        }
-    }
-
     /// Adds what a contact with a wall does to its grain, which is one of the task's own.
     #[inline(always)]
     pub(super) fn add_own<E: Eight>(&mut self, grain: u32, load: E) {
@@ -124,11 +119,15 @@ impl Adder<'_> {
         }
     }
 
-    fn add(&mut self, grain: u32, side: usize, load: &Load) {
+    /// Adds what a contact does to one of its bodies, which may be the work of others.
+    #[inline(always)]
+    fn add<E: Eight>(&mut self, grain: u32, side: usize, load: E) {
         if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
-            sum.add_side(Two::<Four>::load(&load.0), side);
+            sum.add_side(load, side);
         } else if self.own.contains(&grain) {
-            self.strays.push(grain, side, *load);
+            let mut row = Load::default();
+            load.store(&mut row.0);
+            self.strays.push(grain, side, &row);
         }
     }
 }
@@ -193,14 +192,10 @@ impl Sink for AddAtOnce<'_, '_> {
                 lane += 1;
             }
         } else {
-            let (mut firsts, mut seconds) = (Loads8::default(), Loads8::default());
-            let mut lane = 0;
-            while lane < L::COUNT {
-                first.as_ref()[lane].store(&mut firsts[lane].0);
-                second.as_ref()[lane].store(&mut seconds[lane].0);
-                lane += 1;
+            for lane in 0..i.len() {
+                self.adder.add(i[lane], 0, first.as_ref()[lane]);
+                self.adder.add(j[lane], 1, second.as_ref()[lane]);
             }
-            self.adder.add_some(i, j, &firsts, &seconds);
         }
         if let Some(across) = &mut self.across {
             let forces = L::rows(with_zero::<L>(loads.force));
@@ -216,14 +211,15 @@ impl Sink for AddAtOnce<'_, '_> {
 
 /// Segments of the table of pairs that one task works on, and the grains that are its own.
 struct Task<'a> {
-    segments: Range<usize>,
     chunks: &'a mut [ContactChunk],
     first_chunk: usize,
     wall_chunks: &'a mut [ContactChunk],
     first_wall_chunk: usize,
     sums: &'a mut [Load],
     first_grain: usize,
-    strays: &'a mut [Strays],
+    /// With which segment every task begins, and where the last one ends.
+    bounds: &'a [usize],
+    outcomes: &'a mut [Outcome],
     own: Range<u32>,
 }
 
@@ -243,7 +239,7 @@ impl Sums {
     /// Bytes set aside.
     pub(crate) fn bytes(&self) -> usize {
         let stray = |s: &Strays| set_aside(&s.grains) + set_aside(&s.loads);
-        self.strays.iter().map(stray).sum()
+        self.outcomes.iter().map(|outcome| stray(&outcome.strays)).sum()
     }
 
     /// Works on the chunks of all segments, between grains and with walls, in parallel in `parts`, and sums up for the own grains, which
@@ -266,24 +262,27 @@ impl Sums {
         let parts = parts.clamp(1, end - start);
         let chunks = of_segments(start..end, |s| work.neighbours.chunks_of_segment(s));
         let wall_chunks = of_segments(start..end, |s| work.neighbours.wall_chunks_of_segment(s));
-        self.strays.resize_with(parts, Strays::default);
-        self.strays.iter_mut().for_each(Strays::clear);
+        self.outcomes.resize_with(parts, Outcome::default);
+        self.outcomes.iter_mut().for_each(|outcome| outcome.strays.clear());
+        let first_grain = |segment| work.neighbours.grains_of_segment(segment).start;
+        self.shares.share_out(start..end, parts, first_grain);
         let all = Task {
-            segments: start..end,
             first_chunk: chunks.start,
             chunks: &mut contacts.pairs[chunks],
             first_wall_chunk: wall_chunks.start,
             wall_chunks: &mut contacts.walls[wall_chunks],
             sums: &mut *sums,
             first_grain: own.start,
-            strays: &mut self.strays,
+            bounds: self.shares.bounds(),
+            outcomes: &mut self.outcomes,
             own: own.start as u32..own.end as u32,
         };
         all.work(work);
         if parts > 1 {
             let tasks = rayon::current_num_threads();
-            add_strays(own.start, sums, &self.strays, tasks, work.instructions);
+            add_strays(own.start, sums, &self.outcomes, tasks, work.instructions);
         }
+        self.shares.note(self.outcomes.iter().map(|outcome| outcome.took));
     }
 }
 
@@ -298,7 +297,7 @@ impl<'a> Task<'a> {
         S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
         W: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
     {
-        if self.strays.len() < 2 {
+        if self.outcomes.len() < 2 {
             return self.work_alone(work);
         }
         let (one, other) = self.cut(work.neighbours);
@@ -306,15 +305,8 @@ impl<'a> Task<'a> {
     }
 
     fn cut(self, neighbours: &Neighbours) -> (Self, Self) {
-        let parts = self.strays.len();
-        let (begin, end) = (self.segments.start, self.segments.end);
-        // what a thread does last is small: so threads that are not equally fast end together
-        let (first_parts, share) = if parts > PARTS_PER_THREAD {
-            (parts / 2, parts)
-        } else {
-            (1, 2)
-        };
-        let middle = begin + (end - begin) * first_parts / share;
+        let first_tasks = self.outcomes.len() / 2;
+        let middle = self.bounds[first_tasks];
         let chunk = neighbours.chunks_of_segment(middle).start;
         let wall_chunk = neighbours.wall_chunks_of_segment(middle).start;
         let grain = neighbours.grains_of_segment(middle).start;
@@ -322,25 +314,25 @@ impl<'a> Task<'a> {
         let (wall_chunks, other_wall_chunks) = self.wall_chunks.split_at_mut(wall_chunk - self.first_wall_chunk);
         // grains of other processes lie behind the own ones
         let (sums, other_sums) = self.sums.split_at_mut((grain - self.first_grain).min(self.sums.len()));
-        let (strays, other_strays) = self.strays.split_at_mut(first_parts);
+        let (outcomes, other_outcomes) = self.outcomes.split_at_mut(first_tasks);
         let one = Self {
-            segments: begin..middle,
             chunks,
             wall_chunks,
             sums,
-            strays,
+            bounds: &self.bounds[..=first_tasks],
+            outcomes,
             own: self.own.clone(),
             ..self
         };
         let other = Self {
-            segments: middle..end,
             chunks: other_chunks,
             first_chunk: chunk,
             wall_chunks: other_wall_chunks,
             first_wall_chunk: wall_chunk,
             sums: other_sums,
             first_grain: grain,
-            strays: other_strays,
+            bounds: &self.bounds[first_tasks..],
+            outcomes: other_outcomes,
             own: self.own,
         };
         (one, other)
@@ -351,15 +343,16 @@ impl<'a> Task<'a> {
         S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
         W: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
     {
-        let neighbours = work.neighbours;
+        let (begun, neighbours) = (Instant::now(), work.neighbours);
+        let outcome = &mut self.outcomes[0];
         let mut adder = Adder {
             first_grain: self.first_grain as u32,
             sums: self.sums,
-            strays: &mut self.strays[0],
+            strays: &mut outcome.strays,
             own: self.own,
         };
         let count = adder.sums.len();
-        for segment in self.segments.clone() {
+        for segment in self.bounds[0]..self.bounds[1] {
             let grains = neighbours.grains_of_segment(segment);
             let [first, end] = [grains.start, grains.end].map(|grain| (grain - self.first_grain).min(count));
             adder.sums[first..end].fill(Load::default());
@@ -370,20 +363,21 @@ impl<'a> Task<'a> {
                 (work.at_walls)(chunk, &mut self.wall_chunks[chunk - self.first_wall_chunk], &mut adder);
             }
         }
+        outcome.took = begun.elapsed();
     }
 }
 
 /// Adds what tasks have for the grains of others, in parallel.
-fn add_strays(first: usize, sums: &mut [Load], strays: &[Strays], parts: usize, instructions: Instructions) {
+fn add_strays(first: usize, sums: &mut [Load], outcomes: &[Outcome], parts: usize, instructions: Instructions) {
     if parts < 2 || sums.len() < 2 {
-        let add = AddStrays { first, sums, strays };
+        let add = AddStrays { first, sums, outcomes };
         return lanes::run(instructions, add);
     }
     let middle = sums.len() * (parts / 2) / parts;
     let (one, other) = sums.split_at_mut(middle);
     join(
-        || add_strays(first, one, strays, parts / 2, instructions),
-        || add_strays(first + middle, other, strays, parts - parts / 2, instructions),
+        || add_strays(first, one, outcomes, parts / 2, instructions),
+        || add_strays(first + middle, other, outcomes, parts - parts / 2, instructions),
     );
 }
 
@@ -391,7 +385,7 @@ fn add_strays(first: usize, sums: &mut [Load], strays: &[Strays], parts: usize, 
 struct AddStrays<'a> {
     first: usize,
     sums: &'a mut [Load],
-    strays: &'a [Strays],
+    outcomes: &'a [Outcome],
 }
 
 impl Kernel for AddStrays<'_> {
@@ -399,7 +393,7 @@ impl Kernel for AddStrays<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        for strays in self.strays {
+        for Outcome { strays, .. } in self.outcomes {
             for (k, &(grain, side)) in strays.grains.iter().enumerate() {
                 let Some(sum) = self.sums.get_mut((grain as usize).wrapping_sub(self.first)) else {
                     continue;

@@ -5,7 +5,7 @@ use super::{GRAINS_PER_TASK, Motion, first_by_id};
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::particles::{Domain, HalfKick, Load};
 use crate::simulation::Simulation;
-use crate::threads::{Divisible, divide};
+use crate::threads::{Divisible, divide_at, inside};
 use demeter_physics::integrator::rotate_wide;
 use demeter_physics::lanes::{self, Kernel, Lanes, MOST_LANES, Quad, Vector};
 use glam::{DQuat, DVec3};
@@ -31,11 +31,12 @@ impl Simulation {
             dt,
             domain: &domain,
         };
+        let at = (some.start, inside(self.sums.shares.first_grains(), &some));
         let merge = |one: Motion, other: Motion| one.merge(other, ids);
         if !self.awaits_kick {
             let forces = Told(loads);
             let drift = |some: Drift<Told>| lanes::run(instructions, some);
-            return divide(Drift { moved, forces }, GRAINS_OF_A_SPREAD, &drift, &merge);
+            return divide_at(at, Drift { moved, forces }, GRAINS_OF_A_SPREAD, &drift, &merge);
         }
         let forces = Summed {
             first: some.start,
@@ -47,7 +48,7 @@ impl Simulation {
             bad: None,
         };
         let drift = |some: Drift<Summed>| lanes::run(instructions, some);
-        divide(Drift { moved, forces }, GRAINS_OF_A_SPREAD, &drift, &merge)
+        divide_at(at, Drift { moved, forces }, GRAINS_OF_A_SPREAD, &drift, &merge)
     }
 
     /// Body force, and the half kick over `kick` [s] in place of the one that was foreseen. Tells the first grain, by its id, with a
@@ -64,13 +65,16 @@ impl Simulation {
             spin: &mut grains.angular_velocity.table_mut()[own.clone()],
             half_kicks: &grains.half_kicks.0[own.clone()],
             loads: &mut grains.load.rows_mut()[own.clone()],
-            mass: &grains.mass[own],
+            mass: &grains.mass[own.clone()],
             ids,
             gravity,
             kick,
         };
+        let at = (own.start, inside(self.sums.shares.first_grains(), &own));
         let kick = |some: Kick| lanes::run(instructions, some);
-        divide(all, GRAINS_PER_TASK, &kick, &|one, other| first_by_id(ids, one, other))
+        divide_at(at, all, GRAINS_PER_TASK, &kick, &|one, other| {
+            first_by_id(ids, one, other)
+        })
     }
 }
 
