@@ -7,7 +7,7 @@ use crate::output::vtp::{PolyData, Values};
 use crate::output::{ContactRecord, Frame, FramePart, MATERIAL_NAMES, WALL_NAMES, WallSurface};
 use crate::particles::{Grains, Rows};
 use crate::results::{ResultsError, Run, TableFile, TableKind};
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use std::str::FromStr;
 
 /// A cut that is not understood.
@@ -82,7 +82,6 @@ impl LoadedFrame {
             self.grains.image.push([0; 3]);
             self.grains.velocity.push(velocities[k], 0.0);
             self.grains.angular_velocity.push(spins[k], 0.0);
-            self.grains.orientation.push(DQuat::IDENTITY);
         }
         self.grains.load = Rows::zeros(self.grains.len());
         let material = |name: &String| Material {

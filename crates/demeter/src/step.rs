@@ -1,12 +1,14 @@
 //! One time step, in the order in which things happen.
 
 mod coupled;
+mod displacement;
 mod gear;
 mod velocity_verlet;
 mod walls;
 
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
+pub(crate) use displacement::FarthestTravel;
 
 use crate::contacts::sum::{Adder, Work};
 use crate::contacts::{ContactChunk, Fault, Scene};
@@ -130,21 +132,27 @@ impl Simulation {
 
     /// The skin to find candidates anew with: when some grain may touch a partner that is not among its candidates, and
     /// when a narrower skin would do.
-    fn next_skin(&self, motion: &Motion) -> Option<f64> {
+    fn next_skin(&mut self, motion: &Motion) -> Option<f64> {
+        self.add_travel(motion);
         // the narrow phase looks ahead by half a step
         let windows = if self.max_reach > 0.0 { 2.0 } else { 1.0 };
         let window = windows * motion.max_speed * self.dt;
-        let grain = motion.max_displacement + window;
         let wall = self.wall_displacement();
         let (bulges, margin) = (self.coupling.as_ref()).map_or((0.0, 0.0), |c| (c.bulges_of_two(), c.memory.margin));
-        let used = (2.0 * grain).max(grain + wall) - (margin - bulges);
+        let used = |travel: f64| {
+            let grain = travel + window;
+            (2.0 * grain).max(grain + wall) - (margin - bulges)
+        };
         let looks_at_all = self.coupling.is_some() || self.integrator == Integrator::Gear;
-        let counts = || Counts::new(&self.neighbours, self.engaged_contacts(), looks_at_all);
+        let counts = |sim: &Self| Counts::new(&sim.neighbours, sim.engaged_contacts(), looks_at_all);
         let is_old = self.neighbours.reference.len() != self.grains.len();
-        if is_old || used > self.skin {
-            return Some(self.tuner.after_use(self.skin, self.step, counts()));
+        let may_be_used_up = |sim: &Self| used(sim.travel.0) > sim.skin;
+        if is_old || may_be_used_up(self) && used(self.measure_travel(motion)) > self.skin {
+            return Some(self.tuner.after_use(self.skin, self.step, counts(self)));
         }
-        (self.tuner).instead_of_wide(self.skin, used.max(0.0), self.step, counts)
+        let tuner = self.tuner;
+        let counts = tuner.counts_when_wide(self.step, || counts(self))?;
+        tuner.instead_of_wide(self.skin, used(self.measure_travel(motion)).max(0.0), self.step, counts)
     }
 
     fn phase_of_contacts(&self) -> Phase {
@@ -303,8 +311,8 @@ pub(crate) struct Motion {
     pub(crate) max_speed: f64,
     /// Largest displacement in this step [m].
     pub(crate) max_step: f64,
-    /// Largest displacement since the candidates were found [m].
-    pub(crate) max_displacement: f64,
+    /// By how much images came nearer since the candidates were found, as the box deformed [m].
+    pub(crate) by_box: f64,
     /// Some grain outside the domain or not at a finite place.
     pub(crate) misplaced: Option<usize>,
     /// The first grain, by its id, with a value that was not finite before it moved.
@@ -316,7 +324,7 @@ impl Motion {
         Self {
             max_speed: self.max_speed.max(other.max_speed),
             max_step: self.max_step.max(other.max_step),
-            max_displacement: self.max_displacement.max(other.max_displacement),
+            by_box: self.by_box.max(other.by_box),
             misplaced: self.misplaced.or(other.misplaced),
             bad: first_by_id(ids, self.bad, other.bad),
         }

@@ -39,7 +39,7 @@ fn snapshot(sim: &Simulation) -> Vec<u8> {
                 unwrapped,
                 g.velocity[k],
                 g.angular_velocity[k],
-                g.orientation[k],
+                g.orientation.as_ref().map(|all| all[k]),
                 g.force(k),
                 g.higher.get(k).copied(),
             )

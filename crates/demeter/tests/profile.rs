@@ -110,7 +110,7 @@ fn the_memory_that_is_told_holds_the_tables_and_little_more() {
     }
     let memory = sim.memory();
     let bytes = |name: &str| memory.iter().find(|part| part.name == name).unwrap().bytes;
-    // five rows of 32 bytes, an orientation of 32, mass, image, id and material
+    // three rows of 32 bytes, load and half kick of 96, mass, image, id and material
     assert!(bytes("grains") >= sim.grains.len() * (6 * 32 + 8 + 12 + 4 + 2));
     let of_contacts = |chunks: &[demeter::contacts::ContactChunk]| chunks.iter().map(|c| c.len()).sum::<usize>();
     let contacts = of_contacts(&sim.contacts.pairs) + of_contacts(&sim.contacts.walls);

@@ -35,7 +35,7 @@ fn free_spin_is_exact() {
             v * cos + axis.cross(v) * sin + axis * (axis.dot(v) * (1.0 - cos))
         };
         let error = [DVec3::X, DVec3::Y, DVec3::Z]
-            .map(|v| (sim.grains.orientation[0] * v - turned(v)).length())
+            .map(|v| (sim.grains.orientation.as_ref().unwrap()[0] * v - turned(v)).length())
             .into_iter()
             .fold(0.0, f64::max);
         report("turns", angle / std::f64::consts::TAU);

@@ -308,7 +308,7 @@ class Simulation:
         """Indices of the materials, (n,)."""
     @property
     def orientations(self) -> _Floats:
-        """Orientations as unit quaternions x, y, z, w, (n, 4)."""
+        """Orientations as unit quaternions x, y, z, w, (n, 4), where `simulation.orientations` is true."""
     @property
     def material_names(self) -> list[str]:
         """Names of the materials."""

@@ -491,10 +491,10 @@ impl Simulation {
         Self::show(slf, Table::Material, |s, sim| s.list(&sim.grains.material))
     }
 
-    /// Orientations as unit quaternions x, y, z, w, (n, 4); read-only and without a copy, as `positions`.
+    /// Unit quaternions x, y, z, w, (n, 4), where `simulation.orientations` is true; read-only and without a copy.
     #[getter]
     fn orientations<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Orientation, |s, sim| s.quaternions(&sim.grains.orientation))
+        Self::show(slf, Table::Orientation, |s, sim| s.orientations(&sim.grains))
     }
 
     /// Names of the materials.

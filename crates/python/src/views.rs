@@ -4,7 +4,7 @@
 //! simulation goes on with a copy and leaves the old memory to the arrays. So an array shows the moment at which it was
 //! taken for as long as it lives; nobody ever sees a table half changed, and nobody waits.
 
-use crate::errors::Error;
+use crate::errors::{Error, RunError};
 use crate::simulation::Simulation;
 use bytemuck::Pod;
 use engine::particles::{Grains, Load, Rows};
@@ -155,8 +155,12 @@ impl<'py> Showing<'_, 'py> {
         self.show1(view.map_err(|e| Error::new_err(e.to_string()))?)
     }
 
-    /// Quaternions, as an array of four columns.
-    pub fn quaternions(self, list: &[DQuat]) -> PyResult<Bound<'py, PyAny>> {
+    /// Orientations of the grains, where they are followed, as an array of four columns.
+    pub fn orientations(self, grains: &Grains) -> PyResult<Bound<'py, PyAny>> {
+        let list = grains.orientation.as_deref().ok_or_else(|| {
+            let why = "it is not followed how the grains of this run turn: begin it with `orientations = true` in [simulation]";
+            RunError::new_err(why)
+        })?;
         let view = ArrayView2::from_shape((list.len(), 4), bytemuck::cast_slice::<DQuat, f64>(list));
         self.show2(view.map_err(|e| Error::new_err(e.to_string()))?)
     }

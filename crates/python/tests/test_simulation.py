@@ -122,7 +122,14 @@ def test_arrays_share_memory_and_never_dangle(bed):
     assert np.array_equal(positions, before) and np.allclose(radii, 2e-3)
 
 
+def test_orientations_are_followed_where_that_is_asked_for(bed):
+    sim = demeter.Simulation(bed)
+    with pytest.raises(demeter.RunError, match="orientations = true"):
+        sim.orientations
+
+
 def test_orientations_are_shown_without_a_copy(bed):
+    bed["simulation"]["orientations"] = True
     sim = demeter.run(bed)
     orientations = sim.orientations
     assert orientations.shape == (50, 4) and not orientations.flags.owndata and not orientations.flags.writeable

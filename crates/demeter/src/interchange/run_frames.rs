@@ -31,12 +31,14 @@ fn table_of_grains(file: &mut TableFile, cell: Option<Cell>) -> Result<GrainTabl
     let types = file.integers("material")?.into_iter().map(material).collect();
     let vectors = |values: Vec<f64>| values.as_chunks().0.iter().map(|v| DVec3::from_array(*v)).collect();
     let mut extras = Vec::new();
-    let turned = file.floats("orientation", 4)?;
-    for (k, axis) in ["x", "y", "z", "w"].into_iter().enumerate() {
-        extras.push(extra(
-            &format!("orientation_{axis}"),
-            turned.iter().skip(k).step_by(4).copied(),
-        ));
+    if file.names().any(|name| name == "orientation") {
+        let turned = file.floats("orientation", 4)?;
+        for (k, axis) in ["x", "y", "z", "w"].into_iter().enumerate() {
+            extras.push(extra(
+                &format!("orientation_{axis}"),
+                turned.iter().skip(k).step_by(4).copied(),
+            ));
+        }
     }
     extras.push(extra(
         "coordination",

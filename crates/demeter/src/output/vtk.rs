@@ -3,7 +3,7 @@
 //!
 //! | file | one element is | arrays |
 //! |---|---|---|
-//! | `grains` | a point at the centre of a grain | `id`, `material`, `radius` and `diameter` [m], `mass` [kg], `velocity` [m/s], `angular_velocity` [1/s], `orientation` (quaternion x, y, z, w), `force` [N], `torque` [N m], `coordination` (contacts that act, walls counted), `contact_force` [N] (sum of the magnitudes of their normal forces), `mean_normal_stress` [Pa] (from them, compression positive), `tag` where grains have tags |
+//! | `grains` | a point at the centre of a grain | `id`, `material`, `radius` and `diameter` [m], `mass` [kg], `velocity` [m/s], `angular_velocity` [1/s], `force` [N], `torque` [N m], `coordination` (contacts that act, walls counted), `contact_force` [N] (sum of the magnitudes of their normal forces), `mean_normal_stress` [Pa] (from them, compression positive), `orientation` (quaternion x, y, z, w) where it is followed, `tag` where grains have tags |
 //! | `contacts` | a point at the contact, of those that act: their normal force is not 0 | `id_i`, `id_j` (0: wall), `wall` (-1: none), `element`, `normal` (towards i), `overlap` [m], `normal_force`, `tangential_force` and their vector sum `force` [N], all on i, `normal_force_magnitude`, `force_magnitude` [N], `rolling_torque` [N m] |
 //! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s]; where a wall records loads or wear, of the element (triangle of a mesh, face of a box, else all of the wall) `mean_force` [N], `pressure` and `shear_stress` [Pa], means since the last frame; `impact_energy` and `sliding_energy` [J] and `wear_depth` [m] since the start |
 //!
@@ -132,7 +132,6 @@ fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
     };
     let radii = || g.position.rows()[own.clone()].iter().map(|row| row.scalar);
     let materials = g.material[own.clone()].iter().map(|m| i32::from(*m));
-    let orientations = g.orientation[own.clone()].iter().map(|q| q.to_array());
     let mut point_data = vec![
         NewArray::counts("id", all.joined(g.id[own.clone()].iter().copied())),
         NewArray::integers("material", all.joined(materials)),
@@ -141,13 +140,16 @@ fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
         NewArray::scalars("mass", all.joined(g.mass[own.clone()].iter().copied())),
         vectors("velocity", &g.velocity),
         vectors("angular_velocity", &g.angular_velocity),
-        NewArray::rows("orientation", all.joined(orientations)),
         loads("force", Load::force),
         loads("torque", Load::torque),
         NewArray::counts("coordination", all.joined(sums.coordination.iter().copied())),
         NewArray::scalars("contact_force", all.joined(sums.force.iter().copied())),
         NewArray::scalars("mean_normal_stress", all.joined(sums.stress.iter().copied())),
     ];
+    if let Some(orientation) = &g.orientation {
+        let turned = orientation[own.clone()].iter().map(|q| q.to_array());
+        point_data.push(NewArray::rows("orientation", all.joined(turned)));
+    }
     if let Some(tags) = &frame.tags {
         point_data.push(NewArray::integers("tag", all.joined(tags.iter().copied())));
     }

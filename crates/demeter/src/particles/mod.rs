@@ -62,8 +62,8 @@ pub struct Grains {
     pub velocity: Rows,
     /// Angular velocity in the world frame [1/s]; beside it the inverse moment of inertia [1/(kg m^2)], 0 for a fixed grain.
     pub angular_velocity: Rows,
-    /// Orientation.
-    pub orientation: Vec<DQuat>,
+    /// Orientation, where it is followed: nothing that a sphere does depends on it.
+    pub orientation: Option<Vec<DQuat>>,
     /// Total force [N] and torque [N m] of the latest step.
     pub load: Rows<Load>,
     /// What a step of velocity Verlet foresees, until it has ended; empty before the first.
@@ -189,7 +189,9 @@ impl Grains {
         self.image.push([0; 3]);
         self.velocity.push(grain.velocity, inverse_mass);
         self.angular_velocity.push(grain.angular_velocity, inverse_inertia);
-        self.orientation.push(DQuat::IDENTITY);
+        if let Some(orientation) = &mut self.orientation {
+            orientation.push(DQuat::IDENTITY);
+        }
         self.load.push_row(Load::default());
         if !self.half_kicks.0.is_empty() {
             self.half_kicks.0.push(HalfKick::default());
@@ -197,6 +199,11 @@ impl Grains {
         if !self.higher.is_empty() {
             self.higher.push(HigherDerivatives::default());
         }
+    }
+
+    /// From now on follows how the grains turn; those in the table have not turned yet.
+    pub fn follow_orientations(&mut self) {
+        self.orientation = Some(vec![DQuat::IDENTITY; self.len()]);
     }
 
     /// Forgets forces, torques and crossings of periodic sides: these take no memory until they are written.
@@ -215,7 +222,10 @@ impl Grains {
         self.image.extend_from_slice(&other.image);
         self.velocity.append(&other.velocity);
         self.angular_velocity.append(&other.angular_velocity);
-        self.orientation.extend_from_slice(&other.orientation);
+        if let Some(orientation) = &mut self.orientation {
+            orientation.extend(other.orientation.iter().flatten());
+            orientation.resize(self.id.len(), DQuat::IDENTITY);
+        }
         self.load.append(&other.load);
         if !self.half_kicks.0.is_empty() {
             self.half_kicks.0.resize(self.id.len(), HalfKick::default());
@@ -239,7 +249,9 @@ impl Grains {
         put(&mut packed, &self.material, some.clone());
         put(&mut packed, &self.mass, some.clone());
         put(&mut packed, &self.image, some.clone());
-        put(&mut packed, &self.orientation, some.clone());
+        if let Some(orientation) = &self.orientation {
+            put(&mut packed, orientation, some.clone());
+        }
         if !self.half_kicks.0.is_empty() {
             put(&mut packed, &self.half_kicks.0, some.clone());
         }
@@ -271,7 +283,7 @@ impl Grains {
             && take(&mut rest, &mut self.material, some.clone())
             && take(&mut rest, &mut self.mass, some.clone())
             && take(&mut rest, &mut self.image, some.clone())
-            && take(&mut rest, &mut self.orientation, some.clone())
+            && (self.orientation.as_mut()).is_none_or(|of| take(&mut rest, of, some.clone()))
             && (self.half_kicks.0.is_empty() || take(&mut rest, &mut self.half_kicks.0, some.clone()))
             && (self.higher.is_empty() || take(&mut rest, &mut self.higher, some));
         fits && rest.is_empty()
@@ -309,7 +321,8 @@ impl Grains {
             size_of::<HigherDerivatives>()
         };
         let scalars = size_of::<u32>() + size_of::<u16>() + size_of::<f64>() + size_of::<[i32; 3]>();
-        let rows = 3 * size_of::<Row>() + size_of::<Load>() + size_of::<DQuat>();
+        let turned = self.orientation.as_ref().map_or(0, |_| size_of::<DQuat>());
+        let rows = 3 * size_of::<Row>() + size_of::<Load>() + turned;
         count * (scalars + rows + size_of::<HalfKick>() + higher)
     }
 
@@ -334,7 +347,9 @@ impl Grains {
         keep(&mut self.image, count, some.clone());
         self.velocity.keep(count, some.clone());
         self.angular_velocity.keep(count, some.clone());
-        keep(&mut self.orientation, count, some.clone());
+        if let Some(orientation) = &mut self.orientation {
+            keep(orientation, count, some.clone());
+        }
         self.load.keep(count, some.clone());
         if !self.half_kicks.0.is_empty() {
             keep(&mut self.half_kicks.0, count, some.clone());

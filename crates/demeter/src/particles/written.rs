@@ -16,7 +16,7 @@ struct Written<'a, 'b> {
     image: Listed<'a, 'b, [i32; 3]>,
     velocity: Listed<'a, 'b, Row>,
     angular_velocity: Listed<'a, 'b, Row>,
-    orientation: Listed<'a, 'b, DQuat>,
+    orientation: Option<Listed<'a, 'b, DQuat>>,
     load: Listed<'a, 'b, Load>,
     higher: Listed<'a, 'b, HigherDerivatives>,
 }
@@ -31,7 +31,7 @@ impl InParts for Grains {
             image: part.of_grains(&self.image),
             velocity: part.of_grains(self.velocity.rows()),
             angular_velocity: part.of_grains(self.angular_velocity.rows()),
-            orientation: part.of_grains(&self.orientation),
+            orientation: self.orientation.as_deref().map(|all| part.of_grains(all)),
             load: part.of_grains(self.load.rows()),
             higher: part.of_grains(&self.higher),
         }

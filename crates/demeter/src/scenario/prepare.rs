@@ -210,6 +210,9 @@ fn wall(spec: &WallSpec) -> Result<(Wall, Option<MeshOrigin>), (&'static str, St
 /// The grains of all batches, and which batch each is of.
 fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
     let (mut grains, mut origins) = (Grains::default(), Origins::default());
+    if scenario.simulation.orientations {
+        grains.follow_orientations();
+    }
     let mut occupied: Vec<(DVec3, f64)> = Vec::new();
     let periodic = periodic_domain(scenario);
     let mut next_id = 1u32;

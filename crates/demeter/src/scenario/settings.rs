@@ -33,6 +33,8 @@ pub struct SimulationSpec {
     pub coupling: Coupling,
     /// Whether a step above the safe one is accepted.
     pub allow_unsafe_time_step: bool,
+    /// Whether it is followed how grains turn; a predictor-corrector always does.
+    pub orientations: bool,
     /// Acceleration of gravity [m/s^2].
     pub gravity: DVec3,
     /// Largest overlap as a share of the smaller radius: beyond it the run stops; the automatic step is safe up to it.
@@ -51,6 +53,7 @@ impl Default for SimulationSpec {
             integrator: Integrator::default(),
             coupling: Coupling::default(),
             allow_unsafe_time_step: false,
+            orientations: false,
             gravity: DVec3::ZERO,
             max_overlap: DEFAULT_MAX_OVERLAP,
             skin: None,
@@ -72,6 +75,7 @@ pub(super) fn simulation(root: &TableReader<'_>) -> SimulationSpec {
         spec.integrator = [Integrator::VelocityVerlet, Integrator::Gear][index];
     }
     spec.allow_unsafe_time_step = table.optional("allow_unsafe_time_step").is_some_and(|i| i.boolean());
+    spec.orientations = table.optional("orientations").is_some_and(|i| i.boolean());
     spec.gravity = table.vector_or_zero("gravity", Kind::Physical(Dimension::ACCELERATION));
     if let Some(share) = table.optional_quantity("max_overlap", Kind::Number, Range::POSITIVE_SHARE) {
         spec.max_overlap = share;

@@ -402,6 +402,14 @@ impl Simulation {
         rows.for_each(|rows| rows.iter_mut().for_each(carry_row));
     }
 
+    /// A displacement since the candidates were found, with what the box did meanwhile [m].
+    pub(crate) fn with_box(&self, displacement: f64, motion: &Motion) -> f64 {
+        match self.deforming {
+            Some(_) => SLACK * (displacement + motion.by_box),
+            None => displacement,
+        }
+    }
+
     /// How all grains can have moved against each other and against images in a box that deforms, told the motion of all: by their motion beyond the
     /// affine flow, and by what the flow does over the distance of two that may meet.
     pub(crate) fn beyond_affine(&self, motion: Motion) -> Motion {
@@ -441,7 +449,7 @@ impl Simulation {
         Motion {
             max_speed: SLACK * (speed + 0.5 * deforming.steepness() * apart),
             max_step: SLACK * (step2.sqrt() + 0.5 * carry.strain() * apart),
-            max_displacement: SLACK * (motion.max_displacement + 0.5 * state.since.strain() * apart),
+            by_box: 0.5 * state.since.strain() * apart,
             ..motion
         }
     }

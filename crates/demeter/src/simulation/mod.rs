@@ -51,7 +51,7 @@ use crate::materials::Materials;
 use crate::neighbours::{Bounds, Neighbours, SpatialOrder};
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::particles::{Domain, Grains, HigherDerivatives};
-use crate::step::CouplingState;
+use crate::step::{CouplingState, FarthestTravel};
 use crate::threads::Awake;
 use crate::walls::{FreeStep, Pose, Wall};
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
@@ -126,6 +126,8 @@ pub struct Simulation {
     pub(crate) near: NearTables,
     /// How the grains move, by stretches of [`GRAINS_OF_A_SPREAD`] behind each other.
     pub(crate) spreads: Vec<Spread>,
+    /// How far any grain can have come since the candidates were found.
+    pub(crate) travel: FarthestTravel,
     /// Largest gap across which any law acts [m]; candidates are found that much farther away.
     pub(crate) max_reach: f64,
     pub(crate) max_overlap: f64,
@@ -182,6 +184,9 @@ impl Simulation {
             Integrator::Gear => setup.grains.len(),
         };
         setup.grains.higher.resize(remembered, HigherDerivatives::default());
+        if setup.integrator == Integrator::Gear && setup.grains.orientation.is_none() {
+            setup.grains.follow_orientations();
+        }
         let walls: Vec<WallPartner> = setup.walls.iter().map(WallPartner::of).collect();
         let max_reach = largest_reach(&setup.grains, &walls, &setup.materials);
         let coupling = CouplingState::new(setup.coupling, &setup.grains, &setup.materials);
@@ -216,6 +221,7 @@ impl Simulation {
             skin: setup.skin.first(),
             near: NearTables::default(),
             spreads: Vec::new(),
+            travel: FarthestTravel::UNKNOWN,
             max_reach,
             max_overlap: setup.max_overlap,
             coupling,
@@ -375,6 +381,7 @@ impl Simulation {
         let own = self.own_grains();
         let with = (&self.walls[..], &self.materials, &self.comm);
         (self.neighbours).find_of((&own, vicinity.as_ref()), &self.grains, with, beyond_touch);
+        self.travel = FarthestTravel::NONE;
         self.tables += 1;
         self.count_candidates();
         let moved_to = (places != Places::Kept).then(|| self.order.moved_to());

@@ -231,7 +231,8 @@ impl Simulation {
                 Integrator::VelocityVerlet if self.may_await_kick() => Passes::Joined,
                 Integrator::VelocityVerlet => Passes::Apart,
             };
-            let needs = profile.work.needs(self.contacts.stride, self.resists_rolling, passes);
+            let motion = (passes, self.grains.orientation.is_some());
+            let needs = profile.work.needs(self.contacts.stride, self.resists_rolling, motion);
             Roofline::new(&profile.work, needs, Machine::measure(self.instructions), seconds)
         });
         Some(ProfileReport {

@@ -155,16 +155,18 @@ impl SkinTuner {
         self.next(skin, skin / steps, counts)
     }
 
-    /// The next skin when the present one is much too wide, of which only `used` was used so far [m].
-    pub(crate) fn instead_of_wide(&self, skin: f64, used: f64, step: u64, counts: impl Fn() -> Counts) -> Option<f64> {
+    /// What is counted, when it is time to see whether the present skin is much too wide: idle candidates have cost some rebuilds.
+    pub(crate) fn counts_when_wide(&self, step: u64, counts: impl FnOnce() -> Counts) -> Option<Counts> {
         let steps = step - self.rebuilt_at;
         if self.limits.is_none() || steps == 0 || !steps.is_multiple_of(LOOK_EVERY) {
             return None;
         }
-        let counts = counts();
-        if steps as f64 * counts.vain() < PATIENCE * counts.rebuild() {
-            return None;
-        }
+        Some(counts()).filter(|counts| steps as f64 * counts.vain() >= PATIENCE * counts.rebuild())
+    }
+
+    /// The next skin when the present one is much too wide, of which only `used` was used so far [m].
+    pub(crate) fn instead_of_wide(&self, skin: f64, used: f64, step: u64, counts: Counts) -> Option<f64> {
+        let steps = step - self.rebuilt_at;
         let next = self.next(skin, used / steps as f64, counts);
         (next * WASTE <= skin).then_some(next)
     }
@@ -202,6 +204,12 @@ mod tests {
         }
     }
 
+    /// The next skin, when there is any reason to change it.
+    fn instead_of_wide(tuner: &SkinTuner, skin: f64, used: f64, step: u64) -> Option<f64> {
+        let counts = tuner.counts_when_wide(step, || counts(skin))?;
+        tuner.instead_of_wide(skin, used, step, counts)
+    }
+
     /// What a step costs with a skin, of which motion uses `per_step`.
     fn cost(skin: f64, per_step: f64) -> f64 {
         counts(skin).rebuild() * per_step / skin + counts(skin).vain()
@@ -226,7 +234,7 @@ mod tests {
     fn a_skin_that_is_not_used_shrinks_to_the_least() {
         let (mut skin, mut rebuilds, mut last) = (0.2, 0, TUNER);
         for step in 1..200_000 {
-            if let Some(next) = last.instead_of_wide(skin, 1e-9, step, || counts(skin)) {
+            if let Some(next) = instead_of_wide(&last, skin, 1e-9, step) {
                 assert!(next < skin);
                 skin = next;
                 last.note_rebuild(step);
@@ -245,7 +253,7 @@ mod tests {
         assert!(lasts > 2 * LOOK_EVERY);
         for step in 1..lasts {
             let used = 0.1 * step as f64 / lasts as f64;
-            assert_eq!(TUNER.instead_of_wide(0.1, used, step, counts), None);
+            assert_eq!(instead_of_wide(&TUNER, 0.1, used, step), None);
         }
         let next = TUNER.after_use(0.1, lasts, counts());
         assert!((next - 0.1).abs() < 1e-3, "{next}");
@@ -262,6 +270,6 @@ mod tests {
         };
         let fixed = SkinTuner::new(Skin::Fixed(0.1), &grains, &domain, (0.0, false));
         assert_eq!(fixed.after_use(0.1, 3, counts(0.1)), 0.1);
-        assert_eq!(fixed.instead_of_wide(0.1, 0.0, 1 << 20, || counts(0.1)), None);
+        assert_eq!(instead_of_wide(&fixed, 0.1, 0.0, 1 << 20), None);
     }
 }

@@ -98,7 +98,7 @@ impl SimulationState<'_> {
             g.image.len(),
             g.velocity.len(),
             g.angular_velocity.len(),
-            g.orientation.len(),
+            g.orientation.as_ref().map_or(n, Vec::len),
             g.load.len(),
         ];
         if self.walls.len() != walls {

@@ -16,6 +16,8 @@ impl Simulation {
         let method = Gear::new(self.dt);
         let domain = *self.comm.domain();
         let grains = &mut self.grains;
+        // a predictor-corrector always follows them
+        let orientation = grains.orientation.as_mut().map_or(&mut [][..], |all| &mut all[..]);
         let n = GRAINS_PER_TASK;
         (
             (
@@ -23,44 +25,39 @@ impl Simulation {
                 grains.velocity.rows_mut()[some.clone()].par_chunks_mut(n),
             ),
             (
-                grains.orientation[some.clone()].par_chunks_mut(n),
+                orientation[some.clone()].par_chunks_mut(n),
                 grains.angular_velocity.rows_mut()[some.clone()].par_chunks_mut(n),
             ),
             grains.load.rows()[some.clone()].par_chunks(n),
             grains.higher[some.clone()].par_chunks_mut(n),
-            self.neighbours.reference.rows()[some.clone()].par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
-            .map(
-                |(task, ((position, velocity), (orientation, spin), load, higher, reference))| {
-                    let mut motion = Motion::default();
-                    let (mut speed2, mut displacement2) = (0.0f64, 0.0f64);
-                    for k in 0..position.len() {
-                        let mut moving = gear::Motion {
-                            place: position[k].vector,
-                            rate: velocity[k].vector,
-                            acceleration: load[k].force() * velocity[k].scalar,
-                        };
-                        method.predict(&mut moving, &mut higher[k].translation);
-                        (position[k].vector, velocity[k].vector) = (moving.place, moving.rate);
-                        let mut twist = load[k].torque() * spin[k].scalar;
-                        let derivatives = &mut higher[k].rotation;
-                        method.predict_rotation(&mut orientation[k], &mut spin[k].vector, &mut twist, derivatives);
-                        higher[k].foreseen = [moving.acceleration, twist];
-                        speed2 = speed2.max(velocity[k].vector.length_squared());
-                        displacement2 = displacement2.max((position[k].vector - reference[k].vector).length_squared());
-                        if motion.misplaced.is_none() && !domain.contains(position[k].vector) {
-                            motion.misplaced = Some(some.start + task * n + k);
-                        }
+            .map(|(task, ((position, velocity), (orientation, spin), load, higher))| {
+                let mut motion = Motion::default();
+                let mut speed2 = 0.0f64;
+                for k in 0..position.len() {
+                    let mut moving = gear::Motion {
+                        place: position[k].vector,
+                        rate: velocity[k].vector,
+                        acceleration: load[k].force() * velocity[k].scalar,
+                    };
+                    method.predict(&mut moving, &mut higher[k].translation);
+                    (position[k].vector, velocity[k].vector) = (moving.place, moving.rate);
+                    let mut twist = load[k].torque() * spin[k].scalar;
+                    let derivatives = &mut higher[k].rotation;
+                    method.predict_rotation(&mut orientation[k], &mut spin[k].vector, &mut twist, derivatives);
+                    higher[k].foreseen = [moving.acceleration, twist];
+                    speed2 = speed2.max(velocity[k].vector.length_squared());
+                    if motion.misplaced.is_none() && !domain.contains(position[k].vector) {
+                        motion.misplaced = Some(some.start + task * n + k);
                     }
-                    motion.max_speed = speed2.sqrt();
-                    // the corrector moves grains, too: contacts are looked for in every step
-                    motion.max_step = f64::INFINITY;
-                    motion.max_displacement = displacement2.sqrt();
-                    motion
-                },
-            )
+                }
+                motion.max_speed = speed2.sqrt();
+                // the corrector moves grains, too: contacts are looked for in every step
+                motion.max_step = f64::INFINITY;
+                motion
+            })
             .reduce(Motion::default, |one, other| one.merge(other, &grains.id))
     }
 
@@ -72,13 +69,14 @@ impl Simulation {
         let own = self.own_grains();
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
+        let orientation = grains.orientation.as_mut().map_or(&mut [][..], |all| &mut all[..]);
         (
             (
                 grains.position.rows_mut()[own.clone()].par_chunks_mut(n),
                 grains.velocity.rows_mut()[own.clone()].par_chunks_mut(n),
             ),
             (
-                grains.orientation[own.clone()].par_chunks_mut(n),
+                orientation[own.clone()].par_chunks_mut(n),
                 grains.angular_velocity.rows_mut()[own.clone()].par_chunks_mut(n),
             ),
             grains.load.rows_mut()[own.clone()].par_chunks_mut(n),

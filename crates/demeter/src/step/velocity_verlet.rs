@@ -12,8 +12,8 @@ use glam::{DQuat, DVec3};
 use std::ops::Range;
 
 impl Simulation {
-    /// Half kick, drift, and the predicted velocity of some grains; orientations turn. Where the latest step awaits its kick, it comes
-    /// first.
+    /// Half kick, drift, and the predicted velocity of some grains; orientations turn where they are followed. Where the latest step
+    /// awaits its kick, it comes first.
     pub(super) fn drift(&mut self, some: Range<usize>) -> Motion {
         let (dt, domain, instructions) = (self.dt, *self.comm.domain(), self.instructions);
         let grains = &mut self.grains;
@@ -26,8 +26,7 @@ impl Simulation {
             velocity: &mut grains.velocity.table_mut()[some.clone()],
             spin: &mut grains.angular_velocity.table_mut()[some.clone()],
             half_kicks: &mut grains.half_kicks.0[some.clone()],
-            orientation: &mut grains.orientation[some.clone()],
-            reference: &self.neighbours.reference.table()[some.clone()],
+            orientation: grains.orientation.as_mut().map(|all| &mut all[some.clone()]),
             dt,
             domain: &domain,
         };
@@ -216,8 +215,7 @@ struct Moved<'a> {
     spin: &'a mut [[f64; 4]],
     /// Those that the latest step foresaw, and then those of this one.
     half_kicks: &'a mut [HalfKick],
-    orientation: &'a mut [DQuat],
-    reference: &'a [[f64; 4]],
+    orientation: Option<&'a mut [DQuat]>,
     dt: f64,
     domain: &'a Domain,
 }
@@ -241,8 +239,7 @@ impl<F: Forces> Divisible for Drift<'_, F> {
         let (velocity, velocities) = all.velocity.split_at_mut(first);
         let (spin, spins) = all.spin.split_at_mut(first);
         let (half_kicks, other_kicks) = all.half_kicks.split_at_mut(first);
-        let (orientation, orientations) = all.orientation.split_at_mut(first);
-        let (reference, references) = all.reference.split_at(first);
+        let (orientation, orientations) = all.orientation.map(|all| all.split_at_mut(first)).unzip();
         let others = Moved {
             first: all.first + first,
             spreads: other_spreads,
@@ -251,7 +248,6 @@ impl<F: Forces> Divisible for Drift<'_, F> {
             spin: spins,
             half_kicks: other_kicks,
             orientation: orientations,
-            reference: references,
             ..all
         };
         let some = Moved {
@@ -261,7 +257,6 @@ impl<F: Forces> Divisible for Drift<'_, F> {
             spin,
             half_kicks,
             orientation,
-            reference,
             ..all
         };
         let others = Self {
@@ -283,7 +278,7 @@ impl<F: Forces> Kernel for Drift<'_, F> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> Motion {
-        let Self { moved, mut forces } = self;
+        let Self { mut moved, mut forces } = self;
         let Moved { first, dt, .. } = moved;
         let half = 0.5 * dt;
         let (lower, upper) = moved.domain.allowed();
@@ -293,17 +288,14 @@ impl<F: Forces> Kernel for Drift<'_, F> {
         let count = moved.position.len();
         // tables of one length: each index is checked once
         let (velocity, spin) = (&mut moved.velocity[..count], &mut moved.spin[..count]);
-        let (position, reference) = (&mut moved.position[..count], &moved.reference[..count]);
-        let half_kicks = &mut moved.half_kicks[..count];
+        let (position, half_kicks) = (&mut moved.position[..count], &mut moved.half_kicks[..count]);
         let (mut of_middle, mut of_end) = (Bounds::<L::Quad>::nothing(), Bounds::<L::Quad>::nothing());
-        let mut displacement2 = L::splat(0.0);
         let mut misplaced = None;
-        // behind the last grain they still hold what was there before, which counts no more
-        let (mut spins, mut displacements) = ([[0.0; 4]; MOST_LANES], [[0.0; 4]; MOST_LANES]);
+        // behind the last grain it still holds what was there before, which counts no more
+        let mut spins = [[0.0; 4]; MOST_LANES];
         for k in (0..count).step_by(L::COUNT) {
             let here = k..(k + L::COUNT).min(count);
-            let rows = spins.iter_mut().zip(&mut displacements);
-            for (g, (turning, displacement)) in here.clone().zip(rows) {
+            for (g, turning) in here.clone().zip(&mut spins) {
                 let now = forces.begin::<L::Quad>(g, [&velocity[g], &spin[g]], &half_kicks[g], half);
                 let middle = now.velocity + now.kick;
                 let middle_spin = now.spin + now.twist;
@@ -316,19 +308,16 @@ impl<F: Forces> Kernel for Drift<'_, F> {
                 velocity[g] = ahead.store();
                 spin[g] = (middle_spin + L::Quad::load_singles(&foreseen[1])).store();
                 *turning = middle_spin.store();
-                *displacement = (place - L::Quad::load(&reference[g])).store();
                 of_end.include(ahead);
                 of_middle.include(middle);
                 if !place.lies_within(lower, upper) && misplaced.is_none() {
                     misplaced = Some(first + g);
                 }
             }
-            let [x, y, z, _] = L::strided(displacements.as_flattened(), 0, 4);
-            // what is not a number is told as misplaced
-            displacement2 = L::Vector::new(x, y, z).square().max(displacement2);
-            turn::<L>(&mut moved.orientation[here], &spins, dt);
+            if let Some(orientation) = &mut moved.orientation {
+                turn::<L>(&mut orientation[here], &spins, dt);
+            }
         }
-        let displacement2 = displacement2.to_array().into_iter().fold(0.0, f64::max);
         let (middle, ahead) = (of_middle.spread(), of_end.spread());
         // a piece has a spread of its own
         if let Some(spread) = moved.spreads.first_mut() {
@@ -337,7 +326,7 @@ impl<F: Forces> Kernel for Drift<'_, F> {
         Motion {
             max_speed: ahead.speed(),
             max_step: middle.speed() * dt,
-            max_displacement: displacement2.sqrt(),
+            by_box: 0.0,
             misplaced,
             bad: forces.bad(),
         }

@@ -130,8 +130,10 @@ pub struct Case {
 
 impl Case {
     pub fn new(materials: Materials) -> Self {
+        let mut grains = Grains::default();
+        grains.follow_orientations();
         Self {
-            grains: Grains::default(),
+            grains,
             walls: vec![],
             materials,
             domain: Domain {

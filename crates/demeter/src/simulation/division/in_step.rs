@@ -19,10 +19,9 @@ impl Simulation {
         let Some(division) = self.division.as_mut().filter(|division| !division.is_whole) else {
             return found.map_or(Ok(motion), Err);
         };
-        let [max_speed, max_step, max_displacement, misplaced, fault, end] = division.largest([
+        let [max_speed, max_step, misplaced, fault, end] = division.largest([
             motion.max_speed,
             motion.max_step,
-            motion.max_displacement,
             flag(motion.misplaced.is_some()),
             flag(found.is_some()),
             flag(division.wants_to_end),
@@ -34,7 +33,7 @@ impl Simulation {
         Ok(Motion {
             max_speed,
             max_step,
-            max_displacement,
+            by_box: motion.by_box,
             misplaced: (misplaced > 0.0).then_some(0),
             bad: None,
         })
