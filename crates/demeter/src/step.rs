@@ -11,7 +11,7 @@ pub use coupled::{CouplingMemory, Effort};
 pub(crate) use displacement::FarthestTravel;
 
 use crate::contacts::sum::{Adder, Work};
-use crate::contacts::{ContactChunk, Fault, Scene};
+use crate::contacts::{Approach, ContactChunk, Fault, Scene};
 use crate::neighbours::Neighbours;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::simulation::profile::{Part, Profile};
@@ -195,7 +195,7 @@ impl Simulation {
         let are_bounded = self.integrator == Integrator::VelocityVerlet && !scene.is_deforming();
         let spreads = are_bounded.then_some(&self.spreads[..]);
         let approach = |segment| approach(segment, &scene, motion, wall_speed, (neighbours, spreads));
-        self.near.advance(segments.clone(), approach);
+        self.near.advance(segments.clone(), self.dt, approach);
         let near = &self.near;
         let work = Work {
             neighbours,
@@ -203,9 +203,9 @@ impl Simulation {
             instructions: self.instructions,
             step: |c: usize, chunk: &mut ContactChunk, adder: &mut Adder| {
                 let mut clock = Profile::chunk(profile);
-                let reach = near.reach(neighbours.segment_of_chunk(c));
+                let sought = near.sought(neighbours.segment_of_chunk(c));
                 let found = || clock.took(Part::Narrow);
-                chunk.step_pairs(neighbours.chunk(c), reach, &scene, adder, found);
+                chunk.step_pairs(neighbours.chunk(c), sought, &scene, adder, found);
                 clock.took(Part::Laws);
             },
             at_walls: |c: usize, chunk: &mut ContactChunk, adder: &mut Adder| {
@@ -266,23 +266,33 @@ impl Simulation {
     }
 }
 
-/// How much nearer two grains of a segment came at most in a step, and within which window they may act [m]; the same of a grain and a
-/// wall.
+/// How two grains of a segment may move against each other in a step, and a grain against a wall.
 fn approach(
     segment: usize,
     scene: &Scene,
     motion: &Motion,
     wall_speed: f64,
     (neighbours, spreads): (&Neighbours, Option<&[Spread]>),
-) -> [(f64, f64); 2] {
+) -> [Approach; 2] {
+    let not_foreseen = |nearer, window| Approach {
+        nearer,
+        window,
+        kick: f64::INFINITY,
+    };
     let (widest, step_of_walls) = (scene.widest_window(), wall_speed * scene.dt);
     let Some(spreads) = spreads else {
-        return [2.0 * motion.max_step, motion.max_step + step_of_walls].map(|nearer| (nearer, widest));
+        return [2.0 * motion.max_step, motion.max_step + step_of_walls].map(|nearer| not_foreseen(nearer, widest));
     };
-    let nearer = neighbours.approach(segment, spreads) * scene.dt;
+    let (speed, kick) = neighbours.approach(segment, spreads);
+    let nearer = speed * scene.dt;
     let to_wall = neighbours.spread_of(segment, spreads).speed() * scene.dt + step_of_walls;
     let window_at_wall = scene.window(0.5 * to_wall).min(widest);
-    [(nearer, scene.window(0.5 * nearer)), (to_wall, window_at_wall)]
+    let of_grains = Approach {
+        nearer,
+        window: scene.window(0.5 * nearer),
+        kick,
+    };
+    [of_grains, not_foreseen(to_wall, window_at_wall)]
 }
 
 /// Parts that the work on the contacts of so many grains is cut into: each costs something for pairs with grains of others, and few

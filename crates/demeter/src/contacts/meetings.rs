@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::kinematics::Turning;
-use super::near::FindNear;
+use super::near::{FindNear, Sought};
 use crate::comm::Single;
 use crate::neighbours::Pair;
 use demeter_physics::contact::PairSize;
@@ -122,6 +122,14 @@ impl<'a> Meeting<'a> {
             apart = apart + L::Vector::new(x, y, z);
         }
         (apart, ri, rj)
+    }
+
+    /// Velocity of the first of some pairs against the second, where the box keeps its shape [m/s].
+    #[inline(always)]
+    pub(super) fn velocity<L: Lanes>(&self, lot: &Lot) -> L::Vector {
+        let [[vx, vy, vz, _]] = L::fetch([self.tables[1]], &lot.first);
+        let [[ux, uy, uz, _]] = L::fetch([self.tables[1]], &lot.second);
+        L::Vector::new(vx - ux, vy - uy, vz - uz)
     }
 
     /// How far the surfaces of both grains may bulge [m].
@@ -252,7 +260,10 @@ impl Kernel for FindPairs<'_> {
         let find = FindNear {
             pairs,
             scene,
-            reach: scene.widest_window(),
+            sought: Sought {
+                reach: scene.widest_window(),
+                time: 0.0,
+            },
             near,
         };
         find.run::<L>();

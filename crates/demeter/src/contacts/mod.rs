@@ -37,6 +37,7 @@ pub use coupling::Coupling;
 pub use fault::Fault;
 pub(crate) use leaving::PairsAndWalls;
 pub use narrow::Scene;
+pub(crate) use near::Approach;
 pub use near::NearTables;
 pub use transfer::{CarriedContact, CarriedContacts, ContactKey};
 

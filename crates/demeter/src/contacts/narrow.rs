@@ -7,7 +7,7 @@
 use super::evaluate::WORD;
 use super::laws::largest_reach;
 use super::meetings::{FindPairs, Found};
-use super::near::FindNear;
+use super::near::{FindNear, Sought};
 use super::sum::Adder;
 use super::{ContactChunk, Fault, Kept, Surfaces, Tally};
 use crate::comm::Single;
@@ -118,18 +118,18 @@ thread_local! {
 
 impl ContactChunk {
     /// Finds the forces between grains of the pairs of a chunk that do not feel each other; those that may act are looked for
-    /// where they are told a `reach` beyond touching [m]. What they do is handed over.
+    /// where they are told with which distances. What they do is handed over.
     /// `found_all` is called when contacts are known.
     pub(crate) fn step_pairs(
         &mut self,
         (pairs, law): (&[Pair], u32),
-        reach: Option<f64>,
+        sought: Option<Sought>,
         scene: &Scene,
         adder: &mut Adder,
         found_all: impl FnOnce(),
     ) {
         self.begin(0, law);
-        if let Some(reach) = reach {
+        if let Some(sought) = sought {
             // what is needed in between lies in memory of the thread, which stays in its caches from chunk to chunk
             WORKSPACE.with_borrow_mut(|(found, before)| {
                 std::mem::swap(before, &mut self.before);
@@ -139,7 +139,7 @@ impl ContactChunk {
                     FindNear {
                         pairs,
                         scene,
-                        reach,
+                        sought,
                         near,
                     },
                 );

@@ -303,12 +303,15 @@ impl Neighbours {
         of.iter().copied().fold(Spread::NONE, Spread::join)
     }
 
-    /// A speed with which no two grains approach each other faster whose pair belongs to a segment [m/s].
-    pub(crate) fn approach(&self, segment: usize, spreads: &[Spread]) -> f64 {
+    /// A speed with which no two grains approach each other faster whose pair belongs to a segment, and by how much both of their half
+    /// kicks together change that at most [m/s].
+    pub(crate) fn approach(&self, segment: usize, spreads: &[Spread]) -> (f64, f64) {
         let own = self.spread_of(segment, spreads);
         let others = self.pairs.others_of(segment).iter();
-        let against = others.map(|&other| own.against(&self.spread_of(other as usize, spreads)));
-        against.fold(own.against(&own), f64::max)
+        others.fold((own.against(&own), 2.0 * own.kick), |(speed, kick), &other| {
+            let other = self.spread_of(other as usize, spreads);
+            (speed.max(own.against(&other)), kick.max(own.kick + other.kick))
+        })
     }
 
     /// Pairs of a grain with walls, in the order of the walls: chunk, and place in it.

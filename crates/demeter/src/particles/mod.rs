@@ -25,6 +25,7 @@ use bytemuck::{Pod, Zeroable};
 use demeter_physics::integrator::gear::Derivatives;
 use glam::{DQuat, DVec3};
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// A grain to be added.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +59,8 @@ pub struct Grains {
     pub position: Rows,
     /// How many periodic boxes the grain has crossed, by direction.
     pub image: Vec<[i32; 3]>,
-    /// Velocity [m/s]; beside it the inverse mass [1/kg], 0 for a fixed grain.
+    /// Velocity [m/s]; beside it the inverse mass [1/kg], 0 for a fixed grain. In a run that has begun it is changed by
+    /// [`Simulation::set_velocities`](crate::simulation::Simulation::set_velocities) alone: contacts are looked for as grains were seen to move.
     pub velocity: Rows,
     /// Angular velocity in the world frame [1/s]; beside it the inverse moment of inertia [1/(kg m^2)], 0 for a fixed grain.
     pub angular_velocity: Rows,
@@ -171,6 +173,13 @@ impl Grains {
         if self.half_kicks.0.len() != self.len() {
             self.half_kicks.0 = bytemuck::zeroed_vec(self.len());
         }
+    }
+
+    /// The largest half kick that is foreseen for the velocity of any of some grains [m/s].
+    pub(crate) fn largest_half_kick(&self, some: Range<usize>) -> f64 {
+        let foreseen = self.half_kicks.0.get(some).unwrap_or_default().iter();
+        let size2 = |HalfKick([kick, _]): &HalfKick| kick.iter().map(|&x| f64::from(x) * f64::from(x)).sum::<f64>();
+        foreseen.map(size2).fold(0.0, f64::max).sqrt() * (1.0 + f64::from(f32::EPSILON))
     }
 
     /// Adds a grain with the given id.

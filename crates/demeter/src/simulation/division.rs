@@ -27,6 +27,7 @@ use crate::comm::tree::{Then, turns};
 use crate::comm::{Message, Ranks};
 use crate::contacts::{Contacts, NearTables};
 use crate::neighbours::{Neighbours, SearchEffort};
+use crate::particles::spread::NUMBERS_OF_A_SPREAD;
 use handing::rank_in;
 use near::SizesOfAll;
 pub use report::{Sharing, SharingReport};
@@ -45,9 +46,6 @@ const WORK_OF_A_GRAIN: usize = 4;
 
 /// Numbers of a grain that others hear in every step: place, velocity, angular velocity.
 const NUMBERS: usize = 9;
-
-/// Numbers of a segment that others hear of: bounds of its velocities.
-const NUMBERS_OF_A_SPREAD: usize = 6;
 
 /// How a run is shared, as one process sees it.
 #[derive(Debug)]

@@ -105,6 +105,7 @@ impl Simulation {
         let done = work(self);
         // what was remembered of the motion belongs to the one before
         self.grains.higher.fill(HigherDerivatives::default());
+        self.near.look_anew();
         self.book_custom(0.0);
         if self.is_started() {
             let after = self.mechanical_energies().present();

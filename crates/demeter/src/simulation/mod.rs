@@ -396,11 +396,11 @@ impl Simulation {
             self.spreads.clear();
             self.spreads
                 .resize(self.grains.len().div_ceil(GRAINS_OF_A_SPREAD), Spread::ANY);
-            let stretches = self.grains.velocity.rows()[own.clone()].chunks(GRAINS_OF_A_SPREAD);
-            let own = &mut self.spreads[own.start / GRAINS_OF_A_SPREAD..];
-            own.iter_mut()
-                .zip(stretches)
-                .for_each(|(spread, of)| *spread = Spread::of(of));
+            for first in own.clone().step_by(GRAINS_OF_A_SPREAD) {
+                let stretch = first..(first + GRAINS_OF_A_SPREAD).min(own.end);
+                let kick = self.grains.largest_half_kick(stretch.clone());
+                self.spreads[first / GRAINS_OF_A_SPREAD] = Spread::of(&self.grains.velocity.rows()[stretch], kick);
+            }
         }
         self.note_candidates_of_box();
         let around = vicinity.map_or_else(|| Bounds::of_grains(self.grains.position.rows()), |v| v.surfaces);

@@ -10,17 +10,17 @@ use crate::neighbours::Neighbours;
 use crate::particles::{Domain, Grains};
 use serde::{Deserialize, Serialize};
 
-/// Cost of a rebuild per grain, in candidates that are no contacts and wait for a step (1.7 ns each, their memory counted; `benches/README.md`).
-const REBUILD_PER_GRAIN: f64 = 90.0;
+/// Cost of a rebuild per grain, in candidates that are no contacts and wait for a step (0.8 ns each, their memory counted; `benches/README.md`).
+const REBUILD_PER_GRAIN: f64 = 180.0;
 
 /// Cost of a rebuild per candidate found, in the same unit.
-const REBUILD_PER_CANDIDATE: f64 = 18.0;
+const REBUILD_PER_CANDIDATE: f64 = 36.0;
 
 /// Cost of a rebuild per contact handed over, in the same unit.
-const REBUILD_PER_CONTACT: f64 = 6.0;
+const REBUILD_PER_CONTACT: f64 = 12.0;
 
 /// Cost of a candidate that is looked at in vain in every step, in the same unit: where no table tells for some steps which may act.
-const LOOKED_AT: f64 = 3.0;
+const LOOKED_AT: f64 = 6.0;
 
 /// A skin changes at most by this factor at once.
 const LARGEST_CHANGE: f64 = 2.0;

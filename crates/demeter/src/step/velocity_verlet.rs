@@ -290,6 +290,7 @@ impl<F: Forces> Kernel for Drift<'_, F> {
         let (velocity, spin) = (&mut moved.velocity[..count], &mut moved.spin[..count]);
         let (position, half_kicks) = (&mut moved.position[..count], &mut moved.half_kicks[..count]);
         let (mut of_middle, mut of_end) = (Bounds::<L::Quad>::nothing(), Bounds::<L::Quad>::nothing());
+        let mut of_kick = L::Quad::all(0.0);
         let mut misplaced = None;
         // behind the last grain it still holds what was there before, which counts no more
         let mut spins = [[0.0; 4]; MOST_LANES];
@@ -310,6 +311,7 @@ impl<F: Forces> Kernel for Drift<'_, F> {
                 *turning = middle_spin.store();
                 of_end.include(ahead);
                 of_middle.include(middle);
+                of_kick = of_kick.larger(now.kick).larger(now.kick * L::Quad::all(-1.0));
                 if !place.lies_within(lower, upper) && misplaced.is_none() {
                     misplaced = Some(first + g);
                 }
@@ -321,7 +323,11 @@ impl<F: Forces> Kernel for Drift<'_, F> {
         let (middle, ahead) = (of_middle.spread(), of_end.spread());
         // a piece has a spread of its own
         if let Some(spread) = moved.spreads.first_mut() {
-            *spread = middle.join(ahead);
+            let [x, y, z, _] = of_kick.store();
+            *spread = Spread {
+                kick: DVec3::new(x, y, z).length(),
+                ..middle.join(ahead)
+            };
         }
         Motion {
             max_speed: ahead.speed(),
@@ -380,6 +386,7 @@ impl<Q: Quad> Bounds<Q> {
         Spread {
             lower: -vector(self.lower.store()),
             upper: vector(self.upper.store()),
+            kick: 0.0,
         }
     }
 }

@@ -59,7 +59,7 @@ fn shear_at_constant_stress_has_the_same_bits_on_any_number_of_processes() {
             let mut sim = sheared_at_constant_stress(laws, 13);
             let is_shared = rank.is_some();
             rank.into_iter().for_each(|rank| sim.share(rank));
-            for _ in 0..300 {
+            for _ in 0..450 {
                 sim.step().unwrap();
             }
             sim.make_whole();

@@ -1,9 +1,9 @@
 //! What processes that share a run tell each other in a step.
 
-use super::{Division, NUMBERS, NUMBERS_OF_A_SPREAD, encode};
+use super::{Division, NUMBERS, encode};
 use crate::contacts::Fault;
 use crate::contacts::step_work::WorkShare;
-use crate::particles::spread::Spread;
+use crate::particles::spread::{NUMBERS_OF_A_SPREAD, Spread};
 use crate::simulation::Simulation;
 use crate::step::Motion;
 use demeter_physics::integrator::Integrator;
