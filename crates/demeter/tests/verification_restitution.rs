@@ -92,6 +92,43 @@ fn two_grains_part_with_the_requested_restitution_with_gear() {
     two_grains_part(Integrator::Gear);
 }
 
+/// Contacts are looked for as grains were seen to move: what was foreseen for grains at rest is forgotten when they are set in motion.
+#[test]
+fn grains_that_are_set_in_motion_between_steps_part_with_the_requested_restitution() {
+    on_threads(1, || {
+        let (radius, gap, restitution) = (1e-3, 1e-5, 0.6);
+        let at_rest = || {
+            let mut case = Case::new(materials("hertz-tsuji", restitution));
+            add(&mut case, 0, radius, DVec3::ZERO, DVec3::ZERO);
+            add(&mut case, 0, radius, DVec3::X * (2.0 * radius + gap), DVec3::ZERO);
+            case
+        };
+        let mut case = at_rest();
+        let steps_to_touch = 20.0;
+        let speed = gap / (steps_to_touch * at_rest().setup().dt);
+        // others are as fast before, so that no bound of speeds tells of the change
+        for side in [1.0, -1.0] {
+            let velocity = DVec3::new(speed, speed, 0.0) * side;
+            add(&mut case, 0, radius, DVec3::Y * (0.1 * side), velocity);
+        }
+        let mut sim = case.simulation();
+        (0..3).for_each(|_| sim.step().unwrap());
+        let velocity = |id| {
+            if id == 1 {
+                DVec3::X * speed
+            } else {
+                sim.grains.velocity[cases::index(&sim, id)]
+            }
+        };
+        let velocities: Vec<DVec3> = sim.grains.id.iter().map(|&id| velocity(id)).collect();
+        sim.set_velocities(&velocities).unwrap();
+        run_until_parted(&mut sim);
+        let (a, b) = (cases::index(&sim, 1), cases::index(&sim, 2));
+        let found = (sim.grains.velocity[b].x - sim.grains.velocity[a].x) / speed;
+        assert!((found - restitution).abs() < 1e-3, "{found}");
+    });
+}
+
 fn two_grains_part(integrator: Integrator) {
     let pairs: [Pair; 3] = [((1e-3, 0), (1e-3, 0)), ((1e-3, 0), (3e-3, 1)), ((0.5e-3, 1), (5e-3, 0))];
     on_threads(1, || {
