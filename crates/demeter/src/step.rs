@@ -8,7 +8,6 @@ mod walls;
 
 pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
-pub(crate) use displacement::FarthestTravel;
 
 use crate::contacts::sum::{Adder, Work};
 use crate::contacts::{Approach, ContactChunk, Fault, Scene};
@@ -146,7 +145,7 @@ impl Simulation {
         let looks_at_all = self.coupling.is_some() || self.integrator == Integrator::Gear;
         let counts = |sim: &Self| Counts::new(&sim.neighbours, sim.engaged_contacts(), looks_at_all);
         let is_old = self.neighbours.reference.len() != self.grains.len();
-        let may_be_used_up = |sim: &Self| used(sim.travel.0) > sim.skin;
+        let may_be_used_up = |sim: &Self| used(sim.travel) > sim.skin;
         if is_old || may_be_used_up(self) && used(self.measure_travel(motion)) > self.skin {
             return Some(self.tuner.after_use(self.skin, self.step, counts(self)));
         }
@@ -274,14 +273,10 @@ fn approach(
     wall_speed: f64,
     (neighbours, spreads): (&Neighbours, Option<&[Spread]>),
 ) -> [Approach; 2] {
-    let not_foreseen = |nearer, window| Approach {
-        nearer,
-        window,
-        kick: f64::INFINITY,
-    };
     let (widest, step_of_walls) = (scene.widest_window(), wall_speed * scene.dt);
     let Some(spreads) = spreads else {
-        return [2.0 * motion.max_step, motion.max_step + step_of_walls].map(|nearer| not_foreseen(nearer, widest));
+        return [2.0 * motion.max_step, motion.max_step + step_of_walls]
+            .map(|nearer| Approach::at_most(nearer, widest));
     };
     let (speed, kick) = neighbours.approach(segment, spreads);
     let nearer = speed * scene.dt;
@@ -292,7 +287,7 @@ fn approach(
         window: scene.window(0.5 * nearer),
         kick,
     };
-    [of_grains, not_foreseen(to_wall, window_at_wall)]
+    [of_grains, Approach::at_most(to_wall, window_at_wall)]
 }
 
 /// Parts that the work on the contacts of so many grains is cut into: each costs something for pairs with grains of others, and few

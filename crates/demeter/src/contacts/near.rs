@@ -63,6 +63,17 @@ pub(crate) struct Approach {
     pub(crate) kick: f64,
 }
 
+impl Approach {
+    /// That of bodies of whose approach no more is known than these bounds [m].
+    pub(crate) fn at_most(nearer: f64, window: f64) -> Self {
+        Self {
+            nearer,
+            window,
+            kick: f64::INFINITY,
+        }
+    }
+}
+
 /// With which distances to look for contacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Sought {
@@ -99,18 +110,18 @@ impl NearTable {
         if !is_over && self.approached + window <= self.reach {
             return None;
         }
-        let limits = ROOM.0 * mean_radius..=ROOM.1 * mean_radius;
+        let (least, most) = (ROOM.0 * mean_radius, ROOM.1 * mean_radius);
         // a step costs `search nearer/room + room/mean_radius`: least where both are the same
         let best = (STEPS * nearer).min((search * nearer * mean_radius).sqrt());
         // where motion is not bounded, the table serves for one step
         let room = if best.is_finite() { best } else { 0.0 };
-        let by_way = room.clamp(*limits.start(), *limits.end());
+        let by_way = room.clamp(least, most);
         // the same with `search/steps`, where kicks use up more from step to step
         let change = 2.0 * kick * dt;
         let steps = libm::cbrt(search * mean_radius / (GROWTH * change))
             .clamp(1.0, STEPS_AHEAD)
             .floor();
-        let by_kicks = (GROWTH * change * (0.5 * steps * steps + steps)).max(*limits.start());
+        let by_kicks = (GROWTH * change * (0.5 * steps * steps + steps)).max(least);
         let cost = |steps: f64, room: f64| search / steps + room / mean_radius;
         let is_foreseen = cost(steps, by_kicks) < cost(by_way / nearer, by_way);
         self.ahead = is_foreseen.then_some(steps as u32);
@@ -303,15 +314,6 @@ mod tests {
     use super::*;
     use glam::DVec3;
 
-    /// Motion of which nothing is foreseen.
-    fn at_most(nearer: f64, window: f64) -> Approach {
-        Approach {
-            nearer,
-            window,
-            kick: f64::INFINITY,
-        }
-    }
-
     #[test]
     fn tables_of_grains_that_move_together_are_narrow_and_serve_long() {
         let mut tables = NearTables::default();
@@ -322,7 +324,7 @@ mod tests {
         for step in 0..1000 {
             let before = tables.clone();
             tables.advance(0..3, 1.0, |segment| {
-                [at_most(nearer[segment], 0.5 * nearer[segment]); 2]
+                [Approach::at_most(nearer[segment], 0.5 * nearer[segment]); 2]
             });
             for segment in 0..3 {
                 let Some(Sought { reach, .. }) = tables.sought(segment) else {
@@ -346,8 +348,8 @@ mod tests {
         let reach = |segment: usize| tables.of_segments[segment][0].reach;
         assert!(reach(1) < 0.1 * reach(0) && reach(2) < reach(1));
         // motion that is not bounded
-        tables.advance(1..2, 1.0, |_| [at_most(f64::INFINITY, 0.1); 2]);
-        tables.advance(1..2, 1.0, |_| [at_most(f64::NAN, 0.1); 2]);
+        tables.advance(1..2, 1.0, |_| [Approach::at_most(f64::INFINITY, 0.1); 2]);
+        tables.advance(1..2, 1.0, |_| [Approach::at_most(f64::NAN, 0.1); 2]);
         assert!(
             tables.sought(1).is_some_and(|sought| sought.reach > 0.1) && tables.are_sound(3) && !tables.are_sound(2)
         );

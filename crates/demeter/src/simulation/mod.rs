@@ -51,7 +51,7 @@ use crate::materials::Materials;
 use crate::neighbours::{Bounds, Neighbours, SpatialOrder};
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::particles::{Domain, Grains, HigherDerivatives};
-use crate::step::{CouplingState, FarthestTravel};
+use crate::step::CouplingState;
 use crate::threads::Awake;
 use crate::walls::{FreeStep, Pose, Wall};
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
@@ -126,8 +126,8 @@ pub struct Simulation {
     pub(crate) near: NearTables,
     /// How the grains move, by stretches of [`GRAINS_OF_A_SPREAD`] behind each other.
     pub(crate) spreads: Vec<Spread>,
-    /// How far any grain can have come since the candidates were found.
-    pub(crate) travel: FarthestTravel,
+    /// The farthest that any grain can have come since the candidates were found [m]; infinite as long as nothing was measured.
+    pub(crate) travel: f64,
     /// Largest gap across which any law acts [m]; candidates are found that much farther away.
     pub(crate) max_reach: f64,
     pub(crate) max_overlap: f64,
@@ -221,7 +221,7 @@ impl Simulation {
             skin: setup.skin.first(),
             near: NearTables::default(),
             spreads: Vec::new(),
-            travel: FarthestTravel::UNKNOWN,
+            travel: f64::INFINITY,
             max_reach,
             max_overlap: setup.max_overlap,
             coupling,
@@ -381,7 +381,7 @@ impl Simulation {
         let own = self.own_grains();
         let with = (&self.walls[..], &self.materials, &self.comm);
         (self.neighbours).find_of((&own, vicinity.as_ref()), &self.grains, with, beyond_touch);
-        self.travel = FarthestTravel::NONE;
+        self.travel = 0.0;
         self.tables += 1;
         self.count_candidates();
         let moved_to = (places != Places::Kept).then(|| self.order.moved_to());

@@ -1,7 +1,7 @@
 //! How far grains have come since candidates were found.
 //!
-//! To measure it takes the place of every grain now and then. Most steps need not: no grain has come farther than all largest
-//! steps together, and while those do not use up the skin, neither has any grain. Whether a skin is used up is decided by what is
+//! To measure that, the places of all grains now and then are read, which most steps need not: no grain has come farther than the
+//! largest moves of all steps together, and while those do not use up the skin, nor does any grain. Whether a skin is used up is decided by what is
 //! measured alone, so nothing depends on when it was measured last.
 
 use super::{GRAINS_PER_TASK, Motion};
@@ -15,24 +15,13 @@ const ROUNDING: f64 = 1.0 + 1e-9;
 /// By how much places are rounded in a step, in the rounding of the largest coordinate: twice what three coordinates can come to.
 const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
-/// The farthest that any grain can have come [m].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct FarthestTravel(pub(crate) f64);
-
-impl FarthestTravel {
-    /// Right after candidates were found.
-    pub(crate) const NONE: Self = Self(0.0);
-    /// As long as nothing was measured.
-    pub(crate) const UNKNOWN: Self = Self(f64::INFINITY);
-}
-
 impl Simulation {
     /// Notes how the grains moved in a step.
     pub(super) fn add_travel(&mut self, motion: &Motion) {
         let is_bounded = self.integrator == Integrator::VelocityVerlet && self.deforming.is_none();
         let domain = self.domain();
         let coordinate = (domain.lower.abs().max(domain.upper.abs()) + domain.size()).max_element();
-        self.travel.0 += match is_bounded {
+        self.travel += match is_bounded {
             true => motion.max_step * ROUNDING + ROUNDED * coordinate,
             false => f64::INFINITY,
         };
@@ -53,7 +42,7 @@ impl Simulation {
         });
         let [square] = self.largest_of_all([largest.reduce(|| 0.0, f64::max)]);
         let travel = self.with_box(square.sqrt(), motion);
-        self.travel = FarthestTravel(travel * ROUNDING);
+        self.travel = travel * ROUNDING;
         travel
     }
 }

@@ -17,7 +17,7 @@ impl Simulation {
         let domain = *self.comm.domain();
         let grains = &mut self.grains;
         // a predictor-corrector always follows them
-        let orientation = grains.orientation.as_mut().map_or(&mut [][..], |all| &mut all[..]);
+        let orientation = grains.orientation.as_deref_mut().unwrap_or_default();
         let n = GRAINS_PER_TASK;
         (
             (
@@ -69,7 +69,7 @@ impl Simulation {
         let own = self.own_grains();
         let grains = &mut self.grains;
         let (n, ids) = (GRAINS_PER_TASK, &grains.id);
-        let orientation = grains.orientation.as_mut().map_or(&mut [][..], |all| &mut all[..]);
+        let orientation = grains.orientation.as_deref_mut().unwrap_or_default();
         (
             (
                 grains.position.rows_mut()[own.clone()].par_chunks_mut(n),
