@@ -4,6 +4,7 @@ use crate::shell::{answers, cargo, root, run, run_cargo, rust_files};
 use crate::{book, browser, house_rules, instructions, layers, python, web};
 use std::process::Command;
 use std::sync::OnceLock;
+use std::time::Instant;
 
 /// The Python crate is left out of what needs linking: it is checked on its own.
 const ALL_BUT_PYTHON: [&str; 3] = ["--workspace", "--exclude", "demeter-py"];
@@ -27,19 +28,32 @@ pub fn build_demeter() -> Result<(), String> {
     run_cargo(&[&["build", "-p", "demeter-cli"], features()].concat(), &[])
 }
 
+/// A check of a merge, and what it is called where its time is told.
+type Check = (&'static str, fn() -> Result<(), String>);
+
 /// Everything that must hold before a merge. The quick checks come first.
+const CHECKS: [Check; 10] = [
+    ("format", || format(true)),
+    ("layers", layers),
+    ("clippy", clippy),
+    ("documentation", documentation),
+    ("pages for browsers", web::check_where_possible),
+    ("tests", test),
+    ("book", book::check),
+    ("instructions of one step", || instructions::run(false)),
+    ("Python", python::test),
+    ("browser", browser::test_where_possible),
+];
+
+/// All checks of a merge, and how long each took.
 pub fn ci() -> Result<(), String> {
-    format(true)?;
-    layers()?;
-    clippy()?;
-    documentation()?;
-    web::check_where_possible()?;
-    test()?;
-    book::check()?;
-    instructions::run(false)?;
-    python::test()?;
-    browser::test_where_possible()?;
-    println!("==> all checks passed");
+    let mut taken = Vec::new();
+    for (name, check) in CHECKS {
+        let began = Instant::now();
+        check()?;
+        taken.push(format!("    {name}: {} s", began.elapsed().as_secs()));
+    }
+    println!("==> all checks passed\n{}", taken.join("\n"));
     Ok(())
 }
 

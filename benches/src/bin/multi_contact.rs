@@ -90,9 +90,9 @@ fn bench(arguments: &Arguments) -> Result<(), Box<dyn Error + Send + Sync>> {
     let mut runs = Vec::new();
     for (law, coupling) in &models {
         let mut sim = Simulation::new(Setup {
-            grains: start.grains.clone(),
+            grains: start.grains().clone(),
             coupling: *coupling,
-            dt: start.dt,
+            dt: start.dt(),
             ..setup(law)?
         });
         sim.walls[1].restore(&start.walls[1].state());
@@ -115,14 +115,14 @@ fn bench(arguments: &Arguments) -> Result<(), Box<dyn Error + Send + Sync>> {
         }
     }
     let contacts = |sim: &Simulation| sim.contacts.pair_count() + sim.contacts.wall_count();
-    println!("{} grains, {} threads", start.grains.len(), arguments.threads);
+    println!("{} grains, {} threads", start.grains().len(), arguments.threads);
     println!(
         "| law | coupling | ns per grain and step | over independent | iterations per step | repeats per step | contacts |"
     );
     println!("|---|---|---|---|---|---|---|");
     for (k, ((law, coupling), sim)) in models.iter().zip(&runs).enumerate() {
         let ratios: Vec<f64> = times[k].iter().zip(&times[0]).map(|(t, one)| t / one).collect();
-        let steps = (arguments.steps * sim.grains.len()) as f64;
+        let steps = (arguments.steps * sim.grains().len()) as f64;
         let (effort, first) = (sim.coupling_effort(), before[k]);
         let solved = (effort.solutions - first.solutions).max(1) as f64;
         println!(

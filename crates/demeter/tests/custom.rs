@@ -97,7 +97,7 @@ fn steps(run: &mut LiveRun, count: u64) -> Pause {
 
 fn state(run: &LiveRun) -> (u64, Vec<u32>, Vec<DVec3>, Vec<DVec3>) {
     run.with_simulation(|sim| {
-        let grains = &sim.grains;
+        let grains = &sim.grains();
         let vectors = |rows: &demeter::particles::Rows| rows.iter().copied().collect();
         (
             sim.step,
@@ -196,11 +196,11 @@ fn a_grain_in_a_harmonic_trap_swings_as_it_must() {
         }
     }
     run.change(|sim| sim.add_force(Box::new(Spring)));
-    let (mass, dt) = run.with_simulation(|sim| (sim.grains.mass[0], sim.dt));
+    let (mass, dt) = run.with_simulation(|sim| (sim.grains().mass[0], sim.dt()));
     let frequency = (5.0f64 / mass).sqrt();
     for _ in 0..20 {
         steps(&mut run, 100);
-        let (x, t) = run.with_simulation(|sim| (sim.grains.position[0].x, sim.time()));
+        let (x, t) = run.with_simulation(|sim| (sim.grains().position[0].x, sim.time()));
         let exact = 0.01 + 0.003 * (frequency * t).cos();
         assert!((x - exact).abs() < 1e-2 * (frequency * dt) * 0.003, "{x} {exact}");
     }
@@ -260,7 +260,7 @@ fn a_wall_follows_a_function_as_it_follows_a_motion() {
         run
     };
     let velocity = DVec3::new(0.0, 0.0, -0.5);
-    let t0 = live(1).with_simulation(|sim| 1000.0 * sim.dt);
+    let t0 = live(1).with_simulation(|sim| 1000.0 * sim.dt());
     let mut by_motion = told(Motion::Velocity(velocity));
     let mut by_velocity = moved(CustomMotion::Velocity(Box::new(move |_| Ok(velocity))));
     let mut by_place = moved(CustomMotion::Place(Box::new(move |t| Ok(velocity * (3.0 + t)))));
@@ -345,7 +345,13 @@ fn changes_from_outside_are_booked() {
         steps(&mut run, 20);
         let turned: Vec<DVec3> = state(&run).3.iter().map(|v| DVec3::new(v.y, v.x, 0.9 * v.z)).collect();
         run.change(|sim| sim.set_velocities(&turned)).unwrap();
-        let spins = run.with_simulation(|sim| sim.grains.angular_velocity.iter().map(|w| *w * 0.5).collect::<Vec<_>>());
+        let spins = run.with_simulation(|sim| {
+            sim.grains()
+                .angular_velocity
+                .iter()
+                .map(|w| *w * 0.5)
+                .collect::<Vec<_>>()
+        });
         run.change(|sim| sim.set_angular_velocities(&spins)).unwrap();
         if round % 10 == 0 {
             let moved: Vec<DVec3> = state(&run).2.iter().map(|p| *p + DVec3::Z * 1e-5).collect();

@@ -156,11 +156,11 @@ fn a_contact_across_a_sliding_side_is_that_with_a_moving_partner() {
         for id in [1, 2] {
             let (a, b) = (index(&open, id), index(&sheared, id));
             // the upper grain counts in the frame of its image below, until it passes the side and becomes that
-            let boxes = i32::from(id == 2) - sheared.grains.image[b][1];
-            let other = sheared.grains.velocity[b] - slides * f64::from(boxes);
-            largest = largest.max((open.grains.velocity[a] - other).length());
-            largest =
-                largest.max((open.grains.angular_velocity[a] - sheared.grains.angular_velocity[b]).length() * RADIUS);
+            let boxes = i32::from(id == 2) - sheared.grains().image[b][1];
+            let other = sheared.grains().velocity[b] - slides * f64::from(boxes);
+            largest = largest.max((open.grains().velocity[a] - other).length());
+            largest = largest
+                .max((open.grains().angular_velocity[a] - sheared.grains().angular_velocity[b]).length() * RADIUS);
         }
     }
     report("largest difference of velocities [m/s]", largest);
@@ -192,7 +192,7 @@ fn a_collision_across_a_shrinking_side_takes_up_its_speed() {
         let touches = sim.contacts.acting_pairs() > 0;
         touched |= touches;
         if touched && !touches {
-            parted = Some(sim.grains.velocity[index(&sim, 1)].x - sim.grains.velocity[index(&sim, 2)].x);
+            parted = Some(sim.grains().velocity[index(&sim, 1)].x - sim.grains().velocity[index(&sim, 2)].x);
             break;
         }
     }
@@ -221,18 +221,18 @@ fn momentum_beyond_the_flow_is_conserved() {
             let state = sim.box_state().unwrap();
             let middle = 0.5 * (sim.domain().lower + sim.domain().upper);
             let (mut sum, mut all) = (DVec3::ZERO, 0.0);
-            for g in 0..sim.grains.len() {
-                let flow = DVec3::X * (state.shear_rate * (sim.grains.position[g].y - middle.y));
-                let beyond = sim.grains.velocity[g] - flow;
-                sum += beyond * sim.grains.mass[g];
-                all += beyond.length() * sim.grains.mass[g];
+            for g in 0..sim.grains().len() {
+                let flow = DVec3::X * (state.shear_rate * (sim.grains().position[g].y - middle.y));
+                let beyond = sim.grains().velocity[g] - flow;
+                sum += beyond * sim.grains().mass[g];
+                all += beyond.length() * sim.grains().mass[g];
             }
             largest = largest.max(sum.length() / all);
         }
     }
     report("momentum beyond the flow, as a share", largest);
     assert!(
-        sim.grains.image.iter().any(|image| image[1] != 0),
+        sim.grains().image.iter().any(|image| image[1] != 0),
         "no grain passed a sliding side"
     );
     assert!(largest < 1e-6, "{largest}");
@@ -280,18 +280,18 @@ fn a_sheared_gas_has_a_linear_profile() {
     let rate = 100.0;
     let mut sim = Simulation::new(gas(&rough(), 8, 0.5, 0.1, 0.15));
     sim.deform(shear(0, 2, rate)).unwrap();
-    let steps = (3.0 / rate / sim.dt) as u64;
+    let steps = (3.0 / rate / sim.dt()) as u64;
     let residual = run(&mut sim, steps);
     const BINS: usize = 8;
     let (mut sum, mut count) = ([0.0; BINS], [0.0; BINS]);
     let edge = sim.domain().size().z;
-    let between = (0.05 / rate / sim.dt) as u64;
+    let between = (0.05 / rate / sim.dt()) as u64;
     for _ in 0..60 {
         run(&mut sim, between);
-        for g in 0..sim.grains.len() {
-            let share = (sim.grains.position[g].z / edge).clamp(0.0, 0.999_999);
+        for g in 0..sim.grains().len() {
+            let share = (sim.grains().position[g].z / edge).clamp(0.0, 0.999_999);
             let bin = (share * BINS as f64) as usize;
-            sum[bin] += sim.grains.velocity[g].x - rate * (sim.grains.position[g].z - 0.5 * edge);
+            sum[bin] += sim.grains().velocity[g].x - rate * (sim.grains().position[g].z - 0.5 * edge);
             count[bin] += 1.0;
         }
     }
@@ -337,7 +337,7 @@ fn no_contact_across_a_moving_side_is_missed() {
 /// Compares the engaged contacts with all pairs that overlap. Tells how many there are, and how many across the sliding side.
 fn compare_with_all_pairs(sim: &Simulation, flow: usize, gradient: usize) -> (usize, usize) {
     let state = sim.box_state().unwrap();
-    let (grains, size) = (&sim.grains, state.lengths);
+    let (grains, size) = (&sim.grains(), state.lengths);
     let mut edges = [DVec3::X * size.x, DVec3::Y * size.y, DVec3::Z * size.z];
     edges[gradient][flow] = state.shear_strain * size[gradient] % size[flow];
     let mut engaged = std::collections::BTreeSet::new();
@@ -376,7 +376,7 @@ fn a_frictionless_packing_jams_at_random_close_packing() {
     let mut sim = Simulation::new(gas(&smooth(0.3), if full() { 10 } else { 7 }, 0.3, 0.2, 0.0));
     let target = 1e-4 * STIFFNESS / RADIUS;
     sim.deform(isotropic(Drive::Stress { target, max_rate: 30.0 })).unwrap();
-    let steps = (0.2 / sim.dt) as u64;
+    let steps = (0.2 / sim.dt()) as u64;
     let mut residual = run(&mut sim, steps);
     let mut quiet = 0;
     for _ in 0..200 {
@@ -430,7 +430,7 @@ fn stresses_are_held_while_another_direction_is_strained() {
             ..Deformation::default()
         })
         .unwrap();
-        let steps = (0.05 / sim.dt) as u64;
+        let steps = (0.05 / sim.dt()) as u64;
         let (mut sums, mut count) = ([0.0; 3], 0.0);
         for _ in 0..steps / 50 {
             residual = residual.max(run(&mut sim, 50));
@@ -441,7 +441,7 @@ fn stresses_are_held_while_another_direction_is_strained() {
         let after = sim.box_state().unwrap();
         let strained = after.strain.z - before.strain.z;
         assert!(
-            (strained / (rate * sim.dt * (steps / 50 * 50) as f64) - 1.0).abs() < 1e-6,
+            (strained / (rate * sim.dt() * (steps / 50 * 50) as f64) - 1.0).abs() < 1e-6,
             "{strained}"
         );
         let [x, y, z] = sums.map(|s| s / count / target);

@@ -71,7 +71,7 @@ fn outcome(setup: Setup, shear: Option<Deformation>, steps: u64, ranks: Option<B
         sim.step().unwrap();
     }
     sim.make_whole();
-    (format!("{:?} {:?}", sim.state(), sim.grains), sim.rebuilds())
+    (format!("{:?} {:?}", sim.state(), sim.grains()), sim.rebuilds())
 }
 
 /// Compares all bits, as every `f64` is written with all its digits; shows the first place that differs.

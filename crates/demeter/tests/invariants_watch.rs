@@ -34,7 +34,7 @@ fn a_grain_shot_out_of_an_open_box_is_named() {
     };
     case.wall(0, shape, Motion::Rest);
     let mut sim = case.simulation();
-    let expected_step = (0.8 / 50.0 / sim.dt) as u64 + 1;
+    let expected_step = (0.8 / 50.0 / sim.dt()) as u64 + 1;
     match first_fault(&mut sim, 10_000_000, "open box") {
         Fault::Outside { step, id, position, .. } => {
             assert_eq!(id, 2);
@@ -71,7 +71,7 @@ fn what_leaves_an_open_domain_is_removed_and_booked() {
     for _ in 0..1_000 {
         sim.step().unwrap();
     }
-    assert_eq!(sim.grains.id, [2]);
+    assert_eq!(sim.grains().id, [2]);
     assert_eq!(sim.books.removed_grains, 1);
     let e = sim.energies();
     let carried = 0.5 * m * 2500.0 + 0.5 * i * 1e4 + m * 9.0 * 0.5;

@@ -111,7 +111,7 @@ fn the_memory_that_is_told_holds_the_tables_and_little_more() {
     let memory = sim.memory();
     let bytes = |name: &str| memory.iter().find(|part| part.name == name).unwrap().bytes;
     // three rows of 32 bytes, load and half kick of 96, mass, image, id and material
-    assert!(bytes("grains") >= sim.grains.len() * (6 * 32 + 8 + 12 + 4 + 2));
+    assert!(bytes("grains") >= sim.grains().len() * (6 * 32 + 8 + 12 + 4 + 2));
     let of_contacts = |chunks: &[demeter::contacts::ContactChunk]| chunks.iter().map(|c| c.len()).sum::<usize>();
     let contacts = of_contacts(&sim.contacts.pairs) + of_contacts(&sim.contacts.walls);
     let history = contacts * sim.contacts.stride * 8;
@@ -121,7 +121,7 @@ fn the_memory_that_is_told_holds_the_tables_and_little_more() {
     for part in &memory {
         assert_eq!(
             part.bytes_per_grain,
-            part.bytes as f64 / sim.grains.len() as f64,
+            part.bytes as f64 / sim.grains().len() as f64,
             "{}",
             part.name
         );

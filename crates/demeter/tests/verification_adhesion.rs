@@ -76,11 +76,11 @@ fn impact(normal: &[(&str, f64)], name: &str, partner: Partner, speed: f64) -> S
 
 /// Gap between the grain and its partner [m], and the rate at which it grows [m/s].
 fn gap(sim: &Simulation) -> (f64, f64) {
-    let last = sim.grains.len() - 1;
-    let (mut height, mut rate) = (sim.grains.position[last].z, sim.grains.velocity[last].z);
+    let last = sim.grains().len() - 1;
+    let (mut height, mut rate) = (sim.grains().position[last].z, sim.grains().velocity[last].z);
     if last > 0 {
-        height -= sim.grains.position[0].z + RADIUS;
-        rate -= sim.grains.velocity[0].z;
+        height -= sim.grains().position[0].z + RADIUS;
+        rate -= sim.grains().velocity[0].z;
     }
     (height - RADIUS, rate)
 }
@@ -223,7 +223,7 @@ fn largest_pull(weak: &Laws, grains: usize, weak_dent: f64) -> f64 {
     let mut sim = case.simulation();
     let mut largest = 0.0f64;
     let mut quiet = 0;
-    let steps = (8.0 * dent / speed / sim.dt) as u64;
+    let steps = (8.0 * dent / speed / sim.dt()) as u64;
     for _ in 0..steps {
         sim.step().unwrap();
         // the grain's pull on the wall is downwards
@@ -340,7 +340,7 @@ fn a_contact_held_across_a_gap_has_friction_with_a_spring() {
     let pull = 0.95 * 1.5 * PI * WORK * RADIUS / mass;
     let along = 0.02 * pull;
     let mut sim = case.simulation();
-    let dt = sim.dt;
+    let dt = sim.dt();
     on_threads(1, || {
         const RAMP: u32 = 40_000;
         for step in 0..RAMP {
@@ -353,9 +353,9 @@ fn a_contact_held_across_a_gap_has_friction_with_a_spring() {
         assert!(gap > 0.0, "the contact is not stretched: gap {gap:e} m");
         sim.gravity.x = along;
         cases::advance(&mut sim, 2000.0 * dt);
-        let (start, before) = (sim.time(), sim.grains.velocity[0].x);
+        let (start, before) = (sim.time(), sim.grains().velocity[0].x);
         cases::advance(&mut sim, 20_000.0 * dt);
-        let found = (sim.grains.velocity[0].x - before) / (sim.time() - start);
+        let found = (sim.grains().velocity[0].x - before) / (sim.time() - start);
         report("acceleration over 5/7 of the push", found / (5.0 / 7.0 * along) - 1.0);
         assert!(
             (found / (5.0 / 7.0 * along) - 1.0).abs() < 0.01,

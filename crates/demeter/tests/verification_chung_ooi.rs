@@ -104,7 +104,7 @@ fn collide(solid: Solid, radius: f64, speed: f64, plane: bool, restitution: f64)
         if let Some(chunk) = touching {
             course.push([sim.time(), sim.contact(chunk, 0).overlap, chunk.normal_force()[0]]);
         } else if !course.is_empty() {
-            let restitution = sim.grains.velocity[cases::index(&sim, 1)].z / speed;
+            let restitution = sim.grains().velocity[cases::index(&sim, 1)].z / speed;
             return Seen { course, restitution };
         }
     }

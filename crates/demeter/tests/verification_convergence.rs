@@ -56,7 +56,7 @@ fn restitution_error(integrator: Integrator, laws: &Laws, expected: f64, divisor
         let mut sim = demeter::simulation::Simulation::new(setup);
         run_until_parted(&mut sim);
         let (a, b) = (index(&sim, 1), index(&sim, 2));
-        let e = (sim.grains.velocity[b] - sim.grains.velocity[a]).x / 0.3;
+        let e = (sim.grains().velocity[b] - sim.grains().velocity[a]).x / 0.3;
         sum += (e - expected) * (e - expected);
     }
     (sum / f64::from(phases)).sqrt()
@@ -109,9 +109,9 @@ fn after_an_oblique_collision(integrator: Integrator, laws: &Laws, divisor: f64)
     assert_eq!(sim.contacts.pair_count(), 0, "the grains still touch");
     let k = index(&sim, 1);
     [
-        sim.grains.position[k] / RADIUS,
-        sim.grains.velocity[k] / 0.3,
-        sim.grains.angular_velocity[k] * RADIUS / 0.3,
+        sim.grains().position[k] / RADIUS,
+        sim.grains().velocity[k] / 0.3,
+        sim.grains().angular_velocity[k] * RADIUS / 0.3,
     ]
 }
 

@@ -30,8 +30,8 @@ fn stroke(packing: &Packing, model: Model, and_back: bool) -> Stroke {
     let mut sim = packing.simulation(model, Motion::Velocity(-DVec3::Z * SPEED));
     // a whole number of steps to every hundredth of strain
     let hundredth = 0.01 * packing.touch / SPEED;
-    let steps = (hundredth / sim.dt).ceil();
-    sim.dt = hundredth / steps;
+    let steps = (hundredth / sim.dt()).ceil();
+    sim.set_dt(hundredth / steps);
     let mut run = Stroke {
         forces: [0.0; 3],
         energies: [Energies::default(); 3],

@@ -60,7 +60,13 @@ fn gas(laws: &Laws, fraction: f64, periodic: bool) -> Setup {
 }
 
 fn momentum(sim: &Simulation) -> (DVec3, f64) {
-    let each = || sim.grains.velocity.iter().zip(&sim.grains.mass).map(|(v, m)| *v * *m);
+    let each = || {
+        sim.grains()
+            .velocity
+            .iter()
+            .zip(&sim.grains().mass)
+            .map(|(v, m)| *v * *m)
+    };
     (each().sum(), each().map(|p| p.length()).sum())
 }
 

@@ -23,7 +23,7 @@ fn settle(integrator: Integrator, laws: &Laws, share: f64) -> f64 {
     case.gravity = DVec3::Z * -cases::G;
     let mut sim = Simulation::new(case.setup());
     let (duration, mut residual) = (if full() { 0.5 } else { 0.3 }, 0.0f64);
-    for step in 0..(duration / sim.dt) as u64 {
+    for step in 0..(duration / sim.dt()) as u64 {
         sim.step().unwrap();
         if step % 20 == 0 {
             residual = residual.max(sim.energies().residual.abs());

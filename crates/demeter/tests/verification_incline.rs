@@ -56,20 +56,24 @@ fn rates(sim: &mut Simulation) -> Rates {
 
 fn rates_after(sim: &mut Simulation, time: f64) -> Rates {
     advance(sim, time);
-    let (t0, v0, w0) = (sim.time(), sim.grains.velocity[0].x, sim.grains.angular_velocity[0].y);
+    let (t0, v0, w0) = (
+        sim.time(),
+        sim.grains().velocity[0].x,
+        sim.grains().angular_velocity[0].y,
+    );
     advance(sim, time);
     let elapsed = sim.time() - t0;
     let (v1, w1, lever) = (
-        sim.grains.velocity[0].x,
-        sim.grains.angular_velocity[0].y,
-        sim.grains.position[0].z,
+        sim.grains().velocity[0].x,
+        sim.grains().angular_velocity[0].y,
+        sim.grains().position[0].z,
     );
     Rates {
         acceleration: (v1 - v0) / elapsed,
         turning: (w1 - w0) / elapsed,
         lever,
         slip: v1 - w1 * lever,
-        dt: sim.dt,
+        dt: sim.dt(),
     }
 }
 
@@ -185,13 +189,13 @@ fn rolling_resistance_holds_a_sphere_below_its_limit() {
             let laws = Laws::hertz(0.5).friction(mindlin()).rolling("epsd", ROLLING_FRICTION);
             let mut sim = on_a_slope(&laws, angle);
             let r = rates_after(&mut sim, SLOW_DECAY);
-            report(&format!("epsd: speed at {angle}"), sim.grains.velocity[0].length());
+            report(&format!("epsd: speed at {angle}"), sim.grains().velocity[0].length());
             // a free sphere would roll at 1e-3 m/s or more by now
             let free = 5.0 / 7.0 * G * libm::sin(angle) * sim.time();
             assert!(
-                sim.grains.velocity[0].length() < 1e-6 * free,
+                sim.grains().velocity[0].length() < 1e-6 * free,
                 "{}",
-                sim.grains.velocity[0]
+                sim.grains().velocity[0]
             );
             assert!(r.turning.abs() * RADIUS < 1e-6 * G);
             // released at once the spring swings to almost twice its load, and yields when that is above the limit
@@ -201,14 +205,14 @@ fn rolling_resistance_holds_a_sphere_below_its_limit() {
             // the rolling spring, k_r = 9/4 k_n (mu_r r)^2, twists by M/k_r, and the tangential one, k_t/k_n =
             // 2 (1 - nu)/(2 - nu) (Mindlin), gives by F/k_t
             let load = mass(RADIUS) * G * libm::cos(angle);
-            let overlap = RADIUS - sim.grains.position[0].z;
+            let overlap = RADIUS - sim.grains().position[0].z;
             let normal_stiffness = 1.5 * load / overlap;
             let arm = ROLLING_FRICTION * RADIUS;
             let pull = mass(RADIUS) * G * libm::sin(angle);
             let twist = pull * r.lever / (2.25 * normal_stiffness * arm * arm);
             let tangential_stiffness = 2.0 * (1.0 - 0.3) / (2.0 - 0.3) * normal_stiffness;
             let expected = twist * r.lever + pull / tangential_stiffness;
-            let travel = sim.grains.position[0].x;
+            let travel = sim.grains().position[0].x;
             report("epsd: travel over theory", travel / expected);
             assert!((travel / expected - 1.0).abs() < 1e-3, "{travel} {expected}");
         }
@@ -226,7 +230,7 @@ fn constant_torque_creeps_below_its_limit() {
         let mut sim = on_a_slope(&laws, angle);
         let r = rates_after(&mut sim, SLOW_DECAY);
         let creep = G * libm::sin(angle) * r.lever * r.dt / (0.2 * (0.4 * RADIUS * RADIUS + r.lever * r.lever));
-        close("constant-torque creep", sim.grains.angular_velocity[0].y, creep, 1e-3);
+        close("constant-torque creep", sim.grains().angular_velocity[0].y, creep, 1e-3);
         assert!(r.acceleration.abs() < 1e-6 * G, "{}", r.acceleration);
     });
 }

@@ -80,11 +80,11 @@ fn collide(choice: &LawChoice, partner: Partner, speed: f64, phase: f64) -> f64 
     let residual = sim.energies().residual.abs();
     assert!(residual < TOLERANCE, "{choice:?}, {partner:?}: residual {residual}");
     let partner_speed = if let Partner::Grain(_) = partner {
-        sim.grains.velocity[cases::index(&sim, 2)].z
+        sim.grains().velocity[cases::index(&sim, 2)].z
     } else {
         0.0
     };
-    (sim.grains.velocity[cases::index(&sim, 1)].z - partner_speed) / speed
+    (sim.grains().velocity[cases::index(&sim, 1)].z - partner_speed) / speed
 }
 
 /// Compares collisions with what is expected of effective radius, effective mass and speed.
@@ -199,9 +199,9 @@ fn a_dent_lasts_through_unloading_and_reloading() {
         let plastic = |peak: f64| 0.5 * K1 * peak * peak * (1.0 - K1 / K2);
         let (mut deepest, mut latest, mut lost) = ([0.0f64; 2], [0.0f64; 2], 0.0);
         let (mut unloaded, mut reloaded, mut largest) = (0, 0, 0.0f64);
-        for _ in 0..(time / sim.dt) as u64 {
+        for _ in 0..(time / sim.dt()) as u64 {
             sim.step().unwrap();
-            let (contacts, grain) = (&sim.contacts.walls, sim.grains.position[0]);
+            let (contacts, grain) = (&sim.contacts.walls, sim.grains().position[0]);
             for wall in 0..2 {
                 // in the dent it touches without force: it is in the table, but does not act
                 let mut found = contacts.iter().flat_map(|chunk| {
@@ -220,8 +220,8 @@ fn a_dent_lasts_through_unloading_and_reloading() {
                 let expected = if d >= peak { K1 * d } else { (K2 * (d - dent)).max(0.0) };
                 // beside a change of line the force is its mean over the step
                 let rate =
-                    sim.grains.velocity[0] - sim.walls[wall].velocity_at(grain - contact.normal * contact.lever_i);
-                let window = rate.length() * sim.dt + (d - latest[wall]).abs();
+                    sim.grains().velocity[0] - sim.walls[wall].velocity_at(grain - contact.normal * contact.lever_i);
+                let window = rate.length() * sim.dt() + (d - latest[wall]).abs();
                 let error = (force - expected).abs();
                 assert!(
                     error <= K2 * window + 1e-9 * K2 * depth,

@@ -96,14 +96,14 @@ fn collide(choice: &LawChoice, target: Target, speed: f64, phase: f64) -> Seen {
             seen.max_overlap = seen.max_overlap.max(overlap);
             seen.least_force = seen.least_force.min(force);
             // a force acts from half a step before its moment to half a step after
-            seen.contact_time += if force != 0.0 { sim.dt } else { 0.0 };
+            seen.contact_time += if force != 0.0 { sim.dt() } else { 0.0 };
         } else if seen.max_overlap > 0.0 {
             let relative = match target {
                 Target::Grain { .. } => {
-                    let z = |id| sim.grains.velocity[cases::index(&sim, id)].z;
+                    let z = |id| sim.grains().velocity[cases::index(&sim, id)].z;
                     z(1) - z(2)
                 }
-                _ => sim.grains.velocity[0].z,
+                _ => sim.grains().velocity[0].z,
             };
             seen.restitution = relative / speed;
             return seen;
@@ -111,7 +111,7 @@ fn collide(choice: &LawChoice, target: Target, speed: f64, phase: f64) -> Seen {
     }
     panic!(
         "{choice:?} on {target:?} at {speed} m/s: the bodies never parted; {:?}",
-        sim.grains.velocity
+        sim.grains().velocity
     );
 }
 

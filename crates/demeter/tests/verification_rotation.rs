@@ -26,7 +26,7 @@ fn free_spin_is_exact() {
         for _ in 0..steps {
             sim.step().unwrap();
         }
-        assert_eq!(sim.grains.angular_velocity[0], spin);
+        assert_eq!(sim.grains().angular_velocity[0], spin);
         let angle = spin.length() * sim.time();
         let axis = spin.normalize();
         // Rodrigues
@@ -35,7 +35,7 @@ fn free_spin_is_exact() {
             v * cos + axis.cross(v) * sin + axis * (axis.dot(v) * (1.0 - cos))
         };
         let error = [DVec3::X, DVec3::Y, DVec3::Z]
-            .map(|v| (sim.grains.orientation.as_ref().unwrap()[0] * v - turned(v)).length())
+            .map(|v| (sim.grains().orientation.as_ref().unwrap()[0] * v - turned(v)).length())
             .into_iter()
             .fold(0.0, f64::max);
         report("turns", angle / std::f64::consts::TAU);
@@ -73,10 +73,10 @@ fn spin_up(shape: Shape, motion: Motion, law_name: &str, place: DVec3, surface_s
     let expected = surface_speed / l;
     let duration = expected.abs() / rate;
     advance(&mut sim, 0.5 * duration);
-    let half_way = sim.grains.angular_velocity[0].y;
+    let half_way = sim.grains().angular_velocity[0].y;
     let slope = half_way / sim.time() / rate * expected.signum() - 1.0;
     advance(&mut sim, duration + 0.1);
-    let spin = sim.grains.angular_velocity[0];
+    let spin = sim.grains().angular_velocity[0];
     let end = spin.y / expected - 1.0;
     let label = format!("{law_name} at {surface_speed} m/s");
     report(&format!("{label}: rate"), slope);
@@ -146,7 +146,7 @@ fn impact(laws: &Laws, speed: f64, angle: f64) -> (Simulation, f64) {
             return (sim, repulsion);
         }
         touched |= forces().count() > 0;
-        repulsion += forces().map(|f| f.max(0.0)).sum::<f64>() * sim.dt;
+        repulsion += forces().map(|f| f.max(0.0)).sum::<f64>() * sim.dt();
         assert!(sim.step < 1_000_000, "the collision never ended");
     }
 }
@@ -171,7 +171,7 @@ fn an_oblique_impact_in_gross_sliding() {
                     let angle = degrees.to_radians();
                     let (sim, repulsion) = impact(&Laws::hertz(e).friction(choice), 2.0, angle);
                     let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-                    let (v, spin) = (sim.grains.velocity[0], sim.grains.angular_velocity[0].y);
+                    let (v, spin) = (sim.grains().velocity[0], sim.grains().angular_velocity[0].y);
                     let normal = v.z + 2.0 * cos;
                     let tangential = 2.0 * sin - v.x;
                     let label = format!("{law_name}, e {e}, {degrees} degrees");
@@ -206,7 +206,7 @@ fn an_oblique_impact_that_ends_rolling() {
         let laws = Laws::hertz(0.9).friction(law("coulomb", &[("friction", 0.8)]));
         let angle = 30f64.to_radians();
         let (sim, _) = impact(&laws, 2.0, angle);
-        let lost = 1.0 - sim.grains.velocity[0].x / (2.0 * libm::sin(angle));
+        let lost = 1.0 - sim.grains().velocity[0].x / (2.0 * libm::sin(angle));
         report("tangential velocity lost over 2/7", lost * 3.5 - 1.0);
         assert!((lost * 3.5 - 1.0).abs() < 1e-2, "{lost}");
     });

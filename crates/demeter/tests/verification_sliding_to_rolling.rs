@@ -64,9 +64,9 @@ fn launched(friction: &str, coefficient: f64, kind: &str) -> Simulation {
 /// Velocity of the sphere's surface where it touches the floor.
 fn slip(sim: &Simulation) -> f64 {
     let (v, w, l) = (
-        sim.grains.velocity[0],
-        sim.grains.angular_velocity[0],
-        sim.grains.position[0].z,
+        sim.grains().velocity[0],
+        sim.grains().angular_velocity[0],
+        sim.grains().position[0].z,
     );
     (v - w.cross(DVec3::Z * l)).dot(direction())
 }
@@ -79,10 +79,10 @@ fn ends_at_five_sevenths_after_the_time_of_theory() {
             for &mu in coefficients {
                 for kind in ["plane", "rectangle", "mesh"] {
                     let mut sim = launched(friction, mu, kind);
-                    let l = sim.grains.position[0].z;
+                    let l = sim.grains().position[0].z;
                     // coulomb ends its slide by creeping, from the speed 7/2 mu g dt/f on, f = 0.2
                     let at_rest = if friction == "coulomb" {
-                        20.0 * mu * G * sim.dt
+                        20.0 * mu * G * sim.dt()
                     } else {
                         0.0
                     };
@@ -98,12 +98,12 @@ fn ends_at_five_sevenths_after_the_time_of_theory() {
                     }
                     // angular momentum about the floor: m v l + 2/5 m r^2 v/l = m v0 l
                     let expected = SPEED / (1.0 + 0.4 * (RADIUS / l) * (RADIUS / l));
-                    let v = sim.grains.velocity[0];
+                    let v = sim.grains().velocity[0];
                     let speed = v.length() / expected - 1.0;
                     let label = format!("{friction}, mu {mu}, {kind}");
                     report(&format!("{label}: time"), time);
                     report(&format!("{label}: speed"), speed);
-                    assert!(time.abs() < 1e-4 + sim.dt / theory, "{label}: {time}");
+                    assert!(time.abs() < 1e-4 + sim.dt() / theory, "{label}: {time}");
                     assert!(speed.abs() < 1e-9, "{label}: {speed}");
                     assert!((v.length() / (5.0 / 7.0 * SPEED) - 1.0).abs() < 1e-3);
                     assert!(
@@ -129,9 +129,9 @@ fn seams_of_a_flat_mesh_are_not_felt() {
                     sim.step().unwrap();
                     let k = index(&sim, 1);
                     places.push((
-                        sim.grains.position[k],
-                        sim.grains.velocity[k],
-                        sim.grains.angular_velocity[k],
+                        sim.grains().position[k],
+                        sim.grains().velocity[k],
+                        sim.grains().angular_velocity[k],
                     ));
                 }
                 places

@@ -142,8 +142,8 @@ fn error(system: System, integrator: Integrator, informed: bool, divisor: f64) -
         assert_eq!(sim.contacts.wall_count(), 2, "the grain parted from a plane");
     }
     let [x, v] = system.exact(start, sim.time());
-    let dx = (sim.grains.position[0].x - x) / REST;
-    let dv = (sim.grains.velocity[0].x - v) / (REST * frequency);
+    let dx = (sim.grains().position[0].x - x) / REST;
+    let dv = (sim.grains().velocity[0].x - v) / (REST * frequency);
     dx.abs().max(dv.abs())
 }
 

@@ -35,7 +35,7 @@ fn settle(sim: &mut Simulation) {
 fn check_balance(sim: &Simulation) -> Vec<ContactRecord> {
     let records = contact_records(sim);
     let weight = mass(RADIUS) * G;
-    for id in 1..=sim.grains.len() as u32 {
+    for id in 1..=sim.grains().len() as u32 {
         let mut force = DVec3::new(0.0, 0.0, -weight);
         let mut torque = DVec3::ZERO;
         for c in &records {
@@ -43,7 +43,7 @@ fn check_balance(sim: &Simulation) -> Vec<ContactRecord> {
             let sign = if c.id_i == id { 1.0 } else { -1.0 };
             if c.id_i == id || c.id_j == id {
                 force += on_i * sign;
-                let arm = c.position - sim.grains.position[index(sim, id)];
+                let arm = c.position - sim.grains().position[index(sim, id)];
                 torque += arm.cross(on_i * sign) + c.rolling_torque * sign;
             }
         }
@@ -52,7 +52,7 @@ fn check_balance(sim: &Simulation) -> Vec<ContactRecord> {
         assert!(torque.length() < BALANCE * weight * RADIUS, "grain {id}: {torque}");
     }
     let floor = sim.walls[0].load().0;
-    let expected = weight * sim.grains.len() as f64;
+    let expected = weight * sim.grains().len() as f64;
     report("floor force over weight - 1", -floor.z / expected - 1.0);
     assert!((-floor.z / expected - 1.0).abs() < BALANCE, "{floor}");
     records

@@ -134,7 +134,7 @@ impl Partner {
 fn collide(normal: &LawChoice, partner: Partner, speed: f64) -> (Option<f64>, f64) {
     let mut sim = partner.approached(normal, speed).simulation();
     let rate = |sim: &Simulation| {
-        let velocity = |id: u32| sim.grains.velocity[index(sim, id)];
+        let velocity = |id: u32| sim.grains().velocity[index(sim, id)];
         match partner {
             Partner::Grain(_) => (velocity(2) - velocity(1)).z,
             Partner::Plane | Partner::Mesh => velocity(1).z,
@@ -260,11 +260,11 @@ fn hanging(friction: f64, along: f64) -> f64 {
     case.gravity = DVec3::new(along, 0.0, -0.5 * adhesion()) / mass;
     let mut sim = case.simulation();
     advance(&mut sim, 5e-7);
-    let (start, before) = (sim.time(), sim.grains.velocity[0]);
+    let (start, before) = (sim.time(), sim.grains().velocity[0]);
     advance(&mut sim, 5e-7);
-    let fallen = sim.grains.position[0].z + RADIUS;
+    let fallen = sim.grains().position[0].z + RADIUS;
     assert!(fallen.abs() < 1e-4 * RADIUS, "it fell off: {fallen:e}");
-    (sim.grains.velocity[0] - before).x / (sim.time() - start)
+    (sim.grains().velocity[0] - before).x / (sim.time() - start)
 }
 
 /// Pull of a grain of the usual radius on a wall [N].
@@ -340,7 +340,7 @@ fn a_cloud_of_fine_powder_agglomerates() {
         let mut sim = cloud(count);
         sim.start().unwrap();
         let first = sim.energies();
-        let steps = (duration / sim.dt) as u64;
+        let steps = (duration / sim.dt()) as u64;
         let mut largest = 0.0f64;
         for step in 0..steps {
             sim.step().unwrap();

@@ -258,7 +258,7 @@ fn a_pendulum_swings_with_its_period_in_a_run() {
         };
         case.wall(0, shape, Motion::Free(hinge));
         let mut sim = case.simulation();
-        sim.dt = 1e-4;
+        sim.set_dt(1e-4);
         // T = 2 pi sqrt(2 L/(3 g)) (1 + start^2/16 + 11 start^4/3072)
         let period = 2.0
             * std::f64::consts::PI
@@ -269,7 +269,7 @@ fn a_pendulum_swings_with_its_period_in_a_run() {
             sim.step().unwrap();
             let spin = sim.walls[0].angular_velocity().y;
             if before < 0.0 && spin >= 0.0 || before > 0.0 && spin <= 0.0 {
-                turned.push(sim.time() - sim.dt * spin / (spin - before));
+                turned.push(sim.time() - sim.dt() * spin / (spin - before));
             }
             before = spin;
         }
@@ -567,10 +567,10 @@ fn a_mesh_that_turns_loses_no_contact() {
             }
         }
         // whatever the wall is asked as a whole is in the table, with the same overlap
-        for g in 0..sim.grains.len() {
-            let radius = sim.grains.radius(g);
+        for g in 0..sim.grains().len() {
+            let radius = sim.grains().radius(g);
             let mut touched = vec![];
-            sim.walls[0].contacts(sim.grains.position[g], radius, &mut touched);
+            sim.walls[0].contacts(sim.grains().position[g], radius, &mut touched);
             for part in &touched {
                 let overlap = in_table.get(&(g as u32, 0, part.element));
                 assert_eq!(overlap, Some(&(radius - part.distance)), "step {step}, grain {g}");

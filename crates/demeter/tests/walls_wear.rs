@@ -76,7 +76,7 @@ fn a_grain_that_slides_down_a_mesh_wears_it_as_archard_says() {
         assert!((booked / sliding - 1.0).abs() < 1e-3, "{booked}");
         // place of the grain: a (t^2)/2 with a = g (sin - mu cos); energy per way grows as the slip over the speed, which is constant
         let end = 2e-3 + 0.5 * along * (1.0 - mu) * t * t;
-        assert!((sim.grains.position[0].x / end - 1.0).abs() < 1e-3);
+        assert!((sim.grains().position[0].x / end - 1.0).abs() < 1e-3);
         for (square, pair) in elements.chunks(2).enumerate() {
             let (from, to) = (5e-3 * square as f64, 5e-3 * (square + 1) as f64);
             let share = (to.min(end) - from.max(2e-3)).max(0.0) / (end - 2e-3);

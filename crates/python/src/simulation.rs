@@ -171,7 +171,7 @@ impl Simulation {
         at_most: Option<&Bound<'py, PyAny>>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<bool> {
-        let (step, dt) = slf.get().look(|sim| (sim.step, sim.dt))?;
+        let (step, dt) = slf.get().look(|sim| (sim.step, sim.dt()))?;
         let limit = Limit::until(until, every, at_most, (step, dt))?;
         Self::go_watched(slf, &limit, progress)
     }
@@ -210,7 +210,7 @@ impl Simulation {
             return later.call1((slf.getattr("every")?, interval));
         };
         callable(function, "function", "the simulation")?;
-        let (step, dt) = slf.get().look(|sim| (sim.step, sim.dt))?;
+        let (step, dt) = slf.get().look(|sim| (sim.step, sim.dt()))?;
         let interval = Interval::of(interval, "interval")?.steps(dt);
         locked(&slf.get().callbacks).push(Callback::new(interval, step, function.clone().unbind()));
         Ok(function.clone())
@@ -363,7 +363,7 @@ impl Simulation {
     /// Time step [s].
     #[getter]
     fn dt(&self) -> PyResult<f64> {
-        self.look(|sim| sim.dt)
+        self.look(|sim| sim.dt())
     }
 
     /// Name of the present stage; None when the protocol is over.
@@ -412,7 +412,7 @@ impl Simulation {
     /// candidates and forces are found anew, the change of energy is booked; rows may lie in another order afterwards.
     #[getter]
     fn positions<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Position, |s, sim| s.vectors(&sim.grains.position))
+        Self::show(slf, Table::Position, |s, sim| s.vectors(&sim.grains().position))
     }
 
     #[setter]
@@ -426,7 +426,7 @@ impl Simulation {
     /// Velocities [m/s], (n, 3); read-only and without a copy, as `positions`. Assigning books the change of energy.
     #[getter]
     fn velocities<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Velocity, |s, sim| s.vectors(&sim.grains.velocity))
+        Self::show(slf, Table::Velocity, |s, sim| s.vectors(&sim.grains().velocity))
     }
 
     #[setter]
@@ -442,7 +442,7 @@ impl Simulation {
     #[getter]
     fn angular_velocities<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         Self::show(slf, Table::AngularVelocity, |s, sim| {
-            s.vectors(&sim.grains.angular_velocity)
+            s.vectors(&sim.grains().angular_velocity)
         })
     }
 
@@ -458,43 +458,43 @@ impl Simulation {
     /// Total forces on the grains in the latest step [N], (n, 3); without a copy.
     #[getter]
     fn forces<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Load, |s, sim| s.forces(&sim.grains.load))
+        Self::show(slf, Table::Load, |s, sim| s.forces(&sim.grains().load))
     }
 
     /// Total torques on the grains in the latest step [N m], (n, 3); without a copy.
     #[getter]
     fn torques<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Load, |s, sim| s.torques(&sim.grains.load))
+        Self::show(slf, Table::Load, |s, sim| s.torques(&sim.grains().load))
     }
 
     /// Radii [m], (n,); without a copy.
     #[getter]
     fn radii<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Position, |s, sim| s.scalars(&sim.grains.position))
+        Self::show(slf, Table::Position, |s, sim| s.scalars(&sim.grains().position))
     }
 
     /// Masses [kg], (n,); without a copy.
     #[getter]
     fn masses<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Mass, |s, sim| s.list(&sim.grains.mass))
+        Self::show(slf, Table::Mass, |s, sim| s.list(&sim.grains().mass))
     }
 
     /// Ids, which never change, (n,); without a copy.
     #[getter]
     fn ids<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Id, |s, sim| s.list(&sim.grains.id))
+        Self::show(slf, Table::Id, |s, sim| s.list(&sim.grains().id))
     }
 
     /// Indices of the materials, (n,); their names are `material_names`. Without a copy.
     #[getter]
     fn materials<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Material, |s, sim| s.list(&sim.grains.material))
+        Self::show(slf, Table::Material, |s, sim| s.list(&sim.grains().material))
     }
 
     /// Unit quaternions x, y, z, w, (n, 4), where `simulation.orientations` is true; read-only and without a copy.
     #[getter]
     fn orientations<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Orientation, |s, sim| s.orientations(&sim.grains))
+        Self::show(slf, Table::Orientation, |s, sim| s.orientations(&sim.grains()))
     }
 
     /// Names of the materials.
@@ -561,13 +561,13 @@ impl Simulation {
     }
 
     fn __len__(&self) -> PyResult<usize> {
-        self.look(|sim| sim.grains.len())
+        self.look(|sim| sim.grains().len())
     }
 
     fn __repr__(&self) -> String {
         match self.live() {
             Ok(live) => live.run.with_simulation(|sim| {
-                let (grains, step, time) = (sim.grains.len(), sim.step, sim.time());
+                let (grains, step, time) = (sim.grains().len(), sim.step, sim.time());
                 format!("<demeter.Simulation: {grains} grains, step {step}, time {time:.4e} s>")
             }),
             Err(_) => "<demeter.Simulation, running>".to_string(),

@@ -83,7 +83,7 @@ impl Views {
     /// changes or moves a table.
     pub fn part(&mut self, simulation: &mut EngineSimulation) {
         for keeper in self.keepers.drain(..).filter_map(|keeper| keeper.upgrade()) {
-            let memory = take(&mut simulation.grains, keeper.table);
+            let memory = take(simulation.grains_mut(), keeper.table);
             let mut held = keeper.held.lock().unwrap_or_else(PoisonError::into_inner);
             *held = Held::Here { _memory: memory };
         }

@@ -59,7 +59,7 @@ pub fn simulation(text: &str, folder: &Path, overrides: &[String], fixed: u32) -
 
 /// The grains of a simulation as they are, sorted by id.
 pub fn grains(sim: &Simulation) -> Vec<Grain> {
-    let grains = &sim.grains;
+    let grains = &sim.grains();
     let grain = |g: usize| Grain {
         id: grains.id[g],
         kind: if grains.is_fixed(g) { FIXED } else { 1 },
@@ -101,7 +101,7 @@ fn timed_loop(sim: &mut Simulation, task: &Task) -> Result<Loop, Fault> {
         seconds: wall.elapsed().as_secs_f64(),
         cpu: Some(processor_time() - cpu),
         steps: task.steps,
-        grains: sim.grains.len(),
+        grains: sim.grains().len(),
         builds: Some(sim.rebuilds() - rebuilds),
         memory: peak_memory(Path::new("/proc/self")),
     })

@@ -172,7 +172,10 @@ fn run(pass: &Pass, folder: &Path) -> Result<(), Fault> {
     let overrides: Vec<String> = pass.overrides.iter().map(|o| (*o).to_owned()).collect();
     let mut sim = demeter_loop::simulation(pass.scenario, folder, &overrides, pass.fixed)?;
     for (steps, name) in pass.legs {
-        eprintln!("making the state {name}: {steps} steps of {} grains", sim.grains.len());
+        eprintln!(
+            "making the state {name}: {steps} steps of {} grains",
+            sim.grains().len()
+        );
         for _ in 0..*steps {
             sim.step()?;
         }
@@ -365,7 +368,7 @@ mod tests {
     fn the_lattices_have_all_their_grains() {
         for (pass, count) in [(&BED, 20_000), (&DRUM, 20_000), (&COLUMN, 10_000)] {
             let sim = demeter_loop::simulation(pass.scenario, Path::new("."), &[], 0).unwrap();
-            assert_eq!(sim.grains.len(), count);
+            assert_eq!(sim.grains().len(), count);
         }
     }
 

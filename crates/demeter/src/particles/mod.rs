@@ -59,8 +59,7 @@ pub struct Grains {
     pub position: Rows,
     /// How many periodic boxes the grain has crossed, by direction.
     pub image: Vec<[i32; 3]>,
-    /// Velocity [m/s]; beside it the inverse mass [1/kg], 0 for a fixed grain. In a run that has begun it is changed by
-    /// [`Simulation::set_velocities`](crate::simulation::Simulation::set_velocities) alone: contacts are looked for as grains were seen to move.
+    /// Velocity [m/s]; beside it the inverse mass [1/kg], 0 for a fixed grain.
     pub velocity: Rows,
     /// Angular velocity in the world frame [1/s]; beside it the inverse moment of inertia [1/(kg m^2)], 0 for a fixed grain.
     pub angular_velocity: Rows,

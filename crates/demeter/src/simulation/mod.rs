@@ -103,7 +103,7 @@ pub struct Setup {
 #[derive(Debug)]
 pub struct Simulation {
     /// Grains.
-    pub grains: Grains,
+    pub(crate) grains: Grains,
     /// Walls.
     pub walls: Vec<Wall>,
     /// Materials and their laws.
@@ -111,7 +111,7 @@ pub struct Simulation {
     /// Steps done.
     pub step: u64,
     /// Time step [s].
-    pub dt: f64,
+    pub(crate) dt: f64,
     /// Acceleration of gravity [m/s^2].
     pub gravity: DVec3,
     /// Active contacts.
@@ -246,6 +246,31 @@ impl Simulation {
             started: false,
             awaits_kick: false,
         }
+    }
+
+    /// Grains.
+    pub fn grains(&self) -> &Grains {
+        &self.grains
+    }
+
+    /// Grains that may be changed: contacts are looked for anew in the next step, as nothing is known of how they move. What that does to
+    /// their energy is not booked, as [`set_velocities`](Self::set_velocities), [`set_angular_velocities`](Self::set_angular_velocities) and
+    /// [`set_positions`](Self::set_positions) do.
+    pub fn grains_mut(&mut self) -> &mut Grains {
+        self.near.look_anew();
+        self.travel = f64::INFINITY;
+        &mut self.grains
+    }
+
+    /// Time step [s].
+    pub fn dt(&self) -> f64 {
+        self.dt
+    }
+
+    /// Takes steps of another length [s] from now on. Time is counted in steps: that of those done changes, too.
+    pub fn set_dt(&mut self, dt: f64) {
+        self.near.look_anew();
+        self.dt = dt;
     }
 
     /// Simulated time [s].

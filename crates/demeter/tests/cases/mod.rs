@@ -205,7 +205,7 @@ impl Case {
 
 /// Index of the grain with an id.
 pub fn index(sim: &Simulation, id: u32) -> usize {
-    sim.grains.id.iter().position(|&i| i == id).unwrap()
+    sim.grains().id.iter().position(|&i| i == id).unwrap()
 }
 
 /// Runs small cases without the cost of waking other threads.
@@ -216,7 +216,7 @@ pub fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T
 
 /// Steps until a time [s] from now.
 pub fn advance(sim: &mut Simulation, duration: f64) {
-    let steps = (duration / sim.dt).round() as u64;
+    let steps = (duration / sim.dt()).round() as u64;
     for _ in 0..steps {
         sim.step().unwrap();
     }
@@ -225,7 +225,7 @@ pub fn advance(sim: &mut Simulation, duration: f64) {
 /// Steps until the first contact has come and gone, and until the integrator no longer remembers its forces.
 pub fn run_until_parted(sim: &mut Simulation) {
     // the predictor-corrector hands the impulse of a force over to the velocity within four steps
-    let remembered = if sim.grains.higher.is_empty() { 0 } else { 4 };
+    let remembered = if sim.grains().higher.is_empty() { 0 } else { 4 };
     let mut touched = false;
     for _ in 0..1_000_000 {
         sim.step().unwrap();

@@ -31,9 +31,9 @@ fn a_jump_across_a_sliding_side_is_no_flow() {
     let mut states = [FlowState::default(), FlowState::default()];
     let mut largest_jump = 0.0f64;
     while sim.time() < 2.5 * time {
-        let before = sim.grains.position[0];
+        let before = sim.grains().position[0];
         sim.step().unwrap();
-        largest_jump = largest_jump.max((sim.grains.position[0] - before).x.abs());
+        largest_jump = largest_jump.max((sim.grains().position[0] - before).x.abs());
         for (gate, state) in gates.iter().zip(&mut states) {
             gate.look(&sim, &Origins::default(), state);
         }
@@ -77,7 +77,7 @@ fn a_lattice_squeezed_with_its_box_bears_what_it_bears_at_rest() {
     };
     let mut sim = lattice(2.0005 * RADIUS);
     let steps = 4000;
-    sim.deform(isotropic(Drive::StrainRate(-0.02 / (f64::from(steps) * sim.dt))))
+    sim.deform(isotropic(Drive::StrainRate(-0.02 / (f64::from(steps) * sim.dt()))))
         .unwrap();
     let mut worst = 0.0f64;
     for step in 1..=steps {

@@ -28,7 +28,7 @@ fn leaving(sim: &Simulation, round: u32) -> Vec<usize> {
     let stretch = (0..120).map(|k| LENGTH * WIDTH * WIDTH / 3 + 120 * round + k);
     let others = (0..7).map(|k| 1171 * k + 5 * round + 3);
     let ids: Vec<u32> = stretch.chain(others).collect();
-    sim.grains_where(|grain| ids.contains(&sim.grains.id[grain]))
+    sim.grains_where(|grain| ids.contains(&sim.grains().id[grain]))
 }
 
 /// Grains that come in the middle between eight others, so many gaps behind each other.
@@ -90,7 +90,7 @@ fn restored(setup: Setup, saved: &[u8]) -> Simulation {
 /// Whether grains that came lie before others that were there at the start.
 fn were_sorted(sim: &Simulation) -> bool {
     let came = |id: u32| id > LENGTH * WIDTH * WIDTH;
-    sim.grains.id.windows(2).any(|ids| came(ids[0]) && !came(ids[1]))
+    sim.grains().id.windows(2).any(|ids| came(ids[0]) && !came(ids[1]))
 }
 
 /// A duct at one end of which grains fly out of the domain, and are removed in the middle of a step.

@@ -41,7 +41,7 @@ impl Wave {
         let tangent = 1.5 * stiffness * overlap.sqrt();
         let feedback = 2.0 * influence * tangent * libm::cos(number);
         let coupled = tangent / (1.0 - feedback);
-        let omega = 2.0 * libm::sin(0.5 * number) * (coupled / sim.grains.mass[0]).sqrt();
+        let omega = 2.0 * libm::sin(0.5 * number) * (coupled / sim.grains().mass[0]).sqrt();
         Self {
             sim,
             number,
@@ -52,7 +52,7 @@ impl Wave {
 
     /// Energy of the mode, up to a factor.
     fn energy(&self) -> f64 {
-        let (grains, mut place, mut speed) = (&self.sim.grains, 0.0, 0.0);
+        let (grains, mut place, mut speed) = (&self.sim.grains(), 0.0, 0.0);
         for (k, id) in grains.id.iter().enumerate() {
             let site = f64::from(id - 1);
             let crest = libm::cos(self.number * site + PHASE);
@@ -67,16 +67,16 @@ impl Wave {
     pub fn growth(&mut self) -> f64 {
         self.sim.start().unwrap();
         let before = self.energy();
-        let steps = (20.0 * PI / self.omega / self.sim.dt).round();
+        let steps = (20.0 * PI / self.omega / self.sim.dt()).round();
         for _ in 0..steps as u64 {
             self.sim.step().unwrap();
         }
-        libm::log(self.energy() / before) / (steps * self.sim.dt * self.omega)
+        libm::log(self.energy() / before) / (steps * self.sim.dt() * self.omega)
     }
 
     /// What the lag of a step makes of that rate: the force acts as `K x - K feedback/(1 - feedback) dt dx/dt`.
     pub fn growth_by_lag(&self) -> f64 {
-        self.omega * self.sim.dt * self.feedback / (1.0 - self.feedback)
+        self.omega * self.sim.dt() * self.feedback / (1.0 - self.feedback)
     }
 }
 

@@ -155,8 +155,8 @@ impl Packing {
     fn press(&mut self, model: Model, to: f64) {
         let speed = 0.1 * (to - self.height).signum();
         let mut sim = self.simulation(model, Motion::Velocity(DVec3::Z * speed));
-        let steps = ((to - self.height) / speed / sim.dt).ceil();
-        sim.dt = (to - self.height) / speed / steps;
+        let steps = ((to - self.height) / speed / sim.dt()).ceil();
+        sim.set_dt((to - self.height) / speed / steps);
         for _ in 0..steps as u64 {
             sim.step().unwrap();
         }
@@ -165,7 +165,7 @@ impl Packing {
 
     /// Takes the places of a run.
     pub fn take(&mut self, sim: &Simulation) {
-        self.grains = sim.grains.clone();
+        self.grains = sim.grains().clone();
         self.grains.velocity.fill(DVec3::ZERO);
         self.grains.angular_velocity.fill(DVec3::ZERO);
         self.grains.higher.clear();

@@ -62,7 +62,8 @@ impl Bed {
         let (strain, stray, drift) = (0.03, 0.05, DVec3::new(0.5, 0.3, 4.0));
         make_unstoppable(&mut self.sim);
         let mut dice = Dice::new(3);
-        for (velocity, at) in self.sim.grains.velocity.iter_mut().zip(self.sim.grains.position.iter()) {
+        let grains = self.sim.grains_mut();
+        for (velocity, at) in grains.velocity.iter_mut().zip(grains.position.iter()) {
             let way = (dice.place() - 0.5) * (2.0 * stray);
             *velocity = (drift + way - DVec3::Z * (strain * at.z)) / steps;
         }
@@ -77,7 +78,7 @@ impl Bed {
     fn step(&mut self) {
         self.sim.step().unwrap();
         for (plane, wall) in self.planes.iter_mut().zip(&self.sim.walls) {
-            plane.0 += wall.velocity_at(DVec3::ZERO) * self.sim.dt;
+            plane.0 += wall.velocity_at(DVec3::ZERO) * self.sim.dt();
         }
     }
 
@@ -86,10 +87,10 @@ impl Bed {
         let t = &packing.touches[touch];
         let wall = self.planes.iter().position(|p| p.1 == t.normal);
         let other = match (t.second, wall) {
-            (Some(second), _) => self.sim.grains.velocity[second],
+            (Some(second), _) => self.sim.grains().velocity[second],
             (None, wall) => self.sim.walls[wall.unwrap()].velocity_at(DVec3::ZERO),
         };
-        0.5 * self.sim.dt * (other - self.sim.grains.velocity[t.first]).dot(t.normal).abs()
+        0.5 * self.sim.dt() * (other - self.sim.grains().velocity[t.first]).dot(t.normal).abs()
     }
 }
 
@@ -232,7 +233,7 @@ fn moving_grains_miss_no_contact_converged() {
 
 /// Contacts of a moment, by the ids of their grains.
 fn by_id(sim: &Simulation) -> Vec<Found> {
-    let id = |g: usize| sim.grains.id[g] as usize;
+    let id = |g: usize| sim.grains().id[g] as usize;
     let all = found(sim).into_iter();
     all.map(|f| Found {
         first: id(f.first),
@@ -252,8 +253,8 @@ fn moving_grains_miss_no_contact_lagged() {
         for _ in 0..STEPS as usize {
             let mut earlier = by_id(&bed.sim);
             bed.step();
-            let mut index = vec![0; bed.sim.grains.len() + 1];
-            for (g, id) in bed.sim.grains.id.iter().enumerate() {
+            let mut index = vec![0; bed.sim.grains().len() + 1];
+            for (g, id) in bed.sim.grains().id.iter().enumerate() {
                 index[*id as usize] = g;
             }
             for f in &mut earlier {

@@ -51,12 +51,12 @@ fn bulges_touch_where_they_must() {
 
 /// Forces of all pairs, and of all grains with all walls, by id.
 fn forces(sim: &Simulation) -> Vec<f64> {
-    let (count, walls) = (sim.grains.len(), sim.walls.len());
+    let (count, walls) = (sim.grains().len(), sim.walls.len());
     let mut all = vec![0.0; count * (count + walls)];
     for (wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
         for chunk in chunks {
             for (k, force) in chunk.normal_force().iter().enumerate() {
-                let id = |grain: u32| sim.grains.id[grain as usize] as usize - 1;
+                let id = |grain: u32| sim.grains().id[grain as usize] as usize - 1;
                 let partner = if wall {
                     count + chunk.j[k] as usize
                 } else {
@@ -117,7 +117,7 @@ fn sweep(sim: &mut Simulation, steps: usize, settle: usize, and_back: bool) -> S
     };
     walk(sim, true);
     if and_back {
-        sim.grains.velocity.iter_mut().for_each(|v| *v = -*v);
+        sim.grains_mut().velocity.iter_mut().for_each(|v| *v = -*v);
         for wall in &mut sim.walls {
             let back = wall.velocity_at(DVec3::ZERO) * -1.0;
             wall.set_motion(Motion::Velocity(back)).unwrap();

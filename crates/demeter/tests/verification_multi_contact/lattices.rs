@@ -265,7 +265,7 @@ fn every_pair_of_materials_has_its_own_model() {
         let (case, planes) = walled(case, planes);
         let sim = started(case);
         let mut packing = packing(&sim, Model::Independent, &planes, 0.2, Adhesion::default());
-        let material = |g: usize| sim.grains.material[g];
+        let material = |g: usize| sim.grains().material[g];
         for touch in &mut packing.touches {
             touch.model = of(material(touch.first), touch.second.map_or(WALLS, material));
         }

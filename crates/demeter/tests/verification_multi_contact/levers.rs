@@ -62,7 +62,7 @@ fn torque_is_lever_times_force() {
                 }
             }
         }
-        for (load, expected) in sim.grains.load.rows().iter().zip(torque) {
+        for (load, expected) in sim.grains().load.rows().iter().zip(torque) {
             let found = load.torque();
             assert!((found - expected).length() < 1e-15, "{found} {expected}");
         }
@@ -86,7 +86,7 @@ fn levers_reach_to_the_middle_of_the_displaced_overlap() {
         report(&format!("lever moved, {model:?}"), moved);
         assert!(model == Model::Independent || moved.abs() > 1e-4);
         for contact in found(&sim).iter().filter(|f| f.second.is_none()) {
-            let at = sim.grains.position[contact.first];
+            let at = sim.grains().position[contact.first];
             let away = |p: &Plane| (at - p.0).dot(p.1);
             let same = |p: &&Plane| (p.1 - contact.normal).length() < 1e-9;
             let distance = planes().iter().filter(same).map(away).fold(f64::INFINITY, f64::min);

@@ -53,8 +53,9 @@ pub fn disordered(count: usize, ratio: f64, fill: f64, seed: u64) -> (Vec<(f64, 
 
 /// Makes the grains too heavy to be moved by forces: they go on with their velocities, and a step takes one second.
 pub fn make_unstoppable(sim: &mut Simulation) {
-    for g in 0..sim.grains.len() {
-        sim.grains.set_size(g, sim.grains.radius(g), 1e25 * sim.grains.mass[g]);
+    let grains = sim.grains_mut();
+    for g in 0..grains.len() {
+        grains.set_size(g, grains.radius(g), 1e25 * grains.mass[g]);
     }
-    sim.dt = 1.0;
+    sim.set_dt(1.0);
 }

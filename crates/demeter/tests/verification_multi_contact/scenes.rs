@@ -110,21 +110,21 @@ pub fn packing(sim: &Simulation, model: Model, planes: &[Plane], reach: f64, adh
     let materials = sim.materials.list();
     let compliance = |e: f64, nu: f64| (1.0 - nu * nu) / e;
     let ball = |g: usize| {
-        let material = &materials[sim.grains.material[g] as usize];
+        let material = &materials[sim.grains().material[g] as usize];
         Ball {
-            centre: sim.grains.position[g],
-            radius: sim.grains.radius(g),
+            centre: sim.grains().position[g],
+            radius: sim.grains().radius(g),
             young_modulus: material.young_modulus,
             poisson_ratio: material.poisson_ratio,
         }
     };
-    let balls: Vec<Ball> = (0..sim.grains.len()).map(ball).collect();
+    let balls: Vec<Ball> = (0..sim.grains().len()).map(ball).collect();
     let of = |b: &Ball| compliance(b.young_modulus, b.poisson_ratio);
     let stiff = compliance(materials[1].young_modulus, materials[1].poisson_ratio);
     let mut touches = Vec::new();
     let images = images(sim);
     for a in 0..balls.len() {
-        for b in (0..balls.len()).filter(|&b| sim.grains.id[b] > sim.grains.id[a]) {
+        for b in (0..balls.len()).filter(|&b| sim.grains().id[b] > sim.grains().id[a]) {
             let (first, second) = (&balls[a], &balls[b]);
             let sum = first.radius + second.radius;
             let ways = images.iter().map(|image| first.centre - second.centre + *image);

@@ -65,8 +65,8 @@ fn after(sim: &Simulation, id: u32, radius: f64) -> Body {
     let k = super::cases::index(sim, id);
     Body {
         radius,
-        velocity: sim.grains.velocity[k],
-        spin: sim.grains.angular_velocity[k],
+        velocity: sim.grains().velocity[k],
+        spin: sim.grains().angular_velocity[k],
     }
 }
 

@@ -46,8 +46,8 @@ fn restitution_is_that_asked_for_on_walls_that_give_way() {
                 case.wall(0, plate, Motion::Free(free));
                 let mut sim = case.simulation();
                 let apart = |sim: &Simulation| {
-                    let point = sim.grains.position[0] * DVec3::new(1.0, 1.0, 0.0);
-                    sim.grains.velocity[0].z - sim.walls[0].velocity_at(point).z
+                    let point = sim.grains().position[0] * DVec3::new(1.0, 1.0, 0.0);
+                    sim.grains().velocity[0].z - sim.walls[0].velocity_at(point).z
                 };
                 let mut touched = false;
                 for _ in 0..200_000 {

@@ -264,7 +264,7 @@ impl Simulation {
         ids: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArray1<u64>>> {
         let ids = ids.map(list_of_ids).transpose()?;
-        let mut order: Vec<(u32, u64)> = self.look(|sim| sim.grains.id.iter().copied().zip(0..).collect())?;
+        let mut order: Vec<(u32, u64)> = self.look(|sim| sim.grains().id.iter().copied().zip(0..).collect())?;
         order.sort_unstable();
         let Some(ids) = ids else {
             return Ok(PyArray1::from_iter(py, order.into_iter().map(|(_, row)| row)));
