@@ -79,12 +79,6 @@ impl Single {
         }
     }
 
-    /// Velocity of a shift, told by its code, to add to a difference of velocities [m/s].
-    pub(crate) fn velocity_of_shift(&self, code: u8) -> DVec3 {
-        let [x, y, z, _] = *self.shift_velocities().get(usize::from(code)).unwrap_or(&[0.0; 4]);
-        DVec3::new(x, y, z)
-    }
-
     /// Difference of two positions, of the second's nearest image: of one that slides where the box is sheared [m].
     pub fn difference(&self, a: DVec3, b: DVec3) -> DVec3 {
         let apart = a - b;

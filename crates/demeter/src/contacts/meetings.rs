@@ -5,7 +5,6 @@ use super::kinematics::Turning;
 use super::near::{FindNear, Sought};
 use crate::comm::Single;
 use crate::neighbours::Pair;
-use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, Normals, contact_sphere_sphere_wide};
 use demeter_physics::lanes::{Index, Kernel, Lanes, MOST_LANES, Mask, Vector};
 use glam::DVec3;
@@ -196,10 +195,7 @@ impl<'a> Meeting<'a> {
     fn attract(&self, (i, j): (u32, u32), overlap: f64, rate: f64) -> bool {
         let (grains, materials) = (self.scene.grains, self.scene.materials);
         let (i, j) = (i as usize, j as usize);
-        let size = || PairSize {
-            radius: 1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
-            mass: 1.0 / (grains.inverse_mass(i) + grains.inverse_mass(j)),
-        };
+        let size = || self.scene.size_of_pair(i, j);
         let law = materials.pair(grains.material[i], grains.material[j]);
         self.scene.acts(law, size, overlap, rate)
     }
@@ -231,6 +227,8 @@ pub(super) struct Found {
     pub(super) candidates: Vec<u16>,
     /// How they meet.
     pub(super) geometry: Vec<Contact>,
+    /// Rates of approach [m/s].
+    pub(super) rate: Vec<f64>,
     /// The first contact with too much overlap.
     pub(super) too_deep: Option<usize>,
 }
@@ -252,10 +250,12 @@ impl Kernel for FindPairs<'_> {
             near,
             candidates,
             geometry,
+            rate,
             too_deep,
         } = found;
         candidates.clear();
         geometry.clear();
+        rate.clear();
         *too_deep = None;
         let find = FindNear {
             pairs,
@@ -284,7 +284,7 @@ impl Kernel for FindPairs<'_> {
             let [x, y, z] = met.normal.components();
             let planes = L::rows([x, y, z, met.overlap]);
             let [lever_i, lever_j] = met.levers;
-            let (lever_i, lever_j) = (lever_i.to_array(), lever_j.to_array());
+            let (lever_i, lever_j, rates) = (lever_i.to_array(), lever_j.to_array(), met.rate.to_array());
             while bits != 0 {
                 let lane = bits.trailing_zeros() as usize;
                 let [x, y, z, overlap] = planes.as_ref()[lane];
@@ -295,6 +295,7 @@ impl Kernel for FindPairs<'_> {
                     lever_i: lever_i[lane],
                     lever_j: lever_j[lane],
                 });
+                rate.push(rates[lane]);
                 bits &= bits - 1;
             }
         }

@@ -145,12 +145,17 @@ impl Kept {
     /// Appends contacts of the step before, but for their forces in the contact plane.
     fn take_on(&mut self, before: &Self, contacts: Range<usize>, stride: usize) {
         let history = contacts.start * stride..contacts.end * stride;
+        self.coupling
+            .extend(before.coupling.get(contacts.clone()).into_iter().flatten());
         self.normal_force.extend_from_slice(&before.normal_force[contacts]);
         self.history.extend_from_slice(&before.history[history]);
     }
 
     /// Appends a contact that begins, but for its force in the contact plane.
-    fn begin_contact(&mut self, stride: usize) {
+    fn begin_contact(&mut self, stride: usize, is_coupled: bool) {
+        if is_coupled {
+            self.coupling.push(Coupled::default());
+        }
         self.normal_force.push(0.0);
         self.history.resize(self.history.len() + stride, 0.0);
     }
@@ -164,6 +169,7 @@ impl Kept {
 
     /// Notes where the contacts of so many candidates between grains are.
     fn note_places(&mut self, candidates: usize) {
+        self.place.clear();
         self.place.resize(candidates, 0);
         for (contact, &candidate) in (1..).zip(&self.candidate) {
             self.place[usize::from(candidate)] = contact;
@@ -186,6 +192,12 @@ impl Kept {
         make_room(&mut self.normal_force, contacts, beyond);
         make_room(&mut self.tangential, contacts.div_ceil(EIGHT), beyond);
         make_room(&mut self.history, contacts * stride, beyond);
+    }
+
+    /// The contact of a candidate between grains that feels others.
+    #[inline(always)]
+    pub(crate) fn contact_of(&self, candidate: usize) -> usize {
+        usize::from(self.place[candidate]).wrapping_sub(1)
     }
 
     pub(crate) fn range(&self, candidate: usize) -> Range<usize> {
@@ -219,6 +231,11 @@ pub struct ContactChunk {
     /// Whether a contact of the step before goes on.
     #[serde(skip)]
     pub(crate) goes_on: Vec<bool>,
+    /// Whether some contact began or ended in this step, and those between grains, by their candidates: where contacts feel each other.
+    #[serde(skip)]
+    pub(crate) is_renewed: bool,
+    #[serde(skip)]
+    pub(crate) changed: Vec<u16>,
     #[serde(skip)]
     touched: wall_contacts::Touched,
     #[serde(skip)]
@@ -271,6 +288,7 @@ impl ContactChunk {
         self.now.clear();
         self.before.clear();
         self.touched.forget();
+        self.coupling.size.clear();
         self.i.clear();
         self.j.clear();
         self.shift.clear();

@@ -4,6 +4,7 @@
 //! it, assuming the present rate of approach: `overlap + |rate| dt/2 > 0`. A law that attracts across a gap is asked
 //! as far as it reaches, and one window farther, so that it sees itself let go and books what that loses.
 
+use super::coupling::Coupled;
 use super::evaluate::WORD;
 use super::laws::largest_reach;
 use super::meetings::{FindPairs, Found};
@@ -96,6 +97,15 @@ impl Scene<'_> {
         j.map_or(radius, |j| radius.min(self.grains.radius(j as usize)))
     }
 
+    /// Effective radius and mass of two grains.
+    pub(super) fn size_of_pair(&self, i: usize, j: usize) -> PairSize {
+        let grains = self.grains;
+        PairSize {
+            radius: 1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
+            mass: 1.0 / (grains.inverse_mass(i) + grains.inverse_mass(j)),
+        }
+    }
+
     /// Whether two bodies act on each other at any moment of this step; `overlap` with all that they may bulge.
     #[inline(always)]
     pub(crate) fn acts(&self, pair: u32, size: impl Fn() -> PairSize, overlap: f64, rate: f64) -> bool {
@@ -177,10 +187,21 @@ impl ContactChunk {
             found: &mut found,
         };
         lanes::run(scene.instructions, find);
-        self.renew(pairs, &found, scene);
-        if scene.is_deforming() {
+        self.is_renewed = found.candidates != self.now.candidate;
+        if self.is_renewed {
+            self.renew(pairs, &found, scene);
+        }
+        if self.now.place.len() != pairs.len() {
+            self.now.note_places(pairs.len());
+        }
+        if scene.is_deforming() && self.shift.len() != self.len() {
             self.note_shifts(pairs);
         }
+        if self.coupling.size.len() != self.len() {
+            self.note_sizes(scene);
+        }
+        self.now.coupling.resize(self.len(), Coupled::default());
+        std::mem::swap(&mut self.coupling.rate, &mut found.rate);
         std::mem::swap(&mut self.now.geometry, &mut found.geometry);
         if let Some(k) = found.too_deep {
             self.note_overlap(k, self.now.geometry[k].overlap, scene);
@@ -206,12 +227,13 @@ impl ContactChunk {
         self.engaged.clear();
         self.make_room(found.candidates.len(), stride, Beyond::Kept);
         self.engaged.resize(found.candidates.len().div_ceil(WORD), 0);
+        self.changed.clear();
         let mut old = 0;
         // contacts that go on one behind the other are taken over together
         let mut going_on = 0..0;
         for (k, &candidate) in found.candidates.iter().enumerate() {
             while self.before.candidate.get(old).is_some_and(|&c| c < candidate) {
-                self.book_end(old, scene);
+                self.end_contact(old, scene);
                 old += 1;
             }
             let goes_on = self.before.candidate.get(old) == Some(&candidate);
@@ -225,43 +247,46 @@ impl ContactChunk {
                 going_on = old..old + usize::from(goes_on);
             }
             if !goes_on {
-                self.now.begin_contact(stride);
+                self.note_coming_or_going(candidate, scene);
+                self.now.begin_contact(stride, scene.is_coupled());
             }
             // so that those which do not act any more are ended
             self.engaged[k / WORD] |= u64::from(goes_on) << (k % WORD);
-            if scene.is_coupled() {
-                self.note_coupling(pair, found.geometry[k].normal, goes_on.then_some(old), scene);
-            }
             old += usize::from(goes_on);
         }
         self.now.take_on(&self.before, going_on, stride);
         for old in old..self.before.candidate.len() {
-            self.book_end(old, scene);
+            self.end_contact(old, scene);
         }
         self.now.clear_tangential();
         self.now.candidate.extend_from_slice(&found.candidates);
         if scene.is_coupled() {
-            self.now.note_places(pairs.len());
+            self.coupling.size.clear();
             self.engaged.clear();
         }
     }
 
-    /// Notes how a pair of grains approaches that feel other contacts, told the contact of the step before.
-    fn note_coupling(&mut self, pair: &Pair, normal: DVec3, old: Option<usize>, scene: &Scene) {
-        let grains = scene.grains;
-        let (i, j) = (pair.i as usize, pair.j as usize);
-        let of_image = scene.comm.velocity_of_shift(pair.shift);
-        let rate = (grains.velocity[j] - grains.velocity[i] - of_image).dot(normal);
-        let size = PairSize {
-            radius: 1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
-            mass: 1.0 / (grains.inverse_mass(i) + grains.inverse_mass(j)),
-        };
-        self.coupling.push(rate, size, old);
+    /// Notes that the contact of a candidate began or ended, where contacts feel each other.
+    fn note_coming_or_going(&mut self, candidate: u16, scene: &Scene) {
+        if scene.is_coupled() {
+            self.changed.push(candidate);
+        }
+    }
+
+    fn end_contact(&mut self, old: usize, scene: &Scene) {
+        self.note_coming_or_going(self.before.candidate[old], scene);
+        self.book_end(old, scene);
+    }
+
+    /// Notes the sizes of all contacts between grains.
+    fn note_sizes(&mut self, scene: &Scene) {
+        let size = |(&i, &j): (&u32, &u32)| scene.size_of_pair(i as usize, j as usize);
+        self.coupling.size.clear();
+        self.coupling.size.extend(self.i.iter().zip(&self.j).map(size));
     }
 
     pub(super) fn begin(&mut self, walls: usize, law: u32) {
         self.law = law;
-        self.coupling.clear();
         self.fault = None;
         self.tally = Tally::default();
         self.marks.clear();
@@ -272,7 +297,12 @@ impl ContactChunk {
     /// Goes back to the contacts of the step before, as if those of this step had not been looked for. `bodies` tells the
     /// bodies of a candidate.
     pub(crate) fn take_back(&mut self, candidates: usize, bodies: impl Fn(usize) -> (u32, u32)) {
+        if !std::mem::take(&mut self.is_renewed) {
+            return;
+        }
         std::mem::swap(&mut self.now, &mut self.before);
+        self.coupling.size.clear();
+        self.shift.clear();
         self.i.clear();
         self.j.clear();
         for c in 0..candidates {

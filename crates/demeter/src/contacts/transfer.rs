@@ -401,8 +401,6 @@ impl ContactChunk {
             .extend(before.element.get(contacts.clone()).into_iter().flatten());
         now.geometry
             .extend(before.geometry.get(contacts.clone()).into_iter().flatten());
-        now.coupling
-            .extend(before.coupling.get(contacts.clone()).into_iter().flatten());
         now.take_on(before, contacts.clone(), stride);
         now.tangential
             .resize(now.len().div_ceil(EIGHT), EightVectors::default());

@@ -1,5 +1,6 @@
 //! Contacts of grains and walls: which parts of a wall every grain may touch in this step.
 
+use super::coupling::Coupled;
 use super::look_again::LookAgain;
 use super::near::Reach;
 use super::near_triangles::{NearTriangles, Within};
@@ -145,6 +146,12 @@ impl Touched {
         &self.parts[first..self.ends[candidate] as usize]
     }
 
+    /// All parts, each with the candidate that touches it.
+    fn each<'a>(&'a self, pairs: &'a [WallPair]) -> impl Iterator<Item = (&'a WallPair, &'a SurfaceContact)> + Clone {
+        let candidates = pairs.iter().enumerate();
+        candidates.flat_map(|(c, pair)| self.of(c).iter().map(move |part| (pair, part)))
+    }
+
     /// Whether these are the contacts of the step before.
     fn are(&self, contacts: &Kept) -> bool {
         contacts.start.get(1..) == Some(&self.ends)
@@ -210,7 +217,17 @@ impl ContactChunk {
         self.begin(scene.walls.len(), law);
         let mut touched = std::mem::take(&mut self.touched);
         touched.look_for_coupled(pairs, law, scene);
-        self.renew_walls(pairs, &mut touched, scene);
+        self.is_renewed = !touched.are(&self.now);
+        self.touch(pairs, &mut touched, scene);
+        let of_contacts = touched.each(pairs);
+        let rates = of_contacts.clone().map(|(pair, part)| scene.rate_at_wall(pair, part));
+        self.coupling.rate.clear();
+        self.coupling.rate.extend(rates);
+        self.coupling.size.clear();
+        self.coupling
+            .size
+            .extend(of_contacts.map(|(pair, _)| scene.size_at_wall(pair.grain as usize)));
+        self.now.coupling.resize(self.len(), Coupled::default());
         self.touched = touched;
         for k in 0..self.len() {
             let (overlap, radius) = (self.now.geometry[k].overlap, scene.grains.radius(self.i[k] as usize));
@@ -253,8 +270,8 @@ impl ContactChunk {
                 let contact = geometry(part, scene.grains.radius(g));
                 self.push(scene.stride, (pair.grain, pair.wall, part.element), contact, old);
                 if scene.is_coupled() {
-                    self.coupling
-                        .push(scene.rate_at_wall(pair, part), scene.size_at_wall(g), old);
+                    let remembered = old.and_then(|old| self.before.coupling.get(old));
+                    self.now.coupling.push(remembered.copied().unwrap_or_default());
                 } else {
                     // so that one that does not act any more is ended
                     self.note_engaged(old.is_some_and(|old| is_set(&engaged, old)));

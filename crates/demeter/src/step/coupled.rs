@@ -17,6 +17,7 @@ use crate::neighbours::{Neighbours, Pair, WallPair};
 use crate::particles::Grains;
 use crate::simulation::Simulation;
 use crate::simulation::division::known_grains;
+use demeter_physics::lanes::Instructions;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -109,6 +110,7 @@ impl CouplingState {
 
     /// Notes that candidates are found now: with room for bulges to grow.
     pub(crate) fn take_margin(&mut self, skin: f64) {
+        self.sites.iter().for_each(Sites::outdate);
         self.memory.margin = (ROOM_TO_GROW * self.bulges_of_two() - SHARE_OF_SKIN * skin).max(0.0);
     }
 
@@ -150,6 +152,7 @@ impl CouplingState {
         &mut self,
         own: &Range<usize>,
         (grains, neighbours, contacts): (&'a Grains, &'a Neighbours, &'a Contacts),
+        instructions: Instructions,
         work: impl Fn(&mut Sites, Range<usize>, Scenery<'_>, Told<'_>) + Sync + Send,
     ) {
         self.sites
@@ -163,6 +166,7 @@ impl CouplingState {
             kernels: &self.kernels,
             bounds: &self.memory.bounds,
             changes: &self.changes,
+            instructions,
         };
         let of_tasks = self.needed[own.clone()].par_chunks_mut(GRAINS_PER_TASK);
         let of_tasks = of_tasks.zip(self.largest_force[own.clone()].par_chunks_mut(GRAINS_PER_TASK));
@@ -171,6 +175,29 @@ impl CouplingState {
             let first = own.start + task * GRAINS_PER_TASK;
             work(sites, first..first + bulge.len(), from, Told { bulge, largest_force });
         });
+    }
+
+    /// Notes which grains have other contacts than in the step before.
+    fn outdate_sites(&self, own: &Range<usize>, chunk: &ContactChunk, candidates: Candidates<'_>) {
+        if !chunk.is_renewed {
+            return;
+        }
+        let outdate = |grain: u32| {
+            let grain = grain as usize;
+            if own.contains(&grain)
+                && let Some(sites) = self.sites.get((grain - own.start) / GRAINS_PER_TASK)
+            {
+                sites.outdate();
+            }
+        };
+        match candidates {
+            Candidates::Pairs((pairs, _)) => chunk.changed.iter().for_each(|&candidate| {
+                let pair = &pairs[usize::from(candidate)];
+                outdate(pair.i);
+                outdate(pair.j);
+            }),
+            Candidates::Walls((pairs, _)) => pairs.iter().for_each(|pair| outdate(pair.grain)),
+        }
     }
 
     /// Has contacts be looked for farther away where surfaces of some grains bulge more than was foreseen; tells how far at most [m], 0
@@ -204,7 +231,7 @@ impl Simulation {
         let own = self.own_grains();
         let Some(state) = &mut self.coupling else { return };
         let tables = (&self.grains, &self.neighbours, &self.contacts);
-        state.each_task(&own, tables, |_, of, from, told| {
+        state.each_task(&own, tables, self.instructions, |_, of, from, told| {
             for (needed, grain) in told.bulge.iter_mut().zip(of) {
                 *needed = from.bounds.of_grain(grain, from.grains, from.neighbours, from.contacts);
             }
@@ -239,8 +266,7 @@ impl Simulation {
         loop {
             self.look_for_contacts(max_speed);
             self.gather_sites();
-            // a run begins with forces that are in agreement
-            if (self.step == 0 || !self.lags())
+            if self.solves()
                 && let Err(fault) = self.solve_coupling(max_speed)
             {
                 self.take_back_contacts();
@@ -318,8 +344,9 @@ impl Simulation {
         })
     }
 
-    fn lags(&self) -> bool {
-        self.coupling.as_ref().is_none_or(|c| c.scheme == Coupling::Lagged)
+    /// Whether the coupled equation is solved in this step: a run begins with forces that are in agreement.
+    fn solves(&self) -> bool {
+        self.step == 0 || self.coupling.as_ref().is_some_and(|c| c.scheme != Coupling::Lagged)
     }
 
     /// Works on all chunks, in parallel.
@@ -338,42 +365,39 @@ impl Simulation {
     }
 
     fn look_for_contacts(&mut self, max_speed: f64) {
-        let Some(state) = &self.coupling else { return };
-        let scheme = if self.step == 0 && state.scheme == Coupling::Lagged {
-            Coupling::default()
-        } else {
-            state.scheme
-        };
+        let (own, converge) = (self.own_grains(), self.solves());
         self.with_chunks(max_speed, |at, chunk, candidates, scene, state| {
             match candidates {
                 Candidates::Pairs(pairs) => chunk.find_pairs(pairs, scene),
                 Candidates::Walls(pairs) => chunk.find_walls(pairs, scene),
             }
-            chunk.begin_coupling(at, scene, scheme, &state.kernels);
+            state.outdate_sites(&own, chunk, candidates);
+            chunk.begin_coupling(at, converge);
         });
     }
 
     fn take_back_contacts(&mut self) {
-        each_chunk(
-            &mut self.contacts,
-            &self.neighbours,
-            |_, chunk, candidates| match candidates {
+        let own = self.own_grains();
+        let Some(state) = &self.coupling else { return };
+        each_chunk(&mut self.contacts, &self.neighbours, |_, chunk, candidates| {
+            state.outdate_sites(&own, chunk, candidates);
+            match candidates {
                 Candidates::Pairs((pairs, _)) => chunk.take_back(pairs.len(), |c| (pairs[c].i, pairs[c].j)),
                 Candidates::Walls((pairs, _)) => chunk.take_back(pairs.len(), |c| (pairs[c].grain, pairs[c].wall)),
-            },
-        );
+            }
+        });
     }
 
     /// Gathers the sites of own grains, and finds their influences on each other and the displacements.
     fn gather_sites(&mut self) {
         self.clear_changes();
+        // displacements may be found again where the coupled equation is solved
+        let is_kept = self.solves();
         let own = self.own_grains();
         let Some(state) = &mut self.coupling else { return };
         let tables = (&self.grains, &self.neighbours, &self.contacts);
-        state.each_task(&own, tables, |sites, of, from, mut told| {
-            sites.gather(of.clone(), from);
-            sites.find_influences(of.clone(), from);
-            sites.displace(of, from, &mut told);
+        state.each_task(&own, tables, self.instructions, |sites, of, from, mut told| {
+            sites.work(of, is_kept, from, &mut told);
         });
         self.exchange_displacements();
     }

@@ -1,12 +1,10 @@
 //! Contacts between displaced surfaces: their overlaps, the forces that follow, and what the laws see.
 
-use super::kernels::Kernels;
-use super::sites::{Changes, Source};
-use super::{Coupled, Coupling, Delivered, Scratch, Worst, lever_shift};
+use super::sites::Changes;
+use super::{Coupled, Delivered, Scratch, Worst, lever_shift};
 use crate::contacts::asking::normal_window;
 use crate::contacts::{ContactChunk, Fault, Kept, Scene};
 use demeter_physics::contact::PairSize;
-use demeter_physics::contact::multi_contact::clearance;
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor};
 use demeter_physics::integrator::Integrator;
 use std::ops::Range;
@@ -72,20 +70,18 @@ impl NormalVisitor for Elastic<'_> {
 }
 
 impl ContactChunk {
-    /// What a contact remembered when the step began.
-    #[inline(always)]
-    fn earlier(&self, k: usize) -> Coupled {
-        self.coupling.old[k].map_or_else(Coupled::default, |old| self.before.coupling[old as usize])
-    }
-
-    /// Takes the forces and levers to begin with.
-    pub(crate) fn begin_coupling(&mut self, at: ChunkPlace, scene: &Scene, scheme: Coupling, kernels: &Kernels) {
-        let converge = scheme != Coupling::Lagged;
-        let mut sources = std::mem::take(&mut self.coupling.sources);
+    /// Takes the forces and levers to begin with: those of the step before, or those foreseen where the coupled equation is solved.
+    pub(crate) fn begin_coupling(&mut self, at: ChunkPlace, converge: bool) {
+        let Scratch {
+            sources,
+            trial,
+            lever_shift,
+            ..
+        } = &mut self.coupling;
         sources.clear();
-        self.coupling.lever_shift.clear();
-        for k in 0..self.len() {
-            let (contact, earlier) = (&self.now.geometry[k], self.earlier(k));
+        trial.clear();
+        lever_shift.clear();
+        for (contact, earlier) in self.now.geometry.iter().zip(&self.now.coupling) {
             let (force, shift) = if converge {
                 (earlier.foreseen(), earlier.lever_shift() + earlier.lever_trend)
             } else {
@@ -93,35 +89,21 @@ impl ContactChunk {
             };
             // at a wall the contact point is the foot of the perpendicular
             let shift = if at.wall { 0.0 } else { shift };
-            let radius = scene.grains.radius(self.i[k] as usize);
-            let effective = (!at.wall).then(|| self.coupling.size[k].radius);
-            sources.push(Source {
-                normal: contact.normal.to_array(),
-                lever: [contact.lever_i + shift, contact.lever_j - shift],
-                clearance: clearance(radius, effective),
-                force,
-                kernel: kernels.of(self.law),
-            });
-            self.coupling.lever_shift.push(shift);
+            let [x, y, z] = contact.normal.to_array();
+            sources.push([
+                [x, y, z, contact.lever_i + shift],
+                [-x, -y, -z, contact.lever_j - shift],
+            ]);
+            trial.push(force);
+            lever_shift.push(shift);
         }
-        self.coupling.sources = sources;
         let count = self.len().max(self.coupling.delivered.len());
         self.coupling.delivered.resize_with(count, Delivered::default);
         if converge {
-            let Scratch { trial, sources, .. } = &mut self.coupling;
-            trial.clear();
-            trial.extend(sources.iter().map(|s| s.force));
             self.coupling.lagging.clear();
             self.coupling.lagging.resize(self.now.len(), false);
             self.coupling.mixing.forget();
         }
-    }
-
-    /// Displacements that the sites delivered [m].
-    #[inline(always)]
-    fn delivered(&self, k: usize, at: ChunkPlace) -> [f64; 2] {
-        let delivered = &self.coupling.delivered[k];
-        [delivered.get(0), if at.wall { 0.0 } else { delivered.get(1) }]
     }
 
     /// Takes the displacements of the sites, finds the elastic forces that the laws answer with, and how far they are from
@@ -140,7 +122,7 @@ impl ContactChunk {
             }
             let first = k;
             while k < count && concerned(self, k) {
-                let [one, other] = self.delivered(k, at);
+                let [one, other] = self.coupling.delivered[k].of_both();
                 self.coupling.overlap[k] = self.now.geometry[k].overlap + (one + other);
                 k += 1;
             }
@@ -200,14 +182,14 @@ impl ContactChunk {
             return;
         }
         for k in 0..self.len() {
-            let shift = lever_shift(self.delivered(k, at));
+            let shift = lever_shift(self.coupling.delivered[k].of_both());
             let change = shift - self.coupling.lever_shift[k];
             let (i, j) = (self.i[k], self.j[k]);
             if change.abs() > tolerance * scene.smaller_radius(i, Some(j)) {
                 self.coupling.lever_shift[k] = shift;
-                let lever = &mut self.coupling.sources[k].lever;
-                lever[0] += change;
-                lever[1] -= change;
+                let [first, second] = &mut self.coupling.sources[k];
+                first[3] += change;
+                second[3] -= change;
                 changes.note_lever(i);
                 changes.note_lever(j);
             }
@@ -226,7 +208,7 @@ impl ContactChunk {
             found += 1;
             if !self.coupling.lagging[k] {
                 self.coupling.lagging[k] = true;
-                self.coupling.trial[k] = self.earlier(k).elastic;
+                self.coupling.trial[k] = self.now.coupling[k].elastic;
                 self.note_change(k, at, changes);
             }
         }
@@ -236,18 +218,13 @@ impl ContactChunk {
     /// Puts the displacements into the geometry that the laws see, and watches that they stay within reason.
     pub(crate) fn deform(&mut self, at: ChunkPlace, scene: &Scene) {
         self.coupling.asleep.clear();
-        self.now.coupling.resize(self.now.len(), Coupled::default());
         for k in 0..self.len() {
-            let coupled = Coupled {
-                displacement: self.delivered(k, at),
-                ..Coupled::default()
-            };
-            self.now.coupling[k] = coupled;
+            let displacement = self.coupling.delivered[k].of_both();
             let contact = &mut self.now.geometry[k];
             let undisplaced = contact.overlap;
-            contact.overlap += coupled.sum();
+            contact.overlap += displacement[0] + displacement[1];
             if !at.wall {
-                let shift = coupled.lever_shift();
+                let shift = lever_shift(displacement);
                 contact.lever_i += shift;
                 contact.lever_j -= shift;
             }
@@ -269,7 +246,7 @@ impl ContactChunk {
     /// The fault of a contact whose coupled equation has no solution; `overlap` is that of the undisplaced spheres [m].
     pub(crate) fn beyond_fold(&self, k: usize, at: ChunkPlace, scene: &Scene, overlap: f64) -> Fault {
         let (grain, other) = (self.i[k] as usize, self.j[k] as usize);
-        let [first, second] = self.delivered(k, at);
+        let [first, second] = self.coupling.delivered[k].of_both();
         let radius = scene.smaller_radius(self.i[k], (!at.wall).then_some(self.j[k]));
         let (across, partner) = if at.wall {
             let name = &scene.walls[other].name;
@@ -295,8 +272,15 @@ impl ContactChunk {
     /// `(F_0 D_1 - F_1 D_0)/2`: nothing, where influences are mutual and do not change.
     pub(crate) fn remember_coupling(&mut self, elastic: &[f64], scene: &Scene) {
         for (k, &force) in elastic.iter().enumerate() {
-            let earlier = self.earlier(k);
+            let displacement = self.coupling.delivered[k].of_both();
             let coupled = &mut self.now.coupling[k];
+            let earlier = std::mem::replace(
+                coupled,
+                Coupled {
+                    displacement,
+                    ..*coupled
+                },
+            );
             self.tally.multi_contact += 0.5 * (earlier.elastic * coupled.sum() - force * earlier.sum());
             coupled.go_on(&earlier, force);
             if self.coupling.asleep[k] {

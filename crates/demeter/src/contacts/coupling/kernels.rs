@@ -45,6 +45,18 @@ impl Kernels {
         &self.laws[kernel as usize]
     }
 
+    /// Whether any two contacts displace each other alike, to the bit.
+    pub(crate) fn is_mutual(&self, kernel: u32) -> bool {
+        struct Asks;
+        impl MultiContactVisitor for Asks {
+            type Output = bool;
+            fn visit<L: MultiContact>(self, law: &L) -> bool {
+                law.is_mutual()
+            }
+        }
+        self.laws.get(kernel as usize).is_some_and(|law| law.visit(Asks))
+    }
+
     /// Whether influences depend on the levers.
     pub(crate) fn feel_levers(&self) -> bool {
         struct Asks;

@@ -111,9 +111,8 @@ fn lever_shift(displacement: [f64; 2]) -> f64 {
 pub(crate) struct Scratch {
     /// Rate of approach [m/s].
     pub(crate) rate: Vec<f64>,
+    /// Sizes, which stay as long as the contacts do; empty where they are to be found.
     pub(crate) size: Vec<PairSize>,
-    /// The contacts of the step before that these continue.
-    pub(crate) old: Vec<Option<u32>>,
     /// What the sites of both bodies are gathered from.
     pub(crate) sources: Vec<Source>,
     /// Shifts of the levers in the sources by displacement [m].
@@ -139,18 +138,6 @@ pub(crate) struct Scratch {
 }
 
 impl Scratch {
-    pub(crate) fn clear(&mut self) {
-        self.rate.clear();
-        self.size.clear();
-        self.old.clear();
-    }
-
-    pub(crate) fn push(&mut self, rate: f64, size: PairSize, old: Option<usize>) {
-        self.rate.push(rate);
-        self.size.push(size);
-        self.old.push(old.map(|k| k as u32));
-    }
-
     /// Notes how far the forces tried are from the answers.
     pub(crate) fn note(&mut self) -> mixing::Largest {
         self.mixing.note(&self.trial, &self.answer)
@@ -176,6 +163,12 @@ impl Delivered {
     #[inline(always)]
     pub(crate) fn get(&self, body: usize) -> f64 {
         f64::from_bits(self.0[body].load(Ordering::Relaxed))
+    }
+
+    /// Displacements of both; that of a wall, which nobody puts, is 0.
+    #[inline(always)]
+    fn of_both(&self) -> [f64; 2] {
+        [self.get(0), self.get(1)]
     }
 }
 

@@ -1,75 +1,97 @@
 //! The contacts of every grain: what they push with, and how that displaces the grain's surface at the others.
+//!
+//! Which contacts these are stays as it is until a contact comes or goes, or candidates are found anew; what is known of them is gathered in
+//! every step.
 
 use super::bulge::Bounds;
 use super::kernels::Kernels;
+use crate::contacts::kinematics::{put_listed, store_some};
 use crate::contacts::{ContactChunk, Contacts};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
-use demeter_physics::contact::multi_contact::{ContactPair, MultiContact, MultiContactVisitor};
+use demeter_physics::contact::multi_contact::{ContactPair, MultiContact, MultiContactVisitor, clearance};
+use demeter_physics::lanes::{self, Instructions, Kernel, Lanes, MOST_LANES};
+use std::cell::RefCell;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Grains handled by one task.
 pub(crate) const GRAINS_PER_TASK: usize = 64;
 
-/// Which contact: whether the partner is a wall, the chunk, and the place in it.
+/// One contact, seen from one of its bodies: whether the partner is a wall, which body it is, the chunk, and the place in it: of the
+/// candidate, which stays when others begin or end, or of the contact with a wall.
 #[derive(Clone, Copy, Debug)]
-struct ContactPlace(u64);
+struct Site(u64);
 
-impl ContactPlace {
+impl Site {
     #[inline(always)]
-    fn new(wall: bool, chunk: usize, contact: usize) -> Self {
-        Self(u64::from(wall) << 63 | (chunk as u64) << 32 | contact as u64)
+    fn new(wall: bool, body: usize, chunk: usize, place: usize) -> Self {
+        Self(u64::from(wall) << 63 | (body as u64) << 62 | (chunk as u64) << 32 | place as u64)
     }
 
-    /// Its chunk, and its place in it.
+    #[inline(always)]
+    fn body(self) -> usize {
+        (self.0 >> 62 & 1) as usize
+    }
+
+    /// The chunk, and the place in it.
     #[inline(always)]
     fn find(self, contacts: &Contacts) -> (&ContactChunk, usize) {
-        let wall = self.0 >> 63 == 1;
-        let chunks = if wall { &contacts.walls } else { &contacts.pairs };
-        (
-            &chunks[(self.0 >> 32 & 0x7fff_ffff) as usize],
-            (self.0 & 0xffff_ffff) as usize,
-        )
+        let (chunk, place) = ((self.0 >> 32 & 0x3fff_ffff) as usize, (self.0 & 0xffff_ffff) as usize);
+        if self.0 >> 63 == 1 {
+            (&contacts.walls[chunk], place)
+        } else {
+            let chunk = &contacts.pairs[chunk];
+            (chunk, chunk.now.contact_of(place))
+        }
     }
 }
 
-/// What a contact is to the displacements, seen from its first body.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Source {
-    pub(crate) normal: [f64; 3],
-    /// Distances of the contact point from both centres [m].
-    pub(crate) lever: [f64; 2],
-    /// What it keeps clear around it [m].
-    pub(crate) clearance: f64,
-    /// Force tried now [N].
-    pub(crate) force: f64,
-    /// Laws that displace the surfaces of both bodies here.
-    pub(crate) kernel: [u32; 2],
-}
-
-/// One contact, seen from one of its bodies.
-#[derive(Clone, Copy, Debug)]
-struct Site {
-    /// Normal into the grain.
-    normal: [f64; 3],
-    lever: f64,
-    clearance: f64,
-    force: f64,
-    place: ContactPlace,
-    kernel: u32,
-    first: bool,
-}
+/// What a contact is to the displacements, seen from either body: the normal into the body, and beside it the distance of the contact
+/// point from its centre [m].
+pub(crate) type Source = [[f64; 4]; 2];
 
 /// Contacts of the grains of one task, by grain, in the order of the partner's id.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Sites {
-    start: Vec<u32>,
+    /// Whether these are the contacts of the grains still.
+    is_current: AtomicBool,
     sites: Vec<Site>,
-    /// Influences of every site of a grain on those behind it, and of those behind it on it.
-    influences: Influences,
-    influence_start: Vec<InfluenceStart>,
-    displacement: Vec<f64>,
+    /// What every site keeps clear around it, and the radius of its grain [m].
+    clearances: Vec<f64>,
+    radii: Vec<f64>,
+    /// Laws that displace the surfaces at the sites.
+    kernels: Vec<u32>,
+    /// Where the sites of every grain begin, and their pairs; one more than grains.
+    starts: Vec<[u32; 2]>,
+    laws: Vec<LawOfGrain>,
+    /// Pairs of sites of every grain, `(0, 1), (0, 2), (1, 2), ...`.
+    earlier: Vec<u32>,
+    later: Vec<u32>,
+    now: AtSites,
+}
+
+/// What is found at sites in a step.
+#[derive(Debug, Default)]
+struct AtSites {
+    /// Normals and levers of all sites, and the forces tried now [N].
+    rows: Vec<[f64; 4]>,
+    forces: Vec<f64>,
+    /// Influences of the earlier site of every pair on the later, and of the later on the earlier where they are not mutual [m/N].
+    on_later: Vec<f64>,
+    on_earlier: Vec<f64>,
+}
+
+thread_local! {
+    /// Where a thread keeps that of the task at hand, which stays in its caches from task to task.
+    static WORKSPACE: RefCell<AtSites> = RefCell::default();
+}
+
+/// The law of all contacts of a grain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum LawOfGrain {
+    One { kernel: u32, is_mutual: bool },
+    Several,
 }
 
 /// What the sites of grains tell of them.
@@ -78,34 +100,6 @@ pub(crate) struct Told<'a> {
     pub(crate) bulge: &'a mut [f64],
     /// Largest force on each [N].
     pub(crate) largest_force: &'a mut [f64],
-}
-
-/// Influences of pairs of sites of every grain, `(1, 0), (2, 0), (2, 1), ...`.
-#[derive(Clone, Debug, Default)]
-struct Influences {
-    on_later: Vec<f64>,
-    /// Only of grains whose influences are not mutual.
-    on_earlier: Vec<f64>,
-}
-
-/// Pairs evaluated at a time: a loop over columns of fixed length has no branches and is vectorised.
-const LANES: usize = 8;
-
-/// Pairs of sites of one grain, as columns.
-struct Pairs {
-    filled: usize,
-    cosine: [f64; LANES],
-    earlier_lever: [f64; LANES],
-    later_lever: [f64; LANES],
-    least_distance_squared: [f64; LANES],
-}
-
-/// Where the influences of a grain's sites begin.
-#[derive(Clone, Copy, Debug)]
-struct InfluenceStart {
-    on_later: u32,
-    /// `None` where influences are mutual.
-    on_earlier: Option<u32>,
 }
 
 /// What sites are found from.
@@ -117,6 +111,7 @@ pub(crate) struct Scenery<'a> {
     pub(crate) kernels: &'a Kernels,
     pub(crate) bounds: &'a Bounds,
     pub(crate) changes: &'a Changes,
+    pub(crate) instructions: Instructions,
 }
 
 /// What has changed at the contacts of a grain since its displacements were found.
@@ -171,65 +166,152 @@ impl Changes {
 }
 
 impl Sites {
-    #[inline(always)]
-    fn range(&self, grain: usize) -> Range<usize> {
-        self.start[grain] as usize..self.start[grain + 1] as usize
+    /// Notes that some of the contacts are others.
+    pub(crate) fn outdate(&self) {
+        self.is_current.store(false, Ordering::Relaxed);
     }
 
-    /// Gathers the contacts of grains with the forces tried now.
-    pub(crate) fn gather(&mut self, of: Range<usize>, from: Scenery<'_>) {
-        self.start.clear();
-        self.start.push(0);
+    #[inline(always)]
+    fn sites_of(&self, grain: usize) -> Range<usize> {
+        self.starts[grain][0] as usize..self.starts[grain + 1][0] as usize
+    }
+
+    #[inline(always)]
+    fn pairs_of(&self, grains: Range<usize>) -> Range<usize> {
+        self.starts[grains.start][1] as usize..self.starts[grains.end][1] as usize
+    }
+
+    /// Gathers the contacts of grains with the forces tried now, finds their influences on each other, and the displacements. The
+    /// displacements cannot be found again where what is found at the sites is not kept.
+    pub(crate) fn work(&mut self, of: Range<usize>, is_kept: bool, from: Scenery<'_>, told: &mut Told<'_>) {
+        if is_kept {
+            return self.gather_and_displace(of, from, told);
+        }
+        WORKSPACE.with_borrow_mut(|workspace| {
+            std::mem::swap(&mut self.now, workspace);
+            self.gather_and_displace(of, from, told);
+            std::mem::swap(&mut self.now, workspace);
+        });
+    }
+
+    fn gather_and_displace(&mut self, of: Range<usize>, from: Scenery<'_>, told: &mut Told<'_>) {
+        if !*self.is_current.get_mut() {
+            self.find(of.clone(), from);
+            *self.is_current.get_mut() = true;
+        }
+        let AtSites { rows, forces, .. } = &mut self.now;
+        rows.resize(self.sites.len(), [0.0; 4]);
+        forces.resize(self.sites.len(), 0.0);
+        for (site, (row, force)) in self.sites.iter().zip(rows.iter_mut().zip(forces)) {
+            let (chunk, k) = site.find(from.contacts);
+            *row = chunk.coupling.sources[k][site.body()];
+            *force = chunk.coupling.trial[k];
+        }
+        self.find_influences(from);
+        for (grain, index) in of.enumerate() {
+            self.displace_grain(grain, index, from, told);
+        }
+    }
+
+    /// Finds which the contacts of grains are.
+    fn find(&mut self, of: Range<usize>, from: Scenery<'_>) {
         self.sites.clear();
+        self.clearances.clear();
+        self.radii.clear();
+        self.kernels.clear();
+        self.laws.clear();
+        self.earlier.clear();
+        self.later.clear();
+        self.starts.clear();
+        self.starts.push([0; 2]);
         for grain in of {
-            for (chunk, slot, first) in from.neighbours.pairs_of(grain) {
-                self.take((false, chunk, slot), first, &from.contacts.pairs[chunk]);
+            let first = self.sites.len();
+            let radius = from.grains.radius(grain);
+            for (chunk, slot, is_first) in from.neighbours.pairs_of(grain) {
+                self.take((false, chunk, slot), usize::from(!is_first), radius, from);
             }
             for (chunk, slot) in from.neighbours.wall_pairs_of(grain) {
-                self.take((true, chunk, slot), true, &from.contacts.walls[chunk]);
+                self.take((true, chunk, slot), 0, radius, from);
             }
-            self.start.push(self.sites.len() as u32);
+            self.laws.push(LawOfGrain::of(&self.kernels[first..], from.kernels));
+            for later in first..self.sites.len() {
+                self.earlier.extend(first as u32..later as u32);
+                self.later.resize(self.earlier.len(), later as u32);
+            }
+            self.starts
+                .push([self.sites.len(), self.earlier.len()].map(|end| end as u32));
         }
     }
 
     /// Takes the contacts of one candidate.
     #[inline(always)]
-    fn take(&mut self, (wall, number, slot): (bool, usize, usize), first: bool, chunk: &ContactChunk) {
+    fn take(&mut self, (wall, number, slot): (bool, usize, usize), body: usize, radius: f64, from: Scenery<'_>) {
+        let contacts = if wall {
+            &from.contacts.walls
+        } else {
+            &from.contacts.pairs
+        };
+        let chunk = &contacts[number];
         for k in chunk.contacts_of(slot) {
-            let source = &chunk.coupling.sources[k];
-            let (sign, body) = if first { (1.0, 0) } else { (-1.0, 1) };
-            self.sites.push(Site {
-                normal: source.normal.map(|n| sign * n),
-                lever: source.lever[body],
-                clearance: source.clearance,
-                force: source.force,
-                place: ContactPlace::new(wall, number, k),
-                kernel: source.kernel[body],
-                first,
-            });
+            // at a wall the size tells the grain's radius
+            let effective = (!wall).then(|| chunk.coupling.size[k].radius);
+            let place = if wall { k } else { slot };
+            self.sites.push(Site::new(wall, body, number, place));
+            self.clearances.push(clearance(radius, effective));
+            self.radii.push(radius);
+            self.kernels.push(from.kernels.of(chunk.law())[body]);
         }
     }
 
     /// Finds the influences of the contacts of every grain on each other.
-    pub(crate) fn find_influences(&mut self, of: Range<usize>, from: Scenery<'_>) {
-        self.influences.on_later.clear();
-        self.influences.on_earlier.clear();
-        self.influence_start.clear();
-        for (grain, radius) in of.map(|g| from.grains.radius(g)).enumerate() {
-            let range = self.range(grain);
-            let start = InfluenceStart {
-                on_later: self.influences.on_later.len() as u32,
-                on_earlier: Some(self.influences.on_earlier.len() as u32),
-            };
-            let start = self.influences.find(start, &self.sites[range], radius, from.kernels);
-            self.influence_start.push(start);
+    fn find_influences(&mut self, from: Scenery<'_>) {
+        let pairs = self.earlier.len();
+        self.now.on_later.resize(pairs, 0.0);
+        self.now.on_earlier.resize(pairs, 0.0);
+        let mut first = 0;
+        let count = self.laws.len();
+        while first < count {
+            // grains behind each other of one law are one piece of work
+            let law = self.laws[first];
+            let others = self.laws[first..].iter().position(|&other| other != law);
+            let end = others.map_or(count, |others| first + others);
+            self.find_influences_of(first..end, law, from);
+            first = end;
         }
     }
 
-    /// Finds the displacements on all grains.
-    pub(crate) fn displace(&mut self, of: Range<usize>, from: Scenery<'_>, told: &mut Told<'_>) {
-        for (grain, index) in of.enumerate() {
-            self.displace_grain(grain, index, from, told);
+    fn find_influences_of(&mut self, grains: Range<usize>, law: LawOfGrain, from: Scenery<'_>) {
+        let some = self.pairs_of(grains);
+        let AtSites {
+            rows,
+            on_later,
+            on_earlier,
+            ..
+        } = &mut self.now;
+        let (on_later, on_earlier) = (&mut on_later[some.clone()], &mut on_earlier[some.clone()]);
+        let pairs = Pairs {
+            earlier: &self.earlier[some.clone()],
+            later: &self.later[some],
+            rows,
+            clearances: &self.clearances,
+            radii: &self.radii,
+        };
+        match law {
+            LawOfGrain::One { kernel, is_mutual } => from.kernels.law(kernel).visit(Influences {
+                pairs,
+                on_later,
+                on_earlier: (!is_mutual).then_some(on_earlier),
+                instructions: from.instructions,
+            }),
+            LawOfGrain::Several => {
+                for pair in 0..on_later.len() {
+                    let at = pairs.contacts::<f64>(pair);
+                    let [earlier, later] =
+                        [pairs.earlier, pairs.later].map(|column| self.kernels[column[pair] as usize]);
+                    on_later[pair] = from.kernels.influence(later, &at);
+                    on_earlier[pair] = from.kernels.influence(earlier, &at.reversed());
+                }
+            }
         }
     }
 
@@ -240,15 +322,14 @@ impl Sites {
             if change == Change::None {
                 continue;
             }
-            let range = self.range(grain);
-            for site in &mut self.sites[range.clone()] {
-                let (chunk, k) = site.place.find(from.contacts);
-                site.force = chunk.coupling.trial[k];
-                site.lever = chunk.coupling.sources[k].lever[usize::from(!site.first)];
+            for place in self.sites_of(grain) {
+                let site = self.sites[place];
+                let (chunk, k) = site.find(from.contacts);
+                self.now.forces[place] = chunk.coupling.trial[k];
+                self.now.rows[place] = chunk.coupling.sources[k][site.body()];
             }
             if change == Change::Lever {
-                let (start, radius) = (self.influence_start[grain], from.grains.radius(index));
-                self.influences.find(start, &self.sites[range], radius, from.kernels);
+                self.find_influences_of(grain..grain + 1, self.laws[grain], from);
             }
             self.displace_grain(grain, index, from, told);
         }
@@ -258,35 +339,36 @@ impl Sites {
     /// surface may bulge.
     #[inline(always)]
     fn displace_grain(&mut self, grain: usize, index: usize, from: Scenery<'_>, told: &mut Told<'_>) {
-        let sites = &self.sites[self.range(grain)];
-        let start = self.influence_start[grain];
-        let on_later = &self.influences.on_later[start.on_later as usize..];
-        let on_earlier = match start.on_earlier {
-            Some(first) => &self.influences.on_earlier[first as usize..],
-            None => on_later,
+        let (own, pairs) = (self.sites_of(grain), self.pairs_of(grain..grain + 1));
+        let AtSites {
+            rows,
+            forces,
+            on_later,
+            on_earlier,
+        } = &self.now;
+        let (sites, rows, forces) = (&self.sites[own.clone()], &rows[own.clone()], &forces[own]);
+        let on_later = &on_later[pairs.clone()];
+        let on_earlier = match self.laws[grain] {
+            LawOfGrain::One { is_mutual: true, .. } => on_later,
+            _ => &on_earlier[pairs],
         };
-        self.displacement.clear();
-        self.displacement.resize(sites.len(), 0.0);
-        let mut pair = 0;
-        for later in 1..sites.len() {
-            let (before, own) = self.displacement.split_at_mut(later);
-            let force = sites[later].force;
-            let count = before.len();
-            let (onto, back) = (&on_later[pair..pair + count], &on_earlier[pair..pair + count]);
-            let mut sum = 0.0;
-            for (earlier, displacement) in before.iter_mut().enumerate() {
-                sum += onto[earlier] * sites[earlier].force;
-                *displacement += back[earlier] * force;
-            }
-            own[0] = sum;
-            pair += count;
-        }
         let radius = from.grains.radius(index);
         let mut load = Load::on(radius);
-        for (site, displacement) in sites.iter().zip(&self.displacement) {
-            load.add(site.force, site.lever);
-            let (chunk, k) = site.place.find(from.contacts);
-            chunk.coupling.delivered[k].put(usize::from(!site.first), *displacement);
+        // the first of its pairs with earlier sites, and then with each later one
+        let mut first = 0;
+        for (place, (site, row)) in sites.iter().zip(rows).enumerate() {
+            let (earlier, later) = (&forces[..place], &forces[place + 1..]);
+            let by_earlier = on_later[first..first + place].iter().zip(earlier);
+            let mut displacement = by_earlier.fold(0.0, |sum, (influence, force)| sum + influence * force);
+            first += place;
+            let mut pair = first + place;
+            for (force, pairs) in later.iter().zip(place + 1..) {
+                displacement += on_earlier[pair] * force;
+                pair += pairs;
+            }
+            load.add(forces[place], row[3]);
+            let (chunk, k) = site.find(from.contacts);
+            chunk.coupling.delivered[k].put(site.body(), displacement);
         }
         told.largest_force[grain] = load.largest;
         told.bulge[grain] = from.bounds.bulge(from.grains.material[index], radius, &load);
@@ -321,151 +403,98 @@ impl Load {
     }
 }
 
-impl Influences {
-    /// Finds the influences of the sites of one grain on each other from `start` on.
-    fn find(&mut self, mut start: InfluenceStart, sites: &[Site], radius: f64, kernels: &Kernels) -> InfluenceStart {
-        let Some(site) = sites.first() else { return start };
-        let count = sites.len() * (sites.len() - 1) / 2;
-        let on_later = room(&mut self.on_later, Some(start.on_later), count);
-        if sites.iter().all(|s| s.kernel == site.kernel) {
-            let law = kernels.law(site.kernel);
-            let mutual = law.visit(Uniform {
-                sites,
-                radius,
-                influence: on_later,
-                backwards: false,
-            });
-            if mutual {
-                start.on_earlier = None;
-                return start;
-            }
-            let influence = room(&mut self.on_earlier, start.on_earlier, count);
-            law.visit(Uniform {
-                sites,
-                radius,
-                influence,
-                backwards: true,
-            });
-            return start;
-        }
-        let on_earlier = room(&mut self.on_earlier, start.on_earlier, count);
-        let mut pair = 0;
-        for (count, later) in sites.iter().enumerate() {
-            for earlier in &sites[..count] {
-                let at = contacts(earlier, later, radius);
-                on_later[pair] = kernels.influence(later.kernel, &at);
-                on_earlier[pair] = kernels.influence(earlier.kernel, &reversed(&at));
-                pair += 1;
-            }
-        }
-        start
-    }
-}
-
-/// The `count` values from `first` on, which are there or are added at the end.
-fn room(values: &mut Vec<f64>, first: Option<u32>, count: usize) -> &mut [f64] {
-    let first = first.map_or(values.len(), |first| first as usize);
-    if values.len() < first + count {
-        values.resize(first + count, 0.0);
-    }
-    &mut values[first..first + count]
-}
-
-/// The earlier site as what displaces, the later as what is displaced.
-#[inline(always)]
-fn contacts(earlier: &Site, later: &Site, radius: f64) -> ContactPair {
-    let (n, m) = (earlier.normal, later.normal);
-    ContactPair {
-        cosine: n[0] * m[0] + n[1] * m[1] + n[2] * m[2],
-        source_lever: earlier.lever,
-        target_lever: later.lever,
-        least_distance_squared: earlier.clearance * later.clearance,
-        radius,
-    }
-}
-
-#[inline(always)]
-fn reversed(at: &ContactPair) -> ContactPair {
-    ContactPair {
-        source_lever: at.target_lever,
-        target_lever: at.source_lever,
-        ..*at
-    }
-}
-
-/// Influences of the sites of a grain on those behind them (or, backwards, before them), where one law holds for all;
-/// tells whether they are mutual.
-struct Uniform<'a> {
-    sites: &'a [Site],
-    radius: f64,
-    influence: &'a mut [f64],
-    backwards: bool,
-}
-
-impl MultiContactVisitor for Uniform<'_> {
-    type Output = bool;
-
-    fn visit<L: MultiContact>(self, law: &L) -> bool {
-        let Self {
-            sites,
-            radius,
-            influence,
-            backwards,
-        } = self;
-        if L::INDEPENDENT {
-            influence.fill(0.0);
-            return law.is_mutual();
-        }
-        let mut pairs = Pairs {
-            filled: 0,
-            cosine: [-1.0; LANES],
-            earlier_lever: [radius; LANES],
-            later_lever: [radius; LANES],
-            least_distance_squared: [radius * radius; LANES],
-        };
-        let mut done = 0;
-        for (count, later) in sites.iter().enumerate() {
-            for earlier in &sites[..count] {
-                let at = contacts(earlier, later, radius);
-                let lane = pairs.filled % LANES;
-                pairs.cosine[lane] = at.cosine;
-                pairs.earlier_lever[lane] = at.source_lever;
-                pairs.later_lever[lane] = at.target_lever;
-                pairs.least_distance_squared[lane] = at.least_distance_squared;
-                pairs.filled = lane + 1;
-                if pairs.filled == LANES {
-                    influence[done..done + LANES].copy_from_slice(&pairs.influences(law, radius, backwards));
-                    done += LANES;
-                    pairs.filled = 0;
-                }
-            }
-        }
-        let left = influence.len() - done;
-        if left > 0 {
-            influence[done..].copy_from_slice(&pairs.influences(law, radius, backwards)[..left]);
-        }
-        law.is_mutual()
-    }
-}
-
-impl Pairs {
-    #[inline(always)]
-    fn influences<L: MultiContact>(&self, law: &L, radius: f64, backwards: bool) -> [f64; LANES] {
-        let (source, target) = if backwards {
-            (&self.later_lever, &self.earlier_lever)
+impl LawOfGrain {
+    /// Told the laws at all contacts of the grain.
+    fn of(laws: &[u32], kernels: &Kernels) -> Self {
+        let kernel = laws.first().copied().unwrap_or(0);
+        if laws.iter().all(|&law| law == kernel) {
+            let is_mutual = kernels.is_mutual(kernel);
+            Self::One { kernel, is_mutual }
         } else {
-            (&self.earlier_lever, &self.later_lever)
-        };
-        let mut influence = [0.0; LANES];
-        for (lane, influence) in influence.iter_mut().enumerate() {
-            *influence = law.influence(&ContactPair {
-                cosine: self.cosine[lane],
-                source_lever: source[lane],
-                target_lever: target[lane],
-                least_distance_squared: self.least_distance_squared[lane],
-                radius,
-            });
+            Self::Several
         }
-        influence
+    }
+}
+
+/// Some pairs of sites.
+#[derive(Clone, Copy)]
+struct Pairs<'a> {
+    earlier: &'a [u32],
+    later: &'a [u32],
+    /// Of all sites.
+    rows: &'a [[f64; 4]],
+    clearances: &'a [f64],
+    radii: &'a [f64],
+}
+
+impl Pairs<'_> {
+    /// The earlier site as what displaces, the later as what is displaced, of the pairs from one on.
+    #[inline(always)]
+    fn contacts<L: Lanes>(&self, pair: usize) -> ContactPair<L> {
+        let [mut earlier, mut later] = [[0; MOST_LANES]; 2];
+        put_listed::<L>(self.earlier, pair, &mut earlier);
+        put_listed::<L>(self.later, pair, &mut later);
+        let [[nx, ny, nz, source_lever]] = L::fetch([self.rows], &earlier);
+        let [[mx, my, mz, target_lever]] = L::fetch([self.rows], &later);
+        let [mut one, mut other] = [[0; MOST_LANES]; 2];
+        let mut lane = 0;
+        while lane < L::COUNT {
+            (one[lane], other[lane]) = (earlier[lane] as usize, later[lane] as usize);
+            lane += 1;
+        }
+        ContactPair {
+            cosine: nx * mx + ny * my + nz * mz,
+            source_lever,
+            target_lever,
+            least_distance_squared: L::gather(self.clearances, &one) * L::gather(self.clearances, &other),
+            radius: L::gather(self.radii, &other),
+        }
+    }
+}
+
+/// Finds the influences of some pairs of sites on each other, where one law holds for all.
+struct Influences<'a> {
+    pairs: Pairs<'a>,
+    on_later: &'a mut [f64],
+    /// Nothing where influences are mutual.
+    on_earlier: Option<&'a mut [f64]>,
+    instructions: Instructions,
+}
+
+impl MultiContactVisitor for Influences<'_> {
+    type Output = ();
+
+    fn visit<W: MultiContact>(self, law: &W) {
+        if W::INDEPENDENT {
+            self.on_later.fill(0.0);
+            self.on_earlier.into_iter().for_each(|influences| influences.fill(0.0));
+        } else {
+            lanes::run(self.instructions, OfLaw(self, law));
+        }
+    }
+}
+
+/// The same with the law.
+struct OfLaw<'a, 'l, W>(Influences<'a>, &'l W);
+
+impl<W: MultiContact> Kernel for OfLaw<'_, '_, W> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Self(influences, law) = self;
+        let Influences {
+            pairs,
+            on_later,
+            mut on_earlier,
+            ..
+        } = influences;
+        for pair in (0..pairs.earlier.len()).step_by(L::COUNT) {
+            let at = pairs.contacts::<L>(pair);
+            store_some(law.influence(&at), on_later, pair);
+            if let Some(on_earlier) = &mut on_earlier {
+                store_some(law.influence(&at.reversed()), on_earlier, pair);
+            }
+        }
     }
 }

@@ -88,7 +88,7 @@ impl Simulation {
         let own = self.own_grains();
         let Some(state) = &mut self.coupling else { return };
         let tables = (&self.grains, &self.neighbours, &self.contacts);
-        state.each_task(&own, tables, |sites, of, from, mut told| {
+        state.each_task(&own, tables, self.instructions, |sites, of, from, mut told| {
             sites.displace_again(of, from, &mut told);
         });
         self.exchange_displacements();

@@ -2,6 +2,7 @@
 
 use super::{ContactPair, Material, MultiContact};
 use crate::contact::MaterialPair;
+use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
 use crate::params;
 
@@ -43,18 +44,19 @@ impl MultiContact for HalfSpace {
     }
 
     #[inline(always)]
-    fn influence(&self, at: &ContactPair) -> f64 {
+    fn influence<L: Lanes>(&self, at: &ContactPair<L>) -> L {
         let (compliance, nu) = self.grain.terms();
         let (cosine, from, to) = (at.cosine, at.source_lever, at.target_lever);
-        let distance = (from * from + to * to - 2.0 * from * to * cosine)
+        // written so that the distance is the same to the bit, and found once, where both are exchanged
+        let distance = (from * from + to * to - from * to * (cosine * 2.0))
             .max(at.least_distance_squared)
             .sqrt();
-        let inverse = 1.0 / distance;
+        let inverse = L::splat(1.0) / distance;
         let source_slope = (from - to * cosine) * inverse;
         let target_slope = (from * cosine - to) * inverse;
-        let last = (cosine + target_slope) / (1.0 + source_slope).max(LEAST_DENOMINATOR);
-        let braces = source_slope * target_slope + (3.0 - 4.0 * nu) * cosine - (1.0 - 2.0 * nu) * last;
-        -self.prefactor * compliance * inverse * braces
+        let last = (cosine + target_slope) / (source_slope + 1.0).max(L::splat(LEAST_DENOMINATOR));
+        let braces = source_slope * target_slope + cosine * (3.0 - 4.0 * nu) - last * (1.0 - 2.0 * nu);
+        inverse * braces * (-self.prefactor * compliance)
     }
 
     fn largest_bulge(&self, _radius: f64, least_lever: f64) -> f64 {

@@ -2,6 +2,7 @@
 
 use super::{ContactPair, MultiContact};
 use crate::contact::MaterialPair;
+use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, ParameterInfo, Values};
 use crate::params;
 
@@ -28,8 +29,8 @@ impl MultiContact for Independent {
     }
 
     #[inline(always)]
-    fn influence(&self, _contacts: &ContactPair) -> f64 {
-        0.0
+    fn influence<L: Lanes>(&self, _contacts: &ContactPair<L>) -> L {
+        L::splat(0.0)
     }
 
     fn largest_bulge(&self, _radius: f64, _least_lever: f64) -> f64 {

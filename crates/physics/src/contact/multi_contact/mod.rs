@@ -9,22 +9,35 @@
 
 use super::{Elastic, MaterialPair, law_family};
 use crate::dimension::Dimension;
+use crate::lanes::Lanes;
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 
-/// Two contacts of one grain.
+/// Two contacts of one grain; of several grains with [`Lanes`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ContactPair {
+pub struct ContactPair<L = f64> {
     /// Cosine of the angle between the inward normals.
-    pub cosine: f64,
+    pub cosine: L,
     /// Distance of the contact point whose force displaces from the grain's centre [m].
-    pub source_lever: f64,
+    pub source_lever: L,
     /// Distance of the contact point that is displaced from the grain's centre [m].
-    pub target_lever: f64,
+    pub target_lever: L,
     /// Square of the distance of the contact points below which the influence no longer grows: the product of the
     /// [`clearance`] of both contacts [m^2].
-    pub least_distance_squared: f64,
+    pub least_distance_squared: L,
     /// Radius of the grain [m].
-    pub radius: f64,
+    pub radius: L,
+}
+
+impl<L: Copy> ContactPair<L> {
+    /// The same with what displaces and what is displaced exchanged.
+    #[inline(always)]
+    pub fn reversed(&self) -> Self {
+        Self {
+            source_lever: self.target_lever,
+            target_lever: self.source_lever,
+            ..*self
+        }
+    }
 }
 
 /// What a contact keeps clear around it [m]: see [`ContactPair::least_distance_squared`]. `effective_radius` is that of the
@@ -69,7 +82,7 @@ pub trait MultiContact: Copy + PartialEq + Send + Sync + 'static {
     }
 
     /// Outward displacement of the grain's surface at a contact per force at another of its contacts [m/N].
-    fn influence(&self, contacts: &ContactPair) -> f64;
+    fn influence<L: Lanes>(&self, contacts: &ContactPair<L>) -> L;
 
     /// Largest outward displacement anywhere on a grain per compressive force on it [m/N]: no contact point lies closer to
     /// the centre than `least_lever`.

@@ -5,6 +5,7 @@ mod table;
 
 use super::{ContactPair, Material, MultiContact};
 use crate::contact::MaterialPair;
+use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, ParameterInfo, Values};
 use crate::params;
 use table::Displacements;
@@ -37,11 +38,11 @@ impl MultiContact for PointOnSphere {
     }
 
     #[inline(always)]
-    fn influence(&self, at: &ContactPair) -> f64 {
+    fn influence<L: Lanes>(&self, at: &ContactPair<L>) -> L {
         let (compliance, _) = self.grain.terms();
-        let half = 0.5 / at.radius;
-        let square = (0.5 * (1.0 - at.cosine)).max(at.least_distance_squared * (half * half));
-        compliance * half * self.displacements.at(square)
+        let half = L::splat(0.5) / at.radius;
+        let square = ((L::splat(1.0) - at.cosine) * 0.5).max(at.least_distance_squared * (half * half));
+        half * self.displacements.at(square) * compliance
     }
 
     fn largest_bulge(&self, radius: f64, _least_lever: f64) -> f64 {

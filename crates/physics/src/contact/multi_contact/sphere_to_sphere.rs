@@ -2,6 +2,7 @@
 
 use super::{ContactPair, Material, MultiContact};
 use crate::contact::MaterialPair;
+use crate::lanes::Lanes;
 use crate::parameters::{ParameterError, ParameterInfo, Values};
 use crate::params;
 
@@ -31,12 +32,13 @@ impl MultiContact for SphereToSphere {
     }
 
     #[inline(always)]
-    fn influence(&self, at: &ContactPair) -> f64 {
+    fn influence<L: Lanes>(&self, at: &ContactPair<L>) -> L {
         let (compliance, nu) = self.grain.terms();
-        let least = at.least_distance_squared / (4.0 * at.radius * at.radius);
-        let sine = (0.5 * (1.0 - at.cosine)).max(least).sqrt();
-        let bracket = (-2.0 * (1.0 - nu)) / sine - 2.0 * (1.0 - 2.0 * nu) + (7.0 - 8.0 * nu) * sine;
-        compliance / (2.0 * at.radius) * bracket
+        let half = L::splat(0.5) / at.radius;
+        let least = at.least_distance_squared * (half * half);
+        let sine = ((L::splat(1.0) - at.cosine) * 0.5).max(least).sqrt();
+        let bracket = L::splat(-2.0 * (1.0 - nu)) / sine - 2.0 * (1.0 - 2.0 * nu) + sine * (7.0 - 8.0 * nu);
+        half * bracket * compliance
     }
 
     fn largest_bulge(&self, radius: f64, _least_lever: f64) -> f64 {

@@ -4,6 +4,7 @@
 //! cells are the leading bits of the number itself.
 
 use super::series::Series;
+use crate::lanes::{Lanes, MOST_LANES};
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
@@ -103,9 +104,18 @@ impl Displacements {
 
     /// `g` at a squared sine of half the angle; it stays the same below `1e-12`.
     #[inline(always)]
-    pub(super) fn at(&self, square: f64) -> f64 {
-        let (cell, offset) = place(square);
-        let [a, b, c, d, e, f] = self.cells[cell];
+    pub(super) fn at<L: Lanes>(&self, square: L) -> L {
+        let (mut starts, mut offsets) = ([0; MOST_LANES], [0.0; MOST_LANES]);
+        let mut lane = 0;
+        while lane < L::COUNT {
+            let (cell, offset) = place(square.as_slice()[lane]);
+            (starts[lane], offsets[lane]) = (COEFFICIENTS * cell, offset);
+            lane += 1;
+        }
+        let (cells, offset) = (self.cells.as_flattened(), L::load(&offsets));
+        let [a, b, c, d] = L::columns(cells, &starts);
+        starts.iter_mut().for_each(|start| *start += COEFFICIENTS - 4);
+        let [_, _, e, f] = L::columns(cells, &starts);
         a + offset * (b + offset * (c + offset * (d + offset * (e + offset * f))))
     }
 
