@@ -13,7 +13,7 @@ use demeter_physics::contact::multi_contact::{ContactPair, MultiContact, MultiCo
 use demeter_physics::lanes::{self, Instructions, Kernel, Lanes, MOST_LANES};
 use std::cell::RefCell;
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
 /// Grains handled by one task.
 pub(crate) const GRAINS_PER_TASK: usize = 64;
@@ -114,54 +114,41 @@ pub(crate) struct Scenery<'a> {
     pub(crate) instructions: Instructions,
 }
 
-/// What has changed at the contacts of a grain since its displacements were found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Change {
-    None,
-    Force,
-    Lever,
-}
-
-/// Changes of all grains. They are noted by contact, and by any number of contacts: it does not matter which comes first.
+/// Changes at the contacts of all grains since their displacements were found: of a force, or of a lever. They are noted by contact, and by
+/// any number of contacts: it does not matter which comes first. Forces and levers are never noted in the same pass.
 #[derive(Debug, Default)]
-pub(crate) struct Changes {
-    force: Vec<AtomicBool>,
-    lever: Vec<AtomicBool>,
-}
+pub(crate) struct Changes(Vec<AtomicU8>);
+
+const FORCE: u8 = 1;
+const LEVER: u8 = 2;
 
 impl Changes {
     /// Forgets the changes of some of so many grains.
-    pub(crate) fn clear(&mut self, count: usize, some: impl Iterator<Item = usize> + Clone) {
-        for flags in [&mut self.force, &mut self.lever] {
-            flags.resize_with(count, AtomicBool::default);
-            some.clone().for_each(|grain| *flags[grain].get_mut() = false);
-        }
+    pub(crate) fn clear(&mut self, count: usize, some: impl Iterator<Item = usize>) {
+        self.0.resize_with(count, AtomicU8::default);
+        some.for_each(|grain| *self.0[grain].get_mut() = 0);
     }
 
     #[inline(always)]
     pub(crate) fn note_force(&self, grain: u32) {
-        self.force[grain as usize].store(true, Ordering::Relaxed);
-    }
-
-    #[inline(always)]
-    pub(crate) fn note_lever(&self, grain: u32) {
-        self.lever[grain as usize].store(true, Ordering::Relaxed);
-    }
-
-    #[inline(always)]
-    pub(crate) fn of(&self, grain: usize) -> Change {
-        if self.lever[grain].load(Ordering::Relaxed) {
-            Change::Lever
-        } else if self.force[grain].load(Ordering::Relaxed) {
-            Change::Force
-        } else {
-            Change::None
+        if !self.any(grain) {
+            self.0[grain as usize].store(FORCE, Ordering::Relaxed);
         }
     }
 
     #[inline(always)]
+    pub(crate) fn note_lever(&self, grain: u32) {
+        self.0[grain as usize].store(LEVER, Ordering::Relaxed);
+    }
+
+    #[inline(always)]
     pub(crate) fn any(&self, grain: u32) -> bool {
-        self.of(grain as usize) != Change::None
+        self.of(grain as usize) != 0
+    }
+
+    #[inline(always)]
+    fn of(&self, grain: usize) -> u8 {
+        self.0[grain].load(Ordering::Relaxed)
     }
 }
 
@@ -319,7 +306,7 @@ impl Sites {
     pub(crate) fn displace_again(&mut self, of: Range<usize>, from: Scenery<'_>, told: &mut Told<'_>) {
         for (grain, index) in of.enumerate() {
             let change = from.changes.of(index);
-            if change == Change::None {
+            if change == 0 {
                 continue;
             }
             for place in self.sites_of(grain) {
@@ -328,7 +315,7 @@ impl Sites {
                 self.now.forces[place] = chunk.coupling.trial[k];
                 self.now.rows[place] = chunk.coupling.sources[k][site.body()];
             }
-            if change == Change::Lever {
+            if change == LEVER {
                 self.find_influences_of(grain..grain + 1, self.laws[grain], from);
             }
             self.displace_grain(grain, index, from, told);
