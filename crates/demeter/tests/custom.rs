@@ -97,7 +97,7 @@ fn steps(run: &mut LiveRun, count: u64) -> Pause {
 
 fn state(run: &LiveRun) -> (u64, Vec<u32>, Vec<DVec3>, Vec<DVec3>) {
     run.with_simulation(|sim| {
-        let grains = &sim.grains();
+        let grains = sim.grains();
         let vectors = |rows: &demeter::particles::Rows| rows.iter().copied().collect();
         (
             sim.step,

@@ -337,7 +337,7 @@ fn no_contact_across_a_moving_side_is_missed() {
 /// Compares the engaged contacts with all pairs that overlap. Tells how many there are, and how many across the sliding side.
 fn compare_with_all_pairs(sim: &Simulation, flow: usize, gradient: usize) -> (usize, usize) {
     let state = sim.box_state().unwrap();
-    let (grains, size) = (&sim.grains(), state.lengths);
+    let (grains, size) = (sim.grains(), state.lengths);
     let mut edges = [DVec3::X * size.x, DVec3::Y * size.y, DVec3::Z * size.z];
     edges[gradient][flow] = state.shear_strain * size[gradient] % size[flow];
     let mut engaged = std::collections::BTreeSet::new();

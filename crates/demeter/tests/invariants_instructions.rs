@@ -39,7 +39,7 @@ fn run(integrator: Integrator, name: &str, set: impl FnOnce(&mut Simulation) + S
         let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
         let records = format!("{:?}", contact_records(&sim));
         Fingerprint {
-            state: postcard::to_stdvec(&(&sim.grains(), &walls, &records)).unwrap(),
+            state: postcard::to_stdvec(&(sim.grains(), &walls, &records)).unwrap(),
             series,
             contacts,
         }

@@ -24,7 +24,7 @@ fn trajectories(setup: Setup, steps: u64) -> (Vec<Vec<u8>>, u64) {
 }
 
 fn snapshot(sim: &Simulation) -> Vec<u8> {
-    let g = &sim.grains();
+    let g = sim.grains();
     let mut order: Vec<usize> = (0..g.len()).collect();
     order.sort_by_key(|&k| g.id[k]);
     let size = sim.domain().size();

@@ -53,7 +53,7 @@ fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outco
     sim.make_whole();
     let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
     let outcome = Outcome {
-        state: postcard::to_stdvec(&(&sim.grains(), &walls, sim.skin(), sim.rebuilds())).unwrap(),
+        state: postcard::to_stdvec(&(sim.grains(), &walls, sim.skin(), sim.rebuilds())).unwrap(),
         contacts: format!("{:?}", contact_records(&sim)),
         saved: format!("{:?}", sim.state()),
         series,

@@ -12,9 +12,9 @@ use demeter_physics::integrator::Integrator;
 
 /// All that can be seen of a run, in bytes.
 fn fingerprint(sim: &mut Simulation) -> Vec<u8> {
-    let carried = sim.contacts.carry(&sim.grains());
+    let carried = sim.contacts.carry(sim.grains());
     let walls: Vec<_> = sim.walls.iter().map(Wall::state).collect();
-    let mut bytes = postcard::to_stdvec(&(sim.step, &sim.grains(), &carried, &walls)).unwrap();
+    let mut bytes = postcard::to_stdvec(&(sim.step, sim.grains(), &carried, &walls)).unwrap();
     bytes.extend(postcard::to_stdvec(&(sim.energies(), sim.books, sim.rebuilds(), sim.skin())).unwrap());
     bytes.extend(format!("{:?}", measure(sim, Moment::default(), None)).bytes());
     bytes.extend(format!("{:?}", contact_records(sim)).bytes());

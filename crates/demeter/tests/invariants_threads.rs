@@ -27,7 +27,7 @@ fn run(integrator: Integrator, name: &str, count: u32, steps: u64) -> Result<(Ve
     let contacts = format!("{:?}", contact_records(&sim));
     let chunks = sim.contacts.pairs.len() + sim.contacts.walls.len();
     Ok((
-        postcard::to_stdvec(&(&sim.grains(), &walls, &contacts, sim.skin(), sim.rebuilds())).unwrap(),
+        postcard::to_stdvec(&(sim.grains(), &walls, &contacts, sim.skin(), sim.rebuilds())).unwrap(),
         series,
         chunks,
     ))

@@ -105,7 +105,7 @@ fn engaged(sim: &Simulation) -> BTreeSet<(u32, u32)> {
 
 /// Asserts that all pairs closer than `reach` were asked, and tells how many there are.
 fn compare_with_all_pairs(sim: &Simulation, name: &str, reach: f64) -> usize {
-    let (grains, asked) = (&sim.grains(), engaged(sim));
+    let (grains, asked) = (sim.grains(), engaged(sim));
     let mut close = 0;
     for i in 0..grains.len() {
         for j in i + 1..grains.len() {
@@ -173,7 +173,7 @@ fn rebuilds_change_no_bit() {
             for _ in 0..4000 {
                 sim.step().unwrap();
             }
-            let all = sim.contacts.carry(&sim.grains());
+            let all = sim.contacts.carry(sim.grains());
             let carried: Vec<_> = all.iter().filter(|contact| contact.is_engaged).collect();
             let held = carried.iter().filter(|c| c.history.iter().any(|&h| h != 0.0)).count();
             let grains: BTreeMap<u32, String> = (0..sim.grains().len())

@@ -494,7 +494,7 @@ impl Simulation {
     /// Unit quaternions x, y, z, w, (n, 4), where `simulation.orientations` is true; read-only and without a copy.
     #[getter]
     fn orientations<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Orientation, |s, sim| s.orientations(&sim.grains()))
+        Self::show(slf, Table::Orientation, |s, sim| s.orientations(sim.grains()))
     }
 
     /// Names of the materials.

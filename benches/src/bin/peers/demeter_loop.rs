@@ -59,7 +59,7 @@ pub fn simulation(text: &str, folder: &Path, overrides: &[String], fixed: u32) -
 
 /// The grains of a simulation as they are, sorted by id.
 pub fn grains(sim: &Simulation) -> Vec<Grain> {
-    let grains = &sim.grains();
+    let grains = sim.grains();
     let grain = |g: usize| Grain {
         id: grains.id[g],
         kind: if grains.is_fixed(g) { FIXED } else { 1 },

@@ -28,6 +28,7 @@ use crate::comm::{Message, Ranks};
 use crate::contacts::{Contacts, NearTables};
 use crate::neighbours::{Neighbours, SearchEffort};
 use crate::particles::spread::NUMBERS_OF_A_SPREAD;
+use crate::step::CouplingState;
 use handing::rank_in;
 use near::SizesOfAll;
 pub use report::{Sharing, SharingReport};
@@ -357,6 +358,7 @@ impl Simulation {
             return;
         };
         division.is_whole = false;
+        self.coupling.iter().for_each(CouplingState::outdate);
         match division.aside.take() {
             Some(aside) if aside.found == self.tables => {
                 (self.neighbours, self.contacts, self.near) = (aside.neighbours, aside.contacts, aside.near);

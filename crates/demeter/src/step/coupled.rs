@@ -108,9 +108,14 @@ impl CouplingState {
         })
     }
 
+    /// Notes that the tables of contacts are others now.
+    pub(crate) fn outdate(&self) {
+        self.sites.iter().for_each(Sites::outdate);
+    }
+
     /// Notes that candidates are found now: with room for bulges to grow.
     pub(crate) fn take_margin(&mut self, skin: f64) {
-        self.sites.iter().for_each(Sites::outdate);
+        self.outdate();
         self.memory.margin = (ROOM_TO_GROW * self.bulges_of_two() - SHARE_OF_SKIN * skin).max(0.0);
     }
 

@@ -8,8 +8,8 @@ use demeter::simulation::{Simulation, SimulationState};
 
 /// All that can be seen of a run, in bytes.
 fn fingerprint(sim: &mut Simulation) -> Vec<u8> {
-    let carried = sim.contacts.carry(&sim.grains());
-    let mut bytes = postcard::to_stdvec(&(sim.step, &sim.grains(), &carried)).unwrap();
+    let carried = sim.contacts.carry(sim.grains());
+    let mut bytes = postcard::to_stdvec(&(sim.step, sim.grains(), &carried)).unwrap();
     bytes.extend(postcard::to_stdvec(&(sim.energies(), sim.books, sim.rebuilds(), sim.skin())).unwrap());
     bytes.extend(format!("{:?} {:?}", sim.box_state(), sim.domain()).bytes());
     bytes

@@ -52,7 +52,7 @@ impl Wave {
 
     /// Energy of the mode, up to a factor.
     fn energy(&self) -> f64 {
-        let (grains, mut place, mut speed) = (&self.sim.grains(), 0.0, 0.0);
+        let (grains, mut place, mut speed) = (self.sim.grains(), 0.0, 0.0);
         for (k, id) in grains.id.iter().enumerate() {
             let site = f64::from(id - 1);
             let crest = libm::cos(self.number * site + PHASE);

@@ -6,6 +6,7 @@ use crate::neighbours::{Neighbours, SegmentsOfCandidates};
 use crate::particles::spread::Spread;
 use crate::particles::{Row, Rows};
 use crate::simulation::Simulation;
+use crate::step::CouplingState;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -53,6 +54,7 @@ impl Simulation {
         let Some(mut division) = self.division.take_if(|division| !division.is_whole) else {
             return;
         };
+        self.coupling.iter().for_each(CouplingState::outdate);
         let mut all = Collected::default();
         for of in division.ranks.gather(&encode(&self.tables_of(division.segments()))) {
             all.add(division.decode(&of));
