@@ -219,7 +219,7 @@ pub(super) fn next_lane(bits: &mut u32) -> Option<usize> {
 }
 
 /// What looking for contacts fills.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Found {
     /// Candidates near enough that their rate matters.
     pub(super) near: Vec<u16>,

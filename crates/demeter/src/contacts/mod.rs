@@ -231,17 +231,13 @@ pub struct ContactChunk {
     /// Whether a contact of the step before goes on.
     #[serde(skip)]
     pub(crate) goes_on: Vec<bool>,
-    /// Whether some contact began or ended in this step, and those between grains, by their candidates: where contacts feel each other.
+    /// Whether some contact began or ended in this step, where contacts feel each other.
     #[serde(skip)]
     pub(crate) is_renewed: bool,
-    #[serde(skip)]
-    pub(crate) changed: Vec<u16>,
     #[serde(skip)]
     touched: wall_contacts::Touched,
     #[serde(skip)]
     pub(crate) coupling: Scratch,
-    #[serde(skip)]
-    found: meetings::Found,
     /// The material pair of all contacts.
     pub(crate) law: u32,
     /// Index of the first grain.

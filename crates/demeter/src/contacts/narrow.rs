@@ -20,6 +20,7 @@ use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::{self, Instructions};
 use glam::DVec3;
+use itertools::{EitherOrBoth, Itertools};
 use std::cell::RefCell;
 
 /// Everything that contacts are made of.
@@ -180,17 +181,20 @@ impl ContactChunk {
     /// Finds the contacts of a chunk of pairs of grains that feel each other.
     pub(crate) fn find_pairs(&mut self, (pairs, law): (&[Pair], u32), scene: &Scene) {
         self.begin(0, law);
-        let mut found = std::mem::take(&mut self.found);
-        let find = FindPairs {
-            pairs,
-            scene,
-            found: &mut found,
-        };
-        lanes::run(scene.instructions, find);
-        self.is_renewed = found.candidates != self.now.candidate;
-        if self.is_renewed {
-            self.renew(pairs, &found, scene);
-        }
+        WORKSPACE.with_borrow_mut(|(found, _)| {
+            lanes::run(scene.instructions, FindPairs { pairs, scene, found });
+            self.is_renewed = found.candidates != self.now.candidate;
+            if self.is_renewed {
+                self.renew(pairs, found, scene);
+            }
+            self.now.geometry.clear();
+            self.now.geometry.extend_from_slice(&found.geometry);
+            self.coupling.rate.clear();
+            self.coupling.rate.extend_from_slice(&found.rate);
+            if let Some(k) = found.too_deep {
+                self.note_overlap(k, found.geometry[k].overlap, scene);
+            }
+        });
         if self.now.place.len() != pairs.len() {
             self.now.note_places(pairs.len());
         }
@@ -201,12 +205,6 @@ impl ContactChunk {
             self.note_sizes(scene);
         }
         self.now.coupling.resize(self.len(), Coupled::default());
-        std::mem::swap(&mut self.coupling.rate, &mut found.rate);
-        std::mem::swap(&mut self.now.geometry, &mut found.geometry);
-        if let Some(k) = found.too_deep {
-            self.note_overlap(k, self.now.geometry[k].overlap, scene);
-        }
-        self.found = found;
     }
 
     /// Notes that a contact between grains has too much overlap.
@@ -227,13 +225,12 @@ impl ContactChunk {
         self.engaged.clear();
         self.make_room(found.candidates.len(), stride, Beyond::Kept);
         self.engaged.resize(found.candidates.len().div_ceil(WORD), 0);
-        self.changed.clear();
         let mut old = 0;
         // contacts that go on one behind the other are taken over together
         let mut going_on = 0..0;
         for (k, &candidate) in found.candidates.iter().enumerate() {
             while self.before.candidate.get(old).is_some_and(|&c| c < candidate) {
-                self.end_contact(old, scene);
+                self.book_end(old, scene);
                 old += 1;
             }
             let goes_on = self.before.candidate.get(old) == Some(&candidate);
@@ -247,7 +244,6 @@ impl ContactChunk {
                 going_on = old..old + usize::from(goes_on);
             }
             if !goes_on {
-                self.note_coming_or_going(candidate, scene);
                 self.now.begin_contact(stride, scene.is_coupled());
             }
             // so that those which do not act any more are ended
@@ -256,7 +252,7 @@ impl ContactChunk {
         }
         self.now.take_on(&self.before, going_on, stride);
         for old in old..self.before.candidate.len() {
-            self.end_contact(old, scene);
+            self.book_end(old, scene);
         }
         self.now.clear_tangential();
         self.now.candidate.extend_from_slice(&found.candidates);
@@ -266,16 +262,13 @@ impl ContactChunk {
         }
     }
 
-    /// Notes that the contact of a candidate began or ended, where contacts feel each other.
-    fn note_coming_or_going(&mut self, candidate: u16, scene: &Scene) {
-        if scene.is_coupled() {
-            self.changed.push(candidate);
-        }
-    }
-
-    fn end_contact(&mut self, old: usize, scene: &Scene) {
-        self.note_coming_or_going(self.before.candidate[old], scene);
-        self.book_end(old, scene);
+    /// Candidates between grains whose contacts began or ended in this step, where contacts feel each other and some did.
+    pub(crate) fn coming_or_going(&self) -> impl Iterator<Item = u16> + '_ {
+        let (before, now) = (self.before.candidate.iter(), self.now.candidate.iter());
+        before.merge_join_by(now, Ord::cmp).filter_map(|which| match which {
+            EitherOrBoth::Both(..) => None,
+            EitherOrBoth::Left(&candidate) | EitherOrBoth::Right(&candidate) => Some(candidate),
+        })
     }
 
     /// Notes the sizes of all contacts between grains.

@@ -196,7 +196,7 @@ impl CouplingState {
             }
         };
         match candidates {
-            Candidates::Pairs((pairs, _)) => chunk.changed.iter().for_each(|&candidate| {
+            Candidates::Pairs((pairs, _)) => chunk.coming_or_going().for_each(|candidate| {
                 let pair = &pairs[usize::from(candidate)];
                 outdate(pair.i);
                 outdate(pair.j);
