@@ -14,7 +14,7 @@ use cases::{full, on_threads};
 use demeter::comm::Ranks;
 use demeter::contacts::Fault;
 use demeter::measure::{Moment, contact_records, measure};
-use demeter::simulation::{Setup, Sharing, Simulation, Skin};
+use demeter::simulation::{ChangeError, Setup, Sharing, Simulation, Skin};
 use demeter::walls::Wall;
 use demeter_physics::integrator::Integrator;
 
@@ -48,6 +48,9 @@ fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outco
             series += &format!("{:?}\n", measure(&mut sim, Moment::default(), None));
             written(&sim);
         }
+        if step == steps / 2 {
+            put_elsewhere(&mut sim);
+        }
     }
     let written = written(&sim);
     sim.make_whole();
@@ -60,6 +63,16 @@ fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outco
         written,
     };
     Ok((outcome, sim.sharing().filter(|_| sim.shares_nothing().is_none())))
+}
+
+/// Puts all grains where they are: candidates are found anew by every process for all, and divided then without a search.
+fn put_elsewhere(sim: &mut Simulation) {
+    sim.make_whole();
+    let places: Vec<_> = sim.grains().position.iter().copied().collect();
+    match sim.set_positions(&places) {
+        Ok(()) | Err(ChangeError::Deforms) => {}
+        Err(error) => panic!("{error}"),
+    }
 }
 
 fn compare(integrator: Integrator, all_ranks: &[usize]) {
