@@ -259,6 +259,13 @@ impl Simulation {
     pub fn grains_mut(&mut self) -> &mut Grains {
         self.near.look_anew();
         self.travel = f64::INFINITY;
+        if let Some(coupling) = &self.coupling {
+            coupling.outdate();
+            self.contacts
+                .pairs
+                .iter_mut()
+                .for_each(|chunk| chunk.coupling.size.clear());
+        }
         &mut self.grains
     }
 
