@@ -1,7 +1,7 @@
 //! Contacts between displaced surfaces: their overlaps, the forces that follow, and what the laws see.
 
 use super::sites::Changes;
-use super::{Coupled, Delivered, Scratch, Worst, lever_shift};
+use super::{Delivered, Scratch, Worst, lever_shift};
 use crate::contacts::asking::normal_window;
 use crate::contacts::{ContactChunk, Fault, Kept, Scene};
 use demeter_physics::contact::PairSize;
@@ -272,15 +272,9 @@ impl ContactChunk {
     /// `(F_0 D_1 - F_1 D_0)/2`: nothing, where influences are mutual and do not change.
     pub(crate) fn remember_coupling(&mut self, elastic: &[f64], scene: &Scene) {
         for (k, &force) in elastic.iter().enumerate() {
-            let displacement = self.coupling.delivered[k].of_both();
             let coupled = &mut self.now.coupling[k];
-            let earlier = std::mem::replace(
-                coupled,
-                Coupled {
-                    displacement,
-                    ..*coupled
-                },
-            );
+            let earlier = *coupled;
+            coupled.displacement = self.coupling.delivered[k].of_both();
             self.tally.multi_contact += 0.5 * (earlier.elastic * coupled.sum() - force * earlier.sum());
             coupled.go_on(&earlier, force);
             if self.coupling.asleep[k] {

@@ -54,7 +54,7 @@ impl Kernels {
                 law.is_mutual()
             }
         }
-        self.laws.get(kernel as usize).is_some_and(|law| law.visit(Asks))
+        self.law(kernel).visit(Asks)
     }
 
     /// Whether influences depend on the levers.

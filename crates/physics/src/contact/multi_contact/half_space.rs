@@ -47,7 +47,7 @@ impl MultiContact for HalfSpace {
     fn influence<L: Lanes>(&self, at: &ContactPair<L>) -> L {
         let (compliance, nu) = self.grain.terms();
         let (cosine, from, to) = (at.cosine, at.source_lever, at.target_lever);
-        // written so that the distance is the same to the bit, and found once, where both are exchanged
+        // the same to the bit where both are exchanged, so that it need not be found twice then
         let distance = (from * from + to * to - from * to * (cosine * 2.0))
             .max(at.least_distance_squared)
             .sqrt();
