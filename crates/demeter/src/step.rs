@@ -144,7 +144,7 @@ impl Simulation {
         };
         let looks_at_all = self.coupling.is_some() || self.integrator == Integrator::Gear;
         let counts = |sim: &Self| Counts::new(&sim.neighbours, sim.engaged_contacts(), looks_at_all);
-        let is_old = self.neighbours.reference.len() != self.grains.len();
+        let is_old = self.neighbours.former.len() != self.grains.len();
         let may_be_used_up = |sim: &Self| used(sim.travel) > sim.skin;
         if is_old || may_be_used_up(self) && used(self.measure_travel(motion)) > self.skin {
             return Some(self.tuner.after_use(self.skin, self.step, counts(self)));

@@ -63,7 +63,7 @@ impl Carry {
     };
 
     /// What a velocity gradient does over a time, centred in it: `x' - x = dt G (x + x')/2`.
-    fn new(rates: &Rates, axes: Option<ShearAxes>, dt: f64) -> Self {
+    pub(crate) fn new(rates: &Rates, axes: Option<ShearAxes>, dt: f64) -> Self {
         let half = rates.stretching * (0.5 * dt);
         let growth = (DVec3::ONE + half) / (DVec3::ONE - half);
         let slip = axes.map_or(0.0, |ShearAxes { flow, gradient }| {

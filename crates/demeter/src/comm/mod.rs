@@ -6,7 +6,7 @@
 //!
 //! Several processes share a run through [`Ranks`]: each knows the grains that are its own, and those near these.
 
-mod deforming;
+pub(crate) mod deforming;
 pub(crate) mod parts;
 mod ranks;
 pub(crate) mod segment_sums;

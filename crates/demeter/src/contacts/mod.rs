@@ -24,6 +24,7 @@ mod merge;
 pub mod narrow;
 mod near;
 mod near_triangles;
+mod rare;
 mod respond;
 mod shares;
 pub(crate) mod step_work;
@@ -48,9 +49,12 @@ use crate::walls::Mark;
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use evaluate::WORD;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
+use rare::{Empty, Rare};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
+use std::sync::LazyLock;
+use wall_contacts::Touched;
 
 /// Work of the contact forces in one step [J], and what is needed to watch a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -86,8 +90,8 @@ impl Tally {
 /// instructions, a multiple of the lanes of every register.
 pub(crate) const EIGHT: usize = 8;
 
-/// Vectors of eight contacts, component by component.
-pub(crate) type EightVectors = [[f64; EIGHT]; 3];
+/// Vectors of eight contacts, component by component, of half the precision.
+pub(crate) type EightVectors = [[f32; EIGHT]; 3];
 
 /// What survives of a contact from one step to the next.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -105,12 +109,19 @@ pub(crate) struct Kept {
     pub(crate) geometry: Vec<Contact>,
     /// Normal force on the first body along the normal [N].
     pub(crate) normal_force: Vec<f64>,
-    /// Force on the first body in the contact plane [N].
+    /// Force on the first body in the contact plane [N], rounded to half the precision: it is told, and no step reads it.
     pub(crate) tangential: Vec<EightVectors>,
     /// History of the laws, `stride` values per contact.
     pub(crate) history: Vec<f64>,
     /// What contacts that feel each other remember; empty where all are independent.
     pub(crate) coupling: Vec<Coupled>,
+}
+
+impl Empty for Kept {
+    fn empty() -> &'static Self {
+        static EMPTY: LazyLock<Kept> = LazyLock::new(Kept::default);
+        &EMPTY
+    }
 }
 
 impl Kept {
@@ -138,7 +149,7 @@ impl Kept {
         self.tangential
             .resize(self.len().div_ceil(EIGHT), EightVectors::default());
         for (axis, component) in tangential.to_array().into_iter().enumerate() {
-            self.tangential[place / EIGHT][axis][place % EIGHT] = component;
+            self.tangential[place / EIGHT][axis][place % EIGHT] = component as f32;
         }
     }
 
@@ -227,7 +238,7 @@ impl Kept {
 pub struct ContactChunk {
     pub(crate) now: Kept,
     #[serde(skip)]
-    pub(crate) before: Kept,
+    pub(crate) before: Rare<Kept>,
     /// Whether a contact of the step before goes on.
     #[serde(skip)]
     pub(crate) goes_on: Vec<bool>,
@@ -235,9 +246,9 @@ pub struct ContactChunk {
     #[serde(skip)]
     pub(crate) is_renewed: bool,
     #[serde(skip)]
-    touched: wall_contacts::Touched,
+    touched: Rare<Touched>,
     #[serde(skip)]
-    pub(crate) coupling: Scratch,
+    pub(crate) coupling: Rare<Scratch>,
     /// The material pair of all contacts.
     pub(crate) law: u32,
     /// Index of the first grain.
@@ -271,7 +282,7 @@ pub struct ContactChunk {
     pub(crate) marks: Vec<Mark>,
     /// The fault with the lowest id, if any.
     #[serde(skip)]
-    pub fault: Option<Fault>,
+    pub fault: Option<Box<Fault>>,
     /// Force of the contacts across periodic sides on their first bodies, times the boxes to the image of the second, by
     /// direction [N]; only where the box deforms.
     #[serde(skip)]
@@ -282,9 +293,9 @@ impl ContactChunk {
     /// Forgets all contacts and all of their work.
     fn forget(&mut self) {
         self.now.clear();
-        self.before.clear();
-        self.touched.forget();
-        self.coupling.size.clear();
+        self.before.if_there().into_iter().for_each(Kept::clear);
+        self.touched.if_there().into_iter().for_each(Touched::forget);
+        self.coupling.if_there().into_iter().for_each(|c| c.size.clear());
         self.i.clear();
         self.j.clear();
         self.shift.clear();
@@ -307,7 +318,7 @@ impl ContactChunk {
 
     /// Bytes set aside for bodies, forces, histories, and all else.
     pub(crate) fn bytes(&self) -> [usize; 4] {
-        let kept = [&self.now, &self.before];
+        let kept = [&self.now, &*self.before];
         let of = |bytes: fn(&Kept) -> usize| kept.into_iter().map(bytes).sum::<usize>();
         let bodies =
             of(|k| set_aside(&k.start) + set_aside(&k.place) + set_aside(&k.candidate) + set_aside(&k.element));
@@ -322,6 +333,9 @@ impl ContactChunk {
                 + set_aside(&self.goes_on)
                 + set_aside(&self.losses)
                 + set_aside(&self.elastic)
+                + self.before.bytes()
+                + self.touched.bytes()
+                + self.coupling.bytes()
                 + size_of::<Self>(),
         ]
     }
@@ -331,11 +345,11 @@ impl ContactChunk {
         normal * self.now.normal_force[contact] + self.tangential_force(contact)
     }
 
-    /// Its part in the contact plane [N].
+    /// Its part in the contact plane [N], rounded to single precision; what acts on the grains is not.
     pub fn tangential_force(&self, contact: usize) -> DVec3 {
         let [x, y, z] = &self.now.tangential[contact / EIGHT];
         let lane = contact % EIGHT;
-        DVec3::new(x[lane], y[lane], z[lane])
+        Vec3::new(x[lane], y[lane], z[lane]).as_dvec3()
     }
 
     /// Torque of the rolling law on the first body [N m]; on the second it is the opposite.
@@ -469,6 +483,6 @@ impl Contacts {
         self.pairs
             .iter()
             .chain(&self.walls)
-            .find_map(|chunk| chunk.fault.as_ref())
+            .find_map(|chunk| chunk.fault.as_deref())
     }
 }

@@ -158,7 +158,7 @@ impl ContactChunk {
                     self.renew(pairs, found, scene);
                     // the memory of the thread is as large as its largest chunk needed
                     self.before.copy(&self.now, scene.stride);
-                    std::mem::swap(&mut self.now, &mut self.before);
+                    std::mem::swap(&mut self.now, &mut *self.before);
                 }
                 std::mem::swap(before, &mut self.before);
             });
@@ -217,7 +217,7 @@ impl ContactChunk {
     /// Takes over what the contacts of the step before remember, where not all of them are still the same.
     fn renew(&mut self, pairs: &[Pair], found: &Found, scene: &Scene) {
         let stride = scene.stride;
-        std::mem::swap(&mut self.now, &mut self.before);
+        std::mem::swap(&mut self.now, &mut *self.before);
         self.now.clear();
         self.i.clear();
         self.j.clear();
@@ -293,7 +293,7 @@ impl ContactChunk {
         if !std::mem::take(&mut self.is_renewed) {
             return;
         }
-        std::mem::swap(&mut self.now, &mut self.before);
+        std::mem::swap(&mut self.now, &mut *self.before);
         self.coupling.size.clear();
         self.shift.clear();
         self.i.clear();
@@ -309,14 +309,14 @@ impl ContactChunk {
 
     pub(super) fn watch_overlap(&mut self, scene: &Scene, grain: usize, share: f64, partner: impl Fn() -> String) {
         if (share.is_nan() || share > scene.max_overlap) && self.fault.is_none() {
-            self.fault = Some(Fault::Overlap {
+            self.fault = Some(Box::new(Fault::Overlap {
                 step: scene.step,
                 id: scene.grains.id[grain],
                 position: scene.grains.position[grain],
                 partner: partner(),
                 overlap_share: share,
                 allowed: scene.max_overlap,
-            });
+            }));
         }
     }
 

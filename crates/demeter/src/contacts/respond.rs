@@ -21,7 +21,7 @@ pub(super) struct Answers<'a> {
     /// What all of their laws remember, `stride` values per contact.
     pub(super) history: &'a mut [f64],
     pub(super) stride: usize,
-    /// Force in the contact plane on the first body [N].
+    /// Force in the contact plane on the first body, rounded to half the precision [N].
     pub(super) tangential: &'a mut [EightVectors],
     /// Torque of the rolling law on the first body [N m]; empty where no law resists rolling.
     pub(super) torques: &'a mut [[f64; 4]],
@@ -296,9 +296,9 @@ impl Answers<'_> {
             let place = k + which * L::Register::COUNT;
             // the last registers may lie beyond the end
             if let Some([x, y, z]) = self.tangential.get_mut(place / EIGHT) {
-                components[0].register(which).store(&mut x[place % EIGHT..]);
-                components[1].register(which).store(&mut y[place % EIGHT..]);
-                components[2].register(which).store(&mut z[place % EIGHT..]);
+                components[0].register(which).store_singles(&mut x[place % EIGHT..]);
+                components[1].register(which).store_singles(&mut y[place % EIGHT..]);
+                components[2].register(which).store_singles(&mut z[place % EIGHT..]);
             }
             which += 1;
         }

@@ -123,7 +123,7 @@ impl StepWork {
         let walls = segments
             .clone()
             .map(|s| &contacts.walls[neighbours.wall_chunks_of_segment(s)]);
-        let fault = |chunk: &ContactChunk| chunk.fault.clone();
+        let fault = |chunk: &ContactChunk| chunk.fault.as_deref().cloned();
         WorkShare {
             faults: [pairs.flatten().find_map(fault), walls.clone().flatten().find_map(fault)],
             marks: walls.flatten().flat_map(|chunk| chunk.marks.iter().copied()).collect(),

@@ -1,9 +1,10 @@
 //! Contacts of grains and walls: which parts of a wall every grain may touch in this step.
 
-use super::coupling::Coupled;
+use super::coupling::{Coupled, Scratch};
 use super::look_again::LookAgain;
 use super::near::Reach;
 use super::near_triangles::{NearTriangles, Within};
+use super::rare::Empty;
 use super::{ContactChunk, Kept, Scene, is_set};
 use crate::neighbours::WallPair;
 use crate::walls::SurfaceContact;
@@ -11,6 +12,7 @@ use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes;
 use glam::DVec3;
+use std::sync::LazyLock;
 
 /// Room for the rounding of paths and distances.
 const ROUNDING: f64 = 1.0 + 1e-9;
@@ -27,6 +29,13 @@ pub(super) struct Touched {
     engaged: Vec<u64>,
     near: NearParts,
     within: Within,
+}
+
+impl Empty for Touched {
+    fn empty() -> &'static Self {
+        static EMPTY: LazyLock<Touched> = LazyLock::new(Touched::default);
+        &EMPTY
+    }
 }
 
 /// Parts of walls that the grains of a chunk may touch within the next steps: triangles of a mesh, faces of a box, the one part of other
@@ -190,7 +199,8 @@ impl ContactChunk {
         self.begin(scene.walls.len(), law);
         let mut touched = std::mem::take(&mut self.touched);
         if reach.is_new || touched.near.ends.len() != pairs.len() {
-            (touched.near).renew(pairs, reach.distance, scene, &mut touched.within);
+            let Touched { near, within, .. } = &mut *touched;
+            near.renew(pairs, reach.distance, scene, within);
         }
         let has_meshes = touched.near.has_meshes;
         if reach.is_new || has_meshes {
@@ -221,12 +231,11 @@ impl ContactChunk {
         self.touch(pairs, &mut touched, scene);
         let of_contacts = touched.each(pairs);
         let rates = of_contacts.clone().map(|(pair, part)| scene.rate_at_wall(pair, part));
-        self.coupling.rate.clear();
-        self.coupling.rate.extend(rates);
-        self.coupling.size.clear();
-        self.coupling
-            .size
-            .extend(of_contacts.map(|(pair, _)| scene.size_at_wall(pair.grain as usize)));
+        let Scratch { rate, size, .. } = &mut *self.coupling;
+        rate.clear();
+        rate.extend(rates);
+        size.clear();
+        size.extend(of_contacts.map(|(pair, _)| scene.size_at_wall(pair.grain as usize)));
         self.now.coupling.resize(self.len(), Coupled::default());
         self.touched = touched;
         for k in 0..self.len() {
@@ -250,7 +259,7 @@ impl ContactChunk {
 
     /// Takes over what the contacts of the step before remember, where not all of them are still the same.
     fn renew_walls(&mut self, pairs: &[WallPair], touched: &mut Touched, scene: &Scene) {
-        std::mem::swap(&mut self.now, &mut self.before);
+        std::mem::swap(&mut self.now, &mut *self.before);
         self.now.clear();
         let engaged = std::mem::replace(&mut self.engaged, std::mem::take(&mut touched.engaged));
         self.engaged.clear();

@@ -11,6 +11,7 @@
 
 mod cells;
 mod classes;
+mod former;
 mod incidence;
 mod order;
 mod pairs;
@@ -27,6 +28,7 @@ mod visit;
 mod written;
 
 pub(crate) use classes::{Extremes, SizeClasses};
+pub(crate) use former::{Farthest, FormerPlaces};
 pub(crate) use order::Curve;
 pub use order::{GONE, SpatialOrder};
 pub use search::SearchEffort;
@@ -36,8 +38,8 @@ pub(crate) use vicinity::{Bounds, BoxesOfClasses, CORNERS, Reach, Vicinity};
 
 use crate::comm::Single;
 use crate::materials::Materials;
+use crate::particles::Grains;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
-use crate::particles::{Grains, Row, Rows};
 use crate::walls::{Pose, Wall};
 use incidence::Incidence;
 use pairs::PairTable;
@@ -108,8 +110,8 @@ pub struct Neighbours {
     effort: SearchEffort,
     /// Number of pairs, of all processes.
     total: usize,
-    /// Where the grains were when the pairs were found [m]; own ones where a run is shared.
-    pub reference: Rows,
+    /// Where the grains were when the pairs were found; own ones where a run is shared.
+    pub(crate) former: FormerPlaces,
     /// Where the walls were.
     pub wall_reference: Vec<Pose>,
 }
@@ -123,7 +125,7 @@ impl Clone for Neighbours {
             walls: self.walls.saved(),
             effort: self.effort,
             total: self.total,
-            reference: self.reference.clone(),
+            former: self.former.clone(),
             wall_reference: self.wall_reference.clone(),
             ..Self::default()
         }
@@ -137,7 +139,7 @@ impl Debug for Neighbours {
         let mut fields = formatter.debug_struct("Neighbours");
         fields.field("pairs", &saved.pairs).field("walls", &saved.walls);
         fields.field("effort", &saved.effort).field("total", &saved.total);
-        fields.field("reference", &saved.reference);
+        fields.field("former", &saved.former);
         fields.field("wall_reference", &saved.wall_reference).finish()
     }
 }
@@ -164,17 +166,14 @@ impl Neighbours {
         self.pairs.forget_found();
         self.total = self.pairs.table.len();
         self.find_incidence(grains);
-        match vicinity {
-            Some(_) => self.reference = Rows::with_some(grains.len(), own.clone(), &grains.position),
-            None => self.reference.copy(&grains.position),
-        }
+        self.former.note(&grains.position, own, self.pairs.per_segment);
         self.wall_reference.clear();
         self.wall_reference.extend(walls.iter().map(Wall::pose));
     }
 
     /// Forgets where all but the own grains were when the pairs were found.
-    pub(crate) fn note_reference_of(&mut self, own: &Range<usize>) {
-        self.reference = Rows::with_some(self.reference.len(), own.clone(), &self.reference);
+    pub(crate) fn forget_former_of_others(&mut self, own: &Range<usize>) {
+        self.former.keep(own);
     }
 
     fn find_incidence(&mut self, grains: &Grains) {
@@ -197,7 +196,7 @@ impl Neighbours {
             let own = self.pairs.grains_of(s, n);
             (segment.candidates.iter()).all(|p| own.contains(&(p.grain as usize)) && (p.wall as usize) < walls)
         };
-        let fits = self.reference.len() == n
+        let fits = self.former.fits(n, self.pairs.per_segment)
             && self.wall_reference.len() == walls
             && self.walls.is_whole(materials.pow(2))
             && self.walls.segments.len() == self.pairs.table.segments.len()
@@ -267,7 +266,7 @@ impl Neighbours {
 
     /// Grains of a segment, or what lies behind the last.
     pub(crate) fn grains_of_segment(&self, segment: usize) -> Range<usize> {
-        self.pairs.grains_of(segment, self.reference.len())
+        self.pairs.grains_of(segment, self.former.len())
     }
 
     /// Chunks of a segment.
@@ -358,6 +357,6 @@ impl Neighbours {
     /// Bytes in use, with so many own grains.
     pub fn bytes(&self, own: usize) -> usize {
         let incidence = self.incidence.as_ref().map_or(0, Incidence::bytes) + self.wall_incidence.bytes();
-        self.pairs.bytes() + self.walls.bytes() + incidence + own * size_of::<Row>()
+        self.pairs.bytes() + self.walls.bytes() + incidence + self.former.bytes(own)
     }
 }

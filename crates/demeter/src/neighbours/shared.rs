@@ -3,9 +3,9 @@
 use super::pairs::PairTable;
 use super::search::per_task;
 use super::table::{Segment, Table};
-use super::{Neighbours, Pair, SearchEffort, WallPair};
+use super::{FormerPlaces, Neighbours, Pair, SearchEffort, WallPair};
 use crate::materials::Materials;
-use crate::particles::{Grains, Rows};
+use crate::particles::Grains;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -104,7 +104,7 @@ impl Neighbours {
             pairs: PairTable::of_segments(vec![Segment::default(); segments], per_segment),
             walls: Table::of_segments(vec![Segment::default(); segments]),
             incidence: self.incidence.as_ref().map(|_| super::Incidence::default()),
-            reference: Rows::zeros(grains.len()),
+            former: FormerPlaces::unknown(grains.len(), per_segment),
             ..Self::default()
         }
     }
@@ -122,7 +122,7 @@ impl Neighbours {
             incidence: self.incidence.as_ref().map(|_| super::Incidence::default()),
             effort: self.effort,
             total: self.total,
-            reference: self.reference.clone(),
+            former: self.former.clone(),
             wall_reference: self.wall_reference.clone(),
             ..Self::default()
         }

@@ -395,7 +395,7 @@ fn a_table_that_was_tampered_with_is_refused() {
         |n| n.pairs.table.segments[0].runs.truncate(3),
         |n| n.pairs.per_segment = 0,
         |n| n.pairs.per_segment = 100,
-        |n| n.reference = Rows::default(),
+        |n| n.former = FormerPlaces::default(),
     ];
     for tamper in tampered {
         let mut other = read(&found);

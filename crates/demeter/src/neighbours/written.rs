@@ -1,9 +1,8 @@
 //! Tables of candidates as they are written, where one process has them all and where several share them.
 
 use super::table::{Segment, Table};
-use super::{Neighbours, Pair, SearchEffort, WallPair};
+use super::{Neighbours, Pair, SearchEffort, WallPair, former};
 use crate::comm::parts::{InParts, Listed, Part};
-use crate::particles::Row;
 use crate::walls::Pose;
 use serde::{Serialize, Serializer};
 
@@ -15,7 +14,7 @@ struct Written<'a, 'b> {
     walls: WrittenTable<'a, 'b, WallPair>,
     effort: SearchEffort,
     total: usize,
-    reference: Listed<'a, 'b, Row>,
+    former: former::Written<'a, 'b>,
     wall_reference: &'b [Pose],
 }
 
@@ -49,7 +48,7 @@ impl InParts for Neighbours {
             walls: table(&self.walls, part),
             effort: self.effort,
             total: self.total,
-            reference: part.of_grains(self.reference.rows()),
+            former: self.former.written(part),
             wall_reference: &self.wall_reference,
         }
     }

@@ -42,10 +42,10 @@ impl Load {
     }
 }
 
-/// By how much a half kick that a step foresees changes velocity [m/s] and angular velocity [1/s], each with 0 behind it.
+/// By how much a half kick that a step foresees changes velocity [m/s] and, behind it, angular velocity [1/s].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-#[repr(C, align(32))]
-pub(crate) struct HalfKick(pub(crate) [[f32; 4]; 2]);
+#[repr(C)]
+pub(crate) struct HalfKick(pub(crate) [f32; 6]);
 
 /// The half kicks that a step foresees: what is left of them when it has ended says nothing about the grains, so that no two tables
 /// differ.

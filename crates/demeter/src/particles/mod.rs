@@ -23,7 +23,7 @@ pub use zone::{Zone, ZonePart, ZoneShape};
 
 use bytemuck::{Pod, Zeroable};
 use demeter_physics::integrator::gear::Derivatives;
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec3, Vec3};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -177,7 +177,7 @@ impl Grains {
     /// The largest half kick that is foreseen for the velocity of any of some grains [m/s].
     pub(crate) fn largest_half_kick(&self, some: Range<usize>) -> f64 {
         let foreseen = self.half_kicks.0.get(some).unwrap_or_default().iter();
-        let size2 = |HalfKick([kick, _]): &HalfKick| kick.iter().map(|&x| f64::from(x) * f64::from(x)).sum::<f64>();
+        let size2 = |HalfKick([x, y, z, ..]): &HalfKick| Vec3::new(*x, *y, *z).as_dvec3().length_squared();
         foreseen.map(size2).fold(0.0, f64::max).sqrt() * (1.0 + f64::from(f32::EPSILON))
     }
 
@@ -369,7 +369,7 @@ impl Grains {
 }
 
 /// Bytes that an empty list has in spare at least, when memory is set aside for it.
-const SPARE: usize = 256;
+const SPARE: usize = 64;
 
 /// What becomes of memory that an empty list has set aside beyond what it needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -383,7 +383,7 @@ pub(crate) enum Beyond {
 /// Sets memory aside for so many in an empty list, with little more: pushed one by one, a list takes up to twice as much.
 pub(crate) fn make_room<T>(list: &mut Vec<T>, count: usize, beyond: Beyond) {
     debug_assert!(list.is_empty());
-    let spare = (count / 16).max(SPARE / size_of::<T>());
+    let spare = (count / 32).max(SPARE / size_of::<T>());
     if beyond == Beyond::GivenBack && list.capacity() > count + 4 * spare {
         *list = Vec::new();
     }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt::{Debug, Formatter};
 use std::marker::PhantomData;
-use std::ops::{Index, IndexMut, Range};
+use std::ops::{Index, IndexMut};
 
 /// A vector and a number that is used together with it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Pod, Zeroable)]
@@ -64,13 +64,6 @@ impl<T: Pod> Rows<T> {
             of: PhantomData,
         };
         rows.numbers.truncate(first + Self::WIDTH * count);
-        rows
-    }
-
-    /// So many rows, some of them those of another table and all others zero; these take no memory.
-    pub(crate) fn with_some(count: usize, some: Range<usize>, of: &Self) -> Self {
-        let mut rows = Self::zeros(count);
-        rows.rows_mut()[some.clone()].copy_from_slice(&of.rows()[some]);
         rows
     }
 

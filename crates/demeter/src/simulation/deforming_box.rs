@@ -14,7 +14,7 @@
 use super::deformation::{Deformation, DeformationError, Drive};
 use super::{Fault, Simulation};
 use crate::comm::{Carry, Deforming, Rates};
-use crate::particles::{Domain, Row};
+use crate::particles::Domain;
 use crate::simulation::division::heard_grains;
 use crate::step::Motion;
 use crate::walls::Servo;
@@ -277,7 +277,9 @@ impl Simulation {
             self.comm.advance([rates, next], dt);
             state.sheared[0] += rates.shear * dt;
             self.book_across(&state);
-            self.carry_reference(&mut state);
+            if let Some(deforming) = self.comm.deforming() {
+                state.since = state.since.then(&deforming.carry);
+            }
         }
         self.deforming = Some(state);
     }
@@ -388,18 +390,13 @@ impl Simulation {
         self.deforming = Some(state);
     }
 
-    /// The places that motion is counted from deform with the box: what the whole does together brings no grain nearer to
-    /// another than the strain tells.
-    fn carry_reference(&mut self, state: &mut DeformingBox) {
-        let Some(deforming) = self.comm.deforming() else {
-            return;
-        };
-        let (carry, middle) = (deforming.carry, deforming.middle);
-        state.since = state.since.then(&carry);
-        let carry_row = |row: &mut Row| row.vector = middle + carry.apply(row.vector - middle);
-        let own = self.own_grains();
-        let rows = self.neighbours.reference.rows_mut()[own].par_chunks_mut(GRAINS_PER_TASK);
-        rows.for_each(|rows| rows.iter_mut().for_each(carry_row));
+    /// The point that rests, and how the box carried all places along since the candidates were found: what the whole does together
+    /// brings no grain nearer to another than the strain tells.
+    pub(crate) fn carried_along(&self) -> (DVec3, &Carry) {
+        match (self.deforming.as_deref(), self.comm.deforming()) {
+            (Some(state), Some(deforming)) => (deforming.middle, &state.since),
+            _ => (DVec3::ZERO, &Carry::NONE),
+        }
     }
 
     /// A displacement since the candidates were found, with what the box did meanwhile [m].

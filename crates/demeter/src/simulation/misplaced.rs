@@ -44,19 +44,11 @@ impl Simulation {
     fn misplaced(&self) -> Misplaced {
         let (domain, grains) = (self.comm.domain(), &self.grains);
         let outside = || self.own_grains().filter(|&g| !domain.contains(grains.position[g]));
-        let nowhere = |g: usize| {
-            let reference = &self.neighbours.reference;
-            let position = if g < reference.len() {
-                reference[g]
-            } else {
-                glam::DVec3::NAN
-            };
-            Fault::NotFinite {
-                step: self.step,
-                id: grains.id[g],
-                quantity: "position".into(),
-                position,
-            }
+        let nowhere = |g: usize| Fault::NotFinite {
+            step: self.step,
+            id: grains.id[g],
+            quantity: "position".into(),
+            position: self.neighbours.former.of_grain(g).unwrap_or(glam::DVec3::NAN),
         };
         let fault = |g: usize| Fault::Outside {
             step: self.step,

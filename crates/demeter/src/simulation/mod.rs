@@ -51,7 +51,7 @@ use crate::materials::Materials;
 use crate::neighbours::{Bounds, Neighbours, SpatialOrder};
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::particles::{Domain, Grains, HigherDerivatives};
-use crate::step::CouplingState;
+use crate::step::{CouplingState, Motion};
 use crate::threads::Awake;
 use crate::walls::{FreeStep, Pose, Wall};
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, contact_sphere_sphere};
@@ -413,7 +413,8 @@ impl Simulation {
         let own = self.own_grains();
         let with = (&self.walls[..], &self.materials, &self.comm);
         (self.neighbours).find_of((&own, vicinity.as_ref()), &self.grains, with, beyond_touch);
-        self.travel = 0.0;
+        // by how much these places are rounded counts, too
+        self.measure_travel(&Motion::default());
         self.tables += 1;
         self.count_candidates();
         let moved_to = (places != Places::Kept).then(|| self.order.moved_to());

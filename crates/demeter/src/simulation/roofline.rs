@@ -8,7 +8,7 @@ use crate::particles::{Grains, HalfKick, HigherDerivatives, Load, Row};
 use demeter_physics::contact::PairLaw;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes::{self, Instructions, Kernel, Lanes};
-use glam::{DQuat, DVec3};
+use glam::{DQuat, Vec3};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::hint::black_box;
@@ -101,14 +101,14 @@ impl Work {
     ///
     /// | term | bytes | of |
     /// |---|---|---|
-    /// | motion: kick and drift in one pass | 328 | position, velocity, spin, half kick (32 each, read and written); mass, load (64) |
-    /// | motion: in two, as with custom forces or in a box that deforms | 584 | in the drift all but mass, half kick written only; in the kick velocity, spin and load read and written, half kick, mass |
+    /// | motion: kick and drift in one pass | 312 | position, velocity, spin (32 each), half kick (24), read and written; mass, load (64) |
+    /// | motion: in two, as with custom forces or in a box that deforms | 568 | in the drift all but mass, half kick written only; in the kick velocity, spin and load read and written, half kick, mass |
     /// | orientation, where it is followed | 64 | read and written |
     /// | contacts | 224 | rows of position, velocity, spin; the load (64, read and written) |
     /// | element, geometry | 4 + 48 | of the wall; written |
     /// | history, normal force | 16 h + 16 | read and written |
     /// | bodies | 8 | both grains |
-    /// | tangential force | 24 | written; 32 more where some law resists rolling |
+    /// | tangential force | 12 | written; 32 more where some law resists rolling |
     ///
     /// Steps after which something looks at the grains take two passes, too; they are counted as the others. Gear's corrector also reads
     /// and writes the derivatives in both passes, and place and orientation in the second.
@@ -128,7 +128,7 @@ impl Work {
         let at_wall = size_of::<u32>() + size_of::<Contact>();
         let rolling = if rolls { row } else { 0 };
         let history = 2 * (stride + 1) * size_of::<f64>();
-        let per_contact = history + 2 * size_of::<u32>() + size_of::<DVec3>() + rolling;
+        let per_contact = history + 2 * size_of::<u32>() + size_of::<Vec3>() + rolling;
         let product = |count: u64, each: usize| count as f64 * each as f64;
         Needs {
             bytes: product(self.grains, per_grain)
@@ -317,10 +317,10 @@ mod tests {
             work
         };
         let grain = one(|w| w.grains = 1);
-        assert_eq!(of(grain, 4), 328.0 + 224.0);
-        assert_eq!(grain.needs(4, false, (Passes::Apart, true)).bytes, 584.0 + 64.0 + 224.0);
+        assert_eq!(of(grain, 4), 312.0 + 224.0);
+        assert_eq!(grain.needs(4, false, (Passes::Apart, true)).bytes, 568.0 + 64.0 + 224.0);
         let contact = one(|w| w.contacts = 1);
-        assert_eq!(of(contact, 4), 16.0 * 4.0 + 16.0 + 8.0 + 24.0);
+        assert_eq!(of(contact, 4), 16.0 * 4.0 + 16.0 + 8.0 + 12.0);
         assert_eq!(of(one(|w| w.wall_contacts = 1), 4), of(contact, 4) + 52.0);
         assert_eq!(
             contact.needs(4, true, (Passes::Joined, false)).bytes,

@@ -83,7 +83,7 @@ pub(crate) struct Counts {
 impl Counts {
     pub(crate) fn new(neighbours: &Neighbours, contacts: usize, looks_at_all: bool) -> Self {
         Self {
-            grains: neighbours.reference.len(),
+            grains: neighbours.former.len(),
             candidates: neighbours.total(),
             contacts,
             looks_at_all,

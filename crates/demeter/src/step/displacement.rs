@@ -4,10 +4,10 @@
 //! largest moves of all steps together, and while those do not use up the skin, nor does any grain. Whether a skin is used up is decided by what is
 //! measured alone, so nothing depends on when it was measured last.
 
-use super::{GRAINS_PER_TASK, Motion};
+use super::Motion;
+use crate::neighbours::Farthest;
 use crate::simulation::Simulation;
 use demeter_physics::integrator::Integrator;
-use rayon::prelude::*;
 
 /// Sums of steps are told a little too long, as they are rounded.
 const ROUNDING: f64 = 1.0 + 1e-9;
@@ -28,20 +28,12 @@ impl Simulation {
     }
 
     /// Largest displacement of any grain since the candidates were found, as it is now [m].
-    pub(super) fn measure_travel(&mut self, motion: &Motion) -> f64 {
-        let (own, n) = (self.own_grains(), GRAINS_PER_TASK);
-        let now = self.grains.position.rows()[own.clone()].par_chunks(n);
-        let then = self.neighbours.reference.rows()[own].par_chunks(n);
-        let largest = now.zip(then).map(|(now, then)| {
-            let squares = now
-                .iter()
-                .zip(then)
-                .map(|(now, then)| (now.vector - then.vector).length_squared());
-            // what is not a number is told as misplaced
-            squares.fold(0.0, f64::max)
-        });
-        let [square] = self.largest_of_all([largest.reduce(|| 0.0, f64::max)]);
-        let travel = self.with_box(square.sqrt(), motion);
+    pub(crate) fn measure_travel(&mut self, motion: &Motion) -> f64 {
+        let (places, own) = (&self.grains.position, self.own_grains());
+        let farthest = (self.neighbours.former).farthest(places, &own, self.carried_along());
+        let [displacement2, offset2] = self.largest_of_all([farthest.displacement2, farthest.offset2]);
+        let travel = Farthest { displacement2, offset2 }.bound();
+        let travel = self.with_box(travel, motion);
         self.travel = travel * ROUNDING;
         travel
     }

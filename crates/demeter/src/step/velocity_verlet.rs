@@ -142,15 +142,13 @@ fn kicked<Q: Quad>(
     load: &Load,
     body_force: Q,
     [velocity, spin]: [&[f64; 4]; 2],
-    HalfKick([kick, twist]): &HalfKick,
+    HalfKick(foreseen): &HalfKick,
     time: f64,
 ) -> (State<Q>, [Q; 2]) {
     let [force, torque] = load.parts();
     let (force, torque) = (Q::load(force) + body_force, Q::load(torque));
-    let (middle, middle_spin) = (
-        Q::load(velocity) - Q::load_singles(kick),
-        Q::load(spin) - Q::load_singles(twist),
-    );
+    let [kick, twist] = Q::of_singles(foreseen);
+    let (middle, middle_spin) = (Q::load(velocity) - kick, Q::load(spin) - twist);
     let (kick, twist) = (force * Q::all(time * velocity[3]), torque * Q::all(time * spin[3]));
     let state = State {
         velocity: middle + kick,
@@ -302,12 +300,11 @@ impl<F: Forces> Kernel for Drift<'_, F> {
                 let middle_spin = now.spin + now.twist;
                 let place = L::Quad::load(&position[g]) + middle * time;
                 // the velocity that is foreseen needs no more than singles, which take half the memory until the kick is known
-                let foreseen = [now.kick.singles(), now.twist.singles()];
-                let ahead = middle + L::Quad::load_singles(&foreseen[0]);
-                half_kicks[g] = HalfKick(foreseen);
+                L::Quad::put_singles(now.kick, now.twist, &mut half_kicks[g].0);
+                let ahead = middle + now.kick.rounded();
                 position[g] = place.store();
                 velocity[g] = ahead.store();
-                spin[g] = (middle_spin + L::Quad::load_singles(&foreseen[1])).store();
+                spin[g] = (middle_spin + now.twist.rounded()).store();
                 *turning = middle_spin.store();
                 of_end.include(ahead);
                 of_middle.include(middle);

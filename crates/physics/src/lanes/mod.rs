@@ -69,6 +69,17 @@ pub trait Lanes:
     fn load(from: &[f64]) -> Self;
     /// Puts the lanes at the front of a slice, which must hold as many.
     fn store(self, to: &mut [f64]);
+    /// Puts the lanes at the front of a slice, which must hold as many, each rounded to the nearest number of half the precision, to the
+    /// even one of two.
+    #[inline(always)]
+    fn store_singles(self, to: &mut [f32]) {
+        let lanes = self.to_array();
+        let mut lane = 0;
+        while lane < Self::COUNT {
+            to[lane] = lanes[lane] as f32;
+            lane += 1;
+        }
+    }
     /// The lanes as they lie in memory.
     fn as_slice(&self) -> &[f64];
     /// The lanes as they lie in memory, to be changed.

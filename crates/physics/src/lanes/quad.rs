@@ -9,10 +9,12 @@ pub trait Quad: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     fn load(from: &[f64; 4]) -> Self;
     /// As numbers.
     fn store(self) -> [f64; 4];
-    /// From numbers of half the precision.
-    fn load_singles(from: &[f32; 4]) -> Self;
+    /// Two vectors of numbers of half the precision, each with 0 behind it.
+    fn of_singles(from: &[f32; 6]) -> [Self; 2];
     /// Each rounded to the nearest number of half the precision, to the even one of two.
-    fn singles(self) -> [f32; 4];
+    fn rounded(self) -> Self;
+    /// Puts the vectors in front of two, rounded.
+    fn put_singles(first: Self, second: Self, to: &mut [f32; 6]);
     /// The same number four times.
     fn all(value: f64) -> Self;
     /// The larger number in each place; that of `self` where `other` is not a number.
@@ -103,14 +105,19 @@ impl Quad for Four {
     }
 
     #[inline(always)]
-    fn load_singles(&[a, b, c, d]: &[f32; 4]) -> Self {
-        Self([f64::from(a), f64::from(b), f64::from(c), f64::from(d)])
+    fn of_singles(from: &[f32; 6]) -> [Self; 2] {
+        let [a, b, c, d, e, f] = from.map(f64::from);
+        [Self([a, b, c, 0.0]), Self([d, e, f, 0.0])]
     }
 
     #[inline(always)]
-    fn singles(self) -> [f32; 4] {
-        let [a, b, c, d] = self.0;
-        [a as f32, b as f32, c as f32, d as f32]
+    fn rounded(self) -> Self {
+        Self(self.0.map(|x| f64::from(x as f32)))
+    }
+
+    #[inline(always)]
+    fn put_singles(Self([a, b, c, _]): Self, Self([d, e, f, _]): Self, to: &mut [f32; 6]) {
+        *to = [a, b, c, d, e, f].map(|x| x as f32);
     }
 
     #[inline(always)]

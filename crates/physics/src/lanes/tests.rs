@@ -24,7 +24,7 @@ impl Kernel for Everything<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> Vec<Vec<u64>> {
-        let mut found = vec![Vec::new(); 39];
+        let mut found = vec![Vec::new(); 41];
         for (a, b) in self.0.chunks(L::COUNT).zip(self.1.chunks(L::COUNT)) {
             let (a, b) = (L::load(a), L::load(b));
             let as_number = |mask: L::Mask| L::select(mask, L::splat(1.0), L::splat(2.0));
@@ -64,6 +64,31 @@ impl Kernel for Everything<'_> {
                     quads[5][lane] = one.larger(other).store()[3];
                 }
                 quads
+            };
+            let singles = {
+                let (mut stored, mut lanes) = ([0.0; MOST_LANES], [[0.0; MOST_LANES]; 2]);
+                a.store_singles(&mut stored);
+                for (lane, stored) in stored.into_iter().enumerate().take(L::COUNT) {
+                    let (a, b) = (a.as_slice()[lane], b.as_slice()[lane]);
+                    let [one, other] = [[a, b, -a, 5.0], [b, -b, a, 6.0]].map(|numbers| L::Quad::load(&numbers));
+                    let mut put = [0.0; 6];
+                    L::Quad::put_singles(one, other, &mut put);
+                    let rounded = one.rounded().store();
+                    let [one, other] = L::Quad::of_singles(&put).map(L::Quad::store);
+                    assert!((0..3).all(|k| rounded[k].total_cmp(&one[k]).is_eq() || rounded[k].is_nan()));
+                    assert_eq!(rounded[3], 5.0);
+                    assert_eq!([one[3], other[3]], [0.0; 2]);
+                    let all = [one[0], one[1], one[2], other[0], other[1], other[2]];
+                    let expected = [a, b, -a, b, -b, a].map(|x| f64::from(x as f32));
+                    assert!(
+                        all.iter()
+                            .zip(expected)
+                            .all(|(x, y)| x.total_cmp(&y).is_eq() || x.is_nan() && y.is_nan())
+                    );
+                    lanes[0][lane] = f64::from(stored);
+                    lanes[1][lane] = one[1] + other[2];
+                }
+                lanes.map(|all| L::load(&all))
             };
             let results = [
                 a + b,
@@ -105,6 +130,8 @@ impl Kernel for Everything<'_> {
                 L::load(&quads[3]),
                 L::load(&quads[4]),
                 L::load(&quads[5]),
+                singles[0],
+                singles[1],
             ];
             for (found, result) in found.iter_mut().zip(results) {
                 // which of the quiet numbers that are none comes out is not told by IEEE 754

@@ -77,7 +77,7 @@ impl ContactChunk {
             trial,
             lever_shift,
             ..
-        } = &mut self.coupling;
+        } = &mut *self.coupling;
         sources.clear();
         trial.clear();
         lever_shift.clear();
@@ -131,10 +131,11 @@ impl ContactChunk {
                 self.coupling.share[k] = self.deviation_share(k, at, scale);
             }
         }
-        self.coupling.worst = Worst::default();
-        for (contact, &share) in self.coupling.share.iter().enumerate() {
-            if share.is_nan() || share > self.coupling.worst.share {
-                self.coupling.worst = Worst { share, contact };
+        let Scratch { share, worst, .. } = &mut *self.coupling;
+        *worst = Worst::default();
+        for (contact, &share) in share.iter().enumerate() {
+            if share.is_nan() || share > worst.share {
+                *worst = Worst { share, contact };
             }
         }
     }
@@ -237,7 +238,7 @@ impl ContactChunk {
             if overlap.is_nan() || overlap > allowed * size.radius {
                 let radius = scene.smaller_radius(self.i[k], (!at.wall).then_some(self.j[k]));
                 if (overlap.is_nan() || overlap > allowed * radius) && self.fault.is_none() {
-                    self.fault = Some(self.beyond_fold(k, at, scene, undisplaced));
+                    self.fault = Some(Box::new(self.beyond_fold(k, at, scene, undisplaced)));
                 }
             }
         }

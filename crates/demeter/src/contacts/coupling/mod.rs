@@ -23,9 +23,11 @@ pub(crate) mod kernels;
 pub(crate) mod mixing;
 pub(crate) mod sites;
 
+use super::rare::Empty;
 use demeter_physics::contact::PairSize;
 use serde::{Deserialize, Serialize};
 use sites::Source;
+use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// How the coupled equation is treated.
@@ -135,6 +137,13 @@ pub(crate) struct Scratch {
     memory: Vec<f64>,
     /// The contact farthest from its solution.
     pub(crate) worst: Worst,
+}
+
+impl Empty for Scratch {
+    fn empty() -> &'static Self {
+        static EMPTY: LazyLock<Scratch> = LazyLock::new(Scratch::default);
+        &EMPTY
+    }
 }
 
 impl Scratch {

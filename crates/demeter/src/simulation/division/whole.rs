@@ -2,9 +2,8 @@
 
 use super::{Aside, Division, encode};
 use crate::contacts::{ContactChunk, Contacts, NearTables};
-use crate::neighbours::{Neighbours, SegmentsOfCandidates};
+use crate::neighbours::{FormerPlaces, Neighbours, SegmentsOfCandidates};
 use crate::particles::spread::Spread;
-use crate::particles::{Row, Rows};
 use crate::simulation::Simulation;
 use crate::step::CouplingState;
 use serde::{Deserialize, Serialize};
@@ -14,7 +13,7 @@ use std::ops::Range;
 #[derive(Serialize, Deserialize)]
 struct Tables {
     /// Where the grains were when the candidates were found.
-    reference: Vec<Row>,
+    former: FormerPlaces,
     near: NearTables,
     /// How the grains move in this step, segment by segment.
     spreads: Vec<Spread>,
@@ -26,7 +25,7 @@ struct Tables {
 /// The tables of all segments, as they come.
 #[derive(Default)]
 struct Collected {
-    reference: Rows,
+    former: FormerPlaces,
     near: Vec<NearTables>,
     spreads: Vec<Spread>,
     candidates: Vec<SegmentsOfCandidates>,
@@ -36,8 +35,7 @@ struct Collected {
 
 impl Collected {
     fn add(&mut self, tables: Tables) {
-        let rows = tables.reference.iter();
-        rows.for_each(|row| self.reference.push(row.vector, row.scalar));
+        self.former.append(tables.former);
         self.near.push(tables.near);
         self.spreads.extend(tables.spreads);
         self.candidates.push(tables.candidates);
@@ -89,7 +87,7 @@ impl Simulation {
     fn tables_of(&self, segments: Range<usize>) -> Tables {
         let of = |chunks| self.chunks_of(segments.clone(), chunks);
         Tables {
-            reference: self.neighbours.reference.rows()[self.grains_in(segments.clone())].to_vec(),
+            former: self.neighbours.former.of(self.grains_in(segments.clone())),
             near: self.near.of_segments(segments.clone()),
             spreads: (segments.clone())
                 .map(|s| self.neighbours.spread_of(s, &self.spreads))
@@ -106,7 +104,7 @@ impl Simulation {
             self.spreads[self.neighbours.spreads_of_segment(segment)].fill(spread);
         }
         let mut whole = self.neighbours.with_candidates(all.candidates);
-        whole.reference = all.reference;
+        whole.former = all.former;
         let contacts = Contacts {
             pairs: all.pairs,
             walls: all.walls,

@@ -105,6 +105,13 @@ impl Lanes for F64x4 {
     }
 
     #[inline(always)]
+    fn store_singles(self, to: &mut [f32]) {
+        let to = &mut to[..4];
+        // SAFETY: there is room for four numbers
+        unsafe { _mm_storeu_ps(to.as_mut_ptr(), _mm256_cvtpd_ps(self.0)) }
+    }
+
+    #[inline(always)]
     fn as_slice(&self) -> &[f64] {
         // SAFETY: a register is its lanes, and nothing else
         unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }
@@ -250,17 +257,31 @@ impl Quad for F64x4 {
     }
 
     #[inline(always)]
-    fn load_singles(from: &[f32; 4]) -> Self {
-        // SAFETY: see the top of the module
-        Self(unsafe { _mm256_cvtps_pd(_mm_loadu_ps(from.as_ptr())) })
+    fn of_singles(from: &[f32; 6]) -> [Self; 2] {
+        // SAFETY: see the top of the module; four numbers are there from the first and from the third on
+        unsafe {
+            let (first, behind) = (_mm_loadu_ps(from.as_ptr()), _mm_loadu_ps(from[2..].as_ptr()));
+            let first = _mm_blend_ps::<0b1000>(first, _mm_setzero_ps());
+            let second = _mm_castsi128_ps(_mm_srli_si128::<4>(_mm_castps_si128(behind)));
+            [first, second].map(|singles| Self(_mm256_cvtps_pd(singles)))
+        }
     }
 
     #[inline(always)]
-    fn singles(self) -> [f32; 4] {
-        let mut to = [0.0; 4];
+    fn rounded(self) -> Self {
         // SAFETY: see the top of the module
-        unsafe { _mm_storeu_ps(to.as_mut_ptr(), _mm256_cvtpd_ps(self.0)) };
-        to
+        Self(unsafe { _mm256_cvtps_pd(_mm256_cvtpd_ps(self.0)) })
+    }
+
+    #[inline(always)]
+    fn put_singles(first: Self, second: Self, to: &mut [f32; 6]) {
+        // SAFETY: see the top of the module; there is room for four numbers, and for two from the fifth on
+        unsafe {
+            let (first, second) = (_mm256_cvtpd_ps(first.0), _mm256_cvtpd_ps(second.0));
+            let behind = _mm_srli_si128::<4>(_mm_castps_si128(second));
+            _mm_storeu_ps(to.as_mut_ptr(), _mm_insert_ps::<0b11_0000>(first, second));
+            _mm_storeu_si64(to[4..].as_mut_ptr().cast(), behind);
+        }
     }
 
     #[inline(always)]

@@ -100,6 +100,13 @@ impl Lanes for F64x8 {
     }
 
     #[inline(always)]
+    fn store_singles(self, to: &mut [f32]) {
+        let to = &mut to[..8];
+        // SAFETY: there is room for eight numbers
+        unsafe { _mm256_storeu_ps(to.as_mut_ptr(), _mm512_cvtpd_ps(self.0)) }
+    }
+
+    #[inline(always)]
     fn as_slice(&self) -> &[f64] {
         // SAFETY: a register is its lanes, and nothing else
         unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }
