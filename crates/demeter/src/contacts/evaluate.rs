@@ -5,7 +5,7 @@ use super::meetings::Meeting;
 use super::respond::{Answers, Respond};
 use super::sum::{Across, AddAtOnce, Adder, Sink};
 use super::together::ask;
-use super::{ContactChunk, EIGHT, EightVectors, Scene};
+use super::{ContactChunk, Scene};
 use glam::DVec3;
 
 /// Contacts whose engagement one word tells.
@@ -82,10 +82,9 @@ impl ContactChunk {
         source: impl Source,
     ) -> Option<(usize, f64)> {
         let count = self.len();
-        (self.now.tangential).resize(count.div_ceil(EIGHT), EightVectors::default());
+        self.now.tangential.resize(count);
         if scene.resists_rolling {
-            self.rolling.clear();
-            self.rolling.resize(count, [0.0; 4]);
+            self.rolling.resize(count);
         }
         let mut elastic = std::mem::take(&mut self.elastic);
         if scene.is_coupled() {

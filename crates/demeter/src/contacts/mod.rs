@@ -30,6 +30,7 @@ mod shares;
 pub(crate) mod step_work;
 pub mod sum;
 mod together;
+mod told;
 mod transfer;
 mod wall_contacts;
 
@@ -49,11 +50,12 @@ use crate::walls::Mark;
 use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use evaluate::WORD;
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use rare::{Empty, Rare};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::LazyLock;
+use told::Told;
 use wall_contacts::Touched;
 
 /// Work of the contact forces in one step [J], and what is needed to watch a run.
@@ -90,9 +92,6 @@ impl Tally {
 /// instructions, a multiple of the lanes of every register.
 pub(crate) const EIGHT: usize = 8;
 
-/// Vectors of eight contacts, component by component, of half the precision.
-pub(crate) type EightVectors = [[f32; EIGHT]; 3];
-
 /// What survives of a contact from one step to the next.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Kept {
@@ -109,8 +108,8 @@ pub(crate) struct Kept {
     pub(crate) geometry: Vec<Contact>,
     /// Normal force on the first body along the normal [N].
     pub(crate) normal_force: Vec<f64>,
-    /// Force on the first body in the contact plane [N], rounded to half the precision: it is told, and no step reads it.
-    pub(crate) tangential: Vec<EightVectors>,
+    /// Force on the first body in the contact plane [N].
+    pub(crate) tangential: Told,
     /// History of the laws, `stride` values per contact.
     pub(crate) history: Vec<f64>,
     /// What contacts that feel each other remember; empty where all are independent.
@@ -146,11 +145,8 @@ impl Kept {
     fn push_force(&mut self, normal: f64, tangential: DVec3) {
         let place = self.len();
         self.normal_force.push(normal);
-        self.tangential
-            .resize(self.len().div_ceil(EIGHT), EightVectors::default());
-        for (axis, component) in tangential.to_array().into_iter().enumerate() {
-            self.tangential[place / EIGHT][axis][place % EIGHT] = component as f32;
-        }
+        self.tangential.resize(self.len());
+        self.tangential.put(place, tangential);
     }
 
     /// Appends contacts of the step before, but for their forces in the contact plane.
@@ -174,8 +170,7 @@ impl Kept {
     /// Lets no contact have a force in the contact plane.
     fn clear_tangential(&mut self) {
         self.tangential.clear();
-        self.tangential
-            .resize(self.len().div_ceil(EIGHT), EightVectors::default());
+        self.tangential.resize(self.len());
     }
 
     /// Notes where the contacts of so many candidates between grains are.
@@ -193,7 +188,7 @@ impl Kept {
         self.make_room(other.len(), stride, Beyond::Kept);
         self.candidate.extend_from_slice(&other.candidate);
         self.normal_force.extend_from_slice(&other.normal_force);
-        self.tangential.extend_from_slice(&other.tangential);
+        self.tangential.copy(&other.tangential);
         self.history.extend_from_slice(&other.history);
     }
 
@@ -201,7 +196,7 @@ impl Kept {
     fn make_room(&mut self, contacts: usize, stride: usize, beyond: Beyond) {
         make_room(&mut self.candidate, contacts, beyond);
         make_room(&mut self.normal_force, contacts, beyond);
-        make_room(&mut self.tangential, contacts.div_ceil(EIGHT), beyond);
+        self.tangential.make_room(contacts, beyond);
         make_room(&mut self.history, contacts * stride, beyond);
     }
 
@@ -261,7 +256,7 @@ pub struct ContactChunk {
     /// Bits of the contacts that are engaged, a word for each block; empty where all are.
     engaged: Vec<u64>,
     /// Torque of the rolling laws on the first body [N m]; empty where no law resists rolling.
-    pub(crate) rolling: Vec<[f64; 4]>,
+    pub(crate) rolling: Told,
     /// Work of this step.
     #[serde(skip)]
     pub tally: Tally,
@@ -322,11 +317,11 @@ impl ContactChunk {
         let of = |bytes: fn(&Kept) -> usize| kept.into_iter().map(bytes).sum::<usize>();
         let bodies =
             of(|k| set_aside(&k.start) + set_aside(&k.place) + set_aside(&k.candidate) + set_aside(&k.element));
-        let forces = of(|k| set_aside(&k.normal_force) + set_aside(&k.tangential));
+        let forces = of(|k| set_aside(&k.normal_force) + k.tangential.bytes());
         let other = of(|k| set_aside(&k.geometry) + set_aside(&k.coupling));
         [
             bodies + set_aside(&self.i) + set_aside(&self.j) + set_aside(&self.shift) + set_aside(&self.engaged),
-            forces + set_aside(&self.rolling),
+            forces + self.rolling.bytes(),
             of(|k| set_aside(&k.history)),
             other
                 + set_aside(&self.felt)
@@ -347,14 +342,12 @@ impl ContactChunk {
 
     /// Its part in the contact plane [N], rounded to single precision; what acts on the grains is not.
     pub fn tangential_force(&self, contact: usize) -> DVec3 {
-        let [x, y, z] = &self.now.tangential[contact / EIGHT];
-        let lane = contact % EIGHT;
-        Vec3::new(x[lane], y[lane], z[lane]).as_dvec3()
+        self.now.tangential.of(contact)
     }
 
-    /// Torque of the rolling law on the first body [N m]; on the second it is the opposite.
+    /// Torque of the rolling law on the first body [N m], rounded to single precision; on the second it is the opposite.
     pub fn rolling_torque(&self, contact: usize) -> DVec3 {
-        (self.rolling.get(contact)).map_or(DVec3::ZERO, |&[x, y, z, _]| DVec3::new(x, y, z))
+        self.rolling.of(contact)
     }
 
     /// Number of contacts.

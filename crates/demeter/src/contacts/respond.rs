@@ -7,12 +7,13 @@ use super::laws::{normal_history, spring_energies, tangential_history};
 use super::meetings::{lanes_below, next_lane};
 use super::sum::{Loads, Sink};
 use super::together::Laws;
-use super::{EIGHT, EightVectors, Tally};
+use super::told::Told;
+use super::{EIGHT, Tally};
 use demeter_physics::contact::PairLaw;
 use demeter_physics::contact::rolling::RollingInput;
 use demeter_physics::contact::tangential::{TangentialInput, TangentialResponse};
 use demeter_physics::integrator::Integrator;
-use demeter_physics::lanes::{Kernel, Lanes, Vector, with_zero};
+use demeter_physics::lanes::{Kernel, Lanes, Vector};
 
 /// What the contacts of a chunk know, and what comes out of a step.
 pub(super) struct Answers<'a> {
@@ -21,10 +22,10 @@ pub(super) struct Answers<'a> {
     /// What all of their laws remember, `stride` values per contact.
     pub(super) history: &'a mut [f64],
     pub(super) stride: usize,
-    /// Force in the contact plane on the first body, rounded to half the precision [N].
-    pub(super) tangential: &'a mut [EightVectors],
+    /// Force in the contact plane on the first body [N].
+    pub(super) tangential: &'a mut Told,
     /// Torque of the rolling law on the first body [N m]; empty where no law resists rolling.
-    pub(super) torques: &'a mut [[f64; 4]],
+    pub(super) torques: &'a mut Told,
     /// What every contact loses, by its normal law and by friction [J], nothing yet; empty where nobody asks.
     pub(super) losses: &'a mut [[f64; 2]],
     /// Normal force that does not depend on the rate [N]; empty where nobody asks.
@@ -232,16 +233,12 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 });
                 losses.add(ROLLING, k, rolled.dissipated.keep(acting));
                 rolling_torque = rolled.torque.or(acting, nothing);
-                let torques = L::rows(with_zero::<L>(rolling_torque));
-                let places = k..(k + L::COUNT).min(count);
-                for (torque, row) in answers.torques[places].iter_mut().zip(torques.as_ref()) {
-                    *torque = *row;
-                }
+                answers.torques.put_lanes::<L>(k, rolling_torque);
             }
             store_some(force, answers.normal_force, k);
             answers.tell::<L>(k, count, &pressed, &rubbed, acting);
             let tangential = rubbed.force.or(acting, nothing);
-            answers.put_tangential::<L>(k, tangential);
+            answers.tangential.put_lanes::<L>(k, tangential);
             let arm = motion.normal.outer(tangential);
             let mut loads = Loads::<L> {
                 force: motion.normal * force + tangential,
@@ -278,29 +275,10 @@ impl Answers<'_> {
     fn silence<L: Lanes>(&mut self, k: usize, count: usize) {
         let places = k..(k + L::COUNT).min(count);
         self.normal_force[places.clone()].fill(0.0);
-        self.put_tangential::<L>(k, L::Vector::null());
-        if let Some(torques) = self.torques.get_mut(places.clone()) {
-            torques.fill([0.0; 4]);
-        }
+        self.tangential.put_lanes::<L>(k, L::Vector::null());
+        self.torques.put_lanes::<L>(k, L::Vector::null());
         if let Some(elastic) = self.elastic.get_mut(places) {
             elastic.fill(0.0);
-        }
-    }
-
-    /// Puts the tangential forces of the contacts from `k` on.
-    #[inline(always)]
-    fn put_tangential<L: Lanes>(&mut self, k: usize, tangential: L::Vector) {
-        let components = tangential.components();
-        let mut which = 0;
-        while which < L::REGISTERS {
-            let place = k + which * L::Register::COUNT;
-            // the last registers may lie beyond the end
-            if let Some([x, y, z]) = self.tangential.get_mut(place / EIGHT) {
-                components[0].register(which).store_singles(&mut x[place % EIGHT..]);
-                components[1].register(which).store_singles(&mut y[place % EIGHT..]);
-                components[2].register(which).store_singles(&mut z[place % EIGHT..]);
-            }
-            which += 1;
         }
     }
 

@@ -1,7 +1,7 @@
 //! Handing contacts over when the candidates are found anew, and to and from a checkpoint.
 
 use super::coupling::Coupled;
-use super::{CHUNK, ContactChunk, Contacts, EIGHT, EightVectors, WORD};
+use super::{CHUNK, ContactChunk, Contacts, WORD};
 use crate::comm::together::Together;
 use crate::neighbours::{GONE, Neighbours};
 use crate::particles::{Beyond, Grains};
@@ -42,7 +42,7 @@ pub struct CarriedContact {
     /// Force on the first body in the contact plane [N].
     pub tangential: DVec3,
     /// Torque of the rolling law on the first body [N m].
-    pub rolling: Option<Box<[f64; 4]>>,
+    pub rolling: Option<Box<DVec3>>,
     /// History of its laws.
     pub history: Box<[f64]>,
     /// What it remembers of the displacements by the other contacts, where contacts feel each other.
@@ -393,8 +393,7 @@ impl ContactChunk {
         self.i.extend_from_slice(&old.i[contacts.clone()]);
         self.j.extend_from_slice(&old.j[contacts.clone()]);
         if !old.rolling.is_empty() {
-            self.rolling.resize(first, [0.0; 4]);
-            self.rolling.extend_from_slice(&old.rolling[contacts.clone()]);
+            self.rolling.take_over(first, &old.rolling, contacts.clone());
         }
         let (now, before) = (&mut self.now, &old.now);
         now.element
@@ -402,17 +401,10 @@ impl ContactChunk {
         now.geometry
             .extend(before.geometry.get(contacts.clone()).into_iter().flatten());
         now.take_on(before, contacts.clone(), stride);
-        now.tangential
-            .resize(now.len().div_ceil(EIGHT), EightVectors::default());
+        now.tangential.take_over(first, &before.tangential, contacts.clone());
         if !old.engaged.is_empty() {
             self.engaged.resize(self.now.len().div_ceil(WORD), 0);
-        }
-        for (place, contact) in (first..).zip(contacts) {
-            for axis in 0..3 {
-                self.now.tangential[place / EIGHT][axis][place % EIGHT] =
-                    before.tangential[contact / EIGHT][axis][contact % EIGHT];
-            }
-            if !old.engaged.is_empty() {
+            for (place, contact) in (first..).zip(contacts) {
                 self.engaged[place / WORD] |= u64::from(old.is_engaged(contact)) << (place % WORD);
             }
         }
@@ -423,8 +415,9 @@ impl ContactChunk {
         self.i.push(i);
         self.j.push(j);
         if let Some(rolling) = &contact.rolling {
-            self.rolling.resize(self.len(), [0.0; 4]);
-            self.rolling.push(**rolling);
+            let place = self.len();
+            self.rolling.resize(place + 1);
+            self.rolling.put(place, **rolling);
         }
         let now = &mut self.now;
         if contact.key.wall {
@@ -516,7 +509,7 @@ impl Contacts {
             is_engaged: chunk.is_engaged(place),
             normal_force: chunk.now.normal_force[place],
             tangential: chunk.tangential_force(place),
-            rolling: chunk.rolling.get(place).copied().map(Box::new),
+            rolling: (!chunk.rolling.is_empty()).then(|| Box::new(chunk.rolling_torque(place))),
             history: chunk.history(place, self.stride).into(),
             coupling: chunk.now.coupling.get(place).copied().map(Box::new),
         }

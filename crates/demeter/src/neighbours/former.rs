@@ -87,8 +87,10 @@ impl FormerPlaces {
             });
     }
 
+    /// Segments of grains whose segments are whole; none where a process behind all grains has none.
     fn segments(&self, grains: &Range<usize>) -> Range<usize> {
-        grains.start / self.per_segment..grains.end.div_ceil(self.per_segment)
+        let first = grains.start.div_ceil(self.per_segment);
+        first..grains.end.div_ceil(self.per_segment)
     }
 
     /// How far the own grains have come that are here now, where space was carried along about a point meanwhile.
@@ -238,7 +240,7 @@ mod tests {
         let places = places();
         let whole = known(&places);
         let mut joined = FormerPlaces::default();
-        for some in [0..300, 300..900, 900..1000] {
+        for some in [0..300, 300..900, 900..1000, 1000..1000] {
             joined.append(whole.of(some));
         }
         assert_eq!(joined, whole);

@@ -108,7 +108,7 @@ impl Work {
     /// | element, geometry | 4 + 48 | of the wall; written |
     /// | history, normal force | 16 h + 16 | read and written |
     /// | bodies | 8 | both grains |
-    /// | tangential force | 12 | written; 32 more where some law resists rolling |
+    /// | tangential force | 12 | written; as much more where some law resists rolling |
     ///
     /// Steps after which something looks at the grains take two passes, too; they are counted as the others. Gear's corrector also reads
     /// and writes the derivatives in both passes, and place and orientation in the second.
@@ -126,7 +126,7 @@ impl Work {
         };
         let per_grain = motion + contacts;
         let at_wall = size_of::<u32>() + size_of::<Contact>();
-        let rolling = if rolls { row } else { 0 };
+        let rolling = if rolls { size_of::<Vec3>() } else { 0 };
         let history = 2 * (stride + 1) * size_of::<f64>();
         let per_contact = history + 2 * size_of::<u32>() + size_of::<Vec3>() + rolling;
         let product = |count: u64, each: usize| count as f64 * each as f64;
@@ -324,7 +324,7 @@ mod tests {
         assert_eq!(of(one(|w| w.wall_contacts = 1), 4), of(contact, 4) + 52.0);
         assert_eq!(
             contact.needs(4, true, (Passes::Joined, false)).bytes,
-            of(contact, 4) + 32.0
+            of(contact, 4) + 12.0
         );
     }
 
