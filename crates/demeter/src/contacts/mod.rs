@@ -51,10 +51,9 @@ use coupling::{Coupled, Scratch};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use evaluate::WORD;
 use glam::DVec3;
-use rare::{Empty, Rare};
+use rare::{Rare, begins_empty};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
-use std::sync::LazyLock;
 use told::Told;
 use wall_contacts::Touched;
 
@@ -116,12 +115,7 @@ pub(crate) struct Kept {
     pub(crate) coupling: Vec<Coupled>,
 }
 
-impl Empty for Kept {
-    fn empty() -> &'static Self {
-        static EMPTY: LazyLock<Kept> = LazyLock::new(Kept::default);
-        &EMPTY
-    }
-}
+begins_empty!(Kept);
 
 impl Kept {
     fn clear(&mut self) {

@@ -12,6 +12,20 @@ pub(crate) trait Empty: Default + 'static {
     fn empty() -> &'static Self;
 }
 
+/// Says of a type that it begins empty.
+macro_rules! begins_empty {
+    ($of:ty) => {
+        impl $crate::contacts::rare::Empty for $of {
+            fn empty() -> &'static Self {
+                static EMPTY: std::sync::LazyLock<$of> = std::sync::LazyLock::new(<$of>::default);
+                &EMPTY
+            }
+        }
+    };
+}
+
+pub(super) use begins_empty;
+
 impl<T> Default for Rare<T> {
     fn default() -> Self {
         Self(None)

@@ -67,12 +67,7 @@ impl Told {
     pub(super) fn take_over(&mut self, first: usize, other: &Self, contacts: Range<usize>) {
         self.resize(first + contacts.len());
         for (place, contact) in (first..).zip(contacts) {
-            // where none is told it is zero
-            let [x, y, z] = other.0.get(contact / EIGHT).copied().unwrap_or_default();
-            let lane = contact % EIGHT;
-            for (components, single) in self.0[place / EIGHT].iter_mut().zip([x[lane], y[lane], z[lane]]) {
-                components[place % EIGHT] = single;
-            }
+            self.put(place, other.of(contact));
         }
     }
 

@@ -4,7 +4,7 @@ use super::coupling::{Coupled, Scratch};
 use super::look_again::LookAgain;
 use super::near::Reach;
 use super::near_triangles::{NearTriangles, Within};
-use super::rare::Empty;
+use super::rare::begins_empty;
 use super::{ContactChunk, Kept, Scene, is_set};
 use crate::neighbours::WallPair;
 use crate::walls::SurfaceContact;
@@ -12,7 +12,6 @@ use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes;
 use glam::DVec3;
-use std::sync::LazyLock;
 
 /// Room for the rounding of paths and distances.
 const ROUNDING: f64 = 1.0 + 1e-9;
@@ -31,12 +30,7 @@ pub(super) struct Touched {
     within: Within,
 }
 
-impl Empty for Touched {
-    fn empty() -> &'static Self {
-        static EMPTY: LazyLock<Touched> = LazyLock::new(Touched::default);
-        &EMPTY
-    }
-}
+begins_empty!(Touched);
 
 /// Parts of walls that the grains of a chunk may touch within the next steps: triangles of a mesh, faces of a box, the one part of other
 /// shapes. They are looked for anew when grains and walls have moved so far that others may be touched.

@@ -5,12 +5,12 @@ use crate::comm::parts::{Listed, Part};
 use crate::particles::{Row, Rows, set_aside};
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use std::ops::Range;
 
 /// Places of grains, each told from that of the first grain of its segment, in singles. They are needed to tell how far grains have come
 /// since, and by how much they are rounded is added to that.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 pub(crate) struct FormerPlaces {
     per_segment: usize,
     /// Place of the first grain of every segment [m].
@@ -32,6 +32,12 @@ pub(super) struct Written<'a, 'b> {
     per_segment: usize,
     firsts: Listed<'a, 'b, DVec3>,
     offsets: Listed<'a, 'b, [f32; 3]>,
+}
+
+impl Serialize for FormerPlaces {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.written(&Part::WHOLE).serialize(serializer)
+    }
 }
 
 /// The farthest that grains have come.
@@ -118,7 +124,7 @@ impl FormerPlaces {
     }
 
     /// Forgets where all but the own grains were.
-    pub(super) fn keep(&mut self, own: &Range<usize>) {
+    pub(crate) fn keep(&mut self, own: &Range<usize>) {
         let mut kept = Self::unknown(self.len(), self.per_segment);
         let segments = self.segments(own);
         kept.firsts[segments.clone()].copy_from_slice(&self.firsts[segments]);

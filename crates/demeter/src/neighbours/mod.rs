@@ -171,11 +171,6 @@ impl Neighbours {
         self.wall_reference.extend(walls.iter().map(Wall::pose));
     }
 
-    /// Forgets where all but the own grains were when the pairs were found.
-    pub(crate) fn forget_former_of_others(&mut self, own: &Range<usize>) {
-        self.former.keep(own);
-    }
-
     fn find_incidence(&mut self, grains: &Grains) {
         if let Some(incidence) = &mut self.incidence {
             incidence.find(&self.pairs.table, &grains.id, 2);

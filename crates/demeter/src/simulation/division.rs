@@ -375,7 +375,7 @@ impl Simulation {
                 let picked = self.neighbours.picked(&division.own);
                 self.neighbours = self.neighbours.with_candidates([picked]);
                 self.restore_neighbours(&division);
-                self.neighbours.forget_former_of_others(&division.own);
+                self.neighbours.former.keep(&division.own);
                 self.contacts.hand_over(&self.neighbours, None);
                 division.find_borders(&self.neighbours, self.coupling.is_some());
                 self.division = Some(division);

@@ -23,11 +23,10 @@ pub(crate) mod kernels;
 pub(crate) mod mixing;
 pub(crate) mod sites;
 
-use super::rare::Empty;
+use super::rare::begins_empty;
 use demeter_physics::contact::PairSize;
 use serde::{Deserialize, Serialize};
 use sites::Source;
-use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// How the coupled equation is treated.
@@ -139,12 +138,7 @@ pub(crate) struct Scratch {
     pub(crate) worst: Worst,
 }
 
-impl Empty for Scratch {
-    fn empty() -> &'static Self {
-        static EMPTY: LazyLock<Scratch> = LazyLock::new(Scratch::default);
-        &EMPTY
-    }
-}
+begins_empty!(Scratch);
 
 impl Scratch {
     /// Notes how far the forces tried are from the answers.
