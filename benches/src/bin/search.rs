@@ -294,7 +294,7 @@ fn measure(arguments: &Arguments, name: &str, setup: Setup) -> Outcome<()> {
     // grains of the same places and a little larger: those that nearly touched do
     let mut squeezed = setup;
     for g in 0..squeezed.grains.len() {
-        let (radius, mass) = (squeezed.grains.radius(g), squeezed.grains.mass[g]);
+        let (radius, mass) = (squeezed.grains.radius(g), squeezed.grains.mass(g));
         squeezed.grains.set_size(g, 1.01 * radius, mass);
     }
     squeezed.skin = Skin::Fixed(skin);

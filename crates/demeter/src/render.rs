@@ -77,13 +77,14 @@ impl LoadedFrame {
             self.grains
                 .material
                 .push(u16::try_from(materials[k]).unwrap_or(u16::MAX));
-            self.grains.mass.push(masses[k]);
             self.grains.position.push(*place, radii[k]);
-            self.grains.image.push([0; 3]);
             self.grains.velocity.push(velocities[k], 0.0);
             self.grains.angular_velocity.push(spins[k], 0.0);
         }
         self.grains.load = Rows::zeros(self.grains.len());
+        for (k, mass) in masses.into_iter().enumerate() {
+            self.grains.set_size(k, radii[k], mass);
+        }
         let material = |name: &String| Material {
             name: name.clone(),
             young_modulus: f64::NAN,

@@ -196,7 +196,7 @@ fn a_grain_in_a_harmonic_trap_swings_as_it_must() {
         }
     }
     run.change(|sim| sim.add_force(Box::new(Spring)));
-    let (mass, dt) = run.with_simulation(|sim| (sim.grains().mass[0], sim.dt()));
+    let (mass, dt) = run.with_simulation(|sim| (sim.grains().mass(0), sim.dt()));
     let frequency = (5.0f64 / mass).sqrt();
     for _ in 0..20 {
         steps(&mut run, 100);

@@ -72,8 +72,8 @@ fn gas(laws: &Laws, edge: u32, fraction: f64, speed: f64, spread: f64) -> Setup 
         case.spinning_grain(radius, place, vector() * speed, vector() * (speed / RADIUS));
     }
     let grains = &mut case.grains;
-    let momentum: DVec3 = grains.velocity.iter().zip(&grains.mass).map(|(v, m)| *v * *m).sum();
-    let mass: f64 = grains.mass.iter().sum();
+    let momentum: DVec3 = grains.velocity.iter().zip(grains.masses()).map(|(v, m)| *v * m).sum();
+    let mass: f64 = grains.masses().sum();
     grains.velocity.iter_mut().for_each(|v| *v -= momentum / mass);
     case.skin = 0.2 * RADIUS;
     case.max_overlap = 0.3;
@@ -156,7 +156,7 @@ fn a_contact_across_a_sliding_side_is_that_with_a_moving_partner() {
         for id in [1, 2] {
             let (a, b) = (index(&open, id), index(&sheared, id));
             // the upper grain counts in the frame of its image below, until it passes the side and becomes that
-            let boxes = i32::from(id == 2) - sheared.grains().image[b][1];
+            let boxes = i32::from(id == 2) - sheared.grains().crossings(b)[1];
             let other = sheared.grains().velocity[b] - slides * f64::from(boxes);
             largest = largest.max((open.grains().velocity[a] - other).length());
             largest = largest
@@ -224,15 +224,15 @@ fn momentum_beyond_the_flow_is_conserved() {
             for g in 0..sim.grains().len() {
                 let flow = DVec3::X * (state.shear_rate * (sim.grains().position[g].y - middle.y));
                 let beyond = sim.grains().velocity[g] - flow;
-                sum += beyond * sim.grains().mass[g];
-                all += beyond.length() * sim.grains().mass[g];
+                sum += beyond * sim.grains().mass(g);
+                all += beyond.length() * sim.grains().mass(g);
             }
             largest = largest.max(sum.length() / all);
         }
     }
     report("momentum beyond the flow, as a share", largest);
     assert!(
-        sim.grains().image.iter().any(|image| image[1] != 0),
+        (0..sim.grains().len()).any(|g| sim.grains().crossings(g)[1] != 0),
         "no grain passed a sliding side"
     );
     assert!(largest < 1e-6, "{largest}");

@@ -32,7 +32,7 @@ fn snapshot(sim: &Simulation) -> Vec<u8> {
         .map(|k| {
             // a grain is put back into the periodic box when candidates are found, which depends on the skin
             let unwrapped = glam::DVec3::from_array(std::array::from_fn(|axis| {
-                g.position[k][axis] + f64::from(g.image[k][axis]) * size[axis]
+                g.position[k][axis] + f64::from(g.crossings(k)[axis]) * size[axis]
             }));
             (
                 g.id[k],

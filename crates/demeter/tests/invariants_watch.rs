@@ -66,7 +66,7 @@ fn what_leaves_an_open_domain_is_removed_and_booked() {
     let v = DVec3::new(0.0, 50.0, 0.0);
     case.spinning_grain(1e-3, DVec3::new(0.0, 0.99, 0.5), v, DVec3::X * 100.0);
     case.grain(1e-3, DVec3::ZERO, DVec3::ZERO);
-    let (m, i) = (case.grains.mass[0], case.grains.inertia(0));
+    let (m, i) = (case.grains.mass(0), case.grains.inertia(0));
     let mut sim = case.simulation();
     for _ in 0..1_000 {
         sim.step().unwrap();

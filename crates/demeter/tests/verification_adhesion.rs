@@ -336,7 +336,7 @@ fn a_contact_held_across_a_gap_has_friction_with_a_spring() {
     let mut case = Case::new(one_material(MODULUS, &laws));
     case.plane(0, DVec3::ZERO, -DVec3::Z);
     case.grain(RADIUS, -DVec3::Z * (RADIUS - 1e-8), DVec3::ZERO);
-    let mass = case.grains.mass[0];
+    let mass = case.grains.mass(0);
     let pull = 0.95 * 1.5 * PI * WORK * RADIUS / mass;
     let along = 0.02 * pull;
     let mut sim = case.simulation();

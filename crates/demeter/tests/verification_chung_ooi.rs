@@ -102,7 +102,7 @@ fn collide(solid: Solid, radius: f64, speed: f64, plane: bool, restitution: f64)
         let chunks = || sim.contacts.pairs.iter().chain(&sim.contacts.walls);
         let touching = chunks().find(|chunk| chunk.engaged() > 0);
         if let Some(chunk) = touching {
-            course.push([sim.time(), sim.contact(chunk, 0).overlap, chunk.normal_force()[0]]);
+            course.push([sim.time(), sim.contact(chunk, 0).overlap, chunk.normal_force(0)]);
         } else if !course.is_empty() {
             let restitution = sim.grains().velocity[cases::index(&sim, 1)].z / speed;
             return Seen { course, restitution };

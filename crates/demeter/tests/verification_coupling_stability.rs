@@ -17,7 +17,7 @@ const SPAN: f64 = 40.0;
 
 fn kinetic(sim: &Simulation) -> f64 {
     let grains = sim.grains();
-    let each = grains.mass.iter().zip(grains.velocity.iter());
+    let each = grains.masses().zip(grains.velocity.iter());
     each.map(|(mass, velocity)| 0.5 * mass * velocity.length_squared())
         .sum()
 }

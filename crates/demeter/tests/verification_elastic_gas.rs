@@ -64,8 +64,8 @@ fn momentum(sim: &Simulation) -> (DVec3, f64) {
         sim.grains()
             .velocity
             .iter()
-            .zip(&sim.grains().mass)
-            .map(|(v, m)| *v * *m)
+            .zip(sim.grains().masses())
+            .map(|(v, m)| *v * m)
     };
     (each().sum(), each().map(|p| p.length()).sum())
 }

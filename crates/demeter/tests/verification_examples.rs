@@ -130,15 +130,15 @@ fn templates_close_their_books_and_restart() {
         let overrides: Vec<String> = match *name {
             _ if full() => vec![],
             "collide" => vec![],
-            "settle" => vec!["stage[0].duration=\"60 ms\"".into()],
+            "settle" => vec!["stage[0].duration=\"40 ms\"".into()],
             // its strokes are nested, and end by their way
             "uniaxial-compression" => vec![
-                "stage[0].duration=\"30 ms\"".into(),
-                "stage[1].duration=\"20 ms\"".into(),
+                "stage[0].duration=\"20 ms\"".into(),
+                "stage[1].duration=\"10 ms\"".into(),
             ],
             _ => {
                 let stages = text.matches("\n[[stage]]\n").count();
-                let short = |k: usize| format!("stage[{k}].duration=\"{} ms\"", 40 / stages);
+                let short = |k: usize| format!("stage[{k}].duration=\"{} ms\"", 20 / stages);
                 (0..stages).map(short).collect()
             }
         };

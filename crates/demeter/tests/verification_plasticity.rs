@@ -206,7 +206,7 @@ fn a_dent_lasts_through_unloading_and_reloading() {
                 // in the dent it touches without force: it is in the table, but does not act
                 let mut found = contacts.iter().flat_map(|chunk| {
                     let here = (0..chunk.len()).filter(|&k| chunk.j[k] as usize == wall && chunk.is_engaged(k));
-                    here.map(|k| (sim.contact(chunk, k), chunk.normal_force()[k]))
+                    here.map(|k| (sim.contact(chunk, k), chunk.normal_force(k)))
                 });
                 let Some((contact, force)) = found.next() else {
                     // they parted: the next contact is a new one
@@ -224,7 +224,7 @@ fn a_dent_lasts_through_unloading_and_reloading() {
                 let window = rate.length() * sim.dt() + (d - latest[wall]).abs();
                 let error = (force - expected).abs();
                 assert!(
-                    error <= K2 * window + 1e-9 * K2 * depth,
+                    error <= K2 * window + 1e-7 * K2 * depth,
                     "wall {wall}: {force} N at {d} m after {peak} m, expected {expected} N"
                 );
                 if [0.0, dent, peak].iter().all(|kink| (d - kink).abs() > 2.0 * window) {

@@ -92,7 +92,7 @@ fn collide(choice: &LawChoice, target: Target, speed: f64, phase: f64) -> Seen {
         sim.step().unwrap();
         let chunks = || sim.contacts.pairs.iter().chain(&sim.contacts.walls);
         if let Some(chunk) = chunks().find(|chunk| chunk.engaged() > 0) {
-            let (overlap, force) = (sim.contact(chunk, 0).overlap, chunk.normal_force()[0]);
+            let (overlap, force) = (sim.contact(chunk, 0).overlap, chunk.normal_force(0));
             seen.max_overlap = seen.max_overlap.max(overlap);
             seen.least_force = seen.least_force.min(force);
             // a force acts from half a step before its moment to half a step after

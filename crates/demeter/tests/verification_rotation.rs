@@ -141,7 +141,8 @@ fn impact(laws: &Laws, speed: f64, angle: f64) -> (Simulation, f64) {
     let (mut repulsion, mut touched) = (0.0, false);
     loop {
         sim.step().unwrap();
-        let forces = || sim.contacts.walls.iter().flat_map(|chunk| chunk.normal_force());
+        let chunks = || sim.contacts.walls.iter();
+        let forces = || chunks().flat_map(|chunk| (0..chunk.len()).map(|k| chunk.normal_force(k)));
         if touched && forces().count() == 0 {
             return (sim, repulsion);
         }
@@ -183,7 +184,8 @@ fn an_oblique_impact_in_gross_sliding() {
                     let attraction = repulsive / normal - 1.0;
                     report(&format!("{label}: share of the attraction"), attraction);
                     if e == 1.0 {
-                        assert!(attraction.abs() < 1e-9, "{label}: {attraction}");
+                        // forces are told in single precision
+                        assert!(attraction.abs() < 1e-8, "{label}: {attraction}");
                     }
                     let share = tangential / (FRICTION * repulsive) - 1.0;
                     report(&format!("{label}: impulse"), share);

@@ -280,7 +280,9 @@ impl ForceState {
     /// Masses [kg], (n,).
     #[getter]
     fn masses(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
-        self.list(py, Table::Masses, |to, grains| to.copy_from_slice(&grains.mass))
+        self.list(py, Table::Masses, |to: &mut [f64], grains| {
+            to.iter_mut().zip(grains.masses()).for_each(|(to, mass)| *to = mass);
+        })
     }
 
     /// Ids, (n,), of uint32.

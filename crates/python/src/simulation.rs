@@ -476,7 +476,7 @@ impl Simulation {
     /// Masses [kg], (n,); without a copy.
     #[getter]
     fn masses<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        Self::show(slf, Table::Mass, |s, sim| s.list(&sim.grains().mass))
+        Self::show(slf, Table::Load, |s, sim| s.masses(&sim.grains().load))
     }
 
     /// Ids, which never change, (n,); without a copy.

@@ -24,7 +24,6 @@ pub enum Table {
     AngularVelocity,
     Orientation,
     Load,
-    Mass,
     Id,
     Material,
 }
@@ -107,7 +106,6 @@ fn take(grains: &mut Grains, table: Table) -> Box<dyn Any + Send + Sync> {
         Table::AngularVelocity => swap(&mut grains.angular_velocity),
         Table::Orientation => swap(&mut grains.orientation),
         Table::Load => swap(&mut grains.load),
-        Table::Mass => swap(&mut grains.mass),
         Table::Id => swap(&mut grains.id),
         Table::Material => swap(&mut grains.material),
     }
@@ -149,9 +147,19 @@ impl<'py> Showing<'_, 'py> {
 
     /// The numbers beside the vectors.
     pub fn scalars(self, rows: &Rows) -> PyResult<Bound<'py, PyAny>> {
-        let numbers = rows.table().as_flattened();
-        let behind = numbers.get(3..).unwrap_or(&[]);
-        let view = ArrayView1::from_shape((rows.len(),).strides((4,)), behind);
+        self.beside(rows)
+    }
+
+    /// Masses.
+    pub fn masses(self, loads: &Rows<Load>) -> PyResult<Bound<'py, PyAny>> {
+        self.beside(loads)
+    }
+
+    /// The numbers beside the first vectors of all rows.
+    fn beside<T: Pod>(self, rows: &Rows<T>) -> PyResult<Bound<'py, PyAny>> {
+        let width = size_of::<T>() / size_of::<f64>();
+        let behind = rows.numbers().get(3..).unwrap_or(&[]);
+        let view = ArrayView1::from_shape((rows.len(),).strides((width,)), behind);
         self.show1(view.map_err(|e| Error::new_err(e.to_string()))?)
     }
 

@@ -271,7 +271,7 @@ impl Track {
         let stride = sim.contacts.stride;
         let chunks = || sim.contacts.pairs.iter().chain(&sim.contacts.walls);
         let active: Option<&ContactChunk> = chunks().find(|chunk| chunk.engaged() > 0);
-        let force = active.map_or(0.0, |chunk| chunk.normal_force()[0]);
+        let force = active.map_or(0.0, |chunk| chunk.normal_force(0));
         let end = match active {
             Some(chunk) => -reach(launch.law, launch.size(), chunk.history(0, stride)),
             None => -reach(launch.law, launch.size(), &vec![0.0; launch.law.normal.info().history]),

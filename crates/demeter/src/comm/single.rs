@@ -133,18 +133,27 @@ impl Single {
         let size = self.domain.size();
         for axis in (0..3).filter(|&k| self.domain.periodic[k]) {
             let positions = grains.position.rows_mut()[some.clone()].iter_mut();
-            for (position, image) in positions.zip(&mut grains.image[some.clone()]) {
+            for (position, load) in positions.zip(&mut grains.load.rows_mut()[some.clone()]) {
                 let position = &mut position.vector;
                 // one crossing at a time keeps the bits of the ordinary case simple; a lost grain is caught by the watch
-                if position[axis] >= self.domain.upper[axis] {
-                    position[axis] -= size[axis];
-                    image[axis] += 1;
-                } else if position[axis] < self.domain.lower[axis] {
-                    position[axis] += size[axis];
-                    image[axis] -= 1;
+                let boxes = self.boxes_beyond(*position, axis);
+                if boxes == 0 {
+                    continue;
+                }
+                let mut crossings = load.crossings();
+                crossings[axis] += boxes;
+                // where that cannot be counted the watch finds the grain as it goes on
+                if load.set_crossings(crossings) {
+                    position[axis] -= size[axis] * f64::from(boxes);
                 }
             }
         }
+    }
+
+    /// On which side of the periodic box a place lies along an axis: 1 beyond its upper end, -1 beyond its lower, 0 within.
+    #[inline(always)]
+    fn boxes_beyond(&self, place: DVec3, axis: usize) -> i32 {
+        i32::from(place[axis] >= self.domain.upper[axis]) - i32::from(place[axis] < self.domain.lower[axis])
     }
 
     /// Has the images of a box that deforms be those next to it, however far it was sheared.
@@ -170,28 +179,25 @@ impl Single {
         };
         let mut gained = 0.0;
         for g in some {
-            let (mut place, mut image, mut change) = (grains.position[g], grains.image[g], DVec3::ZERO);
+            let before = grains.crossings(g);
+            let (mut place, mut crossings, mut change) = (grains.position[g], before, DVec3::ZERO);
             for axis in axes.into_iter().filter(|&k| self.domain.periodic[k]) {
-                let boxes = if place[axis] >= self.domain.upper[axis] {
-                    1
-                } else if place[axis] < self.domain.lower[axis] {
-                    -1
-                } else {
+                let boxes = self.boxes_beyond(place, axis);
+                if boxes == 0 {
                     continue;
-                };
+                }
                 place -= edges[axis] * f64::from(boxes);
                 change -= velocities[axis] * f64::from(boxes);
-                image[axis] += boxes;
+                crossings[axis] += boxes;
                 if let Some(axes) = sheared.filter(|axes| axes.gradient == axis) {
-                    image[axes.flow] -= boxes * deforming.turns();
+                    crossings[axes.flow] -= boxes * deforming.turns();
                 }
             }
-            if image != grains.image[g] {
+            if crossings != before && grains.load.rows_mut()[g].set_crossings(crossings) {
                 let middle = grains.velocity[g] - grains.force(g) * (ahead * grains.inverse_mass(g));
-                gained += grains.mass[g] * (middle + 0.5 * change).dot(change);
+                gained += grains.mass(g) * (middle + 0.5 * change).dot(change);
                 grains.position[g] = place;
                 grains.velocity[g] += change;
-                grains.image[g] = image;
             }
         }
         gained

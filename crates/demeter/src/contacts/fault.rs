@@ -105,6 +105,22 @@ pub enum Fault {
         /// Why.
         reason: String,
     },
+    /// A grain went round a periodic box more often than is counted.
+    #[error(
+        "step {step}: grain {id} at {} went round the periodic box in one direction more than {most} times, which is as far as \
+         that is counted. Cause: a very long run of a short box. Remedy: make the box longer, or end the run earlier",
+        place(.position)
+    )]
+    CrossedTooOften {
+        /// Step.
+        step: u64,
+        /// Id of the grain.
+        id: u32,
+        /// Its centre [m].
+        position: DVec3,
+        /// Most crossings that are counted.
+        most: i32,
+    },
     /// A value is not a finite number.
     #[error(
         "step {step}: the {quantity} of grain {id} (last seen near {}) is not a finite number. Cause: a time step far \
@@ -136,6 +152,7 @@ impl Fault {
             | Self::Outside { id, .. }
             | Self::BeyondFold { id, .. }
             | Self::BoxTooSmall { id, .. }
+            | Self::CrossedTooOften { id, .. }
             | Self::NotFinite { id, .. } => *id,
             Self::Custom { .. } => 0,
         }

@@ -9,10 +9,10 @@ use demeter_physics::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Vector};
 
 /// Numbers of contacts from `k` on as lanes; 0 in lanes beyond the end.
 #[inline(always)]
-pub(super) fn load_some<L: Lanes>(from: &[f64], k: usize) -> L {
+pub(super) fn load_some<L: Lanes>(from: &[f32], k: usize) -> L {
     match from.get(k..k + L::COUNT) {
-        Some(all) => L::load(all),
-        None => L::load(&last_numbers(from, k)),
+        Some(all) => L::load_singles(all),
+        None => L::load_singles(&last_numbers(from, k)),
     }
 }
 
@@ -20,7 +20,7 @@ pub(super) fn load_some<L: Lanes>(from: &[f64], k: usize) -> L {
 
 #[cold]
 #[inline(never)]
-fn last_numbers(from: &[f64], k: usize) -> [f64; MOST_LANES] {
+fn last_numbers(from: &[f32], k: usize) -> [f32; MOST_LANES] {
     let mut some = [0.0; MOST_LANES];
     let rest = &from[k..];
     some[..rest.len()].copy_from_slice(rest);
@@ -36,9 +36,18 @@ pub(super) fn store_some<L: Lanes>(lanes: L, to: &mut [f64], k: usize) {
     }
 }
 
+/// The same, rounded to numbers of half the precision.
+#[inline(always)]
+pub(super) fn store_some_singles<L: Lanes>(lanes: L, to: &mut [f32], k: usize) {
+    match to.get_mut(k..k + L::COUNT) {
+        Some(all) => lanes.store_singles(all),
+        None => put_last(&lanes.to_array().map(|number| number as f32), to, k),
+    }
+}
+
 #[cold]
 #[inline(never)]
-fn put_last(numbers: &[f64; MOST_LANES], to: &mut [f64], k: usize) {
+fn put_last<T: Copy>(numbers: &[T; MOST_LANES], to: &mut [T], k: usize) {
     let rest = &mut to[k..];
     rest.copy_from_slice(&numbers[..rest.len()]);
 }

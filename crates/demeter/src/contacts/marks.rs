@@ -46,7 +46,7 @@ impl ContactChunk {
                 continue;
             }
             let (g, contact) = (self.i[k] as usize, &self.now.geometry[k]);
-            let normal_force = self.now.normal_force[k];
+            let normal_force = self.normal_force(k);
             let point = scene.grains.position[g] - contact.normal * contact.lever_i;
             let [impact, sliding] = self.losses[k];
             self.marks.push(Mark {

@@ -4,7 +4,7 @@ use super::Scene;
 use super::kinematics::Turning;
 use super::near::{FindNear, Sought};
 use crate::comm::Single;
-use crate::neighbours::Pair;
+use crate::neighbours::{Pair, Pairs};
 use demeter_physics::geometry::contact_sphere_sphere::{Contact, Normals, contact_sphere_sphere_wide};
 use demeter_physics::lanes::{Index, Kernel, Lanes, MOST_LANES, Mask, Vector};
 use glam::DVec3;
@@ -235,7 +235,7 @@ pub(super) struct Found {
 
 /// Finds the pairs of a chunk that act on each other, where contacts feel each other.
 pub(super) struct FindPairs<'a> {
-    pub(super) pairs: &'a [Pair],
+    pub(super) pairs: Pairs<'a>,
     pub(super) scene: &'a Scene<'a>,
     pub(super) found: &'a mut Found,
 }
@@ -272,7 +272,7 @@ impl Kernel for FindPairs<'_> {
         for n in (0..near.len()).step_by(L::COUNT) {
             let mut lane = 0;
             while lane < L::COUNT {
-                lot.put(lane, &pairs[usize::from(near[(n + lane).min(near.len() - 1)])]);
+                lot.put(lane, &pairs.get(usize::from(near[(n + lane).min(near.len() - 1)])));
                 lane += 1;
             }
             let met = meeting.meet::<L>(&lot, lanes_below((near.len() - n).min(L::COUNT)));

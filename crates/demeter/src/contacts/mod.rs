@@ -105,8 +105,8 @@ pub(crate) struct Kept {
     pub(crate) element: Vec<u32>,
     /// Geometry; between grains whose contacts do not feel each other only while forces are found.
     pub(crate) geometry: Vec<Contact>,
-    /// Normal force on the first body along the normal [N].
-    pub(crate) normal_force: Vec<f64>,
+    /// Normal force on the first body along the normal, rounded to single precision [N].
+    pub(crate) normal_force: Vec<f32>,
     /// Force on the first body in the contact plane [N].
     pub(crate) tangential: Told,
     /// History of the laws, `stride` values per contact.
@@ -138,7 +138,7 @@ impl Kept {
     /// Appends the forces of a contact: along the normal, and in the contact plane [N].
     fn push_force(&mut self, normal: f64, tangential: DVec3) {
         let place = self.len();
-        self.normal_force.push(normal);
+        self.normal_force.push(normal as f32);
         self.tangential.resize(self.len());
         self.tangential.put(place, tangential);
     }
@@ -329,9 +329,10 @@ impl ContactChunk {
         ]
     }
 
-    /// Force of a contact with this normal on its first body [N]; on the second it is the opposite.
+    /// Force of a contact with this normal on its first body [N]; on the second it is the opposite. What is told of forces is rounded to
+    /// single precision; what acts on the grains is not.
     pub fn force(&self, contact: usize, normal: DVec3) -> DVec3 {
-        normal * self.now.normal_force[contact] + self.tangential_force(contact)
+        normal * self.normal_force(contact) + self.tangential_force(contact)
     }
 
     /// Its part in the contact plane [N], rounded to single precision; what acts on the grains is not.
@@ -354,9 +355,9 @@ impl ContactChunk {
         self.len() == 0
     }
 
-    /// Normal force of every contact [N].
-    pub fn normal_force(&self) -> &[f64] {
-        &self.now.normal_force
+    /// Normal force of a contact [N], rounded to single precision; what acts on the grains is not.
+    pub fn normal_force(&self, contact: usize) -> f64 {
+        f64::from(self.now.normal_force[contact])
     }
 
     /// Whether the laws were asked about a contact in the latest step: the bodies touch, feel each other across a gap, or do so

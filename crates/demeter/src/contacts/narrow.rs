@@ -13,8 +13,8 @@ use super::sum::Adder;
 use super::{ContactChunk, Fault, Kept, Surfaces, Tally};
 use crate::comm::Single;
 use crate::materials::Materials;
-use crate::neighbours::Pair;
-use crate::particles::{Beyond, Grains};
+use crate::neighbours::Pairs;
+use crate::particles::{Beyond, Grains, make_room};
 use crate::walls::Wall;
 use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::integrator::Integrator;
@@ -133,7 +133,7 @@ impl ContactChunk {
     /// `found_all` is called when contacts are known.
     pub(crate) fn step_pairs(
         &mut self,
-        (pairs, law): (&[Pair], u32),
+        (pairs, law): (Pairs<'_>, u32),
         sought: Option<Sought>,
         scene: &Scene,
         adder: &mut Adder,
@@ -171,15 +171,16 @@ impl ContactChunk {
     }
 
     /// Takes the codes of the shifts of all contacts from their candidates.
-    fn note_shifts(&mut self, pairs: &[Pair]) {
+    fn note_shifts(&mut self, pairs: Pairs<'_>) {
         self.shift.clear();
         let candidates = self.now.candidate.iter();
+        make_room(&mut self.shift, candidates.len(), Beyond::Kept);
         self.shift
-            .extend(candidates.map(|&candidate| pairs[usize::from(candidate)].shift));
+            .extend(candidates.map(|&candidate| pairs.get(usize::from(candidate)).shift));
     }
 
     /// Finds the contacts of a chunk of pairs of grains that feel each other.
-    pub(crate) fn find_pairs(&mut self, (pairs, law): (&[Pair], u32), scene: &Scene) {
+    pub(crate) fn find_pairs(&mut self, (pairs, law): (Pairs<'_>, u32), scene: &Scene) {
         self.begin(0, law);
         WORKSPACE.with_borrow_mut(|(found, _)| {
             lanes::run(scene.instructions, FindPairs { pairs, scene, found });
@@ -215,7 +216,7 @@ impl ContactChunk {
     }
 
     /// Takes over what the contacts of the step before remember, where not all of them are still the same.
-    fn renew(&mut self, pairs: &[Pair], found: &Found, scene: &Scene) {
+    fn renew(&mut self, pairs: Pairs<'_>, found: &Found, scene: &Scene) {
         let stride = scene.stride;
         std::mem::swap(&mut self.now, &mut *self.before);
         self.now.clear();
@@ -234,7 +235,7 @@ impl ContactChunk {
                 old += 1;
             }
             let goes_on = self.before.candidate.get(old) == Some(&candidate);
-            let pair = &pairs[usize::from(candidate)];
+            let pair = pairs.get(usize::from(candidate));
             self.i.push(pair.i);
             self.j.push(pair.j);
             if goes_on && going_on.end == old {

@@ -12,7 +12,7 @@
 use super::Scene;
 use super::meetings::{Lot, Meeting, lanes_below};
 use crate::comm::parts::{InParts, Listed, Part};
-use crate::neighbours::Pair;
+use crate::neighbours::Pairs;
 use demeter_physics::lanes::{Kernel, Lanes, Mask, Vector};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -262,7 +262,7 @@ impl NearTables {
 
 /// Finds the candidates of a chunk that are nearer than a reach beyond touching, or will be.
 pub(super) struct FindNear<'a> {
-    pub(super) pairs: &'a [Pair],
+    pub(super) pairs: Pairs<'a>,
     pub(super) scene: &'a Scene<'a>,
     /// Distances beyond touching, and beyond what the surfaces may bulge.
     pub(super) sought: Sought,
@@ -285,7 +285,7 @@ impl Kernel for FindNear<'_> {
         for c in (0..count).step_by(L::COUNT) {
             let mut lane = 0;
             while lane < L::COUNT {
-                lot.put(lane, &pairs[(c + lane).min(count - 1)]);
+                lot.put(lane, &pairs.get((c + lane).min(count - 1)));
                 lane += 1;
             }
             let (apart, ri, rj) = meeting.apart::<L>(&lot);

@@ -2,7 +2,7 @@
 //! registers in between.
 
 use super::asking::{Lot, Press, Pressed, Roll, Rub, Stiffness};
-use super::kinematics::{Motion, Sight, Source, load_some, store_some};
+use super::kinematics::{Motion, Sight, Source, load_some, store_some_singles};
 use super::laws::{normal_history, spring_energies, tangential_history};
 use super::meetings::{lanes_below, next_lane};
 use super::sum::{Loads, Sink};
@@ -17,8 +17,9 @@ use demeter_physics::lanes::{Kernel, Lanes, Vector};
 
 /// What the contacts of a chunk know, and what comes out of a step.
 pub(super) struct Answers<'a> {
-    /// Normal force of every contact, of the step before and then of this one [N].
-    pub(super) normal_force: &'a mut [f64],
+    /// Normal force of every contact, of the step before and then of this one, rounded to single precision [N]. A step needs that of the
+    /// one before only to take back what it did to velocities that are foreseen, which singles tell, too.
+    pub(super) normal_force: &'a mut [f32],
     /// What all of their laws remember, `stride` values per contact.
     pub(super) history: &'a mut [f64],
     pub(super) stride: usize,
@@ -235,7 +236,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 rolling_torque = rolled.torque.or(acting, nothing);
                 answers.torques.put_lanes::<L>(k, rolling_torque);
             }
-            store_some(force, answers.normal_force, k);
+            store_some_singles(force, answers.normal_force, k);
             answers.tell::<L>(k, count, &pressed, &rubbed, acting);
             let tangential = rubbed.force.or(acting, nothing);
             answers.tangential.put_lanes::<L>(k, tangential);

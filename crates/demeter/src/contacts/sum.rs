@@ -257,7 +257,7 @@ impl Sums {
         let Range { start, end } = work.segments;
         let sums = &mut loads.rows_mut()[own.clone()];
         if start == end {
-            return sums.fill(Load::default());
+            return sums.iter_mut().for_each(Load::clear);
         }
         let parts = parts.clamp(1, end - start);
         let chunks = of_segments(start..end, |s| work.neighbours.chunks_of_segment(s));
@@ -355,7 +355,7 @@ impl<'a> Task<'a> {
         for segment in self.bounds[0]..self.bounds[1] {
             let grains = neighbours.grains_of_segment(segment);
             let [first, end] = [grains.start, grains.end].map(|grain| (grain - self.first_grain).min(count));
-            adder.sums[first..end].fill(Load::default());
+            adder.sums[first..end].iter_mut().for_each(Load::clear);
             for chunk in neighbours.chunks_of_segment(segment) {
                 (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], &mut adder);
             }

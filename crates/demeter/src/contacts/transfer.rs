@@ -221,7 +221,7 @@ impl Heirs for Pairs<'_> {
 
     #[inline(always)]
     fn bodies(&self, chunk: usize, slot: usize) -> (u32, u32) {
-        let pair = &self.0.chunk(chunk).0[slot];
+        let pair = self.0.chunk(chunk).0.get(slot);
         (pair.i, pair.j)
     }
 
@@ -507,7 +507,7 @@ impl Contacts {
             key,
             geometry: chunk.now.geometry.get(place).copied().map(Box::new),
             is_engaged: chunk.is_engaged(place),
-            normal_force: chunk.now.normal_force[place],
+            normal_force: chunk.normal_force(place),
             tangential: chunk.tangential_force(place),
             rolling: (!chunk.rolling.is_empty()).then(|| Box::new(chunk.rolling_torque(place))),
             history: chunk.history(place, self.stride).into(),

@@ -166,7 +166,8 @@ impl Scene<'_> {
     pub(super) fn size_at_wall(&self, grain: usize) -> PairSize {
         PairSize {
             radius: self.grains.radius(grain),
-            mass: self.grains.mass[grain],
+            // no grain that meets a wall is fixed
+            mass: 1.0 / self.grains.inverse_mass(grain),
         }
     }
 
@@ -300,7 +301,7 @@ impl ContactChunk {
         self.now.geometry.push(contact);
         match old {
             Some(k) => {
-                self.now.push_force(self.before.normal_force[k], DVec3::ZERO);
+                self.now.push_force(f64::from(self.before.normal_force[k]), DVec3::ZERO);
                 self.now
                     .history
                     .extend_from_slice(&self.before.history[k * stride..(k + 1) * stride]);

@@ -92,7 +92,7 @@ impl CylinderProfile {
         };
         let tell = |g: usize| {
             let velocity = self.selection.holds(grains, origins, g).then_some(grains.velocity[g]);
-            ((away(g), grains.radius(g)), grains.mass[g], velocity)
+            ((away(g), grains.radius(g)), grains.mass(g), velocity)
         };
         each_grain(sim, reaches_in, tell, |_, ((away, radius), mass, velocity)| {
             let height = away.dot(axis);

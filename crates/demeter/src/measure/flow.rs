@@ -90,7 +90,7 @@ impl MassFlow {
         let mut near = Vec::new();
         let tell = |g: usize| {
             let counts = self.selection.holds(grains, origins, g);
-            (grains.position[g], counts.then_some(grains.mass[g]))
+            (grains.position[g], counts.then_some(grains.mass(g)))
         };
         each_grain(sim, is_near, tell, |id, (now, mass)| {
             near.push((id, now));

@@ -86,7 +86,7 @@ impl Profile {
             |g: usize| self.slice_with(centre(g)).is_some() || counts(g) && self.meets(centre(g), grains.radius(g));
         let tell = |g: usize| {
             let ball = (centre(g), grains.radius(g));
-            (ball, grains.mass[g], counts(g).then_some(grains.velocity[g]))
+            (ball, grains.mass(g), counts(g).then_some(grains.velocity[g]))
         };
         each_grain(sim, is_in, tell, |_, ((centre, radius), mass, velocity)| {
             let slice = self.slice_with(centre);

@@ -90,7 +90,7 @@ fn record(sim: &Simulation, acting: &Acting<'_>) -> ContactRecord {
         position: sim.grains.position[i] - contact.normal * contact.lever_i,
         normal: contact.normal,
         overlap: contact.overlap,
-        normal_force: contact.normal * chunk.normal_force()[place],
+        normal_force: contact.normal * chunk.normal_force(place),
         tangential_force: chunk.tangential_force(place),
         rolling_torque: chunk.rolling_torque(place),
     }

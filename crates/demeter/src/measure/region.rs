@@ -42,7 +42,7 @@ impl RegionCount {
         let grains = &sim.grains;
         let is_inside = |g: usize| holds(sim, &self.zone, g) && self.selection.holds(grains, origins, g);
         let mut counts = vec![(0u64, 0.0f64); 1 + sim.materials.list().len()];
-        let tell = |g: usize| (grains.material[g], grains.mass[g]);
+        let tell = |g: usize| (grains.material[g], grains.mass(g));
         each_grain(sim, is_inside, tell, |_, (material, mass)| {
             for place in [0, 1 + usize::from(material)] {
                 counts[place].0 += 1;

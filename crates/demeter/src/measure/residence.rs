@@ -81,7 +81,7 @@ impl Residence {
         each_grain(
             sim,
             is_inside,
-            |g| grains.mass[g],
+            |g| grains.mass(g),
             |id, mass| {
                 now.push((id, sim.step, mass));
             },

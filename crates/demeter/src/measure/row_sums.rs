@@ -102,7 +102,7 @@ impl RowSums {
         for g in some {
             let (r, place, velocity) = (grains.radius(g), grains.position[g], grains.velocity[g]);
             self.solid += 4.0 / 3.0 * PI * r * r * r;
-            self.momentum += velocity * grains.mass[g];
+            self.momentum += velocity * grains.mass(g);
             self.speed2 = self.speed2.max(velocity.length_squared());
             lower = lower.min(place - r);
             upper = upper.max(place + r);

@@ -32,7 +32,7 @@ impl Acting<'_> {
 
     /// Its normal force, repulsion positive [N].
     pub fn normal_force(&self) -> f64 {
-        self.chunk.normal_force()[self.place]
+        self.chunk.normal_force(self.place)
     }
 }
 

@@ -44,7 +44,7 @@ impl GrainTrace {
         let is_traced = |g: usize| self.selection.holds(grains, origins, g);
         let tell = |g: usize| {
             let motion = [sim.unwrapped(g), grains.velocity[g], grains.angular_velocity[g]];
-            (grains.mass[g], motion, grains.force(g))
+            (grains.mass(g), motion, grains.force(g))
         };
         each_grain(sim, is_traced, tell, |_, (m, motion, f)| {
             count += 1;

@@ -7,13 +7,14 @@
 //! 2. `search`, `visit`: every grain looks at half of the cells around it, and into the grids of other classes;
 //! 3. `pairs`: pairs are put into the order in which grains are summed up;
 //! 4. `table`: they are cut into chunks of one law;
-//! 5. `incidence`: every grain learns its candidates with walls, and where contacts feel each other all others.
+//! 5. `incidence`: where contacts feel each other every grain learns its candidates.
 
 mod cells;
 mod classes;
 mod former;
 mod incidence;
 mod order;
+mod packed;
 mod pairs;
 mod ranges;
 mod rows_of_cells;
@@ -31,6 +32,7 @@ pub(crate) use classes::{Extremes, SizeClasses};
 pub(crate) use former::{Farthest, FormerPlaces};
 pub(crate) use order::Curve;
 pub use order::{GONE, SpatialOrder};
+pub use packed::Pairs;
 pub use search::SearchEffort;
 pub(crate) use shared::SegmentsOfCandidates;
 pub use table::CHUNK;
@@ -41,7 +43,7 @@ use crate::materials::Materials;
 use crate::particles::Grains;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::walls::{Pose, Wall};
-use incidence::Incidence;
+use incidence::OfGrains;
 use pairs::PairTable;
 use search::Search;
 use serde::{Deserialize, Serialize};
@@ -49,8 +51,8 @@ use std::fmt::{Debug, Formatter};
 use std::ops::Range;
 use table::{Segment, Table};
 
-/// A candidate pair of grains; `i` has the lower id. There are several per grain, so no byte is left unused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// A candidate pair of grains; `i` has the lower id.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C, packed)]
 pub struct Pair {
     /// Index of the grain with the lower id.
@@ -72,11 +74,6 @@ impl Pair {
     #[inline(always)]
     pub fn earlier(&self) -> u32 {
         self.i.min(self.j)
-    }
-
-    /// What pairs are sorted by.
-    fn key(&self) -> (u32, u32) {
-        (self.later(), self.earlier())
     }
 
     /// The other grain of the pair.
@@ -102,9 +99,7 @@ pub struct Neighbours {
     walls: Table<WallPair>,
     /// Pairs of every grain; nothing where nobody asks for them.
     #[serde(skip)]
-    incidence: Option<Incidence>,
-    #[serde(skip)]
-    wall_incidence: Incidence,
+    incidence: Option<OfGrains>,
     #[serde(skip)]
     search: Search,
     effort: SearchEffort,
@@ -121,7 +116,7 @@ impl Clone for Neighbours {
     fn clone(&self) -> Self {
         Self {
             pairs: self.pairs.saved(),
-            incidence: self.incidence.as_ref().map(|_| Incidence::default()),
+            incidence: self.incidence.as_ref().map(|_| OfGrains::default()),
             walls: self.walls.saved(),
             effort: self.effort,
             total: self.total,
@@ -173,12 +168,11 @@ impl Neighbours {
 
     fn find_incidence(&mut self, grains: &Grains) {
         if let Some(incidence) = &mut self.incidence {
-            incidence.find(&self.pairs.table, &grains.id, 2);
+            incidence.find(&self.pairs, &self.walls, &grains.id);
         }
-        self.wall_incidence.find(&self.walls, &grains.id, 1);
     }
 
-    /// Has every grain learn its pairs from now on ([`Neighbours::pairs_of`]).
+    /// Has every grain learn its pairs from now on ([`Neighbours::pairs_of`], [`Neighbours::wall_pairs_of`]).
     pub fn tell_pairs_of_grains(&mut self) {
         self.incidence.get_or_insert_default();
     }
@@ -216,8 +210,8 @@ impl Neighbours {
 
     /// Candidates of a chunk, and the material pair of all of them.
     #[inline(always)]
-    pub fn chunk(&self, chunk: usize) -> (&[Pair], u32) {
-        self.pairs.table.chunk(chunk)
+    pub fn chunk(&self, chunk: usize) -> (Pairs<'_>, u32) {
+        self.pairs.chunk(chunk)
     }
 
     /// Number of chunks of pairs of grain and wall.
@@ -250,7 +244,7 @@ impl Neighbours {
     /// where they are not told ([`Neighbours::tell_pairs_of_grains`]).
     #[inline(always)]
     pub fn pairs_of(&self, grain: usize) -> impl Iterator<Item = (usize, usize, bool)> + '_ {
-        let entries = self.incidence.iter().flat_map(move |incidence| incidence.of(grain));
+        let entries = self.incidence.iter().flat_map(move |of| of.pairs.of(grain));
         entries.map(|entry| (entry.chunk(), entry.slot(), entry.is_first()))
     }
 
@@ -308,10 +302,12 @@ impl Neighbours {
         })
     }
 
-    /// Pairs of a grain with walls, in the order of the walls: chunk, and place in it.
+    /// Pairs of a grain with walls, in the order of the walls: chunk, and place in it. None where they are not told
+    /// ([`Neighbours::tell_pairs_of_grains`]).
     #[inline(always)]
-    pub fn wall_pairs_of(&self, grain: usize) -> impl ExactSizeIterator<Item = (usize, usize)> + '_ {
-        (self.wall_incidence.of(grain)).map(|entry| (entry.chunk(), entry.slot()))
+    pub fn wall_pairs_of(&self, grain: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let entries = self.incidence.iter().flat_map(move |of| of.walls.of(grain));
+        entries.map(|entry| (entry.chunk(), entry.slot()))
     }
 
     /// Chunk of the candidate of two grains, and its number among all candidates.
@@ -324,9 +320,10 @@ impl Neighbours {
     /// Chunk of the candidate of a grain and a wall, and its number among all of them.
     #[inline]
     pub(crate) fn find_wall_pair(&self, grain: u32, wall: u32) -> Option<(usize, usize)> {
-        let mut entries = self.wall_incidence.of(grain as usize);
-        let entry = entries.find(|&entry| self.walls.candidate(entry).wall == wall)?;
-        Some((entry.chunk(), self.walls.before(entry.chunk()) + entry.slot()))
+        let s = grain as usize / self.pairs.per_segment;
+        let candidate = (self.walls.segments.get(s)?).find(&(grain, wall), |pair| (pair.grain, pair.wall))?;
+        let (chunk, slot) = self.walls.chunk_and_slot(s, candidate);
+        Some((chunk, self.walls.before(chunk) + slot))
     }
 
     /// Candidates in the chunks of pairs of grains before one.
@@ -351,7 +348,7 @@ impl Neighbours {
 
     /// Bytes in use, with so many own grains.
     pub fn bytes(&self, own: usize) -> usize {
-        let incidence = self.incidence.as_ref().map_or(0, Incidence::bytes) + self.wall_incidence.bytes();
+        let incidence = self.incidence.as_ref().map_or(0, OfGrains::bytes);
         self.pairs.bytes() + self.walls.bytes() + incidence + self.former.bytes(own)
     }
 }

@@ -6,6 +6,7 @@
 //! tasks is added afterwards, task by task.
 
 use super::Pair;
+use super::packed::{MOST_OF_A_SEGMENT, PackedPair, Pairs};
 use super::table::{LawOrder, NOWHERE, Segment, Table};
 use crate::particles::set_aside;
 use rayon::prelude::*;
@@ -15,12 +16,9 @@ use std::ops::Range;
 /// Candidate pairs by segments of grains that lie behind each other: each has the pairs whose later grain is one of its own.
 #[derive(Clone, Debug, Default, Deserialize)]
 pub(super) struct PairTable {
-    pub(super) table: Table<Pair>,
+    pub(super) table: Table<PackedPair>,
     /// Grains of a segment.
     pub(super) per_segment: usize,
-    /// For every segment where the pairs of each later grain begin, in the order of the sums.
-    #[serde(skip)]
-    starts: Vec<Vec<u32>>,
     /// For every segment the others with the earlier grains of its pairs.
     #[serde(skip)]
     others: Vec<Vec<u32>>,
@@ -37,7 +35,7 @@ pub(super) struct PairTable {
 /// What a task of the search finds.
 pub(super) struct Found<'a> {
     /// Pairs whose later grain is one of the task's own.
-    pub(super) own: &'a mut Vec<Pair>,
+    pub(super) own: &'a mut Vec<PackedPair>,
     /// Others.
     pub(super) strays: &'a mut Vec<Pair>,
 }
@@ -45,7 +43,9 @@ pub(super) struct Found<'a> {
 /// Memory of a thread for putting pairs in order.
 #[derive(Debug, Default)]
 pub(super) struct Sorter {
-    pairs: Vec<Pair>,
+    pairs: Vec<PackedPair>,
+    /// Where the pairs of each later grain begin, and where the next of them goes.
+    starts: Vec<u32>,
     next: Vec<u32>,
     laws: Vec<u32>,
     order: LawOrder,
@@ -61,7 +61,6 @@ impl PairTable {
         self.per_segment = per_segment;
         let segments = grains.div_ceil(per_segment);
         self.strays_found.resize_with(segments, Vec::new);
-        self.starts.resize_with(segments, Vec::new);
         self.others.resize_with(segments, Vec::new);
         self.table.segments.resize_with(segments, Segment::default);
         let found = self.table.segments.par_iter_mut().zip(&mut self.strays_found);
@@ -76,6 +75,19 @@ impl PairTable {
     /// Grains of a segment.
     pub(super) fn grains_of(&self, segment: usize, grains: usize) -> Range<usize> {
         segment * self.per_segment..((segment + 1) * self.per_segment).min(grains)
+    }
+
+    /// Pairs of every segment.
+    pub(super) fn by_segment(&self) -> impl Iterator<Item = Pairs<'_>> + Clone {
+        let segments = self.table.segments.iter().enumerate();
+        segments.map(|(s, segment)| Pairs::new(s * self.per_segment, &segment.candidates))
+    }
+
+    /// Pairs of a chunk, and the material pair of all of them.
+    #[inline(always)]
+    pub(super) fn chunk(&self, chunk: usize) -> (Pairs<'_>, u32) {
+        let (packed, law) = self.table.chunk(chunk);
+        (Pairs::new(self.table.segment_of(chunk) * self.per_segment, packed), law)
     }
 
     fn collect_strays(&mut self) {
@@ -111,12 +123,12 @@ impl PairTable {
         let per_segment = self.per_segment;
         let (strays, first_strays) = (&self.strays, &self.first_strays);
         (self.table.segments.par_iter_mut().enumerate())
-            .zip(self.starts.par_iter_mut().zip(&mut self.others))
-            .for_each(|((s, segment), (starts, others))| {
+            .zip(&mut self.others)
+            .for_each(|((s, segment), others)| {
                 let strays = &strays[first_strays[s] as usize..first_strays[s + 1] as usize];
                 let first = s * per_segment;
                 let own = (grains - first).min(per_segment);
-                with_sorter(&mut |sorter| sorter.fill(segment, starts, strays, (first, own), &law));
+                with_sorter(&mut |sorter| sorter.fill(segment, strays, (first, own), &law));
                 find_others(&segment.candidates, s, per_segment, others);
             });
         self.table.cut();
@@ -125,39 +137,33 @@ impl PairTable {
     /// Makes the table of a checkpoint whole again; tells whether it fits so many grains and material pairs.
     pub(super) fn restore(&mut self, grains: usize, laws: usize) -> bool {
         let per_segment = self.per_segment;
-        let fits = |(s, segment): (usize, &Segment<Pair>)| {
-            let own = s * per_segment..(s + 1) * per_segment;
-            let is_own = |p: &Pair| own.contains(&(p.later() as usize));
-            let is_whole = |p: &Pair| {
-                (p.i as usize) < grains && (p.j as usize) < grains && p.i != p.j && p.shift < 27 && is_own(p)
+        let fits = |(s, segment): (usize, &Segment<PackedPair>)| {
+            let own = self.grains_of(s, grains);
+            let is_whole = |packed: &PackedPair| {
+                let later = own.start + packed.place();
+                own.contains(&later) && (packed.earlier() as usize) < later && packed.pair(0).shift < 27
             };
             segment.candidates.iter().all(is_whole)
         };
         if !self.table.is_whole(laws)
-            || per_segment == 0
+            || !(1..=MOST_OF_A_SEGMENT).contains(&per_segment)
             || self.table.segments.len() != grains.div_ceil(per_segment)
             || !self.table.segments.iter().enumerate().all(fits)
         {
             return false;
         }
-        self.starts.resize_with(self.table.segments.len(), Vec::new);
         let mut is_in_order = true;
         self.others.resize_with(self.table.segments.len(), Vec::new);
-        let lists = self.starts.iter_mut().zip(&mut self.others);
-        for (s, (segment, (starts, others))) in self.table.segments.iter_mut().zip(lists).enumerate() {
-            let mut order: Vec<u32> = (0..segment.candidates.len() as u32).collect();
-            let key = |k: u32| segment.candidates[k as usize].key();
-            order.sort_unstable_by_key(|&k| key(k));
-            is_in_order &= order.windows(2).all(|two| key(two[0]) < key(two[1]));
-            let first = s * per_segment;
-            starts.clear();
-            starts.extend((first..=first + per_segment.min(grains - first)).map(|grain| {
-                order.partition_point(|&k| (segment.candidates[k as usize].later() as usize) < grain) as u32
-            }));
-            segment.span = span(&segment.candidates);
+        let mut keys = Vec::new();
+        for (s, (segment, others)) in self.table.segments.iter_mut().zip(&mut self.others).enumerate() {
+            is_in_order &= (segment.by_law()).all(|(_, pairs)| pairs.is_sorted_by_key(PackedPair::key));
+            keys.clear();
+            keys.extend(segment.candidates.iter().map(PackedPair::key));
+            keys.sort_unstable();
+            // no two grains are a pair twice
+            is_in_order &= keys.windows(2).all(|two| two[0] != two[1]);
+            segment.span = span(&segment.candidates, s * per_segment);
             find_others(&segment.candidates, s, per_segment, others);
-            segment.order = if segment.runs.len() > 1 { order } else { Vec::new() };
-            is_in_order &= segment.runs.len() > 1 || segment.candidates.is_sorted_by_key(Pair::key);
         }
         self.table.cut();
         is_in_order
@@ -172,21 +178,13 @@ impl PairTable {
     #[inline]
     pub(super) fn find(&self, i: u32, j: u32) -> Option<(usize, usize)> {
         let (later, earlier) = (i.max(j) as usize, i.min(j));
-        let s = later / self.per_segment;
-        let (segment, starts) = (self.table.segments.get(s)?, &self.starts[s]);
-        let own = later - s * self.per_segment;
-        let among = starts[own]..starts[own + 1];
-        for place in among {
-            let candidate = segment.order.get(place as usize).copied().unwrap_or(place);
-            if segment.candidates[candidate as usize].earlier() == earlier {
-                return Some(self.table.chunk_and_slot(s, candidate));
-            }
-        }
-        None
+        let (s, place) = (later / self.per_segment, later % self.per_segment);
+        let candidate = (self.table.segments.get(s)?).find(&(place, earlier), PackedPair::key)?;
+        Some(self.table.chunk_and_slot(s, candidate))
     }
 
     /// A table of segments; [`PairTable::restore`] finds the rest.
-    pub(super) fn of_segments(segments: Vec<Segment<Pair>>, per_segment: usize) -> Self {
+    pub(super) fn of_segments(segments: Vec<Segment<PackedPair>>, per_segment: usize) -> Self {
         Self {
             table: Table::of_segments(segments),
             per_segment,
@@ -212,13 +210,12 @@ impl PairTable {
 
     /// Bytes in use.
     pub(super) fn bytes(&self) -> usize {
-        let of = |lists: &[Vec<u32>]| lists.iter().map(set_aside).sum::<usize>();
-        self.table.bytes() + of(&self.starts) + of(&self.others)
+        self.table.bytes() + self.others.iter().map(set_aside).sum::<usize>()
     }
 }
 
 /// Finds the other segments with the earlier grains of the pairs of a segment.
-fn find_others(pairs: &[Pair], segment: usize, per_segment: usize, others: &mut Vec<u32>) {
+fn find_others(pairs: &[PackedPair], segment: usize, per_segment: usize, others: &mut Vec<u32>) {
     others.clear();
     let mut last = segment;
     for pair in pairs {
@@ -232,8 +229,12 @@ fn find_others(pairs: &[Pair], segment: usize, per_segment: usize, others: &mut 
     }
 }
 
-fn span(pairs: &[Pair]) -> (u32, u32) {
-    let ends = |span: (u32, u32), p: &Pair| (span.0.min(p.earlier()), span.1.max(p.later()));
+/// Lowest and highest index of the grains of the pairs of a segment that begins with a grain.
+fn span(pairs: &[PackedPair], first: usize) -> (u32, u32) {
+    let ends = |span: (u32, u32), p: &PackedPair| {
+        let later = (first + p.place()) as u32;
+        (span.0.min(p.earlier()), span.1.max(later))
+    };
     pairs.iter().fold(NOWHERE, ends)
 }
 
@@ -242,43 +243,42 @@ impl Sorter {
     /// grains are told by the first and how many.
     fn fill(
         &mut self,
-        segment: &mut Segment<Pair>,
-        starts: &mut Vec<u32>,
+        segment: &mut Segment<PackedPair>,
         strays: &[Pair],
         (first, grains): (usize, usize),
         law: impl Fn(&Pair) -> u32,
     ) {
         let own = &segment.candidates;
-        let all = || own.iter().chain(strays);
-        let is_empty = own.is_empty() && strays.is_empty() && segment.runs.is_empty();
-        if is_empty && starts.len() == grains + 1 && starts.last() == Some(&0) {
+        if own.is_empty() && strays.is_empty() && segment.runs.is_empty() {
             return;
         }
-        starts.clear();
-        starts.resize(grains + 1, 0);
-        all().for_each(|pair| starts[pair.later() as usize - first + 1] += 1);
+        let packed = |pair| PackedPair::new(pair, first as u32);
+        let all = || own.iter().copied().chain(strays.iter().map(packed));
+        self.starts.clear();
+        self.starts.resize(grains + 1, 0);
+        all().for_each(|pair| self.starts[pair.place() + 1] += 1);
         for grain in 0..grains {
-            starts[grain + 1] += starts[grain];
+            self.starts[grain + 1] += self.starts[grain];
         }
         self.next.clear();
-        self.next.extend_from_slice(starts);
-        self.pairs
-            .resize(own.len() + strays.len(), Pair { i: 0, j: 0, shift: 0 });
+        self.next.extend_from_slice(&self.starts);
+        self.pairs.resize(own.len() + strays.len(), PackedPair::default());
         for pair in all() {
-            let later = pair.later() as usize - first;
+            let later = pair.place();
             // few pairs have the same later grain: each goes to its place among them at once
             let mut place = self.next[later] as usize;
-            let least = starts[later] as usize;
+            let least = self.starts[later] as usize;
             while place > least && self.pairs[place - 1].earlier() > pair.earlier() {
                 self.pairs[place] = self.pairs[place - 1];
                 place -= 1;
             }
-            self.pairs[place] = *pair;
+            self.pairs[place] = pair;
             self.next[later] += 1;
         }
         self.laws.clear();
-        self.laws.extend(self.pairs.iter().map(law));
-        segment.span = span(&self.pairs);
+        self.laws
+            .extend(Pairs::new(first, &self.pairs).iter().map(|pair| law(&pair)));
+        segment.span = span(&self.pairs, first);
         segment.fill(&self.pairs, &self.laws, &mut self.order);
     }
 }

@@ -1,6 +1,7 @@
 //! The search for candidates.
 
 use super::cells::Cells;
+use super::packed::{MOST_OF_A_SEGMENT, PackedPair};
 use super::pairs::{Found, PairTable, Sorter};
 use super::surroundings::Surroundings;
 use super::table::{LawOrder, NOWHERE, Segment, Table};
@@ -23,6 +24,10 @@ const LEAST_OF_A_SEGMENT: usize = GRAINS_OF_A_SPREAD;
 
 /// Pairs of materials that a task of so many grains serves well.
 const FEW_LAWS: usize = 4;
+
+/// So many of the least segments make the longest one.
+const MOST_SEGMENTS_IN_ONE: usize = 16;
+const _: () = assert!(LEAST_OF_A_SEGMENT * MOST_SEGMENTS_IN_ONE <= MOST_OF_A_SEGMENT);
 
 /// Neighbours in memory that are told together whether they are near a wall.
 const GRAINS_PER_GROUP: usize = 64;
@@ -184,7 +189,7 @@ struct Finder<'a> {
 /// Grains handled by one task.
 pub(super) fn per_task(materials: &Materials) -> usize {
     let laws = materials.list().len().pow(2);
-    LEAST_OF_A_SEGMENT * laws.div_ceil(FEW_LAWS).clamp(1, 16)
+    LEAST_OF_A_SEGMENT * laws.div_ceil(FEW_LAWS).clamp(1, MOST_SEGMENTS_IN_ONE)
 }
 
 /// What both ranges hold.
@@ -238,7 +243,7 @@ impl Finder<'_> {
                     };
                     effort.scattered += u64::from(is_own && !of.contains(&(h as usize)));
                     if of.contains(&(pair.later() as usize)) {
-                        found.own.push(pair);
+                        found.own.push(PackedPair::new(&pair, of.start as u32));
                     } else {
                         found.strays.push(pair);
                     }

@@ -1,5 +1,7 @@
 //! Tables of candidates that several processes share: each has the pairs that one of its own grains is in.
 
+use super::incidence::OfGrains;
+use super::packed::{PackedPair, Pairs};
 use super::pairs::PairTable;
 use super::search::per_task;
 use super::table::{Segment, Table};
@@ -12,7 +14,7 @@ use std::ops::Range;
 /// Candidates of some segments, as other processes are told.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct SegmentsOfCandidates {
-    pairs: Vec<Segment<Pair>>,
+    pairs: Vec<Segment<PackedPair>>,
     walls: Vec<Segment<WallPair>>,
 }
 
@@ -36,7 +38,7 @@ impl Neighbours {
     /// with walls.
     pub(crate) fn bearers(&self, own: &Range<usize>) -> impl Iterator<Item = (u32, u32)> + '_ {
         let own = own.clone();
-        let pairs = self.pairs.table.segments.iter().flat_map(|segment| &segment.candidates);
+        let pairs = self.pairs.by_segment().flat_map(Pairs::iter);
         let walls = self.walls.segments.iter().flat_map(|segment| &segment.candidates);
         let of_pairs = pairs.map(|pair| (pair.later(), pair.earlier()));
         let all = of_pairs.chain(walls.map(|pair| (pair.grain, pair.grain)));
@@ -53,7 +55,7 @@ impl Neighbours {
     /// All pairs of own grains with others, by the index of the own one.
     pub(crate) fn pairs_across(&self, own: &Range<usize>) -> impl Iterator<Item = (u32, u32)> + '_ {
         let own = own.clone();
-        let pairs = self.pairs.table.segments.iter().flat_map(|segment| &segment.candidates);
+        let pairs = self.pairs.by_segment().flat_map(Pairs::iter);
         pairs.filter_map(
             move |pair| match (own.contains(&(pair.i as usize)), own.contains(&(pair.j as usize))) {
                 (true, false) => Some((pair.i, pair.j)),
@@ -66,7 +68,7 @@ impl Neighbours {
     /// All pairs of own grains with others, with their chunks and their places there.
     pub(crate) fn places_across(&self, own: &Range<usize>) -> impl Iterator<Item = (Pair, usize, usize)> + '_ {
         let own = own.clone();
-        let of_chunk = |chunk| (self.chunk(chunk).0.iter().enumerate()).map(move |(slot, pair)| (*pair, chunk, slot));
+        let of_chunk = |chunk| (self.chunk(chunk).0.iter().enumerate()).map(move |(slot, pair)| (pair, chunk, slot));
         let pairs = (0..self.chunks()).flat_map(of_chunk);
         pairs.filter(move |(pair, ..)| own.contains(&(pair.i as usize)) != own.contains(&(pair.j as usize)))
     }
@@ -88,10 +90,17 @@ impl Neighbours {
     /// The candidates that one of the own grains is in.
     pub(crate) fn picked(&self, own: &Range<usize>) -> SegmentsOfCandidates {
         let is_own = |grain: u32| own.contains(&(grain as usize));
-        let pairs = self.pairs.table.segments.iter();
+        let pairs = self.pairs.table.segments.iter().enumerate();
         let walls = self.walls.segments.iter();
+        let of_own = |(s, segment): (usize, &Segment<PackedPair>)| {
+            let first = (s * self.pairs.per_segment) as u32;
+            segment.picked(|packed| {
+                let pair = packed.pair(first);
+                is_own(pair.i) || is_own(pair.j)
+            })
+        };
         SegmentsOfCandidates {
-            pairs: pairs.map(|s| s.picked(|p| is_own(p.i) || is_own(p.j))).collect(),
+            pairs: pairs.map(of_own).collect(),
             walls: walls.map(|s| s.picked(|p| is_own(p.grain))).collect(),
         }
     }
@@ -103,7 +112,7 @@ impl Neighbours {
         Self {
             pairs: PairTable::of_segments(vec![Segment::default(); segments], per_segment),
             walls: Table::of_segments(vec![Segment::default(); segments]),
-            incidence: self.incidence.as_ref().map(|_| super::Incidence::default()),
+            incidence: self.incidence.as_ref().map(|_| OfGrains::default()),
             former: FormerPlaces::unknown(grains.len(), per_segment),
             ..Self::default()
         }
@@ -119,7 +128,7 @@ impl Neighbours {
         Self {
             pairs: PairTable::of_segments(pairs, self.pairs.per_segment),
             walls: Table::of_segments(walls),
-            incidence: self.incidence.as_ref().map(|_| super::Incidence::default()),
+            incidence: self.incidence.as_ref().map(|_| OfGrains::default()),
             effort: self.effort,
             total: self.total,
             former: self.former.clone(),

@@ -1,12 +1,12 @@
 //! The table of candidates: cut into chunks of one law each.
 
-use crate::particles::{Beyond, make_room};
+use crate::particles::{Beyond, make_room, set_aside};
 use serde::{Deserialize, Serialize};
 
 /// Most candidates of one chunk.
-pub const CHUNK: usize = 1024;
+pub const CHUNK: usize = 2048;
 
-const SLOT_BITS: u32 = 10;
+const SLOT_BITS: u32 = 11;
 const _: () = assert!(CHUNK <= 1 << SLOT_BITS);
 
 /// Which candidate a grain has, and on which side of it the grain is.
@@ -61,9 +61,6 @@ pub(super) struct Segment<C> {
     pub(super) runs: Vec<Run>,
     /// Lowest and highest index of the grains in it.
     pub(super) span: (u32, u32),
-    /// Where the candidates lie in the order that they were given in; nothing where they keep that order.
-    #[serde(skip)]
-    pub(super) order: Vec<u32>,
 }
 
 impl<C> Default for Segment<C> {
@@ -72,7 +69,6 @@ impl<C> Default for Segment<C> {
             candidates: Vec::new(),
             runs: Vec::new(),
             span: NOWHERE,
-            order: Vec::new(),
         }
     }
 }
@@ -81,7 +77,7 @@ impl<C> Default for Segment<C> {
 pub(super) const NOWHERE: (u32, u32) = (u32::MAX, 0);
 
 impl<C: Copy> Segment<C> {
-    /// Those of the candidates that are wanted; [`Table::cut`] and what finds the order come after it.
+    /// Those of the candidates that are wanted; [`Table::cut`] comes after it.
     pub(super) fn picked(&self, wanted: impl Fn(&C) -> bool) -> Self {
         let mut picked = Self::default();
         let mut start = 0;
@@ -101,7 +97,6 @@ impl<C: Copy> Segment<C> {
     pub(super) fn fill(&mut self, found: &[C], laws: &[u32], order: &mut LawOrder) {
         self.candidates.clear();
         self.runs.clear();
-        self.order.clear();
         make_room(&mut self.candidates, found.len(), Beyond::GivenBack);
         let Some(&law) = laws.first() else { return };
         if laws.iter().all(|&other| other == law) {
@@ -116,11 +111,24 @@ impl<C: Copy> Segment<C> {
             self.runs.push(Run { law, end });
         }
         self.candidates.extend(order.places.iter().map(|&k| found[k as usize]));
-        self.order.resize(found.len(), 0);
-        for (place, &k) in (0..).zip(&order.places) {
-            self.order[k as usize] = place;
-        }
         order.forget();
+    }
+
+    /// Candidates of each law, with the place of the first.
+    pub(super) fn by_law(&self) -> impl Iterator<Item = (usize, &[C])> {
+        let ends = self.runs.iter().map(|run| run.end as usize);
+        let starts = std::iter::once(0).chain(ends.clone());
+        starts
+            .zip(ends)
+            .map(|(start, end)| (start, &self.candidates[start..end]))
+    }
+
+    /// The place of the candidate with this key, by which those of each law are sorted.
+    pub(super) fn find<K: Ord>(&self, wanted: &K, key: impl Fn(&C) -> K) -> Option<u32> {
+        self.by_law().find_map(|(start, candidates)| {
+            let place = candidates.binary_search_by_key(wanted, &key).ok()?;
+            Some((start + place) as u32)
+        })
     }
 }
 
@@ -317,9 +325,7 @@ impl<C> Table<C> {
 
     /// Bytes in use.
     pub(super) fn bytes(&self) -> usize {
-        let of_segment =
-            |s: &Segment<C>| s.candidates.capacity() * size_of::<C>() + s.order.capacity() * size_of::<u32>();
-        self.segments.iter().map(of_segment).sum::<usize>()
+        self.segments.iter().map(|s| set_aside(&s.candidates)).sum::<usize>()
             + self.segments.capacity() * size_of::<Segment<C>>()
             + self.places.capacity() * size_of::<Place>()
     }

@@ -1,7 +1,8 @@
 //! Tables of candidates as they are written, where one process has them all and where several share them.
 
+use super::packed::PackedPair;
 use super::table::{Segment, Table};
-use super::{Neighbours, Pair, SearchEffort, WallPair, former};
+use super::{Neighbours, SearchEffort, WallPair, former};
 use crate::comm::parts::{InParts, Listed, Part};
 use crate::walls::Pose;
 use serde::{Serialize, Serializer};
@@ -22,7 +23,7 @@ struct Written<'a, 'b> {
 #[derive(Serialize)]
 #[serde(rename = "PairTable")]
 struct WrittenPairs<'a, 'b> {
-    table: WrittenTable<'a, 'b, Pair>,
+    table: WrittenTable<'a, 'b, PackedPair>,
     per_segment: usize,
 }
 

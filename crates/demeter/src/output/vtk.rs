@@ -137,7 +137,7 @@ fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
         NewArray::integers("material", all.joined(materials)),
         NewArray::scalars("radius", all.joined(radii())),
         NewArray::scalars("diameter", all.joined(radii().map(|r| 2.0 * r))),
-        NewArray::scalars("mass", all.joined(g.mass[own.clone()].iter().copied())),
+        NewArray::scalars("mass", all.joined(g.load.rows()[own.clone()].iter().map(Load::mass))),
         vectors("velocity", &g.velocity),
         vectors("angular_velocity", &g.angular_velocity),
         loads("force", Load::force),

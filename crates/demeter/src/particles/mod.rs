@@ -15,7 +15,7 @@ pub use domain::{Domain, Outside};
 pub use interior::{Interior, InteriorError};
 pub(crate) use load::HalfKick;
 use load::HalfKicks;
-pub use load::Load;
+pub use load::{Load, MOST_CROSSINGS};
 pub use origins::Origins;
 use rows::{Kept, copy_kept};
 pub use rows::{Row, Rows};
@@ -53,19 +53,15 @@ pub struct Grains {
     pub id: Vec<u32>,
     /// Index of the material.
     pub material: Vec<u16>,
-    /// Mass [kg].
-    pub mass: Vec<f64>,
     /// Centre [m], inside the periodic box when there is one; beside it the radius [m].
     pub position: Rows,
-    /// How many periodic boxes the grain has crossed, by direction.
-    pub image: Vec<[i32; 3]>,
     /// Velocity [m/s]; beside it the inverse mass [1/kg], 0 for a fixed grain.
     pub velocity: Rows,
     /// Angular velocity in the world frame [1/s]; beside it the inverse moment of inertia [1/(kg m^2)], 0 for a fixed grain.
     pub angular_velocity: Rows,
     /// Orientation, where it is followed: nothing that a sphere does depends on it.
     pub orientation: Option<Vec<DQuat>>,
-    /// Total force [N] and torque [N m] of the latest step.
+    /// Total force [N] and torque [N m] of the latest step; beside them the mass [kg] and the crossings of periodic sides.
     pub load: Rows<Load>,
     /// What a step of velocity Verlet foresees, until it has ended; empty before the first.
     #[serde(skip)]
@@ -118,6 +114,23 @@ impl Grains {
         self.load.rows()[grain].torque()
     }
 
+    /// Mass of a grain [kg].
+    #[inline(always)]
+    pub fn mass(&self, grain: usize) -> f64 {
+        self.load.rows()[grain].mass()
+    }
+
+    /// All masses [kg].
+    pub fn masses(&self) -> impl ExactSizeIterator<Item = f64> + Clone + '_ {
+        self.load.rows().iter().map(Load::mass)
+    }
+
+    /// How many periodic boxes a grain has crossed, by direction.
+    #[inline]
+    pub fn crossings(&self, grain: usize) -> [i32; 3] {
+        self.load.rows()[grain].crossings()
+    }
+
     /// All radii [m].
     pub fn radii(&self) -> impl ExactSizeIterator<Item = f64> + Clone + '_ {
         self.position.scalars()
@@ -136,7 +149,7 @@ impl Grains {
     /// Moment of inertia of a grain, `2/5 m r^2` [kg m^2].
     #[inline(always)]
     pub fn inertia(&self, grain: usize) -> f64 {
-        inertia(self.mass[grain], self.radius(grain))
+        inertia(self.mass(grain), self.radius(grain))
     }
 
     /// Inverse mass of a grain, 0 where it is fixed [1/kg].
@@ -159,7 +172,7 @@ impl Grains {
 
     /// Puts radius [m] and mass [kg] of a grain.
     pub fn set_size(&mut self, grain: usize, radius: f64, mass: f64) {
-        self.mass[grain] = mass;
+        self.load.rows_mut()[grain].set_mass(mass);
         self.position.set_scalar(grain, radius);
         if !self.is_fixed(grain) {
             self.velocity.set_scalar(grain, 1.0 / mass);
@@ -192,15 +205,15 @@ impl Grains {
         };
         self.id.push(id);
         self.material.push(grain.material);
-        self.mass.push(mass);
         self.position.push(grain.position, r);
-        self.image.push([0; 3]);
         self.velocity.push(grain.velocity, inverse_mass);
         self.angular_velocity.push(grain.angular_velocity, inverse_inertia);
         if let Some(orientation) = &mut self.orientation {
             orientation.push(DQuat::IDENTITY);
         }
-        self.load.push_row(Load::default());
+        let mut load = Load::default();
+        load.set_mass(mass);
+        self.load.push_row(load);
         if !self.half_kicks.0.is_empty() {
             self.half_kicks.0.push(HalfKick::default());
         }
@@ -214,20 +227,11 @@ impl Grains {
         self.orientation = Some(vec![DQuat::IDENTITY; self.len()]);
     }
 
-    /// Forgets forces, torques and crossings of periodic sides: these take no memory until they are written.
-    pub(crate) fn unload(&mut self) {
-        let count = self.len();
-        self.load = Rows::zeros(count);
-        self.image = vec![[0; 3]; count];
-    }
-
     /// Adds copies of all grains of another table, with their ids.
     pub fn append(&mut self, other: &Self) {
         self.id.extend_from_slice(&other.id);
         self.material.extend_from_slice(&other.material);
-        self.mass.extend_from_slice(&other.mass);
         self.position.append(&other.position);
-        self.image.extend_from_slice(&other.image);
         self.velocity.append(&other.velocity);
         self.angular_velocity.append(&other.angular_velocity);
         if let Some(orientation) = &mut self.orientation {
@@ -255,8 +259,6 @@ impl Grains {
         put(&mut packed, self.load.rows(), some.clone());
         put(&mut packed, &self.id, some.clone());
         put(&mut packed, &self.material, some.clone());
-        put(&mut packed, &self.mass, some.clone());
-        put(&mut packed, &self.image, some.clone());
         if let Some(orientation) = &self.orientation {
             put(&mut packed, orientation, some.clone());
         }
@@ -289,8 +291,6 @@ impl Grains {
             && take(&mut rest, self.load.rows_mut(), some.clone())
             && take(&mut rest, &mut self.id, some.clone())
             && take(&mut rest, &mut self.material, some.clone())
-            && take(&mut rest, &mut self.mass, some.clone())
-            && take(&mut rest, &mut self.image, some.clone())
             && (self.orientation.as_mut()).is_none_or(|of| take(&mut rest, of, some.clone()))
             && (self.half_kicks.0.is_empty() || take(&mut rest, &mut self.half_kicks.0, some.clone()))
             && (self.higher.is_empty() || take(&mut rest, &mut self.higher, some));
@@ -302,7 +302,7 @@ impl Grains {
         [
             f64::from(self.id[grain]),
             f64::from(self.material[grain]),
-            self.mass[grain],
+            self.mass(grain),
             self.radius(grain),
             self.inverse_mass(grain),
             self.inverse_inertia(grain),
@@ -314,7 +314,7 @@ impl Grains {
         if let &[id, material, mass, radius, inverse_mass, inverse_inertia] = told {
             self.id[grain] = id as u32;
             self.material[grain] = material as u16;
-            self.mass[grain] = mass;
+            self.load.rows_mut()[grain].set_mass(mass);
             self.position.set_scalar(grain, radius);
             self.velocity.set_scalar(grain, inverse_mass);
             self.angular_velocity.set_scalar(grain, inverse_inertia);
@@ -328,7 +328,7 @@ impl Grains {
         } else {
             size_of::<HigherDerivatives>()
         };
-        let scalars = size_of::<u32>() + size_of::<u16>() + size_of::<f64>() + size_of::<[i32; 3]>();
+        let scalars = size_of::<u32>() + size_of::<u16>();
         let turned = self.orientation.as_ref().map_or(0, |_| size_of::<DQuat>());
         let rows = 3 * size_of::<Row>() + size_of::<Load>() + turned;
         count * (scalars + rows + size_of::<HalfKick>() + higher)
@@ -350,9 +350,7 @@ impl Grains {
         }
         keep(&mut self.id, count, some.clone());
         keep(&mut self.material, count, some.clone());
-        keep(&mut self.mass, count, some.clone());
         self.position.keep(count, some.clone());
-        keep(&mut self.image, count, some.clone());
         self.velocity.keep(count, some.clone());
         self.angular_velocity.keep(count, some.clone());
         if let Some(orientation) = &mut self.orientation {

@@ -11,9 +11,7 @@ use serde::{Serialize, Serializer};
 struct Written<'a, 'b> {
     id: Listed<'a, 'b, u32>,
     material: Listed<'a, 'b, u16>,
-    mass: Listed<'a, 'b, f64>,
     position: Listed<'a, 'b, Row>,
-    image: Listed<'a, 'b, [i32; 3]>,
     velocity: Listed<'a, 'b, Row>,
     angular_velocity: Listed<'a, 'b, Row>,
     orientation: Option<Listed<'a, 'b, DQuat>>,
@@ -26,9 +24,7 @@ impl InParts for Grains {
         Written {
             id: part.of_grains(&self.id),
             material: part.of_grains(&self.material),
-            mass: part.of_grains(&self.mass),
             position: part.of_grains(self.position.rows()),
-            image: part.of_grains(&self.image),
             velocity: part.of_grains(self.velocity.rows()),
             angular_velocity: part.of_grains(self.angular_velocity.rows()),
             orientation: self.orientation.as_deref().map(|all| part.of_grains(all)),

@@ -255,7 +255,6 @@ fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
             }
         }
     }
-    grains.unload();
     (grains, origins)
 }
 

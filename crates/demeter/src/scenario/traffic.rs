@@ -260,7 +260,7 @@ impl<'a> Traffic<'a> {
                 index: g,
                 id: grains.id[g],
                 material: grains.material[g],
-                mass: grains.mass[g],
+                mass: grains.mass(g),
                 removal,
             })
         };

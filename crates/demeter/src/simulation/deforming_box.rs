@@ -217,7 +217,7 @@ impl Simulation {
                 some.fold([0.0, 0.0], |[kinetic, most], g| {
                     let flow = deforming.flow(&rates, grains.position[g] - middle);
                     let speed2 = (grains.velocity[g] - flow).length_squared();
-                    [kinetic + 0.5 * grains.mass[g] * speed2, speed2.max(most)]
+                    [kinetic + 0.5 * grains.mass(g) * speed2, speed2.max(most)]
                 })
             })
             .collect();
@@ -240,7 +240,7 @@ impl Simulation {
                 for g in some {
                     let place = grains.position[g] - middle;
                     let beyond = grains.velocity[g] - deforming.flow(&rates, place);
-                    let terms = [dyad(beyond * grains.mass[g], beyond), dyad(grains.force(g), place)];
+                    let terms = [dyad(beyond * grains.mass(g), beyond), dyad(grains.force(g), place)];
                     sum.iter_mut()
                         .zip(terms.as_flattened())
                         .for_each(|(sum, term)| *sum += term);
@@ -347,13 +347,13 @@ impl Simulation {
         let of_segments: Vec<[f64; 2]> = (
             grains.position.rows()[own.clone()].par_chunks(n),
             grains.velocity.rows_mut()[own.clone()].par_chunks_mut(n),
-            grains.load.rows()[own.clone()].par_chunks(n),
-            grains.mass[own].par_chunks(n),
+            grains.load.rows()[own].par_chunks(n),
         )
             .into_par_iter()
-            .map(|(position, velocity, load, mass)| {
+            .map(|(position, velocity, load)| {
                 let (mut gained, mut work) = (0.0, 0.0);
-                for (((position, velocity), load), mass) in position.iter().zip(velocity).zip(load).zip(mass) {
+                for ((position, velocity), load) in position.iter().zip(velocity).zip(load) {
+                    let mass = load.mass();
                     let place = position.vector - middle;
                     let kick = kick(place);
                     let then = velocity.vector - load.force() * (ahead * velocity.scalar);

@@ -3,7 +3,7 @@
 use super::time_step::largest_reach;
 use super::{Simulation, SkinTuner};
 use crate::contacts::Coupling;
-use crate::particles::{Grains, HigherDerivatives, Load, NewGrain};
+use crate::particles::{Grains, HigherDerivatives, NewGrain};
 use crate::simulation::{Skin, WallPartner};
 use crate::step::CouplingState;
 use demeter_physics::integrator::Integrator;
@@ -97,7 +97,8 @@ impl Simulation {
         }
         for g in before..self.grains.len() {
             // the first half kick is that of gravity alone
-            self.grains.load.rows_mut()[g] = Load::new(self.gravity * self.grains.mass[g], DVec3::ZERO);
+            let load = &mut self.grains.load.rows_mut()[g];
+            load.put(self.gravity * load.mass(), DVec3::ZERO);
         }
         self.lengthen_division();
         self.find_candidates();

@@ -314,10 +314,10 @@ impl Simulation {
         let mut e = Energies::default();
         let grains = &self.grains;
         for g in some.filter(|&g| counts(g)) {
-            e.kinetic += 0.5 * grains.mass[g] * grains.velocity[g].length_squared();
+            e.kinetic += 0.5 * grains.mass(g) * grains.velocity[g].length_squared();
             e.rotational += 0.5 * grains.inertia(g) * grains.angular_velocity[g].length_squared();
-            let place = self.comm.unwrapped(grains.position[g], grains.image[g]);
-            e.gravitational -= grains.mass[g] * self.gravity.dot(place);
+            let place = self.comm.unwrapped(grains.position[g], grains.crossings(g));
+            e.gravitational -= grains.mass(g) * self.gravity.dot(place);
         }
         e
     }

@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use crate::contacts::Fault;
-use crate::particles::Outside;
+use crate::particles::{MOST_CROSSINGS, Outside};
 use crate::step::Motion;
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 struct Misplaced {
     /// Indices, rising.
     grains: Vec<usize>,
-    /// The fault of the first that is nowhere.
+    /// The fault of the first that is nowhere, or that has gone round the box more often than is counted.
     nowhere: Option<Fault>,
     /// The fault of the one with the lowest id.
     outside: Option<Fault>,
@@ -50,6 +50,20 @@ impl Simulation {
             quantity: "position".into(),
             position: self.neighbours.former.of_grain(g).unwrap_or(glam::DVec3::NAN),
         };
+        let too_often = |g: usize| Fault::CrossedTooOften {
+            step: self.step,
+            id: grains.id[g],
+            position: grains.position[g],
+            most: MOST_CROSSINGS,
+        };
+        let lost = |g: usize| match grains.position[g].is_finite() {
+            true => grains
+                .crossings(g)
+                .iter()
+                .any(|n| n.abs() == MOST_CROSSINGS)
+                .then(|| too_often(g)),
+            false => Some(nowhere(g)),
+        };
         let fault = |g: usize| Fault::Outside {
             step: self.step,
             id: grains.id[g],
@@ -60,7 +74,7 @@ impl Simulation {
         };
         Misplaced {
             grains: outside().collect(),
-            nowhere: outside().find(|&g| !grains.position[g].is_finite()).map(nowhere),
+            nowhere: outside().find_map(lost),
             outside: outside().min_by_key(|&g| grains.id[g]).map(fault),
         }
     }

@@ -347,7 +347,7 @@ impl Simulation {
     /// Place of a grain's centre, counted on across periodic sides [m].
     pub fn unwrapped(&self, grain: usize) -> DVec3 {
         self.comm
-            .unwrapped(self.grains.position[grain], self.grains.image[grain])
+            .unwrapped(self.grains.position[grain], self.grains.crossings(grain))
     }
 
     /// How often the candidates were found anew.

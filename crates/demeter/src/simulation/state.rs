@@ -93,9 +93,7 @@ impl SimulationState<'_> {
         };
         let lengths = [
             g.material.len(),
-            g.mass.len(),
             g.position.len(),
-            g.image.len(),
             g.velocity.len(),
             g.angular_velocity.len(),
             g.orientation.as_ref().map_or(n, Vec::len),

@@ -1,7 +1,7 @@
 use super::*;
 use crate::contacts::CarriedContact;
 use crate::materials::{Material, PairChoice};
-use crate::particles::{NewGrain, Outside};
+use crate::particles::{MOST_CROSSINGS, NewGrain, Outside};
 use crate::walls::{Motion, Shape};
 use demeter_physics::contact::LawChoice;
 use demeter_physics::parameters::Value;
@@ -245,4 +245,36 @@ fn parts_of_several_threads_change_no_bit() {
         assert!(found == grains, "{threads} threads");
         assert_eq!(format!("{found_books:?}"), format!("{books:?}"));
     }
+}
+
+#[test]
+fn a_grain_that_crosses_the_box_too_often_ends_the_run() {
+    let mut setup = lattice(0.2, 0.0, Skin::Fixed(0.1));
+    setup.grains.reorder(&[0]);
+    let id = setup.grains.id[0];
+    setup.grains.velocity[0] = 0.02 * DVec3::X / setup.dt;
+    assert!(setup.grains.load.rows_mut()[0].set_crossings([MOST_CROSSINGS - 1, 3, -2]));
+    let (edge, periodic) = (f64::from(EDGE), setup.domain.periodic);
+    assert!(periodic[0]);
+    let mut sim = Simulation::new(setup);
+    let (mut most, mut farthest) = ([0; 3], 0.0f64);
+    for _ in 0..3000 {
+        match sim.step() {
+            Ok(()) => {
+                (most, farthest) = (sim.grains.crossings(0), farthest.max(sim.unwrapped(0).x));
+            }
+            Err(fault) => {
+                assert!(
+                    matches!(fault, Fault::CrossedTooOften { id: found, .. } if found == id),
+                    "{fault}"
+                );
+                // it was counted as often as that is possible, and then ran through one more box
+                assert_eq!(most, [MOST_CROSSINGS, 3, -2]);
+                assert!(farthest > edge * (f64::from(MOST_CROSSINGS) + 1.5));
+                assert!(fault.to_string().contains("more than 131071 times"), "{fault}");
+                return;
+            }
+        }
+    }
+    panic!("it went on to {farthest}");
 }

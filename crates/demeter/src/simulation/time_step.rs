@@ -191,13 +191,13 @@ fn pair_size(one: Representative, other: Partner) -> PairSize {
 fn representatives(grains: &Grains, material: u16) -> Vec<Representative> {
     let of = |g: usize| Representative {
         radius: grains.radius(g),
-        mass: grains.mass[g],
+        mass: grains.mass(g),
         inertia: grains.inertia(g),
     };
     let members = || (0..grains.len()).filter(|&g| grains.material[g] == material);
     let smallest = members().min_by(|&a, &b| grains.radius(a).total_cmp(&grains.radius(b)));
     let largest = members().max_by(|&a, &b| grains.radius(a).total_cmp(&grains.radius(b)));
-    let lightest = members().min_by(|&a, &b| grains.mass[a].total_cmp(&grains.mass[b]));
+    let lightest = members().min_by(|&a, &b| grains.mass(a).total_cmp(&grains.mass(b)));
     [smallest, largest, lightest].into_iter().flatten().map(of).collect()
 }
 

@@ -13,7 +13,7 @@ use crate::contacts::{ContactChunk, Contacts, Fault, Scene};
 
 use super::parts;
 use crate::materials::Materials;
-use crate::neighbours::{Neighbours, Pair, WallPair};
+use crate::neighbours::{Neighbours, Pairs, WallPair};
 use crate::particles::Grains;
 use crate::simulation::Simulation;
 use crate::simulation::division::known_grains;
@@ -142,7 +142,7 @@ fn each_chunk<'a>(
 /// Candidates of a chunk, and their material pair.
 #[derive(Clone, Copy)]
 enum Candidates<'a> {
-    Pairs((&'a [Pair], u32)),
+    Pairs((Pairs<'a>, u32)),
     Walls((&'a [WallPair], u32)),
 }
 
@@ -197,7 +197,7 @@ impl CouplingState {
         };
         match candidates {
             Candidates::Pairs((pairs, _)) => chunk.coming_or_going().for_each(|candidate| {
-                let pair = &pairs[usize::from(candidate)];
+                let pair = pairs.get(usize::from(candidate));
                 outdate(pair.i);
                 outdate(pair.j);
             }),
@@ -387,7 +387,10 @@ impl Simulation {
         each_chunk(&mut self.contacts, &self.neighbours, |_, chunk, candidates| {
             state.outdate_sites(&own, chunk, candidates);
             match candidates {
-                Candidates::Pairs((pairs, _)) => chunk.take_back(pairs.len(), |c| (pairs[c].i, pairs[c].j)),
+                Candidates::Pairs((pairs, _)) => chunk.take_back(pairs.len(), |c| {
+                    let pair = pairs.get(c);
+                    (pair.i, pair.j)
+                }),
                 Candidates::Walls((pairs, _)) => chunk.take_back(pairs.len(), |c| (pairs[c].grain, pairs[c].wall)),
             }
         });

@@ -4,7 +4,6 @@
 //! a little, which the next prediction starts from.
 
 use super::{GRAINS_PER_TASK, Motion, first_by_id};
-use crate::particles::Load;
 use crate::simulation::Simulation;
 use demeter_physics::integrator::gear::{self, Gear};
 use rayon::prelude::*;
@@ -81,42 +80,34 @@ impl Simulation {
             ),
             grains.load.rows_mut()[own.clone()].par_chunks_mut(n),
             grains.higher[own.clone()].par_chunks_mut(n),
-            grains.mass[own.clone()].par_chunks(n),
         )
             .into_par_iter()
             .enumerate()
-            .map(
-                |(task, ((position, velocity), (orientation, spin), load, higher, mass))| {
-                    let mut bad = None;
-                    for k in 0..velocity.len() {
-                        let (force, torque) = (load[k].force() + gravity * mass[k], load[k].torque());
-                        let [acceleration, twist] = higher[k].foreseen;
-                        let error = force * velocity[k].scalar - acceleration;
-                        method.correct(
-                            &mut position[k].vector,
-                            &mut velocity[k].vector,
-                            &mut higher[k].translation,
-                            error,
-                        );
-                        let error = torque * spin[k].scalar - twist;
-                        method.correct_rotation(
-                            &mut orientation[k],
-                            &mut spin[k].vector,
-                            &mut higher[k].rotation,
-                            error,
-                        );
-                        load[k] = Load::new(force, torque);
-                        if !(velocity[k].vector.is_finite()
-                            && spin[k].vector.is_finite()
-                            && force.is_finite()
-                            && torque.is_finite())
-                        {
-                            bad = first_by_id(ids, bad, Some(own.start + task * n + k));
-                        }
+            .map(|(task, ((position, velocity), (orientation, spin), load, higher))| {
+                let mut bad = None;
+                for k in 0..velocity.len() {
+                    let (force, torque) = (load[k].force() + gravity * load[k].mass(), load[k].torque());
+                    let [acceleration, twist] = higher[k].foreseen;
+                    let error = force * velocity[k].scalar - acceleration;
+                    method.correct(
+                        &mut position[k].vector,
+                        &mut velocity[k].vector,
+                        &mut higher[k].translation,
+                        error,
+                    );
+                    let error = torque * spin[k].scalar - twist;
+                    method.correct_rotation(&mut orientation[k], &mut spin[k].vector, &mut higher[k].rotation, error);
+                    load[k].put(force, torque);
+                    if !(velocity[k].vector.is_finite()
+                        && spin[k].vector.is_finite()
+                        && force.is_finite()
+                        && torque.is_finite())
+                    {
+                        bad = first_by_id(ids, bad, Some(own.start + task * n + k));
                     }
-                    bad
-                },
-            )
+                }
+                bad
+            })
             .reduce(|| None, |one, other| first_by_id(ids, one, other))
     }
 }

@@ -41,7 +41,6 @@ impl Simulation {
             first: some.start,
             ids,
             loads,
-            mass: &grains.mass[some],
             gravity: self.gravity,
             kick: 0.5 * dt,
             bad: None,
@@ -64,7 +63,6 @@ impl Simulation {
             spin: &mut grains.angular_velocity.table_mut()[own.clone()],
             half_kicks: &grains.half_kicks.0[own.clone()],
             loads: &mut grains.load.rows_mut()[own.clone()],
-            mass: &grains.mass[own.clone()],
             ids,
             gravity,
             kick,
@@ -112,8 +110,8 @@ impl Forces for Told<'_> {
         State {
             velocity: Q::load(velocity),
             spin: Q::load(spin),
-            kick: Q::load(force) * Q::all(half * velocity[3]),
-            twist: Q::load(torque) * Q::all(half * spin[3]),
+            kick: Q::load(force) * (over::<Q>(half) * Q::all(velocity[3])),
+            twist: Q::load(torque) * (over::<Q>(half) * Q::all(spin[3])),
         }
     }
 
@@ -128,28 +126,34 @@ struct Summed<'a> {
     first: usize,
     ids: &'a [u32],
     loads: &'a [Load],
-    mass: &'a [f64],
     gravity: DVec3,
     /// Length of the half kick [s].
     kick: f64,
     bad: Option<usize>,
 }
 
-/// How a grain moves after a half kick over some time [s] by what contacts and gravity do, in place of the one that was foreseen; and
-/// what acts on it, gravity added.
+/// A time [s] over which vectors act; what stands beside them does not.
+#[inline(always)]
+fn over<Q: Quad>(time: f64) -> Q {
+    Q::load(&[time, time, time, 0.0])
+}
+
+/// How a grain moves after a half kick over some time [s] by what contacts and gravity [m/s^2] do, in place of the one that was foreseen;
+/// and what acts on it, gravity added, with what stands beside it.
 #[inline(always)]
 fn kicked<Q: Quad>(
     load: &Load,
-    body_force: Q,
+    gravity: Q,
     [velocity, spin]: [&[f64; 4]; 2],
     HalfKick(foreseen): &HalfKick,
     time: f64,
 ) -> (State<Q>, [Q; 2]) {
     let [force, torque] = load.parts();
-    let (force, torque) = (Q::load(force) + body_force, Q::load(torque));
+    let (force, torque) = (Q::load(force) + gravity * Q::all(load.mass()), Q::load(torque));
     let [kick, twist] = Q::of_singles(foreseen);
     let (middle, middle_spin) = (Q::load(velocity) - kick, Q::load(spin) - twist);
-    let (kick, twist) = (force * Q::all(time * velocity[3]), torque * Q::all(time * spin[3]));
+    let time = over::<Q>(time);
+    let (kick, twist) = (force * (time * Q::all(velocity[3])), torque * (time * Q::all(spin[3])));
     let state = State {
         velocity: middle + kick,
         spin: middle_spin + twist,
@@ -178,20 +182,17 @@ fn is_bad<Q: Quad>(state: &State<Q>, [force, torque]: [Q; 2]) -> bool {
 impl Forces for Summed<'_> {
     fn split(self, first: usize) -> (Self, Self) {
         let (loads, other_loads) = self.loads.split_at(first);
-        let (mass, masses) = self.mass.split_at(first);
         let others = Self {
             first: self.first + first,
             loads: other_loads,
-            mass: masses,
             ..self
         };
-        (Self { loads, mass, ..self }, others)
+        (Self { loads, ..self }, others)
     }
 
     #[inline(always)]
     fn begin<Q: Quad>(&mut self, k: usize, rows: [&[f64; 4]; 2], foreseen: &HalfKick, _: f64) -> State<Q> {
-        let body_force = row::<Q>(self.gravity, 0.0) * Q::all(self.mass[k]);
-        let (state, loads) = kicked(&self.loads[k], body_force, rows, foreseen, self.kick);
+        let (state, loads) = kicked(&self.loads[k], row(self.gravity, 0.0), rows, foreseen, self.kick);
         if is_bad(&state, loads) {
             self.bad = first_by_id(self.ids, self.bad, Some(self.first + k));
         }
@@ -281,8 +282,7 @@ impl<F: Forces> Kernel for Drift<'_, F> {
         let half = 0.5 * dt;
         let (lower, upper) = moved.domain.allowed();
         let (lower, upper): (L::Quad, L::Quad) = (row(lower, f64::NEG_INFINITY), row(upper, f64::INFINITY));
-        // what stands beside a vector stays
-        let time = L::Quad::load(&[dt, dt, dt, 0.0]);
+        let time = over::<L::Quad>(dt);
         let count = moved.position.len();
         // tables of one length: each index is checked once
         let (velocity, spin) = (&mut moved.velocity[..count], &mut moved.spin[..count]);
@@ -397,7 +397,6 @@ struct Kick<'a> {
     half_kicks: &'a [HalfKick],
     /// Of contacts, and then with gravity.
     loads: &'a mut [Load],
-    mass: &'a [f64],
     ids: &'a [u32],
     gravity: DVec3,
     /// Length of the half kick [s].
@@ -414,14 +413,12 @@ impl Divisible for Kick<'_> {
         let (spin, spins) = self.spin.split_at_mut(first);
         let (half_kicks, other_kicks) = self.half_kicks.split_at(first);
         let (loads, other_loads) = self.loads.split_at_mut(first);
-        let (mass, masses) = self.mass.split_at(first);
         let others = Self {
             first: self.first + first,
             velocity: velocities,
             spin: spins,
             half_kicks: other_kicks,
             loads: other_loads,
-            mass: masses,
             ..self
         };
         let some = Self {
@@ -429,7 +426,6 @@ impl Divisible for Kick<'_> {
             spin,
             half_kicks,
             loads,
-            mass,
             ..self
         };
         (some, others)
@@ -443,14 +439,12 @@ impl Kernel for Kick<'_> {
     fn run<L: Lanes>(self) -> Option<usize> {
         let mut bad = None;
         for (k, (velocity, spin)) in self.velocity.iter_mut().zip(self.spin).enumerate() {
-            let body_force = row::<L::Quad>(self.gravity, 0.0) * L::Quad::all(self.mass[k]);
-            let rows = [&*velocity, &*spin];
-            let (state, loads) = kicked(&self.loads[k], body_force, rows, &self.half_kicks[k], self.kick);
+            let (rows, gravity) = ([&*velocity, &*spin], row::<L::Quad>(self.gravity, 0.0));
+            let (state, loads) = kicked(&self.loads[k], gravity, rows, &self.half_kicks[k], self.kick);
             if is_bad(&state, loads) {
                 bad = first_by_id(self.ids, bad, Some(self.first + k));
             }
-            let ([fx, fy, fz, _], [tx, ty, tz, _]) = (loads[0].store(), loads[1].store());
-            self.loads[k] = Load([fx, fy, fz, 0.0, tx, ty, tz, 0.0]);
+            self.loads[k] = Load(bytemuck::cast([loads[0].store(), loads[1].store()]));
             *velocity = state.velocity.store();
             *spin = state.spin.store();
         }

@@ -326,7 +326,7 @@ fn squeezed_between(laws: &Laws, count: u32, periodic: bool, stroke: f64) -> (Ca
 fn swell(case: &mut Case, factor: f64) {
     let grains = &mut case.grains;
     for k in 0..grains.len() {
-        grains.set_size(k, grains.radius(k) * factor, grains.mass[k] * factor * factor * factor);
+        grains.set_size(k, grains.radius(k) * factor, grains.mass(k) * factor * factor * factor);
     }
 }
 

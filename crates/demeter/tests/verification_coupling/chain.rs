@@ -41,7 +41,7 @@ impl Wave {
         let tangent = 1.5 * stiffness * overlap.sqrt();
         let feedback = 2.0 * influence * tangent * libm::cos(number);
         let coupled = tangent / (1.0 - feedback);
-        let omega = 2.0 * libm::sin(0.5 * number) * (coupled / sim.grains().mass[0]).sqrt();
+        let omega = 2.0 * libm::sin(0.5 * number) * (coupled / sim.grains().mass(0)).sqrt();
         Self {
             sim,
             number,
@@ -56,7 +56,7 @@ impl Wave {
         for (k, id) in grains.id.iter().enumerate() {
             let site = f64::from(id - 1);
             let crest = libm::cos(self.number * site + PHASE);
-            let around = f64::from(grains.image[k][0]) * DISTANCE * f64::from(COUNT);
+            let around = f64::from(grains.crossings(k)[0]) * DISTANCE * f64::from(COUNT);
             place += crest * (grains.position[k].x + around - home(site));
             speed += crest * grains.velocity[k].x;
         }

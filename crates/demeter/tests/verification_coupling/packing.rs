@@ -233,7 +233,8 @@ impl Packing {
             (x >> 11) as f64 * 2f64.powi(-53) - 0.5
         };
         let mut kinetic = 0.0;
-        for (velocity, mass) in self.grains.velocity.iter_mut().zip(&self.grains.mass) {
+        let masses: Vec<f64> = self.grains.masses().collect();
+        for (velocity, mass) in self.grains.velocity.iter_mut().zip(masses) {
             *velocity = DVec3::new(next(), next(), next());
             kinetic += 0.5 * mass * velocity.length_squared();
         }

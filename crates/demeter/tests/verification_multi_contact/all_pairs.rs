@@ -144,7 +144,7 @@ fn check(bed: &Bed, packing: &Packing, contacts: &[Option<Found>], shift: &[Shif
         let y = packing.touches[k].overlap + shift[k][0] + shift[k][1];
         let h = bed.half_window(packing, k);
         let elastic = contact.map_or(0.0, |f| f.elastic);
-        let tolerance = 1e-8 * scale;
+        let tolerance = (1e-8 + contact.map_or(0.0, |f| f.rounding)) * scale;
         if adhesive {
             let (low, high) = range(packing, k, y, h);
             assert!(

@@ -55,14 +55,15 @@ fn forces(sim: &Simulation) -> Vec<f64> {
     let mut all = vec![0.0; count * (count + walls)];
     for (wall, chunks) in [(false, &sim.contacts.pairs), (true, &sim.contacts.walls)] {
         for chunk in chunks {
-            for (k, force) in chunk.normal_force().iter().enumerate() {
+            for k in 0..chunk.len() {
                 let id = |grain: u32| sim.grains().id[grain as usize] as usize - 1;
                 let partner = if wall {
                     count + chunk.j[k] as usize
                 } else {
                     id(chunk.j[k])
                 };
-                all[id(chunk.i[k]) * (count + walls) + partner] = *force;
+                all[id(chunk.i[k]) * (count + walls) + partner] =
+                    chunk.coupling().get(k).map_or(chunk.normal_force(k), |c| c.elastic);
             }
         }
     }

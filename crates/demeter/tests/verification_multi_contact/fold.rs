@@ -140,7 +140,7 @@ fn the_fold_is_where_it_must_be() {
                 let sim = at(below).unwrap_or_else(|fault| panic!("{} {gamma}: {fault}", regular.name));
                 let expected = regular.force(gamma, below);
                 for contact in found(&sim).iter().filter(|f| f.force != 0.0) {
-                    approx::assert_relative_eq!(contact.force, expected, max_relative = accuracy);
+                    approx::assert_relative_eq!(contact.elastic, expected, max_relative = accuracy);
                 }
                 let fault = at(1.001 * fold).unwrap_err();
                 assert_told(&fault, &regular, 1.001 * fold);

@@ -55,7 +55,7 @@ pub fn disordered(count: usize, ratio: f64, fill: f64, seed: u64) -> (Vec<(f64, 
 pub fn make_unstoppable(sim: &mut Simulation) {
     let grains = sim.grains_mut();
     for g in 0..grains.len() {
-        grains.set_size(g, grains.radius(g), 1e25 * grains.mass[g]);
+        grains.set_size(g, grains.radius(g), 1e25 * grains.mass(g));
     }
     sim.set_dt(1.0);
 }

@@ -19,7 +19,7 @@ fn restitution_is_that_asked_for_on_walls_that_give_way() {
                 let mut case = Case::new(one_material(5e6, laws));
                 let lever = 20.0 * radius;
                 case.grain(radius, DVec3::new(lever, 0.0, 1.05 * radius), DVec3::Z * -0.3);
-                let mass = ratio * case.grains.mass[0];
+                let mass = ratio * case.grains.mass(0);
                 let freedom = if hinged {
                     Freedom::Hinge {
                         point: DVec3::ZERO,

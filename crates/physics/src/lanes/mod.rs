@@ -80,6 +80,11 @@ pub trait Lanes:
             lane += 1;
         }
     }
+    /// The first [`Lanes::COUNT`] numbers of a slice of numbers of half the precision, which must hold as many.
+    #[inline(always)]
+    fn load_singles(from: &[f32]) -> Self {
+        Self::from_fn(|lane| f64::from(from[lane]))
+    }
     /// The lanes as they lie in memory.
     fn as_slice(&self) -> &[f64];
     /// The lanes as they lie in memory, to be changed.

@@ -68,6 +68,7 @@ impl Kernel for Everything<'_> {
             let singles = {
                 let (mut stored, mut lanes) = ([0.0; MOST_LANES], [[0.0; MOST_LANES]; 2]);
                 a.store_singles(&mut stored);
+                let loaded = L::load_singles(&stored);
                 for (lane, stored) in stored.into_iter().enumerate().take(L::COUNT) {
                     let (a, b) = (a.as_slice()[lane], b.as_slice()[lane]);
                     let [one, other] = [[a, b, -a, 5.0], [b, -b, a, 6.0]].map(|numbers| L::Quad::load(&numbers));
@@ -85,6 +86,7 @@ impl Kernel for Everything<'_> {
                             .zip(expected)
                             .all(|(x, y)| x.total_cmp(&y).is_eq() || x.is_nan() && y.is_nan())
                     );
+                    assert!(loaded.as_slice()[lane].total_cmp(&f64::from(stored)).is_eq() || stored.is_nan());
                     lanes[0][lane] = f64::from(stored);
                     lanes[1][lane] = one[1] + other[2];
                 }

@@ -222,7 +222,7 @@ impl Field {
             counts.then(|| Point {
                 place: grains.position[g],
                 load: Load::Grain {
-                    mass: grains.mass[g],
+                    mass: grains.mass(g),
                     solid: 4.0 / 3.0 * std::f64::consts::PI * r * r * r,
                     contacts: f64::from(contacts[g]),
                     velocity: grains.velocity[g],

@@ -112,6 +112,13 @@ impl Lanes for F64x4 {
     }
 
     #[inline(always)]
+    fn load_singles(from: &[f32]) -> Self {
+        let from = &from[..4];
+        // SAFETY: four numbers are there
+        Self(unsafe { _mm256_cvtps_pd(_mm_loadu_ps(from.as_ptr())) })
+    }
+
+    #[inline(always)]
     fn as_slice(&self) -> &[f64] {
         // SAFETY: a register is its lanes, and nothing else
         unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }

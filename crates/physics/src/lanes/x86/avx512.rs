@@ -107,6 +107,13 @@ impl Lanes for F64x8 {
     }
 
     #[inline(always)]
+    fn load_singles(from: &[f32]) -> Self {
+        let from = &from[..8];
+        // SAFETY: eight numbers are there
+        Self(unsafe { _mm512_cvtps_pd(_mm256_loadu_ps(from.as_ptr())) })
+    }
+
+    #[inline(always)]
     fn as_slice(&self) -> &[f64] {
         // SAFETY: a register is its lanes, and nothing else
         unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }

@@ -118,6 +118,19 @@ impl Lanes for F64x16 {
     }
 
     #[inline(always)]
+    fn store_singles(self, to: &mut [f32]) {
+        let to = &mut to[..16];
+        self.0.store_singles(to);
+        self.1.store_singles(&mut to[8..]);
+    }
+
+    #[inline(always)]
+    fn load_singles(from: &[f32]) -> Self {
+        let from = &from[..16];
+        Self(F64x8::load_singles(from), F64x8::load_singles(&from[8..]))
+    }
+
+    #[inline(always)]
     fn as_slice(&self) -> &[f64] {
         // SAFETY: two registers that follow each other are their lanes, and nothing else
         unsafe { std::slice::from_raw_parts(std::ptr::from_ref(self).cast(), Self::COUNT) }
