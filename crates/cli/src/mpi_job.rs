@@ -7,6 +7,7 @@ use mpi::request::{Request, Scope, scope};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, CommunicatorCollectives, Destination, Source};
 use mpi::{Count, Threading};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -65,6 +66,7 @@ impl MpiJob {
     pub fn ranks(&self, patience: Duration, tell: fn(&str)) -> MpiRanks {
         MpiRanks {
             patience,
+            is_patient: AtomicBool::new(false),
             tell,
             traffic: Mutex::default(),
         }
@@ -86,6 +88,7 @@ fn abort(code: i32) -> ! {
 #[derive(Debug)]
 pub struct MpiRanks {
     patience: Duration,
+    is_patient: AtomicBool,
     tell: fn(&str),
     traffic: Mutex<Traffic>,
 }
@@ -100,7 +103,7 @@ impl MpiRanks {
             looks += 1;
             if looks.is_multiple_of(LOOKS) {
                 std::thread::yield_now();
-                if begun.elapsed() > self.patience {
+                if begun.elapsed() > self.patience && !self.is_patient.load(Ordering::Relaxed) {
                     self.give_up(&format!(
                         "process {} has waited for {what} for {} s: another process is gone, stopped or lost its network. The \
                          latest checkpoint is whole; go on from it with `demeter resume`. Where processes are slow, let \
@@ -278,6 +281,10 @@ impl Ranks for MpiRanks {
             traffic.messages += count;
             traffic.bytes += bytes;
         });
+    }
+
+    fn be_patient(&self, is_patient: bool) {
+        self.is_patient.store(is_patient, Ordering::Relaxed);
     }
 
     fn traffic(&self) -> Traffic {

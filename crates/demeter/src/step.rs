@@ -103,9 +103,10 @@ impl Simulation {
 
     /// Forces at the very start, before any step.
     pub(crate) fn find_first_forces(&mut self) -> Result<(), Fault> {
-        let max_speed = self.grains.velocity.iter().map(|v| v.length()).fold(0.0, f64::max);
+        let own = self.grains.velocity.rows()[self.own_grains()].iter();
+        let max_speed = own.map(|row| row.vector.length()).fold(0.0, f64::max);
         let motion = Motion {
-            max_speed,
+            max_speed: self.together().largest(max_speed),
             ..Motion::default()
         };
         self.check_places(&motion)?;

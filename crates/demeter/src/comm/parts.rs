@@ -22,6 +22,13 @@ impl Part<'_> {
         grains: 0..usize::MAX,
         segments: 0..usize::MAX,
     };
+
+    /// Nothing: every list is empty.
+    pub(crate) const NOTHING: Self = Self {
+        together: Together::ALONE,
+        grains: 0..0,
+        segments: 0..0,
+    };
 }
 
 impl<'a> Part<'a> {
@@ -36,11 +43,12 @@ impl<'a> Part<'a> {
     }
 
     fn listed<'b, T>(&self, list: &'b [T], own: &Range<usize>) -> Listed<'a, 'b, T> {
-        let length = list.len();
+        let all = list.len();
+        let own = &list[own.start.min(all)..own.end.min(all)];
         Listed {
             together: self.together,
-            own: &list[own.start.min(length)..own.end.min(length)],
-            length,
+            own,
+            length: if self.together.is_alone() { own.len() } else { all },
         }
     }
 }

@@ -38,6 +38,9 @@ pub trait Ranks: Debug + Send + Sync {
     /// Notes that ranks begin to tell each other two by two what all come to know.
     fn begin_round(&self);
 
+    /// From now on waits for others as long as it takes, or no longer than it would otherwise.
+    fn be_patient(&self, _is_patient: bool) {}
+
     /// What this process has told others so far.
     fn traffic(&self) -> Traffic;
 

@@ -123,15 +123,6 @@ impl FormerPlaces {
             .reduce(Farthest::default, Farthest::or)
     }
 
-    /// Forgets where all but the own grains were.
-    pub(crate) fn keep(&mut self, own: &Range<usize>) {
-        let mut kept = Self::unknown(self.len(), self.per_segment);
-        let segments = self.segments(own);
-        kept.firsts[segments.clone()].copy_from_slice(&self.firsts[segments]);
-        kept.offsets[own.clone()].copy_from_slice(&self.offsets[own.clone()]);
-        *self = kept;
-    }
-
     /// Those of some grains alone, whose segments are whole.
     pub(crate) fn of(&self, grains: Range<usize>) -> Self {
         Self {
@@ -139,6 +130,15 @@ impl FormerPlaces {
             firsts: self.firsts[self.segments(&grains)].to_vec(),
             offsets: self.offsets[grains].to_vec(),
         }
+    }
+
+    /// These, from a segment on, as those of so many grains of which others are not known.
+    pub(crate) fn among(self, segment: usize, count: usize) -> Self {
+        let mut all = Self::unknown(count, self.per_segment);
+        all.firsts[segment..segment + self.firsts.len()].copy_from_slice(&self.firsts);
+        let first = (segment * self.per_segment).min(count);
+        all.offsets[first..first + self.offsets.len()].copy_from_slice(&self.offsets);
+        all
     }
 
     /// Adds those of the grains behind these.
@@ -253,7 +253,7 @@ mod tests {
         assert!(joined.fits(1000, 300) && !joined.fits(999, 300) && !joined.fits(1000, 0));
         // others are nowhere, also where they were known before
         let (mut kept, mut own) = (whole.clone(), FormerPlaces::default());
-        kept.keep(&(300..900));
+        kept = kept.of(300..900).among(1, 1000);
         own.note(&places, &(300..900), 300);
         assert_eq!(kept, own);
         assert_eq!(kept.of_grain(0), Some(DVec3::ZERO));

@@ -14,6 +14,7 @@ use std::ops::Range;
 /// Candidates of some segments, as other processes are told.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct SegmentsOfCandidates {
+    per_segment: usize,
     pairs: Vec<Segment<PackedPair>>,
     walls: Vec<Segment<WallPair>>,
 }
@@ -82,6 +83,7 @@ impl Neighbours {
     /// Candidates of some segments.
     pub(crate) fn of_segments(&self, segments: Range<usize>) -> SegmentsOfCandidates {
         SegmentsOfCandidates {
+            per_segment: self.pairs.per_segment,
             pairs: self.pairs.table.segments[segments.clone()].to_vec(),
             walls: self.walls.segments[segments].to_vec(),
         }
@@ -100,6 +102,7 @@ impl Neighbours {
             })
         };
         SegmentsOfCandidates {
+            per_segment: self.pairs.per_segment,
             pairs: pairs.map(of_own).collect(),
             walls: walls.map(|s| s.picked(|p| is_own(p.grain))).collect(),
         }
@@ -120,13 +123,14 @@ impl Neighbours {
 
     /// A table like this one of other candidates, which are told segment by segment; [`Neighbours::restore`] finds the rest.
     pub(crate) fn with_candidates(&self, all: impl IntoIterator<Item = SegmentsOfCandidates>) -> Self {
-        let (mut pairs, mut walls) = (Vec::new(), Vec::new());
+        let (mut pairs, mut walls, mut per_segment) = (Vec::new(), Vec::new(), self.pairs.per_segment);
         for some in all {
+            per_segment = some.per_segment;
             pairs.extend(some.pairs);
             walls.extend(some.walls);
         }
         Self {
-            pairs: PairTable::of_segments(pairs, self.pairs.per_segment),
+            pairs: PairTable::of_segments(pairs, per_segment),
             walls: Table::of_segments(walls),
             incidence: self.incidence.as_ref().map(|_| OfGrains::default()),
             effort: self.effort,

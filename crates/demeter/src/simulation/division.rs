@@ -14,6 +14,7 @@
 
 mod coupled;
 mod handing;
+mod handing_out;
 mod in_step;
 mod near;
 mod parts;
@@ -251,7 +252,8 @@ pub(crate) fn known_grains(division: Option<&Division>, count: usize) -> impl It
 }
 
 impl Simulation {
-    /// Shares the run with other processes that begin with the same state; each calls this.
+    /// Shares the run with other processes, of which each calls this with the same state; where no force is custom, only that of the first
+    /// need hold grains.
     pub fn share(&mut self, ranks: Box<dyn Ranks>) {
         self.division = Some(Box::new(Division {
             ranks: Arc::from(ranks),
@@ -349,7 +351,7 @@ impl Simulation {
         }
     }
 
-    /// Divides the tables, where the run is shared and they are whole.
+    /// Divides the run, where it is shared and whole: from then on each process has its part. The first must have all of it.
     pub(crate) fn divide(&mut self) {
         if self.shares_nothing().is_some() {
             return;
@@ -363,43 +365,10 @@ impl Simulation {
             Some(aside) if aside.found == self.tables => {
                 (self.neighbours, self.contacts, self.near) = (aside.neighbours, aside.contacts, aside.near);
                 self.division = Some(division);
+                self.forget_others();
             }
-            _ => {
-                let neighbours = &self.neighbours;
-                let work_of = |segment: usize| {
-                    let of_grains = WORK_OF_A_GRAIN * neighbours.grains_of_segment(segment).len();
-                    of_grains + neighbours.work_of_segment(segment)
-                };
-                let cuts = division.even_cuts((0..neighbours.segments()).map(work_of));
-                self.begin_division(&mut division, cuts);
-                let picked = self.neighbours.picked(&division.own);
-                self.neighbours = self.neighbours.with_candidates([picked]);
-                self.restore_neighbours(&division);
-                self.neighbours.former.keep(&division.own);
-                self.contacts.hand_over(&self.neighbours, None);
-                division.find_borders(&self.neighbours, self.coupling.is_some());
-                self.division = Some(division);
-                self.weigh_work();
-                self.note_balance();
-            }
+            _ => self.hand_out(division),
         }
-        self.forget_others();
-    }
-
-    /// Divides the grains before the first search, when each process has all of them in order: as many for each.
-    pub(super) fn divide_before_search(&mut self) {
-        if self.shares_nothing().is_some() {
-            return;
-        }
-        let Some(mut division) = self.division.take() else {
-            return;
-        };
-        division.is_whole = false;
-        self.neighbours = self.neighbours.before_search(&self.grains, &self.materials);
-        let cuts = division.even_cuts((0..self.neighbours.segments()).map(|_| 1));
-        self.begin_division(&mut division, cuts);
-        self.division = Some(division);
-        self.forget_others();
     }
 
     /// After the first search: where some have more to do than others, divides the work anew.
@@ -412,14 +381,6 @@ impl Simulation {
             self.continue_together(Places::HandedOver);
         }
         self.note_balance();
-    }
-
-    /// Cuts the segments like this, with the tables of the whole in place.
-    fn begin_division(&self, division: &mut Division, cuts: Vec<usize>) {
-        let per_segment = self.neighbours.grains_per_segment();
-        division.take_cuts(cuts, per_segment, self.grains.len());
-        division.introduced.clear();
-        division.note_sizes(&self.grains, per_segment);
     }
 
     /// Forgets all grains of which this process needs to know nothing.

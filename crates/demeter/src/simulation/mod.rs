@@ -357,6 +357,9 @@ impl Simulation {
 
     /// Finds all candidates anew; contacts keep what they remember.
     pub fn find_candidates(&mut self) {
+        if self.rebuilds == 0 {
+            self.divide();
+        }
         if self.is_divided() {
             return self.find_candidates_together();
         }
@@ -365,16 +368,8 @@ impl Simulation {
         if is_moved {
             self.order.sort(&mut self.grains);
         }
-        if self.rebuilds == 0 {
-            self.divide_before_search();
-        }
         self.rebuilds += 1;
-        let places = if is_moved { Places::New } else { Places::Kept };
-        if self.is_divided() {
-            self.continue_together(places);
-        } else {
-            self.continue_with_candidates(places);
-        }
+        self.continue_with_candidates(if is_moved { Places::New } else { Places::Kept });
         if is_moved {
             self.scattered_in_order = self.neighbours.scattered();
         }

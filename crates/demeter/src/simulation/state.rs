@@ -3,7 +3,7 @@
 use super::deforming_box::DeformingState;
 use super::skin::SkinTuner;
 use super::{Books, Setup, Simulation};
-use crate::comm::parts::Saved;
+use crate::comm::parts::{Part, Saved};
 use crate::contacts::{CarriedContacts, NearTables};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
@@ -18,6 +18,8 @@ use std::borrow::Cow;
 /// State of a simulation after a whole step. What a run has stays where it is, until it is written.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct SimulationState<'a> {
+    /// Whether the forces of the first moment were found.
+    started: bool,
     /// Steps done.
     pub step: u64,
     /// Time step [s].
@@ -118,6 +120,8 @@ impl SimulationState<'_> {
             Err(StateError::Inconsistent("the box that deforms"))
         } else if !self.contacts.iter().is_sorted_by_key(|c| c.key) {
             Err(StateError::Inconsistent("contacts"))
+        } else if self.started != (self.rebuilds > 0) || !self.started && self.neighbours.segments() > 0 {
+            Err(StateError::Inconsistent("whether it has begun"))
         } else {
             Ok(())
         }
@@ -128,9 +132,18 @@ impl Simulation {
     /// The state after the latest step. Where the run is shared each process calls this and writes what it gets; what the first writes
     /// is the state of all.
     pub fn state(&self) -> SimulationState<'_> {
+        self.state_of(self.part())
+    }
+
+    /// The same without what belongs to single grains: with it another process can go on that is handed its part of these.
+    pub(crate) fn state_without_grains(&self) -> SimulationState<'_> {
+        self.state_of(Part::NOTHING)
+    }
+
+    fn state_of<'a>(&'a self, part: Part<'a>) -> SimulationState<'a> {
         debug_assert!(!self.awaits_kick, "velocities are those predicted");
-        let part = self.part();
         SimulationState {
+            started: self.started,
             step: self.step,
             dt: self.dt,
             grains: Saved::new(Cow::Borrowed(&self.grains), &part),
@@ -165,7 +178,7 @@ impl Simulation {
                 return Err(StateError::Inconsistent("the record of a wall"));
             }
         }
-        sim.started = true;
+        sim.started = state.started;
         sim.step = state.step;
         sim.dt = state.dt;
         sim.books = state.books;
@@ -190,7 +203,7 @@ impl Simulation {
             sim.neighbours.tell_pairs_of_grains();
         }
         let (walls, materials) = (sim.walls.len(), sim.materials.list().len());
-        if !sim.neighbours.restore(&sim.grains, walls, materials) {
+        if sim.started && !sim.neighbours.restore(&sim.grains, walls, materials) {
             return Err(StateError::Inconsistent("candidate pairs"));
         }
         sim.contacts.adopt(&sim.grains, &sim.neighbours, &state.contacts);

@@ -1,38 +1,28 @@
 //! What processes that share a run agree on before its first step.
 
 use crate::comm::Ranks;
-use crate::particles::Grains;
 use crate::scenario::Scenario;
 use crate::scenario::input_files::InputFile;
 use crate::scenario::run_error::RunError;
 use serde::{Deserialize, Serialize};
 
-/// Grains whose checksum is found at once: some megabytes.
-const GRAINS_AT_ONCE: usize = 1 << 14;
-
 /// What all processes must have alike.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Inputs {
     version: String,
-    /// Checksums of the program, of the scenario as it is run, and of the grains at the start.
+    /// Checksums of the program, and of the scenario as it is run.
     program: Option<u32>,
     scenario: u32,
-    grains: u32,
     files: Vec<InputFile>,
 }
 
 impl Inputs {
-    pub(super) fn of(scenario: &Scenario, grains: &Grains) -> Self {
-        let mut table = crc32fast::Hasher::new();
-        for first in (0..grains.len()).step_by(GRAINS_AT_ONCE) {
-            table.update(&grains.pack(first..(first + GRAINS_AT_ONCE).min(grains.len())));
-        }
+    pub(super) fn of(scenario: &Scenario) -> Self {
         let program = std::env::current_exe().and_then(std::fs::read);
         Self {
             version: crate::VERSION.to_string(),
             program: program.ok().map(|bytes| crc32fast::hash(&bytes)),
             scenario: crc32fast::hash(scenario.to_resolved_toml().as_bytes()),
-            grains: table.finalize(),
             files: scenario.input_files(),
         }
     }
@@ -50,11 +40,8 @@ impl Inputs {
         }
         // files of one scenario: only what is in them can differ
         let files = self.files.iter().zip(&other.files);
-        if let Some((_, file)) = files.into_iter().find(|(mine, others)| mine != others) {
-            return Some(format!("something else in `{}`", file.path.display()));
-        }
-        let grains = self.grains != other.grains;
-        grains.then(|| "other grains at the start (a checkpoint differs)".to_string())
+        let (_, file) = files.into_iter().find(|(mine, others)| mine != others)?;
+        Some(format!("something else in `{}`", file.path.display()))
     }
 }
 
@@ -113,7 +100,7 @@ mod tests {
             include_str!("../../../tests/shared_runs/mixer.toml")
         );
         let scenario = Scenario::parse(&text, "mixer.toml", place.path(), &[]).unwrap();
-        let inputs = || Inputs::of(&scenario, &Grains::default());
+        let inputs = || Inputs::of(&scenario);
         let first = inputs();
         assert_eq!(first.other(&inputs()), None);
         std::fs::write(&mesh, plate(2.0)).unwrap();

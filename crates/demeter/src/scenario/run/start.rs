@@ -11,6 +11,7 @@ use crate::scenario::prepare::prepare;
 use crate::scenario::report::Report;
 use crate::scenario::run_error::RunError;
 use crate::scenario::run_options::RunOptions;
+use crate::simulation::StateError;
 use std::path::Path;
 
 /// Runs a scenario and writes its results into a folder.
@@ -43,9 +44,12 @@ fn run_among(
     observer: &mut dyn Observer,
 ) -> Result<Report, RunError> {
     options.check()?;
-    let prepared = all_or_none(ranks.as_deref(), prepare(scenario).map_err(RunError::from))?;
+    let is_first = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
+    be_patient(ranks.as_deref());
+    let prepared = is_first.then(|| prepare(scenario).map_err(RunError::from)).transpose();
+    let prepared = all_or_none(ranks.as_deref(), prepared)?;
     if let Some(ranks) = &ranks {
-        agree(&**ranks, &Inputs::of(scenario, &prepared.setup.grains))?;
+        agree(&**ranks, &Inputs::of(scenario))?;
     }
     thread_pool(options.threads)?.install(|| {
         let create = || -> Result<_, RunError> {
@@ -54,11 +58,9 @@ fn run_among(
             folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
             Ok((folder, lock))
         };
-        let writes = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
-        let (files, _lock) = all_or_none(ranks.as_deref(), writes.then(create).transpose())?.unzip();
-        let mut runner = Runner::begin(scenario, prepared, files.as_ref(), observer)?;
-        options.apply(&mut runner.sim);
-        runner.share(ranks, observer)?;
+        let (files, _lock) = all_or_none(ranks.as_deref(), is_first.then(create).transpose())?.unzip();
+        let begun = prepared.map(|prepared| Runner::begin(scenario, prepared, files.as_ref(), observer));
+        let mut runner = Runner::among(scenario, begun, ranks, &options, observer)?;
         runner.run_to_the_end(folder, observer)
     })
 }
@@ -85,28 +87,42 @@ fn resume_among(
     observer: &mut dyn Observer,
 ) -> Result<Report, RunError> {
     options.check()?;
-    let writes = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
+    let is_first = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
+    be_patient(ranks.as_deref());
     let mut read = || -> Result<_, RunError> {
         let folder = RunFolder::open(folder)?;
-        let lock = writes.then(|| folder.lock()).transpose()?;
+        if !is_first {
+            let scenario = Scenario::read_to_go_on(&folder.scenario())?;
+            return Ok((folder, None, scenario, None));
+        }
+        let lock = folder.lock()?;
         let (scenario, state) = read_run(&folder, observer)?;
-        Ok((folder, lock, scenario, state))
+        Ok((folder, Some(lock), scenario, Some(state)))
     };
     let (folder, _lock, scenario, state) = all_or_none(ranks.as_deref(), read())?;
-    if state.place.stage >= scenario.stages.len() {
+    let is_over = state
+        .as_ref()
+        .is_some_and(|state| state.place.stage >= scenario.stages.len());
+    let of_all = (ranks.as_deref()).map_or_else(|| vec![is_over.into()], |ranks| ranks.gather_even(&[is_over.into()]));
+    if of_all.contains(&1) {
         let folder = folder.root().to_owned();
         return Err(RunError::Finished { folder });
     }
     if let Some(ranks) = &ranks {
-        // nobody writes the next checkpoint before all have read this one
-        agree(&**ranks, &Inputs::of(&scenario, &state.simulation.grains))?;
+        agree(&**ranks, &Inputs::of(&scenario))?;
     }
     thread_pool(options.threads)?.install(|| {
-        let mut runner = Runner::resume(&scenario, state, writes.then_some(&folder), observer)?;
-        options.apply(&mut runner.sim);
-        runner.share(ranks, observer)?;
+        let resumed = state.map(|state| Runner::resume(&scenario, state, Some(&folder), observer));
+        let mut runner = Runner::among(&scenario, resumed, ranks, &options, observer)?;
         runner.run_to_the_end(folder.root(), observer)
     })
+}
+
+/// Waits for the first process as long as it takes: it alone prepares what all begin with, and a packing can take long.
+fn be_patient(ranks: Option<&dyn Ranks>) {
+    if let Some(ranks) = ranks {
+        ranks.be_patient(true);
+    }
 }
 
 /// The scenario and the latest checkpoint of a folder.
@@ -139,12 +155,52 @@ pub(crate) fn thread_pool(threads: Option<usize>) -> Result<rayon::ThreadPool, R
     })
 }
 
-impl Runner<'_> {
+impl<'a> Runner<'a> {
+    /// The run of the first process, shared with others where there are any: these begin with what the first tells them.
+    fn among(
+        scenario: &'a Scenario,
+        first: Option<Result<Self, RunError>>,
+        ranks: Option<Box<dyn Ranks>>,
+        options: &RunOptions,
+        observer: &mut dyn Observer,
+    ) -> Result<Self, RunError> {
+        let first = all_or_none(ranks.as_deref(), first.transpose())?;
+        let told = ranks.as_deref().and_then(|ranks| {
+            let mine = first.as_ref().map(Self::told_to_others).unwrap_or_default();
+            ranks.gather(&mine).into_iter().next()
+        });
+        let begun = first.map_or_else(
+            || Self::begin_as_told(scenario, &told.unwrap_or_default(), observer),
+            Ok,
+        );
+        let mut runner = all_or_none(ranks.as_deref(), begun)?;
+        if let Some(ranks) = &ranks {
+            ranks.be_patient(false);
+        }
+        options.apply(&mut runner.sim);
+        runner.share(ranks, observer)?;
+        Ok(runner)
+    }
+
+    /// What others need to go on with this run, but for what each of them is handed of the grains.
+    fn told_to_others(&self) -> Vec<u8> {
+        // encoding into memory fails for no value of ours
+        postcard::to_stdvec(&self.state_with(self.sim.state_without_grains())).unwrap_or_default()
+    }
+
+    /// A run as the first process told it.
+    fn begin_as_told(scenario: &'a Scenario, told: &[u8], observer: &mut dyn Observer) -> Result<Self, RunError> {
+        let unreadable = |_| StateError::Inconsistent("what the first process told");
+        let state: RunState<'static> = postcard::from_bytes(told).map_err(unreadable)?;
+        Self::resume(scenario, state, None, observer)
+    }
+
     /// Shares the run with other processes, where there are any.
     fn share(&mut self, ranks: Option<Box<dyn Ranks>>, observer: &mut dyn Observer) -> Result<(), RunError> {
         let Some(ranks) = ranks else { return Ok(()) };
         let count = ranks.count();
         self.sim.share(ranks);
+        self.sim.divide();
         self.say(&format!("the run is shared by {count} processes"), observer)?;
         if let Some(reason) = self.sim.shares_nothing() {
             let text = format!(

@@ -6,7 +6,7 @@ use crate::measure::{Moment, contact_records, frame_part, wall_surfaces};
 use crate::output::{Frame, FrameBox, SeriesTable, tell_frame};
 use crate::scenario::field_files;
 use crate::scenario::run_error::RunError;
-use crate::simulation::{Phase, Simulation};
+use crate::simulation::{Phase, Simulation, SimulationState};
 use crate::walls::Wall;
 use std::path::Path;
 
@@ -107,6 +107,18 @@ impl<'a> Runner<'a> {
         }
     }
 
+    /// The state of the run, told that of the simulation.
+    pub(super) fn state_with<'s>(&self, simulation: SimulationState<'s>) -> RunState<'s> {
+        let mut place = self.place.clone();
+        place.wall_clock += self.started.elapsed().as_secs_f64();
+        RunState {
+            simulation,
+            place,
+            domain: *self.sim.domain(),
+            traffic: self.traffic.state(),
+        }
+    }
+
     /// Writes a checkpoint into a folder.
     pub(in crate::scenario) fn save_checkpoint(&mut self, root: &Path) -> Result<(), RunError> {
         self.sim.took(Phase::Other);
@@ -119,15 +131,7 @@ impl<'a> Runner<'a> {
             grains: self.sim.grains.len() as u64,
             contacts: simulation.contact_count() as u64,
         };
-        let mut place = self.place.clone();
-        place.wall_clock += self.started.elapsed().as_secs_f64();
-        let state = RunState {
-            simulation,
-            place,
-            domain: *self.sim.domain(),
-            traffic: self.traffic.state(),
-        };
-        checkpoint::write_latest(root, &header, &state)?;
+        checkpoint::write_latest(root, &header, &self.state_with(simulation))?;
         self.sim.took(Phase::Output);
         Ok(())
     }

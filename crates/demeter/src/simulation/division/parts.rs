@@ -25,13 +25,11 @@ impl Simulation {
 
     /// The own contacts, to be written together with those of others.
     pub(in crate::simulation) fn carried_contacts<'a>(&'a self, part: &Part<'a>) -> CarriedContacts<'a> {
-        match self.is_divided() {
-            true => {
-                let own = (self.own_chunks(), self.own_wall_chunks());
-                self.contacts.carry_some(own, &self.grains, part.together)
-            }
-            false => self.contacts.carry(&self.grains),
-        }
+        let end = self.neighbours.segments();
+        let segments = part.segments.start.min(end)..part.segments.end.min(end);
+        let pairs = self.chunks_of(segments.clone(), Neighbours::chunks_of_segment);
+        let walls = self.chunks_of(segments, Neighbours::wall_chunks_of_segment);
+        self.contacts.carry_some((pairs, walls), &self.grains, part.together)
     }
 
     /// Chunks of contacts with walls of the own segments.

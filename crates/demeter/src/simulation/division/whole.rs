@@ -78,7 +78,7 @@ impl Simulation {
     }
 
     /// Grains of some segments.
-    fn grains_in(&self, segments: Range<usize>) -> Range<usize> {
+    pub(super) fn grains_in(&self, segments: Range<usize>) -> Range<usize> {
         let (per_segment, count) = (self.neighbours.grains_per_segment(), self.grains.len());
         (segments.start * per_segment).min(count)..(segments.end * per_segment).min(count)
     }
