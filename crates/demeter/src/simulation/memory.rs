@@ -14,6 +14,18 @@ pub struct MemoryPart {
     pub bytes_per_grain: f64,
 }
 
+/// Gives memory back to the system that a start has needed and freed: the allocator of glibc keeps some tens of megabytes otherwise.
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+#[allow(unsafe_code, reason = "nothing but the allocator can do that")]
+pub(in crate::simulation) fn give_back() {
+    // SAFETY: any thread may call it at any time
+    unsafe { libc::malloc_trim(0) };
+}
+
+/// Other allocators give memory back by themselves.
+#[cfg(not(all(target_os = "linux", target_env = "gnu")))]
+pub(in crate::simulation) fn give_back() {}
+
 impl Simulation {
     /// Memory of the tables that grow with the number of grains and contacts. The program itself, what output and measures need, and
     /// what a search for candidates takes as long as it lasts come on top.

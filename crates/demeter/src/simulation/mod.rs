@@ -293,6 +293,7 @@ impl Simulation {
             let tally = self.step_tally();
             self.books.open(&energies, tally);
             self.started = true;
+            memory::give_back();
         }
         Ok(())
     }

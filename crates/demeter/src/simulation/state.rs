@@ -2,7 +2,7 @@
 
 use super::deforming_box::DeformingState;
 use super::skin::SkinTuner;
-use super::{Books, Setup, Simulation};
+use super::{Books, Setup, Simulation, memory};
 use crate::comm::parts::{Part, Saved};
 use crate::contacts::{CarriedContacts, NearTables};
 use crate::neighbours::Neighbours;
@@ -208,6 +208,7 @@ impl Simulation {
         }
         sim.contacts.adopt(&sim.grains, &sim.neighbours, &state.contacts);
         sim.walls_before = sim.walls.iter().map(Wall::pose).collect();
+        memory::give_back();
         Ok(sim)
     }
 }
