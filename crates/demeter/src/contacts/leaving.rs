@@ -7,16 +7,21 @@ use std::collections::BTreeMap;
 pub(crate) type PairsAndWalls = [Vec<ContactChunk>; 2];
 
 impl Contacts {
-    /// Copies of the contacts that some processes get. `receivers` tells those of a contact, by its first grain and its second where that is
-    /// no wall.
-    pub(crate) fn leaving<R>(&self, receivers: impl Fn(u32, Option<u32>) -> R) -> BTreeMap<usize, PairsAndWalls>
+    /// Copies of the contacts that some processes get, of those in some chunks between grains and some with walls. `receivers` tells the
+    /// processes of a contact, by its first grain and its second where that is no wall.
+    pub(crate) fn leaving<R>(
+        &self,
+        chunks: [impl IntoIterator<Item = usize>; 2],
+        receivers: impl Fn(u32, Option<u32>) -> R,
+    ) -> BTreeMap<usize, PairsAndWalls>
     where
         R: IntoIterator<Item = usize>,
     {
         let mut leaving: BTreeMap<usize, PairsAndWalls> = BTreeMap::new();
-        for (kind, chunks) in [&self.pairs, &self.walls].into_iter().enumerate() {
+        let all = [&self.pairs, &self.walls].into_iter().zip(chunks);
+        for (kind, (all, some)) in all.enumerate() {
             let are_walls = kind == 1;
-            for chunk in chunks {
+            for chunk in some.into_iter().map(|number| &all[number]) {
                 let mut of_chunk: BTreeMap<usize, ContactChunk> = BTreeMap::new();
                 for (_, contacts) in chunk.now.of_candidates() {
                     let first = contacts.start;

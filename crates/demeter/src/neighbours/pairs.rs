@@ -77,10 +77,17 @@ impl PairTable {
         segment * self.per_segment..((segment + 1) * self.per_segment).min(grains)
     }
 
-    /// Pairs of every segment.
-    pub(super) fn by_segment(&self) -> impl Iterator<Item = Pairs<'_>> + Clone {
-        let segments = self.table.segments.iter().enumerate();
-        segments.map(|(s, segment)| Pairs::new(s * self.per_segment, &segment.candidates))
+    /// Pairs of a segment.
+    pub(super) fn of_segment(&self, segment: usize) -> Pairs<'_> {
+        Pairs::new(segment * self.per_segment, &self.table.segments[segment].candidates)
+    }
+
+    /// Segments with pairs that grains of some segments are in: these, and those behind them with partners.
+    pub(super) fn segments_with(&self, some: Range<usize>) -> impl Iterator<Item = usize> + Clone + '_ {
+        let partners = move |segment: usize| self.others.get(segment).into_iter().flatten();
+        let is_one = move |other: usize| some.contains(&other);
+        let of_all = 0..self.table.segments.len();
+        of_all.filter(move |&s| is_one(s) || partners(s).any(|&other| is_one(other as usize)))
     }
 
     /// Pairs of a chunk, and the material pair of all of them.

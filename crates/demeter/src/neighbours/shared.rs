@@ -1,7 +1,7 @@
 //! Tables of candidates that several processes share: each has the pairs that one of its own grains is in.
 
 use super::incidence::OfGrains;
-use super::packed::{PackedPair, Pairs};
+use super::packed::PackedPair;
 use super::pairs::PairTable;
 use super::search::per_task;
 use super::table::{Segment, Table};
@@ -39,7 +39,7 @@ impl Neighbours {
     /// with walls.
     pub(crate) fn bearers(&self, own: &Range<usize>) -> impl Iterator<Item = (u32, u32)> + '_ {
         let own = own.clone();
-        let pairs = self.pairs.by_segment().flat_map(Pairs::iter);
+        let pairs = (0..self.segments()).flat_map(|segment| self.pairs.of_segment(segment).iter());
         let walls = self.walls.segments.iter().flat_map(|segment| &segment.candidates);
         let of_pairs = pairs.map(|pair| (pair.later(), pair.earlier()));
         let all = of_pairs.chain(walls.map(|pair| (pair.grain, pair.grain)));
@@ -53,10 +53,23 @@ impl Neighbours {
         own.start..own.end.max(last.map_or(0, |last| last + 1))
     }
 
-    /// All pairs of own grains with others, by the index of the own one.
+    /// Segments of own grains, whose segments are whole.
+    fn segments_of(&self, own: &Range<usize>) -> Range<usize> {
+        let per_segment = self.pairs.per_segment.max(1);
+        own.start.div_ceil(per_segment)..own.end.div_ceil(per_segment)
+    }
+
+    /// Segments with pairs of own grains, whose segments are whole.
+    pub(crate) fn segments_with(&self, own: &Range<usize>) -> impl Iterator<Item = usize> + Clone + '_ {
+        self.pairs.segments_with(self.segments_of(own))
+    }
+
+    /// All pairs of own grains, whose segments are whole, with others, by the index of the own one.
     pub(crate) fn pairs_across(&self, own: &Range<usize>) -> impl Iterator<Item = (u32, u32)> + '_ {
+        let pairs = self
+            .segments_with(own)
+            .flat_map(|segment| self.pairs.of_segment(segment).iter());
         let own = own.clone();
-        let pairs = self.pairs.by_segment().flat_map(Pairs::iter);
         pairs.filter_map(
             move |pair| match (own.contains(&(pair.i as usize)), own.contains(&(pair.j as usize))) {
                 (true, false) => Some((pair.i, pair.j)),
@@ -89,23 +102,25 @@ impl Neighbours {
         }
     }
 
-    /// The candidates that one of the own grains is in.
+    /// The candidates that one of the own grains, whose segments are whole, is in.
     pub(crate) fn picked(&self, own: &Range<usize>) -> SegmentsOfCandidates {
         let is_own = |grain: u32| own.contains(&(grain as usize));
-        let pairs = self.pairs.table.segments.iter().enumerate();
-        let walls = self.walls.segments.iter();
-        let of_own = |(s, segment): (usize, &Segment<PackedPair>)| {
+        let mut picked = SegmentsOfCandidates {
+            per_segment: self.pairs.per_segment,
+            pairs: vec![Segment::default(); self.segments()],
+            walls: vec![Segment::default(); self.segments()],
+        };
+        for s in self.segments_with(own) {
             let first = (s * self.pairs.per_segment) as u32;
-            segment.picked(|packed| {
+            picked.pairs[s] = self.pairs.table.segments[s].picked(|packed| {
                 let pair = packed.pair(first);
                 is_own(pair.i) || is_own(pair.j)
-            })
-        };
-        SegmentsOfCandidates {
-            per_segment: self.pairs.per_segment,
-            pairs: pairs.map(of_own).collect(),
-            walls: walls.map(|s| s.picked(|p| is_own(p.grain))).collect(),
+            });
         }
+        for s in self.segments_of(own) {
+            picked.walls[s].clone_from(&self.walls.segments[s]);
+        }
+        picked
     }
 
     /// A table without candidates for a search among these grains.

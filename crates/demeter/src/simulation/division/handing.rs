@@ -117,10 +117,9 @@ impl Division {
         }));
         self.ranks.exchange(&mut messages, &mut || ());
         let lengths: Vec<usize> = messages.iter().map(|message| message.hear[0] as usize).collect();
-        for ((message, (_, bytes)), length) in messages.iter_mut().zip(&told).zip(&lengths) {
-            let mut padded = bytes.clone();
-            padded.resize(bytes.len().next_multiple_of(BYTES), 0);
-            message.tell = bytemuck::pod_collect_to_vec(&padded);
+        for ((message, (_, mut bytes)), length) in messages.iter_mut().zip(told).zip(&lengths) {
+            bytes.resize(bytes.len().next_multiple_of(BYTES), 0);
+            message.tell = bytemuck::pod_collect_to_vec(&bytes);
             message.hear = vec![0.0; length.div_ceil(BYTES)];
         }
         self.ranks.exchange(&mut messages, &mut || ());
@@ -295,7 +294,8 @@ impl Simulation {
                 grains.entry(after).or_default().push((place, grain));
             }
         }
-        let mut contacts = self.contacts.leaving(|i, j| owners.receivers(rank, i, j));
+        let all = [&self.contacts.pairs, &self.contacts.walls].map(|chunks| 0..chunks.len());
+        let mut contacts = self.contacts.leaving(all, |i, j| owners.receivers(rank, i, j));
         let told = grains.into_iter().map(|(other, mut grains)| {
             // the other hears of them in their new order
             grains.sort_unstable();

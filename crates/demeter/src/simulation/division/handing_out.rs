@@ -5,9 +5,11 @@ use crate::contacts::{NearTables, PairsAndWalls};
 use crate::neighbours::{FormerPlaces, SegmentsOfCandidates};
 use crate::particles::HigherDerivatives;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
-use crate::simulation::Simulation;
+use crate::simulation::{Simulation, memory};
 use demeter_physics::integrator::Integrator;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// What a process is handed.
@@ -53,11 +55,14 @@ impl Simulation {
         self.division = Some(division);
         self.weigh_work();
         self.note_balance();
+        memory::give_back();
     }
 
     /// Where the segments are cut so that all processes have as much to do.
     fn cuts_to_hand_out(&mut self, division: &Division) -> Vec<usize> {
         if self.rebuilds == 0 {
+            // in the order of the first search, so that few grains go on from one process to another then
+            self.order.sort(&mut self.grains);
             self.neighbours = self.neighbours.before_search(&self.grains, &self.materials);
         }
         let neighbours = &self.neighbours;
@@ -76,7 +81,11 @@ impl Simulation {
         let mut known: Vec<u32> = own.clone().map(|grain| grain as u32).chain(partners).collect();
         known.sort_unstable();
         known.dedup();
-        let mut contacts = (self.contacts).leaving(|i, j| (is_own(i) || j.is_some_and(is_own)).then_some(rank));
+        let receives = |i, j: Option<u32>| (is_own(i) || j.is_some_and(is_own)).then_some(rank);
+        let mut contacts = match self.rebuilds {
+            0 => BTreeMap::new(),
+            _ => self.contacts.leaving(self.chunks_with(&own), receives),
+        };
         let bulge = |&grain: &u32| self.coupling.as_ref()?.memory.bulge.get(grain as usize).copied();
         let tables = || Tables {
             candidates: self.neighbours.picked(&own),
@@ -92,6 +101,14 @@ impl Simulation {
             near: self.near.saved(),
             tables: (self.rebuilds > 0).then(tables),
         }
+    }
+
+    /// Chunks that may have contacts of some grains, whose segments are whole: between grains, and with walls.
+    fn chunks_with(&self, grains: &Range<usize>) -> [Vec<usize>; 2] {
+        let (neighbours, segments) = (&self.neighbours, self.neighbours.segments_with(grains));
+        let pairs = segments.clone().flat_map(|s| neighbours.chunks_of_segment(s));
+        let walls = segments.flat_map(|s| neighbours.wall_chunks_of_segment(s));
+        [pairs.collect(), walls.collect()]
     }
 
     /// Goes on with what this process was handed.
