@@ -131,10 +131,13 @@ fn templates_close_their_books_and_restart() {
             _ if full() => vec![],
             "collide" => vec![],
             "settle" => vec!["stage[0].duration=\"40 ms\"".into()],
-            // its strokes are nested, and end by their way
+            // its strokes are nested, and end by their way: one of them, three times as fast
             "uniaxial-compression" => vec![
                 "stage[0].duration=\"20 ms\"".into(),
                 "stage[1].duration=\"10 ms\"".into(),
+                "stage[2].repeat=1".into(),
+                "stage[2].stage[0].motion.top.velocity=\"0 0 -60 mm/s\"".into(),
+                "stage[2].stage[1].motion.top.velocity=\"0 0 60 mm/s\"".into(),
             ],
             _ => {
                 let stages = text.matches("\n[[stage]]\n").count();
