@@ -201,13 +201,6 @@ impl<'a> Runner<'a> {
         let count = ranks.count();
         self.sim.share(ranks);
         self.sim.divide();
-        self.say(&format!("the run is shared by {count} processes"), observer)?;
-        if let Some(reason) = self.sim.shares_nothing() {
-            let text = format!(
-                "warning: with {reason} every process does the work of all: the results are right, but nothing is gained; run                  one process with more --threads"
-            );
-            self.say(&text, observer)?;
-        }
-        Ok(())
+        self.say(&format!("the run is shared by {count} processes"), observer)
     }
 }
