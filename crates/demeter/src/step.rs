@@ -63,6 +63,7 @@ impl Simulation {
         if let Some(skin) = self.next_skin(&motion) {
             self.skin = self.skin_that_fits(skin)?;
             self.find_candidates();
+            self.check_crossings()?;
             self.foresee_bulges();
             // others are neighbours now
             self.exchange_borders(|_| ());
@@ -111,6 +112,7 @@ impl Simulation {
         };
         self.check_places(&motion)?;
         self.find_candidates();
+        self.check_crossings()?;
         self.even_out_start();
         self.foresee_bulges();
         self.exchange_borders(|_| ());

@@ -125,26 +125,27 @@ impl Single {
 
     /// Puts every grain back into the periodic box and counts its crossings.
     pub fn wrap(&self, grains: &mut Grains) {
-        self.wrap_some(grains, 0..grains.len());
+        self.wrap_some(grains, 0..grains.len(), &mut Vec::new());
     }
 
-    /// The same of some grains.
-    pub(crate) fn wrap_some(&self, grains: &mut Grains, some: Range<usize>) {
+    /// The same of some grains. Tells those that have gone round more often than is counted.
+    pub(crate) fn wrap_some(&self, grains: &mut Grains, some: Range<usize>, uncounted: &mut Vec<usize>) {
         let size = self.domain.size();
         for axis in (0..3).filter(|&k| self.domain.periodic[k]) {
             let positions = grains.position.rows_mut()[some.clone()].iter_mut();
-            for (position, load) in positions.zip(&mut grains.load.rows_mut()[some.clone()]) {
+            let loads = &mut grains.load.rows_mut()[some.clone()];
+            for ((position, load), grain) in positions.zip(loads).zip(some.clone()) {
                 let position = &mut position.vector;
                 // one crossing at a time keeps the bits of the ordinary case simple; a lost grain is caught by the watch
                 let boxes = self.boxes_beyond(*position, axis);
                 if boxes == 0 {
                     continue;
                 }
+                position[axis] -= size[axis] * f64::from(boxes);
                 let mut crossings = load.crossings();
                 crossings[axis] += boxes;
-                // where that cannot be counted the watch finds the grain as it goes on
-                if load.set_crossings(crossings) {
-                    position[axis] -= size[axis] * f64::from(boxes);
+                if !load.set_crossings(crossings) {
+                    uncounted.push(grain);
                 }
             }
         }
@@ -165,8 +166,15 @@ impl Single {
     }
 
     /// Puts some grains back into a box that deforms: each takes the place and the velocity of its image. Forces act on its
-    /// velocity for `ahead` [s] beyond the middle of the step. Tells what kinetic energy that brought [J].
-    pub(crate) fn wrap_moving(&self, grains: &mut Grains, some: Range<usize>, ahead: f64) -> f64 {
+    /// velocity for `ahead` [s] beyond the middle of the step. Tells what kinetic energy that brought [J], and the grains that have gone
+    /// round more often than is counted.
+    pub(crate) fn wrap_moving(
+        &self,
+        grains: &mut Grains,
+        some: Range<usize>,
+        ahead: f64,
+        uncounted: &mut Vec<usize>,
+    ) -> f64 {
         let Some(deforming) = self.deforming() else {
             return 0.0;
         };
@@ -193,7 +201,10 @@ impl Single {
                     crossings[axes.flow] -= boxes * deforming.turns();
                 }
             }
-            if crossings != before && grains.load.rows_mut()[g].set_crossings(crossings) {
+            if crossings != before {
+                if !grains.load.rows_mut()[g].set_crossings(crossings) {
+                    uncounted.push(g);
+                }
                 let middle = grains.velocity[g] - grains.force(g) * (ahead * grains.inverse_mass(g));
                 gained += grains.mass(g) * (middle + 0.5 * change).dot(change);
                 grains.position[g] = place;

@@ -22,6 +22,7 @@ mod report;
 mod sums;
 mod whole;
 
+use super::misplaced::Uncounted;
 use super::{Places, Simulation};
 use crate::comm::together::Together;
 use crate::comm::tree::{Then, turns};
@@ -487,7 +488,12 @@ impl Simulation {
             .segments()
             .map(|s| self.neighbours.candidates_of_segment(s))
             .sum();
-        let ([tests, scattered, candidates], _) = division.counts([effort.tests, effort.scattered, own as u64]);
+        let uncounted = self.uncounted.is_some().into();
+        let ([tests, scattered, candidates, uncounted], _) =
+            division.counts([effort.tests, effort.scattered, own as u64, uncounted]);
+        if uncounted > 0 {
+            self.uncounted.get_or_insert(Uncounted::ELSEWHERE);
+        }
         (self.neighbours).note_total(SearchEffort { tests, scattered }, candidates as usize);
         self.weigh_work();
     }

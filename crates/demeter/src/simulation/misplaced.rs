@@ -4,6 +4,7 @@ use super::Simulation;
 use crate::contacts::Fault;
 use crate::particles::{MOST_CROSSINGS, Outside};
 use crate::step::Motion;
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// What a process finds among its own grains.
@@ -11,10 +12,25 @@ use serde::{Deserialize, Serialize};
 struct Misplaced {
     /// Indices, rising.
     grains: Vec<usize>,
-    /// The fault of the first that is nowhere, or that has gone round the box more often than is counted.
+    /// The fault of the first that is nowhere.
     nowhere: Option<Fault>,
     /// The fault of the one with the lowest id.
     outside: Option<Fault>,
+}
+
+/// A grain whose latest crossing of a periodic side could not be counted.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(crate) struct Uncounted {
+    pub(crate) id: u32,
+    pub(crate) position: DVec3,
+}
+
+impl Uncounted {
+    /// One of another process.
+    pub(crate) const ELSEWHERE: Self = Self {
+        id: u32::MAX,
+        position: DVec3::NAN,
+    };
 }
 
 impl Simulation {
@@ -41,6 +57,34 @@ impl Simulation {
         Ok(())
     }
 
+    /// Notes the grains that have just gone round a periodic box more often than is counted.
+    pub(super) fn note_uncounted(&mut self, grains: &[usize]) {
+        let tell = |&g: &usize| Uncounted {
+            id: self.grains.id[g],
+            position: self.grains.position[g],
+        };
+        let all = grains.iter().map(tell).chain(self.uncounted);
+        self.uncounted = all.min_by_key(|uncounted| uncounted.id);
+    }
+
+    /// A grain that went round a periodic box more often than is counted ends the run.
+    pub(crate) fn check_crossings(&mut self) -> Result<(), Fault> {
+        // all know whether any has one, since candidates were counted
+        let Some(mine) = self.uncounted.take() else {
+            return Ok(());
+        };
+        let all = self.of_all_segments(vec![mine]);
+        let first = all.into_iter().min_by_key(|uncounted| uncounted.id);
+        first.map_or(Ok(()), |Uncounted { id, position }| {
+            Err(Fault::CrossedTooOften {
+                step: self.step,
+                id,
+                position,
+                most: MOST_CROSSINGS,
+            })
+        })
+    }
+
     fn misplaced(&self) -> Misplaced {
         let (domain, grains) = (self.comm.domain(), &self.grains);
         let outside = || self.own_grains().filter(|&g| !domain.contains(grains.position[g]));
@@ -48,21 +92,7 @@ impl Simulation {
             step: self.step,
             id: grains.id[g],
             quantity: "position".into(),
-            position: self.neighbours.former.of_grain(g).unwrap_or(glam::DVec3::NAN),
-        };
-        let too_often = |g: usize| Fault::CrossedTooOften {
-            step: self.step,
-            id: grains.id[g],
-            position: grains.position[g],
-            most: MOST_CROSSINGS,
-        };
-        let lost = |g: usize| match grains.position[g].is_finite() {
-            true => grains
-                .crossings(g)
-                .iter()
-                .any(|n| n.abs() == MOST_CROSSINGS)
-                .then(|| too_often(g)),
-            false => Some(nowhere(g)),
+            position: self.neighbours.former.of_grain(g).unwrap_or(DVec3::NAN),
         };
         let fault = |g: usize| Fault::Outside {
             step: self.step,
@@ -74,7 +104,7 @@ impl Simulation {
         };
         Misplaced {
             grains: outside().collect(),
-            nowhere: outside().find_map(lost),
+            nowhere: outside().find(|&g| !grains.position[g].is_finite()).map(nowhere),
             outside: outside().min_by_key(|&g| grains.id[g]).map(fault),
         }
     }

@@ -39,6 +39,7 @@ pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, WallPartner, refusals,
 
 use deforming_box::DeformingBox;
 use division::Division;
+use misplaced::Uncounted;
 use skin::SkinTuner;
 pub(crate) use skin::{Counts, ROOM_FOR_BULGES};
 use time_step::largest_reach;
@@ -169,6 +170,8 @@ pub struct Simulation {
     /// Keeps the other threads from sleeping within a step.
     pub(crate) awake: Awake,
     started: bool,
+    /// The grain with the lowest id that went round a periodic box more often than is counted, until that is told.
+    uncounted: Option<Uncounted>,
     /// Whether what the contacts did in the latest step is still to be summed up per grain and to correct its velocity.
     pub(crate) awaits_kick: bool,
 }
@@ -244,6 +247,7 @@ impl Simulation {
             surfaces: Surfaces::default(),
             awake: Awake::default(),
             started: false,
+            uncounted: None,
             awaits_kick: false,
         }
     }
@@ -384,17 +388,20 @@ impl Simulation {
 
     /// Puts own grains back into the periodic box, within a step or before the first.
     fn wrap_grains(&mut self) {
+        let mut uncounted = Vec::new();
         if self.deforming.is_none() {
             let own = self.own_grains();
-            return self.comm.wrap_some(&mut self.grains, own);
+            self.comm.wrap_some(&mut self.grains, own, &mut uncounted);
+            return self.note_uncounted(&uncounted);
         }
         // within a step velocities are those predicted for its end
         let ahead = if self.step > 0 { 0.5 * self.dt } else { 0.0 };
         self.comm.follow_motion();
         let mut gained = Vec::new();
         for some in self.own_pieces() {
-            gained.push(self.comm.wrap_moving(&mut self.grains, some, ahead));
+            gained.push((self.comm).wrap_moving(&mut self.grains, some, ahead, &mut uncounted));
         }
+        self.note_uncounted(&uncounted);
         let gained = self.of_all_segments(gained).iter().sum();
         self.books.carry_along(gained, gained);
     }
