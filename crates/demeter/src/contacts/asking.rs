@@ -9,9 +9,10 @@ use demeter_physics::contact::tangential::{Tangential, TangentialInput, Tangenti
 use demeter_physics::integrator::Integrator;
 use demeter_physics::lanes::{Lanes, MOST_LANES, Mask};
 
-/// The most values that a law which works on all lanes remembers, and as many as most of them do not exceed: to set more of them to 0
-/// than a law needs would take longer than some laws.
-const MOST_WIDE_HISTORY: usize = 16;
+/// The most values that a law which works on all lanes remembers, and as many as others do not exceed: to set more of them to 0 than a
+/// law needs would take longer than some laws.
+const MOST_WIDE_HISTORY: usize = 32;
+const MANY: usize = 16;
 const FEW: usize = 4;
 
 /// Half of the path of the overlap over which a normal law takes its mean [m].
@@ -165,12 +166,13 @@ impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
             rate,
             half_window: normal_window::<N, L>(lot.integrator, overlap, rate, dt),
         };
+        const { assert!(!N::WIDE || N::HISTORY.len() <= MANY) };
         let (response, bearing_overlap) = if !N::WIDE {
             press_one_by_one(law, &input, lot)
         } else if N::HISTORY.len() <= FEW {
             press_together::<N, L, FEW>(law, &input, lot)
         } else {
-            press_together::<N, L, MOST_WIDE_HISTORY>(law, &input, lot)
+            press_together::<N, L, MANY>(law, &input, lot)
         };
         let (force, rate) = match lot.integrator {
             Integrator::VelocityVerlet => centred_force(response, rate, previous, inverse_mass, dt),
@@ -219,7 +221,7 @@ fn press_one_by_one<N: Normal, L: Lanes>(law: &N, input: &NormalInput<L>, lot: &
 
 /// What friction remembers, and the load among it as it is carried along: both are known before the normal force is.
 pub(super) struct Ahead<L: Lanes> {
-    memory: [L; MOST_WIDE_HISTORY],
+    memory: [L; MANY],
     carried: Carried<L>,
 }
 
@@ -230,7 +232,7 @@ impl<L: Lanes> Ahead<L> {
         if !(T::REMEMBERS_A_SPRING && T::WIDE) {
             return None;
         }
-        let memory = lot.recall::<L, MOST_WIDE_HISTORY>(T::HISTORY.len());
+        let memory = lot.recall::<L, MANY>(T::HISTORY.len());
         Some(Self {
             memory,
             carried: carry_along(&memory, normal, spin_angle),
@@ -251,19 +253,34 @@ impl<L: Lanes> TangentialVisitor for Rub<'_, '_, L> {
     #[inline(always)]
     fn visit<T: Tangential>(self, law: &T) -> TangentialResponse<L> {
         let Self { lot, input, ahead } = self;
-        if T::WIDE {
-            let length = T::HISTORY.len();
-            let (mut history, carried) = match ahead {
-                Some(Ahead { memory, carried }) => (memory, Some(carried)),
-                None => (lot.recall::<L, MOST_WIDE_HISTORY>(length), None),
-            };
-            let response = law.respond_carried(&input, &mut history[..length], carried);
-            lot.remember(&history, length);
+        let length = T::HISTORY.len();
+        const { assert!(!T::WIDE || T::HISTORY.len() <= MOST_WIDE_HISTORY) };
+        if let Some(Ahead { mut memory, carried }) = ahead {
+            let response = law.respond_carried(&input, &mut memory[..length], Some(carried));
+            lot.remember(&memory, length);
             response
-        } else {
+        } else if !T::WIDE {
             rub_one_by_one(law, &input, lot)
+        } else if length <= MANY {
+            rub_together::<T, L, MANY>(law, &input, lot)
+        } else {
+            rub_together::<T, L, MOST_WIDE_HISTORY>(law, &input, lot)
         }
     }
+}
+
+/// Asks a tangential law about all contacts.
+#[inline(always)]
+fn rub_together<T: Tangential, L: Lanes, const MOST: usize>(
+    law: &T,
+    input: &TangentialInput<L>,
+    lot: &mut Lot,
+) -> TangentialResponse<L> {
+    let length = T::HISTORY.len();
+    let mut history = lot.recall::<L, MOST>(length);
+    let response = law.respond_wide(input, &mut history[..length]);
+    lot.remember(&history, length);
+    response
 }
 
 /// Asks a tangential law about one contact after the other.
@@ -296,7 +313,7 @@ impl<L: Lanes> NormalVisitor for Stiffness<'_, '_, L> {
         let Self { lot, size, overlap } = self;
         let length = law.history();
         let stiffness = if N::WIDE {
-            let history = lot.recall::<L, MOST_WIDE_HISTORY>(length);
+            let history = lot.recall::<L, MANY>(length);
             law.stiffness_wide(size, overlap, &history[..length])
         } else {
             stiffness_one_by_one(law, size, overlap, lot)
@@ -329,9 +346,10 @@ impl<L: Lanes> RollingVisitor for Roll<'_, '_, L> {
     #[inline(always)]
     fn visit<R: Rolling>(self, law: &R) -> RollingResponse<L> {
         let Self { lot, input } = self;
+        const { assert!(!R::WIDE || R::HISTORY.len() <= MANY) };
         if R::WIDE {
             let length = R::HISTORY.len();
-            let mut history = lot.recall::<L, MOST_WIDE_HISTORY>(length);
+            let mut history = lot.recall::<L, MANY>(length);
             let response = law.respond_wide(&input, &mut history[..length]);
             lot.remember(&history, length);
             response

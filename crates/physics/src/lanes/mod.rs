@@ -17,7 +17,7 @@ mod vector;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use cube_root::cube_root;
+pub use cube_root::{cube_root, rough_cube_root};
 pub use quad::{Eight, Four, Quad, Two};
 pub use vector::{Vector, Vector3};
 

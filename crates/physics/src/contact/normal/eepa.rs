@@ -40,6 +40,8 @@ pub struct Eepa {
     plasticity_ratio: f64,
     surface_energy: f64,
     pull_off_force: f64,
+    /// Dent over peak.
+    dent: f64,
     power: Power,
     adhesion_exponent: f64,
     /// Dashpot in units of `sqrt(m k1)`.
@@ -58,7 +60,11 @@ impl Eepa {
         };
         Hysteresis {
             loading,
-            unloading: Unloading::Constant(loading / (1.0 - self.plasticity_ratio)),
+            unloading: Unloading::Constant {
+                stiffness: loading / (1.0 - self.plasticity_ratio),
+                kept: self.plasticity_ratio,
+                dent: self.dent,
+            },
             pull_off: if self.surface_energy > 0.0 && self.plasticity_ratio > 0.0 {
                 // 3/2 pi Delta gamma a, a = sqrt(2 R p)
                 let share = (size.radius * 2.0).sqrt() * (1.5 * PI * self.surface_energy);
@@ -103,12 +109,14 @@ impl Normal for Eepa {
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = EepaParameters::from_values(values)?;
+        let power = if p.exponent == 0 { Power::Hertz } else { Power::Linear };
         Ok(Self {
             modulus: pair.effective_modulus(),
             plasticity_ratio: p.plasticity_ratio,
             surface_energy: p.surface_energy,
             pull_off_force: p.pull_off_force.unwrap_or(0.0),
-            power: if p.exponent == 0 { Power::Hertz } else { Power::Linear },
+            dent: libm::pow(p.plasticity_ratio, 1.0 / power.exponent()),
+            power,
             adhesion_exponent: p.adhesion_exponent,
             dashpot: Dashpot::read("alpha", p.alpha, p.restitution, p.impact_speed)?,
         })

@@ -73,7 +73,14 @@ impl Power {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unloading<L = f64> {
     /// The same always.
-    Constant(L),
+    Constant {
+        /// Stiffness.
+        stiffness: L,
+        /// What the loop keeps of the loading line, `1 - k1/k2`.
+        kept: f64,
+        /// Dent over peak, which is that to the power `1/n`.
+        dent: f64,
+    },
     /// `k1 + growth D` (linear lines, with a constant pull-off stiffness and `chi = 1`), up to `D = deepest`, beyond
     /// which the contact is elastic.
     Growing {
@@ -89,11 +96,25 @@ impl Unloading {
     #[inline(always)]
     pub fn in_lanes<L: Lanes>(self) -> Unloading<L> {
         match self {
-            Self::Constant(stiffness) => Unloading::Constant(L::splat(stiffness)),
+            Self::Constant { stiffness, kept, dent } => Unloading::Constant {
+                stiffness: L::splat(stiffness),
+                kept,
+                dent,
+            },
             Self::Growing { growth, deepest } => Unloading::Growing {
                 growth: L::splat(growth),
                 deepest: L::splat(deepest),
             },
+        }
+    }
+
+    /// A constant stiffness of linear lines.
+    pub fn of_lines(loading: f64, stiffness: f64) -> Self {
+        let kept = 1.0 - loading / stiffness;
+        Self::Constant {
+            stiffness,
+            kept,
+            dent: kept,
         }
     }
 }
@@ -173,7 +194,7 @@ impl<L: Lanes> Hysteresis<L> {
     #[inline(always)]
     pub fn unloading(&self, peak: L) -> L {
         match self.unloading {
-            Unloading::Constant(k2) => k2,
+            Unloading::Constant { stiffness, .. } => stiffness,
             Unloading::Growing { growth, .. } => self.loading + growth * peak,
         }
     }
@@ -182,7 +203,7 @@ impl<L: Lanes> Hysteresis<L> {
     #[inline(always)]
     fn deepest(&self) -> L {
         match self.unloading {
-            Unloading::Constant(_) => L::splat(f64::INFINITY),
+            Unloading::Constant { .. } => L::splat(f64::INFINITY),
             Unloading::Growing { deepest, .. } => deepest,
         }
     }
@@ -190,13 +211,21 @@ impl<L: Lanes> Hysteresis<L> {
     /// `p^n` of the dent.
     #[inline(always)]
     fn dent_power(&self, peak: L) -> L {
-        (L::splat(1.0) - self.loading / self.unloading(peak)) * self.power.of(peak)
+        let power = self.power.of(peak);
+        match self.unloading {
+            Unloading::Constant { kept, .. } => power * kept,
+            Unloading::Growing { .. } => (L::splat(1.0) - self.loading / self.unloading(peak)) * power,
+        }
     }
 
     /// Overlap at which an unloading contact without adhesion is free of force [m].
     #[inline(always)]
     pub fn dent(&self, peak: L) -> L {
-        self.power.root(self.dent_power(peak))
+        match self.unloading {
+            Unloading::Constant { dent, .. } => peak * dent,
+            // its lines are linear
+            Unloading::Growing { .. } => self.dent_power(peak),
+        }
     }
 
     /// `d^chi`.
@@ -217,61 +246,64 @@ impl<L: Lanes> Hysteresis<L> {
         }
     }
 
-    /// Pull that the deepest dent can carry [N], and the overlap at which it does [m].
+    /// Pull that the deepest dent can carry [N], and whether that is the whole that it wants to.
     #[inline(always)]
-    fn largest_pull(&self, largest: L, share: L) -> (L, L) {
-        let k2 = self.unloading(largest);
-        let dent_power = self.dent_power(largest);
-        let dent = self.power.root(dent_power);
-        let half = dent * 0.5;
-        let at_half = k2 * (dent_power - self.power.of(half));
+    fn largest_pull(&self, largest: L, share: L) -> (L, L::Mask) {
+        let dent = self.dent(largest);
+        let at_half = self.unloading(largest) * (self.dent_power(largest) - self.power.of(dent * 0.5));
         let wanted = share * dent.sqrt();
-        let is_free = at_half.gt(wanted);
+        (at_half.min(wanted), at_half.gt(wanted))
+    }
+
+    /// Overlap at which the unloading line of the deepest dent reaches the largest pull [m].
+    #[inline(always)]
+    fn place_of_pull(&self, largest: L, (pull, is_free): (L, L::Mask)) -> L {
+        let half = self.dent(largest) * 0.5;
         if is_free.any() {
-            let place = self.power.root(dent_power - wanted / k2);
-            (L::select(is_free, wanted, at_half), L::select(is_free, place, half))
+            let place = self
+                .power
+                .root(self.dent_power(largest) - pull / self.unloading(largest));
+            L::select(is_free, place, half)
         } else {
-            (at_half, half)
+            half
         }
     }
 
-    /// Largest overlap at which the dent can just carry its pull, at half its depth [m].
+    /// Stiffness of the pull-off line through the largest pull.
     #[inline(always)]
-    fn free_pull(&self, share: L) -> L {
-        let k2 = self.unloading(L::splat(0.0));
-        // p^(n - 1/2)
-        let half = share / (k2 * (1.0 - self.power.of(0.5)));
-        let dent = match self.power {
-            Power::Linear => half * half,
-            Power::Hertz => half,
-        };
-        self.power
-            .root(self.power.of(dent) / (L::splat(1.0) - self.loading / k2))
+    fn through(&self, pull: L, place: L) -> L {
+        (pull / self.pull_off_power(place)).keep(place.gt(L::splat(0.0)))
     }
 
-    /// Stiffness of the pull-off line, and where it meets the unloading line of the deepest dent when that is known at once.
+    /// Stiffness of the pull-off line of a deepest dent, and where it meets the unloading line from there [m].
     #[inline(always)]
-    fn pull_off(&self, largest: L) -> (L, Option<L>) {
-        let zero = L::splat(0.0);
-        match self.pull_off {
-            PullOff::None => (zero, None),
-            PullOff::Stiffness(ka) => (ka, None),
-            PullOff::Dent { share } => {
-                let (pull, place) = self.largest_pull(largest, share);
-                let stiffness = (pull / self.pull_off_power(place)).keep(place.gt(zero));
-                (stiffness, Some(place))
-            }
-        }
+    fn of_deepest(&self, largest: L, share: L) -> (L, L) {
+        let pull = self.largest_pull(largest, share);
+        let place = self.place_of_pull(largest, pull);
+        (self.through(pull.0, place), place)
     }
 
     /// Memory of a contact from what is kept of it.
     #[inline(always)]
     pub fn recall(&self, peak: L, tear: L, largest: L) -> Memory<L> {
+        let pull_off = match self.pull_off {
+            PullOff::None => L::splat(0.0),
+            PullOff::Stiffness(ka) => ka,
+            PullOff::Dent { share } => {
+                let pull = self.largest_pull(largest, share);
+                let was_deeper = largest.gt(peak);
+                let mut place = tear;
+                if was_deeper.any() {
+                    place = L::select(was_deeper, self.place_of_pull(largest, pull), place);
+                }
+                self.through(pull.0, place)
+            }
+        };
         Memory {
             peak,
             tear,
             largest,
-            pull_off: self.pull_off(largest).0,
+            pull_off,
         }
     }
 
@@ -280,24 +312,25 @@ impl<L: Lanes> Hysteresis<L> {
     pub fn at_peak(&self, peak: L, largest: L) -> Memory<L> {
         let largest = largest.max(peak);
         let k2 = self.unloading(peak);
-        let (ka, place) = self.pull_off(largest);
-        let tear = match (self.pull_off, place) {
-            (PullOff::None, _) => self.dent(peak),
-            (_, Some(place)) => {
+        let (tear, pull_off) = match self.pull_off {
+            PullOff::None => (self.dent(peak), L::splat(0.0)),
+            PullOff::Stiffness(ka) => (self.meeting(k2, peak, ka), ka),
+            PullOff::Dent { share } => {
+                let (ka, place) = self.of_deepest(largest, share);
                 let was_deeper = largest.gt(peak);
-                if was_deeper.any() {
+                let tear = if was_deeper.any() {
                     L::select(was_deeper, self.meeting(k2, peak, ka), place)
                 } else {
                     place
-                }
+                };
+                (tear, ka)
             }
-            (_, None) => self.meeting(k2, peak, ka),
         };
         Memory {
             peak,
             tear,
             largest,
-            pull_off: ka,
+            pull_off,
         }
     }
 
@@ -307,16 +340,17 @@ impl<L: Lanes> Hysteresis<L> {
         if self.power == Power::Linear && self.pull_off_power == 1.0 {
             (k2 - self.loading) * peak / (k2 + ka)
         } else {
-            self.crossing(k2, self.dent_power(peak), ka)
+            self.crossing(k2, peak, ka)
         }
     }
 
     /// Where the unloading line meets the pull-off line, `k2 (x^n - p^n) + ka x^chi = 0`.
     #[inline(always)]
-    fn crossing(&self, k2: L, dent_power: L, ka: L) -> L {
+    fn crossing(&self, k2: L, peak: L, ka: L) -> L {
         let (n, chi) = (self.power.exponent(), self.pull_off_power);
         let zero = L::splat(0.0);
-        let mut x = self.power.root(dent_power);
+        let dent_power = self.dent_power(peak);
+        let mut x = self.dent(peak);
         let mut falls = x.gt(zero);
         for _ in 0..MOST_ITERATIONS {
             if !falls.any() {
@@ -336,9 +370,9 @@ impl<L: Lanes> Hysteresis<L> {
     #[inline(always)]
     fn peak_of_tear(&self, tear: L, ka: L) -> L {
         match self.unloading {
-            Unloading::Constant(k2) => {
-                let power = self.power.of(tear) + ka / k2 * self.pull_off_power(tear);
-                self.power.root(power / (L::splat(1.0) - self.loading / k2))
+            Unloading::Constant { stiffness, kept, .. } => {
+                let power = self.power.of(tear) + ka / stiffness * self.pull_off_power(tear);
+                self.power.root(power / kept)
             }
             // growth D^2 - growth t D - (k1 + ka) t = 0
             Unloading::Growing { growth, .. } => {
@@ -429,11 +463,13 @@ impl<L: Lanes> Branched<L> for Hysteresis<L> {
     #[inline(always)]
     fn advance(&self, _size: PairSize<L>, memory: Memory<L>, to: L) -> Memory<L> {
         let beyond = to.gt(memory.peak);
-        let peak = to.min(self.deepest());
-        let yields = beyond & peak.gt(memory.peak);
+        let peak = to.min(self.deepest()).max(memory.peak);
+        let yields = peak.gt(memory.peak);
         let mut next = memory;
         if yields.any() {
-            next = Self::select(yields, self.at_peak(peak, memory.largest), next);
+            // where nothing yields no lane may ask for a meeting that is searched for
+            let largest = L::select(yields, memory.largest, peak);
+            next = Self::select(yields, self.at_peak(peak, largest), next);
         }
         if !matches!(self.pull_off, PullOff::None) {
             let parts = !beyond & memory.tear.gt(to);
@@ -448,24 +484,39 @@ impl<L: Lanes> Branched<L> for Hysteresis<L> {
 
     #[inline(always)]
     fn point(&self, _size: PairSize<L>, memory: Memory<L>, overlap: L, _approaching: L::Mask) -> Point<L> {
-        let Attraction { force, range, .. } = self.attraction;
-        let zero = L::splat(0.0);
-        let inside = overlap.gt(zero);
-        let pull = memory.pull_off * self.pull_off_power(overlap);
-        let line = self.unloading(memory.peak) * (self.power.of(overlap) - self.dent_power(memory.peak));
-        let spring = L::select(overlap.ge(memory.tear), line, -pull);
-        let touching = inside & overlap.gt(self.end(memory));
-        let mut attracted = zero;
-        if force > 0.0 {
-            let within = self.attracts(memory) & overlap.gt(L::splat(-range));
-            let across = (overlap / range + 1.0).keep(within);
-            attracted = L::select(inside, L::splat(force), across * force);
+        self.point_on(memory, overlap, L::Mask::of_bits(0))
+    }
+
+    #[inline(always)]
+    fn bent(&self) -> usize {
+        // the second place is the tear, below which a high power falls steeply
+        if self.pull_off_power > 2.0 { 2 } else { 1 }
+    }
+
+    /// On the loading line the force asks for no tear, which takes long to find, nor for the pull-off line, which only friction hears of
+    /// there and which changes little but in the first steps.
+    #[inline(always)]
+    fn between(
+        &self,
+        _size: PairSize<L>,
+        (from, to): (Memory<L>, Memory<L>),
+        overlap: L,
+        _approaching: L::Mask,
+    ) -> Point<L> {
+        let yields = overlap.gt(from.peak) & to.peak.gt(from.peak);
+        let mut pull_off = (from.pull_off + to.pull_off) * 0.5;
+        if let PullOff::Dent { share } = self.pull_off {
+            let grows = yields & to.largest.gt(from.largest * 1.5);
+            if grows.any() {
+                pull_off = L::select(grows, self.of_deepest(overlap, share).0, pull_off);
+            }
         }
-        Point {
-            elastic: spring.keep(inside) - attracted,
-            damping: self.damping_at(overlap).keep(touching),
-            adhesion: (pull + force).keep(touching),
-        }
+        let memory = Memory {
+            largest: to.largest,
+            pull_off,
+            ..from
+        };
+        self.point_on(memory, overlap, yields)
     }
 
     #[inline(always)]
@@ -489,12 +540,12 @@ impl<L: Lanes> Branched<L> for Hysteresis<L> {
 
     #[inline(always)]
     fn kinks(&self, _size: PairSize<L>, memory: Memory<L>) -> [L; KINKS] {
-        let other = match self.pull_off {
-            PullOff::Dent { share } => self.free_pull(share),
-            _ if self.attraction.range > 0.0 => L::splat(-self.attraction.range),
-            _ => self.deepest(),
+        let other = if self.attraction.range > 0.0 {
+            L::splat(-self.attraction.range)
+        } else {
+            self.deepest()
         };
-        [other, L::splat(0.0), memory.tear, memory.peak]
+        [L::splat(0.0), memory.tear, memory.peak, other]
     }
 
     #[inline(always)]
@@ -516,6 +567,31 @@ impl<L: Lanes> Branched<L> for Hysteresis<L> {
 }
 
 impl<L: Lanes> Hysteresis<L> {
+    /// Force of a contact with this memory, or on the loading line where it `yields`.
+    #[inline(always)]
+    fn point_on(&self, memory: Memory<L>, overlap: L, yields: L::Mask) -> Point<L> {
+        let Attraction { force, range, .. } = self.attraction;
+        let zero = L::splat(0.0);
+        let inside = overlap.gt(zero);
+        let pull = memory.pull_off * self.pull_off_power(overlap);
+        let power = self.power.of(overlap);
+        let line = self.unloading(memory.peak) * (power - self.dent_power(memory.peak));
+        let spring = L::select(overlap.ge(memory.tear), line, -pull);
+        let spring = L::select(yields, self.loading * power, spring);
+        let touching = inside & overlap.gt(self.end(memory));
+        let mut attracted = zero;
+        if force > 0.0 {
+            let within = self.attracts(memory) & overlap.gt(L::splat(-range));
+            let across = (overlap / range + 1.0).keep(within);
+            attracted = L::select(inside, L::splat(force), across * force);
+        }
+        Point {
+            elastic: spring.keep(inside) - attracted,
+            damping: self.damping_at(overlap).keep(touching),
+            adhesion: (pull + force).keep(touching),
+        }
+    }
+
     /// Integral of `x^n - p^n` over the overlap.
     #[inline(always)]
     fn primitive(&self, dent_power: L, d: L) -> L {

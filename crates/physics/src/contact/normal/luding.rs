@@ -60,7 +60,7 @@ impl Luding {
     fn spring<L: Lanes>(&self, size: PairSize<L>) -> Hysteresis<L> {
         let rise = self.unloading - self.loading;
         let unloading = if self.constant || rise == 0.0 {
-            Unloading::Constant(L::splat(self.unloading))
+            Unloading::of_lines(self.loading, self.unloading).in_lanes()
         } else {
             let deepest = size.radius * (self.unloading / rise * self.plastic_depth * 2.0);
             Unloading::Growing {

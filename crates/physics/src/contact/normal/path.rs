@@ -42,10 +42,27 @@ pub trait Branched<L: Lanes> {
     /// How many places the law has at most at which the force or its slope jumps, up to [`KINKS`].
     const PLACES: usize = KINKS;
 
+    /// How many of these places, the first ones, have a force beside them that bends much: a root or a steep power begins there.
+    fn bent(&self) -> usize {
+        1
+    }
+
     /// State after a straight move of the overlap to `to`.
     fn advance(&self, size: PairSize<L>, state: Self::State, to: L) -> Self::State;
     /// Force at an overlap in a state that has come there; `approaching` tells the direction.
     fn point(&self, size: PairSize<L>, state: Self::State, overlap: L, approaching: L::Mask) -> Point<L>;
+    /// Force at an overlap between two states of a path without a kink. A law overrides it whose force there is known without all of
+    /// the state.
+    #[inline(always)]
+    fn between(
+        &self,
+        size: PairSize<L>,
+        (from, _to): (Self::State, Self::State),
+        overlap: L,
+        approaching: L::Mask,
+    ) -> Point<L> {
+        self.point(size, self.advance(size, from, overlap), overlap, approaching)
+    }
     /// Energy that would be given back from here [J]; defined, and continuous, beyond the ends of the branch, too.
     fn stored(&self, size: PairSize<L>, state: Self::State, overlap: L) -> L;
     /// Places at which the force or its slope jumps on a straight path that begins in this state, of which the first
@@ -57,15 +74,20 @@ pub trait Branched<L: Lanes> {
     fn differ(one: Self::State, other: Self::State) -> L::Mask;
 }
 
-/// Nodes and weights of Gauss-Legendre quadrature with 3 points on `[-1, 1]`.
-const GAUSS: [(f64, f64); 3] = [
-    (-0.774_596_669_241_483_4, 5.0 / 9.0),
-    (0.0, 8.0 / 9.0),
-    (0.774_596_669_241_483_4, 5.0 / 9.0),
-];
+/// Outer node of Gauss-Legendre quadrature with 3 points on `[-1, 1]`; the third is the middle.
+const OUTER_NODE: f64 = 0.774_596_669_241_483_4;
+/// Weight of the outer ones, of all three together 1.
+const OUTER_WEIGHT: f64 = 5.0 / 18.0;
+/// Weight of the middle one.
+const MIDDLE_WEIGHT: f64 = 8.0 / 18.0;
 
-/// Farther than this many half windows from every kink the force at the middle stands for its mean.
-const FAR: f64 = 50.0;
+/// Farther than this many half windows from a place beside which the force bends, the force at the middle stands for its mean: that of
+/// the power 3/2 within 2.2e-4.
+const FAR: f64 = 24.0;
+
+/// Farther than this many half windows from any other kink the window does not reach it, nor does the gap to the window of the step
+/// before.
+const BESIDE: f64 = 2.0;
 
 /// Takes contacts in `state` along their windows: the mean response, and the state at the end.
 #[inline(always)]
@@ -81,10 +103,16 @@ pub fn follow<L: Lanes, B: Branched<L>>(
         half_window,
     } = *input;
     let approaching = rate.gt(L::splat(0.0));
-    let mut near = L::Mask::of_bits(0);
-    for kink in &law.kinks(size, state)[..B::PLACES] {
-        near = near | (half_window * FAR).gt((overlap - *kink).abs());
+    let (mut bends, mut near) = (L::Mask::of_bits(0), L::Mask::of_bits(0));
+    for (place, kink) in law.kinks(size, state)[..B::PLACES].iter().enumerate() {
+        let distance = (overlap - *kink).abs();
+        if place < law.bent() {
+            bends = bends | (half_window * FAR).gt(distance);
+        } else {
+            near = near | (half_window * BESIDE).gt(distance);
+        }
     }
+    near = near | bends;
     let step = L::select(approaching, half_window, -half_window);
     let (first, last) = (overlap - step, overlap + step);
     // the length that is integrated over: a window of some units of the last digit of the overlap is rounded
@@ -93,11 +121,15 @@ pub fn follow<L: Lanes, B: Branched<L>>(
     let (mut mean, mut lost, mut end) = (Point::nothing(), L::splat(0.0), state);
     if (!near).any() {
         end = law.advance(size, state, overlap);
-        lost = teleport(law, size, (state, end), overlap);
+        let passes_on = B::differ(state, end);
+        if passes_on.any() {
+            lost = law.stored(size, state, overlap) - law.stored(size, end, overlap);
+            lost = lost.keep(passes_on);
+        }
         mean = law.point(size, end, overlap, approaching);
     }
     if near.any() {
-        let (along, last) = walk(law, size, state, (first, last), approaching);
+        let (along, last) = walk(law, size, state, (first, last), (approaching, bends));
         let share = L::splat(1.0) / length;
         mean = Point {
             elastic: L::select(near, along.work * share, mean.elastic),
@@ -126,6 +158,15 @@ struct Sums<L> {
     lost: L,
 }
 
+/// Where a stretch begins or ends.
+#[derive(Clone, Copy)]
+struct Place<L, S> {
+    state: S,
+    at: L,
+    /// Energy that would be given back from here [J].
+    stored: L,
+}
+
 /// From one end of a path to the other, from kink to kink.
 #[inline(always)]
 fn walk<L: Lanes, B: Branched<L>>(
@@ -133,7 +174,7 @@ fn walk<L: Lanes, B: Branched<L>>(
     size: PairSize<L>,
     state: B::State,
     (first, last): (L, L),
-    approaching: L::Mask,
+    (approaching, bends): (L::Mask, L::Mask),
 ) -> (Sums<L>, B::State) {
     let zero = L::splat(0.0);
     let mut now = law.advance(size, state, first);
@@ -141,19 +182,31 @@ fn walk<L: Lanes, B: Branched<L>>(
         work: zero,
         damping: zero,
         adhesion: zero,
-        lost: teleport(law, size, (state, now), first),
+        lost: zero,
     };
+    // what was stored and no longer is where the state jumps between the windows of two steps
+    let mut stored = law.stored(size, now, first);
+    let jumps = B::differ(state, now);
+    if jumps.any() {
+        total.lost = (law.stored(size, state, first) - stored).keep(jumps);
+    }
     let places = ordered::<L, B>(law.kinks(size, now), (first, last), approaching);
     let mut from = first;
     for to in places {
         let moves = to.gt(from) | from.gt(to);
         if moves.any() {
-            let (piece, next) = stretch(law, size, now, (from, to), approaching);
+            let begin = Place {
+                state: now,
+                at: from,
+                stored,
+            };
+            let (piece, next) = stretch(law, size, begin, to, (approaching, bends));
             total.work = total.work + piece.work.keep(moves);
             total.damping = total.damping + piece.damping.keep(moves);
             total.adhesion = total.adhesion + piece.adhesion.keep(moves);
             total.lost = total.lost + piece.lost.keep(moves);
-            now = B::select(moves, next, now);
+            now = B::select(moves, next.state, now);
+            stored = L::select(moves, next.stored, stored);
             from = to;
         }
     }
@@ -165,22 +218,26 @@ fn walk<L: Lanes, B: Branched<L>>(
 fn stretch<L: Lanes, B: Branched<L>>(
     law: &B,
     size: PairSize<L>,
-    state: B::State,
-    (from, to): (L, L),
-    approaching: L::Mask,
-) -> (Sums<L>, B::State) {
-    let (middle, half) = ((from + to) * 0.5, (to - from) * 0.5);
-    let zero = L::splat(0.0);
-    let (mut work, mut damping, mut adhesion) = (zero, zero, zero);
-    for (node, weight) in GAUSS {
-        let (at, weight) = (middle + half * node, half * weight);
-        let point = law.point(size, law.advance(size, state, at), at, approaching);
-        work = work + weight * point.elastic;
-        damping = damping + weight * point.damping;
-        adhesion = adhesion + weight * point.adhesion;
-    }
+    from: Place<L, B::State>,
+    to: L,
+    (approaching, bends): (L::Mask, L::Mask),
+) -> (Sums<L>, Place<L, B::State>) {
+    let state = from.state;
     let next = law.advance(size, state, to);
-    let (before, after) = (law.stored(size, state, from), law.stored(size, next, to));
+    let (ends, middle, length) = ((state, next), (from.at + to) * 0.5, to - from.at);
+    let mut mean = law.between(size, ends, middle, approaching);
+    if bends.any() {
+        let away = length * (0.5 * OUTER_NODE);
+        let before = law.between(size, ends, middle - away, approaching);
+        let after = law.between(size, ends, middle + away, approaching);
+        mean = Point {
+            elastic: mean_of(bends, [before.elastic, mean.elastic, after.elastic]),
+            damping: mean_of(bends, [before.damping, mean.damping, after.damping]),
+            adhesion: mean_of(bends, [before.adhesion, mean.adhesion, after.adhesion]),
+        };
+    }
+    let work = mean.elastic * length;
+    let (before, after) = (from.stored, law.stored(size, next, to));
     let change = after - before;
     let passes_on = B::differ(state, next);
     // a reversible stretch does exactly the work that it stores, also across a well of attraction that is
@@ -188,22 +245,22 @@ fn stretch<L: Lanes, B: Branched<L>>(
     let is_exact = change.abs().gt(before.abs().max(after.abs()) * RESOLVED);
     let sums = Sums {
         work: L::select(is_exact & !passes_on, change, work),
-        damping,
-        adhesion,
+        damping: mean.damping * length,
+        adhesion: mean.adhesion * length,
         lost: (work - change).keep(passes_on),
     };
-    (sums, next)
+    let end = Place {
+        state: next,
+        at: to,
+        stored: after,
+    };
+    (sums, end)
 }
 
-/// What a change of state at one place loses, between the windows of two steps: what was stored and no longer is.
+/// Mean over a stretch of what is known at its nodes, where it bends; elsewhere that in the middle.
 #[inline(always)]
-fn teleport<L: Lanes, B: Branched<L>>(law: &B, size: PairSize<L>, (before, after): (B::State, B::State), at: L) -> L {
-    let changes = B::differ(before, after);
-    if changes.any() {
-        (law.stored(size, before, at) - law.stored(size, after, at)).keep(changes)
-    } else {
-        L::splat(0.0)
-    }
+fn mean_of<L: Lanes>(bends: L::Mask, [before, middle, after]: [L; 3]) -> L {
+    L::select(bends, (before + after) * OUTER_WEIGHT + middle * MIDDLE_WEIGHT, middle)
 }
 
 /// The places strictly between two ends, in the order of the path, and then the last end as often as is left.

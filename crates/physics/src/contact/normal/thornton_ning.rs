@@ -175,6 +175,36 @@ impl<L: Lanes> Branched<L> for ThorntonNing {
         }
     }
 
+    /// On the plastic line the force is known without the curve of unloading.
+    #[inline(always)]
+    fn between(
+        &self,
+        size: PairSize<L>,
+        (from, to): (ThorntonNingState<L>, ThorntonNingState<L>),
+        overlap: L,
+        approaching: L::Mask,
+    ) -> Point<L> {
+        let touched = overlap.ge(from.end());
+        let state = ThorntonNingState { touched, ..from };
+        let plain = self.point(size, state, overlap, approaching);
+        let yields = touched & overlap.gt(from.top) & to.deepest.gt(from.deepest);
+        if yields.any() {
+            let root = from.virgin.root(overlap);
+            let radius = (from.curve.radius() + to.curve.radius()) * 0.5;
+            Point {
+                elastic: L::select(
+                    yields,
+                    self.plastic_force(&from.virgin, from.yield_root, root),
+                    plain.elastic,
+                ),
+                damping: L::select(yields, root, plain.damping),
+                adhesion: L::select(yields, radius * (3.0 * PI * self.work_of_adhesion), plain.adhesion),
+            }
+        } else {
+            plain
+        }
+    }
+
     #[inline(always)]
     fn stored(&self, _size: PairSize<L>, state: ThorntonNingState<L>, overlap: L) -> L {
         state.curve.energy(state.curve.root(overlap)).keep(state.touched)

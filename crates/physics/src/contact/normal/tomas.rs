@@ -288,6 +288,18 @@ impl<L: Lanes> Branched<L> for Tomas {
         }
     }
 
+    /// On the yield line the force asks for no foot, which takes long to find; for the adhesion there it lies on a straight line.
+    #[inline(always)]
+    fn between(&self, size: PairSize<L>, (from, to): (Dent<L>, Dent<L>), overlap: L, approaching: L::Mask) -> Point<L> {
+        let limit = self.scale(size).limit_of(from);
+        let yields = overlap.gt(limit);
+        let dent = Dent {
+            deepest: overlap,
+            foot: from.foot + (to.foot - from.foot) * ((overlap - limit) / (to.deepest - limit)),
+        };
+        self.point(size, Dent::select(yields, dent, from), overlap, approaching)
+    }
+
     #[inline(always)]
     fn stored(&self, size: PairSize<L>, dent: Dent<L>, overlap: L) -> L {
         self.scale(size).stored(dent, overlap)

@@ -63,8 +63,8 @@ impl Normal for WaltonBraun {
         let p = WaltonBraunParameters::from_values(values)?;
         let k1 = p.loading_stiffness;
         let unloading = match (p.restitution, p.unloading_stiffness, p.stiffness_growth) {
-            (Some(e), None, None) => Unloading::Constant(k1 / (e * e)),
-            (None, Some(k2), None) if k2 >= k1 => Unloading::Constant(k2),
+            (Some(e), None, None) => Unloading::of_lines(k1, k1 / (e * e)),
+            (None, Some(k2), None) if k2 >= k1 => Unloading::of_lines(k1, k2),
             (None, Some(k2), None) => {
                 let message = format!(
                     "`unloading_stiffness` is {k2} N/m, below `loading_stiffness`, {k1} N/m: the contact would give more \

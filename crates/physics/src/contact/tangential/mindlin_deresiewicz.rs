@@ -3,9 +3,10 @@
 use super::{Tangential, TangentialInput, TangentialResponse, dashpot};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
+use crate::lanes::{Lanes, Mask, Vector};
 use crate::parameters::{ParameterError, ParameterInfo, Range, Values};
 use crate::params;
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 params! {
     /// Parameters of Mindlin-Deresiewicz friction.
@@ -51,135 +52,205 @@ pub struct MindlinDeresiewicz {
     modulus: f64,
 }
 
-/// The row of springs of one contact.
+/// The row of springs of one contact per lane.
 #[derive(Clone, Copy)]
-struct Row {
+struct Row<L: Lanes = f64> {
     /// Unit vector in the contact plane along which the forces have their first component; zero while nothing has moved.
-    axis: DVec3,
+    axis: L::Vector,
     /// Unit normal of the plane of the axis; zero before the first touch.
-    normal: DVec3,
+    normal: L::Vector,
     /// Radius of the contact circle [m].
-    radius: f64,
+    radius: L,
     /// Width of a cell [m]; 0 before the first touch.
-    width: f64,
+    width: L,
     /// Forces of the cells, from the centre outwards [N].
-    forces: [DVec2; CELLS],
+    forces: [[L; 2]; CELLS],
+}
+
+/// Scalar product in the plane.
+#[inline(always)]
+fn inner<L: Lanes>([ax, ay]: [L; 2], [bx, by]: [L; 2]) -> L {
+    ax * bx + ay * by
+}
+
+#[inline(always)]
+fn scaled<L: Lanes>([x, y]: [L; 2], by: L) -> [L; 2] {
+    [x * by, y * by]
+}
+
+#[inline(always)]
+fn difference<L: Lanes>([ax, ay]: [L; 2], [bx, by]: [L; 2]) -> [L; 2] {
+    [ax - bx, ay - by]
 }
 
 /// A force cut back to the largest that a cell can carry.
 #[inline(always)]
-fn held(force: DVec2, limit: f64) -> DVec2 {
-    let square = force.length_squared();
-    if square > limit * limit {
-        force * (limit / square.sqrt())
+fn held<L: Lanes>(force: [L; 2], limit: L) -> [L; 2] {
+    let square = inner(force, force);
+    let slips = square.gt(limit * limit);
+    if slips.any() {
+        scaled(force, L::select(slips, limit / square.sqrt(), L::splat(1.0)))
     } else {
         force
     }
 }
 
-impl Row {
+/// The vector with length 1, or zero.
+#[inline(always)]
+fn unit<L: Lanes>(vector: L::Vector) -> L::Vector {
+    let length = vector.square().sqrt();
+    vector * (L::splat(1.0) / length).keep(length.gt(L::splat(0.0)))
+}
+
+impl<L: Lanes> Row<L> {
     #[inline(always)]
-    fn read(history: &[f64]) -> Self {
-        let mut forces = [DVec2::ZERO; CELLS];
+    fn read(history: &[L]) -> Self {
+        let vector = |at: usize| L::Vector::new(history[at], history[at + 1], history[at + 2]);
+        let mut forces = [[L::splat(0.0); 2]; CELLS];
         for (force, pair) in forces.iter_mut().zip(history[FORCES..REMEMBERED].chunks_exact(2)) {
-            *force = DVec2::new(pair[0], pair[1]);
+            *force = [pair[0], pair[1]];
         }
         Self {
-            axis: DVec3::from_slice(&history[AXIS..]),
-            normal: DVec3::from_slice(&history[NORMAL..]),
+            axis: vector(AXIS),
+            normal: vector(NORMAL),
             radius: history[CONTACT_RADIUS],
             width: history[CELL_WIDTH],
             forces,
         }
     }
 
+    /// Into the history of the contacts that bear a load; others forget.
     #[inline(always)]
-    fn write(&self, history: &mut [f64]) {
-        history[AXIS..AXIS + 3].copy_from_slice(&self.axis.to_array());
-        history[NORMAL..NORMAL + 3].copy_from_slice(&self.normal.to_array());
+    fn write(&self, history: &mut [L], bears: L::Mask) {
+        history[AXIS..AXIS + 3].copy_from_slice(&self.axis.components());
+        history[NORMAL..NORMAL + 3].copy_from_slice(&self.normal.components());
         history[CONTACT_RADIUS] = self.radius;
         history[CELL_WIDTH] = self.width;
         for (force, pair) in self.forces.iter().zip(history[FORCES..REMEMBERED].chunks_exact_mut(2)) {
-            pair.copy_from_slice(&force.to_array());
+            pair.copy_from_slice(force);
+        }
+        for value in &mut history[..REMEMBERED] {
+            *value = value.keep(bears);
         }
     }
 
     /// How much of a cell lies within a contact of this radius.
     #[inline(always)]
-    fn touching(&self, cell: usize, radius: f64) -> f64 {
-        (radius - cell as f64 * self.width).clamp(0.0, self.width)
-    }
-
-    /// How many cells touch; the last of them perhaps in part.
-    #[inline(always)]
-    fn count(&self) -> usize {
-        if self.width > 0.0 {
-            ((self.radius / self.width).ceil() as usize).min(CELLS)
-        } else {
-            0
-        }
+    fn touching(&self, cell: usize, radius: L) -> L {
+        (radius - self.width * cell as f64).max(L::splat(0.0)).min(self.width)
     }
 
     /// Energy stored for a stiffness per length [J].
     #[inline(always)]
-    fn energy(&self, modulus: f64) -> f64 {
-        let count = self.count();
-        if count == 0 {
-            return 0.0;
+    fn energy(&self, modulus: f64) -> L {
+        let zero = L::splat(0.0);
+        let (mut whole, mut part, mut part_width) = (zero, zero, zero);
+        for (cell, force) in self.forces.iter().enumerate() {
+            let (width, square) = (self.touching(cell, self.radius), inner(*force, *force));
+            let touches_whole = width.ge(self.width);
+            whole = whole + square.keep(touches_whole);
+            part = part + square.keep(!touches_whole);
+            part_width = part_width + width.keep(!touches_whole);
         }
-        let (last, whole) = (self.forces[count - 1], &self.forces[..count - 1]);
-        let sum: f64 = whole.iter().map(|force| force.length_squared()).sum();
-        let width = self.touching(count - 1, self.radius);
-        let part = if width > 0.0 {
-            last.length_squared() / width
-        } else {
-            0.0
-        };
-        (sum / self.width + part) / (2.0 * modulus)
+        let whole = (whole / self.width).keep(self.width.gt(zero));
+        (whole + (part / part_width).keep(part_width.gt(zero))) * (0.5 / modulus)
     }
 
     /// Turns the forces with the contact, all alike, so that what they store does not change: by the shortest way from
     /// the old normal to the new one, and by the spin about it.
     #[inline(always)]
-    fn carry_along(&mut self, input: &TangentialInput) {
-        let normal = input.normal;
-        let cosine = self.normal.dot(normal);
-        let tilted = self.axis - (self.normal + normal) * (self.axis.dot(normal) / (1.0 + cosine.max(0.0)));
-        let turned = tilted + normal.cross(tilted) * (input.spin * input.dt);
-        if cosine > 0.0 && self.axis != DVec3::ZERO {
-            // rounding must not add up over many steps
-            self.axis = (turned - normal * turned.dot(normal)).normalize_or_zero();
-        } else {
+    fn carry_along(&mut self, input: &TangentialInput<L>) {
+        let (normal, zero) = (input.normal, L::splat(0.0));
+        let cosine = self.normal.inner(normal);
+        let tilted = self.axis - (self.normal + normal) * (self.axis.inner(normal) / (cosine.max(zero) + 1.0));
+        let turned = tilted + normal.outer(tilted) * (input.spin * input.dt);
+        // rounding must not add up over many steps
+        let turned = unit::<L>(turned - normal * turned.inner(normal));
+        let stays = cosine.gt(zero) & self.axis.square().gt(zero);
+        self.axis = turned;
+        if (!stays).any() {
             // unmoved so far, or turned by a right angle in one step: nothing to keep
-            self.forces = [DVec2::ZERO; CELLS];
-            self.axis = input.velocity.normalize_or_zero();
+            self.axis = turned.or(stays, unit::<L>(input.velocity));
+            for force in &mut self.forces {
+                *force = [force[0].keep(stays), force[1].keep(stays)];
+            }
         }
         self.normal = normal;
     }
 
-    /// Takes a new radius of the contact circle: fits the cells to it and drops the load of what lies outside.
+    /// Takes a new radius of the contact circle: fits the cells to it and drops the load of what lies outside. What contacts without
+    /// a load are left with means nothing.
     #[inline(always)]
-    fn resize(&mut self, radius: f64, scale: f64) {
-        if self.width == 0.0 {
-            // widths are the grain's size over powers of two, so that the step of the first touch does not matter
-            self.width = scale / CELLS as f64;
-        }
+    fn resize(&mut self, radius: L, scale: L, bears: L::Mask) {
+        let zero = L::splat(0.0);
+        // widths are the grain's size over powers of two, so that the step of the first touch does not matter
+        self.width = L::select(self.width.gt(zero), self.width, scale / CELLS as f64);
         let largest = self.width * CELLS as f64;
-        if radius > largest || radius <= 0.5 * largest {
-            self.fit_cells(radius);
+        let misfits = bears & (radius.gt(largest) | (largest * 0.5).ge(radius));
+        if misfits.any() {
+            for lane in (0..L::COUNT).filter(|lane| misfits.bits() >> lane & 1 == 1) {
+                self.fit_cells(lane, radius.as_slice()[lane]);
+            }
         }
         for cell in 0..CELLS {
             let (before, now) = (self.touching(cell, self.radius), self.touching(cell, radius));
-            if now < before {
-                self.forces[cell] *= now / before;
+            let shrinks = before.gt(now);
+            if shrinks.any() {
+                self.forces[cell] = scaled(self.forces[cell], L::select(shrinks, now / before, L::splat(1.0)));
             }
         }
         self.radius = radius;
     }
 
-    /// Doubles or halves the cells until all of the contact and more than half of the cells touch.
     #[inline(never)]
-    fn fit_cells(&mut self, radius: f64) {
+    fn fit_cells(&mut self, lane: usize, radius: f64) {
+        let of = |value: &L| value.as_slice()[lane];
+        let mut row = Cells {
+            radius: of(&self.radius),
+            width: of(&self.width),
+            forces: self.forces.map(|[x, y]| DVec2::new(of(&x), of(&y))),
+        };
+        row.fit(radius);
+        self.radius.as_mut_slice()[lane] = row.radius;
+        self.width.as_mut_slice()[lane] = row.width;
+        for ([x, y], force) in self.forces.iter_mut().zip(row.forces) {
+            x.as_mut_slice()[lane] = force.x;
+            y.as_mut_slice()[lane] = force.y;
+        }
+    }
+
+    /// Moves the springs by half a step before and after the middle of the step; the sliders hold at each of these
+    /// times. Returns the force in the middle.
+    #[inline(always)]
+    fn shear(&mut self, velocity: [L; 2], dt: f64, modulus: f64, limit: L) -> [L; 2] {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let half = scaled(velocity, L::splat(0.5 * dt * modulus));
+        let step = self.width / self.radius;
+        let (mut sum, mut within) = ([zero; 2], zero);
+        for cell in 0..CELLS {
+            let way = scaled(half, self.touching(cell, self.radius));
+            let edge = (step * (cell + 1) as f64).min(one);
+            let up_to_edge = edge * 0.5 * (L::splat(3.0) - edge * edge);
+            let cell_limit = limit * (up_to_edge - within);
+            within = up_to_edge;
+            let middle = held(difference(self.forces[cell], way), cell_limit);
+            sum = [sum[0] + middle[0], sum[1] + middle[1]];
+            self.forces[cell] = held(difference(middle, way), cell_limit);
+        }
+        sum
+    }
+}
+
+/// The cells of one contact whose radius has outgrown them, or they it.
+struct Cells {
+    radius: f64,
+    width: f64,
+    forces: [DVec2; CELLS],
+}
+
+impl Cells {
+    /// Doubles or halves the cells until all of the contact and more than half of the cells touch.
+    fn fit(&mut self, radius: f64) {
         while radius > self.width * CELLS as f64 {
             let old = self.forces;
             self.forces = std::array::from_fn(|cell| match old.get(2 * cell..2 * cell + 2) {
@@ -189,12 +260,13 @@ impl Row {
             self.width *= 2.0;
         }
         while radius <= 0.5 * self.width * CELLS as f64 && self.width > f64::MIN_POSITIVE {
-            let (old, half) = (*self, 0.5 * self.width);
+            let half = 0.5 * self.width;
+            let old = self.forces;
             self.forces = std::array::from_fn(|cell| {
-                let whole = old.touching(cell / 2, old.radius);
-                let part = (old.radius - cell as f64 * half).clamp(0.0, half);
+                let whole = (self.radius - (cell / 2) as f64 * self.width).clamp(0.0, self.width);
+                let part = (self.radius - cell as f64 * half).clamp(0.0, half);
                 if part > 0.0 {
-                    old.forces[cell / 2] * (part / whole)
+                    old[cell / 2] * (part / whole)
                 } else {
                     DVec2::ZERO
                 }
@@ -203,26 +275,6 @@ impl Row {
             self.radius = self.radius.min(half * CELLS as f64);
             self.width = half;
         }
-    }
-
-    /// Moves the springs by half a step before and after the middle of the step; the sliders hold at each of these
-    /// times. Returns the force in the middle.
-    #[inline(always)]
-    fn shear(&mut self, velocity: DVec2, input: &TangentialInput, modulus: f64, limit: f64) -> DVec2 {
-        let half = velocity * (0.5 * input.dt * modulus);
-        let share = |x: f64| 0.5 * x * (3.0 - x * x);
-        let step = self.width / self.radius;
-        let (mut sum, mut inner) = (DVec2::ZERO, 0.0);
-        for cell in 0..self.count() {
-            let width = self.touching(cell, self.radius);
-            let outer = share(((cell + 1) as f64 * step).min(1.0));
-            let cell_limit = limit * (outer - inner);
-            inner = outer;
-            let middle = held(self.forces[cell] - half * width, cell_limit);
-            sum += middle;
-            self.forces[cell] = held(middle - half * width, cell_limit);
-        }
-        sum
     }
 }
 
@@ -241,31 +293,34 @@ impl Tangential for MindlinDeresiewicz {
         })
     }
 
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn respond(&self, input: &TangentialInput, history: &mut [f64]) -> TangentialResponse {
-        let radius = (input.size.radius * input.overlap.max(0.0)).sqrt();
+        self.respond_wide(input, history)
+    }
+
+    #[inline(always)]
+    fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, history: &mut [L]) -> TangentialResponse<L> {
+        let zero = L::splat(0.0);
+        let radius = (input.size.radius * input.overlap.max(zero)).sqrt();
+        let bears = radius.gt(zero) & input.normal_force.gt(zero);
         let mut row = Row::read(history);
         let before = row.energy(self.modulus);
-        if radius == 0.0 || input.normal_force <= 0.0 {
-            history[..REMEMBERED].fill(0.0);
-            return TangentialResponse {
-                force: DVec3::ZERO,
-                dissipated: before,
-            };
-        }
         row.carry_along(input);
-        row.resize(radius, input.size.radius);
-        let across = input.normal.cross(row.axis);
-        let velocity = DVec2::new(input.velocity.dot(row.axis), input.velocity.dot(across));
-        let limit = self.parameters.friction * input.normal_force;
-        let middle = row.shear(velocity, input, self.modulus, limit);
-        let damping = dashpot(self.parameters.damping_ratio, self.modulus * radius, input.size);
-        let load = held(middle - velocity * damping, limit);
-        row.write(history);
-        let work = -load.dot(velocity) * input.dt;
+        row.resize(radius, input.size.radius, bears);
+        let across = input.normal.outer(row.axis);
+        let velocity = [input.velocity.inner(row.axis), input.velocity.inner(across)];
+        let limit = input.normal_force * self.parameters.friction;
+        let middle = row.shear(velocity, input.dt, self.modulus, limit);
+        let damping = dashpot(self.parameters.damping_ratio, radius * self.modulus, input.size);
+        let load = held(difference(middle, scaled(velocity, damping)), limit);
+        row.write(history, bears);
+        let lost = -inner(load, velocity) * input.dt - (row.energy(self.modulus) - before);
+        let force = row.axis * load[0] + across * load[1];
         TangentialResponse {
-            force: row.axis * load.x + across * load.y,
-            dissipated: work - (row.energy(self.modulus) - before),
+            force: force.or(bears, L::Vector::null()),
+            dissipated: L::select(bears, lost, before),
         }
     }
 
@@ -284,6 +339,7 @@ impl Tangential for MindlinDeresiewicz {
 mod tests {
     use super::*;
     use crate::contact::Elastic;
+    use glam::DVec3;
 
     const FRICTION: f64 = 0.4;
     const NORMAL_FORCE: f64 = 3.0;
@@ -415,23 +471,23 @@ mod tests {
     #[test]
     fn cells_follow_the_size_of_the_contact_at_unchanged_force_or_energy() {
         let mut row = Row::read(&[0.0; REMEMBERED]);
-        row.resize(0.9, 1.0);
+        row.resize(0.9, 1.0, true);
         for (cell, force) in row.forces.iter_mut().enumerate().take(11) {
-            *force = DVec2::new(1.0 + cell as f64, -0.5);
+            *force = [1.0 + cell as f64, -0.5];
         }
-        let total = |row: &Row| row.forces.iter().sum::<DVec2>();
+        let total = |row: &Row| row.forces.iter().map(|force| DVec2::from_array(*force)).sum::<DVec2>();
         let (force, energy) = (total(&row), row.energy(1.0));
         let mut grown = row;
-        grown.resize(3.3, 1.0);
+        grown.resize(3.3, 1.0, true);
         assert!((total(&grown) - force).length() < 1e-14 * force.length());
         assert!(grown.energy(1.0) < energy);
         assert!(grown.width == 4.0 * row.width);
         // finer cells alone change neither
         let mut finer = row;
         finer.radius = 0.5;
-        finer.forces[6..].fill(DVec2::ZERO);
+        finer.forces[6..].fill([0.0; 2]);
         let (force, energy) = (total(&finer), finer.energy(1.0));
-        finer.resize(0.5, 1.0);
+        finer.resize(0.5, 1.0, true);
         assert!((total(&finer) - force).length() < 1e-14 * force.length());
         assert!((finer.energy(1.0) / energy - 1.0).abs() < 1e-14);
         assert!(finer.width == 0.5 * row.width);

@@ -1,6 +1,6 @@
 //! Forces and energies of the contact between bodies of one size.
 
-use crate::lanes::{Lanes, Mask, cube_root};
+use crate::lanes::{Lanes, Mask, rough_cube_root};
 use crate::restitution::duration::UNDAMPED;
 use std::f64::consts::PI;
 
@@ -77,8 +77,8 @@ const HALLEY_STEPS: usize = 3;
 /// The `s` of `s^3 + kappa s^2 = right`, both not negative.
 #[inline(always)]
 fn elastic_root<L: Lanes>(kappa: L, right: L) -> L {
-    // s is below the cube root of the right side, so this is below s, by 7 % at most
-    let mut s = (right / (kappa + cube_root(right))).sqrt();
+    // s is below the cube root of the right side, so with that this is below s, by 7 % at most
+    let mut s = (right / (kappa + rough_cube_root(right))).sqrt();
     for _ in 0..HALLEY_STEPS {
         let value = s * s * (s + kappa) - right;
         let slope = s * (s * 3.0 + kappa * 2.0);
