@@ -93,9 +93,17 @@ impl Engine {
     pub fn label(&self, kind: Kind) -> String {
         match self {
             Self::Demeter => "Demeter".into(),
-            Self::Lammps { version, style, .. } => format!("LAMMPS {version} {}", kind.lammps_styles()[*style]),
+            Self::Lammps { version, .. } => format!("LAMMPS {version} {}", self.style(kind).unwrap_or_default()),
             Self::Liggghts { .. } => "LIGGGHTS".into(),
             Self::Yade { .. } => "YADE".into(),
+        }
+    }
+
+    /// Its style of LAMMPS for a workload, if there is one.
+    fn style(&self, kind: Kind) -> Option<&'static str> {
+        match self {
+            Self::Lammps { style, .. } => kind.lammps_styles().get(*style).copied(),
+            _ => None,
         }
     }
 
@@ -139,7 +147,12 @@ impl Engine {
     pub fn can(&self, job: &Job) -> bool {
         match self {
             Self::Demeter => true,
-            Self::Lammps { launcher, .. } | Self::Liggghts { launcher, .. } => job.threads == 1 || launcher.is_some(),
+            Self::Lammps { launcher, .. } => {
+                self.style(job.workload.kind).is_some() && (job.threads == 1 || launcher.is_some())
+            }
+            Self::Liggghts { launcher, .. } => {
+                job.workload.kind != Kind::Cohesive && (job.threads == 1 || launcher.is_some())
+            }
             Self::Yade { .. } => job.workload.yade,
         }
     }
@@ -150,16 +163,11 @@ impl Engine {
         let own_log = log("log");
         let (command, own) = match self {
             Self::Demeter => (demeter(job)?, false),
-            Self::Lammps {
-                program,
-                launcher,
-                style,
-                ..
-            } => {
+            Self::Lammps { program, launcher, .. } => {
                 let mut command = ranks(program, launcher.as_deref(), job.threads)?;
                 let file = format!("inputs/{}.lmp", job.workload.kind.input());
                 command.args(["-in", &file, "-screen", "none", "-log"]).arg(&own_log);
-                let model = job.workload.kind.lammps_styles()[*style];
+                let model = self.style(job.workload.kind).unwrap_or_default();
                 let model = [("model", model.to_owned())];
                 pass(&mut command, variables(job).into_iter().chain(model));
                 (command, true)

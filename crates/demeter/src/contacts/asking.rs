@@ -167,7 +167,7 @@ impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
             half_window: normal_window::<N, L>(lot.integrator, overlap, rate, dt),
         };
         const { assert!(!N::WIDE || N::HISTORY.len() <= MANY) };
-        let (response, bearing_overlap) = if !N::WIDE {
+        let response = if !N::WIDE {
             press_one_by_one(law, &input, lot)
         } else if N::HISTORY.len() <= FEW {
             press_together::<N, L, FEW>(law, &input, lot)
@@ -183,7 +183,7 @@ impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
             force,
             elastic: response.elastic,
             friction_load: (force + response.adhesion).max(L::splat(0.0)),
-            bearing_overlap,
+            bearing_overlap: response.bearing_overlap,
             // where the force is cut at its least, the spring relaxes into the dashpot without pulling
             viscous: (force - response.elastic) * rate * dt,
             lost: response.lost,
@@ -197,26 +197,23 @@ fn press_together<N: Normal, L: Lanes, const MOST: usize>(
     law: &N,
     input: &NormalInput<L>,
     lot: &mut Lot,
-) -> (NormalResponse<L>, L) {
+) -> NormalResponse<L> {
     let length = law.history();
     let mut history = lot.recall::<L, MOST>(length);
     let response = law.respond_wide(input, &mut history[..length]);
-    let bearing_overlap = law.bearing_overlap_wide(input.size, input.overlap, &history[..length]);
     lot.remember(&history, length);
-    (response, bearing_overlap)
+    response
 }
 
 /// Asks a normal law about one contact after the other.
 #[inline(never)]
-fn press_one_by_one<N: Normal, L: Lanes>(law: &N, input: &NormalInput<L>, lot: &mut Lot) -> (NormalResponse<L>, L) {
-    let (mut answers, mut bearing) = ([NormalResponse::NOTHING; MOST_LANES], [0.0; MOST_LANES]);
+fn press_one_by_one<N: Normal, L: Lanes>(law: &N, input: &NormalInput<L>, lot: &mut Lot) -> NormalResponse<L> {
+    let mut answers = [NormalResponse::NOTHING; MOST_LANES];
     let mut acting = lot.acting;
     while let Some(lane) = next_lane(&mut acting) {
-        let (one, memory) = (input.lane(lane), lot.memory(lane, law.history()));
-        answers[lane] = law.respond(&one, memory);
-        bearing[lane] = law.bearing_overlap(one.size, one.overlap, memory);
+        answers[lane] = law.respond(&input.lane(lane), lot.memory(lane, law.history()));
     }
-    (NormalResponse::of_lanes(&answers), L::load(&bearing))
+    NormalResponse::of_lanes(&answers)
 }
 
 /// What friction remembers, and the load among it as it is carried along: both are known before the normal force is.

@@ -68,17 +68,17 @@ impl Normal for Limestone {
         if self.yields && h >= h_u {
             history[0] = h;
             if input.rate > 0.0 {
-                return NormalResponse::viscoelastic(f_h0 + k_pl * h, self.alpha * (mass * k_pl).sqrt());
+                return NormalResponse::spring_dashpot(input, f_h0 + k_pl * h, self.alpha * (mass * k_pl).sqrt());
             }
             h_a = self.unloading(input.size.radius, h).1;
         }
         if h >= h_a {
             let d = h - h_a;
             let elastic = f_h0 - k_p * h_a + k * d * d.sqrt();
-            NormalResponse::viscoelastic(elastic, self.alpha * (mass * k).sqrt() * d.sqrt().sqrt())
+            NormalResponse::spring_dashpot(input, elastic, self.alpha * (mass * k).sqrt() * d.sqrt().sqrt())
         } else {
             let share = A / (A + h_a - h);
-            NormalResponse::viscoelastic(share * share * (f_h0 - k_p * h_a * share), 0.0)
+            NormalResponse::spring_dashpot(input, share * share * (f_h0 - k_p * h_a * share), 0.0)
         }
     }
 

@@ -34,7 +34,7 @@ impl Normal for Pushing {
         };
         NormalResponse {
             least: 0.0,
-            ..NormalResponse::viscoelastic(force, share * self.ratio * input.size.mass.sqrt())
+            ..NormalResponse::spring_dashpot(input, force, share * self.ratio * input.size.mass.sqrt())
         }
     }
 

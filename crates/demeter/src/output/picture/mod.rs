@@ -189,10 +189,8 @@ fn drawn(
         radius,
     };
     let spheres: Vec<Sphere> = spheres.map(sphere).collect();
-    let radii = spheres.iter().map(|s| s.radius);
     Drawn {
         seen: spheres::draw(&spheres, sight, columns, rows),
-        largest: radii.filter(|r| r.is_finite()).fold(0.0, f64::max),
         spheres,
         albedo,
     }

@@ -4,6 +4,7 @@ use super::spheres::{Seen, Sight, Sphere, meet};
 use super::together::Drawn;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// Share of the light that comes from all sides, and from the lamp.
 const AMBIENT: f64 = 0.68;
@@ -135,7 +136,7 @@ impl Neighbours {
         for pixel in drawn.seen.iter().filter(|pixel| pixel.is_covered()) {
             is_seen[pixel.sphere as usize] = true;
         }
-        let grid = Grid::new(spheres, drawn.largest, |s| holds_light_back(s, sight));
+        let grid = Grid::new(spheres, |s| holds_light_back(s, sight));
         let lists: Vec<Vec<u32>> = (0..spheres.len())
             .into_par_iter()
             .map(|index| if is_seen[index] { grid.around(index) } else { Vec::new() })
@@ -158,71 +159,150 @@ fn holds_light_back(s: &Sphere, sight: Sight) -> bool {
     s.centre.is_finite() && sight.planes.keep(s.centre)
 }
 
+/// A sphere so many times smaller than another holds back nothing of its light that would show.
+const SPECK: f64 = 16.0;
+
 /// Distance of a sphere that holds light back from another, where it does.
 fn reaches(s: &Sphere, me: &Sphere) -> Option<f64> {
     let distance = s.centre.distance(me.centre);
-    (distance < me.radius + 3.0 * s.radius).then_some(distance)
+    (distance < me.radius + 3.0 * s.radius && me.radius <= SPECK * s.radius).then_some(distance)
 }
 
-/// Spheres sorted by the cell that their centre is in.
-pub(super) struct Grid<'a> {
-    spheres: &'a [Sphere],
-    cell: f64,
+/// Spheres of about one size, sorted by the cell that their centre is in.
+struct Class {
+    /// Radius of the largest.
+    largest: f64,
     /// Cell and index of a sphere, sorted.
     entries: Vec<([i64; 3], u32)>,
 }
 
-impl<'a> Grid<'a> {
-    /// Those spheres that are wanted, whose neighbours have no larger radius than `largest`.
-    pub fn new(spheres: &'a [Sphere], largest: f64, is_wanted: impl Fn(&Sphere) -> bool) -> Self {
-        let mut grid = Self {
-            spheres,
-            cell: if largest > 0.0 { 3.0 * largest } else { 1.0 },
-            entries: Vec::new(),
-        };
-        let wanted = (0..).zip(spheres).filter(|(_, s)| is_wanted(s));
-        grid.entries = wanted.map(|(index, s)| (grid.cell_of(s.centre), index)).collect();
-        grid.entries.sort_unstable();
-        grid
-    }
-
+impl Class {
     fn cell_of(&self, p: DVec3) -> [i64; 3] {
         // The conversion saturates, which only puts far spheres into one cell.
-        [p.x, p.y, p.z].map(|x| (x / self.cell).floor() as i64)
+        [p.x, p.y, p.z].map(|x| (x / (4.0 * self.largest)).floor() as i64)
     }
 
-    /// Spheres in the cell of a sphere and in those around it.
-    fn near(&self, me: &Sphere) -> impl Iterator<Item = u32> + '_ {
-        let [i, j, k] = self.cell_of(me.centre);
-        let rows = (-1..=1).flat_map(move |a| (-1..=1).map(move |b| (i.saturating_add(a), j.saturating_add(b))));
-        rows.flat_map(move |(i, j)| {
-            let from = self.entries.partition_point(|e| e.0 < [i, j, k.saturating_sub(1)]);
-            let to = self.entries.partition_point(|e| e.0 <= [i, j, k.saturating_add(1)]);
-            self.entries[from..to.max(from)].iter().map(|&(_, other)| other)
+    /// Whether any sphere whose centre may lie within a distance of a place is asked for.
+    fn any_within(&self, place: DVec3, distance: f64, mut is_asked_for: impl FnMut(u32) -> bool) -> bool {
+        let [lower, upper] = [-distance, distance].map(|d| self.cell_of(place + DVec3::splat(d)));
+        let across = |axis: usize| (upper[axis].saturating_sub(lower[axis]) as f64) + 1.0;
+        if across(0) * across(1) > self.entries.len() as f64 {
+            return self.entries.iter().any(|&(_, sphere)| is_asked_for(sphere));
+        }
+        (lower[0]..=upper[0]).any(|i| {
+            (lower[1]..=upper[1]).any(|j| {
+                let from = self.entries.partition_point(|e| e.0 < [i, j, lower[2]]);
+                let row = self.entries[from..].iter();
+                row.take_while(|e| e.0 <= [i, j, upper[2]])
+                    .any(|&(_, sphere)| is_asked_for(sphere))
+            })
         })
+    }
+}
+
+/// Spheres by where they are, those of each size for themselves.
+pub(super) struct Grid<'a> {
+    spheres: &'a [Sphere],
+    classes: Vec<Class>,
+}
+
+impl<'a> Grid<'a> {
+    /// Those spheres that are wanted.
+    pub fn new(spheres: &'a [Sphere], is_wanted: impl Fn(&Sphere) -> bool) -> Self {
+        // radii that have the same exponent are within twice each other
+        let mut of_size: BTreeMap<u64, Vec<u32>> = BTreeMap::new();
+        for (index, sphere) in (0..).zip(spheres) {
+            if is_wanted(sphere) && sphere.radius.is_finite() && sphere.radius > 0.0 {
+                of_size.entry(sphere.radius.to_bits() >> 52).or_default().push(index);
+            }
+        }
+        let class = |indices: Vec<u32>| {
+            let sphere = |index: u32| &spheres[index as usize];
+            let radii = indices.iter().map(|&index| sphere(index).radius);
+            let mut class = Class {
+                largest: radii.fold(0.0, f64::max),
+                entries: Vec::new(),
+            };
+            let place = |index| (class.cell_of(sphere(index).centre), index);
+            class.entries = indices.into_iter().map(place).collect();
+            class.entries.sort_unstable();
+            class
+        };
+        Self {
+            spheres,
+            classes: of_size.into_values().map(class).collect(),
+        }
     }
 
     /// Whether a sphere holds light back from any.
     pub fn is_darkened_by(&self, sphere: &Sphere, sight: Sight) -> bool {
         holds_light_back(sphere, sight)
-            && self
-                .near(sphere)
-                .any(|me| reaches(sphere, &self.spheres[me as usize]).is_some())
+            && self.classes.iter().any(|class| {
+                class.any_within(sphere.centre, class.largest + 3.0 * sphere.radius, |me| {
+                    reaches(sphere, &self.spheres[me as usize]).is_some()
+                })
+            })
     }
 
     /// The spheres that hold most light back from a sphere, by what they cover as seen from its surface.
     fn around(&self, index: usize) -> Vec<u32> {
         let me = &self.spheres[index];
-        let others = self.near(me).filter(|&other| other as usize != index);
-        let mut found: Vec<(f64, u32)> = others
-            .filter_map(|other| {
+        let mut found: Vec<(f64, u32)> = Vec::new();
+        for class in self.classes.iter().filter(|class| me.radius <= SPECK * class.largest) {
+            class.any_within(me.centre, me.radius + 3.0 * class.largest, |other| {
                 let s = &self.spheres[other as usize];
-                let gap = (reaches(s, me)? - me.radius).max(0.5 * s.radius);
-                Some((s.radius * s.radius / (gap * gap), other))
-            })
-            .collect();
+                if let Some(distance) = reaches(s, me).filter(|_| other as usize != index) {
+                    let gap = (distance - me.radius).max(0.5 * s.radius);
+                    found.push((s.radius * s.radius / (gap * gap), other));
+                }
+                false
+            });
+        }
         found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         found.truncate(MOST_NEIGHBOURS);
         found.into_iter().map(|(_, other)| other).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::Rng;
+
+    #[test]
+    fn those_that_hold_light_back_are_found_among_all_sizes() {
+        let mut random = rand_pcg::Pcg64::new(3, 5);
+        let mut share = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+        let mut spheres: Vec<Sphere> = (0..600)
+            .map(|_| Sphere {
+                centre: DVec3::new(share(), share(), share()) * 4.0,
+                // from 1 down to 1/128
+                radius: libm::exp2(-7.0 * share()),
+            })
+            .collect();
+        spheres[17].radius = f64::NAN;
+        let grid = Grid::new(&spheres, |s| s.centre.x < 3.5);
+        let mut counts = Vec::new();
+        for (index, me) in spheres.iter().enumerate() {
+            let others = (0u32..).zip(&spheres);
+            let mut expected: Vec<(f64, u32)> = others
+                .filter(|(other, s)| *other as usize != index && s.centre.x < 3.5)
+                .filter_map(|(other, s)| {
+                    let gap = (reaches(s, me)? - me.radius).max(0.5 * s.radius);
+                    Some((s.radius * s.radius / (gap * gap), other))
+                })
+                .collect();
+            expected.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            counts.push(expected.len());
+            expected.truncate(MOST_NEIGHBOURS);
+            let expected: Vec<u32> = expected.into_iter().map(|(_, other)| other).collect();
+            assert_eq!(grid.around(index), expected, "of sphere {index}");
+        }
+        // some have few and some more than are kept
+        counts.sort_unstable();
+        assert!(
+            counts[50] < MOST_NEIGHBOURS && counts[500] > MOST_NEIGHBOURS,
+            "{counts:?}"
+        );
     }
 }

@@ -12,8 +12,6 @@ pub(super) struct Drawn {
     pub spheres: Vec<Sphere>,
     pub albedo: Vec<Rgb>,
     pub seen: Vec<Seen>,
-    /// Radius of the largest sphere of all; 0 where there is none.
-    pub largest: f64,
 }
 
 /// A sphere that the first process must know: its number among all, and its colour.
@@ -27,9 +25,8 @@ struct Known {
 impl Drawn {
     /// What the first process needs for the picture of all; of others nothing is left. `first` is the number of the first own sphere.
     pub fn together(self, all: Together, first: u32, sight: Sight) -> Self {
-        let largest = all.largest(self.largest);
         if all.is_alone() {
-            return Self { largest, ..self };
+            return self;
         }
         let seen = self.nearest(all, first);
         let mut shown: Vec<u32> = seen.iter().filter(|p| p.is_covered()).map(|p| p.sphere).collect();
@@ -45,7 +42,7 @@ impl Drawn {
         let is_shown = |known: &Known| shown.binary_search(&known.number).is_ok();
         let mut known: Vec<Known> = all.joined(own().filter(is_shown)).collect();
         let spheres: Vec<Sphere> = all.told_by_first(&known.iter().map(|k| k.sphere).collect::<Vec<_>>());
-        let grid = Grid::new(&spheres, largest, |_| true);
+        let grid = Grid::new(&spheres, |_| true);
         let holds_light_back = |k: &Known| !is_shown(k) && grid.is_darkened_by(&k.sphere, sight);
         known.extend(all.joined(own().filter(holds_light_back)));
         known.sort_unstable_by_key(|k| k.number);
@@ -61,7 +58,6 @@ impl Drawn {
             seen: seen.into_iter().map(covered).collect(),
             spheres: known.iter().map(|k| k.sphere).collect(),
             albedo: known.iter().map(|k| k.albedo).collect(),
-            largest,
         }
     }
 

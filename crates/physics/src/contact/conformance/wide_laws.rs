@@ -102,7 +102,7 @@ impl<N: Normal> AskLanes<NormalInput> for OfNormal<'_, N> {
             response.least,
             response.adhesion,
             response.lost,
-            self.0.bearing_overlap(input.size, input.overlap, history),
+            response.bearing_overlap,
             self.0.stiffness(input.size, input.overlap, history),
         ]
     }
@@ -122,7 +122,7 @@ impl<N: Normal> AskLanes<NormalInput> for OfNormal<'_, N> {
             response.least,
             response.adhesion,
             response.lost,
-            self.0.bearing_overlap_wide(input.size, input.overlap, history),
+            response.bearing_overlap,
             self.0.stiffness_wide(input.size, input.overlap, history),
         ]
     }

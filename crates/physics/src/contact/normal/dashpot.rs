@@ -270,7 +270,8 @@ mod tests {
             } else {
                 self.returned * self.k
             };
-            NormalResponse::viscoelastic(
+            NormalResponse::spring_dashpot(
+                input,
                 k * d * d.sqrt(),
                 c * (input.size.mass * self.k).sqrt() * d.sqrt().sqrt(),
             )

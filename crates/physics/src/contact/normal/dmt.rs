@@ -145,15 +145,11 @@ impl Normal for Dmt {
         NormalResponse {
             adhesion,
             ..NormalResponse::spring_dashpot(
+                input,
                 self.spring.mean(Power::Force, input) - adhesion - across,
                 self.spring.mean(Power::Damping, input) * alpha,
             )
         }
-    }
-
-    #[inline(always)]
-    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
-        overlap.max(L::splat(0.0))
     }
 
     #[inline(always)]

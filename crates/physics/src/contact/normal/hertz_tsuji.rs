@@ -92,13 +92,8 @@ impl Normal for HertzTsuji {
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let unit = self.spring.mean(Power::Damping, input);
         let damping = self.damping.dashpot(input, unit, history) * CRITICAL_ALPHA;
-        let response = NormalResponse::spring_dashpot(self.spring.mean(Power::Force, input), damping);
+        let response = NormalResponse::spring_dashpot(input, self.spring.mean(Power::Force, input), damping);
         response.ending_at(self.end)
-    }
-
-    #[inline(always)]
-    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
-        overlap.max(L::splat(0.0))
     }
 
     #[inline(always)]

@@ -14,7 +14,7 @@ const DURATION: f64 = crate::restitution::duration::UNDAMPED * 1.022_565_182_563
 const HALLEY_STEPS: usize = 2;
 
 /// `(sqrt(6) - 1)^2`.
-const SEED: f64 = 2.101_020_514_433_643_6;
+const SEED: f64 = 2.101_020_514_433_644;
 
 /// The curve of one contact per lane.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -112,13 +112,8 @@ impl Normal for Linear {
         let k = self.k(input.size);
         let unit = (k * input.size.mass).sqrt();
         let damping = self.damping.dashpot(input, unit, history) * 2.0;
-        let response = NormalResponse::spring_dashpot(k * mean_overlap(input), damping * contact_share(input));
+        let response = NormalResponse::spring_dashpot(input, k * mean_overlap(input), damping * contact_share(input));
         response.ending_at(self.end)
-    }
-
-    #[inline(always)]
-    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
-        overlap.max(L::splat(0.0))
     }
 
     #[inline(always)]

@@ -178,11 +178,6 @@ impl Normal for Luding {
         spring.stiffness(memory, overlap)
     }
 
-    #[inline(always)]
-    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
-        overlap.max(L::splat(0.0))
-    }
-
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
         PI * (size.mass / self.spring(size).steepest(overlap)).sqrt()
     }

@@ -62,6 +62,9 @@ pub struct NormalResponse<L = f64> {
     pub elastic: L,
     /// Damping coefficient, mean over the window [N s/m]: the dashpot's force is this times the rate of approach.
     pub damping: L,
+    /// Overlap of a Hertzian contact with the same radius `a` of contact, `a^2/R` [m], not negative: what tangential laws take their
+    /// stiffness from. The overlap itself but for laws whose area adhesion or yielding changes.
+    pub bearing_overlap: L,
     /// Least total force [N]: minus infinity, or 0 where contact ends at zero force.
     pub least: L,
     /// Added to the normal force before friction is limited by it [N], not negative: the pull that presses the
@@ -73,28 +76,24 @@ pub struct NormalResponse<L = f64> {
 
 impl NormalResponse {
     /// No force.
-    pub const NOTHING: Self = Self::viscoelastic(0.0, 0.0);
-
-    /// A spring and a dashpot, without adhesion.
-    #[inline(always)]
-    pub const fn viscoelastic(elastic: f64, damping: f64) -> Self {
-        Self {
-            elastic,
-            damping,
-            least: f64::NEG_INFINITY,
-            adhesion: 0.0,
-            lost: 0.0,
-        }
-    }
+    pub const NOTHING: Self = Self {
+        elastic: 0.0,
+        damping: 0.0,
+        bearing_overlap: 0.0,
+        least: f64::NEG_INFINITY,
+        adhesion: 0.0,
+        lost: 0.0,
+    };
 }
 
 impl<L: Lanes> NormalResponse<L> {
-    /// A spring and a dashpot in every lane, without adhesion.
+    /// A spring and a dashpot, without adhesion.
     #[inline(always)]
-    pub fn spring_dashpot(elastic: L, damping: L) -> Self {
+    pub fn spring_dashpot(input: &NormalInput<L>, elastic: L, damping: L) -> Self {
         Self {
             elastic,
             damping,
+            bearing_overlap: input.overlap.max(L::splat(0.0)),
             least: L::splat(f64::NEG_INFINITY),
             adhesion: L::splat(0.0),
             lost: L::splat(0.0),
@@ -107,6 +106,7 @@ impl<L: Lanes> NormalResponse<L> {
         Self {
             elastic: L::from_fn(|k| answers[k].elastic),
             damping: L::from_fn(|k| answers[k].damping),
+            bearing_overlap: L::from_fn(|k| answers[k].bearing_overlap),
             least: L::from_fn(|k| answers[k].least),
             adhesion: L::from_fn(|k| answers[k].adhesion),
             lost: L::from_fn(|k| answers[k].lost),
@@ -178,21 +178,6 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     #[inline(always)]
     fn reach(&self, _size: PairSize, _history: &[f64]) -> f64 {
         0.0
-    }
-
-    /// Overlap of a Hertzian contact with the same radius `a` of contact, `a^2/R` [m], not negative: what tangential laws
-    /// take their stiffness from.
-    #[inline(always)]
-    fn bearing_overlap(&self, _size: PairSize, overlap: f64, _history: &[f64]) -> f64 {
-        overlap.max(0.0)
-    }
-
-    /// [`Normal::bearing_overlap`] in every lane.
-    #[inline(always)]
-    fn bearing_overlap_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
-        lane_by_lane::tell(history, |lane, history| {
-            self.bearing_overlap(size.lane(lane), overlap.as_slice()[lane], history)
-        })
     }
 
     /// [`Normal::stiffness`] in every lane.

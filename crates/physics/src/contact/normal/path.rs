@@ -142,7 +142,7 @@ pub fn follow<L: Lanes, B: Branched<L>>(
     let response = NormalResponse {
         lost,
         adhesion: mean.adhesion,
-        ..NormalResponse::spring_dashpot(mean.elastic, mean.damping)
+        ..NormalResponse::spring_dashpot(input, mean.elastic, mean.damping)
     };
     (response, end)
 }

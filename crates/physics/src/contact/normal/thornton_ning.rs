@@ -273,6 +273,9 @@ impl Normal for ThorntonNing {
             .dashpot
             .coefficient(input.size, &mut history[2..], |d| self.with(d));
         let (mut response, next) = follow(self, input, state);
+        // the damping that is told is the mean root of the contact radius
+        let contact_radius = response.damping * response.damping;
+        response.bearing_overlap = contact_radius * contact_radius / input.size.radius;
         response.damping = response.damping * alpha * (input.size.mass * (4.0 / 3.0 * self.modulus)).sqrt();
         let deeper = next.deepest.gt(state.deepest);
         history[0] = L::select(deeper, next.deepest * next.deepest, history[0]);
@@ -306,18 +309,6 @@ impl Normal for ThorntonNing {
 
     fn reach(&self, size: PairSize, history: &[f64]) -> f64 {
         -self.state(size, history).end()
-    }
-
-    fn bearing_overlap(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
-        self.bearing_overlap_wide(size, overlap, history)
-    }
-
-    #[inline(always)]
-    fn bearing_overlap_wide<L: Lanes>(&self, size: PairSize<L>, overlap: L, history: &[L]) -> L {
-        let state = self.state(size, history);
-        let root = state.curve.root(overlap);
-        let contact_radius = root * root;
-        (contact_radius * contact_radius / size.radius).keep(state.touched)
     }
 
     fn largest_reach(&self, size: PairSize) -> f64 {

@@ -233,11 +233,6 @@ impl Normal for Tomas {
         self.scale(size).stiffness(Dent::of(history), overlap)
     }
 
-    #[inline(always)]
-    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
-        overlap.max(L::splat(0.0))
-    }
-
     fn collision_time(&self, size: PairSize, overlap: f64) -> f64 {
         self.scale(size).shortest_time(size.mass, overlap)
     }

@@ -138,12 +138,7 @@ impl Normal for Viscoelastic {
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let time = self.remembered_time(input.size, history);
         let damping = self.spring.mean(Power::Secant, input) * time * 1.5;
-        NormalResponse::spring_dashpot(self.spring.mean(Power::Force, input), damping).ending_at(self.end)
-    }
-
-    #[inline(always)]
-    fn bearing_overlap_wide<L: Lanes>(&self, _size: PairSize<L>, overlap: L, _history: &[L]) -> L {
-        overlap.max(L::splat(0.0))
+        NormalResponse::spring_dashpot(input, self.spring.mean(Power::Force, input), damping).ending_at(self.end)
     }
 
     #[inline(always)]
