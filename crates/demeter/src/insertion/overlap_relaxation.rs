@@ -208,7 +208,8 @@ impl<'a> Packing<'a> {
             .copied()
             .chain(occupied.iter().map(|o| o.1))
             .fold(0.0, f64::max);
-        let skin = SKIN * mean;
+        // of grains many times as large as most the inflation alone would use up a skin of the others
+        let skin = (SKIN * mean).max(4.0 * INFLATION * largest);
         let n = places.len();
         places.extend(occupied.iter().map(|o| space.wrap(o.0)));
         let mut packing = Self {

@@ -174,11 +174,14 @@ impl<'a> PlaceGrid<'a> {
         near: &mut impl FnMut(Near) -> ControlFlow<B>,
     ) -> ControlFlow<B> {
         let [xs, ys, zs] = self.ranges(class, place, reach + class.largest_radius);
-        for z in zs.clone() {
+        // ranges go on from the first cell at most once
+        let within = |x: usize, n: usize| if x < n { x } else { x - n };
+        let [nx, ny, nz] = class.counts;
+        for z in zs {
             for y in ys.clone() {
+                let row = (within(z, nz) * ny + within(y, ny)) * nx;
                 for x in xs.clone() {
-                    let cell = [x % class.counts[0], y % class.counts[1], z % class.counts[2]];
-                    let mut index = class.heads[class.flat(cell)];
+                    let mut index = class.heads[row + within(x, nx)];
                     while index != NONE {
                         let i = index as usize;
                         let difference = match self.domain {
