@@ -226,6 +226,7 @@ impl<L: Lanes> Ahead<L> {
     /// Of a law; nothing where it remembers no such load.
     #[inline(always)]
     pub(super) fn of<T: Tangential>(lot: &Lot, normal: L::Vector, spin_angle: L) -> Option<Self> {
+        const { assert!(!T::REMEMBERS_A_SPRING || T::HISTORY.len() <= MANY) };
         if !(T::REMEMBERS_A_SPRING && T::WIDE) {
             return None;
         }

@@ -4,6 +4,8 @@
 //! `d = (z^4 - 4 z_c^3 z)/R`, `F = 4 E/(3 R) z^3 (z^3 - 6 z_c^3)`, and all depends on adhesion through the root `z_c` of
 //! the radius at tear-off, `z_c^6 = a_c^3 = pi w R^2/(8 E)`. Without adhesion `z_c = 0`, and this is Hertz.
 
+use super::NormalResponse;
+use crate::contact::PairSize;
 use crate::lanes::{Lanes, cube_root};
 
 /// A Hertzian collision that reaches the contact radius `a` takes `c sqrt(m/(4/3 E a))`; `c` is
@@ -32,6 +34,23 @@ pub struct JkrCurve<L = f64> {
 /// `sqrt(2 pi w/E)` [m^(1/2)]: what adhesion takes from the overlap is this times the root of the contact radius.
 pub fn adhesion_length_root(work_of_adhesion: f64, modulus: f64) -> f64 {
     (2.0 * std::f64::consts::PI * work_of_adhesion / modulus).sqrt()
+}
+
+/// A response whose damping is told as the mean root of the contact radius: with the area that this is, and the dashpot
+/// `alpha sqrt(m 4/3 E a)`.
+#[inline(always)]
+pub fn of_mean_root<L: Lanes>(
+    response: NormalResponse<L>,
+    size: PairSize<L>,
+    alpha: L,
+    modulus: f64,
+) -> NormalResponse<L> {
+    let contact_radius = response.damping * response.damping;
+    NormalResponse {
+        damping: response.damping * alpha * (size.mass * (4.0 / 3.0 * modulus)).sqrt(),
+        bearing_overlap: contact_radius * contact_radius / size.radius,
+        ..response
+    }
 }
 
 impl<L: Lanes> JkrCurve<L> {

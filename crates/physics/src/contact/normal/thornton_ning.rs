@@ -1,7 +1,7 @@
 #![doc = include_str!("thornton_ning.md")]
 
 use super::dashpot::Dashpot;
-use super::jkr_curve::{JkrCurve, adhesion_length_root};
+use super::jkr_curve::{JkrCurve, adhesion_length_root, of_mean_root};
 use super::path::{Branched, KINKS, Point, follow};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
@@ -272,15 +272,11 @@ impl Normal for ThorntonNing {
         let alpha = self
             .dashpot
             .coefficient(input.size, &mut history[2..], |d| self.with(d));
-        let (mut response, next) = follow(self, input, state);
-        // the damping that is told is the mean root of the contact radius
-        let contact_radius = response.damping * response.damping;
-        response.bearing_overlap = contact_radius * contact_radius / input.size.radius;
-        response.damping = response.damping * alpha * (input.size.mass * (4.0 / 3.0 * self.modulus)).sqrt();
+        let (response, next) = follow(self, input, state);
         let deeper = next.deepest.gt(state.deepest);
         history[0] = L::select(deeper, next.deepest * next.deepest, history[0]);
         history[1] = L::splat(1.0).keep(next.touched);
-        response
+        of_mean_root(response, input.size, alpha, self.modulus)
     }
 
     fn energy(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
