@@ -6,8 +6,8 @@
 
 use rayon::Yield;
 use std::ops::Range;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 /// For so long a worker looks for work before it may sleep: longer than what is done on one thread within a step.
@@ -72,7 +72,7 @@ fn work_until(is_done: impl Fn() -> bool) {
 }
 
 /// Like [`rayon::join`], but does not sleep at once while the other thread ends its half.
-pub(crate) fn join<A, B>(one: impl FnOnce() -> A + Send, other: impl FnOnce() -> B + Send) -> (A, B)
+fn join<A, B>(one: impl FnOnce() -> A + Send, other: impl FnOnce() -> B + Send) -> (A, B)
 where
     A: Send,
     B: Send,
@@ -92,6 +92,82 @@ where
     )
 }
 
+/// Cuts work into parts and does every part, told its number: the first on the first thread, the second on the second, if these come in
+/// time, for what a thread worked on in the pass before is in its cache. Parts of threads that come late are done by others. The first
+/// thing has a number, and so have those with which the other parts begin. What is found is merged in the order of the parts.
+pub(crate) fn at_home<W: Divisible, R: Send + Default>(
+    (first, cuts): (usize, &[usize]),
+    work: W,
+    does: &(impl Fn(usize, W) -> R + Sync),
+    merge: &(impl Fn(R, R) -> R + Sync),
+) -> R {
+    if cuts.is_empty() {
+        return does(0, work);
+    }
+    let (mut parts, mut rest, mut begin) = (Vec::with_capacity(cuts.len() + 1), work, first);
+    for &cut in cuts {
+        let (part, others) = rest.split(cut - begin);
+        parts.push(Mutex::new(Part::Open(part)));
+        (rest, begin) = (others, cut);
+    }
+    parts.push(Mutex::new(Part::Open(rest)));
+    let count = parts.len();
+    let next = || {
+        let home = rayon::current_thread_index().unwrap_or(0);
+        let mut from_home = (0..count).map(|k| (home + k) % count);
+        // this is called once for each part, so one is left
+        if let Some((part, work)) = from_home.find_map(|part| Some((part, locked(&parts[part]).take()?))) {
+            let found = does(part, work);
+            *locked(&parts[part]) = Part::Done(found);
+        }
+    };
+    times(count, &next);
+    let found = parts.iter().filter_map(|part| locked(part).done());
+    found.reduce(merge).unwrap_or_default()
+}
+
+/// A part of some work, and then what was found.
+enum Part<W, R> {
+    Open(W),
+    Taken,
+    Done(R),
+}
+
+impl<W, R> Part<W, R> {
+    fn take(&mut self) -> Option<W> {
+        match std::mem::replace(self, Self::Taken) {
+            Self::Open(work) => Some(work),
+            other => {
+                *self = other;
+                None
+            }
+        }
+    }
+
+    fn done(&mut self) -> Option<R> {
+        match std::mem::replace(self, Self::Taken) {
+            Self::Done(found) => Some(found),
+            Self::Open(_) | Self::Taken => None,
+        }
+    }
+}
+
+/// No lock is held while anything may panic.
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Does the same so many times, in parallel.
+fn times(count: usize, does: &(impl Fn() + Sync)) {
+    match count {
+        0 => (),
+        1 => does(),
+        _ => {
+            join(|| times(count / 2, does), || times(count - count / 2, does));
+        }
+    }
+}
+
 /// Work on things that lie behind each other.
 pub(crate) trait Divisible: Sized + Send {
     /// Number of things.
@@ -101,7 +177,7 @@ pub(crate) trait Divisible: Sized + Send {
 }
 
 /// Does work in parallel, in pieces of at most so many things each, and merges what is found in their order.
-pub(crate) fn divide<W: Divisible, R: Send>(
+pub(crate) fn divide<W: Divisible, R: Send + Default>(
     work: W,
     most: usize,
     does: &(impl Fn(W) -> R + Sync),
@@ -120,33 +196,33 @@ pub(crate) fn inside<'a>(cuts: &'a [usize], range: &Range<usize>) -> &'a [usize]
     &cuts[first..end.max(first)]
 }
 
-/// The same where each thread begins with a part of its own: the first thing has a number, and so have those with which the other
-/// parts begin. What a thread does it does from the end to the beginning: a pass that goes the other way before it left the end
-/// in the caches, and one after it finds the beginning there.
-pub(crate) fn divide_at<W: Divisible, R: Send>(
-    (first, cuts): (usize, &[usize]),
+/// The same where each thread has a part of its own, as told to [`at_home`]. What it does it does from the end to the beginning: a
+/// pass that goes the other way before it left the end in the caches, and one after it finds the beginning there.
+pub(crate) fn divide_at<W: Divisible, R: Send + Default>(
+    at: (usize, &[usize]),
     work: W,
     most: usize,
     does: &(impl Fn(W) -> R + Sync),
     merge: &(impl Fn(R, R) -> R + Sync),
 ) -> R {
-    let half = cuts.len() / 2;
-    if let Some(&cut) = cuts.get(half) {
-        let (one, other) = work.split(cut - first);
-        let (one, other) = join(
-            || divide_at((first, &cuts[..half]), one, most, does, merge),
-            || divide_at((cut, &cuts[half + 1..]), other, most, does, merge),
-        );
-        return merge(one, other);
-    }
+    at_home(at, work, &|_, part| backwards(part, most, does, merge), merge)
+}
+
+/// Does work in pieces from the end to the beginning; others may do those at the beginning meanwhile.
+fn backwards<W: Divisible, R: Send>(
+    work: W,
+    most: usize,
+    does: &(impl Fn(W) -> R + Sync),
+    merge: &(impl Fn(R, R) -> R + Sync),
+) -> R {
     let pieces = work.len().div_ceil(most);
     if pieces < 2 {
         return does(work);
     }
     let (one, other) = work.split(pieces / 2 * most);
     let (other, one) = join(
-        || divide_at((first, cuts), other, most, does, merge),
-        || divide_at((first, cuts), one, most, does, merge),
+        || backwards(other, most, does, merge),
+        || backwards(one, most, does, merge),
     );
     merge(one, other)
 }
@@ -154,6 +230,7 @@ pub(crate) fn divide_at<W: Divisible, R: Send>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::Barrier;
     use std::sync::atomic::AtomicUsize;
 
     struct Numbers<'a>(&'a mut [usize]);
@@ -207,6 +284,34 @@ mod tests {
             // what lies outside is the work of others
             assert_eq!(starts(7, &[0, 7, 27, 107, 200], threads), [7, 27, 67]);
         }
+    }
+
+    #[test]
+    fn each_thread_does_its_own_part() {
+        let mut all: Vec<usize> = (0..100).collect();
+        let all_have_begun = Barrier::new(4);
+        let does = |part, some: Numbers| {
+            all_have_begun.wait();
+            vec![(part, some.0[0], rayon::current_thread_index())]
+        };
+        let merge = |one: Vec<_>, other: Vec<_>| [one, other].concat();
+        let found = on_threads(4, || at_home((0, &[10, 20, 90]), Numbers(&mut all), &does, &merge));
+        assert_eq!(
+            found,
+            [(0, 0, Some(0)), (1, 10, Some(1)), (2, 20, Some(2)), (3, 90, Some(3))]
+        );
+    }
+
+    #[test]
+    fn parts_of_threads_that_do_not_come_are_done() {
+        let mut all: Vec<usize> = (0..100).collect();
+        let does = |part, some: Numbers| some.0.iter_mut().map(|n| std::mem::replace(n, part)).sum();
+        let merge = |one: usize, other: usize| one + other;
+        let cuts: Vec<usize> = (1..50).collect();
+        let sum = on_threads(2, || at_home((0, &cuts), Numbers(&mut all), &does, &merge));
+        assert_eq!(sum, 99 * 100 / 2);
+        assert_eq!(all[..50], (0..50).collect::<Vec<_>>());
+        assert!(all[50..].iter().all(|&part| part == 49));
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::{ContactChunk, Contacts};
 use crate::comm::Single;
 use crate::neighbours::Neighbours;
 use crate::particles::{Load, Rows, set_aside};
-use crate::threads::join;
+use crate::threads::{Divisible, at_home};
 use demeter_physics::lanes::{self, Eight, Instructions, Kernel, Lanes, Vector, with_zero};
 use glam::DVec3;
 use std::ops::Range;
@@ -42,7 +42,6 @@ impl Strays {
         self.loads.clear();
     }
 
-    #[inline(never)]
     fn push(&mut self, grain: u32, side: usize, load: &Load) {
         self.grains.push((grain, side as u32));
         self.loads.push(*load);
@@ -52,8 +51,8 @@ impl Strays {
 /// What comes out of a task beside the sums of its grains.
 #[derive(Debug, Default)]
 struct Outcome {
-    /// What it has for grains of those before it.
-    strays: Strays,
+    /// What it has for the grains of each task before it.
+    strays: Vec<Strays>,
     took: Duration,
 }
 
@@ -105,7 +104,10 @@ pub(super) trait Sink {
 pub(crate) struct Adder<'a> {
     first_grain: u32,
     sums: &'a mut [Load],
-    strays: &'a mut Strays,
+    /// What it has for the grains of each task before it.
+    strays: &'a mut [Strays],
+    /// With which grains the tasks but the first begin.
+    first_grains: &'a [usize],
     /// Grains that are summed up at all: others are the work of other processes.
     own: Range<u32>,
 }
@@ -127,8 +129,14 @@ impl Adder<'_> {
         } else if self.own.contains(&grain) {
             let mut row = Load::default();
             load.store(&mut row.0);
-            self.strays.push(grain, side, &row);
+            self.stray(grain, side, &row);
         }
+    }
+
+    #[inline(never)]
+    fn stray(&mut self, grain: u32, side: usize, load: &Load) {
+        let task = self.first_grains.partition_point(|&first| first <= grain as usize);
+        self.strays[task].push(grain, side, load);
     }
 }
 
@@ -209,18 +217,78 @@ impl Sink for AddAtOnce<'_, '_> {
     fn put_nothing<L: Lanes>(&mut self, _k: usize) {}
 }
 
-/// Segments of the table of pairs that one task works on, and the grains that are its own.
+/// What acts on grains that lie behind each other.
+struct Sum<'a> {
+    first: usize,
+    loads: &'a mut [Load],
+}
+
+impl Divisible for Sum<'_> {
+    fn len(&self) -> usize {
+        self.loads.len()
+    }
+
+    fn split(self, first: usize) -> (Self, Self) {
+        // grains of other processes lie behind the own ones
+        let (loads, others) = self.loads.split_at_mut(first.min(self.loads.len()));
+        let (first, behind) = (self.first, self.first + loads.len());
+        (
+            Self { first, loads },
+            Self {
+                first: behind,
+                loads: others,
+            },
+        )
+    }
+}
+
+/// Segments of the table of pairs that are worked on, and the grains that are theirs.
 struct Task<'a> {
+    neighbours: &'a Neighbours,
+    segments: Range<usize>,
     chunks: &'a mut [ContactChunk],
     first_chunk: usize,
     wall_chunks: &'a mut [ContactChunk],
     first_wall_chunk: usize,
-    sums: &'a mut [Load],
-    first_grain: usize,
-    /// With which segment every task begins, and where the last one ends.
-    bounds: &'a [usize],
+    sum: Sum<'a>,
+    /// Of this task, and of those that are split off behind it.
     outcomes: &'a mut [Outcome],
-    own: Range<u32>,
+}
+
+impl Divisible for Task<'_> {
+    fn len(&self) -> usize {
+        self.segments.len()
+    }
+
+    fn split(self, first: usize) -> (Self, Self) {
+        let (neighbours, middle) = (self.neighbours, self.segments.start + first);
+        let chunk = neighbours.chunks_of_segment(middle).start;
+        let wall_chunk = neighbours.wall_chunks_of_segment(middle).start;
+        let grains = neighbours.grains_of_segment(middle).start - self.sum.first;
+        let (chunks, other_chunks) = self.chunks.split_at_mut(chunk - self.first_chunk);
+        let (wall_chunks, other_wall_chunks) = self.wall_chunks.split_at_mut(wall_chunk - self.first_wall_chunk);
+        let (sum, other_sum) = self.sum.split(grains);
+        let (outcome, other_outcomes) = self.outcomes.split_at_mut(1);
+        let one = Task {
+            segments: self.segments.start..middle,
+            chunks,
+            wall_chunks,
+            sum,
+            outcomes: outcome,
+            ..self
+        };
+        let other = Task {
+            neighbours,
+            segments: middle..self.segments.end,
+            chunks: other_chunks,
+            first_chunk: chunk,
+            wall_chunks: other_wall_chunks,
+            first_wall_chunk: wall_chunk,
+            sum: other_sum,
+            outcomes: other_outcomes,
+        };
+        (one, other)
+    }
 }
 
 /// How the work of a step on contacts is done.
@@ -239,7 +307,8 @@ impl Sums {
     /// Bytes set aside.
     pub(crate) fn bytes(&self) -> usize {
         let stray = |s: &Strays| set_aside(&s.grains) + set_aside(&s.loads);
-        self.outcomes.iter().map(|outcome| stray(&outcome.strays)).sum()
+        let all = self.outcomes.iter().flat_map(|outcome| &outcome.strays);
+        all.map(stray).sum()
     }
 
     /// Works on the chunks of all segments, between grains and with walls, in parallel in `parts`, and sums up for the own grains, which
@@ -263,24 +332,43 @@ impl Sums {
         let chunks = of_segments(start..end, |s| work.neighbours.chunks_of_segment(s));
         let wall_chunks = of_segments(start..end, |s| work.neighbours.wall_chunks_of_segment(s));
         self.outcomes.resize_with(parts, Outcome::default);
-        self.outcomes.iter_mut().for_each(|outcome| outcome.strays.clear());
+        for (task, outcome) in self.outcomes.iter_mut().enumerate() {
+            outcome.strays.resize_with(task, Strays::default);
+            outcome.strays.iter_mut().for_each(Strays::clear);
+        }
         let first_grain = |segment| work.neighbours.grains_of_segment(segment).start;
         self.shares.share_out(start..end, parts, first_grain);
+        let (bounds, first_grains) = (&self.shares.bounds()[1..parts], self.shares.first_grains());
         let all = Task {
+            neighbours: work.neighbours,
+            segments: start..end,
             first_chunk: chunks.start,
             chunks: &mut contacts.pairs[chunks],
             first_wall_chunk: wall_chunks.start,
             wall_chunks: &mut contacts.walls[wall_chunks],
-            sums: &mut *sums,
-            first_grain: own.start,
-            bounds: self.shares.bounds(),
+            sum: Sum {
+                first: own.start,
+                loads: &mut *sums,
+            },
             outcomes: &mut self.outcomes,
-            own: own.start as u32..own.end as u32,
         };
-        all.work(work);
+        let of_run = own.start as u32..own.end as u32;
+        at_home(
+            (start, bounds),
+            all,
+            &|_, task| task.work(first_grains, &of_run, work),
+            &|(), ()| (),
+        );
         if parts > 1 {
-            let tasks = rayon::current_num_threads();
-            add_strays(own.start, sums, &self.outcomes, tasks, work.instructions);
+            let add = |task, to: Sum| {
+                let outcomes = &self.outcomes[task + 1..];
+                lanes::run(work.instructions, AddStrays { task, to, outcomes });
+            };
+            let all = Sum {
+                first: own.start,
+                loads: sums,
+            };
+            at_home((own.start, first_grains), all, &add, &|(), ()| ());
         }
         self.shares.note(self.outcomes.iter().map(|outcome| outcome.took));
     }
@@ -291,70 +379,26 @@ fn of_segments(segments: Range<usize>, of: impl Fn(usize) -> Range<usize>) -> Ra
     of(segments.start).start..of(segments.end - 1).end
 }
 
-impl<'a> Task<'a> {
-    fn work<S, W>(self, work: &Work<S, W>)
+impl Task<'_> {
+    fn work<S, W>(self, first_grains: &[usize], own: &Range<u32>, work: &Work<S, W>)
     where
         S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
         W: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
     {
-        if self.outcomes.len() < 2 {
-            return self.work_alone(work);
-        }
-        let (one, other) = self.cut(work.neighbours);
-        join(|| one.work(work), || other.work(work));
-    }
-
-    fn cut(self, neighbours: &Neighbours) -> (Self, Self) {
-        let first_tasks = self.outcomes.len() / 2;
-        let middle = self.bounds[first_tasks];
-        let chunk = neighbours.chunks_of_segment(middle).start;
-        let wall_chunk = neighbours.wall_chunks_of_segment(middle).start;
-        let grain = neighbours.grains_of_segment(middle).start;
-        let (chunks, other_chunks) = self.chunks.split_at_mut(chunk - self.first_chunk);
-        let (wall_chunks, other_wall_chunks) = self.wall_chunks.split_at_mut(wall_chunk - self.first_wall_chunk);
-        // grains of other processes lie behind the own ones
-        let (sums, other_sums) = self.sums.split_at_mut((grain - self.first_grain).min(self.sums.len()));
-        let (outcomes, other_outcomes) = self.outcomes.split_at_mut(first_tasks);
-        let one = Self {
-            chunks,
-            wall_chunks,
-            sums,
-            bounds: &self.bounds[..=first_tasks],
-            outcomes,
-            own: self.own.clone(),
-            ..self
-        };
-        let other = Self {
-            chunks: other_chunks,
-            first_chunk: chunk,
-            wall_chunks: other_wall_chunks,
-            first_wall_chunk: wall_chunk,
-            sums: other_sums,
-            first_grain: grain,
-            bounds: &self.bounds[first_tasks..],
-            outcomes: other_outcomes,
-            own: self.own,
-        };
-        (one, other)
-    }
-
-    fn work_alone<S, W>(self, work: &Work<S, W>)
-    where
-        S: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
-        W: Fn(usize, &mut ContactChunk, &mut Adder) + Sync,
-    {
-        let (begun, neighbours) = (Instant::now(), work.neighbours);
+        let (begun, neighbours) = (Instant::now(), self.neighbours);
         let outcome = &mut self.outcomes[0];
+        let first_grain = self.sum.first;
         let mut adder = Adder {
-            first_grain: self.first_grain as u32,
-            sums: self.sums,
+            first_grain: first_grain as u32,
+            sums: self.sum.loads,
             strays: &mut outcome.strays,
-            own: self.own,
+            first_grains,
+            own: own.clone(),
         };
         let count = adder.sums.len();
-        for segment in self.bounds[0]..self.bounds[1] {
+        for segment in self.segments {
             let grains = neighbours.grains_of_segment(segment);
-            let [first, end] = [grains.start, grains.end].map(|grain| (grain - self.first_grain).min(count));
+            let [first, end] = [grains.start, grains.end].map(|grain| (grain - first_grain).min(count));
             adder.sums[first..end].iter_mut().for_each(Load::clear);
             for chunk in neighbours.chunks_of_segment(segment) {
                 (work.step)(chunk, &mut self.chunks[chunk - self.first_chunk], &mut adder);
@@ -367,24 +411,10 @@ impl<'a> Task<'a> {
     }
 }
 
-/// Adds what tasks have for the grains of others, in parallel.
-fn add_strays(first: usize, sums: &mut [Load], outcomes: &[Outcome], parts: usize, instructions: Instructions) {
-    if parts < 2 || sums.len() < 2 {
-        let add = AddStrays { first, sums, outcomes };
-        return lanes::run(instructions, add);
-    }
-    let middle = sums.len() * (parts / 2) / parts;
-    let (one, other) = sums.split_at_mut(middle);
-    join(
-        || add_strays(first, one, outcomes, parts / 2, instructions),
-        || add_strays(first + middle, other, outcomes, parts - parts / 2, instructions),
-    );
-}
-
-/// Adds to some grains what tasks have for them.
+/// Adds to the grains of a task what those behind it have for them.
 struct AddStrays<'a> {
-    first: usize,
-    sums: &'a mut [Load],
+    task: usize,
+    to: Sum<'a>,
     outcomes: &'a [Outcome],
 }
 
@@ -394,11 +424,11 @@ impl Kernel for AddStrays<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self) {
         for Outcome { strays, .. } in self.outcomes {
-            for (k, &(grain, side)) in strays.grains.iter().enumerate() {
-                let Some(sum) = self.sums.get_mut((grain as usize).wrapping_sub(self.first)) else {
-                    continue;
-                };
-                sum.add_side(L::Eight::load(&strays.loads[k].0), side as usize);
+            let strays = &strays[self.task];
+            for (&(grain, side), load) in strays.grains.iter().zip(&strays.loads) {
+                if let Some(sum) = self.to.loads.get_mut((grain as usize).wrapping_sub(self.to.first)) {
+                    sum.add_side(L::Eight::load(&load.0), side as usize);
+                }
             }
         }
     }
