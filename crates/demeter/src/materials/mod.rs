@@ -99,6 +99,15 @@ impl Materials {
         Ok(Self { list, laws })
     }
 
+    /// The same for grains of many sizes ([`NormalLaw::for_many_sizes`]).
+    #[must_use]
+    pub fn for_many_sizes(mut self) -> Self {
+        for law in &mut self.laws {
+            law.normal = law.normal.for_many_sizes();
+        }
+        self
+    }
+
     /// Whether the contacts of some grain feel each other.
     pub fn are_coupled(&self) -> bool {
         let independent = MultiContactLaw::Independent(Independent);

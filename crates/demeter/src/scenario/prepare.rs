@@ -165,7 +165,7 @@ fn mean_radius(grains: &Grains) -> f64 {
 
 fn materials(scenario: &Scenario, faults: &mut Diagnostics) -> Option<Materials> {
     match Materials::new(scenario.materials.clone(), |a, b| scenario.contact.choice(a, b)) {
-        Ok(materials) => Some(materials),
+        Ok(materials) => Some(materials.for_many_sizes()),
         Err(error) => {
             let help = match &error {
                 LawError::Unknown { .. } => Some("`demeter laws` lists all laws".to_string()),

@@ -1,6 +1,8 @@
 //! Dashpots of laws that lose or hold back energy in other ways, too: adhesive, plastic, or with a damping whose effect
 //! depends on the speed. No closed form tells which coefficient gives which restitution, so it is solved for.
 
+mod between_sizes;
+
 use super::Normal;
 use crate::collision::{CollisionError, HeadOn, Start, Tolerance};
 use crate::contact::PairSize;
@@ -25,6 +27,8 @@ pub enum Dashpot {
         restitution: f64,
         /// Impact speed [m/s].
         speed: f64,
+        /// Whether coefficients may be interpolated between sizes for which they were solved.
+        between_sizes: bool,
     },
 }
 
@@ -82,16 +86,21 @@ const TOLERANCE: Tolerance = Tolerance {
 /// A coefficient beyond which more damping makes no difference.
 const LARGEST: f64 = 1e4;
 
-/// Most solved coefficients that a thread keeps of one law.
+/// Most coefficients that a thread keeps in a table.
 const REMEMBERED: usize = 1 << 18;
 
 /// Most laws of which a thread keeps coefficients.
 const LAWS: usize = 16;
 
-/// Coefficients of one law, by the bits of effective radius and mass.
+/// Coefficients by the bits of effective radius and mass; nothing where what is asked is out of reach.
+type OfSize = HashMap<(u64, u64), Option<f64>>;
+
+/// Coefficients of one law.
 struct Solved {
     law: Box<dyn Any>,
-    of_size: HashMap<(u64, u64), f64>,
+    /// Of sizes that were asked about, and of those between which it is interpolated.
+    asked: OfSize,
+    on_grid: OfSize,
 }
 
 thread_local! {
@@ -118,8 +127,20 @@ impl Dashpot {
                     .to_string(),
             ),
             (_, None, Some(_)) => refuse("`impact_speed` goes with `restitution`, which is missing".to_string()),
-            (_, Some(restitution), Some(speed)) => Ok(Self::Realised { restitution, speed }),
+            (_, Some(restitution), Some(speed)) => Ok(Self::Realised {
+                restitution,
+                speed,
+                between_sizes: false,
+            }),
             (coefficient, None, None) => Ok(Self::Coefficient(coefficient.unwrap_or(0.0))),
+        }
+    }
+
+    /// The same for bodies of many sizes: what is asked is realised within some 1e-6 instead of 1e-9, and most new sizes take no
+    /// longer than sizes that were solved for.
+    pub fn for_many_sizes(&mut self) {
+        if let Self::Realised { between_sizes, .. } = self {
+            *between_sizes = true;
         }
     }
 
@@ -141,7 +162,7 @@ impl Dashpot {
             Self::Coefficient(coefficient) => L::splat(*coefficient),
             Self::Realised { .. } => {
                 if some_new(memory[0]) {
-                    memory[0] = noted(memory[0], |lane| 1.0 + self.remembered(size.lane(lane), &with));
+                    memory[0] = noted(memory[0], |lane| 1.0 + self.of_size(size.lane(lane), &with));
                 }
                 memory[0] - 1.0
             }
@@ -154,41 +175,34 @@ impl Dashpot {
     }
 
     #[cold]
-    fn remembered<L: Normal>(&self, size: PairSize, with: impl Fn(Self) -> L) -> f64 {
+    fn of_size<L: Normal>(&self, size: PairSize, with: impl Fn(Self) -> L) -> f64 {
         if size.mass <= 0.0 {
             return 0.0;
         }
         let law = with(*self);
-        let key = (size.radius.to_bits(), size.mass.to_bits());
-        let same = |solved: &Solved| solved.law.downcast_ref::<L>() == Some(&law);
-        let known = SOLVED.with_borrow(|all| all.iter().find(|s| same(s))?.of_size.get(&key).copied());
-        known.unwrap_or_else(|| {
-            let coefficient = self.solve(size, with).unwrap_or(0.0);
-            SOLVED.with_borrow_mut(|all| {
-                let place = all.iter().position(same).unwrap_or_else(|| {
-                    if all.len() == LAWS {
-                        all.remove(0);
-                    }
-                    let law = Box::new(law);
-                    let of_size = HashMap::new();
-                    all.push(Solved { law, of_size });
-                    all.len() - 1
-                });
-                let of_size = &mut all[place].of_size;
-                if of_size.len() == REMEMBERED {
-                    of_size.clear();
+        let solve = |size| self.solve(size, &with).ok();
+        let found = remembered(
+            &law,
+            |of| &mut of.asked,
+            size,
+            || match self {
+                Self::Realised {
+                    between_sizes: true, ..
+                } => {
+                    let on_grid = |there| remembered(&law, |of| &mut of.on_grid, there, || solve(there));
+                    between_sizes::interpolated(size, on_grid).or_else(|| solve(size))
                 }
-                of_size.insert(key, coefficient);
-            });
-            coefficient
-        })
+                _ => solve(size),
+            },
+        );
+        found.unwrap_or(0.0)
     }
 
     /// The coefficient that realises what is asked.
     pub fn solve<L: Normal>(&self, size: PairSize, with: impl Fn(Self) -> L) -> Result<f64, DashpotError> {
         let (requested, speed) = match *self {
             Self::Coefficient(coefficient) => return Ok(coefficient),
-            Self::Realised { restitution, speed } => (restitution, speed),
+            Self::Realised { restitution, speed, .. } => (restitution, speed),
         };
         // the energy that comes back varies more evenly than the speed does
         let surplus = |coefficient: f64| -> Result<f64, DashpotError> {
@@ -228,6 +242,43 @@ impl Dashpot {
         }
         between(surplus, (low, high), ACCURACY)
     }
+}
+
+/// What is known of a size, or is found and then known.
+fn remembered<L: Normal>(
+    law: &L,
+    table: impl Fn(&mut Solved) -> &mut OfSize,
+    size: PairSize,
+    find: impl FnOnce() -> Option<f64>,
+) -> Option<f64> {
+    let key = (size.radius.to_bits(), size.mass.to_bits());
+    let same = |solved: &Solved| solved.law.downcast_ref::<L>() == Some(law);
+    let known = SOLVED.with_borrow_mut(|all| {
+        let solved = all.iter_mut().find(|solved| same(solved))?;
+        table(solved).get(&key).copied()
+    });
+    known.unwrap_or_else(|| {
+        let found = find();
+        SOLVED.with_borrow_mut(|all| {
+            let place = all.iter().position(same).unwrap_or_else(|| {
+                if all.len() == LAWS {
+                    all.remove(0);
+                }
+                all.push(Solved {
+                    law: Box::new(*law),
+                    asked: HashMap::new(),
+                    on_grid: HashMap::new(),
+                });
+                all.len() - 1
+            });
+            let of_size = table(&mut all[place]);
+            if of_size.len() == REMEMBERED {
+                of_size.clear();
+            }
+            of_size.insert(key, found);
+        });
+        found
+    })
 }
 
 #[cfg(test)]
@@ -303,7 +354,7 @@ mod tests {
         Toy {
             k: 5e8,
             returned,
-            dashpot: Dashpot::Realised { restitution, speed },
+            dashpot: Dashpot::read("alpha", None, Some(restitution), Some(speed)).unwrap(),
         }
     }
 
@@ -334,6 +385,21 @@ mod tests {
     }
 
     #[test]
+    fn between_sizes_what_is_asked_is_realised_too() {
+        let exact = toy(0.5, 0.4, 2.0);
+        let mut law = exact;
+        law.dashpot.for_many_sizes();
+        // restitution does not depend on the size, so that each coefficient is the same
+        let remembered = law.dashpot.of_size(SIZE, |dashpot| Toy { dashpot, ..law });
+        assert_relative_eq!(remembered, solve(exact).unwrap(), max_relative = 1e-8);
+        assert_relative_eq!(restitution_of(&law, SIZE, 2.0).unwrap(), 0.4, max_relative = 1e-8);
+        // out of reach: no damping
+        let mut law = toy(0.5, 0.8, 2.0);
+        law.dashpot.for_many_sizes();
+        assert_eq!(law.dashpot.of_size(SIZE, |dashpot| Toy { dashpot, ..law }), 0.0);
+    }
+
+    #[test]
     fn the_largest_value_within_reach_is_told() {
         // half of the energy comes back: e is sqrt(0.5) at most
         let law = toy(0.5, 0.8, 2.0);
@@ -355,7 +421,7 @@ mod tests {
         assert_eq!(told(Some(0.3), None, None), "Coefficient(0.3)");
         assert_eq!(
             told(None, Some(0.5), Some(1.0)),
-            "Realised { restitution: 0.5, speed: 1.0 }"
+            "Realised { restitution: 0.5, speed: 1.0, between_sizes: false }"
         );
         assert!(told(Some(0.3), Some(0.5), Some(1.0)).contains("both tell the damping"));
         assert!(told(None, Some(0.5), None).contains("needs the `impact_speed`"));

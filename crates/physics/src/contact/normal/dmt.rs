@@ -80,7 +80,7 @@ pub struct Dmt {
     spring: HertzSpring,
     work_of_adhesion: f64,
     tail: Option<Tail>,
-    dashpot: Dashpot,
+    pub(super) dashpot: Dashpot,
 }
 
 impl Dmt {

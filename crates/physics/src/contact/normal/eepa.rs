@@ -45,7 +45,7 @@ pub struct Eepa {
     power: Power,
     adhesion_exponent: f64,
     /// Dashpot in units of `sqrt(m k1)`.
-    dashpot: Dashpot,
+    pub(super) dashpot: Dashpot,
 }
 
 /// Values that are remembered beside the dashpot's.

@@ -30,7 +30,7 @@ pub struct Jkr {
     work_of_adhesion: f64,
     /// `sqrt(2 pi w/E)` [m^(1/2)].
     adhesion: f64,
-    dashpot: Dashpot,
+    pub(super) dashpot: Dashpot,
 }
 
 /// Whether the surfaces hold each other, and the curve on which they do.

@@ -49,7 +49,7 @@ pub struct Luding {
     /// Dashpot that is the same for every contact [N s/m].
     damping: f64,
     /// Dashpot in units of `sqrt(m k1)`.
-    dashpot: Dashpot,
+    pub(super) dashpot: Dashpot,
 }
 
 /// Values that are remembered beside the dashpot's.

@@ -219,6 +219,25 @@ law_family! {
     }
 }
 
+impl NormalLaw {
+    /// The law for bodies of many sizes: it interpolates between sizes where it would solve for a dashpot anew for each. A
+    /// restitution asked for is realised within some 1e-6 then.
+    #[must_use]
+    pub fn for_many_sizes(mut self) -> Self {
+        match &mut self {
+            Self::Dmt(Dmt { dashpot, .. })
+            | Self::Eepa(Eepa { dashpot, .. })
+            | Self::Jkr(Jkr { dashpot, .. })
+            | Self::Luding(Luding { dashpot, .. })
+            | Self::Sjkr(Sjkr { dashpot, .. })
+            | Self::ThorntonNing(ThorntonNing { dashpot, .. })
+            | Self::Tomas(Tomas { dashpot, .. }) => dashpot.for_many_sizes(),
+            _ => (),
+        }
+        self
+    }
+}
+
 /// A contact is near its end when the window reaches this share of the overlap: there the mean is taken exactly,
 /// elsewhere through the leading term of its expansion.
 const WINDOW_SHARE: f64 = 0.25;

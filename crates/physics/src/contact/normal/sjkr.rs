@@ -37,7 +37,7 @@ pub struct Sjkr {
     spring: HertzSpring,
     /// Pull per `R d` [Pa].
     pull: f64,
-    dashpot: Dashpot,
+    pub(super) dashpot: Dashpot,
 }
 
 impl Sjkr {

@@ -34,7 +34,7 @@ pub struct ThorntonNing {
     work_of_adhesion: f64,
     /// `sqrt(2 pi w/E)` [m^(1/2)].
     adhesion: f64,
-    dashpot: Dashpot,
+    pub(super) dashpot: Dashpot,
 }
 
 /// What a contact remembers, with what follows from it.

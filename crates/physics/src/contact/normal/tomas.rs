@@ -80,7 +80,7 @@ pub struct Tomas {
     /// Overlap at which a new contact yields, over that at which the force is continuous; infinite when it never does.
     yield_factor: f64,
     damps_total_overlap: bool,
-    dashpot: Dashpot,
+    pub(super) dashpot: Dashpot,
 }
 
 impl Tomas {
