@@ -197,7 +197,8 @@ pub(crate) fn inside<'a>(cuts: &'a [usize], range: &Range<usize>) -> &'a [usize]
 }
 
 /// The same where each thread has a part of its own, as told to [`at_home`]. What it does it does from the end to the beginning: a
-/// pass that goes the other way before it left the end in the caches, and one after it finds the beginning there.
+/// pass that goes the other way before it left the end in the caches, and one after it finds the beginning there. No other helps it
+/// with the rest: where cores share no cache, to fetch rows that another one wrote takes ten times as long as to work on them.
 pub(crate) fn divide_at<W: Divisible, R: Send + Default>(
     at: (usize, &[usize]),
     work: W,
@@ -208,23 +209,25 @@ pub(crate) fn divide_at<W: Divisible, R: Send + Default>(
     at_home(at, work, &|_, part| backwards(part, most, does, merge), merge)
 }
 
-/// Does work in pieces from the end to the beginning; others may do those at the beginning meanwhile.
-fn backwards<W: Divisible, R: Send>(
-    work: W,
-    most: usize,
-    does: &(impl Fn(W) -> R + Sync),
-    merge: &(impl Fn(R, R) -> R + Sync),
-) -> R {
-    let pieces = work.len().div_ceil(most);
-    if pieces < 2 {
-        return does(work);
+/// Does work in pieces from the end to the beginning.
+fn backwards<W: Divisible, R>(work: W, most: usize, does: &impl Fn(W) -> R, merge: &impl Fn(R, R) -> R) -> R {
+    let mut rest = work;
+    let mut found = None;
+    while rest.len() > most {
+        let last = (rest.len() - 1) / most * most;
+        let (others, piece) = rest.split(last);
+        let of_piece = does(piece);
+        found = Some(match found {
+            Some(behind) => merge(of_piece, behind),
+            None => of_piece,
+        });
+        rest = others;
     }
-    let (one, other) = work.split(pieces / 2 * most);
-    let (other, one) = join(
-        || backwards(other, most, does, merge),
-        || backwards(one, most, does, merge),
-    );
-    merge(one, other)
+    let of_first = does(rest);
+    match found {
+        Some(behind) => merge(of_first, behind),
+        None => of_first,
+    }
 }
 
 #[cfg(test)]

@@ -4,12 +4,14 @@
 //! doi:10.1103/PhysRevLett.97.170201), which below random close packing finds places without overlap
 //! (O'Hern et al. 2003, doi:10.1103/PhysRevE.68.011306). Grains push at radii a little above the true ones, so that
 //! the true ones come free after finitely many steps: what is returned has no overlap at all, not a small one.
-//! Grains push in one order on one thread, so the places are the same bits on every machine.
+//! Pairs are listed on all threads, in one order; grains push in that order on one thread, so the places are the same bits on every
+//! machine.
 
 use super::place_grid::PlaceGrid;
 use super::random::RandomNumbers;
 use super::region::Space;
 use glam::DVec3;
+use rayon::prelude::*;
 use std::ops::ControlFlow;
 
 /// Grains are apart by at least this share of the sum of their radii, the room that rounding needs.
@@ -18,6 +20,8 @@ pub(super) const CLEARANCE: f64 = 3e-9;
 const INFLATION: f64 = 1e-3;
 /// Gap up to which pairs are listed, over the mean radius.
 const SKIN: f64 = 0.4;
+/// Grains whose pairs one task lists.
+const GRAINS_PER_TASK: usize = 512;
 /// Limits before giving up: steps and shakes of a jammed packing. Few grains get more of both, as their packings jam by
 /// bad luck more often, and trying again is cheap.
 const LEAST_LIMITS: Limits = Limits {
@@ -242,19 +246,26 @@ impl<'a> Packing<'a> {
         let grains: Vec<(DVec3, f64)> = self.places.iter().copied().zip(radii).collect();
         let grid = PlaceGrid::holding(self.space.domain(), &grains);
         let skin = self.skin;
+        let pairs_of = |(task, some): (usize, &[(DVec3, f64)])| {
+            let mut pairs = Vec::new();
+            for (i, (_, radius)) in (task * GRAINS_PER_TASK..).zip(some) {
+                grid.visit_partners::<()>(i, skin, |near| {
+                    let sum = radius + near.radius;
+                    let reach = sum + skin;
+                    let both_fixed = i >= n && near.index >= n;
+                    if near.difference.length_squared() < reach * reach && !both_fixed {
+                        let (a, b) = (i as u32, near.index as u32);
+                        pairs.push(Pair { a, b, sum });
+                    }
+                    ControlFlow::Continue(())
+                });
+            }
+            pairs
+        };
+        let tasks = grains.par_chunks(GRAINS_PER_TASK).enumerate();
+        let of_tasks: Vec<Vec<Pair>> = tasks.map(pairs_of).collect();
         self.pairs.clear();
-        for (i, (_, radius)) in grains.iter().enumerate() {
-            grid.visit_partners::<()>(i, skin, |near| {
-                let sum = radius + near.radius;
-                let reach = sum + skin;
-                let both_fixed = i >= n && near.index >= n;
-                if near.difference.length_squared() < reach * reach && !both_fixed {
-                    let (a, b) = (i as u32, near.index as u32);
-                    self.pairs.push(Pair { a, b, sum });
-                }
-                ControlFlow::Continue(())
-            });
-        }
+        of_tasks.iter().for_each(|pairs| self.pairs.extend_from_slice(pairs));
         let mut neighbours = vec![0u32; grains.len()];
         for pair in &self.pairs {
             neighbours[pair.a as usize] += 1;
