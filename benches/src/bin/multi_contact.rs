@@ -42,10 +42,10 @@ struct Arguments {
     rounds: usize,
     /// Steps of one slice.
     #[arg(long, default_value_t = 200)]
-    steps: usize,
+    steps: u64,
     /// Steps before the first slice.
     #[arg(long, default_value_t = 2000)]
-    settle: usize,
+    settle: u64,
     /// Threads.
     #[arg(long, default_value_t = 1)]
     threads: usize,
@@ -98,9 +98,7 @@ fn bench(arguments: &Arguments) -> Result<(), Box<dyn Error + Send + Sync>> {
         sim.walls[1].restore(&start.walls[1].state());
         sim.walls[1].set_motion(Motion::Velocity(DVec3::Z * -SLOW))?;
         // comes to rest under the new law, and everything has its memory
-        for _ in 0..arguments.settle {
-            sim.step()?;
-        }
+        sim.steps(arguments.settle)?;
         runs.push(sim);
     }
     let mut times = vec![Vec::new(); runs.len()];
@@ -108,9 +106,7 @@ fn bench(arguments: &Arguments) -> Result<(), Box<dyn Error + Send + Sync>> {
     for _ in 0..arguments.rounds {
         for (sim, times) in runs.iter_mut().zip(&mut times) {
             let begun = Instant::now();
-            for _ in 0..arguments.steps {
-                sim.step()?;
-            }
+            sim.steps(arguments.steps)?;
             times.push(begun.elapsed().as_secs_f64());
         }
     }
@@ -122,7 +118,7 @@ fn bench(arguments: &Arguments) -> Result<(), Box<dyn Error + Send + Sync>> {
     println!("|---|---|---|---|---|---|---|");
     for (k, ((law, coupling), sim)) in models.iter().zip(&runs).enumerate() {
         let ratios: Vec<f64> = times[k].iter().zip(&times[0]).map(|(t, one)| t / one).collect();
-        let steps = (arguments.steps * sim.grains().len()) as f64;
+        let steps = arguments.steps as f64 * sim.grains().len() as f64;
         let (effort, first) = (sim.coupling_effort(), before[k]);
         let solved = (effort.solutions - first.solutions).max(1) as f64;
         println!(
@@ -131,7 +127,7 @@ fn bench(arguments: &Arguments) -> Result<(), Box<dyn Error + Send + Sync>> {
             median(&times[k]) / steps * 1e9,
             median(&ratios),
             (effort.iterations - first.iterations) as f64 / solved,
-            (effort.repeats - first.repeats) as f64 / (arguments.rounds * arguments.steps) as f64,
+            (effort.repeats - first.repeats) as f64 / (arguments.rounds as u64 * arguments.steps) as f64,
             contacts(sim),
         );
     }

@@ -110,9 +110,7 @@ fn main() -> Outcome<()> {
     pool.install(|| {
         let mut sim = bed()?;
         sim.set_instructions(arguments.instructions);
-        for _ in 0..arguments.steps {
-            sim.step()?;
-        }
+        sim.steps(arguments.steps)?;
         let work = sim.work();
         println!(
             "grains {} candidates {} contacts {} rebuilds {}",

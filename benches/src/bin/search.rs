@@ -29,7 +29,7 @@ struct Arguments {
     skin: f64,
     /// Steps of a run with a skin that is tuned, after as many to begin with; 0 for none.
     #[arg(long, default_value_t = 1000)]
-    steps: usize,
+    steps: u64,
     /// Threads.
     #[arg(long, default_value_t = 1)]
     threads: usize,
@@ -238,14 +238,10 @@ fn tune(arguments: &Arguments, name: &str, mut setup: Setup, speed: f64) -> Outc
     }
     setup.skin = Skin::Tuned(arguments.skin * mean);
     let mut sim = Simulation::new(setup);
-    for _ in 0..arguments.steps {
-        sim.step()?;
-    }
+    sim.steps(arguments.steps)?;
     let before = sim.rebuilds();
     let begun = Instant::now();
-    for _ in 0..arguments.steps {
-        sim.step()?;
-    }
+    sim.steps(arguments.steps)?;
     let time = begun.elapsed().as_secs_f64();
     let rebuilds = (sim.rebuilds() - before) as f64;
     let one = fastest(&(0..5).map(|_| timed(|| sim.find_candidates())).collect::<Vec<_>>());

@@ -1,4 +1,4 @@
-//! Neither the order of the grains in memory nor the skin changes a trajectory.
+//! Neither the order of the grains in memory, nor the skin, nor whether steps are taken one by one changes a trajectory.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail as tests do")]
 
 mod cases;
@@ -116,6 +116,25 @@ fn the_skin_changes_nothing() {
                 differing > 1,
                 "{name}: {rebuilds} searches for candidates with most skins"
             );
+        }
+    });
+}
+
+#[test]
+fn steps_taken_together_are_those_taken_one_by_one() {
+    let count = if full() { 300 } else { 60 };
+    on_threads(1, || {
+        for integrator in [Integrator::VelocityVerlet, Integrator::Gear] {
+            for name in BEDS {
+                let steps = steps_for(name, 1_000);
+                let mut together = Simulation::new(bed_with(integrator, name, count));
+                together.steps(steps).unwrap();
+                let mut one_by_one = Simulation::new(bed_with(integrator, name, count));
+                for _ in 0..steps {
+                    one_by_one.step().unwrap();
+                }
+                assert!(snapshot(&together) == snapshot(&one_by_one), "{name}");
+            }
         }
     });
 }

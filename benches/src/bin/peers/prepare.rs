@@ -176,9 +176,7 @@ fn run(pass: &Pass, folder: &Path) -> Result<(), Fault> {
             "making the state {name}: {steps} steps of {} grains",
             sim.grains().len()
         );
-        for _ in 0..*steps {
-            sim.step()?;
-        }
+        sim.steps(*steps)?;
         let state = state_of(&sim, pass);
         if *name == "w2" {
             write_chute("w2", &state, folder)?;
