@@ -39,7 +39,7 @@ impl Simulation {
         self.settle()
     }
 
-    /// The same, but the kick that ends the step may be left to the next one: until [`settle`](Self::settle) velocities are those
+    /// One time step whose kick at the end may be left to the next one: until [`settle`](Self::settle) velocities are those
     /// predicted, and forces and torques those of contacts alone.
     pub(crate) fn step_on(&mut self) -> Result<(), Fault> {
         self.start()?;
