@@ -6,7 +6,7 @@
 
 use clap::Parser;
 use demeter::comm::Single;
-use demeter::neighbours::{Neighbours, SpatialOrder};
+use demeter::neighbours::{Neighbours, put_in_order};
 use demeter::scenario::{Scenario, prepare};
 use demeter::simulation::{Setup, Simulation, Skin};
 use demeter_physics::DVec3;
@@ -270,7 +270,7 @@ fn measure(arguments: &Arguments, name: &str, setup: Setup) -> Outcome<()> {
     let comm = Single::new(setup.domain);
     let mean = 2.0 * grains.radii().sum::<f64>() / n;
     let skin = arguments.skin * mean;
-    let (mut found, mut order) = (Neighbours::default(), SpatialOrder::default());
+    let mut found = Neighbours::default();
     let radii = |fold: fn(f64, f64) -> f64| grains.radii().reduce(fold).unwrap_or(f64::NAN);
     let sizes = format!("1:{:.1}", radii(f64::max) / radii(f64::min));
     let (mut search, mut sort) = (vec![], vec![]);
@@ -286,7 +286,7 @@ fn measure(arguments: &Arguments, name: &str, setup: Setup) -> Outcome<()> {
             position.x += 0.05 * skin * random();
         }
         comm.wrap(&mut grains);
-        sort.push(timed(|| order.sort(&mut grains)));
+        sort.push(timed(|| drop(put_in_order(&mut grains))));
         search.push(timed(|| found.find(&grains, &[], &setup.materials, &comm, skin)));
     }
     // grains of the same places, all a little larger by as much: those that nearly touched do

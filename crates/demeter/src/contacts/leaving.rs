@@ -6,6 +6,12 @@ use std::collections::BTreeMap;
 /// Contacts between grains, and those with walls.
 pub(crate) type PairsAndWalls = [Vec<ContactChunk>; 2];
 
+/// Grains in contacts, each as often as it is in one.
+pub(crate) fn grains_in([pairs, walls]: &PairsAndWalls) -> impl Iterator<Item = u32> + '_ {
+    let first = pairs.iter().chain(walls).flat_map(|chunk| &chunk.i);
+    first.chain(pairs.iter().flat_map(|chunk| &chunk.j)).copied()
+}
+
 impl Contacts {
     /// Copies of the contacts that some processes get, of those in some chunks between grains and some with walls. `receivers` tells the
     /// processes of a contact, by its first grain and its second where that is no wall.

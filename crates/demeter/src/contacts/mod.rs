@@ -37,7 +37,7 @@ mod wall_contacts;
 pub use at_walls::Surfaces;
 pub use coupling::Coupling;
 pub use fault::Fault;
-pub(crate) use leaving::PairsAndWalls;
+pub(crate) use leaving::{PairsAndWalls, grains_in};
 pub use narrow::Scene;
 pub(crate) use near::Approach;
 pub use near::NearTables;

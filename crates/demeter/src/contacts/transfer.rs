@@ -3,7 +3,7 @@
 use super::coupling::Coupled;
 use super::{CHUNK, ContactChunk, Contacts, WORD};
 use crate::comm::together::Together;
-use crate::neighbours::{GONE, Neighbours};
+use crate::neighbours::{Moves, Neighbours};
 use crate::particles::{Beyond, Grains};
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use glam::DVec3;
@@ -186,16 +186,16 @@ pub(super) trait Heirs: Sync {
     fn grains_per_segment(&self) -> usize;
 }
 
-/// Candidates between grains, with the new index of every grain when they were put in another order.
-struct Pairs<'a>(&'a Neighbours, Option<&'a [u32]>);
+/// Candidates between grains, and where grains went in memory, if they did.
+struct Pairs<'a>(&'a Neighbours, Option<&'a Moves>);
 
 /// Candidates of grains and walls, with the same.
-struct Walls<'a>(&'a Neighbours, Option<&'a [u32]>);
+struct Walls<'a>(&'a Neighbours, Option<&'a Moves>);
 
 /// New index of a grain, unless it is gone.
 #[inline(always)]
-fn renumber(moved_to: Option<&[u32]>, grain: u32) -> Option<u32> {
-    moved_to.map_or(Some(grain), |to| Some(to[grain as usize]).filter(|&g| g != GONE))
+fn renumber(moves: Option<&Moves>, grain: u32) -> Option<u32> {
+    moves.map_or(Some(grain), |moves| moves.of(grain))
 }
 
 impl Heirs for Pairs<'_> {
@@ -435,13 +435,12 @@ impl ContactChunk {
 }
 
 impl Contacts {
-    /// Hands all contacts over to new candidates. Where grains were put in another order, `moved_to` tells the new index of
-    /// every grain.
-    pub(crate) fn hand_over(&mut self, neighbours: &Neighbours, moved_to: Option<&[u32]>) {
+    /// Hands all contacts over to new candidates, told where grains went in memory, if they did.
+    pub(crate) fn hand_over(&mut self, neighbours: &Neighbours, moves: Option<&Moves>) {
         let stride = self.stride;
-        let (pairs, walls) = (Pairs(neighbours, moved_to), Walls(neighbours, moved_to));
+        let (pairs, walls) = (Pairs(neighbours, moves), Walls(neighbours, moves));
         let [mut of_pairs, mut of_walls] = std::mem::take(&mut self.spare).map(Transfer::begin);
-        if moved_to.is_some() {
+        if moves.is_some() {
             of_pairs.look_up(&mut self.pairs, &pairs, stride);
             of_walls.look_up(&mut self.walls, &walls, stride);
         } else {

@@ -1,5 +1,6 @@
 //! Order of the grains along a space-filling curve, so that neighbours in space are neighbours in memory.
 
+use super::moves::{Moves, NewPlaces};
 use super::vicinity::Bounds;
 use crate::particles::{Grains, Row};
 use glam::DVec3;
@@ -11,76 +12,19 @@ const MOST_BITS: u32 = 21;
 /// Grains whose places on the curve are found by one task.
 const GRAINS_PER_TASK: usize = 4096;
 
-/// Index of a grain that is no longer there.
-pub const GONE: u32 = u32::MAX;
+/// Place of a grain on the curve, its id, which orders those in the same cell, and its index.
+pub(crate) type Keyed = (u64, u32, u32);
 
-/// Place of a grain on the curve, its id and its index.
-type Keyed = (u64, u32, u32);
-
-/// An order along a Hilbert curve, with its memory.
-#[derive(Clone, Debug, Default)]
-pub struct SpatialOrder {
-    keyed: Vec<Keyed>,
-    order: Vec<u32>,
-    moved_to: Vec<u32>,
-}
-
-impl SpatialOrder {
-    /// Puts the grains into the order of the curve; those in the same cell of it lie in the order of their
-    /// ids. So the order depends on nothing but places and ids.
-    pub fn sort(&mut self, grains: &mut Grains) {
-        let rows = grains.position.rows();
-        let curve = Curve::new(bounds(rows), rows.len());
-        self.find(rows.len(), |grain| (curve.place(rows[grain].vector), grains.id[grain]));
-        self.apply(grains);
-    }
-
-    /// Finds the order of so many grains by their places on the curve, and then by their ids, both told by their indices.
-    pub(crate) fn find(&mut self, grains: usize, place_and_id: impl Fn(usize) -> (u64, u32) + Sync) {
-        self.keyed.resize(grains, (0, 0, 0));
-        (self.keyed.par_chunks_mut(GRAINS_PER_TASK).enumerate()).for_each(|(task, keyed)| {
-            for (grain, keyed) in (task * GRAINS_PER_TASK..).zip(keyed) {
-                let (place, id) = place_and_id(grain);
-                *keyed = (place, id, grain as u32);
-            }
-        });
-        self.keyed.par_sort_unstable();
-        self.order.clear();
-        self.order.extend(self.keyed.iter().map(|k| k.2));
-        // this is rare, and the memory is worth more
-        self.keyed = Vec::new();
-        self.note_moves(grains);
-    }
-
-    /// Chooses an order of some of so many grains, told by their indices; those not named will be dropped.
-    pub(crate) fn choose(&mut self, grains: usize, indices: impl Iterator<Item = u32>) {
-        self.order.clear();
-        self.order.extend(indices);
-        self.note_moves(grains);
-    }
-
-    /// Puts grains into the order that was found or chosen.
-    pub(crate) fn apply(&self, grains: &mut Grains) {
-        grains.reorder(&self.order);
-    }
-
-    fn note_moves(&mut self, grains: usize) {
-        self.moved_to.clear();
-        self.moved_to.resize(grains, GONE);
-        for (to, &from) in self.order.iter().enumerate() {
-            self.moved_to[from as usize] = to as u32;
-        }
-    }
-
-    /// Old index of every grain by its new one.
-    pub(crate) fn order(&self) -> &[u32] {
-        &self.order
-    }
-
-    /// New index of every grain by its old one, [`GONE`] of those not kept.
-    pub fn moved_to(&self) -> &[u32] {
-        &self.moved_to
-    }
+/// Puts grains into the order of the curve, which depends on nothing but places and ids; tells where they went.
+pub fn put_in_order(grains: &mut Grains) -> Moves {
+    let rows = grains.position.rows();
+    let curve = Curve::new(bounds(rows), rows.len());
+    let mut places = NewPlaces::unknown(rows.len());
+    let sorted = curve.sorted(rows, &grains.id);
+    (0..).zip(sorted).for_each(|(to, (.., grain))| places.note(grain, to));
+    let moves = Moves::Reordered(places);
+    moves.apply(grains);
+    moves
 }
 
 /// Around the centres of grains.
@@ -127,9 +71,16 @@ impl Curve {
         hilbert(cell, self.bits)
     }
 
-    /// Whether all places on it fit into 32 bits.
-    pub(crate) fn is_short(&self) -> bool {
-        3 * self.bits <= u32::BITS
+    /// Grains in their order on the curve, with their indices among those that are told.
+    pub(crate) fn sorted(&self, rows: &[Row], ids: &[u32]) -> Vec<Keyed> {
+        let mut sorted = vec![(0, 0, 0); rows.len()];
+        (sorted.par_chunks_mut(GRAINS_PER_TASK).enumerate()).for_each(|(task, sorted)| {
+            for (grain, sorted) in (task * GRAINS_PER_TASK..).zip(sorted) {
+                *sorted = (self.place(rows[grain].vector), ids[grain], grain as u32);
+            }
+        });
+        sorted.par_sort_unstable();
+        sorted
     }
 }
 

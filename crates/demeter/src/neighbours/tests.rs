@@ -290,8 +290,7 @@ fn threads_do_not_change_the_table() {
     let table = |threads| {
         on_threads(threads, || {
             let (mut found, mut grains) = (telling(), grains.clone());
-            let mut order = SpatialOrder::default();
-            order.sort(&mut grains);
+            put_in_order(&mut grains);
             found.find(&grains, &walls, &materials, &comm, SKIN);
             let entries: Vec<Vec<_>> = (0..grains.len()).map(|g| found.pairs_of(g).collect()).collect();
             let on_walls: Vec<Vec<_>> = (0..grains.len()).map(|g| found.wall_pairs_of(g).collect()).collect();
@@ -347,7 +346,7 @@ fn walls_are_found_like_grain_by_grain() {
         .collect();
     let materials = materials(3);
     let mut grains = grains;
-    SpatialOrder::default().sort(&mut grains);
+    put_in_order(&mut grains);
     let mut found = telling();
     found.find(&grains, &walls, &materials, &Single::new(domain), SKIN);
     let mut met = vec![0; walls.len()];

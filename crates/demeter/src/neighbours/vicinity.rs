@@ -8,6 +8,7 @@ use super::classes::SizeClasses;
 use crate::comm::Single;
 use crate::particles::Row;
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// Numbers of a box.
@@ -55,7 +56,7 @@ impl SmallBox {
 }
 
 /// The smallest box around places [m].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 #[repr(C)]
 pub(crate) struct Bounds {
     pub(crate) lower: DVec3,

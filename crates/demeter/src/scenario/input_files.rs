@@ -12,7 +12,7 @@ const PIECE: usize = 1 << 16;
 
 /// Length [bytes] and CRC-32 of what is in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-struct Content {
+pub(super) struct Content {
     bytes: u64,
     checksum: u32,
 }
@@ -54,7 +54,8 @@ impl InputFile {
     }
 }
 
-fn content(path: &Path) -> std::io::Result<Content> {
+/// Reads what is in a file, piece by piece.
+pub(super) fn content(path: &Path) -> std::io::Result<Content> {
     let mut file = File::open(path)?;
     let (mut bytes, mut checksum) = (0, crc32fast::Hasher::new());
     let mut piece = vec![0; PIECE];

@@ -17,18 +17,19 @@ mod handing;
 mod handing_out;
 mod in_step;
 mod near;
+mod order;
 mod parts;
 mod report;
 mod sums;
 mod whole;
 
 use super::misplaced::Uncounted;
-use super::{Places, Simulation};
+use super::{Places, Simulation, memory};
 use crate::comm::together::Together;
 use crate::comm::tree::{Then, turns};
 use crate::comm::{Message, Ranks};
 use crate::contacts::{Contacts, NearTables};
-use crate::neighbours::{Neighbours, SearchEffort};
+use crate::neighbours::{Moves, Neighbours, SearchEffort};
 use crate::particles::spread::NUMBERS_OF_A_SPREAD;
 use crate::step::CouplingState;
 use handing::rank_in;
@@ -135,6 +136,12 @@ impl Division {
                 .ranks
                 .give_up(&format!("another process said what cannot be read: {error}")),
         }
+    }
+
+    /// What every process tells all others, by rank; each calls this with its own.
+    fn told_by_all<T: Serialize + for<'a> Deserialize<'a>>(&self, mine: &T) -> Vec<T> {
+        let told = self.ranks.gather(&encode(mine));
+        told.iter().map(|bytes| self.decode(bytes)).collect()
     }
 
     /// What all processes have, joined in the order of the ranks; each calls this with its own.
@@ -256,6 +263,7 @@ impl Simulation {
     /// Shares the run with other processes, of which each calls this with the same state; where no force is custom, only that of the first
     /// need hold grains.
     pub fn share(&mut self, ranks: Box<dyn Ranks>) {
+        memory::leave_zeros_out();
         self.division = Some(Box::new(Division {
             ranks: Arc::from(ranks),
             cuts: Vec::new(),
@@ -378,8 +386,8 @@ impl Simulation {
             return;
         }
         if self.division.as_ref().is_some_and(|d| d.imbalance > 1.0 + DRIFT) {
-            self.hand_over_evenly();
-            self.continue_together(Places::HandedOver);
+            let places = self.hand_over_evenly();
+            self.continue_together(places);
         }
         self.note_balance();
     }
@@ -408,19 +416,18 @@ impl Simulation {
             .is_some_and(|d| d.imbalance > d.imbalance_when_divided + DRIFT);
         self.wrap_grains();
         let is_moved = self.is_out_of_order();
-        if is_moved {
-            self.find_order_together();
-            let cuts = self.even_cuts();
-            self.hand_over_grains(cuts, true);
+        let places = if is_moved {
+            let mut moves = Moves::Reordered(self.find_order_together());
+            let cuts = self.even_cuts(&moves);
+            self.hand_over_grains(cuts, &mut moves, true);
+            Places::New(moves)
         } else if is_uneven {
-            self.hand_over_evenly();
-        }
+            self.hand_over_evenly()
+        } else {
+            Places::Kept
+        };
         self.rebuilds += 1;
-        self.continue_together(match (is_moved, is_uneven) {
-            (true, _) => Places::New,
-            (false, true) => Places::HandedOver,
-            (false, false) => Places::Kept,
-        });
+        self.continue_together(places);
         if is_moved {
             self.scattered_in_order = self.neighbours.scattered();
         }
@@ -430,19 +437,20 @@ impl Simulation {
     }
 
     /// Gives grains that keep their places in memory to other processes, so that all have as much to do.
-    fn hand_over_evenly(&mut self) {
-        let grains = self.grains.len();
-        self.order.choose(grains, 0..grains as u32);
-        let cuts = self.even_cuts();
-        self.hand_over_grains(cuts, false);
+    fn hand_over_evenly(&mut self) -> Places {
+        let mut moves = Moves::none(self.grains.len());
+        let cuts = self.even_cuts(&moves);
+        self.hand_over_grains(cuts, &mut moves, false);
+        Places::HandedOver
     }
 
-    /// Takes grains out of the run that are not in the order that was chosen. Each calls this.
-    pub(super) fn leave_out_together(&mut self) {
-        let cuts = self.same_cuts();
-        self.hand_over_grains(cuts, true);
+    /// Takes grains, told by rising indices, out of the run. Each calls this.
+    pub(super) fn leave_out_together(&mut self, gone: &[usize]) {
+        let mut moves = Moves::without(gone, self.grains.len());
+        let cuts = self.same_cuts(gone);
+        self.hand_over_grains(cuts, &mut moves, true);
         self.wrap_grains();
-        self.continue_together(Places::New);
+        self.continue_together(Places::New(moves));
     }
 
     /// Notes that grains came, behind all others: the last process has them.

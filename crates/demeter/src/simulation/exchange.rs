@@ -3,6 +3,7 @@
 use super::time_step::largest_reach;
 use super::{Simulation, SkinTuner};
 use crate::contacts::Coupling;
+use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::particles::{Grains, HigherDerivatives, NewGrain};
 use crate::simulation::{Skin, WallPartner};
 use crate::step::CouplingState;
@@ -100,6 +101,10 @@ impl Simulation {
             let load = &mut self.grains.load.rows_mut()[g];
             load.put(self.gravity * load.mass(), DVec3::ZERO);
         }
+        // how fast those are that came is found in the next step
+        self.spreads.truncate(before / GRAINS_OF_A_SPREAD);
+        let spreads = self.grains.len().div_ceil(GRAINS_OF_A_SPREAD);
+        self.spreads.resize(spreads, Spread::ANY);
         self.lengthen_division();
         self.find_candidates();
         self.foresee_bulges();

@@ -26,6 +26,23 @@ pub(in crate::simulation) fn give_back() {
 #[cfg(not(all(target_os = "linux", target_env = "gnu")))]
 pub(in crate::simulation) fn give_back() {}
 
+/// Tables from this size on are had from the system and given back to it [bytes].
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+const TABLE: libc::c_int = 1 << 20;
+
+/// Has the zeros of tables take no memory until something else is written, from now on: the allocator of glibc comes to have tables of
+/// up to 32 MB in its heap otherwise, where it writes their zeros.
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+#[allow(unsafe_code, reason = "nothing but the allocator can do that")]
+pub(in crate::simulation) fn leave_zeros_out() {
+    // SAFETY: any thread may call it at any time
+    unsafe { libc::mallopt(libc::M_MMAP_THRESHOLD, TABLE) };
+}
+
+/// Other allocators have the system make zeros.
+#[cfg(not(all(target_os = "linux", target_env = "gnu")))]
+pub(in crate::simulation) fn leave_zeros_out() {}
+
 impl Simulation {
     /// Memory of the tables that grow with the number of grains and contacts. The program itself, what output and measures need, and
     /// what a search for candidates takes as long as it lasts come on top.

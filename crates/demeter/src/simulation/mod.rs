@@ -49,7 +49,7 @@ use crate::contacts::step_work::StepWork;
 use crate::contacts::sum::Sums;
 use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTables, Surfaces, laws};
 use crate::materials::Materials;
-use crate::neighbours::{Bounds, Neighbours, SpatialOrder};
+use crate::neighbours::{Bounds, Moves, Neighbours, put_in_order};
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::{CouplingState, Motion};
@@ -65,14 +65,14 @@ use glam::DVec3;
 const DECAY: f64 = 0.05;
 
 /// Where grains are in memory when candidates are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Debug)]
 enum Places {
     /// Where they were.
     Kept,
     /// Where they were, but some contacts come from other processes.
     HandedOver,
-    /// Elsewhere, as the order tells.
-    New,
+    /// Elsewhere.
+    New(Moves),
 }
 
 /// What a simulation is made of.
@@ -153,7 +153,6 @@ pub struct Simulation {
     pub(crate) profile: Option<Box<profile::Profile>>,
     /// The highest id that was ever given.
     latest_id: u32,
-    order: SpatialOrder,
     /// Whether grains that have become scattered in memory are put in order again.
     puts_in_order: bool,
     /// Share of the candidates that were scattered in memory when the grains were put in order.
@@ -238,7 +237,6 @@ impl Simulation {
             instructions: Instructions::widest(),
             customs: None,
             profile: None,
-            order: SpatialOrder::default(),
             puts_in_order: true,
             scattered_in_order: 0.0,
             rebuilds: 0,
@@ -369,12 +367,10 @@ impl Simulation {
             return self.find_candidates_together();
         }
         self.wrap_grains();
-        let is_moved = self.is_out_of_order();
-        if is_moved {
-            self.order.sort(&mut self.grains);
-        }
+        let moves = self.is_out_of_order().then(|| put_in_order(&mut self.grains));
         self.rebuilds += 1;
-        self.continue_with_candidates(if is_moved { Places::New } else { Places::Kept });
+        let is_moved = moves.is_some();
+        self.continue_with_candidates(moves.map_or(Places::Kept, Places::New));
         if is_moved {
             self.scattered_in_order = self.neighbours.scattered();
         }
@@ -420,14 +416,18 @@ impl Simulation {
         self.measure_travel(&Motion::default());
         self.tables += 1;
         self.count_candidates();
-        let moved_to = (places != Places::Kept).then(|| self.order.moved_to());
-        self.contacts.hand_over(&self.neighbours, moved_to);
-        // this is rare, and the memory is worth more
-        self.order = SpatialOrder::default();
+        let is_new = matches!(places, Places::New(_));
+        let moves = match places {
+            Places::Kept => None,
+            Places::HandedOver => Some(Moves::none(self.grains.len())),
+            Places::New(moves) => Some(moves),
+        };
+        self.contacts.hand_over(&self.neighbours, moves.as_ref());
+        drop(moves);
         self.tuner.note_rebuild(self.step);
         let mean_radius = self.mean_radius();
         self.near.forget(self.neighbours.segments(), mean_radius);
-        if places == Places::New {
+        if is_new {
             let own = self.own_grains();
             self.spreads.clear();
             self.spreads
@@ -485,15 +485,13 @@ impl Simulation {
         let leaves = |g: usize| indices.binary_search(&g).is_ok();
         let gone = self.energies_of(leaves);
         self.books.remove(indices.len() as u64, &gone);
-        let grains = self.grains.len();
-        let stay = (0..grains as u32).filter(|&g| !leaves(g as usize));
-        self.order.choose(grains, stay);
         if self.is_divided() {
-            self.leave_out_together();
+            self.leave_out_together(indices);
         } else {
-            self.order.apply(&mut self.grains);
+            let moves = Moves::without(indices, self.grains.len());
+            moves.apply(&mut self.grains);
             self.wrap_grains();
-            self.continue_with_candidates(Places::New);
+            self.continue_with_candidates(Places::New(moves));
         }
         self.foresee_bulges();
     }

@@ -1,6 +1,7 @@
 use super::*;
 use crate::contacts::CarriedContact;
 use crate::materials::{Material, PairChoice};
+use crate::neighbours::NewPlaces;
 use crate::particles::{MOST_CROSSINGS, NewGrain, Outside};
 use crate::walls::{Motion, Shape};
 use demeter_physics::contact::LawChoice;
@@ -124,9 +125,11 @@ fn contacts_follow_grains_into_another_order() {
     for stride in [7, 1001] {
         // neither has a divisor in common with the number of grains
         let n = sim.grains.len() as u32;
-        sim.order.choose(sim.grains.len(), (0..n).map(|k| (k * stride + 3) % n));
-        sim.order.apply(&mut sim.grains);
-        sim.continue_with_candidates(Places::New);
+        let mut places = NewPlaces::unknown(sim.grains.len());
+        (0..n).for_each(|k| places.note((k * stride + 3) % n, k));
+        let moves = Moves::Reordered(places);
+        moves.apply(&mut sim.grains);
+        sim.continue_with_candidates(Places::New(moves));
         assert!(carried(&sim) == expected);
     }
     // as scattered as they are now, the grains are put in order again

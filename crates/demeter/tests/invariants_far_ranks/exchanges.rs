@@ -87,9 +87,9 @@ fn restored(setup: Setup, saved: &[u8]) -> Simulation {
     Simulation::resume(setup, postcard::from_bytes(saved).unwrap()).unwrap()
 }
 
-/// Whether grains that came lie before others that were there at the start.
-fn were_sorted(sim: &Simulation) -> bool {
-    let came = |id: u32| id > LENGTH * WIDTH * WIDTH;
+/// Whether grains that came lie before others that were there at the start, so many layers.
+fn were_sorted(sim: &Simulation, length: u32) -> bool {
+    let came = |id: u32| id > length * WIDTH * WIDTH;
     sim.grains().id.windows(2).any(|ids| came(ids[0]) && !came(ids[1]))
 }
 
@@ -129,7 +129,10 @@ fn compare(what: &str, setup: impl Fn() -> Setup + Sync, counts: &[usize]) {
         let (halfway, state) = saved(&mut sim);
         let mut sim = restored(setup(), &state);
         go_on(&mut sim, rounds[1].clone());
-        assert!(were_sorted(&sim), "{what}: grains were never put in order again");
+        assert!(
+            were_sorted(&sim, LENGTH),
+            "{what}: grains were never put in order again"
+        );
         (halfway, saved(&mut sim).0)
     });
     for (k, &count) in counts.iter().enumerate() {
@@ -226,5 +229,46 @@ fn an_exchange_does_not_tell_the_whole() {
         // places of some segments, and the grains and contacts of up to half a segment at each cut
         let most = 48.0 + 2.0 * 256.0 * 400.0 / own_grains;
         assert!(goes < most && comes < most && whole > 200.0, "{count} processes");
+    }
+}
+
+/// Bytes per own grain that a rank tells all, and that it tells some, when grains that came all over the duct are put in order with the
+/// others.
+fn told_of_an_order(length: u32, count: usize) -> [f64; 2] {
+    let told = on_ranks(count, |rank| {
+        on_threads(1, || {
+            let setup = Setup {
+                skin: Skin::Fixed(0.2 * RADIUS),
+                ..duct(length, [false; 3], &[1.0, 0.9])
+            };
+            let mut sim = begin(setup, Some(rank));
+            for round in 0..40 {
+                let before = sim.sharing().unwrap().traffic;
+                sim.exchange(&[], &coming(round, ALL_OVER)).unwrap();
+                let after = sim.sharing().unwrap().traffic;
+                sim.make_whole();
+                if were_sorted(&sim, length) {
+                    return [after.round_bytes - before.round_bytes, after.bytes - before.bytes];
+                }
+                sim.step().unwrap();
+            }
+            panic!("grains were never put in order again")
+        })
+    });
+    let own_grains = f64::from(length * WIDTH * WIDTH) / count as f64;
+    [0, 1].map(|what| told.iter().map(|told| told[what]).max().unwrap() as f64 / own_grains)
+}
+
+#[test]
+fn what_a_process_hears_of_the_order_does_not_grow_with_the_run() {
+    for (length, count) in [(LENGTH, 4), (2 * LENGTH, 8)] {
+        let [to_all, to_some] = told_of_an_order(length, count);
+        report(
+            &format!("an order of {count} processes: bytes told to all, per own grain"),
+            to_all,
+        );
+        report("and to some", to_some);
+        // the place and the id of each grain would be 8 bytes
+        assert!(to_all < 2.0, "{to_all} bytes of each grain are told to all");
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::comm::Ranks;
 use crate::scenario::Scenario;
-use crate::scenario::input_files::InputFile;
+use crate::scenario::input_files::{Content, InputFile, content};
 use crate::scenario::run_error::RunError;
 use serde::{Deserialize, Serialize};
 
@@ -10,18 +10,18 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Inputs {
     version: String,
-    /// Checksums of the program, and of the scenario as it is run.
-    program: Option<u32>,
+    program: Option<Content>,
+    /// Checksum of the scenario as it is run.
     scenario: u32,
     files: Vec<InputFile>,
 }
 
 impl Inputs {
     pub(super) fn of(scenario: &Scenario) -> Self {
-        let program = std::env::current_exe().and_then(std::fs::read);
+        let program = std::env::current_exe().and_then(|path| content(&path));
         Self {
             version: crate::VERSION.to_string(),
-            program: program.ok().map(|bytes| crc32fast::hash(&bytes)),
+            program: program.ok(),
             scenario: crc32fast::hash(scenario.to_resolved_toml().as_bytes()),
             files: scenario.input_files(),
         }

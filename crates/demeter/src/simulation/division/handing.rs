@@ -1,12 +1,12 @@
 //! Grains that get another process: where they are put in order again, where some go, and where the work is divided anew.
 //!
-//! All processes know which place every grain gets in memory, and cut the segments alike. So each knows what leaves it, and what it will
-//! hear: how the grains move, and the contacts that they are in.
+//! Every process knows which place the grains get that it knows, and all cut the segments alike. So each knows what leaves it, and tells
+//! it: how the grains move, and the contacts that they are in.
 
-use super::{Division, Introduced, WORK_OF_A_GRAIN, all_introduced, encode, introduced_of};
+use super::{Division, Introduced, WORK_OF_A_GRAIN, encode, introduced_of};
 use crate::comm::Message;
-use crate::contacts::PairsAndWalls;
-use crate::neighbours::{Bounds, Curve, GONE};
+use crate::contacts::{PairsAndWalls, grains_in};
+use crate::neighbours::Moves;
 use crate::particles::spread::Spread;
 use crate::simulation::Simulation;
 use serde::{Deserialize, Serialize};
@@ -18,8 +18,12 @@ const BYTES: usize = size_of::<f64>();
 /// What a process tells another of grains that become its own.
 #[derive(Default, Serialize, Deserialize)]
 struct Leaving {
+    /// New indices of the grains, which rise.
+    places: Vec<u32>,
     grains: Vec<u8>,
     contacts: PairsAndWalls,
+    /// Old and new indices of the grains in these contacts, where grains are put in another order.
+    moves: Vec<(u32, u32)>,
     /// How the grains of whole segments move in this step; nothing where grains get other places in memory.
     spreads: Vec<Spread>,
 }
@@ -28,15 +32,15 @@ struct Leaving {
 struct Owners<'a> {
     before: &'a [usize],
     after: &'a [usize],
-    moved_to: &'a [u32],
+    moves: &'a Moves,
     per_segment: usize,
 }
 
 impl Owners<'_> {
     /// The process of a grain, told by its old index, before and after; after nowhere where it is gone.
     fn of(&self, grain: u32) -> (usize, Option<usize>) {
-        let to = self.moved_to[grain as usize];
-        let after = (to != GONE).then(|| rank_in(self.after, to as usize / self.per_segment));
+        let to = self.moves.of(grain);
+        let after = to.map(|to| rank_in(self.after, to as usize / self.per_segment));
         (rank_in(self.before, grain as usize / self.per_segment), after)
     }
 
@@ -88,27 +92,32 @@ impl Division {
         self.own = (own.start * per_segment).min(grains)..(own.end * per_segment).min(grains);
     }
 
-    /// Which grains need not be introduced again: their process stays the same and has told the other of them before.
-    fn still_introduced(&self, owners: &Owners<'_>, count: usize) -> Introduced {
-        let n = owners.per_segment;
-        let mut still = Introduced::new();
+    /// Which grains need not be introduced again: their process stays the same and has told the other of them before. Beside them the
+    /// new and old indices of those of others.
+    fn still_introduced(&self, owners: &Owners<'_>) -> (Introduced, Vec<(usize, usize)>) {
+        let (n, count, rank) = (owners.per_segment, owners.moves.count(), self.ranks.rank());
+        let (mut still, mut of_others) = (Introduced::new(), Vec::new());
         for (&(other, segment), grains) in &self.introduced {
             let teller = rank_in(owners.before, segment);
             for grain in introduced_of(segment * n, grains) {
-                let to = owners.moved_to[grain];
-                if to != GONE && rank_in(owners.after, to as usize / n) == teller {
-                    let first = to as usize / n * n;
-                    let of_segment = still.entry((other, first / n)).or_default();
-                    of_segment.resize(n.min(count - first), false);
-                    of_segment[to as usize - first] = true;
+                let to = owners.moves.of(grain as u32).map(|to| to as usize);
+                let Some(to) = to.filter(|to| rank_in(owners.after, to / n) == teller) else {
+                    continue;
+                };
+                let first = to / n * n;
+                let of_segment = still.entry((other, first / n)).or_default();
+                of_segment.resize(n.min(count - first), false);
+                of_segment[to - first] = true;
+                if teller != rank {
+                    of_others.push((to, grain));
                 }
             }
         }
-        still
+        (still, of_others)
     }
 
     /// Tells some others some bytes, and hears what each of them tells; those who are told tell, too.
-    fn swap(&self, told: Vec<(usize, Vec<u8>)>) -> Vec<(usize, Vec<u8>)> {
+    pub(super) fn swap(&self, told: Vec<(usize, Vec<u8>)>) -> Vec<(usize, Vec<u8>)> {
         let mut messages: Vec<Message> = Vec::with_capacity(told.len());
         messages.extend(told.iter().map(|(rank, bytes)| Message {
             rank: *rank,
@@ -132,90 +141,45 @@ impl Division {
 }
 
 impl Simulation {
-    /// Finds the order of the grains of all processes along the curve.
-    pub(super) fn find_order_together(&mut self) {
-        let Some(division) = &self.division else { return };
-        let rows = &self.grains.position.rows()[division.own.clone()];
-        let Bounds { lower, upper } = Bounds::of_centres(rows);
-        let told = division
-            .ranks
-            .gather_even(bytemuck::cast_slice(&[lower.to_array(), upper.to_array()]));
-        let all = told.chunks_exact(2 * size_of::<[f64; 3]>()).map(|corners| {
-            let [lower, upper]: [[f64; 3]; 2] = bytemuck::pod_read_unaligned(corners);
-            Bounds {
-                lower: lower.into(),
-                upper: upper.into(),
-            }
-        });
-        let curve = Curve::new(all.fold(Bounds::NOTHING, Bounds::join), self.grains.len());
-        // whatever is not told of a place is 0
-        let width = if curve.is_short() {
-            size_of::<u32>()
-        } else {
-            size_of::<u64>()
-        };
-        let ids = &self.grains.id[division.own.clone()];
-        let mut mine = Vec::with_capacity((width + size_of::<u32>()) * rows.len());
-        for (row, id) in rows.iter().zip(ids) {
-            mine.extend_from_slice(&curve.place(row.vector).to_le_bytes()[..width]);
-            mine.extend_from_slice(&id.to_le_bytes());
-        }
-        let told = division.ranks.gather(&mine).concat();
-        let width_of_both = width + size_of::<u32>();
-        if told.len() != width_of_both * self.grains.len() {
-            division.ranks.give_up("another process has other grains");
-        }
-        let place_and_id = |grain: usize| {
-            let (place, id) = told[width_of_both * grain..width_of_both * (grain + 1)].split_at(width);
-            let mut bytes = [0; size_of::<u64>()];
-            bytes[..width].copy_from_slice(place);
-            (u64::from_le_bytes(bytes), bytemuck::pod_read_unaligned(id))
-        };
-        self.order.find(self.grains.len(), place_and_id);
-    }
-
     /// Where segments are cut so that all processes have as much to do with the grains in their new order.
-    pub(super) fn even_cuts(&self) -> Vec<usize> {
+    pub(super) fn even_cuts(&self, moves: &Moves) -> Vec<usize> {
         let Some(division) = &self.division else {
             return Vec::new();
         };
-        let (per_segment, moved_to) = (self.neighbours.grains_per_segment(), self.order.moved_to());
+        let per_segment = self.neighbours.grains_per_segment();
         let mut mine: BTreeMap<u32, u32> = BTreeMap::new();
-        let mut add = |place: u32, work: usize| {
-            if place != GONE {
-                *mine.entry(place / per_segment as u32).or_default() += work as u32;
-            }
-        };
-        moved_to[division.own.clone()]
-            .iter()
-            .for_each(|&to| add(to, WORK_OF_A_GRAIN));
+        let mut add = |place: u32, work: usize| *mine.entry(place / per_segment as u32).or_default() += work as u32;
+        let own = division.own.start as u32..division.own.end as u32;
+        own.filter_map(|grain| moves.of(grain))
+            .for_each(|to| add(to, WORK_OF_A_GRAIN));
         for (one, other) in self.neighbours.bearers(&division.own) {
-            let [one, other] = [one, other].map(|grain| moved_to[grain as usize]);
             // a pair goes with the later of its grains
-            add(if other == GONE { GONE } else { one.max(other) }, 1);
+            if let (Some(one), Some(other)) = (moves.of(one), moves.of(other)) {
+                add(one.max(other), 1);
+            }
         }
         let mine: Vec<(u32, u32)> = mine.into_iter().collect();
-        let mut work = vec![0; self.order.order().len().div_ceil(per_segment)];
-        for told in division.ranks.gather(&encode(&mine)) {
-            for (segment, of_segment) in division.decode::<Vec<(u32, u32)>>(&told) {
-                match work.get_mut(segment as usize) {
-                    Some(work) => *work += of_segment as usize,
-                    None => division.ranks.give_up("another process has other grains"),
-                }
+        let mut work = vec![0; moves.count().div_ceil(per_segment)];
+        for (segment, of_segment) in division.told_by_all(&mine).concat() {
+            match work.get_mut(segment as usize) {
+                Some(work) => *work += of_segment as usize,
+                None => division.ranks.give_up("another process has other grains"),
             }
         }
         division.even_cuts(work)
     }
 
-    /// Where segments are cut so that nearly all grains that stay in the run stay with their processes.
-    pub(super) fn same_cuts(&self) -> Vec<usize> {
+    /// Where segments are cut so that nearly all grains that stay in the run stay with their processes, told by rising indices which
+    /// are gone.
+    pub(super) fn same_cuts(&self, gone: &[usize]) -> Vec<usize> {
         let Some(division) = &self.division else {
             return Vec::new();
         };
-        let (per_segment, order) = (self.neighbours.grains_per_segment(), self.order.order());
-        let segments = order.len().div_ceil(per_segment);
+        let per_segment = self.neighbours.grains_per_segment();
+        let segments = (self.grains.len() - gone.len()).div_ceil(per_segment);
         let cut = |&before: &usize| {
-            let first = order.partition_point(|&grain| (grain as usize) < before * per_segment);
+            let before = (before * per_segment).min(self.grains.len());
+            let first = before - gone.partition_point(|&grain| grain < before);
             ((first + per_segment / 2) / per_segment).min(segments)
         };
         let ranks = division.ranks.count();
@@ -223,9 +187,9 @@ impl Simulation {
         std::iter::once(0).chain(inner).chain([segments]).collect()
     }
 
-    /// Puts the grains into the order that was found, and gives each to the process that has its segment then. `are_moved` tells whether
-    /// any gets another place in memory. Each calls this.
-    pub(super) fn hand_over_grains(&mut self, cuts: Vec<usize>, are_moved: bool) {
+    /// Puts the grains where they go, and gives each to the process that has its segment then. `are_moved` tells whether any gets another
+    /// place in memory. Comes to know where grains go that were unknown here and are in contacts that others had. Each calls this.
+    pub(super) fn hand_over_grains(&mut self, cuts: Vec<usize>, moves: &mut Moves, are_moved: bool) {
         let Some(mut division) = self.division.take() else {
             return;
         };
@@ -233,41 +197,38 @@ impl Simulation {
         let owners = Owners {
             before: &division.cuts,
             after: &cuts,
-            moved_to: self.order.moved_to(),
+            moves,
             per_segment,
         };
         let mut told = self.leaving(&division, &owners, are_moved);
-        let mut arriving: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        let (first, end) = (cuts[rank] * per_segment, cuts[rank + 1] * per_segment);
-        for (to, &from) in self.order.order().iter().enumerate().take(end).skip(first) {
-            let before = rank_in(owners.before, from as usize / per_segment);
-            if before != rank {
-                arriving.entry(before).or_default().push(to);
-            }
-        }
-        let others: BTreeSet<usize> = told.keys().chain(arriving.keys()).copied().collect();
+        let receivers: Vec<usize> = told.keys().copied().collect();
+        let of_all = division.told_by_all(&receivers);
+        let tellers = (0..of_all.len()).filter(|&other| of_all[other].contains(&rank));
+        let others: BTreeSet<usize> = told.keys().copied().chain(tellers).collect();
         let told = others
             .iter()
             .map(|other| (*other, encode(&told.remove(other).unwrap_or_default())));
         let heard = division.swap(told.collect());
-        let before = division.cuts.clone();
-        let order = self.order.order();
-        let introduced = division.still_introduced(&owners, order.len());
-        let own = first.min(order.len())..end.min(order.len());
-        let stay = own.clone().filter(|&to| division.own.contains(&(order[to] as usize)));
-        let near = all_introduced(&introduced, per_segment);
-        let known = stay.chain(near.filter(|to| !own.contains(to)));
-        self.grains.keep(order.len(), known.map(|to| (to, order[to] as usize)));
+        let (introduced, of_others) = division.still_introduced(&owners);
+        let stay = division.own.clone().filter_map(|grain| {
+            let (_, after) = owners.of(grain as u32);
+            let to = moves.of(grain as u32).filter(|_| after == Some(rank));
+            to.map(|to| (to as usize, grain))
+        });
+        self.grains.keep(moves.count(), stay.chain(of_others.iter().copied()));
+        let before = std::mem::take(&mut division.cuts);
         division.introduced = introduced;
         division.take_cuts(cuts, per_segment, self.grains.len());
         for (other, bytes) in heard {
             let leaving: Leaving = division.decode(&bytes);
-            let mine = arriving.remove(&other).unwrap_or_default();
             let theirs = before[other]..before[other + 1];
             let segments = division.segments().filter(|segment| theirs.contains(segment));
-            if !self.grains.unpack(mine.iter().copied(), &leaving.grains) {
+            let places = leaving.places.iter().map(|&place| place as usize);
+            let are_mine = places.clone().all(|place| division.own.contains(&place));
+            if !(are_mine && self.grains.unpack(places, &leaving.grains)) {
                 division.ranks.give_up("another process has other grains");
             }
+            leaving.moves.iter().for_each(|&(grain, to)| moves.note(grain, to));
             self.contacts.join(leaving.contacts);
             for (segment, spread) in segments.zip(leaving.spreads) {
                 let of_segment = self.neighbours.spreads_of_segment(segment);
@@ -287,10 +248,10 @@ impl Simulation {
         let rank = division.ranks.rank();
         let mut grains: BTreeMap<usize, Vec<(u32, usize)>> = BTreeMap::new();
         for grain in division.own.clone() {
-            if let (_, Some(after)) = owners.of(grain as u32)
+            let (_, after) = owners.of(grain as u32);
+            if let (Some(after), Some(place)) = (after, owners.moves.of(grain as u32))
                 && after != rank
             {
-                let place = owners.moved_to[grain];
                 grains.entry(after).or_default().push((place, grain));
             }
         }
@@ -308,9 +269,12 @@ impl Simulation {
                 let spreads = self.spreads.get(of_segment).unwrap_or_default();
                 spreads.iter().copied().fold(Spread::NONE, Spread::join)
             });
+            let contacts = contacts.remove(&other).unwrap_or_default();
             let leaving = Leaving {
+                places: grains.iter().map(|&(place, _)| place).collect(),
                 grains: self.grains.pack(grains.iter().map(|&(_, grain)| grain)),
-                contacts: contacts.remove(&other).unwrap_or_default(),
+                moves: owners.moves.to_be_told(grains_in(&contacts)),
+                contacts,
                 spreads: spreads.collect(),
             };
             (other, leaving)

@@ -2,7 +2,7 @@
 
 use super::{Division, WORK_OF_A_GRAIN, encode};
 use crate::contacts::{NearTables, PairsAndWalls};
-use crate::neighbours::{FormerPlaces, SegmentsOfCandidates};
+use crate::neighbours::{FormerPlaces, SegmentsOfCandidates, put_in_order};
 use crate::particles::HigherDerivatives;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::simulation::{Simulation, memory};
@@ -62,7 +62,7 @@ impl Simulation {
     fn cuts_to_hand_out(&mut self, division: &Division) -> Vec<usize> {
         if self.rebuilds == 0 {
             // in the order of the first search, so that few grains go on from one process to another then
-            self.order.sort(&mut self.grains);
+            put_in_order(&mut self.grains);
             self.neighbours = self.neighbours.before_search(&self.grains, &self.materials);
         }
         let neighbours = &self.neighbours;

@@ -1,6 +1,6 @@
 //! What processes that share a run tell each other in a step.
 
-use super::{Division, NUMBERS, encode};
+use super::{Division, NUMBERS};
 use crate::contacts::Fault;
 use crate::contacts::step_work::WorkShare;
 use crate::particles::spread::{NUMBERS_OF_A_SPREAD, Spread};
@@ -164,8 +164,7 @@ impl Simulation {
         let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
             return here;
         };
-        let all = division.ranks.gather(&encode(&here));
-        all.iter().flat_map(|of| division.decode::<Vec<T>>(of)).collect()
+        division.told_by_all(&here).into_iter().flatten().collect()
     }
 
     /// The fault of the grain with the lowest id, where any process has found one.

@@ -3,7 +3,7 @@
 //!
 //! Whose boxes are near is found by both sides from the same numbers, so that both know what is told.
 
-use super::{Division, Introduced, Segment, encode};
+use super::{Division, Introduced, Segment};
 use crate::comm::Message;
 use crate::neighbours::{Bounds, BoxesOfClasses, CORNERS, Extremes, Reach, SizeClasses, Vicinity};
 use crate::particles::{CONSTANTS, Grains};
@@ -46,8 +46,7 @@ impl Division {
             .map(|rows| classes.among(rows))
             .collect();
         let mine: Sizes = (own.members().to_vec(), among);
-        for told in self.ranks.gather(&encode(&mine)) {
-            let (members, among) = self.decode::<Sizes>(&told);
+        for (members, among) in self.told_by_all(&mine) {
             classes.join(&members);
             of_segments.extend(among);
         }
