@@ -104,36 +104,71 @@ pub(crate) fn at_home<W: Divisible, R: Send + Default>(
     if cuts.is_empty() {
         return does(0, work);
     }
-    let (mut parts, mut rest, mut begin) = (Vec::with_capacity(cuts.len() + 1), work, first);
-    for &cut in cuts {
-        let (part, others) = rest.split(cut - begin);
-        parts.push(Mutex::new(Part::Open(part)));
-        (rest, begin) = (others, cut);
+    part_by_part(None, (first, cuts), work, does, merge)
+}
+
+/// The same, told the parts that were cut already. Each stands in the frame of a call, so that none takes memory of the heap.
+fn part_by_part<W: Divisible, R: Send + Default>(
+    before: Option<&Part<'_, W, R>>,
+    (begin, cuts): (usize, &[usize]),
+    work: W,
+    does: &(impl Fn(usize, W) -> R + Sync),
+    merge: &(impl Fn(R, R) -> R + Sync),
+) -> R {
+    let number = before.map_or(0, |last| last.number + 1);
+    let new = |work| Part {
+        number,
+        state: Mutex::new(State::Open(work)),
+        before,
+    };
+    if let Some((&cut, cuts)) = cuts.split_first() {
+        let (work, others) = work.split(cut - begin);
+        return part_by_part(Some(&new(work)), (cut, cuts), others, does, merge);
     }
-    parts.push(Mutex::new(Part::Open(rest)));
-    let count = parts.len();
+    let last = new(work);
+    let count = number + 1;
     let next = || {
         let home = rayon::current_thread_index().unwrap_or(0);
         let mut from_home = (0..count).map(|k| (home + k) % count);
         // this is called once for each part, so one is left
-        if let Some((part, work)) = from_home.find_map(|part| Some((part, locked(&parts[part]).take()?))) {
-            let found = does(part, work);
-            *locked(&parts[part]) = Part::Done(found);
+        let open = |number| {
+            let part = last.and_before().nth(count - 1 - number)?;
+            Some((part, locked(&part.state).take()?))
+        };
+        if let Some((part, work)) = from_home.find_map(open) {
+            let found = does(part.number, work);
+            *locked(&part.state) = State::Done(found);
         }
     };
     times(count, &next);
-    let found = parts.iter().filter_map(|part| locked(part).done());
-    found.reduce(merge).unwrap_or_default()
+    let from_behind = last.and_before().filter_map(|part| locked(&part.state).done());
+    from_behind
+        .reduce(|behind, found| merge(found, behind))
+        .unwrap_or_default()
 }
 
-/// A part of some work, and then what was found.
-enum Part<W, R> {
+/// A part of some work, and those before it.
+struct Part<'a, W, R> {
+    number: usize,
+    state: Mutex<State<W, R>>,
+    before: Option<&'a Self>,
+}
+
+impl<W, R> Part<'_, W, R> {
+    /// This one and those before it, from the last to the first.
+    fn and_before(&self) -> impl Iterator<Item = &Self> {
+        std::iter::successors(Some(self), |part| part.before)
+    }
+}
+
+/// What is to be done of a part, and then what was found.
+enum State<W, R> {
     Open(W),
     Taken,
     Done(R),
 }
 
-impl<W, R> Part<W, R> {
+impl<W, R> State<W, R> {
     fn take(&mut self) -> Option<W> {
         match std::mem::replace(self, Self::Taken) {
             Self::Open(work) => Some(work),
@@ -211,23 +246,18 @@ pub(crate) fn divide_at<W: Divisible, R: Send + Default>(
 
 /// Does work in pieces from the end to the beginning.
 fn backwards<W: Divisible, R>(work: W, most: usize, does: &impl Fn(W) -> R, merge: &impl Fn(R, R) -> R) -> R {
-    let mut rest = work;
-    let mut found = None;
+    let (mut rest, mut behind) = (work, None);
+    let and_behind = |found: R, behind: Option<R>| match behind {
+        Some(behind) => merge(found, behind),
+        None => found,
+    };
     while rest.len() > most {
         let last = (rest.len() - 1) / most * most;
         let (others, piece) = rest.split(last);
-        let of_piece = does(piece);
-        found = Some(match found {
-            Some(behind) => merge(of_piece, behind),
-            None => of_piece,
-        });
+        behind = Some(and_behind(does(piece), behind));
         rest = others;
     }
-    let of_first = does(rest);
-    match found {
-        Some(behind) => merge(of_first, behind),
-        None => of_first,
-    }
+    and_behind(does(rest), behind)
 }
 
 #[cfg(test)]
