@@ -48,7 +48,7 @@ fn snapshot(sim: &Simulation) -> Vec<u8> {
     // pairs that are merely near come and go with the candidates
     let contacts: Vec<(ContactKey, f64, Vec<f64>)> = (sim.contacts.carry(g).iter())
         .filter(|c| c.is_engaged)
-        .map(|c| (c.key, c.normal_force, c.history.to_vec()))
+        .map(|c| (c.key, c.normal_force, c.history.clone()))
         .collect();
     postcard::to_stdvec(&(grains, contacts)).unwrap()
 }

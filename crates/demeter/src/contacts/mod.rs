@@ -11,6 +11,7 @@
 
 mod asking;
 mod at_walls;
+mod carried;
 pub mod coupling;
 mod evaluate;
 mod fault;
@@ -26,6 +27,7 @@ mod near;
 mod near_triangles;
 mod rare;
 mod respond;
+mod saved;
 mod shares;
 pub(crate) mod step_work;
 pub mod sum;
@@ -41,7 +43,8 @@ pub(crate) use leaving::{PairsAndWalls, grains_in};
 pub use narrow::Scene;
 pub(crate) use near::Approach;
 pub use near::NearTables;
-pub use transfer::{CarriedContact, CarriedContacts, ContactKey};
+pub use carried::{CarriedContact, ContactKey};
+pub(crate) use saved::SavedContacts;
 
 pub use crate::neighbours::CHUNK;
 

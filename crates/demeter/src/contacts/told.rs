@@ -37,6 +37,23 @@ impl Told {
         eight.map_or(DVec3::ZERO, |[x, y, z]| Vec3::new(x[lane], y[lane], z[lane]).as_dvec3())
     }
 
+    /// Those of so many contacts, in the singles that they are.
+    pub(super) fn singles(&self, contacts: usize) -> Vec<[f32; 3]> {
+        (0..contacts)
+            .map(|contact| self.of(contact).as_vec3().to_array())
+            .collect()
+    }
+
+    /// Of contacts, as [`Told::singles`] told them.
+    pub(super) fn of_singles(singles: &[[f32; 3]]) -> Self {
+        let mut told = Self::default();
+        told.resize(singles.len());
+        for (contact, &single) in singles.iter().enumerate() {
+            told.put(contact, Vec3::from_array(single).as_dvec3());
+        }
+        told
+    }
+
     /// Puts that of a contact.
     #[inline(always)]
     pub(super) fn put(&mut self, contact: usize, vector: DVec3) {

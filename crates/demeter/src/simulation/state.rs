@@ -4,7 +4,7 @@ use super::deforming_box::DeformingState;
 use super::skin::SkinTuner;
 use super::{Books, Setup, Simulation, memory};
 use crate::comm::parts::{Part, Saved};
-use crate::contacts::{CarriedContacts, NearTables};
+use crate::contacts::{NearTables, SavedContacts};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
@@ -28,7 +28,7 @@ pub struct SimulationState<'a> {
     pub(crate) grains: Saved<'a, Grains>,
     /// Walls, in the order of the scenario.
     pub walls: Vec<WallState>,
-    contacts: CarriedContacts<'a>,
+    contacts: SavedContacts<'a>,
     neighbours: Saved<'a, Neighbours>,
     books: Books,
     rebuilds: u64,
@@ -118,8 +118,6 @@ impl SimulationState<'_> {
             Err(StateError::Inconsistent("the reach of the table of contacts"))
         } else if !self.deforming.as_ref().is_none_or(|d| d.is_sound(self.dt)) {
             Err(StateError::Inconsistent("the box that deforms"))
-        } else if !self.contacts.iter().is_sorted_by_key(|c| c.key) {
-            Err(StateError::Inconsistent("contacts"))
         } else if self.started != (self.rebuilds > 0) || !self.started && self.neighbours.segments() > 0 {
             Err(StateError::Inconsistent("whether it has begun"))
         } else {
@@ -148,7 +146,7 @@ impl Simulation {
             dt: self.dt,
             grains: Saved::new(Cow::Borrowed(&self.grains), &part),
             walls: self.walls.iter().map(Wall::state).collect(),
-            contacts: self.carried_contacts(&part),
+            contacts: self.saved_contacts(&part),
             neighbours: Saved::new(Cow::Borrowed(&self.neighbours), &part),
             books: self.books,
             rebuilds: self.rebuilds,
@@ -206,7 +204,8 @@ impl Simulation {
         if sim.started && !sim.neighbours.restore(&sim.grains, walls, materials) {
             return Err(StateError::Inconsistent("candidate pairs"));
         }
-        sim.contacts.adopt(&sim.grains, &sim.neighbours, &state.contacts);
+        let contacts = state.contacts.restored(&sim.neighbours, sim.contacts.stride);
+        [sim.contacts.pairs, sim.contacts.walls] = contacts.ok_or(StateError::Inconsistent("contacts"))?;
         sim.walls_before = sim.walls.iter().map(Wall::pose).collect();
         memory::give_back();
         Ok(sim)

@@ -6,7 +6,6 @@ use crate::particles::{MOST_CROSSINGS, NewGrain, Outside};
 use crate::walls::{Motion, Shape};
 use demeter_physics::contact::LawChoice;
 use demeter_physics::parameters::Value;
-use std::borrow::Cow;
 
 /// Grains per edge of the lattice.
 const EDGE: u32 = 12;
@@ -103,7 +102,7 @@ fn squeezed() -> Simulation {
 /// All engaged contacts: pairs that are merely near come and go with the candidates.
 fn carried(sim: &Simulation) -> Vec<CarriedContact> {
     let all = sim.contacts.carry(&sim.grains);
-    all.iter().map(Cow::into_owned).filter(|c| c.is_engaged).collect()
+    all.into_iter().filter(|c| c.is_engaged).collect()
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::comm::parts::Part;
 use crate::comm::together::Together;
-use crate::contacts::CarriedContacts;
+use crate::contacts::SavedContacts;
 use crate::neighbours::Neighbours;
 use crate::simulation::Simulation;
 use std::ops::Range;
@@ -24,12 +24,12 @@ impl Simulation {
     }
 
     /// The own contacts, to be written together with those of others.
-    pub(in crate::simulation) fn carried_contacts<'a>(&'a self, part: &Part<'a>) -> CarriedContacts<'a> {
+    pub(in crate::simulation) fn saved_contacts<'a>(&'a self, part: &Part<'a>) -> SavedContacts<'a> {
         let end = self.neighbours.segments();
         let segments = part.segments.start.min(end)..part.segments.end.min(end);
         let pairs = self.chunks_of(segments.clone(), Neighbours::chunks_of_segment);
         let walls = self.chunks_of(segments, Neighbours::wall_chunks_of_segment);
-        self.contacts.carry_some((pairs, walls), &self.grains, part.together)
+        SavedContacts::of(&self.contacts, [pairs, walls], part.together)
     }
 
     /// Chunks of contacts with walls of the own segments.
