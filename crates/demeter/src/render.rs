@@ -7,7 +7,7 @@ use crate::output::vtp::{PolyData, Values};
 use crate::output::{ContactRecord, Frame, FramePart, MATERIAL_NAMES, WALL_NAMES, WallSurface};
 use crate::particles::{Grains, Rows};
 use crate::results::{ResultsError, Run, TableFile, TableKind};
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use std::str::FromStr;
 
 /// A cut that is not understood.
@@ -109,9 +109,9 @@ impl LoadedFrame {
                 position: position[k],
                 normal: normal[k],
                 overlap: overlap[k],
-                normal_force: push[k],
-                tangential_force: drag[k],
-                rolling_torque: DVec3::ZERO,
+                push: push[k].dot(normal[k]) as f32,
+                drag: drag[k].as_vec3(),
+                torque: Vec3::ZERO,
             })
             .collect();
         Ok(())

@@ -177,7 +177,7 @@ fn contacts_below_the_threshold_and_without_force_do_not_count() {
     let records = contact_records(&sim);
     assert_eq!(records.len(), 3);
     // the dashpot takes a little of the forces of the first step
-    let mut forces: Vec<f64> = records.iter().map(|c| c.normal_force.length()).collect();
+    let mut forces: Vec<f64> = records.iter().map(|c| c.repulsion().abs()).collect();
     forces.sort_by(f64::total_cmp);
     for (force, overlap) in forces.iter().zip([0.01, 0.02, 0.03]) {
         assert!(

@@ -39,12 +39,12 @@ fn check_balance(sim: &Simulation) -> Vec<ContactRecord> {
         let mut force = DVec3::new(0.0, 0.0, -weight);
         let mut torque = DVec3::ZERO;
         for c in &records {
-            let on_i = c.normal_force + c.tangential_force;
+            let on_i = c.force();
             let sign = if c.id_i == id { 1.0 } else { -1.0 };
             if c.id_i == id || c.id_j == id {
                 force += on_i * sign;
                 let arm = c.position - sim.grains().position[index(sim, id)];
-                torque += arm.cross(on_i * sign) + c.rolling_torque * sign;
+                torque += arm.cross(on_i * sign) + c.rolling_torque() * sign;
             }
         }
         report(&format!("grain {id}: unbalanced force"), force.length() / weight);
@@ -65,7 +65,7 @@ fn forces(records: &[ContactRecord], grain: u32, partner: Partner) -> (f64, f64)
         Partner::Wall(wall) => c.wall == wall && c.id_i == grain,
     };
     let c = records.iter().find(fits).unwrap();
-    (c.normal_force.length(), c.tangential_force.length())
+    (c.repulsion().abs(), c.tangential_force().length())
 }
 
 #[derive(Clone, Copy)]

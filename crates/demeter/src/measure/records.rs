@@ -12,10 +12,22 @@ use rayon::prelude::*;
 /// Bodies that are near, or touch without force, are left out: they would appear as contacts in pictures and counts, and
 /// as many of them as the time step and the reach of the law happen to gather.
 pub fn contact_records(sim: &Simulation) -> Vec<ContactRecord> {
-    let mut all = Vec::with_capacity(sim.contacts.acting_pairs() + sim.contacts.acting_walls());
-    all.extend(acting(&sim.contacts.pairs, false));
-    all.extend(acting(&sim.contacts.walls, true));
-    all.par_iter().map(|contact| record(sim, contact)).collect()
+    let contacts = &sim.contacts;
+    let mut records = vec![ContactRecord::default(); contacts.acting_pairs() + contacts.acting_walls()];
+    let (mut rest, mut of_chunks) = (&mut records[..], Vec::new());
+    for (with_wall, chunks) in [(false, &contacts.pairs), (true, &contacts.walls)] {
+        for chunk in chunks {
+            let (of_chunk, others) = std::mem::take(&mut rest).split_at_mut(chunk.acting());
+            of_chunks.push((chunk, with_wall, of_chunk));
+            rest = others;
+        }
+    }
+    of_chunks.into_par_iter().for_each(|(chunk, with_wall, of_chunk)| {
+        for (to, contact) in of_chunk.iter_mut().zip(acting(std::slice::from_ref(chunk), with_wall)) {
+            *to = record(sim, &contact);
+        }
+    });
+    records
 }
 
 /// What this process has of a frame with these contacts.
@@ -67,9 +79,9 @@ impl ContactColumns {
             position: vectors(|c| c.position),
             normal: vectors(|c| c.normal),
             force: vectors(ContactRecord::force),
-            normal_force: vectors(|c| c.normal_force),
-            tangential_force: vectors(|c| c.tangential_force),
-            rolling_torque: vectors(|c| c.rolling_torque),
+            normal_force: vectors(ContactRecord::normal_force),
+            tangential_force: vectors(ContactRecord::tangential_force),
+            rolling_torque: vectors(ContactRecord::rolling_torque),
         }
     }
 }
@@ -90,9 +102,9 @@ fn record(sim: &Simulation, acting: &Acting<'_>) -> ContactRecord {
         position: sim.grains.position[i] - contact.normal * contact.lever_i,
         normal: contact.normal,
         overlap: contact.overlap,
-        normal_force: contact.normal * chunk.normal_force(place),
-        tangential_force: chunk.tangential_force(place),
-        rolling_torque: chunk.rolling_torque(place),
+        push: chunk.normal_force(place) as f32,
+        drag: chunk.tangential_force(place).as_vec3(),
+        torque: chunk.rolling_torque(place).as_vec3(),
     }
 }
 

@@ -4,12 +4,12 @@ use crate::comm::together::Together;
 use crate::materials::Material;
 use crate::particles::{ById, Grains};
 use crate::walls::ElementRecord;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// A contact as it is written.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A contact as it is written. Forces and torque are in single precision, as the tables of contacts hold them: a frame has many of these.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactRecord {
     /// Id of the first grain.
     pub id_i: u32,
@@ -25,12 +25,12 @@ pub struct ContactRecord {
     pub normal: DVec3,
     /// Overlap [m].
     pub overlap: f64,
-    /// Normal force on grain `i` [N].
-    pub normal_force: DVec3,
+    /// Normal force, repulsion positive [N].
+    pub push: f32,
     /// Tangential force on grain `i` [N].
-    pub tangential_force: DVec3,
+    pub drag: Vec3,
     /// Rolling torque on grain `i` [N m].
-    pub rolling_torque: DVec3,
+    pub torque: Vec3,
 }
 
 /// A wall as it is written and drawn.
@@ -118,12 +118,27 @@ pub struct ContactSums {
 impl ContactRecord {
     /// Normal force, repulsion positive [N].
     pub fn repulsion(&self) -> f64 {
-        self.normal_force.dot(self.normal)
+        self.push.into()
+    }
+
+    /// Normal force on grain `i` [N].
+    pub fn normal_force(&self) -> DVec3 {
+        self.normal * self.repulsion()
+    }
+
+    /// Tangential force on grain `i` [N].
+    pub fn tangential_force(&self) -> DVec3 {
+        self.drag.as_dvec3()
     }
 
     /// Force on grain `i` [N].
     pub fn force(&self) -> DVec3 {
-        self.normal_force + self.tangential_force
+        self.normal_force() + self.tangential_force()
+    }
+
+    /// Rolling torque on grain `i` [N m].
+    pub fn rolling_torque(&self) -> DVec3 {
+        self.torque.as_dvec3()
     }
 }
 
@@ -193,17 +208,15 @@ mod tests {
                 },
             );
         }
-        let contact = |id_i, id_j, wall, overlap, force: f64| ContactRecord {
+        let contact = |id_i, id_j, wall, overlap, force| ContactRecord {
             id_i,
             id_j,
             wall,
-            element: 0,
-            position: DVec3::ZERO,
             normal: DVec3::Z,
             overlap,
-            normal_force: force * DVec3::Z,
-            tangential_force: DVec3::X,
-            rolling_torque: DVec3::ZERO,
+            push: force,
+            drag: Vec3::X,
+            ..ContactRecord::default()
         };
         let frame = Frame {
             step: 0,

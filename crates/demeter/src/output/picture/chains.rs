@@ -33,7 +33,7 @@ pub(super) struct Chains {
 impl Chains {
     /// The chains of a frame; the bar ends at `end` [N], or where most forces do.
     pub fn new(frame: &Frame, end: Option<f64>) -> Self {
-        let forces: Vec<f64> = frame.contacts.iter().map(|c| c.normal_force.length()).collect();
+        let forces: Vec<f64> = frame.contacts.iter().map(|c| c.repulsion().abs()).collect();
         let mut sorted: Vec<f64> = forces.iter().copied().filter(|f| f.is_finite()).collect();
         sorted.sort_by(f64::total_cmp);
         let largest = sorted.last().copied().unwrap_or(0.0);

@@ -5,7 +5,6 @@ use crate::comm::together::Together;
 use crate::output::frame::Frame;
 use crate::output::ticks::{round_up, si_prefix};
 use crate::particles::Rows;
-use glam::DVec3;
 
 /// Colours of materials (Okabe and Ito, 2008): told apart by the colour-blind too.
 const CATEGORIES: [[u8; 3]; 8] = [
@@ -95,7 +94,7 @@ impl Colouring {
             |rows: &Rows| -> Vec<f64> { rows.rows()[own.clone()].iter().map(|row| row.vector.length()).collect() };
         match by {
             ColourBy::Automatic => {
-                let is_any = frame.contacts.iter().any(|c| c.normal_force != DVec3::ZERO);
+                let is_any = frame.contacts.iter().any(|c| c.push != 0.0);
                 let by = if all.count(usize::from(is_any)) > 0 {
                     ColourBy::ContactForce
                 } else {

@@ -34,18 +34,15 @@ fn materials() -> Vec<Material> {
         .to_vec()
 }
 
-fn contact(id_i: u32, id_j: u32, force: f64) -> ContactRecord {
+fn contact(id_i: u32, id_j: u32, force: f32) -> ContactRecord {
     ContactRecord {
         id_i,
         id_j,
         wall: -1,
-        element: 0,
-        position: DVec3::ZERO,
         normal: DVec3::X,
         overlap: 1e-4,
-        normal_force: DVec3::new(-force, 0.0, 0.0),
-        tangential_force: DVec3::ZERO,
-        rolling_torque: DVec3::ZERO,
+        push: -force,
+        ..ContactRecord::default()
     }
 }
 
@@ -85,7 +82,7 @@ fn drawn(image: &Image) -> usize {
 #[test]
 fn the_same_frame_gives_the_same_picture_on_any_number_of_threads() {
     let grains = grains(40);
-    let contacts: Vec<ContactRecord> = (1..40).map(|k| contact(k, k + 1, f64::from(k))).collect();
+    let contacts: Vec<ContactRecord> = (1..40).map(|k| contact(k, k + 1, k as f32)).collect();
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| picture(&grains, &contacts, &[], ColourBy::ContactForce))
@@ -143,7 +140,7 @@ fn a_state_that_blew_up_is_drawn_as_far_as_it_can_be() {
     grains.position[3] = DVec3::NAN;
     grains.position.set_scalar(4, f64::INFINITY);
     grains.velocity[5] = DVec3::INFINITY;
-    let image = picture(&grains, &[contact(1, 2, f64::NAN)], &[], ColourBy::Speed);
+    let image = picture(&grains, &[contact(1, 2, f32::NAN)], &[], ColourBy::Speed);
     assert!(drawn(&image) > 500);
 }
 
