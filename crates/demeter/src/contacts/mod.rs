@@ -37,13 +37,13 @@ mod transfer;
 mod wall_contacts;
 
 pub use at_walls::Surfaces;
+pub use carried::{CarriedContact, ContactKey};
 pub use coupling::Coupling;
 pub use fault::Fault;
 pub(crate) use leaving::{PairsAndWalls, grains_in};
 pub use narrow::Scene;
 pub(crate) use near::Approach;
 pub use near::NearTables;
-pub use carried::{CarriedContact, ContactKey};
 pub(crate) use saved::SavedContacts;
 
 pub use crate::neighbours::CHUNK;
