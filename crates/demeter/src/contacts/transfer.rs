@@ -4,7 +4,6 @@ use super::{CHUNK, ContactChunk, Contacts, WORD};
 use crate::neighbours::{Moves, Neighbours};
 use crate::particles::Beyond;
 use rayon::prelude::*;
-use std::fmt::Debug;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
