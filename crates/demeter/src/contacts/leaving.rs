@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 /// Contacts between grains, and those with walls.
 pub(crate) type PairsAndWalls = [Vec<ContactChunk>; 2];
 
-/// Grains in contacts, each as often as it is in one.
-pub(crate) fn grains_in([pairs, walls]: &PairsAndWalls) -> impl Iterator<Item = u32> + '_ {
+/// Grains in contacts between grains and with walls, each as often as it is in one.
+pub(crate) fn grains_in<'c>(pairs: &'c [ContactChunk], walls: &'c [ContactChunk]) -> impl Iterator<Item = u32> + 'c {
     let first = pairs.iter().chain(walls).flat_map(|chunk| &chunk.i);
     first.chain(pairs.iter().flat_map(|chunk| &chunk.j)).copied()
 }

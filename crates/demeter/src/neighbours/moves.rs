@@ -78,6 +78,14 @@ impl Moves {
         }
     }
 
+    /// Whether it is known where a grain goes, or that it is gone.
+    pub(crate) fn knows(&self, grain: u32) -> bool {
+        match self {
+            Self::Reordered(places) => places.get(grain).is_some(),
+            Self::ClosedUp { .. } => true,
+        }
+    }
+
     /// Notes where a grain goes of which another process told.
     pub(crate) fn note(&mut self, grain: u32, to: u32) {
         if let Self::Reordered(places) = self {

@@ -239,6 +239,11 @@ impl Simulation {
                     .for_each(|of| *of = spread);
             }
         }
+        if !grains_in(&self.contacts.pairs, &self.contacts.walls).all(|grain| moves.knows(grain)) {
+            division
+                .ranks
+                .give_up("it is not known where a grain in a contact goes");
+        }
         division.note_sizes(&self.grains, per_segment);
         self.division = Some(division);
     }
@@ -273,7 +278,7 @@ impl Simulation {
             let leaving = Leaving {
                 places: grains.iter().map(|&(place, _)| place).collect(),
                 grains: self.grains.pack(grains.iter().map(|&(_, grain)| grain)),
-                moves: owners.moves.to_be_told(grains_in(&contacts)),
+                moves: owners.moves.to_be_told(grains_in(&contacts[0], &contacts[1])),
                 contacts,
                 spreads: spreads.collect(),
             };
