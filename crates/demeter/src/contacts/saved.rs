@@ -27,6 +27,15 @@ pub(crate) struct SavedChunk {
     coupling: Vec<Coupled>,
 }
 
+/// What contacts of a chunk are.
+#[derive(Clone, Copy)]
+struct Kind {
+    are_walls: bool,
+    are_coupled: bool,
+    /// History values per contact.
+    stride: usize,
+}
+
 impl SavedChunk {
     fn of(chunk: &ContactChunk) -> Self {
         let (now, count) = (&chunk.now, chunk.len());
@@ -51,43 +60,33 @@ impl SavedChunk {
     }
 
     /// The chunk, told the bodies of its candidates; nothing where the numbers contradict each other.
-    fn restored(self, law: u32, bodies: &[(u32, u32)], (stride, are_walls): (usize, bool)) -> Option<ContactChunk> {
+    fn restored(self, law: u32, bodies: &[(u32, u32)], of: Kind) -> Option<ContactChunk> {
         let count = self.normal_force.len();
-        let one_per = |length: usize| length == 0 || length == count;
         let mut chunk = ContactChunk::default();
         chunk.forget();
         chunk.law = law;
-        let mut next = 0;
-        for (candidate, contacts) in self.of_candidates {
-            let slot = usize::from(candidate);
-            // rising, and no more contacts than there are
-            let &(i, j) = bodies.get(slot).filter(|_| slot >= next)?;
-            let contacts = (contacts as usize).min(count + 1);
-            if contacts == 0 || chunk.i.len() + contacts > count || !are_walls && contacts > 1 {
-                return None;
+        let mut of_candidates = self.of_candidates.into_iter().peekable();
+        for (slot, &(i, j)) in bodies.iter().enumerate() {
+            if let Some((_, contacts)) = of_candidates.next_if(|(candidate, _)| usize::from(*candidate) == slot) {
+                let (contacts, before) = (contacts as usize, chunk.len());
+                if contacts == 0 || contacts > count - before || !of.are_walls && contacts > 1 {
+                    return None;
+                }
+                chunk.i.resize(before + contacts, i);
+                chunk.j.resize(before + contacts, j);
+                chunk.now.normal_force.resize(before + contacts, 0.0);
             }
-            if are_walls {
-                (next..slot).for_each(|_| chunk.now.start.push(chunk.i.len() as u32));
-            }
-            chunk.i.resize(chunk.i.len() + contacts, i);
-            chunk.j.resize(chunk.j.len() + contacts, j);
-            if are_walls {
-                chunk.now.start.push(chunk.i.len() as u32);
-            } else {
-                chunk.now.candidate.push(candidate);
-            }
-            next = slot + 1;
+            chunk.end_candidate(slot, of.are_walls);
         }
-        if are_walls {
-            (next..bodies.len()).for_each(|_| chunk.now.start.push(chunk.i.len() as u32));
-        }
-        let fits = chunk.i.len() == count
-            && self.element.len() == if are_walls { count } else { 0 }
+        let where_any = |is_there: bool| if is_there { count } else { 0 };
+        let fits = of_candidates.next().is_none()
+            && chunk.len() == count
+            && self.element.len() == where_any(of.are_walls)
+            && self.coupling.len() == where_any(of.are_coupled)
+            && (self.geometry.len() == count || self.geometry.is_empty() && !of.are_walls && !of.are_coupled)
             && self.tangential.len() == count
-            && self.history.len() == count * stride
-            && [self.geometry.len(), self.rolling.len(), self.coupling.len()]
-                .into_iter()
-                .all(one_per)
+            && self.history.len() == count * of.stride
+            && (self.rolling.is_empty() || self.rolling.len() == count)
             && (self.engaged.is_empty() || self.engaged.len() == count.div_ceil(WORD));
         if !fits {
             return None;
@@ -146,7 +145,17 @@ impl<'a> SavedContacts<'a> {
 
     /// The chunks for candidates, as if a step had just ended with them: all that can be asked of a contact after a step can be asked
     /// now. Nothing where they do not fit the candidates.
-    pub(crate) fn restored(self, neighbours: &Neighbours, stride: usize) -> Option<[Vec<ContactChunk>; 2]> {
+    pub(crate) fn restored(
+        self,
+        neighbours: &Neighbours,
+        stride: usize,
+        are_coupled: bool,
+    ) -> Option<[Vec<ContactChunk>; 2]> {
+        let kind = |are_walls| Kind {
+            are_walls,
+            are_coupled,
+            stride,
+        };
         let [pairs, walls] = match self {
             Self::Read(chunks) => chunks,
             Self::Present(present) => present.own.map(|chunks| chunks.iter().map(SavedChunk::of).collect()),
@@ -159,14 +168,14 @@ impl<'a> SavedContacts<'a> {
             let (candidates, law) = neighbours.chunk(number);
             bodies.clear();
             bodies.extend(candidates.iter().map(|pair| (pair.i, pair.j)));
-            chunk.restored(law, &bodies, (stride, false))
+            chunk.restored(law, &bodies, kind(false))
         });
         let pairs = pairs.collect::<Option<_>>()?;
         let walls = walls.into_iter().enumerate().map(|(number, chunk)| {
             let (candidates, law) = neighbours.wall_chunk(number);
             bodies.clear();
             bodies.extend(candidates.iter().map(|pair| (pair.grain, pair.wall)));
-            chunk.restored(law, &bodies, (stride, true))
+            chunk.restored(law, &bodies, kind(true))
         });
         Some([pairs, walls.collect::<Option<_>>()?])
     }
@@ -229,7 +238,15 @@ mod tests {
 
     const BODIES: [(u32, u32); 4] = [(5, 9), (5, 2), (7, 2), (8, 9)];
 
-    /// Three contacts of the second and the last candidate.
+    fn kind(are_walls: bool) -> Kind {
+        Kind {
+            are_walls,
+            are_coupled: false,
+            stride: 2,
+        }
+    }
+
+    /// Three contacts of some candidates.
     fn saved(are_walls: bool) -> SavedChunk {
         SavedChunk {
             of_candidates: if are_walls {
@@ -238,6 +255,11 @@ mod tests {
                 vec![(0, 1), (1, 1), (3, 1)]
             },
             element: if are_walls { vec![4, 6, 0] } else { Vec::new() },
+            geometry: if are_walls {
+                vec![bytemuck::Zeroable::zeroed(); 3]
+            } else {
+                Vec::new()
+            },
             normal_force: vec![1.0, 2.0, 3.0],
             tangential: vec![[0.5, 0.0, 1.0]; 3],
             rolling: vec![[0.0, 2.0, 0.0]; 3],
@@ -250,7 +272,7 @@ mod tests {
     #[test]
     fn a_chunk_comes_back_as_it_was() {
         for are_walls in [false, true] {
-            let chunk = saved(are_walls).restored(3, &BODIES, (2, are_walls)).unwrap();
+            let chunk = saved(are_walls).restored(3, &BODIES, kind(are_walls)).unwrap();
             let bodies: Vec<_> = chunk.i.iter().copied().zip(chunk.j.iter().copied()).collect();
             let expected = if are_walls {
                 [BODIES[1], BODIES[1], BODIES[3]]
@@ -286,11 +308,11 @@ mod tests {
             for (number, change) in changes.iter().enumerate() {
                 let mut chunk = saved(are_walls);
                 change(&mut chunk);
-                assert!(chunk.restored(3, &BODIES, (2, are_walls)).is_none(), "change {number}");
+                assert!(chunk.restored(3, &BODIES, kind(are_walls)).is_none(), "change {number}");
             }
         }
         let mut twice = saved(false);
         twice.of_candidates = vec![(0, 2), (3, 1)];
-        assert!(twice.restored(3, &BODIES, (2, false)).is_none());
+        assert!(twice.restored(3, &BODIES, kind(false)).is_none());
     }
 }

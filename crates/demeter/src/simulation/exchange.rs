@@ -3,7 +3,6 @@
 use super::time_step::largest_reach;
 use super::{Simulation, SkinTuner};
 use crate::contacts::Coupling;
-use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::particles::{Grains, HigherDerivatives, NewGrain};
 use crate::simulation::{Skin, WallPartner};
 use crate::step::CouplingState;
@@ -102,9 +101,7 @@ impl Simulation {
             load.put(self.gravity * load.mass(), DVec3::ZERO);
         }
         // how fast those are that came is found in the next step
-        self.spreads.truncate(before / GRAINS_OF_A_SPREAD);
-        let spreads = self.grains.len().div_ceil(GRAINS_OF_A_SPREAD);
-        self.spreads.resize(spreads, Spread::ANY);
+        self.forget_spreads(before);
         self.lengthen_division();
         self.find_candidates();
         self.foresee_bulges();

@@ -429,9 +429,7 @@ impl Simulation {
         self.near.forget(self.neighbours.segments(), mean_radius);
         if is_new {
             let own = self.own_grains();
-            self.spreads.clear();
-            self.spreads
-                .resize(self.grains.len().div_ceil(GRAINS_OF_A_SPREAD), Spread::ANY);
+            self.forget_spreads(0);
             for first in own.clone().step_by(GRAINS_OF_A_SPREAD) {
                 let stretch = first..(first + GRAINS_OF_A_SPREAD).min(own.end);
                 let kick = self.grains.largest_half_kick(stretch.clone());
@@ -442,6 +440,13 @@ impl Simulation {
         let around = vicinity.map_or_else(|| Bounds::of_grains(self.grains.position.rows()), |v| v.surfaces);
         let margin = self.skin + self.beyond_touch();
         self.bounds = (around.lower - margin, around.upper + margin);
+    }
+
+    /// Forgets how the grains from one on move.
+    fn forget_spreads(&mut self, first: usize) {
+        self.spreads.truncate(first / GRAINS_OF_A_SPREAD);
+        self.spreads
+            .resize(self.grains.len().div_ceil(GRAINS_OF_A_SPREAD), Spread::ANY);
     }
 
     /// Gap across which bodies may act on each other: the reach of the laws, and the bulges of both [m].

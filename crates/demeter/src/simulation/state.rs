@@ -7,7 +7,6 @@ use crate::comm::parts::{Part, Saved};
 use crate::contacts::{NearTables, SavedContacts};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
-use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::step::CouplingMemory;
 use crate::walls::{Wall, WallState};
 use demeter_physics::integrator::Integrator;
@@ -181,8 +180,7 @@ impl Simulation {
         sim.dt = state.dt;
         sim.books = state.books;
         sim.rebuilds = state.rebuilds;
-        let spreads = sim.grains.len().div_ceil(GRAINS_OF_A_SPREAD);
-        sim.spreads.resize(spreads, Spread::ANY);
+        sim.forget_spreads(0);
         sim.scattered_in_order = state.scattered_in_order;
         (sim.skin, sim.tuner, sim.near) = (state.skin, state.tuner, state.near.into_owned());
         sim.bounds = state.bounds;
@@ -204,7 +202,7 @@ impl Simulation {
         if sim.started && !sim.neighbours.restore(&sim.grains, walls, materials) {
             return Err(StateError::Inconsistent("candidate pairs"));
         }
-        let contacts = state.contacts.restored(&sim.neighbours, sim.contacts.stride);
+        let contacts = (state.contacts).restored(&sim.neighbours, sim.contacts.stride, sim.coupling.is_some());
         [sim.contacts.pairs, sim.contacts.walls] = contacts.ok_or(StateError::Inconsistent("contacts"))?;
         sim.walls_before = sim.walls.iter().map(Wall::pose).collect();
         memory::give_back();

@@ -37,10 +37,15 @@ struct Owners<'a> {
 }
 
 impl Owners<'_> {
+    /// The process that a grain, told by its old index, belongs to after, and its index then; nowhere where it is gone.
+    fn place_after(&self, grain: u32) -> Option<(usize, u32)> {
+        let to = self.moves.of(grain)?;
+        Some((rank_in(self.after, to as usize / self.per_segment), to))
+    }
+
     /// The process of a grain, told by its old index, before and after; after nowhere where it is gone.
     fn of(&self, grain: u32) -> (usize, Option<usize>) {
-        let to = self.moves.of(grain);
-        let after = to.map(|to| rank_in(self.after, to as usize / self.per_segment));
+        let after = self.place_after(grain).map(|(rank, _)| rank);
         (rank_in(self.before, grain as usize / self.per_segment), after)
     }
 
@@ -211,9 +216,8 @@ impl Simulation {
         let heard = division.swap(told.collect());
         let (introduced, of_others) = division.still_introduced(&owners);
         let stay = division.own.clone().filter_map(|grain| {
-            let (_, after) = owners.of(grain as u32);
-            let to = moves.of(grain as u32).filter(|_| after == Some(rank));
-            to.map(|to| (to as usize, grain))
+            let to = owners.place_after(grain as u32).filter(|(after, _)| *after == rank);
+            to.map(|(_, to)| (to as usize, grain))
         });
         self.grains.keep(moves.count(), stay.chain(of_others.iter().copied()));
         let before = std::mem::take(&mut division.cuts);
@@ -253,8 +257,7 @@ impl Simulation {
         let rank = division.ranks.rank();
         let mut grains: BTreeMap<usize, Vec<(u32, usize)>> = BTreeMap::new();
         for grain in division.own.clone() {
-            let (_, after) = owners.of(grain as u32);
-            if let (Some(after), Some(place)) = (after, owners.moves.of(grain as u32))
+            if let Some((after, place)) = owners.place_after(grain as u32)
                 && after != rank
             {
                 grains.entry(after).or_default().push((place, grain));
