@@ -311,6 +311,14 @@ mod tests {
                 assert!(chunk.restored(3, &BODIES, kind(are_walls)).is_none(), "change {number}");
             }
         }
+        let mut flat = saved(true);
+        flat.geometry.clear();
+        assert!(flat.restored(3, &BODIES, kind(true)).is_none());
+        let coupled = Kind {
+            are_coupled: true,
+            ..kind(false)
+        };
+        assert!(saved(false).restored(3, &BODIES, coupled).is_none());
         let mut twice = saved(false);
         twice.of_candidates = vec![(0, 2), (3, 1)];
         assert!(twice.restored(3, &BODIES, kind(false)).is_none());
