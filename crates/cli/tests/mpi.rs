@@ -9,7 +9,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// Grains for several processes, a feed, a drain, walls of all drives.
-const MIXER: &str = include_str!("../../demeter/tests/shared_runs/mixer.toml");
+const MIXER: &str = include_str!("../../demeter/tests/engine/shared_runs/mixer.toml");
 
 const RUN: [&str; 3] = ["run", "mixer.toml", "--threads=1"];
 

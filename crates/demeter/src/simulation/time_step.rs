@@ -12,14 +12,14 @@ use demeter_physics::integrator::Integrator;
 use std::f64::consts::PI;
 
 /// The automatic time step is this share of the shortest time scale: restitution is then met within 1e-4
-/// (`verification_restitution`), and the energy of an elastic gas kept within 1e-6 (`verification_elastic_gas`), which
+/// (`verification::restitution`), and the energy of an elastic gas kept within 1e-6 (`verification::elastic_gas`), which
 /// asks for more.
 pub const SAFE_SHARE: f64 = 0.005;
 
 /// Above this share of the shortest time scale a time step is refused unless the scenario says it wants it.
 ///
 /// The predictor-corrector is stable only as long as no motion decays by more than 0.163 of itself per step: a bed of
-/// linear grains of restitution 0.05 comes to rest at 0.01 and explodes at 0.02 (`verification_gear`).
+/// linear grains of restitution 0.05 comes to rest at 0.01 and explodes at 0.02 (`verification::gear`).
 pub fn unsafe_share(integrator: Integrator) -> f64 {
     match integrator {
         Integrator::VelocityVerlet => 0.05,

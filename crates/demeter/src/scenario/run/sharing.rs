@@ -97,7 +97,7 @@ mod tests {
         std::fs::write(&mesh, plate(1.0)).unwrap();
         let text = format!(
             "{}\n[[wall]]\nname = \"plate\"\nmaterial = \"steel\"\nshape = \"mesh\"\nfile = \"plate.stl\"\nunit = \"m\"\n",
-            include_str!("../../../tests/shared_runs/mixer.toml")
+            include_str!("../../../tests/engine/shared_runs/mixer.toml")
         );
         let scenario = Scenario::parse(&text, "mixer.toml", place.path(), &[]).unwrap();
         let inputs = || Inputs::of(&scenario);

@@ -1,0 +1,23 @@
+//! The engine as its users have it: set-ups, runs, what they measure and write.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests may fail as tests do"
+)]
+
+mod book;
+#[path = "../cases/mod.rs"]
+mod cases;
+mod custom;
+mod deforming_boxes;
+mod exchange;
+mod fields;
+mod measures;
+mod polydisperse;
+mod profile;
+mod report;
+mod restart;
+mod scenarios;
+mod shared_runs;
+mod work_counters;

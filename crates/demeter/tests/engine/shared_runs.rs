@@ -1,0 +1,270 @@
+//! Whole runs that several processes share: the same files as of one, and the same after a restart with other numbers of them.
+
+use crate::cases::ranks::{on_ranks, on_ranks_counting};
+use demeter::comm::Ranks;
+use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, resume_shared, run, run_shared};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::time::Duration;
+
+/// Asks a run to end at a step, when told.
+struct Silent(Option<u64>);
+
+impl Observer for Silent {
+    fn progress(&mut self, progress: &Progress) -> bool {
+        self.0.is_none_or(|step| progress.step < step)
+    }
+
+    fn interval(&self) -> Duration {
+        Duration::ZERO
+    }
+
+    fn message(&mut self, _: &str) {}
+}
+
+const OPTIONS: RunOptions = RunOptions {
+    threads: Some(1),
+    overwrite: false,
+    instructions: None,
+    profile: false,
+};
+
+fn mixer(changes: &[&str]) -> Scenario {
+    scenario("mixer.toml", changes)
+}
+
+fn scenario(name: &str, changes: &[&str]) -> Scenario {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/engine/shared_runs");
+    let file = folder.join(name);
+    let changes: Vec<String> = changes.iter().map(|change| (*change).to_string()).collect();
+    Scenario::read(&file, &changes).unwrap_or_else(|faults| panic!("{}", faults.render(false)))
+}
+
+/// Files that tell how the run was computed, and so are others every time.
+const OF_COMPUTING: [&str; 6] = [
+    "checkpoint.latest",
+    "checkpoint.previous",
+    "log.txt",
+    "report.html",
+    "run.json",
+    "summary.json",
+];
+
+/// All other files of a run, by name.
+fn results(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut files = BTreeMap::new();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            if path.is_dir() {
+                folders.push(path);
+            } else if !OF_COMPUTING.contains(&name.as_str()) {
+                files.insert(name, fs::read(path).unwrap());
+            }
+        }
+    }
+    files
+}
+
+fn assert_same(one: &Path, other: &Path) {
+    let (one, other) = (results(one), results(other));
+    assert!(one.len() > 10, "little to compare: {:?}", one.keys());
+    assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
+    for (name, bytes) in one {
+        assert!(bytes == other[&name], "`{name}` differs");
+    }
+}
+
+fn share(scenario: &Scenario, folder: &Path, ranks: Box<dyn Ranks>, last: Option<u64>) -> RunEnd {
+    let report = run_shared(scenario, folder, OPTIONS, ranks, &mut Silent(last)).unwrap();
+    report.end
+}
+
+#[test]
+fn feeds_walls_and_measures_do_not_feel_the_processes() {
+    let place = tempfile::tempdir().unwrap();
+    let one = place.path().join("one");
+    let scenario = mixer(&[]);
+    let report = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+    assert_eq!(report.end, RunEnd::Finished);
+    let told = &report.summary;
+    assert!(
+        told.grains > 1024,
+        "{} grains are few for several processes",
+        told.grains
+    );
+    for count in [2, 3] {
+        let folder = place.path().join(count.to_string());
+        for end in on_ranks(count, |rank| share(&scenario, &folder, rank, None)) {
+            assert_eq!(end, RunEnd::Finished);
+        }
+        assert_same(&one, &folder);
+    }
+}
+
+#[test]
+fn every_measure_is_that_of_one_process() {
+    let place = tempfile::tempdir().unwrap();
+    let gear = "simulation.integrator=\"gear\"";
+    for (name, changes) in [("steps", &[][..]), ("gear", &[gear][..])] {
+        let [one, two, parts] = ["one", "two", "parts"].map(|of| place.path().join(format!("{of} {name}")));
+        let scenario = scenario("measured.toml", changes);
+        let report = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+        assert_eq!(report.end, RunEnd::Finished);
+        let files = results(&one);
+        for file in [
+            "layers.csv",
+            "rose.csv",
+            "stay.csv",
+            "tracers.csv",
+            "rings.csv",
+            "column.csv",
+            "map.pvd",
+            "chains.pvd",
+        ] {
+            assert!(files.contains_key(file), "no `{file}`: {:?}", files.keys());
+        }
+        let ends = on_ranks(2, |rank| share(&scenario, &two, rank, None));
+        assert!(ends.iter().all(|end| *end == RunEnd::Finished), "{ends:?}");
+        assert_same(&one, &two);
+        // what measures remember goes from the first process through the checkpoint to another
+        let half = Some(report.summary.steps / 2);
+        on_ranks(4, |rank| share(&scenario, &parts, rank, half));
+        let ends = on_ranks(3, |rank| {
+            resume_shared(&parts, OPTIONS, rank, &mut Silent(None)).unwrap().end
+        });
+        assert!(ends.iter().all(|end| *end == RunEnd::Finished), "{ends:?}");
+        assert_same(&one, &parts);
+    }
+}
+
+#[test]
+fn a_bin_that_is_empty_at_first_fills_and_drains_as_with_one() {
+    let place = tempfile::tempdir().unwrap();
+    let (one, parts) = (place.path().join("one"), place.path().join("parts"));
+    let scenario = scenario("filled.toml", &[]);
+    let report = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+    assert_eq!(report.end, RunEnd::Finished);
+    let steps = report.summary.steps;
+    assert!(report.summary.grains > 1024, "{} grains", report.summary.grains);
+    let half = on_ranks(3, |rank| share(&scenario, &parts, rank, Some(steps / 2)));
+    assert!(half.iter().all(|end| *end == RunEnd::Interrupted), "{half:?}");
+    let ends = on_ranks_counting(4, |rank| {
+        resume_shared(&parts, OPTIONS, rank, &mut Silent(None)).unwrap().end
+    });
+    assert!(ends.iter().all(|(end, _)| *end == RunEnd::Finished), "{ends:?}");
+    assert_same(&one, &parts);
+}
+
+#[test]
+fn what_is_written_is_told_to_the_first_process_alone() {
+    let place = tempfile::tempdir().unwrap();
+    let told = |name: &str, changes: &[&str]| {
+        let (scenario, folder) = (scenario("bed.toml", changes), place.path().join(name));
+        let ended = on_ranks_counting(3, |rank| share(&scenario, &folder, rank, None));
+        let traffic = |(end, traffic)| {
+            assert_eq!(end, RunEnd::Finished);
+            traffic
+        };
+        ended.into_iter().map(traffic).collect::<Vec<_>>()
+    };
+    // for a picture the first tells all what is seen
+    let often = told("often", &["output.picture=false"]);
+    let once = told(
+        "once",
+        &[
+            "output.series=\"1 s\"",
+            "output.frames=\"1 s\"",
+            "output.checkpoints=\"1 s\"",
+            "output.picture=false",
+        ],
+    );
+    let grains = 3600 / 3;
+    for (rank, (often, once)) in often.iter().zip(&once).enumerate() {
+        assert_eq!(
+            (often.bytes, often.messages),
+            (once.bytes, once.messages),
+            "rank {rank}"
+        );
+        // nine rows more, each of sums; a place of each grain would be 24 bytes every time
+        let to_all = (often.round_bytes + often.joined_bytes) - (once.round_bytes + once.joined_bytes);
+        assert!(to_all < 9 * 2 * grains, "rank {rank} told all {to_all} bytes more");
+        let to_first = often.gathered_bytes - once.gathered_bytes;
+        assert_eq!(
+            to_first > 0,
+            rank > 0,
+            "rank {rank} told the first {to_first} bytes more"
+        );
+    }
+    let one = place.path().join("one");
+    run(
+        &scenario("bed.toml", &["output.picture=false"]),
+        &one,
+        OPTIONS,
+        &mut Silent(None),
+    )
+    .unwrap();
+    assert_same(&one, &place.path().join("often"));
+}
+
+#[test]
+fn frames_without_rows_are_the_same_with_gear() {
+    let place = tempfile::tempdir().unwrap();
+    let (one, parts) = (place.path().join("one"), place.path().join("parts"));
+    let changes = ["simulation.integrator=\"gear\"", "output.series=\"1 s\""];
+    let scenario = scenario("bed.toml", &changes);
+    run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+    for end in on_ranks(3, |rank| share(&scenario, &parts, rank, None)) {
+        assert_eq!(end, RunEnd::Finished);
+    }
+    assert_same(&one, &parts);
+}
+
+#[test]
+fn a_run_goes_on_with_other_numbers_of_processes() {
+    let place = tempfile::tempdir().unwrap();
+    let (one, parts) = (place.path().join("one"), place.path().join("parts"));
+    let scenario = mixer(&[]);
+    let whole = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+    let at = |quarters| Some(whole.summary.steps * quarters / 4);
+    for end in on_ranks(2, |rank| share(&scenario, &parts, rank, at(1))) {
+        assert_eq!(end, RunEnd::Interrupted);
+    }
+    for (count, last) in [(3, at(2)), (1, at(3)), (2, None)] {
+        let ends = on_ranks(count, |rank| {
+            resume_shared(&parts, OPTIONS, rank, &mut Silent(last)).unwrap().end
+        });
+        let expected = if last.is_none() {
+            RunEnd::Finished
+        } else {
+            RunEnd::Interrupted
+        };
+        assert!(ends.iter().all(|end| *end == expected), "{ends:?}");
+    }
+    assert_same(&one, &parts);
+}
+
+#[test]
+fn all_end_with_the_fault_of_one() {
+    let scenario = mixer(&[
+        "simulation.max_overlap=0.09",
+        "simulation.time_step=\"1 us\"",
+        "wall[3].motion.free.speed=\"-4 m/s\"",
+    ]);
+    let place = tempfile::tempdir().unwrap();
+    let (one, two) = (place.path().join("one"), place.path().join("two"));
+    let end = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap().end;
+    assert!(matches!(end, RunEnd::Fault(_)), "{end:?}");
+    let ends = on_ranks(2, |rank| {
+        let observer = &mut Silent(None);
+        run_shared(&scenario, &two, OPTIONS, rank, observer).unwrap().end
+    });
+    assert!(ends.iter().all(|other| *other == end), "{ends:?}, not {end:?}");
+    assert_eq!(
+        fs::read(one.join("series.csv")).unwrap(),
+        fs::read(two.join("series.csv")).unwrap()
+    );
+}

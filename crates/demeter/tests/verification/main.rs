@@ -1,0 +1,31 @@
+//! The engine against analytic and converged results, and published cases.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests may fail as tests do"
+)]
+
+mod adhesion;
+#[path = "../cases/mod.rs"]
+mod cases;
+mod chung_ooi;
+mod chung_ooi_oblique;
+mod convergence;
+mod coupling;
+mod coupling_squeeze;
+mod coupling_stability;
+mod elastic_gas;
+mod examples;
+mod gear;
+mod incline;
+mod multi_contact;
+mod oblique;
+mod plasticity;
+mod requests;
+mod restitution;
+mod rotation;
+mod sliding_to_rolling;
+mod smooth_motion;
+mod three_grain_block;
+mod tomas;

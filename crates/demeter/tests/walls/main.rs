@@ -1,0 +1,19 @@
+//! Walls of every kind.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests may fail as tests do"
+)]
+
+#[path = "../cases/mod.rs"]
+mod cases;
+mod leak;
+mod mesh;
+mod mesh_files;
+mod mesh_repair;
+mod motion;
+mod refused;
+mod stl;
+mod wall;
+mod wear;

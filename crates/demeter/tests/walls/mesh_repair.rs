@@ -1,0 +1,200 @@
+//! Meshes that are not what they should be: what is repaired, and what is told of the rest.
+
+use demeter::walls::Mesh;
+use demeter::walls::mesh::{Inspection, Repair};
+use glam::DVec3;
+
+type Corners = Vec<[DVec3; 3]>;
+
+fn v(x: f64, y: f64, z: f64) -> DVec3 {
+    DVec3::new(x, y, z)
+}
+
+/// The unit cube at a place; every triangle has its front outside.
+fn cube(at: DVec3) -> Corners {
+    let p = |k: usize| at + v((k & 1) as f64, ((k >> 1) & 1) as f64, ((k >> 2) & 1) as f64);
+    let faces = [
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+    ];
+    let cut = |[a, b, c, d]: [usize; 4]| [[p(a), p(b), p(c)], [p(a), p(c), p(d)]];
+    faces.into_iter().flat_map(cut).collect()
+}
+
+fn repaired(corners: &[[DVec3; 3]]) -> (Corners, Repair) {
+    Mesh::repair(corners, None).unwrap()
+}
+
+fn inspected(corners: &[[DVec3; 3]]) -> Inspection {
+    Mesh::new(corners).unwrap().inspect()
+}
+
+#[test]
+fn a_good_mesh_is_left_as_it_is() {
+    let (triangles, repair) = repaired(&cube(v(3.0, 0.1, 0.7)));
+    assert_eq!(triangles, cube(v(3.0, 0.1, 0.7)));
+    assert!(repair.is_nothing(), "{repair:?}");
+    let found = inspected(&triangles);
+    assert!(found.rims.is_empty());
+    assert_eq!((found.crowded_edges.count, found.disagreeing_edges.count), (0, 0));
+    assert_eq!((found.crossings.count, found.crossings.looked_at), (0, 12));
+}
+
+#[test]
+fn triangles_without_area_doubles_and_turned_ones_are_repaired_and_told() {
+    let mut corners = cube(DVec3::ZERO);
+    let [a, b, c] = corners[5];
+    corners.insert(2, [a, a, b]);
+    corners.insert(4, [a, b, 0.5 * (a + b)]);
+    corners.push([c, a, b]);
+    corners.push([b, a, c]);
+    corners[0].swap(0, 1);
+    corners[10].swap(1, 2);
+    let (triangles, repair) = repaired(&corners);
+    assert_eq!((repair.flat.count, repair.flat.first, repair.flat.place), (2, 3, a));
+    assert_eq!((repair.twice.count, repair.twice.first), (2, 15));
+    assert_eq!((repair.turned, repair.moved), (2, 0));
+    let found = inspected(&triangles);
+    assert_eq!(
+        (triangles.len(), found.rims.len(), found.disagreeing_edges.count),
+        (12, 0, 0)
+    );
+    assert!(Mesh::new(&triangles).unwrap().require_closed().is_ok());
+}
+
+#[test]
+fn torn_corners_are_joined_within_the_tolerance_that_is_told() {
+    let mut corners = cube(DVec3::ZERO);
+    for (k, triangle) in corners.iter_mut().enumerate() {
+        triangle
+            .iter_mut()
+            .for_each(|corner| *corner += 1e-4 * v(k as f64, 1.0, 2.0).normalize());
+    }
+    let (torn, _) = repaired(&corners);
+    assert!(!inspected(&torn).rims.is_empty());
+    let (joined, repair) = Mesh::repair(&corners, Some(1e-3)).unwrap();
+    assert!(inspected(&joined).rims.is_empty());
+    assert!(
+        repair.moved > 0 && repair.farthest < 3e-4 && repair.tolerance == 1e-3,
+        "{repair:?}"
+    );
+}
+
+#[test]
+fn holes_are_told_with_place_and_size() {
+    let mut corners = cube(DVec3::ZERO);
+    // without the top, and without one triangle of the bottom
+    corners.drain(2..4);
+    corners.remove(0);
+    let found = inspected(&corners);
+    let [top, bottom] = found.rims[..] else {
+        panic!("{found:?}")
+    };
+    assert_eq!((top.edges, bottom.edges), (4, 3));
+    assert!((top.length - 4.0).abs() < 1e-12 && (top.area - 1.0).abs() < 1e-12);
+    assert!(top.centre.distance(v(0.5, 0.5, 1.0)) < 1e-12 && !top.is_crack());
+    assert!((bottom.length - 2.0 - 2f64.sqrt()).abs() < 1e-12 && (bottom.area - 0.5).abs() < 1e-12);
+    assert!(bottom.centre.z.abs() < 1e-12);
+}
+
+#[test]
+fn a_corner_on_an_edge_of_a_neighbour_is_a_crack_and_no_hole() {
+    let corners = vec![
+        [v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.5, 1.0, 0.0)],
+        [v(0.0, 0.0, 0.0), v(0.5, -1.0, 0.0), v(0.5, 0.0, 0.0)],
+        [v(0.5, 0.0, 0.0), v(0.5, -1.0, 0.0), v(1.0, 0.0, 0.0)],
+    ];
+    let found = inspected(&corners);
+    assert_eq!(found.crossings.count, 0);
+    let cracks = found.rims.iter().filter(|rim| rim.is_crack()).count();
+    let length: f64 = found.rims.iter().map(|rim| rim.length).sum();
+    // the crack touches the outline at two corners, so it may be told as a part of it
+    assert!(
+        cracks <= 1 && (length - 2.0 - 4.0 * 1.25f64.sqrt()).abs() < 1e-12,
+        "{found:?}"
+    );
+}
+
+#[test]
+fn edges_of_three_triangles_and_moebius_strips_are_told() {
+    let mut corners = cube(DVec3::ZERO);
+    corners.push([v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.5, -1.0, -1.0)]);
+    let found = inspected(&repaired(&corners).0);
+    assert_eq!(
+        (found.crowded_edges.count, found.crowded_edges.first),
+        (1, v(0.5, 0.0, 0.0))
+    );
+
+    let n = 12;
+    let at = |k: usize| {
+        let angle = std::f64::consts::TAU * (k % n) as f64 / n as f64;
+        let (out, half) = (v(angle.cos(), angle.sin(), 0.0), 0.5 * angle);
+        let across = out * half.cos() + DVec3::Z * half.sin();
+        let side = if k >= n { -0.3 } else { 0.3 };
+        [out - across * side, out + across * side]
+    };
+    let strip: Corners = (0..n)
+        .flat_map(|k| {
+            let ([a, b], [c, d]) = (at(k), at(k + 1));
+            [[a, b, c], [b, d, c]]
+        })
+        .collect();
+    let found = inspected(&repaired(&strip).0);
+    assert_eq!((found.disagreeing_edges.count, found.rims.len()), (1, 1), "{found:?}");
+    assert_eq!(found.crossings.count, 0);
+}
+
+#[test]
+fn parts_that_pass_through_one_another_are_told_and_those_that_touch_are_not() {
+    let two = |shift: DVec3| [cube(DVec3::ZERO), cube(shift)].concat();
+    assert_eq!(inspected(&two(v(1.0, 1.0, 0.0))).crossings.count, 0, "a common edge");
+    assert_eq!(inspected(&two(v(1.0, 1.0, 1.0))).crossings.count, 0, "a common corner");
+    assert_eq!(inspected(&two(v(3.0, 0.0, 0.0))).crossings.count, 0, "apart");
+    let through = inspected(&two(v(0.5, 0.4, 0.3)));
+    assert!(through.crossings.count >= 12, "{through:?}");
+    assert!(through.crossings.place.cmpge(DVec3::ZERO).all() && through.crossings.place.cmple(v(1.5, 1.4, 1.3)).all());
+    let faces = inspected(&two(v(1.0, 0.3, 0.2)));
+    assert!(faces.crossings.count >= 2, "faces in one plane: {faces:?}");
+}
+
+#[test]
+fn a_fine_sphere_crosses_itself_nowhere() {
+    let (around, up) = (60, 30);
+    let at = |i: usize, j: usize| {
+        let (phi, theta) = (
+            std::f64::consts::TAU * (i % around) as f64 / around as f64,
+            std::f64::consts::PI * j as f64 / up as f64,
+        );
+        // as an STL file holds it
+        let round = |x: f64| f64::from(x as f32);
+        0.037
+            * v(
+                round(theta.sin() * phi.cos()),
+                round(theta.sin() * phi.sin()),
+                round(theta.cos()),
+            )
+    };
+    let mut corners = Vec::new();
+    for i in 0..around {
+        for j in 0..up {
+            corners.push([at(i, j), at(i, j + 1), at(i + 1, j + 1)]);
+            corners.push([at(i, j), at(i + 1, j + 1), at(i + 1, j)]);
+        }
+    }
+    let (triangles, repair) = repaired(&corners);
+    // at the poles every second triangle has no area
+    assert_eq!(
+        (repair.flat.count, triangles.len()),
+        (2 * around, 2 * around * (up - 1))
+    );
+    let found = inspected(&triangles);
+    assert_eq!(
+        (found.crossings.count, found.rims.len(), found.disagreeing_edges.count),
+        (0, 0, 0),
+        "{found:?}"
+    );
+}

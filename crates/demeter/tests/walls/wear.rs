@@ -1,0 +1,201 @@
+//! What walls record: wear of single contacts against exact results, sums against the books, stress against weights.
+
+use crate::cases;
+
+use crate::cases::{Case, G, Laws, hertz_overlap, law, mass, on_threads, one_material};
+use demeter::contacts::Coupling;
+use demeter::simulation::Simulation;
+use demeter::walls::{Motion, Recording, Shape, WearCoefficients};
+use demeter_physics::DVec3;
+use demeter_physics::integrator::Integrator;
+
+const MODULUS: f64 = 5e6;
+
+const WEAR: Recording = Recording {
+    stress: true,
+    wear: Some(WearCoefficients {
+        sliding: 2e-12,
+        impact: 5e-12,
+    }),
+};
+
+fn coulomb(friction: f64) -> demeter_physics::contact::LawChoice {
+    law("coulomb", &[("friction", friction)])
+}
+
+/// A strip of triangles of 5 mm along x, in z = 0.
+fn strip(squares: u32) -> Shape {
+    let corner = |k: u32, y: f64| DVec3::new(5e-3 * f64::from(k), y, 0.0);
+    let triangles = (0..squares).flat_map(|k| {
+        let [a, b, c, d] = [
+            corner(k, -0.01),
+            corner(k + 1, -0.01),
+            corner(k + 1, 0.01),
+            corner(k, 0.01),
+        ];
+        [[a, b, c], [a, c, d]]
+    });
+    Shape::Mesh {
+        triangles: triangles.collect(),
+    }
+}
+
+/// A sphere that slides and begins to roll down an incline of 45 degrees, friction below 2/7: the slip grows as
+/// `g (sin - 7/2 mu cos) t` (moment of inertia 2/5 m r^2), the normal force is `m g cos`.
+#[test]
+fn a_grain_that_slides_down_a_mesh_wears_it_as_archard_says() {
+    on_threads(1, || {
+        let (r, mu) = (1e-3, 0.2);
+        let mut case = Case::new(one_material(MODULUS, &Laws::hertz(0.5).friction(coulomb(mu))));
+        let along = G * 0.5f64.sqrt();
+        case.gravity = DVec3::new(along, 0.0, -along);
+        case.wall(0, strip(12), Motion::Rest);
+        case.walls[0].record(WEAR);
+        let load = mass(r) * along;
+        let sunk = hertz_overlap(MODULUS, r, load);
+        case.grain(r, DVec3::new(2e-3, 1e-3, r - sunk), DVec3::ZERO);
+        let mut sim = case.simulation();
+        let duration = 0.11;
+        cases::advance(&mut sim, duration);
+        let t = sim.time();
+        // 7/2, but for the lever, which is shorter by the overlap
+        let lever = 1.0 - sunk / r;
+        let slid = 0.5 * along * (1.0 - mu * (1.0 + 2.5 * lever * lever)) * t * t;
+        let expected = mu * load * slid;
+        let [impact, sliding, volume] = sim.walls[0].wear();
+        assert!((sliding / expected - 1.0).abs() < 1e-3, "{sliding} {expected}");
+        assert!(impact < 1e-4 * sliding, "{impact}");
+        assert!((volume / (2e-12 * load * slid) - 1.0).abs() < 1e-3, "{volume}");
+        // what friction lost is there, triangle by triangle along the way
+        let elements = sim.walls[0].element_records();
+        let sum: f64 = elements.iter().map(|e| e.sliding_energy).sum();
+        assert!((sum / sliding - 1.0).abs() < 1e-12);
+        let booked = sim.energies().friction_dissipated;
+        assert!((booked / sliding - 1.0).abs() < 1e-3, "{booked}");
+        // place of the grain: a (t^2)/2 with a = g (sin - mu cos); energy per way grows as the slip over the speed, which is constant
+        let end = 2e-3 + 0.5 * along * (1.0 - mu) * t * t;
+        assert!((sim.grains().position[0].x / end - 1.0).abs() < 1e-3);
+        for (square, pair) in elements.chunks(2).enumerate() {
+            let (from, to) = (5e-3 * square as f64, 5e-3 * (square + 1) as f64);
+            let share = (to.min(end) - from.max(2e-3)).max(0.0) / (end - 2e-3);
+            let found = (pair[0].sliding_energy + pair[1].sliding_energy) / sliding;
+            assert!((found - share).abs() < 3e-3, "square {square}: {found} {share}");
+            let depth = pair[0].worn_volume / 5e-5;
+            assert!((pair[0].wear_depth - depth).abs() <= 1e-12 * depth);
+        }
+    });
+}
+
+/// A grain that bounces about in a box of which one side is a mesh.
+fn bouncing(integrator: Integrator, laws: &Laws) -> Simulation {
+    let mut case = Case::new(one_material(MODULUS, laws));
+    case.integrator = integrator;
+    case.max_overlap = 0.3;
+    let (lower, upper) = (DVec3::new(0.0, -0.01, -0.02), DVec3::new(0.03, 0.01, 0.01));
+    let open = [false, false, false, false, true, false];
+    case.wall(0, strip(6), Motion::Rest);
+    case.wall(0, Shape::Box { lower, upper, open }, Motion::Rest);
+    case.walls.iter_mut().for_each(|wall| wall.record(WEAR));
+    let spin = DVec3::new(50.0, -100.0, 30.0);
+    case.spinning_grain(1e-3, DVec3::new(0.01, 2e-3, 5e-3), DVec3::new(0.7, 0.4, -0.9), spin);
+    case.simulation()
+}
+
+#[test]
+fn what_walls_record_is_what_the_books_lost() {
+    let history = || law("mindlin-history", &[("friction", 0.3)]);
+    let plain = Laws::hertz(0.8).friction(history());
+    let plastic = Laws::of(law(
+        "luding",
+        &[
+            ("loading_stiffness", 500.0),
+            ("unloading_stiffness", 1000.0),
+            ("adhesion_stiffness", 50.0),
+            ("plastic_depth", 0.05),
+        ],
+    ));
+    on_threads(1, || {
+        for integrator in [Integrator::VelocityVerlet, Integrator::Gear] {
+            for laws in [&plain, &plastic.clone().friction(history())] {
+                let mut sim = bouncing(integrator, laws);
+                let mut bounces = 0;
+                let mut touching = false;
+                for _ in 0..2_000_000 {
+                    sim.step().unwrap();
+                    let touches = sim.contacts.acting_walls() > 0;
+                    bounces += u32::from(touching && !touches);
+                    touching = touches;
+                    if bounces == 8 && sim.contacts.wall_count() == 0 {
+                        break;
+                    }
+                }
+                sim.step().unwrap();
+                assert!(bounces >= 8, "{bounces}");
+                let e = sim.energies();
+                let totals = sim
+                    .walls
+                    .iter()
+                    .map(|w| w.wear())
+                    .fold([0.0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
+                let normal = e.viscous_dissipated + e.plastic_dissipated;
+                assert!((totals[0] / normal - 1.0).abs() < 1e-9, "{totals:?} {e:?}");
+                assert!(
+                    (totals[1] / e.friction_dissipated - 1.0).abs() < 1e-9,
+                    "{totals:?} {e:?}"
+                );
+                assert!(e.friction_dissipated > 0.0 && totals[2] > 0.0);
+                assert!(sim.walls.iter().all(|wall| wall.wear()[0] > 0.0));
+            }
+        }
+    });
+}
+
+#[test]
+fn stress_is_weight_over_area() {
+    on_threads(1, || {
+        let mut case = Case::new(one_material(MODULUS, &Laws::hertz(0.3).friction(coulomb(0.5))));
+        case.gravity = DVec3::Z * -G;
+        case.wall(0, strip(2), Motion::Rest);
+        case.walls[0].record(Recording {
+            stress: true,
+            wear: None,
+        });
+        let r = 1e-3;
+        let sunk = hertz_overlap(MODULUS, r, mass(r) * G);
+        // below the diagonal of the second square
+        case.grain(r, DVec3::new(8e-3, -5e-3, r - sunk), DVec3::ZERO);
+        let mut sim = case.simulation();
+        cases::advance(&mut sim, 0.01);
+        sim.walls[0].begin_interval();
+        cases::advance(&mut sim, 0.01);
+        let elements = sim.walls[0].element_records();
+        let weight = mass(r) * G;
+        for (k, element) in elements.iter().enumerate() {
+            let expected = if k == 2 { weight } else { 0.0 };
+            assert!((element.force.z + expected).abs() < 1e-3 * weight, "{k}: {element:?}");
+            assert!((element.pressure - expected / 5e-5).abs() < 1e-3 * weight / 5e-5);
+            assert!(element.shear_stress < 1e-6 * weight / 5e-5);
+        }
+        sim.walls[0].begin_interval();
+        assert_eq!(sim.walls[0].element_records()[2].force, DVec3::ZERO);
+    });
+}
+
+#[test]
+fn coupled_contacts_are_recorded_once() {
+    on_threads(1, || {
+        let laws = Laws::hertz(0.5).friction(coulomb(0.3)).multi_contact("half-space", &[]);
+        let mut case = Case::new(one_material(MODULUS, &laws));
+        case.coupling = Coupling::default();
+        case.gravity = DVec3::Z * -G;
+        case.wall(0, strip(2), Motion::Rest);
+        case.walls[0].record(WEAR);
+        case.grain(1e-3, DVec3::new(4e-3, 0.0, 3e-3), DVec3::new(0.3, 0.0, 0.0));
+        let mut sim = case.simulation();
+        cases::run_until_parted(&mut sim);
+        sim.step().unwrap();
+        let (e, [impact, sliding, _]) = (sim.energies(), sim.walls[0].wear());
+        assert!((impact / (e.viscous_dissipated + e.plastic_dissipated) - 1.0).abs() < 1e-9);
+        assert!((sliding / e.friction_dissipated - 1.0).abs() < 1e-9, "{sliding} {e:?}");
+    });
+}
