@@ -102,6 +102,9 @@ impl AtWalls<'_> {
 }
 
 impl Source for AtWalls<'_> {
+    /// Few contacts are with walls, and what is compiled as one takes long to compile.
+    const TOGETHER: bool = false;
+
     #[inline(always)]
     fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L> {
         let scene = self.scene;

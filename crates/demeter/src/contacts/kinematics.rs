@@ -180,6 +180,8 @@ pub(super) struct Sight<L: Lanes> {
 pub(super) trait Source {
     /// Whether a chunk has so many of them that it pays to take two registers at a time.
     const ARE_MANY: bool = false;
+    /// Whether laws that many runs have together are compiled as one for them.
+    const TOGETHER: bool = true;
 
     /// The contacts from `k` on; those that are not `here` do not act.
     fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L>;

@@ -149,7 +149,7 @@ pub(super) fn ask<S: Source, K: Sink>(
     let law = respond.law;
     use NormalLaw::{HertzTsuji, Linear};
     use TangentialLaw::{Coulomb, LinearHistory, MindlinHistory};
-    if law.rolling.is_none() {
+    if S::TOGETHER && law.rolling.is_none() {
         match (&law.normal, &law.tangential) {
             (HertzTsuji(n), Some(MindlinHistory(t))) => return run(instructions, respond.with(Both(n, t))),
             (HertzTsuji(n), Some(Coulomb(t))) => return run(instructions, respond.with(Both(n, t))),
