@@ -24,6 +24,14 @@ pub fn to_text(profile: &ProfileReport) -> String {
     text += &line("all", profile.seconds, 1.0, profile.seconds * 1e9 / particle_steps);
     let rebuilds = things(profile.rebuilds, "rebuild");
     text += &format!("  {rebuilds} of the candidates in {}\n", things(profile.steps, "step"));
+    if let Some(effort) = profile.coupling.filter(|effort| effort.solutions > 0) {
+        let each = effort.iterations as f64 / effort.solutions as f64;
+        let times = things(effort.solutions, "time");
+        text += &format!(
+            "  the coupled equation was solved {times}, in {} iterations each\n",
+            number(each)
+        );
+    }
     let memory = profile.memory.iter().filter(|part| part.bytes > 0);
     let held: f64 = memory.clone().map(|part| part.bytes_per_grain).sum();
     text += &format!(

@@ -7,6 +7,7 @@
 use super::memory::MemoryPart;
 use super::roofline::{Machine, Passes, Roofline, Work};
 use super::{SharingReport, Simulation};
+use crate::step::Effort;
 use demeter_physics::integrator::Integrator;
 use serde::Serialize;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -62,11 +63,12 @@ pub(crate) struct Profile {
     parts: [AtomicU64; PARTS],
     steps: u64,
     rebuilds_before: u64,
+    coupling_before: Effort,
     work: Work,
 }
 
 impl Profile {
-    fn new(rebuilds: u64) -> Self {
+    fn new(rebuilds: u64, coupling: Effort) -> Self {
         let now = Instant::now();
         Self {
             begun: now,
@@ -75,6 +77,7 @@ impl Profile {
             parts: Default::default(),
             steps: 0,
             rebuilds_before: rebuilds,
+            coupling_before: coupling,
             work: Work::default(),
         }
     }
@@ -146,6 +149,9 @@ pub struct ProfileReport {
     pub particle_steps: u64,
     /// How often candidates were found anew.
     pub rebuilds: u64,
+    /// What solving the coupled equation took; absent where no contact feels another.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coupling: Option<Effort>,
     /// Number of threads.
     pub threads: usize,
     /// Instructions that the kernels ran with.
@@ -177,7 +183,7 @@ pub struct PhaseTime {
 impl Simulation {
     /// Reads the clock from now on, and forgets what it told before.
     pub fn profile_from_now(&mut self) {
-        self.profile = Some(Box::new(Profile::new(self.rebuilds)));
+        self.profile = Some(Box::new(Profile::new(self.rebuilds, self.coupling_effort())));
     }
 
     /// Books the time since the last call as that of a phase; nothing without a profile.
@@ -240,6 +246,7 @@ impl Simulation {
             steps: profile.steps,
             particle_steps,
             rebuilds: self.rebuilds - profile.rebuilds_before,
+            coupling: (self.coupling.as_ref()).map(|_| self.coupling_effort().since(profile.coupling_before)),
             threads,
             instructions: self.instructions.name(),
             phases,

@@ -91,6 +91,18 @@ pub struct Effort {
     pub jumps: u64,
 }
 
+impl Effort {
+    /// What was added to an earlier one.
+    pub(crate) fn since(self, earlier: Self) -> Self {
+        Self {
+            solutions: self.solutions - earlier.solutions,
+            iterations: self.iterations - earlier.iterations,
+            repeats: self.repeats - earlier.repeats,
+            jumps: self.jumps - earlier.jumps,
+        }
+    }
+}
+
 impl CouplingState {
     /// Nothing where no contact feels another.
     pub(crate) fn new(scheme: Coupling, grains: &Grains, materials: &Materials) -> Option<Self> {

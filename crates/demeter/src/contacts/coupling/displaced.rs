@@ -100,9 +100,17 @@ impl ContactChunk {
         let count = self.len().max(self.coupling.delivered.len());
         self.coupling.delivered.resize_with(count, Delivered::default);
         if converge {
-            self.coupling.lagging.clear();
-            self.coupling.lagging.resize(self.now.len(), false);
-            self.coupling.mixing.forget();
+            let Scratch {
+                undisplaced,
+                lagging,
+                mixing,
+                ..
+            } = &mut *self.coupling;
+            undisplaced.clear();
+            undisplaced.extend(self.now.geometry.iter().map(|contact| contact.overlap));
+            lagging.clear();
+            lagging.resize(self.now.len(), false);
+            mixing.forget();
         }
     }
 
@@ -123,7 +131,7 @@ impl ContactChunk {
             let first = k;
             while k < count && concerned(self, k) {
                 let [one, other] = self.coupling.delivered[k].of_both();
-                self.coupling.overlap[k] = self.now.geometry[k].overlap + (one + other);
+                self.coupling.overlap[k] = self.coupling.undisplaced[k] + (one + other);
                 k += 1;
             }
             self.coupling.find_forces(first..k, &self.now, self.law, scene);

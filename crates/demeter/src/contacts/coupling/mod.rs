@@ -126,7 +126,8 @@ pub(crate) struct Scratch {
     answer: Vec<f64>,
     /// How far the forces tried are from the answers, as shares of the largest force on the grains.
     share: Vec<f64>,
-    /// Overlaps of the displaced surfaces [m].
+    /// Overlaps of the spheres, and of the displaced surfaces [m].
+    undisplaced: Vec<f64>,
     overlap: Vec<f64>,
     /// Whether the displacements by a contact follow from its force of the step before after all.
     lagging: Vec<bool>,

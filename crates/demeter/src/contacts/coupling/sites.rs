@@ -186,17 +186,26 @@ impl Sites {
             self.find(of.clone(), from);
             *self.is_current.get_mut() = true;
         }
-        let AtSites { rows, forces, .. } = &mut self.now;
-        rows.resize(self.sites.len(), [0.0; 4]);
-        forces.resize(self.sites.len(), 0.0);
-        for (site, (row, force)) in self.sites.iter().zip(rows.iter_mut().zip(forces)) {
-            let (chunk, k) = site.find(from.contacts);
-            *row = chunk.coupling.sources[k][site.body()];
-            *force = chunk.coupling.trial[k];
-        }
+        self.now.rows.resize(self.sites.len(), [0.0; 4]);
+        self.now.forces.resize(self.sites.len(), 0.0);
+        self.gather(0..self.sites.len(), true, from);
         self.find_influences(from);
         for (grain, index) in of.enumerate() {
             self.displace_grain(grain, index, from, told);
+        }
+    }
+
+    /// Gathers the forces tried at some sites, and where they are.
+    #[inline(always)]
+    fn gather(&mut self, some: Range<usize>, with_rows: bool, from: Scenery<'_>) {
+        let (sites, rows) = (&self.sites[some.clone()], &mut self.now.rows[some.clone()]);
+        let places = sites.iter().zip(rows).zip(&mut self.now.forces[some]);
+        for ((site, row), force) in places {
+            let (chunk, k) = site.find(from.contacts);
+            *force = chunk.coupling.trial[k];
+            if with_rows {
+                *row = chunk.coupling.sources[k][site.body()];
+            }
         }
     }
 
@@ -304,17 +313,15 @@ impl Sites {
 
     /// Finds the displacements anew on grains with contacts whose force or lever has changed.
     pub(crate) fn displace_again(&mut self, of: Range<usize>, from: Scenery<'_>, told: &mut Told<'_>) {
-        for (grain, index) in of.enumerate() {
-            let change = from.changes.of(index);
-            if change == 0 {
-                continue;
-            }
-            for place in self.sites_of(grain) {
-                let site = self.sites[place];
-                let (chunk, k) = site.find(from.contacts);
-                self.now.forces[place] = chunk.coupling.trial[k];
-                self.now.rows[place] = chunk.coupling.sources[k][site.body()];
-            }
+        let changed = of
+            .enumerate()
+            .map(|(grain, index)| (grain, index, from.changes.of(index)));
+        let changed = changed.filter(|&(_, _, change)| change != 0);
+        // contacts are far from each other in memory: those of all grains are asked for before any is needed
+        for (grain, _, change) in changed.clone() {
+            self.gather(self.sites_of(grain), change == LEVER, from);
+        }
+        for (grain, index, change) in changed {
             if change == LEVER {
                 self.find_influences_of(grain..grain + 1, self.laws[grain], from);
             }
