@@ -37,7 +37,7 @@ exec ip netns exec "\$host" sh -c "\$*"
 END
 chmod +x "$place/launcher"
 
-scenario=$(realpath "$(dirname "$0")/../../crates/demeter/tests/shared_runs/mixer.toml")
+scenario=$(realpath "$(dirname "$0")/../../crates/demeter/tests/engine/shared_runs/mixer.toml")
 cd "$place"
 run=(run "$scenario" --set 'stage.mix.duration="0.2 ms"' --threads 1)
 "$demeter" "${run[@]}" --out alone >/dev/null 2>&1
