@@ -333,7 +333,7 @@ fn judge(end: &Path, job: &Job, walls: EngineWalls) -> Result<analysis::Physics,
 
 fn bearing_name(kind: Kind) -> &'static str {
     match kind {
-        Kind::Bed | Kind::Cohesive | Kind::Column | Kind::Sizes => "floor",
+        Kind::Bed | Kind::Cohesive | Kind::Rolling | Kind::Column | Kind::Sizes => "floor",
         Kind::Chute => "base",
         Kind::Drum => "drum",
         Kind::Plate => "plate",

@@ -37,6 +37,8 @@ pub enum Kind {
     Bed,
     /// A bed in a box whose grains adhere; LAMMPS alone has the law.
     Cohesive,
+    /// A bed in a box whose grains resist rolling; LIGGGHTS alone has the law.
+    Rolling,
     /// A bed on a floor, periodic.
     Column,
     /// Flow down a slope over fixed grains.
@@ -104,7 +106,7 @@ const fn workload(key: &'static str, title: &'static str, kind: Kind, state: &'s
 }
 
 /// All workloads.
-pub const WORKLOADS: [Workload; 11] = [
+pub const WORKLOADS: [Workload; 12] = [
     workload("w1set", "W1 settled, 20k", Kind::Bed, "w1set"),
     Workload {
         tolerance: COLLAPSING,
@@ -157,6 +159,11 @@ pub const WORKLOADS: [Workload; 11] = [
         tolerance: COLLAPSING,
         ..workload("w7", "W7 cohesive, 20k", Kind::Cohesive, "w1dyn")
     },
+    Workload {
+        yade: false,
+        tolerance: COLLAPSING,
+        ..workload("w8", "W8 rolling resistance, 20k", Kind::Rolling, "w1dyn")
+    },
 ];
 
 /// What differs in the cohesive bed: grains adhere to each other, not to walls, since JKR at walls ends LAMMPS 2021 with numbers that are
@@ -168,6 +175,10 @@ const COHESIVE: [&str; 3] = [
     "contact.pair=[{between=[\"glass\", \"glass\"], normal={law=\"jkr\", work_of_adhesion=\"0.05 J/m^2\", alpha=0.34074}, \
      tangential={law=\"mindlin-history\", friction=0.5, damping_ratio=0.3679}}]",
 ];
+
+/// What differs where grains resist rolling. The largest torques are those of LIGGGHTS, the springs 1.5 times as stiff, as it takes the
+/// secant of Hertz's law for its tangent.
+const ROLLING: &str = "contact.rolling={law=\"epsd\", rolling_friction=0.1, damping_ratio=0.1}";
 
 /// The workloads that any of some keys begins: `w6` asks for all sizes. All of them when there are no keys.
 pub fn chosen(keys: &[String]) -> Result<Vec<Workload>, String> {
@@ -189,7 +200,7 @@ impl Kind {
     pub fn input(self) -> &'static str {
         match self {
             // the peers run both with one input
-            Self::Bed | Self::Column | Self::Cohesive => "bed",
+            Self::Bed | Self::Column | Self::Cohesive | Self::Rolling => "bed",
             Self::Chute => "chute",
             Self::Drum => "drum",
             Self::Plate => "plate",
@@ -200,7 +211,7 @@ impl Kind {
     /// The scenario of Demeter.
     pub const fn scenario(self) -> &'static str {
         match self {
-            Self::Bed | Self::Cohesive => include_str!("../../../peers/scenarios/bed.toml"),
+            Self::Bed | Self::Cohesive | Self::Rolling => include_str!("../../../peers/scenarios/bed.toml"),
             Self::Column => include_str!("../../../peers/scenarios/column.toml"),
             Self::Chute => include_str!("../../../peers/scenarios/chute.toml"),
             Self::Drum => include_str!("../../../peers/scenarios/drum.toml"),
@@ -214,6 +225,7 @@ impl Kind {
         match self {
             Self::Chute => &["granular", "hooke"],
             Self::Cohesive => &["granular"],
+            Self::Rolling => &[],
             _ => &["granular", "hertz"],
         }
     }
@@ -239,6 +251,7 @@ impl Workload {
         let file = format!("grains[0].file=\"{}.data\"", self.state);
         match self.kind {
             Kind::Bed | Kind::Drum | Kind::Sizes => vec![file],
+            Kind::Rolling => vec![file, ROLLING.into()],
             Kind::Cohesive => [file].into_iter().chain(COHESIVE.map(String::from)).collect(),
             Kind::Plate => vec![file, format!("wall.plate.point=\"0 0 {} m\"", plate_start(state))],
             Kind::Column => vec![file, format!("domain.upper=\"{} m\"", corner(state))],
@@ -251,6 +264,7 @@ impl Workload {
         match self.kind {
             Kind::Bed => vec![("periodic", "0".into())],
             Kind::Cohesive => vec![("periodic", "0".into()), ("law", "jkr".into())],
+            Kind::Rolling => vec![("periodic", "0".into()), ("rolling", "1".into())],
             Kind::Column => vec![("periodic", "1".into())],
             Kind::Plate => vec![("plate", plate_start(state).to_string())],
             Kind::Chute | Kind::Drum | Kind::Sizes => Vec::new(),
@@ -262,7 +276,7 @@ impl Workload {
         let mut all = vec![("skin", self.kind.skin().to_string()), ("dt", self.dt.to_string())];
         let height = state.upper.z;
         all.extend(match self.kind {
-            Kind::Bed | Kind::Cohesive => vec![("width", BED_WIDTH.to_string())],
+            Kind::Bed | Kind::Cohesive | Kind::Rolling => vec![("width", BED_WIDTH.to_string())],
             Kind::Sizes => vec![("width", SIZES_WIDTH.to_string())],
             Kind::Plate => vec![
                 ("width", BED_WIDTH.to_string()),
@@ -289,7 +303,7 @@ impl Workload {
         let size = state.upper - state.lower;
         let periodic = DVec3::new(size.x, size.y, f64::INFINITY);
         let (period, spring, bearing) = match self.kind {
-            Kind::Bed | Kind::Cohesive | Kind::Sizes => (DVec3::INFINITY, hertz, floor),
+            Kind::Bed | Kind::Cohesive | Kind::Rolling | Kind::Sizes => (DVec3::INFINITY, hertz, floor),
             Kind::Column => (periodic, hertz, floor),
             Kind::Drum if walls.faceted => {
                 let turned = DRUM_SPEED * steps as f64 * self.dt;
