@@ -369,7 +369,7 @@ fn compare_with_all_pairs(sim: &Simulation, flow: usize, gradient: usize) -> (us
 /// A frictionless packing that is compressed at a stress comes to rest at it, jammed at random close packing.
 #[test]
 fn a_frictionless_packing_jams_at_random_close_packing() {
-    let mut sim = Simulation::new(gas(&smooth(0.3), if full() { 10 } else { 7 }, 0.3, 0.2, 0.0));
+    let mut sim = Simulation::new(gas(&smooth(0.3), if full() { 10 } else { 6 }, 0.3, 0.2, 0.0));
     let target = 1e-4 * STIFFNESS / RADIUS;
     sim.deform(isotropic(Drive::Stress { target, max_rate: 30.0 })).unwrap();
     let steps = (0.2 / sim.dt()) as u64;
