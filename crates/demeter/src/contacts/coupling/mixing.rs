@@ -8,6 +8,13 @@
 
 use serde::{Deserialize, Serialize};
 
+/// Plain iterations before forces are mixed: near rest one is enough.
+const PLAIN_ITERATIONS: usize = 6;
+
+/// Forces are not mixed as long as a plain iteration leaves less than this share of the largest deviation: it works on the forces
+/// alone that are not good enough yet, and mixing on all.
+const QUICK: f64 = 0.5;
+
 /// Changes kept.
 const DEPTH: usize = 5;
 
@@ -217,11 +224,25 @@ impl Memory {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Progress {
     least: f64,
+    /// Largest deviation before the latest iteration, as a share of a force.
+    before: f64,
+    mixes: bool,
 }
 
 impl Progress {
     pub(crate) fn begin() -> Self {
-        Self { least: f64::INFINITY }
+        Self {
+            least: f64::INFINITY,
+            before: f64::INFINITY,
+            mixes: false,
+        }
+    }
+
+    /// Whether forces are mixed in an iteration, told the largest deviation; once they are it goes on.
+    pub(crate) fn mixes(&mut self, iteration: usize, worst: f64) -> bool {
+        self.mixes |= iteration >= PLAIN_ITERATIONS && worst > QUICK * self.before;
+        self.before = worst;
+        self.mixes
     }
 
     /// Whether mixing does harm, so that the plain iteration must begin anew.

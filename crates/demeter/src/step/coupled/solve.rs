@@ -9,13 +9,6 @@ use crate::simulation::division::known_grains;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Plain iterations before forces are mixed: near rest one is enough.
-const PLAIN_ITERATIONS: usize = 6;
-
-/// Forces are not mixed as long as a plain iteration leaves less than this share of the largest deviation: it works on the forces
-/// alone that are not good enough yet, and mixing on all.
-const QUICK: f64 = 0.5;
-
 /// Iterations after which a force that jumps may be the reason for having no solution.
 const PATIENCE_WITH_JUMPS: usize = 30;
 
@@ -36,7 +29,6 @@ impl Simulation {
         self.note_all_forces();
         let [of_all] = self.largest_of_all([self.largest_force()]);
         let mut progress = Progress::begin();
-        let (mut before, mut mixes) = (f64::INFINITY, false);
         for iteration in 1..=MOST_ITERATIONS {
             self.with_chunks(max_speed, |at, chunk, _, scene, state| {
                 let of_grains = &state.largest_force;
@@ -48,10 +40,9 @@ impl Simulation {
             }
             self.clear_changes();
             if worst > tolerance {
-                mixes |= iteration >= PLAIN_ITERATIONS && worst > QUICK * before;
-                before = worst;
+                let mixes = progress.mixes(iteration, worst);
                 if iteration.is_multiple_of(PATIENCE_WITH_JUMPS) && self.let_jumps_lag(max_speed, worst) > 0 {
-                    (progress, before, mixes) = (Progress::begin(), f64::INFINITY, false);
+                    progress = Progress::begin();
                 } else if !mixes {
                     self.with_chunks(max_speed, |at, chunk, _, _, state| {
                         chunk.iterate(at, &state.changes, tolerance);
@@ -68,7 +59,7 @@ impl Simulation {
                     }
                     return Ok(());
                 }
-                (progress, before, mixes) = (Progress::begin(), f64::INFINITY, false);
+                progress = Progress::begin();
             }
             self.displace_again();
         }
