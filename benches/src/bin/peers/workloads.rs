@@ -423,7 +423,7 @@ mod tests {
         assert_eq!(keys(&["w1", "w3"]).unwrap(), ["w1set", "w1dyn", "w3"]);
         assert_eq!(keys(&["w6"]).unwrap().len(), 4);
         assert_eq!(keys(&[]).unwrap().len(), WORKLOADS.len());
-        assert!(keys(&["w1", "w8"]).unwrap_err().contains("`w8`"));
+        assert!(keys(&["w1", "w99"]).unwrap_err().contains("`w99`"));
     }
 
     #[test]
