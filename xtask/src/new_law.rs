@@ -140,6 +140,7 @@ mod tests {
     use super::*;
     use clap::ValueEnum;
     use std::process::Command;
+    use toml::Table;
 
     fn copy(from: &Path, to: &Path) {
         std::fs::create_dir_all(to).unwrap();
@@ -158,16 +159,16 @@ mod tests {
     fn physics_alone(to: &Path) {
         copy(&root().join("crates/physics"), &to.join("crates/physics"));
         std::fs::copy(root().join("Cargo.lock"), to.join("Cargo.lock")).unwrap();
-        let manifest = read(&root().join("Cargo.toml")).unwrap();
-        let lines = manifest.lines().map(|line| match line.split_once(' ') {
-            Some(("members", _)) => "members = [\"crates/physics\"]",
-            Some(("default-members" | "demeter", _)) => "",
-            // compiled once and run once: less optimising makes the tests slower than it makes the compiler faster, and more the other way
-            Some(("opt-level", _)) => "opt-level = 1",
-            _ => line,
-        });
-        let manifest: Vec<&str> = lines.collect();
-        write(&to.join("Cargo.toml"), &manifest.join("\n")).unwrap();
+        let mut manifest: Table = toml::from_str(&read(&root().join("Cargo.toml")).unwrap()).unwrap();
+        let workspace = manifest["workspace"].as_table_mut().unwrap();
+        workspace.insert("members".into(), vec!["crates/physics"].into());
+        workspace.remove("default-members");
+        let profile = manifest["profile"]["dev"].as_table_mut().unwrap();
+        // compiled once and run once: less optimising makes the tests slower than it makes the compiler faster, and more the other way
+        profile.insert("opt-level".into(), 1.into());
+        // those of other packages, which would be told to match none
+        profile["package"].as_table_mut().unwrap().retain(|name, _| name == "*");
+        write(&to.join("Cargo.toml"), &manifest.to_string()).unwrap();
     }
 
     #[test]
@@ -189,6 +190,8 @@ mod tests {
             .join("new-law");
         let output = Command::new(crate::shell::cargo())
             .args(["test", "--offline", "--lib", "conformance"])
+            // the longest, of laws with a parameter that no template has
+            .args(["--", "--skip", "laws_that_depend_on_the_speed"])
             .current_dir(copy.path())
             .env("CARGO_TARGET_DIR", target)
             .output()

@@ -5,6 +5,7 @@ use crate::instructions::PROFILES;
 use crate::shell::run;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 /// Where the virtual environment, the run and the wheel go: beside what cargo builds.
 const ENVIRONMENT: &str = "python-environment";
@@ -15,14 +16,22 @@ const WHEELS: &str = "python-wheels";
 /// stubs and the notebooks. Installs the pinned packages first; fails if it cannot.
 pub fn test() -> Result<(), String> {
     let target = crate::shell::target_folder()?;
-    let python = environment(&target)?;
-    install(&python, &["-r", "tests/python/requirements.txt"])?;
+    let python = with_packages()?;
     test_output(&python, &target)?;
     test_module(&python, &target)
 }
 
 fn text(path: &Path) -> String {
     path.display().to_string()
+}
+
+/// The interpreter of the virtual environment, with the pinned packages. Whoever comes while they are installed waits for that.
+pub fn with_packages() -> Result<String, String> {
+    static INSTALLING: Mutex<()> = Mutex::new(());
+    let _one = INSTALLING.lock();
+    let python = environment(&crate::shell::target_folder()?)?;
+    install(&python, &["-r", "tests/python/requirements.txt"])?;
+    Ok(python)
 }
 
 /// The interpreter of the virtual environment.

@@ -137,7 +137,7 @@ fn templates_close_their_books_and_restart() {
             ],
             _ => {
                 let stages = text.matches("\n[[stage]]\n").count();
-                let short = |k: usize| format!("stage[{k}].duration=\"{} ms\"", 20 / stages);
+                let short = |k: usize| format!("stage[{k}].duration=\"{} ms\"", 12 / stages);
                 (0..stages).map(short).collect()
             }
         };

@@ -8,7 +8,7 @@ use crate::parameters::Value;
 
 /// Steps per shortest collision time.
 const STEPS_PER_COLLISION: f64 = 100.0;
-const PHASES: u32 = 50;
+const PHASES: u32 = 20;
 
 /// Two bodies on a line; an infinite mass is a wall.
 struct Encounter {
@@ -157,7 +157,7 @@ impl NormalVisitor for Check {
 fn laws_that_depend_on_the_speed_give_the_requested_restitution_at_it() {
     for info in crate::contact::normal::LAWS {
         let (mut realised, mut refused) = (0, 0);
-        for requested in [0.1, 0.3, 0.6, 0.9] {
+        for requested in [0.1, 0.5, 0.9] {
             for values in calibrated(info, requested) {
                 let Some(Value::Number(speed)) = values.get("impact_speed") else {
                     panic!("{}: no impact speed", info.name);
