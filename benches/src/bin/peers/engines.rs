@@ -90,19 +90,19 @@ pub struct Job<'a> {
 
 impl Engine {
     /// How it is called in the table.
-    pub fn label(&self, kind: Kind) -> String {
+    pub fn label(&self, workload: &Workload) -> String {
         match self {
             Self::Demeter => "Demeter".into(),
-            Self::Lammps { version, .. } => format!("LAMMPS {version} {}", self.style(kind).unwrap_or_default()),
+            Self::Lammps { version, .. } => format!("LAMMPS {version} {}", self.style(workload).unwrap_or_default()),
             Self::Liggghts { .. } => "LIGGGHTS".into(),
             Self::Yade { .. } => "YADE".into(),
         }
     }
 
     /// Its style of LAMMPS for a workload, if there is one.
-    fn style(&self, kind: Kind) -> Option<&'static str> {
+    fn style(&self, workload: &Workload) -> Option<&'static str> {
         match self {
-            Self::Lammps { style, .. } => kind.lammps_styles().get(*style).copied(),
+            Self::Lammps { style, .. } => workload.lammps_styles().get(*style).copied(),
             _ => None,
         }
     }
@@ -148,12 +148,10 @@ impl Engine {
         match self {
             Self::Demeter => true,
             Self::Lammps { launcher, .. } => {
-                self.style(job.workload.kind).is_some() && (job.threads == 1 || launcher.is_some())
+                self.style(job.workload).is_some() && (job.threads == 1 || launcher.is_some())
             }
-            Self::Liggghts { launcher, .. } => {
-                job.workload.kind != Kind::Cohesive && (job.threads == 1 || launcher.is_some())
-            }
-            Self::Yade { .. } => job.workload.yade,
+            Self::Liggghts { launcher, .. } => job.workload.liggghts() && (job.threads == 1 || launcher.is_some()),
+            Self::Yade { .. } => job.workload.yade(),
         }
     }
 
@@ -167,7 +165,7 @@ impl Engine {
                 let mut command = ranks(program, launcher.as_deref(), job.threads)?;
                 let file = format!("inputs/{}.lmp", job.workload.kind.input());
                 command.args(["-in", &file, "-screen", "none", "-log"]).arg(&own_log);
-                let model = self.style(job.workload.kind).unwrap_or_default();
+                let model = self.style(job.workload).unwrap_or_default();
                 let model = [("model", model.to_owned())];
                 pass(&mut command, variables(job).into_iter().chain(model));
                 (command, true)

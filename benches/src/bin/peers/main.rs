@@ -246,7 +246,7 @@ fn outcome(
         .collect();
     for round in 0..arguments.repeat {
         for (engine, threads) in &contenders {
-            let name = format!("{}-{}-{threads}-{round}", workload.key, engine.label(workload.kind)).replace(' ', "-");
+            let name = format!("{}-{}-{threads}-{round}", workload.key, engine.label(workload)).replace(' ', "-");
             let end = places.kept.join(format!("{name}.end"));
             let job = Job {
                 workload,
@@ -268,8 +268,7 @@ fn outcome(
 
 /// Does a job and puts what it gave to the others; a failure is told in the table.
 fn measure(engine: &Engine, job: &Job, round: usize, outcome: &mut Outcome) {
-    let kind = job.workload.kind;
-    let label = engine.label(kind);
+    let label = engine.label(job.workload);
     let at = outcome
         .series
         .iter()
@@ -290,7 +289,10 @@ fn measure(engine: &Engine, job: &Job, round: usize, outcome: &mut Outcome) {
         return;
     }
     let done = engine.run(job).and_then(|(measured, ended)| {
-        let physics = job.end.map(|end| judge(end, job, engine.walls(kind))).transpose()?;
+        let physics = job
+            .end
+            .map(|end| judge(end, job, engine.walls(job.workload.kind)))
+            .transpose()?;
         Ok((measured, ended, physics))
     });
     match done {
@@ -333,7 +335,7 @@ fn judge(end: &Path, job: &Job, walls: EngineWalls) -> Result<analysis::Physics,
 
 fn bearing_name(kind: Kind) -> &'static str {
     match kind {
-        Kind::Bed | Kind::Cohesive | Kind::Rolling | Kind::Column | Kind::Sizes => "floor",
+        Kind::Bed | Kind::Column | Kind::Sizes => "floor",
         Kind::Chute => "base",
         Kind::Drum => "drum",
         Kind::Plate => "plate",

@@ -35,10 +35,6 @@ const SIZES_WIDTH: f64 = 0.0489;
 pub enum Kind {
     /// A bed in a box.
     Bed,
-    /// A bed in a box whose grains adhere; LAMMPS alone has the law.
-    Cohesive,
-    /// A bed in a box whose grains resist rolling; LIGGGHTS alone has the law.
-    Rolling,
     /// A bed on a floor, periodic.
     Column,
     /// Flow down a slope over fixed grains.
@@ -49,6 +45,17 @@ pub enum Kind {
     Plate,
     /// A bed of many sizes.
     Sizes,
+}
+
+/// Which laws contacts follow, beside those of their kind of workload.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Laws {
+    /// No others; all peers have them.
+    OfAll,
+    /// Grains adhere; LAMMPS alone has the law.
+    Jkr,
+    /// Grains resist rolling; LIGGGHTS alone has the law.
+    Epsd,
 }
 
 /// What is particular about the walls of an engine.
@@ -77,6 +84,8 @@ pub struct Workload {
     pub title: &'static str,
     /// What it is.
     pub kind: Kind,
+    /// Which laws its contacts follow.
+    pub laws: Laws,
     /// The state it starts from.
     pub state: &'static str,
     /// Steps before the loop, in which contacts come to have a history.
@@ -85,7 +94,7 @@ pub struct Workload {
     pub steps: u64,
     /// Time step [s].
     pub dt: f64,
-    /// Whether YADE runs it: not a million grains, which take it minutes and 6 GB before the first step, nor a law that it has not.
+    /// Whether YADE runs so many grains: a million take it minutes and 6 GB before the first step.
     pub yade: bool,
     /// How closely the others must agree with Demeter.
     pub tolerance: Tolerance,
@@ -96,6 +105,7 @@ const fn workload(key: &'static str, title: &'static str, kind: Kind, state: &'s
         key,
         title,
         kind,
+        laws: Laws::OfAll,
         state,
         relax: 200,
         steps: 1000,
@@ -155,14 +165,14 @@ pub const WORKLOADS: [Workload; 12] = [
         ..workload("w6-1m", "W6 static, 1M", Kind::Column, "w6-1m")
     },
     Workload {
-        yade: false,
+        laws: Laws::Jkr,
         tolerance: COLLAPSING,
-        ..workload("w7", "W7 cohesive, 20k", Kind::Cohesive, "w1dyn")
+        ..workload("w7", "W7 cohesive, 20k", Kind::Bed, "w1dyn")
     },
     Workload {
-        yade: false,
+        laws: Laws::Epsd,
         tolerance: COLLAPSING,
-        ..workload("w8", "W8 rolling resistance, 20k", Kind::Rolling, "w1dyn")
+        ..workload("w8", "W8 rolling resistance, 20k", Kind::Bed, "w1dyn")
     },
 ];
 
@@ -200,7 +210,7 @@ impl Kind {
     pub fn input(self) -> &'static str {
         match self {
             // the peers run both with one input
-            Self::Bed | Self::Column | Self::Cohesive | Self::Rolling => "bed",
+            Self::Bed | Self::Column => "bed",
             Self::Chute => "chute",
             Self::Drum => "drum",
             Self::Plate => "plate",
@@ -211,22 +221,12 @@ impl Kind {
     /// The scenario of Demeter.
     pub const fn scenario(self) -> &'static str {
         match self {
-            Self::Bed | Self::Cohesive | Self::Rolling => include_str!("../../../peers/scenarios/bed.toml"),
+            Self::Bed => include_str!("../../../peers/scenarios/bed.toml"),
             Self::Column => include_str!("../../../peers/scenarios/column.toml"),
             Self::Chute => include_str!("../../../peers/scenarios/chute.toml"),
             Self::Drum => include_str!("../../../peers/scenarios/drum.toml"),
             Self::Plate => include_str!("../../../peers/scenarios/plate.toml"),
             Self::Sizes => include_str!("../../../peers/scenarios/sizes.toml"),
-        }
-    }
-
-    /// Styles of LAMMPS: that of the same law and the faster one.
-    pub fn lammps_styles(self) -> &'static [&'static str] {
-        match self {
-            Self::Chute => &["granular", "hooke"],
-            Self::Cohesive => &["granular"],
-            Self::Rolling => &[],
-            _ => &["granular", "hertz"],
         }
     }
 
@@ -240,7 +240,47 @@ impl Kind {
     }
 }
 
+impl Laws {
+    /// What changes in the scenario of Demeter.
+    fn overrides(self) -> &'static [&'static str] {
+        match self {
+            Self::OfAll => &[],
+            Self::Jkr => &COHESIVE,
+            Self::Epsd => &[ROLLING],
+        }
+    }
+
+    /// What asks LAMMPS and LIGGGHTS for them.
+    fn variable(self) -> Option<Variable> {
+        match self {
+            Self::OfAll => None,
+            Self::Jkr => Some(("law", "jkr".into())),
+            Self::Epsd => Some(("rolling", "1".into())),
+        }
+    }
+}
+
 impl Workload {
+    /// Styles of LAMMPS that have its laws: that of the same law and the faster one.
+    pub fn lammps_styles(&self) -> &'static [&'static str] {
+        match (self.laws, self.kind) {
+            (Laws::OfAll, Kind::Chute) => &["granular", "hooke"],
+            (Laws::OfAll, _) => &["granular", "hertz"],
+            (Laws::Jkr, _) => &["granular"],
+            (Laws::Epsd, _) => &[],
+        }
+    }
+
+    /// Whether LIGGGHTS has its laws.
+    pub fn liggghts(&self) -> bool {
+        self.laws != Laws::Jkr
+    }
+
+    /// Whether YADE has its laws, and runs so many grains.
+    pub fn yade(&self) -> bool {
+        self.yade && self.laws == Laws::OfAll
+    }
+
     /// Grains with ids up to this are fixed.
     pub fn fixed(&self) -> u32 {
         if self.kind == Kind::Chute { FIXED_IN_CHUTE } else { 0 }
@@ -249,26 +289,25 @@ impl Workload {
     /// What changes in the scenario of Demeter.
     pub fn overrides(&self, state: &State) -> Vec<String> {
         let file = format!("grains[0].file=\"{}.data\"", self.state);
-        match self.kind {
+        let mut all = match self.kind {
             Kind::Bed | Kind::Drum | Kind::Sizes => vec![file],
-            Kind::Rolling => vec![file, ROLLING.into()],
-            Kind::Cohesive => [file].into_iter().chain(COHESIVE.map(String::from)).collect(),
             Kind::Plate => vec![file, format!("wall.plate.point=\"0 0 {} m\"", plate_start(state))],
             Kind::Column => vec![file, format!("domain.upper=\"{} m\"", corner(state))],
             Kind::Chute => vec![format!("domain.upper=\"{} m\"", corner(state))],
-        }
+        };
+        all.extend(self.laws.overrides().iter().map(|&text| text.into()));
+        all
     }
 
     /// Variables of the inputs of LAMMPS and LIGGGHTS, beside those of every run.
     pub fn variables(&self, state: &State) -> Vec<Variable> {
-        match self.kind {
-            Kind::Bed => vec![("periodic", "0".into())],
-            Kind::Cohesive => vec![("periodic", "0".into()), ("law", "jkr".into())],
-            Kind::Rolling => vec![("periodic", "0".into()), ("rolling", "1".into())],
-            Kind::Column => vec![("periodic", "1".into())],
-            Kind::Plate => vec![("plate", plate_start(state).to_string())],
-            Kind::Chute | Kind::Drum | Kind::Sizes => Vec::new(),
-        }
+        let of_kind = match self.kind {
+            Kind::Bed => Some(("periodic", "0".into())),
+            Kind::Column => Some(("periodic", "1".into())),
+            Kind::Plate => Some(("plate", plate_start(state).to_string())),
+            Kind::Chute | Kind::Drum | Kind::Sizes => None,
+        };
+        of_kind.into_iter().chain(self.laws.variable()).collect()
     }
 
     /// Arguments of the scripts for YADE, beside those of every run.
@@ -276,7 +315,7 @@ impl Workload {
         let mut all = vec![("skin", self.kind.skin().to_string()), ("dt", self.dt.to_string())];
         let height = state.upper.z;
         all.extend(match self.kind {
-            Kind::Bed | Kind::Cohesive | Kind::Rolling => vec![("width", BED_WIDTH.to_string())],
+            Kind::Bed => vec![("width", BED_WIDTH.to_string())],
             Kind::Sizes => vec![("width", SIZES_WIDTH.to_string())],
             Kind::Plate => vec![
                 ("width", BED_WIDTH.to_string()),
@@ -303,7 +342,7 @@ impl Workload {
         let size = state.upper - state.lower;
         let periodic = DVec3::new(size.x, size.y, f64::INFINITY);
         let (period, spring, bearing) = match self.kind {
-            Kind::Bed | Kind::Cohesive | Kind::Rolling | Kind::Sizes => (DVec3::INFINITY, hertz, floor),
+            Kind::Bed | Kind::Sizes => (DVec3::INFINITY, hertz, floor),
             Kind::Column => (periodic, hertz, floor),
             Kind::Drum if walls.faceted => {
                 let turned = DRUM_SPEED * steps as f64 * self.dt;
