@@ -201,10 +201,11 @@ impl CouplingState {
         }
         let outdate = |grain: u32| {
             let grain = grain as usize;
-            if own.contains(&grain)
-                && let Some(sites) = self.sites.get((grain - own.start) / GRAINS_PER_TASK)
-            {
-                sites.outdate();
+            if own.contains(&grain) {
+                let place = grain - own.start;
+                if let Some(sites) = self.sites.get(place / GRAINS_PER_TASK) {
+                    sites.outdate_grain(place % GRAINS_PER_TASK);
+                }
             }
         };
         match candidates {

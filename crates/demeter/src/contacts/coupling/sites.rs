@@ -1,7 +1,7 @@
 //! The contacts of every grain: what they push with, and how that displaces the grain's surface at the others.
 //!
-//! Which contacts these are stays as it is until a contact comes or goes, or candidates are found anew; what is known of them is gathered in
-//! every step.
+//! Which contacts these are stays as it is until a contact of the grain comes or goes, or candidates are found anew; what is known of them
+//! is gathered in every step.
 
 use super::bulge::Bounds;
 use super::kernels::Kernels;
@@ -13,10 +13,10 @@ use demeter_physics::contact::multi_contact::{ContactPair, MultiContact, MultiCo
 use demeter_physics::lanes::{self, Instructions, Kernel, Lanes, MOST_LANES};
 use std::cell::RefCell;
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
+use std::sync::atomic::{AtomicU8, AtomicU64, Ordering};
 
-/// Grains handled by one task.
-pub(crate) const GRAINS_PER_TASK: usize = 64;
+/// Grains handled by one task, as many as a word has bits.
+pub(crate) const GRAINS_PER_TASK: usize = u64::BITS as usize;
 
 /// One contact, seen from one of its bodies: whether the partner is a wall, which body it is, the chunk, and the place in it: of the
 /// candidate, which stays when others begin or end, or of the contact with a wall.
@@ -51,11 +51,29 @@ impl Site {
 /// point from its centre [m].
 pub(crate) type Source = [[f64; 4]; 2];
 
-/// Contacts of the grains of one task, by grain, in the order of the partner's id.
-#[derive(Debug, Default)]
+/// Contacts of the grains of one task.
+#[derive(Debug)]
 pub(crate) struct Sites {
-    /// Whether these are the contacts of the grains still.
-    is_current: AtomicBool,
+    /// The grains that have other contacts now, a bit each.
+    outdated: AtomicU64,
+    list: List,
+    now: AtSites,
+}
+
+impl Default for Sites {
+    /// None is known.
+    fn default() -> Self {
+        Self {
+            outdated: AtomicU64::new(u64::MAX),
+            list: List::default(),
+            now: AtSites::default(),
+        }
+    }
+}
+
+/// Contacts of some grains, by grain, in the order of the partner's id.
+#[derive(Debug)]
+struct List {
     sites: Vec<Site>,
     /// What every site keeps clear around it, and the radius of its grain [m].
     clearances: Vec<f64>,
@@ -68,7 +86,21 @@ pub(crate) struct Sites {
     /// Pairs of sites of every grain, `(0, 1), (0, 2), (1, 2), ...`.
     earlier: Vec<u32>,
     later: Vec<u32>,
-    now: AtSites,
+}
+
+impl Default for List {
+    fn default() -> Self {
+        Self {
+            sites: Vec::new(),
+            clearances: Vec::new(),
+            radii: Vec::new(),
+            kernels: Vec::new(),
+            starts: vec![[0; 2]],
+            laws: Vec::new(),
+            earlier: Vec::new(),
+            later: Vec::new(),
+        }
+    }
 }
 
 /// What is found at sites in a step.
@@ -85,6 +117,8 @@ struct AtSites {
 thread_local! {
     /// Where a thread keeps that of the task at hand, which stays in its caches from task to task.
     static WORKSPACE: RefCell<AtSites> = RefCell::default();
+    /// The list of a task before some of its grains had other contacts.
+    static FORMER: RefCell<List> = RefCell::default();
 }
 
 /// The law of all contacts of a grain.
@@ -152,15 +186,10 @@ impl Changes {
     }
 }
 
-impl Sites {
-    /// Notes that some of the contacts are others.
-    pub(crate) fn outdate(&self) {
-        self.is_current.store(false, Ordering::Relaxed);
-    }
-
+impl List {
     #[inline(always)]
-    fn sites_of(&self, grain: usize) -> Range<usize> {
-        self.starts[grain][0] as usize..self.starts[grain + 1][0] as usize
+    fn sites_of(&self, grains: Range<usize>) -> Range<usize> {
+        self.starts[grains.start][0] as usize..self.starts[grains.end][0] as usize
     }
 
     #[inline(always)]
@@ -168,49 +197,7 @@ impl Sites {
         self.starts[grains.start][1] as usize..self.starts[grains.end][1] as usize
     }
 
-    /// Gathers the contacts of grains with the forces tried now, finds their influences on each other, and the displacements. The
-    /// displacements cannot be found again where what is found at the sites is not kept.
-    pub(crate) fn work(&mut self, of: Range<usize>, is_kept: bool, from: Scenery<'_>, told: &mut Told<'_>) {
-        if is_kept {
-            return self.gather_and_displace(of, from, told);
-        }
-        WORKSPACE.with_borrow_mut(|workspace| {
-            std::mem::swap(&mut self.now, workspace);
-            self.gather_and_displace(of, from, told);
-            std::mem::swap(&mut self.now, workspace);
-        });
-    }
-
-    fn gather_and_displace(&mut self, of: Range<usize>, from: Scenery<'_>, told: &mut Told<'_>) {
-        if !*self.is_current.get_mut() {
-            self.find(of.clone(), from);
-            *self.is_current.get_mut() = true;
-        }
-        self.now.rows.resize(self.sites.len(), [0.0; 4]);
-        self.now.forces.resize(self.sites.len(), 0.0);
-        self.gather(0..self.sites.len(), true, from);
-        self.find_influences(from);
-        for (grain, index) in of.enumerate() {
-            self.displace_grain(grain, index, from, told);
-        }
-    }
-
-    /// Gathers the forces tried at some sites, and where they are.
-    #[inline(always)]
-    fn gather(&mut self, some: Range<usize>, with_rows: bool, from: Scenery<'_>) {
-        let (sites, rows) = (&self.sites[some.clone()], &mut self.now.rows[some.clone()]);
-        let places = sites.iter().zip(rows).zip(&mut self.now.forces[some]);
-        for ((site, row), force) in places {
-            let (chunk, k) = site.find(from.contacts);
-            *force = chunk.coupling.trial[k];
-            if with_rows {
-                *row = chunk.coupling.sources[k][site.body()];
-            }
-        }
-    }
-
-    /// Finds which the contacts of grains are.
-    fn find(&mut self, of: Range<usize>, from: Scenery<'_>) {
+    fn clear(&mut self) {
         self.sites.clear();
         self.clearances.clear();
         self.radii.clear();
@@ -218,25 +205,43 @@ impl Sites {
         self.laws.clear();
         self.earlier.clear();
         self.later.clear();
-        self.starts.clear();
-        self.starts.push([0; 2]);
-        for grain in of {
-            let first = self.sites.len();
-            let radius = from.grains.radius(grain);
-            for (chunk, slot, is_first) in from.neighbours.pairs_of(grain) {
-                self.take((false, chunk, slot), usize::from(!is_first), radius, from);
-            }
-            for (chunk, slot) in from.neighbours.wall_pairs_of(grain) {
-                self.take((true, chunk, slot), 0, radius, from);
-            }
-            self.laws.push(LawOfGrain::of(&self.kernels[first..], from.kernels));
-            for later in first..self.sites.len() {
-                self.earlier.extend(first as u32..later as u32);
-                self.later.resize(self.earlier.len(), later as u32);
-            }
-            self.starts
-                .push([self.sites.len(), self.earlier.len()].map(|end| end as u32));
+        self.starts.truncate(1);
+    }
+
+    /// Takes the contacts of some grains from another list.
+    fn take_on(&mut self, other: &Self, grains: Range<usize>) {
+        let (sites, pairs) = (other.sites_of(grains.clone()), other.pairs_of(grains.clone()));
+        let moved = [(self.sites.len(), sites.start), (self.earlier.len(), pairs.start)]
+            .map(|(here, there)| (here as u32).wrapping_sub(there as u32));
+        self.sites.extend_from_slice(&other.sites[sites.clone()]);
+        self.clearances.extend_from_slice(&other.clearances[sites.clone()]);
+        self.radii.extend_from_slice(&other.radii[sites.clone()]);
+        self.kernels.extend_from_slice(&other.kernels[sites]);
+        self.laws.extend_from_slice(&other.laws[grains.clone()]);
+        let move_on = |site: &u32| site.wrapping_add(moved[0]);
+        self.earlier.extend(other.earlier[pairs.clone()].iter().map(move_on));
+        self.later.extend(other.later[pairs].iter().map(move_on));
+        let ends = other.starts[grains.start + 1..=grains.end].iter();
+        (self.starts).extend(ends.map(|end| [0, 1].map(|k| end[k].wrapping_add(moved[k]))));
+    }
+
+    /// Finds the contacts of one more grain.
+    fn find(&mut self, grain: usize, from: Scenery<'_>) {
+        let first = self.sites.len();
+        let radius = from.grains.radius(grain);
+        for (chunk, slot, is_first) in from.neighbours.pairs_of(grain) {
+            self.take((false, chunk, slot), usize::from(!is_first), radius, from);
         }
+        for (chunk, slot) in from.neighbours.wall_pairs_of(grain) {
+            self.take((true, chunk, slot), 0, radius, from);
+        }
+        self.laws.push(LawOfGrain::of(&self.kernels[first..], from.kernels));
+        for later in first..self.sites.len() {
+            self.earlier.extend(first as u32..later as u32);
+            self.later.resize(self.earlier.len(), later as u32);
+        }
+        self.starts
+            .push([self.sites.len(), self.earlier.len()].map(|end| end as u32));
     }
 
     /// Takes the contacts of one candidate.
@@ -258,18 +263,92 @@ impl Sites {
             self.kernels.push(from.kernels.of(chunk.law())[body]);
         }
     }
+}
+
+impl Sites {
+    /// Notes that all grains have other contacts.
+    pub(crate) fn outdate(&self) {
+        self.outdated.store(u64::MAX, Ordering::Relaxed);
+    }
+
+    /// Notes that one of the grains has.
+    pub(crate) fn outdate_grain(&self, grain: usize) {
+        self.outdated.fetch_or(1 << grain, Ordering::Relaxed);
+    }
+
+    /// Gathers the contacts of grains with the forces tried now, finds their influences on each other, and the displacements. The
+    /// displacements cannot be found again where what is found at the sites is not kept.
+    pub(crate) fn work(&mut self, of: Range<usize>, is_kept: bool, from: Scenery<'_>, told: &mut Told<'_>) {
+        if is_kept {
+            return self.gather_and_displace(of, from, told);
+        }
+        WORKSPACE.with_borrow_mut(|workspace| {
+            std::mem::swap(&mut self.now, workspace);
+            self.gather_and_displace(of, from, told);
+            std::mem::swap(&mut self.now, workspace);
+        });
+    }
+
+    fn gather_and_displace(&mut self, of: Range<usize>, from: Scenery<'_>, told: &mut Told<'_>) {
+        let outdated = std::mem::take(self.outdated.get_mut());
+        if outdated != 0 {
+            FORMER.with_borrow_mut(|former| {
+                std::mem::swap(&mut self.list, former);
+                self.find(of.clone(), outdated, former, from);
+            });
+        }
+        let count = self.list.sites.len();
+        self.now.rows.resize(count, [0.0; 4]);
+        self.now.forces.resize(count, 0.0);
+        self.gather(0..count, true, from);
+        self.find_influences(from);
+        for (grain, index) in of.enumerate() {
+            self.displace_grain(grain, index, from, told);
+        }
+    }
+
+    /// Gathers the forces tried at some sites, and where they are.
+    #[inline(always)]
+    fn gather(&mut self, some: Range<usize>, with_rows: bool, from: Scenery<'_>) {
+        let (sites, rows) = (&self.list.sites[some.clone()], &mut self.now.rows[some.clone()]);
+        let places = sites.iter().zip(rows).zip(&mut self.now.forces[some]);
+        for ((site, row), force) in places {
+            let (chunk, k) = site.find(from.contacts);
+            *force = chunk.coupling.trial[k];
+            if with_rows {
+                *row = chunk.coupling.sources[k][site.body()];
+            }
+        }
+    }
+
+    /// Finds the contacts of grains that have others now, and takes those of the others from the former list.
+    fn find(&mut self, of: Range<usize>, outdated: u64, former: &List, from: Scenery<'_>) {
+        self.list.clear();
+        let mut grain = 0;
+        while grain < of.len() {
+            let rest = outdated >> grain;
+            if rest & 1 == 1 {
+                self.list.find(of.start + grain, from);
+                grain += 1;
+            } else {
+                let end = (grain + rest.trailing_zeros() as usize).min(of.len());
+                self.list.take_on(former, grain..end);
+                grain = end;
+            }
+        }
+    }
 
     /// Finds the influences of the contacts of every grain on each other.
     fn find_influences(&mut self, from: Scenery<'_>) {
-        let pairs = self.earlier.len();
+        let pairs = self.list.earlier.len();
         self.now.on_later.resize(pairs, 0.0);
         self.now.on_earlier.resize(pairs, 0.0);
         let mut first = 0;
-        let count = self.laws.len();
+        let count = self.list.laws.len();
         while first < count {
             // grains behind each other of one law are one piece of work
-            let law = self.laws[first];
-            let others = self.laws[first..].iter().position(|&other| other != law);
+            let law = self.list.laws[first];
+            let others = self.list.laws[first..].iter().position(|&other| other != law);
             let end = others.map_or(count, |others| first + others);
             self.find_influences_of(first..end, law, from);
             first = end;
@@ -277,7 +356,8 @@ impl Sites {
     }
 
     fn find_influences_of(&mut self, grains: Range<usize>, law: LawOfGrain, from: Scenery<'_>) {
-        let some = self.pairs_of(grains);
+        let list = &self.list;
+        let some = list.pairs_of(grains);
         let AtSites {
             rows,
             on_later,
@@ -286,11 +366,11 @@ impl Sites {
         } = &mut self.now;
         let (on_later, on_earlier) = (&mut on_later[some.clone()], &mut on_earlier[some.clone()]);
         let pairs = Pairs {
-            earlier: &self.earlier[some.clone()],
-            later: &self.later[some],
+            earlier: &list.earlier[some.clone()],
+            later: &list.later[some],
             rows,
-            clearances: &self.clearances,
-            radii: &self.radii,
+            clearances: &list.clearances,
+            radii: &list.radii,
         };
         match law {
             LawOfGrain::One { kernel, is_mutual } => from.kernels.law(kernel).visit(Influences {
@@ -303,7 +383,7 @@ impl Sites {
                 for pair in 0..on_later.len() {
                     let at = pairs.contacts::<f64>(pair);
                     let [earlier, later] =
-                        [pairs.earlier, pairs.later].map(|column| self.kernels[column[pair] as usize]);
+                        [pairs.earlier, pairs.later].map(|column| list.kernels[column[pair] as usize]);
                     on_later[pair] = from.kernels.influence(later, &at);
                     on_earlier[pair] = from.kernels.influence(earlier, &at.reversed());
                 }
@@ -319,11 +399,11 @@ impl Sites {
         let changed = changed.filter(|&(_, _, change)| change != 0);
         // contacts are far from each other in memory: those of all grains are asked for before any is needed
         for (grain, _, change) in changed.clone() {
-            self.gather(self.sites_of(grain), change == LEVER, from);
+            self.gather(self.list.sites_of(grain..grain + 1), change == LEVER, from);
         }
         for (grain, index, change) in changed {
             if change == LEVER {
-                self.find_influences_of(grain..grain + 1, self.laws[grain], from);
+                self.find_influences_of(grain..grain + 1, self.list.laws[grain], from);
             }
             self.displace_grain(grain, index, from, told);
         }
@@ -333,16 +413,19 @@ impl Sites {
     /// surface may bulge.
     #[inline(always)]
     fn displace_grain(&mut self, grain: usize, index: usize, from: Scenery<'_>, told: &mut Told<'_>) {
-        let (own, pairs) = (self.sites_of(grain), self.pairs_of(grain..grain + 1));
+        let (own, pairs) = (
+            self.list.sites_of(grain..grain + 1),
+            self.list.pairs_of(grain..grain + 1),
+        );
         let AtSites {
             rows,
             forces,
             on_later,
             on_earlier,
         } = &self.now;
-        let (sites, rows, forces) = (&self.sites[own.clone()], &rows[own.clone()], &forces[own]);
+        let (sites, rows, forces) = (&self.list.sites[own.clone()], &rows[own.clone()], &forces[own]);
         let on_later = &on_later[pairs.clone()];
-        let on_earlier = match self.laws[grain] {
+        let on_earlier = match self.list.laws[grain] {
             LawOfGrain::One { is_mutual: true, .. } => on_later,
             _ => &on_earlier[pairs],
         };
