@@ -21,6 +21,7 @@ pub(crate) mod bulge;
 pub(crate) mod displaced;
 pub(crate) mod kernels;
 pub(crate) mod mixing;
+mod site_list;
 pub(crate) mod sites;
 
 use super::rare::begins_empty;

@@ -5,11 +5,12 @@
 
 use super::bulge::Bounds;
 use super::kernels::Kernels;
+use super::site_list::{LawOfGrain, SiteList};
+use crate::contacts::Contacts;
 use crate::contacts::kinematics::{put_listed, store_some};
-use crate::contacts::{ContactChunk, Contacts};
 use crate::neighbours::Neighbours;
 use crate::particles::Grains;
-use demeter_physics::contact::multi_contact::{ContactPair, MultiContact, MultiContactVisitor, clearance};
+use demeter_physics::contact::multi_contact::{ContactPair, MultiContact, MultiContactVisitor};
 use demeter_physics::lanes::{self, Instructions, Kernel, Lanes, MOST_LANES};
 use std::cell::RefCell;
 use std::ops::Range;
@@ -17,35 +18,6 @@ use std::sync::atomic::{AtomicU8, AtomicU64, Ordering};
 
 /// Grains handled by one task, as many as a word has bits.
 pub(crate) const GRAINS_PER_TASK: usize = u64::BITS as usize;
-
-/// One contact, seen from one of its bodies: whether the partner is a wall, which body it is, the chunk, and the place in it: of the
-/// candidate, which stays when others begin or end, or of the contact with a wall.
-#[derive(Clone, Copy, Debug)]
-struct Site(u64);
-
-impl Site {
-    #[inline(always)]
-    fn new(wall: bool, body: usize, chunk: usize, place: usize) -> Self {
-        Self(u64::from(wall) << 63 | (body as u64) << 62 | (chunk as u64) << 32 | place as u64)
-    }
-
-    #[inline(always)]
-    fn body(self) -> usize {
-        (self.0 >> 62 & 1) as usize
-    }
-
-    /// The chunk, and the place in it.
-    #[inline(always)]
-    fn find(self, contacts: &Contacts) -> (&ContactChunk, usize) {
-        let (chunk, place) = ((self.0 >> 32 & 0x3fff_ffff) as usize, (self.0 & 0xffff_ffff) as usize);
-        if self.0 >> 63 == 1 {
-            (&contacts.walls[chunk], place)
-        } else {
-            let chunk = &contacts.pairs[chunk];
-            (chunk, chunk.now.contact_of(place))
-        }
-    }
-}
 
 /// What a contact is to the displacements, seen from either body: the normal into the body, and beside it the distance of the contact
 /// point from its centre [m].
@@ -56,7 +28,7 @@ pub(crate) type Source = [[f64; 4]; 2];
 pub(crate) struct Sites {
     /// The grains that have other contacts now, a bit each.
     outdated: AtomicU64,
-    list: List,
+    list: SiteList,
     now: AtSites,
 }
 
@@ -65,43 +37,15 @@ impl Default for Sites {
     fn default() -> Self {
         Self {
             outdated: AtomicU64::new(u64::MAX),
-            list: List::default(),
+            list: SiteList::default(),
             now: AtSites::default(),
         }
     }
 }
 
-/// Contacts of some grains, by grain, in the order of the partner's id.
-#[derive(Debug)]
-struct List {
-    sites: Vec<Site>,
-    /// What every site keeps clear around it, and the radius of its grain [m].
-    clearances: Vec<f64>,
-    radii: Vec<f64>,
-    /// Laws that displace the surfaces at the sites.
-    kernels: Vec<u32>,
-    /// Where the sites of every grain begin, and their pairs; one more than grains.
-    starts: Vec<[u32; 2]>,
-    laws: Vec<LawOfGrain>,
-    /// Pairs of sites of every grain, `(0, 1), (0, 2), (1, 2), ...`.
-    earlier: Vec<u32>,
-    later: Vec<u32>,
-}
-
-impl Default for List {
-    fn default() -> Self {
-        Self {
-            sites: Vec::new(),
-            clearances: Vec::new(),
-            radii: Vec::new(),
-            kernels: Vec::new(),
-            starts: vec![[0; 2]],
-            laws: Vec::new(),
-            earlier: Vec::new(),
-            later: Vec::new(),
-        }
-    }
-}
+/// Sites that are found in memory before what lies there is fetched: contacts are far from each other, and a processor waits for many at a
+/// time where nothing but fetching stands between them.
+const AT_ONCE: usize = 32;
 
 /// What is found at sites in a step.
 #[derive(Debug, Default)]
@@ -118,14 +62,7 @@ thread_local! {
     /// Where a thread keeps that of the task at hand, which stays in its caches from task to task.
     static WORKSPACE: RefCell<AtSites> = RefCell::default();
     /// The list of a task before some of its grains had other contacts.
-    static FORMER: RefCell<List> = RefCell::default();
-}
-
-/// The law of all contacts of a grain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum LawOfGrain {
-    One { kernel: u32, is_mutual: bool },
-    Several,
+    static FORMER: RefCell<SiteList> = RefCell::default();
 }
 
 /// What the sites of grains tell of them.
@@ -186,85 +123,6 @@ impl Changes {
     }
 }
 
-impl List {
-    #[inline(always)]
-    fn sites_of(&self, grains: Range<usize>) -> Range<usize> {
-        self.starts[grains.start][0] as usize..self.starts[grains.end][0] as usize
-    }
-
-    #[inline(always)]
-    fn pairs_of(&self, grains: Range<usize>) -> Range<usize> {
-        self.starts[grains.start][1] as usize..self.starts[grains.end][1] as usize
-    }
-
-    fn clear(&mut self) {
-        self.sites.clear();
-        self.clearances.clear();
-        self.radii.clear();
-        self.kernels.clear();
-        self.laws.clear();
-        self.earlier.clear();
-        self.later.clear();
-        self.starts.truncate(1);
-    }
-
-    /// Takes the contacts of some grains from another list.
-    fn take_on(&mut self, other: &Self, grains: Range<usize>) {
-        let (sites, pairs) = (other.sites_of(grains.clone()), other.pairs_of(grains.clone()));
-        let moved = [(self.sites.len(), sites.start), (self.earlier.len(), pairs.start)]
-            .map(|(here, there)| (here as u32).wrapping_sub(there as u32));
-        self.sites.extend_from_slice(&other.sites[sites.clone()]);
-        self.clearances.extend_from_slice(&other.clearances[sites.clone()]);
-        self.radii.extend_from_slice(&other.radii[sites.clone()]);
-        self.kernels.extend_from_slice(&other.kernels[sites]);
-        self.laws.extend_from_slice(&other.laws[grains.clone()]);
-        let move_on = |site: &u32| site.wrapping_add(moved[0]);
-        self.earlier.extend(other.earlier[pairs.clone()].iter().map(move_on));
-        self.later.extend(other.later[pairs].iter().map(move_on));
-        let ends = other.starts[grains.start + 1..=grains.end].iter();
-        (self.starts).extend(ends.map(|end| [0, 1].map(|k| end[k].wrapping_add(moved[k]))));
-    }
-
-    /// Finds the contacts of one more grain.
-    fn find(&mut self, grain: usize, from: Scenery<'_>) {
-        let first = self.sites.len();
-        let radius = from.grains.radius(grain);
-        for (chunk, slot, is_first) in from.neighbours.pairs_of(grain) {
-            self.take((false, chunk, slot), usize::from(!is_first), radius, from);
-        }
-        for (chunk, slot) in from.neighbours.wall_pairs_of(grain) {
-            self.take((true, chunk, slot), 0, radius, from);
-        }
-        self.laws.push(LawOfGrain::of(&self.kernels[first..], from.kernels));
-        for later in first..self.sites.len() {
-            self.earlier.extend(first as u32..later as u32);
-            self.later.resize(self.earlier.len(), later as u32);
-        }
-        self.starts
-            .push([self.sites.len(), self.earlier.len()].map(|end| end as u32));
-    }
-
-    /// Takes the contacts of one candidate.
-    #[inline(always)]
-    fn take(&mut self, (wall, number, slot): (bool, usize, usize), body: usize, radius: f64, from: Scenery<'_>) {
-        let contacts = if wall {
-            &from.contacts.walls
-        } else {
-            &from.contacts.pairs
-        };
-        let chunk = &contacts[number];
-        for k in chunk.contacts_of(slot) {
-            // at a wall the size tells the grain's radius
-            let effective = (!wall).then(|| chunk.coupling.size[k].radius);
-            let place = if wall { k } else { slot };
-            self.sites.push(Site::new(wall, body, number, place));
-            self.clearances.push(clearance(radius, effective));
-            self.radii.push(radius);
-            self.kernels.push(from.kernels.of(chunk.law())[body]);
-        }
-    }
-}
-
 impl Sites {
     /// Notes that all grains have other contacts.
     pub(crate) fn outdate(&self) {
@@ -294,22 +152,42 @@ impl Sites {
         if outdated != 0 {
             FORMER.with_borrow_mut(|former| {
                 std::mem::swap(&mut self.list, former);
-                self.find(of.clone(), outdated, former, from);
+                self.list.renew(of.clone(), outdated, former, from);
             });
         }
         let count = self.list.sites.len();
         self.now.rows.resize(count, [0.0; 4]);
         self.now.forces.resize(count, 0.0);
-        self.gather(0..count, true, from);
+        self.gather_all(from);
         self.find_influences(from);
         for (grain, index) in of.enumerate() {
             self.displace_grain(grain, index, from, told);
         }
     }
 
-    /// Gathers the forces tried at some sites, and where they are.
+    /// Gathers the forces tried at all sites, and where they are.
+    fn gather_all(&mut self, from: Scenery<'_>) {
+        let AtSites { rows, forces, .. } = &mut self.now;
+        let lots = rows.chunks_mut(AT_ONCE).zip(forces.chunks_mut(AT_ONCE));
+        for (sites, (rows, forces)) in self.list.sites.chunks(AT_ONCE).zip(lots) {
+            let mut places = [(&0.0, &[0.0; 4]); AT_ONCE];
+            for (place, site) in places.iter_mut().zip(sites) {
+                let (chunk, k) = site.find(from.contacts);
+                *place = (&chunk.coupling.trial[k], &chunk.coupling.sources[k][site.body()]);
+            }
+            for (force, (trial, _)) in forces.iter_mut().zip(&places) {
+                *force = **trial;
+            }
+            for (row, (_, source)) in rows.iter_mut().zip(&places) {
+                *row = **source;
+            }
+        }
+    }
+
+    /// Gathers them at the sites of one grain, which are too few for that.
     #[inline(always)]
-    fn gather(&mut self, some: Range<usize>, with_rows: bool, from: Scenery<'_>) {
+    fn gather_of(&mut self, grain: usize, with_rows: bool, from: Scenery<'_>) {
+        let some = self.list.sites_of(grain..grain + 1);
         let (sites, rows) = (&self.list.sites[some.clone()], &mut self.now.rows[some.clone()]);
         let places = sites.iter().zip(rows).zip(&mut self.now.forces[some]);
         for ((site, row), force) in places {
@@ -317,23 +195,6 @@ impl Sites {
             *force = chunk.coupling.trial[k];
             if with_rows {
                 *row = chunk.coupling.sources[k][site.body()];
-            }
-        }
-    }
-
-    /// Finds the contacts of grains that have others now, and takes those of the others from the former list.
-    fn find(&mut self, of: Range<usize>, outdated: u64, former: &List, from: Scenery<'_>) {
-        self.list.clear();
-        let mut grain = 0;
-        while grain < of.len() {
-            let rest = outdated >> grain;
-            if rest & 1 == 1 {
-                self.list.find(of.start + grain, from);
-                grain += 1;
-            } else {
-                let end = (grain + rest.trailing_zeros() as usize).min(of.len());
-                self.list.take_on(former, grain..end);
-                grain = end;
             }
         }
     }
@@ -399,7 +260,7 @@ impl Sites {
         let changed = changed.filter(|&(_, _, change)| change != 0);
         // contacts are far from each other in memory: those of all grains are asked for before any is needed
         for (grain, _, change) in changed.clone() {
-            self.gather(self.list.sites_of(grain..grain + 1), change == LEVER, from);
+            self.gather_of(grain, change == LEVER, from);
         }
         for (grain, index, change) in changed {
             if change == LEVER {
@@ -477,19 +338,6 @@ impl Load {
         self.pull -= force.min(0.0);
         self.largest = self.largest.max(force.abs());
         self.least_lever = self.least_lever.min(lever);
-    }
-}
-
-impl LawOfGrain {
-    /// Told the laws at all contacts of the grain.
-    fn of(laws: &[u32], kernels: &Kernels) -> Self {
-        let kernel = laws.first().copied().unwrap_or(0);
-        if laws.iter().all(|&law| law == kernel) {
-            let is_mutual = kernels.is_mutual(kernel);
-            Self::One { kernel, is_mutual }
-        } else {
-            Self::Several
-        }
     }
 }
 
