@@ -13,9 +13,9 @@
 //! surfaces. A contact across a gap that displacements may close is in the table with no force, so that contacts come and
 //! go continuously.
 //!
-//! Work is shared out so that every sum has one owner and one order: `sites` gathers by grain, in the order of the
-//! partner's id, what its contacts push with, and finds how that displaces them; `displaced` goes by contact from the
-//! displacements of both bodies to the force.
+//! Work is shared out so that every sum has one owner and one order: `site_list` tells which the contacts of a grain are, in the
+//! order of the partner's id; `sites` gathers what they push with, and finds how that displaces them; `displaced` goes by
+//! contact from the displacements of both bodies to the force.
 
 pub(crate) mod bulge;
 pub(crate) mod displaced;
