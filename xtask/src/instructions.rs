@@ -48,20 +48,10 @@ pub fn run(accept: bool) -> Result<(), String> {
         ],
         &[],
     )?;
-    let binary = &target_folder()?.join("debug/one_step");
-    // how many run beside each other changes no count
-    let counted = std::thread::scope(|scope| {
-        COUNTED
-            .map(|instructions| scope.spawn(move || per_particle_step(binary, instructions)))
-            .map(|counting| {
-                counting
-                    .join()
-                    .unwrap_or_else(|_| Err("a thread that counts panicked".into()))
-            })
-    });
+    let binary = target_folder()?.join("debug/one_step");
     let mut counts = Vec::new();
-    for (instructions, count) in COUNTED.into_iter().zip(counted) {
-        if let Some(count) = count? {
+    for instructions in COUNTED {
+        if let Some(count) = per_particle_step(&binary, instructions)? {
             println!("==> {instructions}: {count:.1} instructions per particle-step");
             counts.push((instructions, count));
         }

@@ -95,7 +95,7 @@ pub struct Workload {
     /// Time step [s].
     pub dt: f64,
     /// Whether YADE runs so many grains: a million take it minutes and 6 GB before the first step.
-    pub yade: bool,
+    fits_yade: bool,
     /// How closely the others must agree with Demeter.
     pub tolerance: Tolerance,
 }
@@ -110,7 +110,7 @@ const fn workload(key: &'static str, title: &'static str, kind: Kind, state: &'s
         relax: 200,
         steps: 1000,
         dt: 1e-5,
-        yade: true,
+        fits_yade: true,
         tolerance: AT_REST,
     }
 }
@@ -161,7 +161,7 @@ pub const WORKLOADS: [Workload; 12] = [
     Workload {
         relax: 5,
         steps: 25,
-        yade: false,
+        fits_yade: false,
         ..workload("w6-1m", "W6 static, 1M", Kind::Column, "w6-1m")
     },
     Workload {
@@ -278,7 +278,7 @@ impl Workload {
 
     /// Whether YADE has its laws, and runs so many grains.
     pub fn yade(&self) -> bool {
-        self.yade && self.laws == Laws::OfAll
+        self.fits_yade && self.laws == Laws::OfAll
     }
 
     /// Grains with ids up to this are fixed.

@@ -36,7 +36,7 @@ impl Site {
 }
 
 /// Contacts of some grains, by grain, in the order of the partner's id.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct SiteList {
     pub(super) sites: Vec<Site>,
     /// What every site keeps clear around it, and the radius of its grain [m].
@@ -50,21 +50,6 @@ pub(super) struct SiteList {
     /// Pairs of sites of every grain, `(0, 1), (0, 2), (1, 2), ...`.
     pub(super) earlier: Vec<u32>,
     pub(super) later: Vec<u32>,
-}
-
-impl Default for SiteList {
-    fn default() -> Self {
-        Self {
-            sites: Vec::new(),
-            clearances: Vec::new(),
-            radii: Vec::new(),
-            kernels: Vec::new(),
-            starts: vec![[0; 2]],
-            laws: Vec::new(),
-            earlier: Vec::new(),
-            later: Vec::new(),
-        }
-    }
 }
 
 /// The law of all contacts of a grain.
@@ -110,12 +95,14 @@ impl SiteList {
         self.laws.clear();
         self.earlier.clear();
         self.later.clear();
-        self.starts.truncate(1);
+        self.starts.clear();
+        self.starts.push([0; 2]);
     }
 
     /// Takes the contacts of some grains from another list.
     fn take_on(&mut self, other: &Self, grains: Range<usize>) {
         let (sites, pairs) = (other.sites_of(grains.clone()), other.pairs_of(grains.clone()));
+        // how far they move in the lists, also to the front
         let moved = [(self.sites.len(), sites.start), (self.earlier.len(), pairs.start)]
             .map(|(here, there)| (here as u32).wrapping_sub(there as u32));
         self.sites.extend_from_slice(&other.sites[sites.clone()]);
