@@ -1,6 +1,7 @@
 //! Pictures of the frames that a run left.
 
 use crate::materials::Material;
+use crate::measure::ContactsAt;
 pub use crate::output::picture::Cut;
 use crate::output::picture::{Image, PictureOptions, colour_end, render_packing, shown_region};
 use crate::output::vtp::{PolyData, Values};
@@ -161,7 +162,7 @@ impl LoadedFrame {
             time: self.time,
             grains: &self.grains,
             materials: &self.materials,
-            contacts: &self.contacts,
+            contacts: ContactsAt::List(&self.contacts),
             walls: &walls,
             tags: None,
             cell: None,

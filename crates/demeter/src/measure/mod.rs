@@ -8,6 +8,7 @@
 
 mod angles;
 mod chains;
+mod contacts_at;
 mod cylinder_profile;
 mod deforming_box;
 mod displacement;
@@ -35,6 +36,8 @@ mod wear;
 pub use crate::simulation::Energies;
 pub use angles::{ContactAngles, MAX_ANGLES, Rose};
 pub use chains::{ChainLink, ChainLinks, ForceChains};
+pub(crate) use contacts_at::{ContactAt, SomeContacts};
+pub use contacts_at::{ContactsAt, contact_records};
 pub use cylinder_profile::{Along, CylinderProfile, Ring};
 pub use deforming_box::BOX_COLUMNS;
 pub(crate) use deforming_box::{box_titles, box_values};
@@ -51,8 +54,7 @@ pub use neighbour_mixing::{MAX_NEAREST, NEIGHBOUR_COLUMNS, NeighbourMixing};
 pub use network::{ContactNetwork, NetworkMeasures};
 pub use paths::{MAX_PATHS, PathPoint, Paths};
 pub use profile::{MAX_SLICES, Profile, Slice};
-pub(crate) use records::frame_part;
-pub use records::{ContactColumns, contact_records, wall_surfaces};
+pub use records::{ContactColumns, wall_surfaces};
 pub use region::{OF_MATERIAL_COLUMNS, REGION_COLUMNS, RegionCount};
 pub use residence::{MAX_RESIDENCE_BINS, RESIDENCE_COLUMNS, Residence, ResidenceState};
 pub use selection::Selection;
@@ -202,11 +204,15 @@ pub fn measure(sim: &mut Simulation, moment: Moment, gauge: Option<&StrainGauge>
     }
 }
 
-/// Kinetic over elastic energy; infinite without elastic energy, 0 for grains at rest without contact. Where the box deforms,
-/// the flow of the box does not count.
+/// Kinetic over elastic energy; infinite without elastic energy, 0 for grains at rest without contact. Where contacts are stuck in attraction,
+/// whose energy is below that of grains far apart, it counts by its amount. Where the box deforms, the flow of the box does not count.
 pub fn kinetic_over_elastic(sim: &Simulation, energies: &Energies) -> f64 {
     let kinetic = sim.beyond_flow().map_or(energies.kinetic, |(kinetic, _)| kinetic) + energies.rotational;
-    if kinetic > 0.0 { kinetic / energies.elastic } else { 0.0 }
+    if kinetic > 0.0 {
+        kinetic / energies.elastic.abs()
+    } else {
+        0.0
+    }
 }
 
 /// Corners of the box around the surfaces of all grains [m]; infinite, the lower above the upper, without grains.

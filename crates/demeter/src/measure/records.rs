@@ -1,47 +1,11 @@
 //! Contacts and walls of a moment, as they are written.
 
-use super::told_first::{Acting, acting};
-use crate::contacts::ContactChunk;
-use crate::output::{ContactRecord, FramePart, WallSurface};
+use super::contacts_at::{ContactAt, ContactsAt};
+use crate::output::WallSurface;
 use crate::simulation::Simulation;
 use glam::DVec3;
-use rayon::prelude::*;
 
-/// All contacts that act ([`ContactChunk::acts`]), between grains first, in the order of the tables.
-///
-/// Bodies that are near, or touch without force, are left out: they would appear as contacts in pictures and counts, and
-/// as many of them as the time step and the reach of the law happen to gather.
-pub fn contact_records(sim: &Simulation) -> Vec<ContactRecord> {
-    let contacts = &sim.contacts;
-    let mut records = vec![ContactRecord::default(); contacts.acting_pairs() + contacts.acting_walls()];
-    let (mut rest, mut of_chunks) = (&mut records[..], Vec::new());
-    for (with_wall, chunks) in [(false, &contacts.pairs), (true, &contacts.walls)] {
-        for chunk in chunks {
-            let (of_chunk, others) = std::mem::take(&mut rest).split_at_mut(chunk.acting());
-            of_chunks.push((chunk, with_wall, of_chunk));
-            rest = others;
-        }
-    }
-    of_chunks.into_par_iter().for_each(|(chunk, with_wall, of_chunk)| {
-        for (to, contact) in of_chunk.iter_mut().zip(acting(std::slice::from_ref(chunk), with_wall)) {
-            *to = record(sim, &contact);
-        }
-    });
-    records
-}
-
-/// What this process has of a frame with these contacts.
-pub(crate) fn frame_part(sim: &Simulation) -> FramePart<'_> {
-    let acting = |chunks: &[ContactChunk]| chunks.iter().map(ContactChunk::acting).sum::<usize>();
-    let (own, all) = (sim.own_chunks().end, &sim.contacts.pairs);
-    FramePart {
-        together: sim.together(),
-        grains: sim.own_grains(),
-        of_others: acting(&all[..own])..acting(all),
-    }
-}
-
-/// The contacts of [`contact_records`], column by column.
+/// The contacts of [`ContactsAt`], column by column.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ContactColumns {
     /// Ids of the first grains.
@@ -68,43 +32,21 @@ pub struct ContactColumns {
 
 impl ContactColumns {
     /// Those of a moment.
-    pub fn of(sim: &Simulation) -> Self {
-        let records = contact_records(sim);
-        let vectors = |of: fn(&ContactRecord) -> DVec3| records.iter().map(of).collect();
+    pub fn of<'a>(sim: &'a Simulation) -> Self {
+        let contacts = || ContactsAt::State(sim).all();
+        let vectors = |of: fn(ContactAt<'a>) -> DVec3| contacts().map(of).collect();
         Self {
-            id_i: records.iter().map(|c| c.id_i).collect(),
-            id_j: records.iter().map(|c| c.id_j).collect(),
-            wall: records.iter().map(|c| c.wall).collect(),
-            overlap: records.iter().map(|c| c.overlap).collect(),
-            position: vectors(|c| c.position),
-            normal: vectors(|c| c.normal),
-            force: vectors(ContactRecord::force),
-            normal_force: vectors(ContactRecord::normal_force),
-            tangential_force: vectors(ContactRecord::tangential_force),
-            rolling_torque: vectors(ContactRecord::rolling_torque),
+            id_i: contacts().map(ContactAt::id_i).collect(),
+            id_j: contacts().map(ContactAt::id_j).collect(),
+            wall: contacts().map(ContactAt::wall).collect(),
+            overlap: contacts().map(ContactAt::overlap).collect(),
+            position: vectors(ContactAt::position),
+            normal: vectors(ContactAt::normal),
+            force: vectors(ContactAt::force),
+            normal_force: vectors(ContactAt::normal_force),
+            tangential_force: vectors(ContactAt::tangential_force),
+            rolling_torque: vectors(ContactAt::rolling_torque),
         }
-    }
-}
-
-fn record(sim: &Simulation, acting: &Acting<'_>) -> ContactRecord {
-    let &Acting {
-        chunk,
-        place,
-        with_wall,
-    } = acting;
-    let contact = acting.contact(sim);
-    let (i, j) = (chunk.i[place] as usize, chunk.j[place]);
-    ContactRecord {
-        id_i: sim.grains.id[i],
-        id_j: if with_wall { 0 } else { sim.grains.id[j as usize] },
-        wall: if with_wall { j as i32 } else { -1 },
-        element: chunk.element(place),
-        position: sim.grains.position[i] - contact.normal * contact.lever_i,
-        normal: contact.normal,
-        overlap: contact.overlap,
-        push: chunk.normal_force(place) as f32,
-        drag: chunk.tangential_force(place).as_vec3(),
-        torque: chunk.rolling_torque(place).as_vec3(),
     }
 }
 

@@ -13,21 +13,30 @@ use serde::de::DeserializeOwned;
 
 /// A contact that acts, in the tables.
 #[derive(Clone, Copy)]
-pub(super) struct Acting<'s> {
+pub(crate) struct Acting<'s> {
     pub chunk: &'s ContactChunk,
     pub place: usize,
     pub with_wall: bool,
 }
 
 impl Acting<'_> {
+    /// Its first grain.
+    pub fn i(&self) -> usize {
+        self.chunk.i[self.place] as usize
+    }
+
+    /// Its second grain, or its wall.
+    pub fn j(&self) -> u32 {
+        self.chunk.j[self.place]
+    }
+
     pub fn contact(&self, sim: &Simulation) -> Contact {
         sim.contact(self.chunk, self.place)
     }
 
     /// Its grains; nothing in place of a wall.
     pub fn grains(&self) -> [Option<usize>; 2] {
-        let (i, j) = (self.chunk.i[self.place], self.chunk.j[self.place]);
-        [Some(i as usize), (!self.with_wall).then_some(j as usize)]
+        [Some(self.i()), (!self.with_wall).then_some(self.j() as usize)]
     }
 
     /// Its normal force, repulsion positive [N].

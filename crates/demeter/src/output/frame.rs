@@ -2,6 +2,7 @@
 
 use crate::comm::together::Together;
 use crate::materials::Material;
+use crate::measure::ContactsAt;
 use crate::particles::{ById, Grains};
 use crate::walls::ElementRecord;
 use glam::{DVec3, Vec3};
@@ -68,8 +69,6 @@ pub(crate) struct FramePart<'a> {
     pub together: Together<'a>,
     /// Its own grains.
     pub grains: Range<usize>,
-    /// Which of the contacts are those of others: between grains, behind the own ones.
-    pub of_others: Range<usize>,
 }
 
 impl Default for FramePart<'_> {
@@ -77,7 +76,6 @@ impl Default for FramePart<'_> {
         Self {
             together: Together::ALONE,
             grains: 0..usize::MAX,
-            of_others: 0..0,
         }
     }
 }
@@ -93,8 +91,8 @@ pub struct Frame<'a> {
     pub grains: &'a Grains,
     /// Materials, by index.
     pub materials: &'a [Material],
-    /// All contacts that act and that own grains are in: those between grains, then those with walls.
-    pub contacts: &'a [ContactRecord],
+    /// All contacts that own grains are in.
+    pub contacts: ContactsAt<'a>,
     /// All walls.
     pub walls: &'a [WallSurface<'a>],
     /// Tags of the own grains; nothing where none has a tag.
@@ -121,19 +119,9 @@ impl ContactRecord {
         self.push.into()
     }
 
-    /// Normal force on grain `i` [N].
-    pub fn normal_force(&self) -> DVec3 {
-        self.normal * self.repulsion()
-    }
-
     /// Tangential force on grain `i` [N].
     pub fn tangential_force(&self) -> DVec3 {
         self.drag.as_dvec3()
-    }
-
-    /// Force on grain `i` [N].
-    pub fn force(&self) -> DVec3 {
-        self.normal_force() + self.tangential_force()
     }
 
     /// Rolling torque on grain `i` [N m].
@@ -164,10 +152,10 @@ impl Frame<'_> {
             force: vec![0.0; n],
             stress: vec![0.0; n],
         };
-        for contact in self.contacts {
-            let (ids, depth) = match contact.wall < 0 {
-                true => ([Some(contact.id_i), Some(contact.id_j)], 0.5 * contact.overlap),
-                false => ([Some(contact.id_i), None], contact.overlap),
+        for contact in self.contacts.all() {
+            let (ids, depth) = match contact.wall() < 0 {
+                true => ([Some(contact.id_i()), Some(contact.id_j())], 0.5 * contact.overlap()),
+                false => ([Some(contact.id_i()), None], contact.overlap()),
             };
             let force = contact.repulsion();
             for at in ids.into_iter().flatten().filter_map(|id| by_id.find(id)) {
@@ -223,7 +211,7 @@ mod tests {
             time: 0.0,
             grains: &grains,
             materials: &[],
-            contacts: &[contact(3, 7, -1, 0.2, 10.0), contact(7, 0, 0, 0.1, 30.0)],
+            contacts: ContactsAt::List(&[contact(3, 7, -1, 0.2, 10.0), contact(7, 0, 0, 0.1, 30.0)]),
             walls: &[],
             tags: None,
             cell: None,

@@ -14,9 +14,10 @@
 use super::collection::Collection;
 use super::error::OutputError;
 use super::folder::RunFolder;
-use super::frame::{ContactRecord, ContactSums, Frame, FrameBox, WallSurface};
+use super::frame::{ContactSums, Frame, FrameBox, WallSurface};
 use super::vtk_file::{NewArray, NewPolyData};
 use super::vtp::{Array, Cells, Values};
+use crate::measure::{ContactAt, SomeContacts};
 use crate::particles::{Load, Rows};
 use crate::walls::ElementRecord;
 use glam::DVec3;
@@ -171,47 +172,47 @@ fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
 
 /// The table of the contacts.
 fn contacts<'a>(frame: &'a Frame) -> NewPolyData<'a> {
-    let own = frame.contacts.len() - frame.part.of_others.len();
-    let count = frame.part.together.count(own);
+    let own = frame.contacts.pairs().chain(frame.contacts.with_walls());
+    let count = frame.part.together.count(own.count());
     let sum: f64 = together(frame, |k| k.repulsion().abs()).sum();
     let mean = sum / count.max(1) as f64;
-    let scalars = |name, value: fn(&ContactRecord) -> f64| NewArray::scalars(name, together(frame, value));
-    let vectors = |name, value: fn(&ContactRecord) -> DVec3| NewArray::vectors(name, together(frame, value));
-    let counts = |name, value: fn(&ContactRecord) -> u32| NewArray::counts(name, together(frame, value));
+    let scalars = |name, value: fn(ContactAt<'a>) -> f64| NewArray::scalars(name, together(frame, value));
+    let vectors = |name, value: fn(ContactAt<'a>) -> DVec3| NewArray::vectors(name, together(frame, value));
+    let counts = |name, value: fn(ContactAt<'a>) -> u32| NewArray::counts(name, together(frame, value));
     NewPolyData {
         step: frame.step,
         time: frame.time,
         texts: Vec::new(),
         fields: vec![Array::scalars(MEAN_NORMAL_FORCE, [mean])],
         count,
-        points: Box::new(together(frame, |k| k.position)),
+        points: Box::new(together(frame, ContactAt::position)),
         cells: Cells::Vertices,
         point_data: vec![
-            counts("id_i", |k| k.id_i),
-            counts("id_j", |k| k.id_j),
-            NewArray::integers("wall", together(frame, |k| k.wall)),
-            counts("element", |k| k.element),
-            vectors("normal", |k| k.normal),
-            scalars("overlap", |k| k.overlap),
-            vectors("normal_force", ContactRecord::normal_force),
-            vectors("tangential_force", ContactRecord::tangential_force),
-            vectors("force", ContactRecord::force),
+            counts("id_i", ContactAt::id_i),
+            counts("id_j", ContactAt::id_j),
+            NewArray::integers("wall", together(frame, ContactAt::wall)),
+            counts("element", ContactAt::element),
+            vectors("normal", ContactAt::normal),
+            scalars("overlap", ContactAt::overlap),
+            vectors("normal_force", ContactAt::normal_force),
+            vectors("tangential_force", ContactAt::tangential_force),
+            vectors("force", ContactAt::force),
             scalars("normal_force_magnitude", |k| k.repulsion().abs()),
             scalars("force_magnitude", |k| k.force().length()),
-            vectors("rolling_torque", ContactRecord::rolling_torque),
+            vectors("rolling_torque", ContactAt::rolling_torque),
         ],
         cell_data: Vec::new(),
     }
 }
 
 /// Something of all contacts of all processes: of those between grains, then of those with walls.
-fn together<'a, T>(frame: &'a Frame, value: fn(&ContactRecord) -> T) -> impl Iterator<Item = T> + 'a
+fn together<'a, T>(frame: &'a Frame, value: fn(ContactAt<'a>) -> T) -> impl Iterator<Item = T> + 'a
 where
     T: Serialize + DeserializeOwned + 'a,
 {
-    let (all, of_others) = (frame.part.together, &frame.part.of_others);
-    let (pairs, walls) = (&frame.contacts[..of_others.start], &frame.contacts[of_others.end..]);
-    (all.joined(pairs.iter().map(value))).chain(all.joined(walls.iter().map(value)))
+    let (all, contacts) = (frame.part.together, frame.contacts);
+    let told = move |some: SomeContacts<'a>| all.joined(some.map(value));
+    told(contacts.pairs()).chain(told(contacts.with_walls()))
 }
 
 /// The table of the walls.

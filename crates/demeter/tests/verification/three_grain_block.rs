@@ -36,7 +36,7 @@ fn check_balance(sim: &Simulation) -> Vec<ContactRecord> {
         let mut force = DVec3::new(0.0, 0.0, -weight);
         let mut torque = DVec3::ZERO;
         for c in &records {
-            let on_i = c.force();
+            let on_i = c.normal * c.repulsion() + c.tangential_force();
             let sign = if c.id_i == id { 1.0 } else { -1.0 };
             if c.id_i == id || c.id_j == id {
                 force += on_i * sign;

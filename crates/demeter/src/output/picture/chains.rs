@@ -33,7 +33,7 @@ pub(super) struct Chains {
 impl Chains {
     /// The chains of a frame; the bar ends at `end` [N], or where most forces do.
     pub fn new(frame: &Frame, end: Option<f64>) -> Self {
-        let forces: Vec<f64> = frame.contacts.iter().map(|c| c.repulsion().abs()).collect();
+        let forces: Vec<f64> = frame.contacts.all().map(|c| c.repulsion().abs()).collect();
         let mut sorted: Vec<f64> = forces.iter().copied().filter(|f| f.is_finite()).collect();
         sorted.sort_by(f64::total_cmp);
         let largest = sorted.last().copied().unwrap_or(0.0);
@@ -72,27 +72,31 @@ impl Chains {
             let index = by_id.find(id)?;
             Some((grains.position[index], grains.radius(index)))
         };
-        for (contact, force) in frame.contacts.iter().zip(forces) {
+        for (contact, force) in frame.contacts.all().zip(forces) {
             let share = (force / self.end).min(1.0);
-            let Some((from, radius)) = place(contact.id_i) else {
+            let Some((from, radius)) = place(contact.id_i()) else {
                 continue;
             };
             if share.is_nan() || share < WEAKEST {
                 continue;
             }
             // across a periodic side the partner is elsewhere: both halves are drawn from their own grain
-            let reach = if contact.wall >= 0 { 0.0 } else { radius };
-            let other = if contact.wall >= 0 { None } else { place(contact.id_j) };
+            let reach = if contact.wall() >= 0 { 0.0 } else { radius };
+            let other = if contact.wall() >= 0 {
+                None
+            } else {
+                place(contact.id_j())
+            };
             let thickness = THICKEST * mean * share.sqrt();
             match other {
                 Some((to, other_radius)) if to.distance(from) < 1.5 * (radius + other_radius) => {
                     self.add_cylinder(from, to, thickness, share);
                 }
                 Some((to, other_radius)) => {
-                    self.add_cylinder(from, from - contact.normal * reach, thickness, share);
-                    self.add_cylinder(to, to + contact.normal * other_radius, thickness, share);
+                    self.add_cylinder(from, from - contact.normal() * reach, thickness, share);
+                    self.add_cylinder(to, to + contact.normal() * other_radius, thickness, share);
                 }
-                None => self.add_cylinder(from, from - contact.normal * radius, thickness, share),
+                None => self.add_cylinder(from, from - contact.normal() * radius, thickness, share),
             }
         }
     }

@@ -94,7 +94,7 @@ impl Colouring {
             |rows: &Rows| -> Vec<f64> { rows.rows()[own.clone()].iter().map(|row| row.vector.length()).collect() };
         match by {
             ColourBy::Automatic => {
-                let is_any = frame.contacts.iter().any(|c| c.push != 0.0);
+                let is_any = frame.contacts.all().any(|c| c.repulsion() != 0.0);
                 let by = if all.count(usize::from(is_any)) > 0 {
                     ColourBy::ContactForce
                 } else {

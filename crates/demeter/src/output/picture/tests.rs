@@ -1,5 +1,6 @@
 use super::*;
 use crate::materials::Material;
+use crate::measure::ContactsAt;
 use crate::output::{ContactRecord, FramePart, WallSurface};
 use crate::particles::{Grains, NewGrain};
 
@@ -52,7 +53,7 @@ fn picture(grains: &Grains, contacts: &[ContactRecord], walls: &[WallSurface], c
         time: 0.25,
         grains,
         materials: &materials(),
-        contacts,
+        contacts: ContactsAt::List(contacts),
         walls,
         tags: None,
         cell: None,
@@ -176,7 +177,7 @@ fn cut_picture(balls: &[(DVec3, f64)], walls: &[WallSurface], cuts: &[Cut]) -> I
         time: 0.0,
         grains: &grains,
         materials: &materials(),
-        contacts: &[],
+        contacts: ContactsAt::List(&[]),
         walls,
         tags: None,
         cell: None,

@@ -2,8 +2,8 @@
 
 use super::{Files, RunState, Runner, labels};
 use crate::checkpoint::{self, Header};
-use crate::measure::{Moment, contact_records, frame_part, wall_surfaces};
-use crate::output::{Frame, FrameBox, SeriesTable, tell_frame};
+use crate::measure::{ContactsAt, Moment, wall_surfaces};
+use crate::output::{Frame, FrameBox, FramePart, SeriesTable, tell_frame};
 use crate::scenario::field_files;
 use crate::scenario::run_error::RunError;
 use crate::simulation::{Phase, Simulation, SimulationState};
@@ -79,19 +79,21 @@ impl<'a> Runner<'a> {
     /// Hands what this process has of the present state to a writer. Where processes share the run each calls this.
     pub(in crate::scenario) fn with_frame<T>(&mut self, work: impl FnOnce(&Frame) -> T) -> T {
         self.sim.hear_corrected_places();
-        let contacts = contact_records(&self.sim);
         let walls = wall_surfaces(&self.sim);
-        let part = frame_part(&self.sim);
+        let own = self.sim.own_grains();
         let frame = Frame {
             step: self.sim.step,
             time: self.sim.time(),
             grains: &self.sim.grains,
             materials: self.sim.materials.list(),
-            contacts: &contacts,
+            contacts: ContactsAt::State(&self.sim),
             walls: &walls,
-            tags: self.traffic.tags(&self.sim.grains.id[part.grains.clone()]),
+            tags: self.traffic.tags(&self.sim.grains.id[own.clone()]),
             cell: self.scenario.domain.bounds.map(|_| frame_box(&self.sim)),
-            part,
+            part: FramePart {
+                together: self.sim.together(),
+                grains: own,
+            },
         };
         work(&frame)
     }
