@@ -99,7 +99,7 @@ impl Touched {
             if wall.mesh().is_some() {
                 let points = self.within.next_of(c);
                 if !points.is_empty() {
-                    wall.contacts_of(points, &mut self.parts);
+                    wall.contacts_of(points, scene.grains.radius(g), &mut self.parts);
                 }
             } else if reach.is_new {
                 let (centre, within) = (scene.grains.position[g], scene.grains.radius(g) + reach.window);
@@ -123,7 +123,7 @@ impl Touched {
             let bulge = scene.bulge(g);
             let first = self.parts.len();
             // where surfaces bulge, walls are asked as a whole
-            wall.contacts(centre, radius + window + bulge, &mut self.parts);
+            wall.contacts(centre, (radius + bulge, window), &mut self.parts);
             let mut kept = first;
             for k in first..self.parts.len() {
                 let part = self.parts[k];

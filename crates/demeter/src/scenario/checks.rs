@@ -203,7 +203,7 @@ fn deepest_in_wall(grains: &Grains, walls: &[Wall]) -> Option<(usize, usize, f64
         for (w, wall) in walls.iter().enumerate() {
             touched.clear();
             if wall.near(grains.position[g], grains.radius(g)) {
-                wall.contacts(grains.position[g], grains.radius(g), &mut touched);
+                wall.contacts(grains.position[g], (grains.radius(g), 0.0), &mut touched);
             }
             for contact in &touched {
                 let share = (grains.radius(g) - contact.distance) / grains.radius(g);

@@ -435,7 +435,7 @@ impl Feeding<'_> {
             let mut touched = Vec::new();
             sim.walls.iter().any(|wall| {
                 if wall.near(place, reach) {
-                    wall.contacts(place, reach, &mut touched);
+                    wall.contacts(place, (reach, 0.0), &mut touched);
                 }
                 !touched.is_empty()
             })

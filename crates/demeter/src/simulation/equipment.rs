@@ -96,7 +96,7 @@ impl Simulation {
                 continue;
             }
             touched.clear();
-            shape.contacts(place, reach, &mut touched);
+            shape.contacts(place, (reach, 0.0), &mut touched);
             let nearest = touched.iter().map(|s| s.distance).fold(f64::INFINITY, f64::min);
             if nearest < reach {
                 first = Some((id, place, (reach - nearest) / radius));

@@ -93,11 +93,12 @@ impl Surface {
         })
     }
 
-    /// Appends all contacts with `distance < reach`, sorted by element.
+    /// Appends all contacts of a sphere with `distance < radius + beyond`, sorted by element.
     #[inline]
-    pub(super) fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+    pub(super) fn contacts(&self, centre: DVec3, (radius, beyond): (f64, f64), out: &mut Vec<SurfaceContact>) {
+        let reach = radius + beyond;
         match self {
-            Surface::Mesh(mesh) => mesh.contacts(centre, reach, out),
+            Surface::Mesh(mesh) => mesh.contacts(centre, (radius, beyond), out),
             Surface::Box { faces, reach: ends, .. } => {
                 for (element, plane) in faces {
                     push(contact_box_face(plane, *ends, centre), *element, reach, out);

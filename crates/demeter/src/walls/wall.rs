@@ -88,14 +88,14 @@ impl Wall {
         self.set_load(DVec3::ZERO, DVec3::ZERO);
     }
 
-    /// Appends to `out` all contacts of a sphere centre with `distance < reach` [m], in the world frame, sorted by element.
+    /// Appends to `out` all contacts of a sphere with `distance < radius + beyond` [m], the reach, in the world frame, sorted by element.
     /// No element comes twice. Behind a plane, a box face or a sphere the distance may be negative without limit; behind
     /// the side of a cylinder or cone, whose ends are open, a contact ends at `-reach`, when a grain of that radius has
     /// wholly passed. Asked of walls that are present only: those that are not are [`near`](Self::near) nothing.
     #[inline]
-    pub fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+    pub fn contacts(&self, centre: DVec3, (radius, beyond): (f64, f64), out: &mut Vec<SurfaceContact>) {
         let first = out.len();
-        (self.surface).contacts(self.motor.pose.unplace(self.origin, centre), reach, out);
+        (self.surface).contacts(self.motor.pose.unplace(self.origin, centre), (radius, beyond), out);
         self.turn(&mut out[first..]);
     }
 
@@ -120,11 +120,11 @@ impl Wall {
         }
     }
 
-    /// Appends the contacts among the closest points of all triangles within reach, sorted by element.
+    /// Appends the contacts of a sphere of some radius among the closest points of all triangles within reach, sorted by element.
     #[inline]
-    pub(crate) fn contacts_of(&self, points: &mut [TrianglePoint], out: &mut Vec<SurfaceContact>) {
+    pub(crate) fn contacts_of(&self, points: &mut [TrianglePoint], radius: f64, out: &mut Vec<SurfaceContact>) {
         if let Surface::Mesh(mesh) = &self.surface {
-            mesh.contacts_of(points, |normal| self.motor.pose.turn(normal), out);
+            mesh.contacts_of((points, radius), |normal| self.motor.pose.turn(normal), out);
         }
     }
 

@@ -34,7 +34,7 @@ fn v(x: f64, y: f64, z: f64) -> DVec3 {
 
 fn contacts(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
     let mut out = Vec::new();
-    mesh.contacts(centre, reach, &mut out);
+    mesh.contacts(centre, (reach, 0.0), &mut out);
     assert!(
         out.windows(2).all(|pair| pair[0].element < pair[1].element),
         "sorted and unique: {out:?}"

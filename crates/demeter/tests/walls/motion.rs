@@ -566,7 +566,7 @@ fn a_mesh_that_turns_loses_no_contact() {
         for g in 0..sim.grains().len() {
             let radius = sim.grains().radius(g);
             let mut touched = vec![];
-            sim.walls[0].contacts(sim.grains().position[g], radius, &mut touched);
+            sim.walls[0].contacts(sim.grains().position[g], (radius, 0.0), &mut touched);
             for part in &touched {
                 let overlap = in_table.get(&(g as u32, 0, part.element));
                 assert_eq!(overlap, Some(&(radius - part.distance)), "step {step}, grain {g}");

@@ -100,7 +100,7 @@ fn wall(shape: Shape, motion: Motion) -> Wall {
 
 fn contacts(wall: &Wall, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
     let mut out = Vec::new();
-    wall.contacts(centre, reach, &mut out);
+    wall.contacts(centre, (reach, 0.0), &mut out);
     out
 }
 

@@ -8,9 +8,10 @@
 //!   corner not at all.
 //! * Where the surface is flat around the edge or vertex the contact is one with the plane, so that nothing is felt on
 //!   a seam, not even in the last digits of the normal.
-//! * Of contacts whose normals are less than [`SAME_DIRECTION`] apart only the deepest stays. That joins the contacts of
-//!   facets that stand for one curved surface, of triangles given twice, and of the two skins of a thin sheet. On a
-//!   faceted surface the force so follows from one overlap, the largest, and stays continuous from facet to facet.
+//! * Of contacts whose normals are less than [`SAME_DIRECTION`] apart one stays: the deepest, and where others are as deep, the shortest
+//!   way out of all of them ([`bend`](super::bend)). That joins the contacts of facets that stand for one curved surface, of
+//!   triangles given twice, and of the two skins of a thin sheet. On a faceted surface the force so follows from one overlap and is
+//!   continuous in size and direction from facet to facet.
 //!
 //! A triangle with a closer point is itself among those within reach: to decide, no others are asked. They are taken from the closest on, since
 //! what has the direction of one that is kept need not be judged.
@@ -19,6 +20,7 @@
 //! have keys of their own above those of the triangles.
 
 use super::Mesh;
+use super::bend::{Overlap, WayOut};
 use super::topology::Junction;
 use crate::walls::SurfaceContact;
 use demeter_physics::geometry::Feature;
@@ -35,6 +37,9 @@ use std::cmp::Ordering;
 const SAME_DIRECTION: f64 = 0.93;
 /// Share by which the closest points of two triangles may differ in distance and still be the same point.
 const SAME_DISTANCE: f64 = 1e-12;
+
+/// Share of the radius by which a point may be deeper that is left on the way out of a contact.
+const ROUNDING: f64 = 1e-12;
 
 /// So many triangles do not stay in the first of the caches from step to step.
 const MANY: usize = 512;
@@ -53,11 +58,20 @@ pub(crate) struct TrianglePoint {
 
 thread_local! {
     static POINTS: RefCell<Vec<TrianglePoint>> = RefCell::default();
+    static BENDS: RefCell<Bends> = RefCell::default();
+}
+
+/// Contacts beside others that have their direction, told by number; what is found of one and those beside it.
+#[derive(Debug, Default)]
+struct Bends {
+    beside: Vec<(usize, SurfaceContact)>,
+    overlaps: Vec<Overlap>,
 }
 
 impl Mesh {
-    /// Appends all contacts of a sphere centre with `distance < reach`, sorted by element.
-    pub fn contacts(&self, centre: DVec3, reach: f64, out: &mut Vec<SurfaceContact>) {
+    /// Appends all contacts of a sphere with `distance < radius + beyond`, sorted by element.
+    pub fn contacts(&self, centre: DVec3, (radius, beyond): (f64, f64), out: &mut Vec<SurfaceContact>) {
+        let reach = radius + beyond;
         POINTS.with_borrow_mut(|points| {
             points.clear();
             self.hierarchy.any_near(centre, reach, |triangle| {
@@ -72,15 +86,15 @@ impl Mesh {
                 }
                 false
             });
-            self.contacts_of(points, |normal| normal, out);
+            self.contacts_of((points, radius), |normal| normal, out);
         });
     }
 
-    /// Appends the contacts among the closest points of all triangles within reach, sorted by element. The normals of the points are
-    /// those that `turn` makes of normals in the wall frame.
+    /// Appends the contacts of a sphere of some radius among the closest points of all triangles within reach, sorted by element. The normals
+    /// of the points are those that `turn` makes of normals in the wall frame.
     pub(crate) fn contacts_of(
         &self,
-        points: &mut [TrianglePoint],
+        (points, radius): (&mut [TrianglePoint], f64),
         turn: impl Fn(DVec3) -> DVec3,
         out: &mut Vec<SurfaceContact>,
     ) {
@@ -90,21 +104,37 @@ impl Mesh {
         points.swap(0, closest);
         let first = out.len();
         out.extend(self.judge(&points[0], &[], &turn));
-        if points[1..].iter().all(|point| is_known(point, &out[first..])) {
+        if points[1..].iter().all(|point| is_known(point, radius, &out[first..])) {
             return;
         }
         points[1..].sort_unstable_by(|a, b| self.order(a, b));
-        for n in 1..points.len() {
-            if is_known(&points[n], &out[first..]) {
-                continue;
+        BENDS.with_borrow_mut(|Bends { beside, overlaps }| {
+            beside.clear();
+            for n in 1..points.len() {
+                if is_known(&points[n], radius, &out[first..]) {
+                    continue;
+                }
+                let Some(contact) = self.judge(&points[n], &points[..n], &turn) else {
+                    continue;
+                };
+                let mut known = out[first..].iter().chain(beside.iter().map(|(_, contact)| contact));
+                if known.any(|other| other.element == contact.element) {
+                    continue;
+                }
+                match out[first..]
+                    .iter()
+                    .position(|other| has_direction(other, contact.normal))
+                {
+                    Some(of) => beside.push((first + of, contact)),
+                    None => out.push(contact),
+                }
             }
-            let Some(contact) = self.judge(&points[n], &points[..n], &turn) else {
-                continue;
-            };
-            if out[first..].iter().all(|other| other.element != contact.element) {
-                out.push(contact);
+            for of in first..out.len() {
+                if beside.iter().any(|(other, _)| *other == of) {
+                    join(out, of, beside, radius, overlaps);
+                }
             }
-        }
+        });
         out[first..].sort_unstable_by_key(|contact| contact.element);
     }
 
@@ -181,11 +211,47 @@ impl Mesh {
     }
 }
 
-/// Whether a contact is known that has the direction of a point.
-fn is_known(point: &TrianglePoint, contacts: &[SurfaceContact]) -> bool {
-    contacts
-        .iter()
-        .any(|other| other.normal.dot(point.normal) > SAME_DIRECTION)
+/// Whether a contact has the direction of a normal.
+fn has_direction(contact: &SurfaceContact, normal: DVec3) -> bool {
+    contact.normal.dot(normal) > SAME_DIRECTION
+}
+
+/// Whether a contact of a sphere is known that has the direction of a point, on whose way out the point is left, too.
+fn is_known(point: &TrianglePoint, radius: f64, contacts: &[SurfaceContact]) -> bool {
+    contacts.iter().any(|other| {
+        let cosine = other.normal.dot(point.normal);
+        let left = cosine * (radius - other.distance).max(0.0) + ROUNDING * radius;
+        cosine > SAME_DIRECTION && radius - point.distance <= left
+    })
+}
+
+/// Makes one of the contacts of a sphere that of the shortest way out of it and of those beside it.
+fn join(
+    contacts: &mut [SurfaceContact],
+    one: usize,
+    beside: &[(usize, SurfaceContact)],
+    radius: f64,
+    overlaps: &mut Vec<Overlap>,
+) {
+    let overlap = |contact: &SurfaceContact| Overlap {
+        depth: radius - contact.distance,
+        normal: contact.normal,
+        element: contact.element,
+    };
+    let others = beside.iter().filter(|(other, _)| *other == one);
+    overlaps.clear();
+    overlaps.push(overlap(&contacts[one]));
+    overlaps.extend(others.map(|(_, contact)| overlap(contact)));
+    let out = WayOut::of(overlaps);
+    let depth = out.way.length();
+    // while it holds in the bend it is one contact, whichever side is deeper
+    if let (true, Some(element)) = (depth > 0.0, out.holding().iter().map(|&k| overlaps[k].element).min()) {
+        contacts[one] = SurfaceContact {
+            normal: out.way / depth,
+            distance: radius - depth,
+            element,
+        };
+    }
 }
 
 impl Junction<'_> {

@@ -16,6 +16,36 @@ fn point(dice: &mut Pcg64, lower: DVec3, upper: DVec3) -> DVec3 {
     lower + (upper - lower) * DVec3::from_array([0; 3].map(|_| share(dice)))
 }
 
+/// The shortest way out of all overlaps of a sphere, and which hold it: of all that up to three of them hold, the shortest that is out of
+/// the others.
+fn way_out(all: &[SurfaceContact], radius: f64) -> (DVec3, Vec<usize>) {
+    let depth = |k: usize| radius - all[k].distance;
+    let mut best = (DVec3::INFINITY, Vec::new());
+    for pick in 1..1_u32 << all.len() {
+        let some: Vec<usize> = (0..all.len()).filter(|k| pick >> k & 1 != 0).collect();
+        if some.len() > 3 {
+            continue;
+        }
+        // no more unknowns than three: those that are missing push nothing
+        let mut products = glam::DMat3::IDENTITY;
+        let mut depths = DVec3::ZERO;
+        for (row, &k) in some.iter().enumerate() {
+            depths[row] = depth(k);
+            for (column, &l) in some.iter().enumerate() {
+                products.col_mut(column)[row] = all[k].normal.dot(all[l].normal);
+            }
+        }
+        let pushes = products.inverse() * depths;
+        let way: DVec3 = some.iter().enumerate().map(|(n, &k)| pushes[n] * all[k].normal).sum();
+        let is_out = (0..all.len()).all(|k| all[k].normal.dot(way) >= depth(k) - 1e-11);
+        let is_held = products.determinant() > 1e-11 && pushes.cmpge(DVec3::splat(-1e-12)).all();
+        if is_out && is_held && way.length() < best.0.length() - 1e-13 {
+            best = (way, some);
+        }
+    }
+    best
+}
+
 /// The rule as it is told in words: every triangle within reach is judged by all triangles that it meets.
 fn by_the_rule(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
     let closest = |triangle: u32| contact_sphere_triangle(&mesh.triangles[triangle as usize], centre);
@@ -50,13 +80,28 @@ fn by_the_rule(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
         });
     }
     found.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.element.cmp(&b.element)));
-    let mut kept: Vec<SurfaceContact> = Vec::new();
+    let (mut kept, mut beside) = (Vec::<SurfaceContact>::new(), Vec::<(usize, SurfaceContact)>::new());
     for contact in found {
-        let same = |other: &SurfaceContact| {
-            other.element == contact.element || other.normal.dot(contact.normal) > SAME_DIRECTION
-        };
-        if !kept.iter().any(same) {
-            kept.push(contact);
+        let is_same = |other: &SurfaceContact| other.element == contact.element;
+        if kept.iter().chain(beside.iter().map(|(_, c)| c)).any(is_same) {
+            continue;
+        }
+        let towards = |other: &SurfaceContact| other.normal.dot(contact.normal) > SAME_DIRECTION;
+        match kept.iter().position(towards) {
+            Some(of) => beside.push((of, contact)),
+            None => kept.push(contact),
+        }
+    }
+    for (of, contact) in kept.iter_mut().enumerate() {
+        let others = beside.iter().filter(|(other, _)| *other == of).map(|(_, c)| *c);
+        let all: Vec<SurfaceContact> = std::iter::once(*contact).chain(others).collect();
+        let (way, holding) = way_out(&all, reach);
+        if all.len() > 1 {
+            *contact = SurfaceContact {
+                normal: way.normalize(),
+                distance: reach - way.length(),
+                element: holding.into_iter().map(|k| all[k].element).min().unwrap(),
+            };
         }
     }
     kept.sort_by_key(|contact| contact.element);
@@ -100,7 +145,7 @@ impl Kernel for Among<'_> {
             }
         }
         let mut contacts = Vec::new();
-        self.wall.contacts_of(&mut points, &mut contacts);
+        self.wall.contacts_of(&mut points, self.reach, &mut contacts);
         contacts
     }
 }
@@ -169,7 +214,7 @@ fn lanes_find_the_contacts_of_the_rule() {
                 let mesh = walls[0].mesh().unwrap();
                 let expected = by_the_rule(mesh, place, reach);
                 let mut one_by_one = Vec::new();
-                mesh.contacts(place, reach, &mut one_by_one);
+                mesh.contacts(place, (reach, 0.0), &mut one_by_one);
                 assert!(same(&one_by_one, &expected), "{place}: {one_by_one:?} {expected:?}");
                 counts[expected.len().min(3)] += 1;
                 let is_on_face = |contact: &SurfaceContact| (contact.element as usize) < triangles.len();
@@ -177,7 +222,7 @@ fn lanes_find_the_contacts_of_the_rule() {
                 for wall in &walls {
                     let centre = wall.carried(place);
                     let mut expected = Vec::new();
-                    wall.contacts(centre, reach, &mut expected);
+                    wall.contacts(centre, (reach, 0.0), &mut expected);
                     // more of them are near than are within reach, and it does not matter which
                     let mut near = Vec::new();
                     wall.parts_near(

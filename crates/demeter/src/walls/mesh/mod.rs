@@ -5,6 +5,7 @@
 //! * `contacts` decides which of their closest points are contacts
 //! * `repair` makes a mesh as it comes usable, with `orientation`; `inspection` tells what is remarkable, with `crossings`
 
+mod bend;
 mod contacts;
 mod crossings;
 mod hierarchy;

@@ -1,0 +1,196 @@
+//! One contact in place of several that have nearly the same direction.
+//!
+//! A sphere of radius `r` that overlaps by `d_i` at points with normals `n_i` is free of all of them at places `x + p` with `n_i . p >= d_i`. The
+//! shortest such `p` tells the contact: its length is the overlap, its direction the normal. Where one point alone is overlapped so deeply that
+//! all others are left with it, it is that of this point. In a concave bend it turns from the normal of one side to that of the other without a
+//! jump, and as `p` leads to the nearest point of a convex set, forces along it that follow from its length have a potential: a grain
+//! comes to rest in the bend, and gains no energy on a way around.
+
+use glam::{DMat3, DVec3};
+
+/// Sines below this are none: of normals so close to each other one is asked.
+const PARALLEL: f64 = 1e-6;
+/// Share of an overlap that rounding may leave.
+const ROUNDING: f64 = 1e-12;
+
+/// The shortest way out of several overlaps.
+pub(super) struct WayOut {
+    /// The way [m].
+    pub(super) way: DVec3,
+    /// Which overlaps hold it, by their numbers; those behind the first `count` mean nothing.
+    holding: [usize; 3],
+    count: usize,
+}
+
+/// How deep a sphere overlaps at a point [m], the unit normal there, and the element of the surface.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Overlap {
+    pub(super) depth: f64,
+    pub(super) normal: DVec3,
+    pub(super) element: u32,
+}
+
+impl Overlap {
+    /// What is left of it on a way [m].
+    fn left_on(&self, way: DVec3) -> f64 {
+        self.depth - self.normal.dot(way)
+    }
+}
+
+impl WayOut {
+    /// Out of several overlaps, the largest first.
+    pub(super) fn of(overlaps: &[Overlap]) -> Self {
+        let mut out = Self {
+            way: overlaps.first().map_or(DVec3::ZERO, |first| first.depth * first.normal),
+            holding: [0; 3],
+            count: overlaps.len().min(1),
+        };
+        // each turn makes the way longer, so no set of overlaps holds it twice
+        for _ in 0..4 * overlaps.len() {
+            let left = overlaps.iter().map(|overlap| overlap.left_on(out.way)).enumerate();
+            let Some((worst, most)) = left.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0))) else {
+                break;
+            };
+            let Some(next) = (most > ROUNDING * out.way.length())
+                .then(|| out.with(worst, overlaps))
+                .flatten()
+            else {
+                break;
+            };
+            out = next;
+        }
+        out
+    }
+
+    /// Which overlaps hold it.
+    pub(super) fn holding(&self) -> &[usize] {
+        &self.holding[..self.count]
+    }
+
+    /// The shortest way out of those that held it and of a new one.
+    fn with(&self, new: usize, overlaps: &[Overlap]) -> Option<Self> {
+        let old = self.holding();
+        let mut best: Option<Self> = None;
+        for pick in 0..1 << old.len() {
+            let mut out = Self {
+                way: DVec3::ZERO,
+                holding: [new; 3],
+                count: 1,
+            };
+            for k in (0..old.len()).filter(|k| pick >> k & 1 != 0) {
+                if out.count < 3 {
+                    out.holding[out.count] = old[k];
+                    out.count += 1;
+                }
+            }
+            let Some(way) = held(out.holding().iter().map(|&k| overlaps[k])) else {
+                continue;
+            };
+            out.way = way;
+            let is_out = |&k: &usize| overlaps[k].left_on(way) <= ROUNDING * way.length();
+            let is_shorter = best.as_ref().is_none_or(|best| way.length() < best.way.length());
+            if is_shorter && old.iter().all(is_out) {
+                best = Some(out);
+            }
+        }
+        best
+    }
+}
+
+/// The shortest way with `n . p = d` for up to three overlaps; nothing where one of them would have to pull.
+fn held(overlaps: impl Iterator<Item = Overlap>) -> Option<DVec3> {
+    let mut some = [Overlap::default(); 3];
+    let mut count = 0;
+    for (place, overlap) in some.iter_mut().zip(overlaps) {
+        *place = overlap;
+        count += 1;
+    }
+    let ([a, b, c], [u, v, w]) = (some.map(|one| one.depth), some.map(|one| one.normal));
+    match count {
+        1 => Some(a * u),
+        2 => {
+            let cosine = u.dot(v);
+            let squared_sine = u.cross(v).length_squared();
+            let (along_u, along_v) = (a - cosine * b, b - cosine * a);
+            let pushes = squared_sine > PARALLEL * PARALLEL && along_u >= 0.0 && along_v >= 0.0;
+            pushes.then(|| (along_u * u + along_v * v) / squared_sine)
+        }
+        _ => {
+            let normals = DMat3::from_cols(u, v, w);
+            if normals.determinant().abs() <= PARALLEL * PARALLEL {
+                return None;
+            }
+            let way = normals.transpose().inverse() * DVec3::new(a, b, c);
+            (normals.inverse() * way).cmpge(DVec3::ZERO).all().then_some(way)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn turned(degrees: f64) -> DVec3 {
+        let angle = degrees.to_radians();
+        DVec3::new(libm::sin(angle), 0.0, libm::cos(angle))
+    }
+
+    fn overlaps<const N: usize>(of: [(f64, DVec3); N]) -> [Overlap; N] {
+        of.map(|(depth, normal)| Overlap {
+            depth,
+            normal,
+            element: 0,
+        })
+    }
+
+    #[test]
+    fn alone_the_deepest_counts() {
+        let (a, b) = (turned(0.0), turned(20.0));
+        let out = WayOut::of(&overlaps([(1.0, a), (0.93, b)]));
+        assert_eq!(out.way, a);
+        assert_eq!(out.holding(), [0]);
+    }
+
+    #[test]
+    fn in_the_middle_of_a_bend_the_way_leads_between_the_sides() {
+        let out = WayOut::of(&overlaps([(1.0, turned(-10.0)), (1.0, turned(10.0))]));
+        let middle = DVec3::Z / libm::cos(10f64.to_radians());
+        assert!((out.way - middle).length() < 1e-12, "{}", out.way);
+        assert_eq!(out.holding().len(), 2);
+    }
+
+    #[test]
+    fn the_way_is_the_shortest_out_of_all() {
+        // a shallow pyramid of eight sides, upside down, and a grain anywhere near its tip
+        let sides = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| {
+            let angle = f64::from(k) * std::f64::consts::FRAC_PI_4;
+            DVec3::new(0.15 * libm::cos(angle), 0.15 * libm::sin(angle), 1.0).normalize()
+        });
+        let mut held_by = [0; 4];
+        for (x, y) in [(0.0, 0.0), (0.01, 0.003), (-0.05, 0.02), (0.2, -0.3), (0.0, 1.0)] {
+            let place = DVec3::new(x, y, 0.9);
+            let mut all = overlaps(sides.map(|n| (1.0 - n.dot(place), n)));
+            all.sort_by(|a, b| b.depth.total_cmp(&a.depth));
+            let out = WayOut::of(&all);
+            held_by[out.holding().len()] += 1;
+            for one in &all {
+                assert!(one.left_on(out.way) <= 1e-12, "{place}: {}", out.way);
+            }
+            // Hildreth's iteration comes to the same
+            let mut pushes = [0.0; 8];
+            let way = |pushes: &[f64; 8]| {
+                all.iter()
+                    .zip(pushes)
+                    .map(|(one, push)| *push * one.normal)
+                    .sum::<DVec3>()
+            };
+            for _ in 0..20_000 {
+                for k in 0..8 {
+                    pushes[k] = f64::max(0.0, pushes[k] + all[k].left_on(way(&pushes)));
+                }
+            }
+            assert!((out.way - way(&pushes)).length() < 1e-7, "{place}: {}", out.way);
+        }
+        assert!(held_by[1] > 0 && held_by[2] + held_by[3] > 1, "{held_by:?}");
+    }
+}
