@@ -21,6 +21,9 @@ pub struct ConstantTorque {
     rolling_friction: f64,
 }
 
+/// Moment of inertia of a sphere that turns about its centre over that of one that rolls about its surface.
+const TURNING: f64 = 2.0 / 7.0;
+
 impl Rolling for ConstantTorque {
     const NAME: &'static str = "constant-torque";
     const SUMMARY: &'static str = "constant directional torque, M = mu_r R F_n against rolling";
@@ -45,7 +48,7 @@ impl Rolling for ConstantTorque {
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &RollingInput<L>, _history: &mut [L]) -> RollingResponse<L> {
         let limit = input.size.radius * input.normal_force * self.rolling_friction;
-        let stopping = input.rolling_inertia * (input.removable_share / input.dt);
+        let stopping = input.rolling_inertia * (TURNING * input.removable_share / input.dt);
         let response = resist(input.angular_velocity, limit, stopping, input.dt);
         RollingResponse {
             torque: response.load,
