@@ -499,7 +499,7 @@ impl<'a> Runner<'a> {
             StopCondition::Steps(steps) => (elapsed >= *steps).then(|| format!("its {steps} steps are done")),
             StopCondition::KineticOverElastic(share) => {
                 let looks = elapsed > 0 && elapsed.is_multiple_of(ENERGY_INTERVAL);
-                let energies = looks.then(|| self.sim.energies()).filter(|e| e.elastic > 0.0)?;
+                let energies = looks.then(|| self.sim.energies()).filter(|e| e.elastic != 0.0)?;
                 let ratio = kinetic_over_elastic(&self.sim, &energies);
                 (ratio < *share).then(|| format!("kinetic over elastic energy is {ratio:.3e}, below {share:e}"))
             }

@@ -219,14 +219,14 @@ impl Deformation {
 }
 
 impl Simulation {
-    /// Whether the box may deform as told.
+    /// Whether the box may deform as told. Where processes share the run each calls this.
     pub(super) fn check_deformation(&self, plan: &Deformation) -> Result<(), DeformationError> {
         let misfits = [
             (!self.walls.is_empty(), Misfit::Walls),
             (self.gravity != DVec3::ZERO, Misfit::Gravity),
             (self.integrator == Integrator::Gear, Misfit::Gear),
             (
-                (0..self.grains.len()).any(|g| self.grains.is_fixed(g)),
+                self.any_of_all(self.own_grains().any(|g| self.grains.is_fixed(g))),
                 Misfit::FixedGrains,
             ),
         ];

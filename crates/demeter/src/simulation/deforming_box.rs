@@ -128,12 +128,12 @@ fn dyad(a: DVec3, b: DVec3) -> [f64; 6] {
 
 impl Simulation {
     /// Tells how the periodic box deforms from now on; before the start or between two steps. A box that has deformed keeps its
-    /// shape when the deformation ends.
+    /// shape when the deformation ends. Where processes share the run each calls this.
     pub fn deform(&mut self, plan: Deformation) -> Result<(), DeformationError> {
         self.check_deformation(&plan)?;
         self.comm.begin_to_deform(plan.shear.map(|shear| shear.axes));
         let size = self.domain().size();
-        let largest_radius = self.grains.radii().fold(0.0, f64::max);
+        let (largest_radius, _) = self.largest_grain();
         let state = self.deforming.get_or_insert_with(|| {
             Box::new(DeformingBox {
                 plan,
@@ -184,16 +184,15 @@ impl Simulation {
         Some((strain, state.sheared[0] - state.sheared[1]))
     }
 
-    /// What a periodic box that deforms has come to; `None` where the box keeps its shape.
+    /// What a periodic box that deforms has come to; `None` where the box keeps its shape. Where processes share the run each calls this.
     pub fn box_state(&self) -> Option<BoxState> {
         let (state, deforming) = (self.deforming.as_deref()?, self.comm.deforming()?);
         let (lengths, rates) = (self.domain().size(), deforming.rates());
         let [kinetic_stress, contacts] = self.box_stresses(state, deforming);
-        let solid: f64 = self
-            .grains
-            .radii()
-            .map(|r| 4.0 / 3.0 * std::f64::consts::PI * r * r * r)
-            .sum();
+        let solid = self.sum_of_all(|segment| -> f64 {
+            let radii = segment.grains.map(|g| self.grains.radius(g));
+            radii.map(|r| 4.0 / 3.0 * std::f64::consts::PI * r * r * r).sum()
+        });
         Some(BoxState {
             lengths,
             strain: true_strain(state.lengths[0], lengths),
@@ -477,14 +476,22 @@ impl Simulation {
         if room >= least {
             return Ok(skin.min(room));
         }
-        let largest = (0..self.grains.len()).max_by(|&a, &b| self.grains.radius(a).total_cmp(&self.grains.radius(b)));
+        let (_, id) = self.largest_grain();
         Err(Fault::BoxTooSmall {
             step: self.step,
-            id: largest.map_or(0, |g| self.grains.id[g]),
+            id,
             direction: ["x", "y", "z"][axis].into(),
             size,
             least: (2.0 * state.largest_radius + self.beyond_touch() + least) / 0.49,
         })
+    }
+
+    /// Radius [m] and id of the largest grain of all processes; of several the last in memory.
+    fn largest_grain(&self) -> (f64, u32) {
+        let own = self.own_grains().map(|g| (self.grains.radius(g), self.grains.id[g]));
+        let larger = |a: &(f64, u32), b: &(f64, u32)| a.0.total_cmp(&b.0);
+        let all = self.of_all_segments(own.max_by(larger).into_iter().collect());
+        all.into_iter().max_by(larger).unwrap_or((0.0, 0))
     }
 
     /// What a checkpoint holds of the box.

@@ -6,7 +6,7 @@ use crate::cases::{full, on_threads};
 use demeter::comm::Ranks;
 use demeter::contacts::Fault;
 use demeter::measure::{Moment, contact_records, measure};
-use demeter::simulation::{ChangeError, Setup, Sharing, Simulation, Skin};
+use demeter::simulation::{ChangeError, Deformation, Drive, Setup, Sharing, Simulation, Skin};
 use demeter::walls::Wall;
 use demeter_physics::integrator::Integrator;
 
@@ -38,10 +38,21 @@ fn run(setup: Setup, steps: u64, ranks: Option<Box<dyn Ranks>>) -> Result<(Outco
         sim.step()?;
         if step % 10 == 0 {
             series += &format!("{:?}\n", measure(&mut sim, Moment::default(), None));
+            series += &format!("{:?}\n", sim.box_state());
             written(&sim);
         }
         if step == steps / 2 {
             put_elsewhere(&mut sim);
+        }
+        // as a later stage does, when no process knows all grains
+        if step == steps / 3 && sim.deforms() {
+            let faster = Drive::StrainRate(-2.0);
+            let directions = [faster, Drive::Fixed, Drive::Fixed];
+            sim.deform(Deformation {
+                directions,
+                ..Deformation::default()
+            })
+            .unwrap();
         }
     }
     let written = written(&sim);
