@@ -270,6 +270,10 @@ impl ToldBranch {
     }
 }
 
+/// Share of its way to the centre of a grain by which the force of a wall acts on this side of it, so that a grid that ends at walls has what
+/// all of them do.
+const INWARD: f64 = 1e-9;
+
 /// Points and branches that wait to be added to cells, some at a time.
 struct Sampling {
     grid: Grid,
@@ -283,7 +287,7 @@ impl Sampling {
         self.spread.branches.push(told.branch);
         if told.is_half {
             self.add_point(Point {
-                place: told.branch.from,
+                place: told.branch.from + told.branch.branch * INWARD,
                 load: Load::Force(told.branch.force),
             });
         } else {

@@ -235,3 +235,29 @@ fn averaged_directions_take_what_lies_between_their_sides() {
     }
     assert!((below - 1.5).abs() < 1e-6);
 }
+
+#[test]
+fn a_grid_that_ends_at_walls_has_what_they_do() {
+    let traction_at = |x: f64| {
+        let grid = Grid {
+            lower: DVec3::splat(-2.0),
+            upper: DVec3::splat(2.0),
+            cells: [1, 1, 1],
+        };
+        let mut sampling = Sampling {
+            grid,
+            kernel: kernels(0.5)[1].in_dimensions(grid.dimensions()),
+            spread: Spread::default(),
+            cells: vec![[0.0; SUMS]],
+        };
+        let branch = Branch {
+            from: DVec3::X * x,
+            branch: DVec3::X * (-0.25 * x),
+            force: DVec3::X * (-1.5 * x),
+        };
+        sampling.add_branch(ToldBranch { branch, is_half: true });
+        sampling.deposit();
+        sampling.cells[0][deposit::TRACTION]
+    };
+    assert!(traction_at(-2.0) > 0.0 && traction_at(-2.0) == -traction_at(2.0));
+}
