@@ -41,6 +41,8 @@ pub(super) struct Respond<'a, S, K, W> {
     pub(super) laws: W,
     pub(super) law: &'a PairLaw,
     pub(super) dt: f64,
+    /// How long springs move that are half a step ahead afterwards [s].
+    pub(super) slip_time: f64,
     pub(super) integrator: Integrator,
     pub(super) answers: Answers<'a>,
 }
@@ -54,6 +56,7 @@ impl<'a, S, K> Respond<'a, S, K, ()> {
             laws: (),
             law,
             dt,
+            slip_time,
             integrator,
             answers,
         } = self;
@@ -63,6 +66,7 @@ impl<'a, S, K> Respond<'a, S, K, ()> {
             laws,
             law,
             dt,
+            slip_time,
             integrator,
             answers,
         }
@@ -124,6 +128,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
             laws,
             law,
             dt,
+            slip_time,
             integrator,
             mut answers,
         } = self;
@@ -174,7 +179,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
             let size = motion.size;
             let spin = turning.spin(&motion);
             lot.first = normal_length;
-            let ahead = laws.ahead(&lot, motion.normal, spin * dt);
+            let ahead = laws.ahead(&lot, motion.normal, spin * slip_time);
             lot.first = 0;
             let pressed = laws.press(Press {
                 lot: &mut lot,
@@ -202,7 +207,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                         velocity: turning.sliding(&motion).or(acting, nothing),
                         spin,
                         normal_force: pressed.friction_load,
-                        dt,
+                        dt: slip_time,
                         removable_share: integrator.removable_share(),
                     },
                     ahead,
@@ -228,7 +233,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                         spin,
                         normal_force: pressed.friction_load,
                         normal_stiffness,
-                        dt,
+                        dt: slip_time,
                         removable_share: integrator.removable_share(),
                     },
                 });
