@@ -68,6 +68,7 @@ impl Simulation {
         self.move_walls();
         self.took(Phase::Walls);
         self.check_places(&motion)?;
+        self.check_jumps(&motion)?;
         if let Some(skin) = self.next_skin(&motion) {
             self.skin = self.skin_that_fits(skin)?;
             self.find_candidates();
@@ -121,6 +122,7 @@ impl Simulation {
         self.check_places(&motion)?;
         self.find_candidates();
         self.check_crossings()?;
+        self.check_jumps(&motion)?;
         self.even_out_start();
         self.foresee_bulges();
         self.exchange_borders(|_| ());

@@ -121,6 +121,27 @@ pub enum Fault {
         /// Most crossings that are counted.
         most: i32,
     },
+    /// A grain moves so far in one step that it may jump over others.
+    #[error(
+        "step {step}: grain {id} at {} moves at {speed:.4e} m/s, which is {way:.4e} m in one step and more than its radius of \
+         {radius:.4e} m: it may come to the other side of a grain or a wall without touching it. Cause: a speed far beyond what \
+         the time step was made for. Remedy: lower the speed or the time step",
+        place(.position)
+    )]
+    Jump {
+        /// Step.
+        step: u64,
+        /// Id of the grain.
+        id: u32,
+        /// Its centre [m].
+        position: DVec3,
+        /// Its speed [m/s].
+        speed: f64,
+        /// How far it moves in a step [m].
+        way: f64,
+        /// Its radius [m].
+        radius: f64,
+    },
     /// A value is not a finite number.
     #[error(
         "step {step}: the {quantity} of grain {id} (last seen near {}) is not a finite number. Cause: a time step far \
@@ -141,7 +162,7 @@ pub enum Fault {
 }
 
 fn place(p: &DVec3) -> String {
-    format!("({:.6}, {:.6}, {:.6})", p.x, p.y, p.z)
+    format!("({:.6e}, {:.6e}, {:.6e})", p.x, p.y, p.z)
 }
 
 impl Fault {
@@ -153,6 +174,7 @@ impl Fault {
             | Self::BeyondFold { id, .. }
             | Self::BoxTooSmall { id, .. }
             | Self::CrossedTooOften { id, .. }
+            | Self::Jump { id, .. }
             | Self::NotFinite { id, .. } => *id,
             Self::Custom { .. } => 0,
         }

@@ -7,6 +7,7 @@ pub(crate) mod division;
 mod equipment;
 mod exchange;
 mod intervention;
+mod jumps;
 mod ledger;
 mod memory;
 mod misplaced;
@@ -123,6 +124,8 @@ pub struct Simulation {
     pub(crate) comm: Single,
     pub(crate) neighbours: Neighbours,
     pub(crate) skin: f64,
+    /// Radius of the smallest grain of all processes when candidates were last found [m]; 0 before.
+    least_radius: f64,
     pub(crate) tuner: SkinTuner,
     pub(crate) near: NearTables,
     /// How the grains move, by stretches of [`GRAINS_OF_A_SPREAD`] behind each other.
@@ -221,6 +224,7 @@ impl Simulation {
             books: Books::default(),
             neighbours,
             skin: setup.skin.first(),
+            least_radius: 0.0,
             near: NearTables::default(),
             spreads: Vec::new(),
             travel: f64::INFINITY,
@@ -366,6 +370,7 @@ impl Simulation {
         if self.rebuilds == 0 {
             self.divide();
         }
+        self.note_least_radius();
         if self.is_divided() {
             return self.find_candidates_together();
         }

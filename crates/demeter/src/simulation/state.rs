@@ -111,6 +111,8 @@ impl SimulationState<'_> {
             Err(StateError::Integrator)
         } else if g.material.iter().any(|&m| m as usize >= materials) {
             Err(StateError::Inconsistent("a grain's material"))
+        } else if !g.radii().all(|r| (0.0..f64::INFINITY).contains(&r)) {
+            Err(StateError::Inconsistent("a grain's radius"))
         } else if !self.tuner.fits(self.skin, self.step) {
             Err(StateError::Inconsistent("the skin"))
         } else if !self.near.are_sound(self.neighbours.segments()) {

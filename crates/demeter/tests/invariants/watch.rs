@@ -46,6 +46,29 @@ fn a_grain_shot_out_of_an_open_box_is_named() {
 }
 
 #[test]
+fn a_grain_that_would_jump_over_another_ends_the_run() {
+    let flying = |share: f64| {
+        let mut case = Case::new(one_material(1e8, &Laws::hertz(0.9)));
+        case.grain(1e-3, DVec3::ZERO, DVec3::ZERO);
+        // fast enough to be before the other in one step and behind it in the next
+        case.grain(1e-3, DVec3::X * -0.01, DVec3::ZERO);
+        let mut setup = case.setup();
+        setup.grains.velocity[1] = DVec3::X * (share * 1e-3 / setup.dt);
+        Simulation::new(setup)
+    };
+    match first_fault(&mut flying(5.0), 10, "jump") {
+        Fault::Jump { id, way, radius, .. } => {
+            assert_eq!(id, 2);
+            assert!((way / radius - 5.0).abs() < 1e-9, "{way}");
+        }
+        other => panic!("{other}"),
+    }
+    // one that is slower overlaps with it on the way, which ends the run as well
+    let fault = first_fault(&mut flying(0.9), 100, "no jump");
+    assert!(matches!(fault, Fault::Overlap { .. }), "{fault}");
+}
+
+#[test]
 fn a_fault_tells_its_cause_and_a_remedy() {
     let mut case = Case::new(one_material(1e8, &Laws::hertz(0.9)));
     case.grain(1e-3, DVec3::new(0.0, 0.0, 0.99), DVec3::new(0.0, 0.0, 50.0));
