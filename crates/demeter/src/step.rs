@@ -66,6 +66,8 @@ impl Simulation {
         self.took(Phase::Motion);
         self.drive_walls();
         self.move_walls();
+        // after the grains: a load that is no number came from one of them
+        self.check_walls()?;
         self.took(Phase::Walls);
         self.check_places(&motion)?;
         self.check_jumps(&motion)?;
@@ -103,7 +105,7 @@ impl Simulation {
             self.sum_and_correct(Moment::Step)?;
             self.took(Phase::Sums);
         }
-        Ok(())
+        self.check_walls()
     }
 
     /// Whether nothing needs the velocities at the end of a step before the next.

@@ -159,6 +159,20 @@ pub enum Fault {
         /// The last position known [m].
         position: DVec3,
     },
+    /// The place or velocity of a wall is not a finite number.
+    #[error(
+        "step {step}: the {quantity} of wall `{wall}` is not a finite number. Cause: a time step far above the safe one, or a \
+         mass, spring, damper, speed or force at the edge of its range. Remedy: use `time_step = \"auto\"`; look at the motion of \
+         the wall and at the rows before"
+    )]
+    WallNotFinite {
+        /// Step.
+        step: u64,
+        /// Name of the wall.
+        wall: String,
+        /// What is not finite: `"place"`, `"velocity"`.
+        quantity: Cow<'static, str>,
+    },
 }
 
 fn place(p: &DVec3) -> String {
@@ -176,7 +190,7 @@ impl Fault {
             | Self::CrossedTooOften { id, .. }
             | Self::Jump { id, .. }
             | Self::NotFinite { id, .. } => *id,
-            Self::Custom { .. } => 0,
+            Self::Custom { .. } | Self::WallNotFinite { .. } => 0,
         }
     }
 }

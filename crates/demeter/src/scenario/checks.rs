@@ -3,7 +3,7 @@
 use super::{Diagnostics, FeedRate, FeedSpec, Scenario};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
 use crate::particles::{Domain, Grains};
-use crate::simulation::WallPartner;
+use crate::simulation::{TimeScale, TimeStepError, WallPartner, with_free_wall};
 use crate::walls::{Motion, Motions, SurfaceContact, Wall};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -260,13 +260,28 @@ pub(super) fn check_wall_speeds(
     }
 }
 
-/// The walls as the time step sees them: with each mass that any of them gives way with in the run.
-pub(super) fn wall_partners(scenario: &Scenario, walls: &[Wall]) -> Vec<WallPartner> {
+/// All motions that any wall is told in the run.
+fn told_motions(scenario: &Scenario) -> impl Iterator<Item = (usize, &Motions)> {
     let at_start = scenario.walls.iter().map(|wall| &wall.motion).enumerate();
     let in_stages = scenario.stages.iter().flat_map(|stage| &stage.motions);
-    let told: Vec<(usize, &Motions)> = at_start
-        .chain(in_stages.map(|(wall, motions)| (*wall, motions)))
-        .collect();
+    at_start.chain(in_stages.map(|(wall, motions)| (*wall, motions)))
+}
+
+/// The shorter of a time scale and those of all springs and dampers that hold a freely moving wall in the run.
+pub(super) fn with_free_walls(scale: TimeScale, scenario: &Scenario) -> Result<TimeScale, TimeStepError> {
+    told_motions(scenario).try_fold(scale, |scale, (wall, motions)| {
+        // a free motion is always the first
+        let Some(Motion::Free(free)) = motions.parts.first().map(|part| &part.motion) else {
+            return Ok(scale);
+        };
+        let name = scenario.walls.get(wall).map_or("", |wall| wall.name.as_str());
+        with_free_wall(scale, name, free)
+    })
+}
+
+/// The walls as the time step sees them: with each mass that any of them gives way with in the run.
+pub(super) fn wall_partners(scenario: &Scenario, walls: &[Wall]) -> Vec<WallPartner> {
+    let told: Vec<(usize, &Motions)> = told_motions(scenario).collect();
     let mut partners: Vec<WallPartner> = walls.iter().map(WallPartner::of).collect();
     for (index, motions) in &told {
         let Some(Motion::Free(free)) = motions.parts.first().map(|part| &part.motion) else {

@@ -2,7 +2,7 @@
 
 use super::checks::{
     check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds,
-    check_walls_at_periodic_sides, expected_of_feed, memory_of, wall_partners,
+    check_walls_at_periodic_sides, expected_of_feed, memory_of, wall_partners, with_free_walls,
 };
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
@@ -91,7 +91,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     }
     let max_overlap = scenario.simulation.max_overlap;
     let scale = shortest_time_scale(&all, &partners, &materials, max_overlap);
-    let scale = match scale {
+    let scale = match scale.and_then(|scale| with_free_walls(scale, scenario)) {
         Ok(scale) if faults.is_empty() => scale,
         Ok(_) => return Err(faults),
         Err(error) => {

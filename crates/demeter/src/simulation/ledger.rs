@@ -228,10 +228,12 @@ impl Books {
             + (self.initial_gravitational - self.lowest_gravitational)
             - self.lowest_elastic
             + self.inserted_throughput;
-        now.residual = if passed > 0.0 {
-            (now.present() - explained) / passed
-        } else {
+        let unexplained = now.present() - explained;
+        // what is no number must be told
+        now.residual = if passed <= 0.0 && unexplained.is_finite() {
             0.0
+        } else {
+            unexplained / passed
         };
         now
     }

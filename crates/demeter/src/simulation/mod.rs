@@ -36,7 +36,9 @@ pub use protocol::{Cadence, Stage, StopCondition, StressOf};
 pub use roofline::{Machine, Roofline, Work};
 pub use skin::Skin;
 pub use state::{SimulationState, StateError};
-pub use time_step::{SAFE_SHARE, TimeScale, TimeStepError, WallPartner, refusals, shortest_time_scale, unsafe_share};
+pub use time_step::{
+    SAFE_SHARE, TimeScale, TimeStepError, WallPartner, refusals, shortest_time_scale, unsafe_share, with_free_wall,
+};
 
 use deforming_box::DeformingBox;
 use division::Division;

@@ -3,7 +3,7 @@
 use crate::contacts::laws;
 use crate::materials::Materials;
 use crate::particles::Grains;
-use crate::walls::Wall;
+use crate::walls::{FreeMotion, Wall};
 use demeter_physics::contact::normal::{Normal, NormalVisitor};
 use demeter_physics::contact::rolling::{Rolling, RollingVisitor};
 use demeter_physics::contact::tangential::{Tangential, TangentialVisitor};
@@ -36,6 +36,17 @@ pub struct TimeScale {
     pub origin: String,
 }
 
+impl TimeScale {
+    fn if_usable(self) -> Result<Self, TimeStepError> {
+        let Self { time, origin } = self;
+        if time > 0.0 && time.is_finite() {
+            Ok(Self { time, origin })
+        } else {
+            Err(TimeStepError::Unusable { time, origin })
+        }
+    }
+}
+
 /// Why there is no automatic time step.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TimeStepError {
@@ -44,7 +55,7 @@ pub enum TimeStepError {
     NoGrains,
     /// The time scale is not a usable number.
     #[error(
-        "the shortest time scale, {origin}, is {time} s, which is no usable number: check the moduli, stiffnesses and \
+        "the shortest time scale, {origin}, is {time} s, which is no usable number: check the moduli, stiffnesses, masses and \
          radii of these bodies"
     )]
     Unusable {
@@ -105,14 +116,38 @@ pub fn shortest_time_scale(
             shortest = Some(scale);
         }
     });
-    match shortest {
-        None => Err(TimeStepError::NoGrains),
-        Some(s) if s.time > 0.0 && s.time.is_finite() => Ok(s),
-        Some(s) => Err(TimeStepError::Unusable {
-            time: s.time,
-            origin: s.origin,
-        }),
-    }
+    shortest.ok_or(TimeStepError::NoGrains)?.if_usable()
+}
+
+/// The shorter of a time scale and those of the springs and dampers of a wall that moves freely.
+pub fn with_free_wall(scale: TimeScale, wall: &str, free: &FreeMotion) -> Result<TimeScale, TimeStepError> {
+    let scales = [
+        (
+            2.0 * PI * (free.inertia / free.stiffness).sqrt(),
+            "oscillation",
+            "spring",
+        ),
+        // a damper that is critical to a spring decays within half of its period by this measure
+        (2.0 * PI * free.inertia / free.damping, "decay", "damper"),
+    ];
+    let strengths = [free.stiffness, free.damping];
+    let of_wall = scales
+        .into_iter()
+        .zip(strengths)
+        .filter(|(_, strength)| *strength > 0.0);
+    of_wall
+        .map(|(scale, _)| scale)
+        .try_fold(scale, |shortest, (time, what, part)| {
+            let own = TimeScale {
+                time,
+                origin: format!("{what} of wall `{wall}` on its {part}"),
+            };
+            if time >= shortest.time {
+                Ok(shortest)
+            } else {
+                own.if_usable()
+            }
+        })
 }
 
 /// Largest gap across which any law acts between the bodies in use [m].

@@ -1,5 +1,6 @@
 //! Walls in a step: they move, and then take the load of the grains.
 
+use crate::contacts::Fault;
 use crate::simulation::Simulation;
 use crate::walls::FreeStep;
 
@@ -16,6 +17,18 @@ impl Simulation {
             if let Ok([follower, leader]) = self.walls.get_disjoint_mut([follower, leader]) {
                 follower.follow(leader);
             }
+        }
+    }
+
+    /// A wall whose place or velocity is not a number ends the run.
+    pub(super) fn check_walls(&self) -> Result<(), Fault> {
+        match self.walls.iter().find_map(|wall| Some((wall, wall.not_finite()?))) {
+            None => Ok(()),
+            Some((wall, quantity)) => Err(Fault::WallNotFinite {
+                step: self.step,
+                wall: wall.name.clone(),
+                quantity: quantity.into(),
+            }),
         }
     }
 

@@ -29,6 +29,11 @@ impl Pose {
         self.rotation == DQuat::IDENTITY
     }
 
+    /// Whether all of its numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        self.translation.is_finite() && self.rotation.is_finite()
+    }
+
     /// World place of a point of the wall frame [m].
     #[inline]
     pub fn place(&self, origin: DVec3, point: DVec3) -> DVec3 {

@@ -235,6 +235,18 @@ impl Wall {
         self.motor.angular_velocity
     }
 
+    /// Which quantity of its motion is not a finite number, if any is.
+    pub(crate) fn not_finite(&self) -> Option<&'static str> {
+        let motor = &self.motor;
+        if !motor.pose.is_finite() {
+            Some("place")
+        } else if !(motor.velocity.is_finite() && motor.angular_velocity.is_finite()) {
+            Some("velocity")
+        } else {
+            None
+        }
+    }
+
     /// Tells what is wrong with motions, if anything, before a run needs them.
     pub fn check_motion<M: Clone + Into<Motions>>(motion: &M) -> Result<(), WallError> {
         check_motions(motion.clone().into()).map(drop)

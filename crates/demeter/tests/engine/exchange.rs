@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Stops at a step, when told.
-struct Watcher {
+pub(super) struct Watcher {
     stop_at: Option<u64>,
-    messages: Vec<String>,
+    pub(super) messages: Vec<String>,
 }
 
 impl Observer for Watcher {
@@ -26,21 +26,21 @@ impl Observer for Watcher {
     }
 }
 
-fn watcher() -> Watcher {
+pub(super) fn watcher() -> Watcher {
     Watcher {
         stop_at: None,
         messages: Vec::new(),
     }
 }
 
-fn parse(text: &str) -> Scenario {
+pub(super) fn parse(text: &str) -> Scenario {
     match Scenario::parse(text, "case", Path::new(""), &[]) {
         Ok(scenario) => scenario,
         Err(faults) => panic!("{}", faults.render(false)),
     }
 }
 
-fn run_in(scenario: &Scenario, folder: &Path, threads: usize, watcher: &mut Watcher) -> Report {
+pub(super) fn run_in(scenario: &Scenario, folder: &Path, threads: usize, watcher: &mut Watcher) -> Report {
     let options = RunOptions {
         threads: Some(threads),
         ..RunOptions::default()
@@ -72,7 +72,7 @@ fn every_exchange() -> Scenario {
 }
 
 /// The head of every case: soft grains of 2 mm and gravity.
-const HEAD: &str = r#"
+pub(super) const HEAD: &str = r#"
 title = "case"
 [simulation]
 gravity = "0 0 -9.81 m/s^2"

@@ -11,6 +11,7 @@ mod book;
 mod cases;
 mod custom;
 mod deforming_boxes;
+mod endings;
 mod exchange;
 mod fields;
 mod measures;

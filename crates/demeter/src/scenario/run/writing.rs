@@ -18,7 +18,7 @@ impl<'a> Runner<'a> {
         self.sim.took(Phase::Other);
         let moment = self.moment();
         let row = self.rows.write(&mut self.sim, &mut self.traffic, moment)?;
-        self.place.max_residual = self.place.max_residual.max(row.energies.residual.abs());
+        self.place.max_residual = larger(self.place.max_residual, row.energies.residual.abs());
         self.place.last_row = Some(self.sim.step);
         self.latest = Some(row);
         self.sim.took(Phase::Output);
@@ -136,6 +136,15 @@ impl<'a> Runner<'a> {
         checkpoint::write_latest(root, &header, &self.state_with(simulation))?;
         self.sim.took(Phase::Output);
         Ok(())
+    }
+}
+
+/// The larger of two residuals; one that is no number is larger than all.
+fn larger(one: f64, other: f64) -> f64 {
+    if one.is_nan() || other.is_nan() {
+        f64::NAN
+    } else {
+        one.max(other)
     }
 }
 

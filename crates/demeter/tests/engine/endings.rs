@@ -1,0 +1,136 @@
+//! What is told before a run begins and at its end: unstable springs, books that do not close, what found no room, what left, and
+//! what cannot be done in the state that a run has come to.
+
+use crate::exchange::{HEAD, parse, run_in, watcher};
+use demeter::contacts::Fault;
+use demeter::scenario::{Report, RunEnd, prepare};
+use demeter::simulation::Simulation;
+use glam::DVec3;
+use std::fs;
+
+/// Runs a scenario on one thread, and answers with what it came to, what was told and what the log holds.
+fn ended(text: &str) -> (Report, Vec<String>, String) {
+    let place = tempfile::tempdir().unwrap();
+    let mut watcher = watcher();
+    let report = run_in(&parse(text), place.path(), 1, &mut watcher);
+    let log = fs::read_to_string(place.path().join("log.txt")).unwrap();
+    assert!(place.path().join("summary.json").is_file());
+    (report, watcher.messages, log)
+}
+
+fn assert_told(told: &[String], log: &str, words: &str) {
+    assert!(told.iter().any(|text| text.contains(words)), "{words}: {told:?}");
+    assert!(log.contains(words), "{words}: {log}");
+}
+
+/// A grain that touches nothing, and a plate that moves freely as told.
+fn free_plate(motion: &str, simulation: &str) -> String {
+    format!(
+        r#"
+[simulation]
+{simulation}
+[domain]
+lower = "-30 -30 -30 mm"
+upper = "30 30 30 mm"
+[material.a]
+young_modulus = "1 MPa"
+poisson_ratio = 0.3
+density = "1000 kg/m^3"
+[contact]
+normal = {{ law = "hertz-tsuji", restitution = 0.8 }}
+[[grains]]
+material = "a"
+source = "list"
+positions = ["0 0 20 mm"]
+diameter = "2 mm"
+[[wall]]
+name = "w"
+material = "a"
+shape = "rectangle"
+center = "0 0 0 m"
+half_u = "5 0 0 mm"
+half_v = "0 5 0 mm"
+motion = {motion}
+[[stage]]
+duration = "20 us"
+[output]
+series = "1 us"
+frames = "never"
+picture = false
+report = false
+"#
+    )
+}
+
+const SPRING: &str = r#"{ free = { axis = "z", mass = "1 g", spring = "1e11 N/m", speed = "0.01 m/s" } }"#;
+const DAMPER: &str = r#"{ free = { axis = "z", mass = "1 g", damper = "2 kN s/m", speed = "0.01 m/s" } }"#;
+const HINGE: &str = r#"{ hinge = { point = "-5 0 0 mm", axis = "y", mass = "1 g", center_of_mass = "0 0 0 m",
+    inertia = "1e-7 kg m^2", damper = "1 N m s/rad", angular_velocity = "1 rad/s" } }"#;
+
+#[test]
+fn the_time_step_follows_springs_and_dampers_of_free_walls() {
+    let tau = std::f64::consts::TAU;
+    let cases = [
+        (
+            SPRING,
+            tau * (1e-3f64 / 1e11).sqrt(),
+            "oscillation of wall `w` on its spring",
+        ),
+        (DAMPER, tau * 1e-3 / 2e3, "decay of wall `w` on its damper"),
+        (HINGE, tau * 1e-7, "decay of wall `w` on its damper"),
+    ];
+    for (motion, time, origin) in cases {
+        let motion = motion.replace('\n', " ");
+        let prepared = prepare(&parse(&free_plate(&motion, ""))).unwrap();
+        assert!(
+            (prepared.time_scale.time / time - 1.0).abs() < 1e-9,
+            "{:?}",
+            prepared.time_scale
+        );
+        assert_eq!(prepared.time_scale.origin, origin);
+        let unstable = free_plate(&motion, "time_step = \"1 us\"");
+        let faults = prepare(&parse(&unstable)).unwrap_err().render(false);
+        assert!(
+            faults.contains("the time step is unsafe") && faults.contains(origin),
+            "{faults}"
+        );
+    }
+    // what an automatic time step was chosen for closes its books
+    for motion in [SPRING, DAMPER] {
+        let (report, _, _) = ended(
+            &free_plate(motion, "")
+                .replace("20 us", "0.2 us")
+                .replace("1 us", "10 ns"),
+        );
+        assert_eq!(report.end, RunEnd::Finished);
+        assert!(
+            report.summary.energies.max_residual < 1e-3,
+            "{:?}",
+            report.summary.energies
+        );
+    }
+}
+
+#[test]
+fn a_wall_at_no_finite_place_ends_the_run() {
+    let unstable = "time_step = \"1 us\"\nallow_unsafe_time_step = true";
+    let (report, told, log) = ended(&free_plate(SPRING, unstable).replace("20 us", "2 ms"));
+    let RunEnd::Fault(Fault::WallNotFinite { wall, .. }) = &report.end else {
+        panic!("{:?}", report.end);
+    };
+    assert_eq!(wall, "w");
+    assert_told(&told, &log, "of wall `w` is not a finite number");
+}
+
+#[test]
+fn a_residual_that_is_no_number_is_not_told_as_zero() {
+    let mut sim = Simulation::new(
+        prepare(&parse(&free_plate("\"rest\"", "").replace("motion = \"rest\"", "")))
+            .unwrap()
+            .setup,
+    );
+    sim.start().unwrap();
+    assert_eq!(sim.energies().residual, 0.0);
+    sim.grains_mut().velocity[0] = DVec3::splat(f64::NAN);
+    assert!(sim.energies().residual.is_nan());
+}
