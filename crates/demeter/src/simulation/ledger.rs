@@ -85,6 +85,9 @@ pub struct Books {
     boundary: f64,
     /// Sum of the magnitudes of the work of contacts across its sides and of the kinetic stress [J].
     boundary_throughput: f64,
+    /// Energy that the affine flow of the box has given to the grains beside that work, and the most that it ever had [J].
+    affine: f64,
+    highest_affine: f64,
     /// Lost in dampers and at the stops of freely moving walls [J].
     wall_dissipated: f64,
     /// Largest kinetic energy of the freely moving walls [J].
@@ -152,6 +155,8 @@ impl Books {
     pub(crate) fn carry_along(&mut self, energy: f64, work: f64) {
         self.boundary += energy;
         self.boundary_throughput += work.abs();
+        self.affine += energy - work;
+        self.highest_affine = self.highest_affine.max(self.affine.abs());
     }
 
     /// Books what freely moving walls did in a step of `dt` [s].
@@ -223,6 +228,7 @@ impl Books {
         let passed = self.initial_throughput
             + self.wall_throughput
             + self.boundary_throughput
+            + self.highest_affine
             + self.custom_throughput
             + self.highest_wall_kinetic
             + (self.initial_gravitational - self.lowest_gravitational)

@@ -134,3 +134,40 @@ fn a_residual_that_is_no_number_is_not_told_as_zero() {
     sim.grains_mut().velocity[0] = DVec3::splat(f64::NAN);
     assert!(sim.energies().residual.is_nan());
 }
+
+#[test]
+fn the_books_of_a_box_that_begins_to_deform_close_before_grains_meet() {
+    let text = r#"
+[simulation]
+max_overlap = 0.1
+[material.glass]
+young_modulus = "5 MPa"
+poisson_ratio = 0.25
+density = "2500 kg/m^3"
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.5 }
+[domain]
+lower = "0 0 0 mm"
+upper = "14 14 14 mm"
+periodic = ["x", "y", "z"]
+deform = { x = { strain_rate = "-10 1/s" } }
+[[grains]]
+material = "glass"
+source = "random"
+region = { shape = "box", lower = "0 0 0 mm", upper = "14 14 14 mm" }
+diameter = "2 mm"
+count = 150
+[output]
+series = "0.05 ms"
+picture = false
+report = false
+frames = "never"
+[[stage]]
+duration = "0.5 ms"
+"#;
+    let (report, told, _) = ended(text);
+    let energies = &report.summary.energies;
+    assert!(energies.max_residual < 1e-3, "{energies:?}");
+    assert!(told.iter().all(|text| !text.contains("books")), "{told:?}");
+    assert!(report.summary.warnings.is_empty(), "{:?}", report.summary.warnings);
+}
