@@ -1,10 +1,10 @@
 //! Running a scenario: stages in order, output at its cadence, checkpoints, and how it ends.
 
 mod sharing;
+mod stages;
 mod start;
 mod writing;
 
-use super::deformation::reached;
 use super::field_files::FieldFiles;
 use super::input_files::InputFile;
 use super::live::{Pause, Until};
@@ -15,8 +15,8 @@ use super::run_error::RunError;
 use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::contacts::Fault;
-use crate::measure::{Measures, kinetic_over_elastic};
-use crate::output::{FrameWriter, RunFolder, SeriesLabels, StageSummary, Summary, wall_summaries};
+use crate::measure::Measures;
+use crate::output::{FrameWriter, RunFolder, SeriesLabels, StageSummary, Summary};
 use crate::particles::Domain;
 use crate::simulation::{Cadence, Setup, Simulation, SimulationState, Stage, StopCondition};
 use glam::DVec3;
@@ -411,62 +411,6 @@ impl<'a> Runner<'a> {
         &self.scenario.stages[self.place.stage.min(self.scenario.stages.len() - 1)]
     }
 
-    fn begin_stage(&mut self) -> Result<(), RunError> {
-        self.place.stage_step = self.sim.step;
-        self.place.stage_displacement = self.sim.walls.iter().map(|w| w.displacement()).collect();
-        let Some(stage) = self.scenario.stages.get(self.place.stage) else {
-            return Ok(());
-        };
-        self.traffic.begin_stage(stage, self.sim.step);
-        if let Some(plan) = stage.deformation {
-            self.sim.deform(plan).map_err(|source| RunError::Deformation {
-                stage: stage.name.clone(),
-                source,
-            })?;
-        }
-        self.sim.mark_strain();
-        for (wall, motion) in &stage.motions {
-            (self.sim)
-                .set_wall_motion(*wall, motion.clone())
-                .map_err(|source| RunError::Motion {
-                    stage: stage.name.clone(),
-                    source,
-                })?;
-        }
-        let Some(absent) = &stage.absent else { return Ok(()) };
-        let come_and_go = self.sim.set_absent(|wall| absent.contains(&wall));
-        come_and_go.map_err(|source| RunError::WallInTheWay {
-            stage: stage.name.clone(),
-            source: Box::new(source),
-        })
-    }
-
-    fn end_stage(&mut self, reason: &str, observer: &mut dyn Observer) -> Result<(), RunError> {
-        self.write_row()?;
-        self.write_frame()?;
-        self.draw_stage()?;
-        let stage = self.stage();
-        let (start, dt) = (self.place.stage_step, self.sim.dt);
-        let name = &stage.name;
-        let text = format!("stage `{name}` ended at {:.4e} s: {reason}", self.sim.time());
-        self.say(&text, observer)?;
-        self.place.stages_done.push(StageSummary {
-            name: name.clone(),
-            first_step: start,
-            last_step: self.sim.step,
-            start: start as f64 * dt,
-            end: self.sim.time(),
-            ended_by: reason.to_string(),
-            walls: self
-                .latest
-                .as_ref()
-                .map(|row| wall_summaries(row, &labels(self.scenario).walls))
-                .unwrap_or_default(),
-        });
-        self.place.stage += 1;
-        self.begin_stage()
-    }
-
     /// Whether an interval of the stage ends at this step.
     fn is_due(&self, interval: Option<f64>) -> bool {
         let elapsed = self.sim.step - self.place.stage_step;
@@ -486,67 +430,6 @@ impl<'a> Runner<'a> {
             .any(|interval| self.is_due(interval));
         let elapsed = self.sim.step - self.place.stage_step;
         (!is_over && (writes || elapsed.is_multiple_of(ENERGY_INTERVAL))) || self.traffic.looks(&self.sim)
-    }
-
-    /// What ends the stage at this step, in words.
-    fn stage_is_over(&mut self) -> Option<String> {
-        let elapsed = self.sim.step - self.place.stage_step;
-        let dt = self.sim.dt;
-        self.stage().stop.iter().find_map(|stop| match stop {
-            StopCondition::Duration(seconds) => {
-                (elapsed >= steps_in(*seconds, dt)).then(|| format!("its duration of {seconds} s is over"))
-            }
-            StopCondition::Steps(steps) => (elapsed >= *steps).then(|| format!("its {steps} steps are done")),
-            StopCondition::KineticOverElastic(share) => {
-                let looks = elapsed > 0 && elapsed.is_multiple_of(ENERGY_INTERVAL);
-                let energies = looks.then(|| self.sim.energies()).filter(|e| e.elastic != 0.0)?;
-                let ratio = kinetic_over_elastic(&self.sim, &energies);
-                (ratio < *share).then(|| format!("kinetic over elastic energy is {ratio:.3e}, below {share:e}"))
-            }
-            StopCondition::WallForce {
-                walls,
-                direction,
-                above,
-            } => {
-                let walls = || walls.iter().map(|&wall| &self.sim.walls[wall]);
-                let force: f64 = walls().map(|w| w.load().0.dot(DVec3::from_array(*direction))).sum();
-                (elapsed > 0 && force >= *above).then(|| {
-                    let names: Vec<String> = walls().map(|wall| format!("`{}`", wall.name)).collect();
-                    let names = names.join(" and ");
-                    format!("the force on wall {names} is {force:.6} N, {above} N was asked")
-                })
-            }
-            StopCondition::WallTravel { wall, distance } => {
-                let travel = self.travel(*wall);
-                (travel >= *distance * (1.0 - 1e-12))
-                    .then(|| format!("wall `{}` has moved by {travel:.6} m", self.sim.walls[*wall].name))
-            }
-            StopCondition::Strain { wall, length, strain } => {
-                let reached = self.travel(*wall) / length;
-                (reached >= *strain * (1.0 - 1e-12)).then(|| format!("the strain is {reached:.6}"))
-            }
-            StopCondition::BoxStress { .. } | StopCondition::BoxStrain { .. } | StopCondition::ShearStrain(_) => {
-                let looks = elapsed > 0 && elapsed.is_multiple_of(ENERGY_INTERVAL);
-                reached(stop, &self.sim, looks)
-            }
-            StopCondition::MotionDone(wall) => {
-                let wall = &self.sim.walls[*wall];
-                (elapsed > 0 && wall.motion_is_done()).then(|| format!("the motion of wall `{}` is done", wall.name))
-            }
-            StopCondition::FeedDone(feed) => {
-                let name = self.scenario.feeds.get(*feed).map_or("", |f| f.name.as_str());
-                self.traffic.is_done(*feed).then(|| format!("feed `{name}` is done"))
-            }
-            StopCondition::GrainsAtMost(count) => {
-                let left = self.sim.grains.len();
-                (elapsed > 0 && left as u64 <= *count).then(|| format!("{left} grains are left"))
-            }
-        })
-    }
-
-    /// Distance of a wall from where it stood at the start of the stage [m].
-    fn travel(&self, wall: usize) -> f64 {
-        (self.sim.walls[wall].displacement() - self.place.stage_displacement[wall]).length()
     }
 
     fn tell(&mut self, observer: &mut dyn Observer) {
