@@ -53,17 +53,24 @@ impl Runner<'_> {
         Ok(())
     }
 
-    /// The warnings of the run, with that of books that do not close.
-    fn warnings(&self) -> Vec<String> {
-        let mut warnings = self.place.warnings.clone();
+    /// The warning of books that do not close.
+    fn residual_warning(&self) -> Option<String> {
         let residual = self.place.max_residual;
-        if residual > LARGEST_RESIDUAL {
-            warnings.push(format!(
+        // one that is no number is told, too
+        (residual.is_nan() || residual > LARGEST_RESIDUAL).then(|| {
+            format!(
                 "the energy books do not close: the residual reached {residual:.1e} of the energy that passed through; \
                  a shorter time step makes it smaller"
-            ));
+            )
+        })
+    }
+
+    /// Tells what only the end of a run knows.
+    pub(super) fn tell_the_end(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
+        if let Some(warning) = self.residual_warning() {
+            self.say(&format!("warning: {warning}"), observer)?;
         }
-        warnings
+        Ok(())
     }
 
     /// Writes the report. Without one the run is as good, so that it is only warned of.
@@ -156,7 +163,7 @@ impl Runner<'_> {
             particle_steps_per_second: speed,
             threads: rayon::current_num_threads(),
             stages: self.place.stages_done.clone(),
-            warnings: self.warnings(),
+            warnings: [self.place.warnings.clone(), self.residual_warning().into_iter().collect()].concat(),
             ..Summary::default()
         };
         let names: Vec<String> = self.sim.walls.iter().map(|w| w.name.clone()).collect();

@@ -294,6 +294,7 @@ impl<'a> Runner<'a> {
             self.say(&format!("error: {fault}"), observer)?;
             self.write_frame()?;
         }
+        self.tell_the_end(observer)?;
         self.place.wall_clock += self.started.elapsed().as_secs_f64();
         let summary = self.report(end, observer)?;
         if *end == RunEnd::Finished {

@@ -171,3 +171,49 @@ duration = "0.5 ms"
     assert!(told.iter().all(|text| !text.contains("books")), "{told:?}");
     assert!(report.summary.warnings.is_empty(), "{:?}", report.summary.warnings);
 }
+
+#[test]
+fn books_that_do_not_close_are_told_at_the_end() {
+    let text = r#"
+[simulation]
+time_step = "40 us"
+allow_unsafe_time_step = true
+max_overlap = 0.4
+[domain]
+lower = "-10 -10 -10 mm"
+upper = "10 10 10 mm"
+[material.a]
+young_modulus = "1 MPa"
+poisson_ratio = 0.3
+density = "1000 kg/m^3"
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.5 }
+[[grains]]
+material = "a"
+source = "list"
+positions = ["-1.5 0 0 mm"]
+velocity = "0.5 0 0 m/s"
+diameter = "2 mm"
+[[grains]]
+material = "a"
+source = "list"
+positions = ["1.5 0 0 mm"]
+diameter = "2 mm"
+[[stage]]
+duration = "4 ms"
+[output]
+series = "40 us"
+frames = "never"
+picture = false
+report = false
+"#;
+    let (report, told, log) = ended(text);
+    let words = "the energy books do not close";
+    assert!(
+        report.summary.energies.max_residual > 1e-3,
+        "{:?}",
+        report.summary.energies
+    );
+    assert!(report.summary.warnings.iter().any(|text| text.contains(words)));
+    assert_told(&told, &log, &format!("warning: {words}"));
+}
