@@ -143,6 +143,25 @@ impl<'a> Traffic<'a> {
         }
     }
 
+    /// What a user wants to read of feeds that end with a stage, told by its index, before all came that they were told.
+    pub fn end_stage(&self, stage: usize) -> Vec<String> {
+        let later = self.scenario.stages.get(stage + 1..).unwrap_or_default();
+        let is_last = |&feed: &usize| {
+            // a stage that tells nothing of feeds leaves them as they are
+            let runs = |stage: &Stage| stage.feeds.as_ref().is_none_or(|running| running.contains(&feed));
+            !later.first().is_some_and(runs)
+                && later
+                    .iter()
+                    .filter_map(|s| s.feeds.as_ref())
+                    .all(|f| !f.contains(&feed))
+        };
+        let name = self.scenario.stages.get(stage).map_or("", |stage| stage.name.as_str());
+        let feeds = (0..self.state.feeds.len()).filter(is_last);
+        feeds
+            .filter_map(|feed| self.state.feeds[feed].cut_short(&self.scenario.feeds[feed], name))
+            .collect()
+    }
+
     /// Whether a feed has come to its end.
     pub fn is_done(&self, feed: usize) -> bool {
         self.state.feeds.get(feed).is_none_or(|feed| feed.done)
@@ -522,6 +541,23 @@ impl Feeding<'_> {
 }
 
 impl FeedState {
+    /// What of a feed without a rate found no room until the end of its last stage.
+    fn cut_short(&self, spec: &FeedSpec, stage: &str) -> Option<String> {
+        if !self.active || self.done || spec.rate != FeedRate::AsRoomAllows {
+            return None;
+        }
+        let came = match (spec.end.count, spec.end.mass) {
+            (Some(count), _) if self.grains < count => format!("{} of {count} grains", self.grains),
+            (None, Some(mass)) => format!("{:.6} kg of {mass:.6} kg", self.mass),
+            _ => return None,
+        };
+        Some(format!(
+            "warning: feed `{}` let {came} come until the end of stage `{stage}`: the others found no room; a larger inlet, one \
+             that is free of walls and grains, faster grains or a longer stage let all come",
+            spec.name
+        ))
+    }
+
     /// Mass that is due by the rate and has not come [kg].
     fn behind(&self, spec: &FeedSpec, source: &Streaming, dt: f64) -> f64 {
         let seconds = self.steps as f64 * dt;

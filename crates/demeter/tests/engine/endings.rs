@@ -217,3 +217,56 @@ report = false
     assert!(report.summary.warnings.iter().any(|text| text.contains(words)));
     assert_told(&told, &log, &format!("warning: {words}"));
 }
+
+/// A feed without a rate into a box above a floor, in two stages.
+fn fed(feed: &str, stages: &str) -> String {
+    format!(
+        r#"{HEAD}
+[domain]
+lower = "-20 -20 -20 mm"
+upper = "20 20 40 mm"
+[[wall]]
+name = "floor"
+material = "seed"
+shape = "plane"
+point = "0 0 0 m"
+normal = "z"
+[[feed]]
+name = "fd"
+material = "seed"
+diameter = "2 mm"
+{feed}
+{stages}
+"#
+    )
+}
+
+#[test]
+fn a_feed_without_a_rate_that_finds_no_room_says_so_at_its_end() {
+    let nowhere = "from = { shape = \"box\", lower = \"-11 -11 -19 mm\", upper = \"11 11 -6 mm\" }";
+    let one = "[[stage]]\nname = \"a\"\nduration = \"4 ms\"";
+    let (_, told, log) = ended(&fed(&format!("{nowhere}\ncount = 30"), one));
+    assert_told(
+        &told,
+        &log,
+        "warning: feed `fd` let 0 of 30 grains come until the end of stage `a`",
+    );
+    let (_, told, log) = ended(&fed(&format!("{nowhere}\nmass = \"1 g\""), one));
+    assert_told(
+        &told,
+        &log,
+        "warning: feed `fd` let 0.000000 kg of 0.001000 kg come until the end of stage `a`",
+    );
+    // in its last stage, and once
+    let two = "[[stage]]\nname = \"a\"\nduration = \"4 ms\"\n[[stage]]\nname = \"b\"\nduration = \"4 ms\"";
+    let (_, told, log) = ended(&fed(&format!("{nowhere}\ncount = 30"), two));
+    assert_told(&told, &log, "until the end of stage `b`");
+    assert!(!log.contains("until the end of stage `a`"), "{log}");
+    let stopped = format!("{two}\nfeeds = []");
+    let (_, told, log) = ended(&fed(&format!("{nowhere}\ncount = 30"), &stopped));
+    assert_told(&told, &log, "until the end of stage `a`");
+    assert!(!log.contains("until the end of stage `b`"), "{log}");
+    let roomy = "from = { shape = \"box\", lower = \"-11 -11 9 mm\", upper = \"11 11 16 mm\" }\ncount = 3";
+    let (_, told, _) = ended(&fed(roomy, one));
+    assert!(told.iter().all(|text| !text.contains("warning")), "{told:?}");
+}
