@@ -65,8 +65,21 @@ impl Runner<'_> {
         })
     }
 
+    /// How much left the domain, where that removes grains.
+    fn left_the_domain(&self) -> Option<String> {
+        let (grains, mass) = self.sim.books.left_the_domain();
+        (grains > 0).then(|| {
+            format!(
+                "{grains} grains, {mass:.6} kg left the domain and were removed, as `domain.outside = \"remove\"` says"
+            )
+        })
+    }
+
     /// Tells what only the end of a run knows.
     pub(super) fn tell_the_end(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
+        if let Some(left) = self.left_the_domain() {
+            self.say(&left, observer)?;
+        }
         if let Some(warning) = self.residual_warning() {
             self.say(&format!("warning: {warning}"), observer)?;
         }
@@ -163,7 +176,12 @@ impl Runner<'_> {
             particle_steps_per_second: speed,
             threads: rayon::current_num_threads(),
             stages: self.place.stages_done.clone(),
-            warnings: [self.place.warnings.clone(), self.residual_warning().into_iter().collect()].concat(),
+            warnings: [
+                self.place.warnings.clone(),
+                self.left_the_domain().into_iter().collect(),
+                self.residual_warning().into_iter().collect(),
+            ]
+            .concat(),
             ..Summary::default()
         };
         let names: Vec<String> = self.sim.walls.iter().map(|w| w.name.clone()).collect();

@@ -103,6 +103,8 @@ pub struct Books {
     removed: f64,
     /// Number of grains removed since the start.
     pub removed_grains: u64,
+    /// Number and mass [kg] of the grains that left the domain and were removed.
+    outside: (u64, f64),
     inserted: f64,
     /// Energy that came with grains without the gravitational part, whose zero is arbitrary [J].
     inserted_throughput: f64,
@@ -196,6 +198,17 @@ impl Books {
         // what they take along must not look like a fall of the others
         self.lowest_gravitational -= gone.gravitational;
         self.initial_gravitational -= gone.gravitational;
+    }
+
+    /// Counts grains that left the domain, by their masses [kg].
+    pub(crate) fn leave_the_domain(&mut self, masses: &[f64]) {
+        self.outside.0 += masses.len() as u64;
+        self.outside.1 += masses.iter().sum::<f64>();
+    }
+
+    /// Number and mass [kg] of the grains that left the domain and were removed since the start.
+    pub fn left_the_domain(&self) -> (u64, f64) {
+        self.outside
     }
 
     /// Books the insertion of grains that carry these energies.

@@ -12,6 +12,8 @@ use serde::{Deserialize, Serialize};
 struct Misplaced {
     /// Indices, rising.
     grains: Vec<usize>,
+    /// Their masses [kg].
+    masses: Vec<f64>,
     /// The fault of the first that is nowhere.
     nowhere: Option<Fault>,
     /// The fault of the one with the lowest id.
@@ -47,10 +49,12 @@ impl Simulation {
         if let Some(fault) = all.iter().find_map(|of| of.nowhere.clone()) {
             return Err(fault);
         }
+        let masses: Vec<f64> = all.iter().flat_map(|of| &of.masses).copied().collect();
         let outside = all.into_iter().filter_map(|of| of.outside).min_by_key(Fault::grain);
         if let Some(fault) = outside.filter(|_| self.comm.domain().outside == Outside::Stop) {
             return Err(fault);
         }
+        self.books.leave_the_domain(&masses);
         self.remove(&grains);
         // others are neighbours now
         self.exchange_borders(|_| ());
@@ -104,6 +108,7 @@ impl Simulation {
         };
         Misplaced {
             grains: outside().collect(),
+            masses: outside().map(|g| grains.mass(g)).collect(),
             nowhere: outside().find(|&g| !grains.position[g].is_finite()).map(nowhere),
             outside: outside().min_by_key(|&g| grains.id[g]).map(fault),
         }

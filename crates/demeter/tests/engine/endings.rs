@@ -270,3 +270,28 @@ fn a_feed_without_a_rate_that_finds_no_room_says_so_at_its_end() {
     let (_, told, _) = ended(&fed(roomy, one));
     assert!(told.iter().all(|text| !text.contains("warning")), "{told:?}");
 }
+
+#[test]
+fn what_left_the_domain_is_told_at_the_end() {
+    let text = format!(
+        r#"{HEAD}
+[domain]
+lower = "-20 -20 -2 mm"
+upper = "20 20 40 mm"
+outside = "remove"
+[[grains]]
+material = "seed"
+source = "list"
+positions = ["0 0 0 mm", "5 0 0 mm", "0 5 30 mm"]
+diameter = "2 mm"
+[[stage]]
+duration = "40 ms"
+"#
+    );
+    let (report, told, log) = ended(&text);
+    assert_eq!((report.summary.grains, &report.end), (1, &RunEnd::Finished));
+    // 2 spheres of 4/3 pi mg
+    let words = "2 grains, 0.000008 kg left the domain and were removed";
+    assert_told(&told, &log, words);
+    assert!(report.summary.warnings.iter().any(|text| text.contains(words)));
+}
