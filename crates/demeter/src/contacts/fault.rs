@@ -159,6 +159,16 @@ pub enum Fault {
         /// The last position known [m].
         position: DVec3,
     },
+    /// What the scenario asks for at this moment cannot be done.
+    #[error("step {step}: {reason}")]
+    CannotGoOn {
+        /// Step.
+        step: u64,
+        /// Id of the grain that is in the way; 0 where none is.
+        id: u32,
+        /// What cannot be done, why, and what to do.
+        reason: String,
+    },
     /// The place or velocity of a wall is not a finite number.
     #[error(
         "step {step}: the {quantity} of wall `{wall}` is not a finite number. Cause: a time step far above the safe one, or a \
@@ -189,6 +199,7 @@ impl Fault {
             | Self::BoxTooSmall { id, .. }
             | Self::CrossedTooOften { id, .. }
             | Self::Jump { id, .. }
+            | Self::CannotGoOn { id, .. }
             | Self::NotFinite { id, .. } => *id,
             Self::Custom { .. } | Self::WallNotFinite { .. } => 0,
         }

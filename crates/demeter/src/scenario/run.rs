@@ -329,7 +329,10 @@ impl<'a> Runner<'a> {
                 if let Err(fault) = self.sim.settle() {
                     return Ok(Pause::End(RunEnd::Fault(fault)));
                 }
-                self.end_stage(&reason, observer)?;
+                let ended = self.end_stage(&reason, observer);
+                if let Err(fault) = self.or_fault(ended)? {
+                    return Ok(Pause::End(RunEnd::Fault(fault)));
+                }
                 continue;
             }
             if until.stage && self.place.stage > began_in {
@@ -376,8 +379,10 @@ impl<'a> Runner<'a> {
         if !is_over && self.sim.step > self.first_step && self.is_due(self.stage().cadence.checkpoints) {
             self.write_checkpoint()?;
         }
-        for text in self.traffic.exchange(&mut self.sim)? {
-            self.say(&text, observer)?;
+        let exchanged = self.traffic.exchange(&mut self.sim);
+        match self.or_fault(exchanged)? {
+            Err(fault) => return Ok(Err(fault)),
+            Ok(texts) => texts.iter().try_for_each(|text| self.say(text, observer))?,
         }
         if let Err(fault) = self.sim.step_on() {
             return Ok(Err(fault));
@@ -399,6 +404,15 @@ impl<'a> Runner<'a> {
         self.tell(observer);
         self.cancelled |= self.sim.is_asked_to_end();
         Ok(Ok(()))
+    }
+
+    /// What cannot be done in the state that the run has come to is a fault of the simulation: the inner result.
+    fn or_fault<T>(&self, result: Result<T, RunError>) -> Result<Result<T, Fault>, RunError> {
+        match result.map_err(|error| error.in_a_run(self.sim.step)) {
+            Ok(value) => Ok(Ok(value)),
+            Err(Ok(fault)) => Ok(Err(fault)),
+            Err(Err(error)) => Err(error),
+        }
     }
 
     /// Tells the observer and the log.

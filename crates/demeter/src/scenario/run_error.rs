@@ -2,6 +2,7 @@
 
 use super::Diagnostics;
 use crate::checkpoint::CheckpointError;
+use crate::contacts::Fault;
 use crate::insertion::InsertionProblem;
 use crate::output::OutputError;
 use crate::simulation::{DeformationError, ExchangeError, StateError, WallInTheWay};
@@ -120,6 +121,19 @@ pub enum RunError {
         /// What the system said.
         reason: String,
     },
+}
+
+impl RunError {
+    /// The fault that this is in a run that has begun, where it comes from the state of the run.
+    pub(super) fn in_a_run(self, step: u64) -> Result<Fault, Self> {
+        let id = match &self {
+            Self::WallInTheWay { source, .. } => source.grain,
+            Self::Motion { .. } | Self::Deformation { .. } | Self::Feed { .. } | Self::Exchange(_) => 0,
+            _ => return Err(self),
+        };
+        let reason = self.to_string();
+        Ok(Fault::CannotGoOn { step, id, reason })
+    }
 }
 
 impl From<Diagnostics> for RunError {

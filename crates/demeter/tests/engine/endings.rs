@@ -295,3 +295,51 @@ duration = "40 ms"
     assert_told(&told, &log, words);
     assert!(report.summary.warnings.iter().any(|text| text.contains(words)));
 }
+
+#[test]
+fn a_wall_that_cannot_come_later_ends_the_run_as_a_fault() {
+    let text = format!(
+        r#"{HEAD}
+[domain]
+lower = "-20 -20 -20 mm"
+upper = "20 20 20 mm"
+[[wall]]
+name = "floor"
+material = "seed"
+shape = "plane"
+point = "0 0 0 m"
+normal = "z"
+[[wall]]
+name = "lid"
+material = "seed"
+shape = "rectangle"
+center = "0 0 1.5 mm"
+half_u = "8 0 0 mm"
+half_v = "0 8 0 mm"
+[[grains]]
+material = "seed"
+source = "list"
+positions = ["0 0 1 mm"]
+diameter = "2 mm"
+[[stage]]
+name = "a"
+duration = "2 ms"
+absent = ["lid"]
+[[stage]]
+name = "b"
+duration = "2 ms"
+absent = []
+"#
+    );
+    let (report, told, log) = ended(&text);
+    let RunEnd::Fault(fault @ Fault::CannotGoOn { id: 1, .. }) = &report.end else {
+        panic!("{:?}", report.end);
+    };
+    assert!(
+        fault.to_string().contains("stage `b`: wall `lid` cannot come: grain 1"),
+        "{fault}"
+    );
+    assert_told(&told, &log, &format!("error: {fault}"));
+    assert!(!report.summary.finished);
+    assert_eq!(report.summary.stopped_by, fault.to_string());
+}

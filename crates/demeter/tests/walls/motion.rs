@@ -461,11 +461,10 @@ fn a_wall_does_not_come_where_a_grain_is() {
         .replace("name = \"rest\"", "name = \"rest\"\nabsent = [\"cover\"]");
     let fall = comes.replace("duration = \"50 ms\"", "duration = \"1 ms\"") + "absent = []\n";
     let place = tempfile::tempdir().unwrap();
-    let error = try_in(&parse(&fall), &place.path().join("run"), 1)
-        .unwrap_err()
-        .to_string();
+    let end = try_in(&parse(&fall), &place.path().join("run"), 1).unwrap().end;
+    let RunEnd::Fault(fault) = end else { panic!("{end:?}") };
     let named = "stage `open`: wall `cover` cannot come: grain 1 at";
-    assert!(error.starts_with(named), "{error}");
+    assert!(fault.to_string().contains(named) && fault.grain() == 1, "{fault}");
     // later both are below it
     let free = comes.replace("duration = \"50 ms\"", "duration = \"90 ms\"") + "absent = []\n";
     try_in(&parse(&free), &place.path().join("free"), 1).unwrap();
