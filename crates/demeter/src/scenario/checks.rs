@@ -126,7 +126,8 @@ pub(super) fn check_periodic_size(
 }
 
 /// Walls are not repeated across periodic sides: one that ends near a side is not felt by grains on the other end of the
-/// domain that reach across it. One that goes through from side to side is taken to be the same all along.
+/// domain that reach across it. One that goes through from side to side is taken to be the same all along; it must reach beyond both
+/// sides, as grains are put back only some way behind a side.
 pub(super) fn check_walls_at_periodic_sides(
     walls: &[Wall],
     grains: &Grains,
@@ -149,6 +150,18 @@ pub(super) fn check_walls_at_periodic_sides(
                      are not repeated, so grains that reach across that side do not feel it there. Keep it away from the side, or \
                      let it go through the domain",
                     wall.name
+                ));
+            } else if reaches_lower && (lower[axis] > below - largest || upper[axis] < above + largest) {
+                let name = ["x", "y", "z"][axis];
+                warnings.push(format!(
+                    "wall `{}` reaches from {:.6} m to {:.6} m along {name}, where periodic sides are at {below:.6} m and {above:.6} m: \
+                     grains feel its rim before they are put back from behind a side. Let it reach beyond both sides by the radius of \
+                     the largest grain: from {:.6} m or less to {:.6} m or more",
+                    wall.name,
+                    lower[axis],
+                    upper[axis],
+                    below - largest,
+                    above + largest
                 ));
             }
         }

@@ -397,7 +397,7 @@ steps = 10
     };
     let floor =
         "[[wall]]\nname = \"floor\"\nmaterial = \"glass\"\nshape = \"plane\"\npoint = \"0 0 0 mm\"\nnormal = \"z\"\n";
-    let plate = "[[wall]]\nname = \"plate\"\nmaterial = \"glass\"\nshape = \"rectangle\"\ncenter = \"10 10 2 mm\"\nhalf_u = \"10 0 0 mm\"\nhalf_v = \"0 3 0 mm\"\n";
+    let plate = "[[wall]]\nname = \"plate\"\nmaterial = \"glass\"\nshape = \"rectangle\"\ncenter = \"10 10 2 mm\"\nhalf_u = \"11.1 0 0 mm\"\nhalf_v = \"0 3 0 mm\"\n";
     let told = |walls: &str| prepare(&parse(&text(walls), &[]).unwrap()).unwrap().warnings.join("\n");
     for walls in [floor, plate, &ball(10.0), &ball(4.1)] {
         assert_eq!(told(walls), "", "{walls}");

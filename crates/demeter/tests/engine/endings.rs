@@ -343,3 +343,49 @@ absent = []
     assert!(!report.summary.finished);
     assert_eq!(report.summary.stopped_by, fault.to_string());
 }
+
+/// A grain on a square plate of the given half width, in a box of 40 mm that is periodic along x and y.
+fn on_a_plate(half: f64) -> Vec<String> {
+    let text = format!(
+        r#"{HEAD}
+[domain]
+lower = "0 0 -10 mm"
+upper = "40 40 40 mm"
+periodic = ["x", "y"]
+[[grains]]
+material = "seed"
+source = "list"
+positions = ["30 7 2 mm"]
+diameter = "4 mm"
+[[wall]]
+name = "floor"
+material = "seed"
+shape = "rectangle"
+center = "20 20 0 mm"
+half_u = "{half} 0 0 mm"
+half_v = "0 30 0 mm"
+[[stage]]
+duration = "1 ms"
+"#
+    );
+    prepare(&parse(&text)).unwrap().warnings
+}
+
+#[test]
+fn a_wall_that_ends_at_periodic_sides_is_warned_of() {
+    for half in [20.0, 21.9] {
+        let warnings = on_a_plate(half);
+        let [warning] = &warnings[..] else {
+            panic!("{warnings:?}")
+        };
+        assert!(
+            warning.contains("wall `floor`") && warning.contains("along x"),
+            "{warning}"
+        );
+        assert!(
+            warning.contains("from -0.002000 m or less to 0.042000 m or more"),
+            "{warning}"
+        );
+    }
+    assert_eq!(on_a_plate(22.1), Vec::<String>::new());
+}
