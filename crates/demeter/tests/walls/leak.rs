@@ -159,6 +159,69 @@ fn every_hole_is_told_the_widest_first() {
     assert!(report.openings[0].place.z.abs() < 0.05 && report.openings[1].place.x > 0.95);
 }
 
+/// A box of 20 by 20 that is periodic along x and y.
+fn periodic() -> Domain {
+    Domain {
+        lower: v(-10.0, -10.0, -5.0),
+        upper: v(10.0, 10.0, 30.0),
+        periodic: [true, true, false],
+        outside: Outside::Stop,
+    }
+}
+
+fn on_ground(walls: &[Wall], domain: Option<&Domain>) -> LeakReport {
+    find_openings(&LeakTest {
+        walls,
+        starts: &[v(2.0, 2.0, 4.0), v(-4.0, -3.0, 4.0)],
+        radius: 1.0,
+        gravity: DOWN,
+        domain,
+    })
+    .unwrap()
+}
+
+fn level_ground() -> Wall {
+    wall(Shape::Plane {
+        point: DVec3::ZERO,
+        normal: DVec3::Z,
+    })
+}
+
+#[test]
+fn level_ground_holds_and_is_open_at_the_top() {
+    for domain in [Some(periodic()), None] {
+        let report = on_ground(&[level_ground()], domain.as_ref());
+        assert!(report.is_tight() && report.open_at_top, "{report:?}");
+        assert!(report.openings.is_empty(), "{report:?}");
+    }
+}
+
+#[test]
+fn a_plate_is_left_where_it_ends() {
+    let plate = |half_x: f64| {
+        wall(Shape::Rectangle {
+            center: DVec3::ZERO,
+            half_u: DVec3::X * half_x,
+            half_v: DVec3::Y * 10.0,
+        })
+    };
+    // a slot of 20 - 2 half_x at the periodic sides
+    let report = on_ground(&[plate(8.0)], Some(&periodic()));
+    assert!(!report.openings.is_empty() && !report.is_tight(), "{report:?}");
+    for opening in &report.openings {
+        assert_eq!(opening.kind, OpeningKind::Leak, "{report:?}");
+        assert!(opening.place.x.abs() > 9.0 && opening.place.z.abs() < 0.5, "{report:?}");
+        assert!((opening.width / 4.0 - 1.0).abs() < 0.1, "{report:?}");
+    }
+    let report = on_ground(&[plate(9.2)], Some(&periodic()));
+    assert!(
+        report.is_tight() && report.openings.is_empty() && report.open_at_top,
+        "{report:?}"
+    );
+    let report = on_ground(&[plate(8.0)], None);
+    assert!(!report.is_tight(), "{report:?}");
+}
+
 #[test]
 fn a_hopper_is_told_its_orifice() {
     let hopper = |orifice: f64| {

@@ -10,7 +10,8 @@
 //!
 //! What was found is plugged, and the search goes on. Outside is beyond the box around the walls; above their highest
 //! point nothing is looked for: a container may be open at the top. Where a lower rim is left upwards, the search goes on
-//! below that rim. Walls stand as at the start of the run, and grains are hard.
+//! below that rim. Where all grains lie on the highest point, as on a plate, a layer above them is looked at, and where they
+//! get down from it. Walls stand as at the start of the run, and grains are hard.
 
 mod cells;
 mod narrow;
@@ -44,6 +45,8 @@ const CELLS_PER_AREA: f64 = 6.0;
 const APART: f64 = 0.72;
 /// Free space around the walls, in radii.
 const MARGIN: f64 = 3.0;
+/// How high above grains that lie on the highest wall is looked, in radii; less than `MARGIN` and two radii.
+const ABOVE_GRAINS: f64 = 3.0;
 /// Radius of a plug in clearances of the opening: the corners of a triangle are that far from the middle.
 const PLUG: f64 = 4.0;
 /// Most starting points.
@@ -153,6 +156,10 @@ struct Hunt<'a> {
     bounds: (DVec3, DVec3),
     /// Height of the highest point of the walls [m].
     top: Option<f64>,
+    /// Whether all grains lie on that point, so that no rim keeps them.
+    lie_on_top: bool,
+    /// From a place to its images [m].
+    images: Vec<DVec3>,
     report: LeakReport,
 }
 
@@ -183,11 +190,24 @@ impl<'a> Hunt<'a> {
             periodic = domain.periodic;
             for k in (0..3).filter(|&k| periodic[k]) {
                 (from[k], to[k]) = (domain.lower[k], domain.upper[k]);
+                space.periodic.push((k, from[k], to[k]));
             }
         }
-        let starts = settle(&space, &some, (from, to));
-        if starts.is_empty() {
-            return Err(Untested::NoRoom);
+        if space.is_endless() && top.is_some() {
+            // level ground has no ends
+            (0..3).for_each(|k| periodic[k] |= space.up[k] == 0.0);
+        }
+        let mut starts = settle(&space, &some, (from, to));
+        let lie_on_top = starts.is_empty();
+        if lie_on_top {
+            space.cap = f64::INFINITY;
+            let rest = settle(&space, &some, (from, to));
+            let heights = rest.iter().map(|&place| space.height(place));
+            let highest = heights.reduce(f64::max).ok_or(Untested::NoRoom)?;
+            if top.is_some() {
+                space.cap = highest + ABOVE_GRAINS * radius;
+            }
+            starts = rest;
         }
         let cells = Cells::new(&space, from, to, periodic, APART * radius);
         Ok(Hunt {
@@ -197,10 +217,12 @@ impl<'a> Hunt<'a> {
                 starts,
                 goal: Goal::Ends,
             },
+            images: images(from, to, periodic),
             places: some,
             ends: (from, to),
             bounds: (lower, upper),
             top,
+            lie_on_top,
             report: LeakReport {
                 radius,
                 openings: Vec::new(),
@@ -292,11 +314,13 @@ impl<'a> Hunt<'a> {
 
     /// Closes an opening and what is near it in its plane.
     fn plug(&mut self, narrow: &Narrowest) {
-        self.search.space.plugs.push(Plug {
-            center: narrow.place,
+        let radius = PLUG * narrow.clearance.max(0.0) + 2.0 * self.search.space.radius;
+        let plugs = self.images.iter().map(|image| Plug {
+            center: narrow.place + *image,
             normal: narrow.along,
-            radius: PLUG * narrow.clearance.max(0.0) + 2.0 * self.search.space.radius,
+            radius,
         });
+        self.search.space.plugs.extend(plugs);
     }
 
     /// An opening through which free cells lead: over a rim, or where the widest way is narrowest.
@@ -305,7 +329,7 @@ impl<'a> Hunt<'a> {
         let starts = self.search.start_cells();
         let goal = self.search.goal_marks();
         let is_goal = |cell: u32| goal[cell as usize];
-        if self.top.is_some() {
+        if self.top.is_some() && !self.lie_on_top {
             let climb =
                 |so_far: f64, cell: u32| surely[cell as usize].then(|| so_far.max(cells.heights(cell, space).0));
             let lowest = Ways::new(cells, &starts, climb, is_goal);
@@ -330,11 +354,17 @@ impl<'a> Hunt<'a> {
         let widen = |so_far: f64, cell: u32| surely[cell as usize].then(|| so_far.max(-cells.get(cell).clearance));
         let way = |from: &[u32]| Ways::new(cells, from, widen, is_goal).path();
         // the roomiest place may be in another compartment than the opening
-        let found = narrow_on(&self.search, &way(&[deep])).or_else(|| narrow_on(&self.search, &way(&starts)))?;
+        let found = match self.top.filter(|_| self.lie_on_top) {
+            Some(top) => {
+                let down = |from: &[u32]| way_down(&self.search, &way(from), top);
+                down(&[deep]).or_else(|| down(&starts))?
+            }
+            None => narrow_on(&self.search, &way(&[deep])).or_else(|| narrow_on(&self.search, &way(&starts)))?,
+        };
         self.plug(&found);
         Some(Opening {
             kind: OpeningKind::Leak,
-            place: found.place,
+            place: self.search.space.put_back(found.place),
             width: 2.0 * found.clearance,
         })
     }
@@ -415,6 +445,35 @@ fn narrow_on(search: &Search<'_>, path: &[u32]) -> Option<Narrowest> {
         along,
         1.5 * cells.side(path[at]),
     ))
+}
+
+/// Where a way leads from above a height to below it; of one that stays above, where it ends.
+fn way_down(search: &Search<'_>, path: &[u32], top: f64) -> Option<Narrowest> {
+    let Search { space, cells, .. } = search;
+    let is_above = |cell: &u32| space.height(cells.center(*cell)) > top;
+    let at = *path.iter().rfind(|cell| is_above(cell))?;
+    let near = cells.center(at);
+    let level = near - space.up * (space.height(near) - top).max(0.0);
+    Some(narrowest(space, level, -space.up, 1.5 * cells.side(at)))
+}
+
+/// From a place to itself and its images in the boxes around a periodic one [m].
+fn images(lower: DVec3, upper: DVec3, periodic: [bool; 3]) -> Vec<DVec3> {
+    let size = upper - lower;
+    let mut images = vec![DVec3::ZERO];
+    for axis in (0..3).filter(|&axis| periodic[axis]) {
+        let shift = DVec3::AXES[axis] * size[axis];
+        images = [-1.0, 0.0, 1.0]
+            .iter()
+            .flat_map(|share| {
+                images
+                    .iter()
+                    .map(move |image| *image + shift * *share)
+                    .collect::<Vec<_>>()
+            })
+            .collect();
+    }
+    images
 }
 
 /// Whether a cell may be part of a way out.

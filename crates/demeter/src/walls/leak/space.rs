@@ -41,6 +41,8 @@ pub(super) struct Space<'a> {
     /// Highest centre that is looked at, along `up` [m].
     pub(super) cap: f64,
     pub(super) plugs: Vec<Plug>,
+    /// Periodic axes, each with its lower and upper side [m].
+    pub(super) periodic: Vec<(usize, f64, f64)>,
     /// Corners of triangles that draw the finite walls [m].
     outline: Vec<DVec3>,
     /// Their area [m^2].
@@ -64,6 +66,7 @@ impl<'a> Space<'a> {
             up: -gravity.normalize_or_zero(),
             cap: f64::INFINITY,
             plugs: Vec::new(),
+            periodic: Vec::new(),
             outline,
             area,
         }
@@ -77,6 +80,7 @@ impl<'a> Space<'a> {
             up: self.up,
             cap: self.cap,
             plugs: self.plugs.clone(),
+            periodic: self.periodic.clone(),
             outline: Vec::new(),
             area: 0.0,
         }
@@ -87,14 +91,30 @@ impl<'a> Space<'a> {
         point.dot(self.up)
     }
 
-    /// Height of the highest point of the finite walls; `None` without such walls or without gravity.
+    /// Height of the highest point of the finite walls, or without such walls of the highest level plane; `None` where there is
+    /// neither, or no gravity.
     pub(super) fn top(&self) -> Option<f64> {
         let heights = self.outline.iter().map(|&point| self.height(point));
-        heights.reduce(f64::max).filter(|_| self.up != DVec3::ZERO)
+        let highest = heights.reduce(f64::max).or_else(|| self.highest_level_plane());
+        highest.filter(|_| self.up != DVec3::ZERO)
+    }
+
+    fn highest_level_plane(&self) -> Option<f64> {
+        let level = self.walls.iter().filter(|wall| match wall.surface() {
+            Surface::Plane(plane) => wall.pose().turn(plane.normal).dot(self.up) > ALONG_AXIS,
+            _ => false,
+        });
+        level.map(|wall| self.height(wall.origin())).reduce(f64::max)
+    }
+
+    /// Whether all walls go on for ever.
+    pub(super) fn is_endless(&self) -> bool {
+        self.outline.is_empty()
     }
 
     /// Radius of the largest grain that touches nothing at a point; negative behind a one-sided wall [m].
     pub(super) fn clearance(&self, point: DVec3) -> f64 {
+        let point = self.put_back(point);
         let mut least = f64::MAX;
         for wall in self.walls {
             least = wall.clearance(point, least).min(least);
@@ -103,6 +123,16 @@ impl<'a> Space<'a> {
             least = least.min(plug.distance(point));
         }
         least
+    }
+
+    /// The place of a point in the periodic box: walls are not repeated beyond its sides.
+    pub(super) fn put_back(&self, mut point: DVec3) -> DVec3 {
+        for &(axis, lower, upper) in &self.periodic {
+            if !(lower..upper).contains(&point[axis]) {
+                point[axis] = lower + (point[axis] - lower).rem_euclid(upper - lower);
+            }
+        }
+        point
     }
 
     /// What the cap leaves of a clearance; nothing above it.
