@@ -223,6 +223,32 @@ fn a_plate_is_left_where_it_ends() {
 }
 
 #[test]
+fn a_slit_all_around_leaks_when_it_is_wider_than_the_grain_and_only_then() {
+    for share in [0.9, 0.95, 1.05] {
+        let shell = wall(Shape::Cylinder {
+            start: v(0.0, 0.0, 2.0 * share),
+            end: v(0.0, 0.0, 40.0),
+            radius: 30.0,
+            side: Side::Inside,
+        });
+        let report = on_ground(&[level_ground(), shell], None);
+        assert!(report.open_at_top, "{report:?}");
+        if share < 1.0 {
+            assert!(report.is_tight() && report.openings.is_empty(), "{share}: {report:?}");
+        } else {
+            assert!(
+                report
+                    .openings
+                    .iter()
+                    .all(|o| (o.width / (2.0 * share) - 1.0).abs() < 0.05),
+                "{report:?}"
+            );
+            assert!(!report.openings.is_empty());
+        }
+    }
+}
+
+#[test]
 fn a_hopper_is_told_its_orifice() {
     let hopper = |orifice: f64| {
         vec![

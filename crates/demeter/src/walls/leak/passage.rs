@@ -11,6 +11,8 @@ use glam::DVec3;
 const FINEST: f64 = 0.01;
 /// Most cells of one passage.
 const MOST_CELLS: usize = 300_000;
+/// A passage with more cells than that is cut in two as long as it is longer, in radii.
+const LEAST_LENGTH: f64 = 6.0;
 /// Most passages that are looked at in one round.
 const MOST_PASSAGES: usize = 200;
 /// Way in mixed cells that is looked at beside the shortest, as a share of the shortest.
@@ -96,14 +98,41 @@ pub(super) fn passages(search: &Search<'_>, surely: &[bool]) -> Vec<Passage> {
         return Vec::new();
     }
     let near = between.on_short_ways(&search.cells);
-    let groups = connected(&search.cells, &near);
-    let looked_at = groups.into_iter().take(MOST_PASSAGES);
-    looked_at
-        .map(|group| Passage {
-            verdict: decide(search, &group, surely, &from_goal),
-            cells: group,
-        })
-        .collect()
+    let mut groups = connected(&search.cells, &near);
+    groups.reverse();
+    let mut passages = Vec::new();
+    while let Some(group) = groups.pop().filter(|_| passages.len() < MOST_PASSAGES) {
+        let halves = halves(search, &group);
+        match (decide(search, &group, surely, &from_goal), halves) {
+            (Decision::TooMany(_), Some(halves)) => groups.extend(halves),
+            (Decision::TooMany(verdict) | Decision::Made(verdict), _) => {
+                passages.push(Passage { cells: group, verdict })
+            }
+        }
+    }
+    passages
+}
+
+/// What looking at a passage gave.
+enum Decision {
+    Made(Verdict),
+    /// More cells would be needed than are allowed; the verdict is that of those that are.
+    TooMany(Verdict),
+}
+
+/// Both halves of a passage along the axis of its longest extent; of a short one none.
+fn halves(search: &Search<'_>, group: &[u32]) -> Option<[Vec<u32>; 2]> {
+    let centers = || group.iter().map(|&cell| search.cells.center(cell));
+    let (lower, upper) = (centers().reduce(DVec3::min)?, centers().reduce(DVec3::max)?);
+    let extent = upper - lower;
+    let (axis, length) = (extent.max_position(), extent.max_element());
+    let middle = 0.5 * (lower + upper)[axis];
+    let parts = group
+        .iter()
+        .partition(|&&cell| search.cells.center(cell)[axis] < middle);
+    (length > LEAST_LENGTH * search.space.radius)
+        .then_some(parts)
+        .map(<[Vec<u32>; 2]>::from)
 }
 
 fn free(search: &Search<'_>, some: &[u32]) -> Vec<u32> {
@@ -140,7 +169,7 @@ fn connected(cells: &Cells, some: &[u32]) -> Vec<Vec<u32>> {
 }
 
 /// Looks at the surroundings of some cells with finer ones.
-fn decide(outer: &Search<'_>, group: &[u32], surely: &[bool], from_goal: &[bool]) -> Verdict {
+fn decide(outer: &Search<'_>, group: &[u32], surely: &[bool], from_goal: &[bool]) -> Decision {
     let radius = outer.space.radius;
     let around = |cell: u32| {
         let reach = DVec3::splat(0.5 * outer.cells.side(cell));
@@ -173,7 +202,7 @@ fn decide(outer: &Search<'_>, group: &[u32], surely: &[bool], from_goal: &[bool]
     decide_closely(&mut search)
 }
 
-fn decide_closely(search: &mut Search<'_>) -> Verdict {
+fn decide_closely(search: &mut Search<'_>) -> Decision {
     let finest = FINEST * search.space.radius;
     loop {
         let starts = search.start_cells();
@@ -186,18 +215,22 @@ fn decide_closely(search: &mut Search<'_>) -> Verdict {
         let reached = freely_reached(&search.cells, &sure);
         let goal = search.goal_cells();
         if goal.iter().any(|&cell| reached[cell as usize]) {
-            return narrowest_way(search, &starts).map_or(Verdict::Closed, Verdict::Open);
+            return Decision::Made(narrowest_way(search, &starts).map_or(Verdict::Closed, Verdict::Open));
         }
         let from_goal = freely_reached(&search.cells, &free(search, &goal));
         let between = Between::new(search, &reached, &from_goal);
         if between.least == f64::INFINITY {
-            return Verdict::Closed;
+            return Decision::Made(Verdict::Closed);
         }
         let cells = &search.cells;
         let mut near = between.on_short_ways(cells);
         near.retain(|&cell| cells.half_diagonal(cells.get(cell).level) > finest);
-        if near.is_empty() || cells.len() + 8 * near.len() > MOST_CELLS {
-            return narrowest_way(search, &starts).map_or(Verdict::Closed, Verdict::Undecided);
+        let undecided = || narrowest_way(search, &starts).map_or(Verdict::Closed, Verdict::Undecided);
+        if near.is_empty() {
+            return Decision::Made(undecided());
+        }
+        if cells.len() + 8 * near.len() > MOST_CELLS {
+            return Decision::TooMany(undecided());
         }
         near.iter().for_each(|&cell| search.cells.halve(cell, &search.space));
     }
