@@ -1,6 +1,6 @@
 //! `demeter run` and `demeter resume`.
 
-use crate::answer::{Rows, answer, answer_json, note};
+use crate::answer::{Rows, answer, answer_json};
 use crate::arguments::{Engine, HowToRun, ResumeArguments, RunArguments};
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -28,9 +28,13 @@ pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
     scenario.base = absolute(&scenario.base)?;
     let folder = match &arguments.out {
         Some(folder) => folder.clone(),
-        None => default_folder(&arguments.file, arguments.overwrite)?,
+        None => default_folder(&arguments.file)?,
     };
-    let options = options(&job, &arguments.output, &arguments.engine, arguments.overwrite);
+    let options = RunOptions {
+        overwrite: arguments.overwrite,
+        numbered: arguments.out.is_none() && !arguments.overwrite,
+        ..options(&job, &arguments.output, &arguments.engine)
+    };
     let mut watch = Watch::new(interrupt);
     let report = match job.ranks() {
         None => demeter::scenario::run(&scenario, &folder, options, &mut watch),
@@ -44,7 +48,7 @@ pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
 pub fn resume(arguments: &ResumeArguments) -> Result<Exit, Failure> {
     let job = Job::join()?;
     let mut watch = Watch::new(Interrupt::listen());
-    let options = options(&job, &arguments.output, &arguments.engine, false);
+    let options = options(&job, &arguments.output, &arguments.engine);
     let report = match job.ranks() {
         None => demeter::scenario::resume(&arguments.folder, options, &mut watch),
         Some(ranks) => demeter::scenario::resume_shared(&arguments.folder, options, ranks, &mut watch),
@@ -78,14 +82,14 @@ fn read_summary(folder: &Path) -> Result<Value, Failure> {
     serde_json::from_slice(&bytes).map_err(|error| fail(&error))
 }
 
-fn options(job: &Job, how: &HowToRun, engine: &Engine, overwrite: bool) -> RunOptions {
+fn options(job: &Job, how: &HowToRun, engine: &Engine) -> RunOptions {
     // processes that share a machine must not each take all of its cores
     let alone = job.ranks().is_none();
     RunOptions {
         threads: how.threads.map(usize::from).or((!alone).then_some(1)),
-        overwrite,
         instructions: engine.instructions,
         profile: engine.profile,
+        ..RunOptions::default()
     }
 }
 
@@ -98,22 +102,9 @@ fn absolute(path: &Path) -> Result<PathBuf, Failure> {
     std::path::absolute(path).map_err(|error| Failure::io(format!("cannot find `{}`: {error}", path.display())))
 }
 
-/// `runs/NAME`, or the next free one of `runs/NAME-2`, `runs/NAME-3`, ...
-fn default_folder(scenario: &Path, overwrite: bool) -> Result<PathBuf, Failure> {
-    let name = run_name(&absolute(scenario)?);
-    let first = Path::new("runs").join(&name);
-    if overwrite || is_free(&first) {
-        return Ok(first);
-    }
-    let numbered = |number: u32| Path::new("runs").join(format!("{name}-{number}"));
-    let Some(free) = (2..=u32::MAX).map(numbered).find(|folder| is_free(folder)) else {
-        return Err(Failure::wrong("no folder is free in `runs`; choose one with --out"));
-    };
-    let (first, next) = (first.display(), free.display());
-    note(&format!(
-        "`{first}` is taken by an earlier run; this one goes to `{next}` (--overwrite replaces the earlier)"
-    ));
-    Ok(free)
+/// `runs/NAME`.
+fn default_folder(scenario: &Path) -> Result<PathBuf, Failure> {
+    Ok(Path::new("runs").join(run_name(&absolute(scenario)?)))
 }
 
 /// Name of the runs of a scenario: that of its file, or of its folder when the file is `scenario.toml`.
@@ -124,14 +115,6 @@ pub fn run_name(scenario: &Path) -> String {
         Some(stem) if stem == "scenario" => folder().unwrap_or(stem),
         Some(stem) => stem,
         None => "run".to_string(),
-    }
-}
-
-/// Whether nothing is there, or an empty folder.
-fn is_free(folder: &Path) -> bool {
-    match std::fs::read_dir(folder) {
-        Ok(mut entries) => entries.next().is_none(),
-        Err(error) => error.kind() == std::io::ErrorKind::NotFound,
     }
 }
 

@@ -65,6 +65,43 @@ fn an_earlier_run_is_never_lost() {
     assert_same(&first, &place.results("runs/fall"));
 }
 
+/// Calls at the same moment, and what they said.
+fn at_once(place: &Place, count: usize, arguments: &[&str]) -> Vec<demeter::Said> {
+    std::thread::scope(|scope| {
+        let calls: Vec<_> = (0..count).map(|_| scope.spawn(|| place.call(arguments))).collect();
+        calls.into_iter().map(|call| call.join().unwrap()).collect()
+    })
+}
+
+#[test]
+fn runs_that_start_at_the_same_moment_have_a_folder_each() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let run = [&["run", "fall.toml", "--threads", "1"], &SHORT[..]].concat();
+    let said = at_once(&place, 3, &run);
+    for said in &said {
+        assert_eq!(said.code, 0, "{}", said.err);
+    }
+    let first = place.results("runs/fall");
+    assert_same(&first, &place.results("runs/fall-2"));
+    assert_same(&first, &place.results("runs/fall-3"));
+}
+
+#[test]
+fn of_runs_that_start_in_one_folder_at_the_same_moment_one_is_carried_out() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    place.expect(0, &[&["run", "fall.toml", "--out", "one"], &SHORT[..]].concat());
+    let whole = place.results("one");
+    let again = ["run", "fall.toml", "--threads", "1", "--out", "one", "--overwrite"];
+    let said = at_once(&place, 4, &[&again[..], &SHORT[..]].concat());
+    assert!(said.iter().any(|said| said.code == 0));
+    for refused in said.iter().filter(|said| said.code != 0) {
+        assert!(refused.err.contains("another run is being written"), "{}", refused.err);
+    }
+    assert_same(&whole, &place.results("one"));
+}
+
 #[test]
 fn the_number_of_threads_changes_no_bit() {
     let place = Place::new();

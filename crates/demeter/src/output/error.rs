@@ -99,6 +99,14 @@ pub enum OutputError {
 }
 
 impl OutputError {
+    /// Whether a folder is taken, so that another name may do.
+    pub(super) fn is_taken(&self) -> bool {
+        matches!(
+            self,
+            Self::HoldsARun { .. } | Self::HoldsOtherFiles { .. } | Self::InUse { .. } | Self::NotAFolder { .. }
+        )
+    }
+
     pub(super) fn io(action: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
         let path = path.to_owned();
         move |source| Self::Io { action, path, source }

@@ -2,16 +2,15 @@
 
 use super::error::OutputError;
 use crate::checkpoint::{self, Durability, part_path, write_atomically, write_atomically_with};
-use std::fs::{self, File, TryLockError};
+use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// The file that marks the folder of a run.
-const MARKER: &str = "run.json";
+pub(super) const MARKER: &str = "run.json";
 
-/// Every file that a run writes at the top of its folder.
-const FILES: [&str; 10] = [
-    MARKER,
+/// Every file that a run writes at the top of its folder, but for the marker, by whose lock the folder is reserved.
+const FILES: [&str; 9] = [
     "scenario.toml",
     "log.txt",
     "series.csv",
@@ -23,13 +22,6 @@ const FILES: [&str; 10] = [
     "report.html",
 ];
 
-/// Keeps others from writing into the folder of a run, until it is dropped or the process ends, however it ends.
-#[derive(Debug)]
-pub struct RunLock {
-    /// The marker, locked; nothing where the file system knows no locks.
-    _marker: Option<File>,
-}
-
 /// The folder of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RunFolder {
@@ -37,47 +29,14 @@ pub struct RunFolder {
 }
 
 impl RunFolder {
-    /// Makes the folder of a new run.
-    ///
-    /// A folder that is not empty is refused, unless `overwrite` is set: then the files of an earlier run, known by
-    /// their names, are removed. Other files are never touched.
-    pub fn create(root: &Path, overwrite: bool) -> Result<Self, OutputError> {
-        if root.exists() && !root.is_dir() {
-            return Err(OutputError::NotAFolder { path: root.to_owned() });
-        }
-        fs::create_dir_all(root).map_err(OutputError::io("make the folder", root))?;
-        let folder = Self { root: root.to_owned() };
-        let inside = names_in(root)?;
-        if let (Some(example), false) = (inside.first(), overwrite) {
-            let root = root.to_owned();
-            return Err(if inside.iter().any(|name| name == MARKER) {
-                OutputError::HoldsARun { folder: root }
-            } else {
-                OutputError::HoldsOtherFiles {
-                    folder: root,
-                    example: example.clone(),
-                }
-            });
-        }
-        if folder.root.join(MARKER).is_file() {
-            folder.lock()?;
-        }
-        folder.remove_run()?;
-        for sub in [folder.frames(), folder.plots(), folder.pictures()] {
-            fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))?;
-        }
-        let marker = format!(
-            "{{\n  \"program\": \"demeter\",\n  \"version\": \"{}\"\n}}\n",
-            crate::VERSION
-        );
-        folder.write(&folder.root.join(MARKER), marker.as_bytes())?;
-        Ok(folder)
+    pub(super) fn at(root: &Path) -> Self {
+        Self { root: root.to_owned() }
     }
 
     /// Finds the folder of a run that exists, to read from it.
     pub fn find(root: &Path) -> Result<Self, OutputError> {
         if root.join(MARKER).is_file() {
-            return Ok(Self { root: root.to_owned() });
+            return Ok(Self::at(root));
         }
         Err(OutputError::NotARun {
             folder: root.to_owned(),
@@ -88,33 +47,20 @@ impl RunFolder {
     /// Opens the folder of a run that exists, to write more into it.
     pub fn open(root: &Path) -> Result<Self, OutputError> {
         let folder = Self::find(root)?;
-        for sub in [folder.frames(), folder.plots(), folder.pictures()] {
-            fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))?;
-        }
+        folder.make_folders()?;
         Ok(folder)
     }
 
-    /// Reserves the folder for the run that goes on in this process.
-    pub fn lock(&self) -> Result<RunLock, OutputError> {
-        let path = self.root.join(MARKER);
-        let marker = File::open(&path).map_err(OutputError::io("open", &path))?;
-        match marker.try_lock() {
-            Ok(()) => Ok(RunLock { _marker: Some(marker) }),
-            Err(TryLockError::WouldBlock) => Err(OutputError::InUse {
-                folder: self.root.clone(),
-            }),
-            Err(TryLockError::Error(_)) => Ok(RunLock { _marker: None }),
+    /// Makes the folders inside that every run has.
+    pub(super) fn make_folders(&self) -> Result<(), OutputError> {
+        for sub in [self.frames(), self.plots(), self.pictures()] {
+            fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))?;
         }
-    }
-
-    /// Whether a run reserves the folder now; `false` where the file system knows no locks.
-    pub fn is_locked(&self) -> bool {
-        let marker = File::open(self.root.join(MARKER));
-        marker.is_ok_and(|marker| matches!(marker.try_lock_shared(), Err(TryLockError::WouldBlock)))
+        Ok(())
     }
 
     /// Removes what an earlier run left, by name.
-    fn remove_run(&self) -> Result<(), OutputError> {
+    pub(super) fn remove_run(&self) -> Result<(), OutputError> {
         let checkpoints = [checkpoint::LATEST, checkpoint::PREVIOUS];
         for name in FILES.iter().chain(&checkpoints) {
             let path = self.root.join(name);

@@ -14,6 +14,7 @@ mod frame;
 pub mod picture;
 mod plot;
 mod profile;
+mod reservation;
 mod rows;
 pub mod series;
 mod summary;
@@ -28,11 +29,12 @@ pub use chains::{ChainWriter, tell_chains};
 pub use distribution::DistributionWriter;
 pub use error::OutputError;
 pub use fields::FieldWriter;
-pub use folder::{RunFolder, RunLock};
+pub use folder::RunFolder;
 pub(crate) use frame::FramePart;
 pub use frame::{ContactRecord, Frame, FrameBox, WallSurface};
 pub use plot::{AxisSpec, Look, Plot, Series, Sheet};
 pub use profile::ProfileWriter;
+pub use reservation::RunLock;
 pub use series::{
     COLUMNS, Column, NETWORK_COLUMNS, SeriesLabels, SeriesTable, SeriesValues, SeriesWriter, WALL_COLUMNS,
 };

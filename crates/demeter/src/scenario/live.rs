@@ -76,8 +76,7 @@ impl LiveRun {
         options.check()?;
         let threads = thread_pool(options.threads)?;
         let folder_and_lock = |scenario: &Scenario, root: &Path| -> Result<_, RunError> {
-            let folder = RunFolder::create(root, options.overwrite)?;
-            let lock = folder.lock()?;
+            let (folder, lock) = options.reserve(root)?;
             folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
             Ok((folder, lock))
         };
@@ -213,15 +212,17 @@ impl LiveRun {
     pub fn checkpoint(&mut self, folder: Option<&Path>) -> Result<PathBuf, RunError> {
         let own = self.folder.as_ref();
         let own = own.filter(|own| folder.is_none_or(|root| root == own.root()));
-        let _lock;
+        let _own_lock;
+        let _new_lock;
         let folder = match (folder, own) {
             (_, Some(own)) => {
-                _lock = self.lock.is_none().then(|| own.lock()).transpose()?;
+                _own_lock = self.lock.is_none().then(|| own.lock()).transpose()?;
                 own.clone()
             }
             (None, None) => return Err(RunError::NoFolder),
             (Some(root), None) => {
-                let folder = RunFolder::create(root, false)?;
+                let folder;
+                (folder, _new_lock) = RunFolder::reserve(root, false)?;
                 folder.write(&folder.scenario(), self.scenario().to_resolved_toml().as_bytes())?;
                 folder
             }

@@ -1,7 +1,9 @@
 //! How a run is carried out.
 
+use crate::output::{OutputError, RunFolder, RunLock};
 use crate::simulation::Simulation;
 use demeter_physics::lanes::{Instructions, NoSuchInstructions};
+use std::path::Path;
 
 /// How a run is carried out; none of it changes the results.
 #[derive(Clone, Copy, Debug, Default)]
@@ -10,6 +12,8 @@ pub struct RunOptions {
     pub threads: Option<usize>,
     /// Whether an earlier run in the folder may be replaced.
     pub overwrite: bool,
+    /// Whether a folder that is taken is left to others: the next free one of `FOLDER-2`, `FOLDER-3`, ... is then used.
+    pub numbered: bool,
     /// Instructions of the processor ([`Instructions::named`]); the widest when absent.
     pub instructions: Option<Instructions>,
     /// Whether the summary tells where the time went.
@@ -21,6 +25,14 @@ impl RunOptions {
     pub(super) fn check(&self) -> Result<(), NoSuchInstructions> {
         self.instructions
             .map_or(Ok(()), |asked| Instructions::named(asked.name()).map(|_| ()))
+    }
+
+    /// Makes the folder of a new run and reserves it.
+    pub(super) fn reserve(&self, folder: &Path) -> Result<(RunFolder, RunLock), OutputError> {
+        match self.numbered {
+            true => RunFolder::reserve_numbered(folder),
+            false => RunFolder::reserve(folder, self.overwrite),
+        }
     }
 
     /// Tells a simulation how to run.

@@ -26,6 +26,7 @@ impl Observer for Silent {
 const OPTIONS: RunOptions = RunOptions {
     threads: Some(1),
     overwrite: false,
+    numbered: false,
     instructions: None,
     profile: false,
 };

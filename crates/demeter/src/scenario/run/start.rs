@@ -53,16 +53,25 @@ fn run_among(
     }
     thread_pool(options.threads)?.install(|| {
         let create = || -> Result<_, RunError> {
-            let folder = RunFolder::create(folder, options.overwrite)?;
-            let lock = folder.lock()?;
+            let (folder, lock) = options.reserve(folder)?;
             folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
             Ok((folder, lock))
         };
         let (files, _lock) = all_or_none(ranks.as_deref(), is_first.then(create).transpose())?.unzip();
+        let root = files.as_ref().map_or(folder, RunFolder::root).to_owned();
+        if root != folder {
+            observer.message(&elsewhere(folder, &root));
+        }
         let begun = prepared.map(|prepared| Runner::begin(scenario, prepared, files.as_ref(), observer));
         let mut runner = Runner::among(scenario, begun, ranks, &options, observer)?;
-        runner.run_to_the_end(folder, observer)
+        runner.run_to_the_end(&root, observer)
     })
+}
+
+/// Tells that a run does not go where it was to.
+fn elsewhere(taken: &Path, root: &Path) -> String {
+    let (taken, root) = (taken.display(), root.display());
+    format!("`{taken}` is taken by another run; this one goes to `{root}` (--overwrite replaces the other)")
 }
 
 /// Continues the run in a folder from its latest checkpoint.
