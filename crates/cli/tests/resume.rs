@@ -163,6 +163,65 @@ fn a_run_does_not_go_on_with_other_files() {
 }
 
 #[test]
+fn a_series_that_is_gone_is_not_begun_anew_in_silence() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    interrupt(
+        &place,
+        &["run", "fall.toml", "--out", "cut", "--overwrite"],
+        "cut",
+        "INT",
+    );
+    let series = fs::read_to_string(place.path("cut/series.csv")).unwrap();
+    let before = place.results("cut");
+
+    fs::remove_file(place.path("cut/series.csv")).unwrap();
+    let said = place.expect(2, &["resume", "cut"]);
+    assert!(
+        said.err.contains("series.csv") && said.err.contains("Put the file back") && said.err.contains("empty file"),
+        "{}",
+        said.err
+    );
+    place.write("cut/series.csv", &series);
+    assert!(before == place.results("cut"), "something was changed");
+
+    let second = series.match_indices('\n').nth(1).unwrap().0;
+    let headless = format!("{}{}", &series[..=series.find('\n').unwrap()], &series[second + 1..]);
+    place.write("cut/series.csv", &headless);
+    let pvd = fs::read_to_string(place.path("cut/grains.pvd")).unwrap();
+    let frame = pvd.lines().find(|line| line.contains("grains_0000000000")).unwrap();
+    place.write("cut/grains.pvd", &pvd.replace(&format!("{frame}\n"), ""));
+    let said = place.expect(0, &["resume", "cut"]);
+    assert!(
+        said.err.contains("warning: `cut/series.csv` begins at step"),
+        "{}",
+        said.err
+    );
+    assert!(
+        said.err.contains("warning: `cut/grains.pvd` does not name 1 file"),
+        "{}",
+        said.err
+    );
+    let log = fs::read_to_string(place.path("cut/log.txt")).unwrap();
+    assert!(log.contains("not at the start of the run"), "{log}");
+}
+
+#[test]
+fn a_run_goes_on_without_its_rows_where_that_is_wanted() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    interrupt(
+        &place,
+        &["run", "fall.toml", "--out", "cut", "--overwrite"],
+        "cut",
+        "INT",
+    );
+    place.write("cut/series.csv", "");
+    let said = place.expect(0, &["resume", "cut"]);
+    assert!(said.err.contains("holds no rows up to step"), "{}", said.err);
+}
+
+#[test]
 fn what_cannot_be_resumed_is_told() {
     let place = Place::new();
     let said = place.expect(2, &["resume", "nothing"]);

@@ -132,6 +132,22 @@ impl Collection {
         digits.strip_suffix(self.ending)?.parse().ok()
     }
 
+    /// A warning of files up to a step that the collection does not name.
+    pub fn lacks(&self, step: u64) -> Result<Option<String>, OutputError> {
+        let names = names_in(&self.root.join(self.below))?;
+        let steps = names.iter().filter_map(|name| self.step_of(name));
+        let is_known = |step: &u64| self.entries.binary_search_by_key(step, |entry| entry.0).is_ok();
+        let unknown: Vec<u64> = steps.filter(|found| *found <= step && !is_known(found)).collect();
+        let [first, ..] = unknown[..] else { return Ok(None) };
+        let (path, count) = (self.path.display(), unknown.len());
+        let files = if count == 1 { "file" } else { "files" };
+        Ok(Some(format!(
+            "warning: `{path}` does not name {count} {files} that the run has written, `{}` among them: what reads frames \
+            will not find them",
+            self.file(first)
+        )))
+    }
+
     /// Drops what is later than a step: from the collection first, then the files.
     pub fn cut(&mut self, folder: &RunFolder, step: u64) -> Result<(), OutputError> {
         self.entries.retain(|entry| entry.0 <= step);
@@ -189,6 +205,24 @@ mod tests {
         );
         let text = fs::read_to_string(folder.root().join("grains.pvd")).unwrap();
         assert_eq!(text.matches("<DataSet ").count(), 2);
+    }
+
+    #[test]
+    fn files_that_the_collection_does_not_name_are_told() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = RunFolder::create(place.path(), false).unwrap();
+        let mut collection = Collection::new(&folder, "grains");
+        for step in [0, 10, 20, 30] {
+            folder.write(&folder.root().join(collection.file(step)), b"x").unwrap();
+        }
+        collection.add(0, 0.0);
+        collection.add(10, 0.5);
+        assert_eq!(collection.lacks(10).unwrap(), None);
+        let told = collection.lacks(25).unwrap().unwrap();
+        assert!(
+            told.contains("1 file that") && told.contains("grains_0000000020.vtp"),
+            "{told}"
+        );
     }
 
     #[test]

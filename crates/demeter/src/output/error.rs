@@ -76,6 +76,31 @@ pub enum OutputError {
         /// What differs.
         problem: String,
     },
+    /// The series of a run that goes on is gone.
+    #[error(
+        "`{}` is not there, though the run wrote rows into it up to step {step}. Put the file back, or begin the run anew \
+        in another folder. To go on without these rows, put an empty file in its place.",
+        path.display()
+    )]
+    NoSeries {
+        /// The file.
+        path: PathBuf,
+        /// Step of the last row.
+        step: u64,
+    },
+    /// The series cannot be read at the end of the run that wrote it.
+    #[error(
+        "{problem}. The plots are drawn from this file, and something else removed or changed it while the run went on. \
+        Leave the files of a run alone until it is over. To end the run from its latest checkpoint, put `{}` back, or an \
+        empty file in its place, and call `demeter resume`.",
+        path.display()
+    )]
+    SeriesLost {
+        /// The file.
+        path: PathBuf,
+        /// What reading it told.
+        problem: String,
+    },
     /// A row does not fit the header.
     #[error("a row of `{}` has {found} {what}, its header has {expected}. This is a defect of Demeter.", path.display())]
     RowDoesNotFit {

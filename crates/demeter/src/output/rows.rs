@@ -14,6 +14,8 @@ pub(super) struct RowFile {
     path: PathBuf,
     file: File,
     length: u64,
+    /// Steps of the first and the last row that were there already.
+    kept: Option<(u64, u64)>,
 }
 
 impl RowFile {
@@ -24,6 +26,7 @@ impl RowFile {
             path: path.to_owned(),
             file,
             length: 0,
+            kept: None,
         };
         rows.add(std::slice::from_ref(&header))?;
         Ok(rows)
@@ -54,8 +57,8 @@ impl RowFile {
         if found != expected {
             return Err(other("its header has other columns".to_owned()));
         }
-        let kept = rows_up_to(&mut reader, step).map_err(io)?.map_err(other)?;
-        let length = expected.len() as u64 + kept;
+        let (bytes, kept) = rows_up_to(&mut reader, step).map_err(io)?.map_err(other)?;
+        let length = expected.len() as u64 + bytes;
         let mut file = reader.into_inner();
         file.set_len(length).map_err(io)?;
         file.seek(SeekFrom::Start(length)).map_err(io)?;
@@ -63,7 +66,13 @@ impl RowFile {
             path: path.to_owned(),
             file,
             length,
+            kept,
         })
+    }
+
+    /// Steps of the first and the last row that were there already.
+    pub fn kept(&self) -> Option<(u64, u64)> {
+        self.kept
     }
 
     /// Its path.
@@ -97,9 +106,12 @@ fn encode<R: AsRef<[String]>>(rows: &[R], path: &Path) -> Result<Vec<u8>, Output
     writer.into_inner().map_err(|e| OutputError::encode(path, &e))
 }
 
-/// Bytes of the whole rows up to a step, from behind the header on; the inner error tells a row that is none.
-fn rows_up_to(reader: &mut impl BufRead, step: u64) -> io::Result<Result<u64, String>> {
-    let mut kept = 0;
+/// Bytes of whole rows, and the steps of the first and the last of them.
+type Kept = (u64, Option<(u64, u64)>);
+
+/// The whole rows up to a step, from behind the header on; the inner error tells a row that is none.
+fn rows_up_to(reader: &mut impl BufRead, step: u64) -> io::Result<Result<Kept, String>> {
+    let (mut bytes, mut kept) = (0, None);
     let mut start = Vec::with_capacity(STEP_LENGTH);
     // names hold no control characters, so every line feed ends a row
     for line in 2_u64.. {
@@ -114,9 +126,10 @@ fn rows_up_to(reader: &mut impl BufRead, step: u64) -> io::Result<Result<u64, St
         if found > step {
             break;
         }
-        kept += length;
+        bytes += length;
+        kept = Some((kept.map_or(found, |(first, _)| first), found));
     }
-    Ok(Ok(kept))
+    Ok(Ok((bytes, kept)))
 }
 
 /// Reads over a row, keeps its start, and tells its length with the line feed; `None` when the file ends before that.

@@ -57,17 +57,21 @@ impl FrameWriter {
         })
     }
 
-    /// Goes on after a step: later frames are taken out of the collections and their files removed.
-    pub fn resume(folder: &RunFolder, step: u64) -> Result<Self, OutputError> {
+    /// Goes on after a step: later frames are taken out of the collections and their files removed. Tells the frames that are
+    /// in no collection, as warnings.
+    pub fn resume(folder: &RunFolder, step: u64) -> Result<(Self, Vec<String>), OutputError> {
         let mut collections = KINDS.map(|kind| Collection::new(folder, kind));
+        let mut warnings = Vec::new();
         for collection in &mut collections {
             collection.load()?;
+            warnings.extend(collection.lacks(step)?);
             collection.cut(folder, step)?;
         }
-        Ok(Self {
+        let writer = Self {
             folder: folder.clone(),
             collections,
-        })
+        };
+        Ok((writer, warnings))
     }
 
     /// Writes a frame. A frame of the same step is replaced. Where several processes have parts of it, the others tell theirs.

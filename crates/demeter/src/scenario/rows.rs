@@ -87,16 +87,27 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Goes on with all files after a step.
-    pub fn resume(scenario: &'a Scenario, folder: &RunFolder, step: u64) -> Result<Self, OutputError> {
-        let series = SeriesWriter::resume(&folder.series(), labels(scenario), step)?;
-        Self::with(
+    /// Goes on with all files after a step, told that of the last row, and tells what the series lacks.
+    pub fn resume(
+        scenario: &'a Scenario,
+        folder: &RunFolder,
+        step: u64,
+        last_row: Option<u64>,
+    ) -> Result<(Self, Option<String>), OutputError> {
+        let path = folder.series();
+        if let Some(step) = last_row.filter(|_| !path.exists()) {
+            return Err(OutputError::NoSeries { path, step });
+        }
+        let series = SeriesWriter::resume(&path, labels(scenario), step)?;
+        let lacks = series.lacks(last_row);
+        let rows = Self::with(
             scenario,
             folder,
             (series, Some(step)),
             |name, bins, stages| DistributionWriter::resume(&folder.distribution(name), bins, stages, step),
             |name, stages| ProfileWriter::resume(&folder.profile(name), stages, step),
-        )
+        )?;
+        Ok((rows, lacks))
     }
 
     fn with(

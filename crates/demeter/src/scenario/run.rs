@@ -216,19 +216,25 @@ impl<'a> Runner<'a> {
         let had_custom_force = state.simulation.had_custom_force();
         let sim = Simulation::resume(setup, state.simulation)?;
         let traffic = Traffic::resume(scenario, sim.domain(), state.traffic)?;
+        let mut told = vec![format!("going on from step {step}, time {:.4e} s", sim.time())];
         let rows = match folder {
-            Some(folder) => Rows::resume(scenario, folder, step)?,
+            Some(folder) => {
+                let (rows, lacks) = Rows::resume(scenario, folder, step, state.place.last_row)?;
+                told.extend(lacks);
+                rows
+            }
             None => Rows::in_memory(scenario),
         };
-        let files = |folder: &RunFolder| -> Result<Files, RunError> {
+        let mut files = |folder: &RunFolder| -> Result<Files, RunError> {
+            let (frames, lacks) = FrameWriter::resume(folder, step)?;
+            told.extend(lacks);
             Ok(Files {
-                frames: FrameWriter::resume(folder, step)?,
+                frames,
                 fields: FieldFiles::open(scenario, folder, Some(step))?,
                 folder: folder.clone(),
             })
         };
-        let files = folder.map(files).transpose()?;
-        let mut told = vec![format!("going on from step {step}, time {:.4e} s", sim.time())];
+        let files = folder.map(&mut files).transpose()?;
         if had_custom_force {
             told.push(
                 "warning: a custom force acted, which a checkpoint does not hold: it must be added again".to_string(),

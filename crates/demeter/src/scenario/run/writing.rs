@@ -133,7 +133,12 @@ impl<'a> Runner<'a> {
             grains: self.sim.grains.len() as u64,
             contacts: simulation.contact_count() as u64,
         };
-        checkpoint::write_latest(root, &header, &self.state_with(simulation))?;
+        let mut state = self.state_with(simulation);
+        if (self.files.as_ref()).is_none_or(|files| files.folder.root() != root) {
+            // the rows so far stay where they are
+            state.place.last_row = None;
+        }
+        checkpoint::write_latest(root, &header, &state)?;
         self.sim.took(Phase::Output);
         Ok(())
     }
