@@ -308,6 +308,28 @@ fn a_refused_write_keeps_what_was_written() {
 }
 
 #[test]
+fn a_series_that_goes_while_the_run_goes_on_is_told() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let mut run = place.command(&["run", "fall.toml", "--out", "lost"]);
+    let child = run.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    while !place.path("lost/checkpoint.latest").exists() {
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    fs::remove_file(place.path("lost/series.csv")).unwrap();
+    let output = child.wait_with_output().unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert!(
+        told.contains("series.csv") && told.contains("something else removed"),
+        "{told}"
+    );
+    assert!(!told.contains("defect"), "{told}");
+    let said = place.expect(2, &["resume", "lost"]);
+    assert!(said.err.contains("Put the file back"), "{}", said.err);
+}
+
+#[test]
 fn a_reader_that_goes_away_is_no_fault() {
     let place = Place::new();
     for arguments in [&["laws"][..], &["new"], &["laws", "epsd", "--json"], &["--help"]] {

@@ -44,7 +44,10 @@ pub(super) fn write(folder: &RunFolder, asked: &[PlotSpec]) -> Result<(), Output
         .to_vec(),
     };
     let path = folder.series();
-    let table = Columns::read(&path).map_err(|e| OutputError::encode(&path, &e))?;
+    let table = Columns::read(&path).map_err(|error| OutputError::SeriesLost {
+        problem: error.to_string(),
+        path,
+    })?;
     for spec in std::iter::once(&energies).chain(asked) {
         plot(&table, spec).write_svg(&folder.plot(&spec.name))?;
     }
