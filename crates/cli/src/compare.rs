@@ -4,11 +4,14 @@ use crate::answer::{aligned, answer, answer_json};
 use crate::arguments::CompareArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
+use crate::plot::warn_of_shortfall;
 use crate::readable::number;
+use demeter::checkpoint::{Durability, write_atomically};
 use demeter::compare::{
     CompareError, Comparison, ContactMisfit, LeftOut, Level, Mean, Metric, Phase, Position, Reading, Strokes,
     Thresholds, compare as compare_strokes, comparisons_to_json, read_measured, read_run, tells_strain,
 };
+use demeter::results::Run;
 use demeter::scenario::units;
 use demeter_physics::dimension::Dimension;
 use std::path::{Path, PathBuf};
@@ -44,6 +47,13 @@ pub fn compare(arguments: &CompareArguments) -> Result<Exit, Failure> {
         reference: force(arguments.reference_threshold.as_deref(), "--reference-threshold")?.unwrap_or(0.0),
     };
     let reference = read_reference(arguments, &reading)?;
+    let runs = std::iter::once(&arguments.reference).filter(|path| path.is_dir());
+    for folder in runs.chain(&arguments.runs) {
+        let run = Run::open(folder)?;
+        if let Some(series) = run.series()? {
+            warn_of_shortfall(&run, &series)?;
+        }
+    }
     let mut compared = Vec::new();
     for run in &arguments.runs {
         let strokes = read_run(run, &reading, Some(reference.position))?;
@@ -298,5 +308,5 @@ fn write_csv(path: &Path, rows: &[Vec<String>]) -> Result<(), Failure> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).map_err(|error| fail(&error))?;
     }
-    std::fs::write(path, bytes).map_err(|error| fail(&error))
+    write_atomically(path, &bytes, Durability::Kill).map_err(|error| fail(&error))
 }

@@ -40,8 +40,11 @@ pub fn plot(arguments: &PlotArguments) -> Result<Exit, Failure> {
 /// The series of a run, or a table.
 fn read(path: &Path) -> Result<Columns, Failure> {
     if path.is_dir() {
-        let series = Run::open(path)?.series()?;
-        return series.ok_or_else(|| Failure::wrong(format!("the run in `{}` has no series yet", path.display())));
+        let run = Run::open(path)?;
+        let none = || Failure::wrong(format!("the run in `{}` has no series yet", path.display()));
+        let series = run.series()?.ok_or_else(none)?;
+        warn_of_shortfall(&run, &series)?;
+        return Ok(series);
     }
     if !path.exists() {
         return Err(Failure::wrong(format!(
@@ -50,6 +53,14 @@ fn read(path: &Path) -> Result<Columns, Failure> {
         )));
     }
     Ok(Columns::read(path)?)
+}
+
+/// Warns of rows that the series of a finished run lacks.
+pub fn warn_of_shortfall(run: &Run, series: &Columns) -> Result<(), Failure> {
+    if let Some(problem) = run.shortfall(series)? {
+        note(&format!("warning: `{}`: {problem}", series.path().display()));
+    }
+    Ok(())
 }
 
 /// A short name of a run or table.
@@ -65,7 +76,7 @@ fn name_of(path: &Path) -> String {
 }
 
 /// Writes by the ending of the name.
-fn write(plot: &Plot, out: &Path) -> Result<(), Failure> {
+pub fn write(plot: &Plot, out: &Path) -> Result<(), Failure> {
     let ending = out.extension().map(|ending| ending.to_string_lossy().to_lowercase());
     let written = match ending.as_deref() {
         Some("svg") => plot.write_svg(out),

@@ -266,6 +266,45 @@ fn info_knows_a_run_and_what_is_in_it() {
 }
 
 #[test]
+fn a_series_that_is_cut_short_is_not_taken_for_whole() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let short = ["--set", "stage[0].steps=300", "--set", "stage[1].steps=300"];
+    place.expect(0, &[&["run", "fall.toml", "--out", "fall"][..], &short].concat());
+    let plot = ["plot", "fall", "time", "kinetic energy", "--out", "energy.svg"];
+    assert!(!place.expect(0, &plot).err.contains("warning"));
+    let series = std::fs::read_to_string(place.path("fall/series.csv")).unwrap();
+    let rows: Vec<&str> = series.lines().collect();
+    // two rows and a part of a third
+    place.write(
+        "fall/series.csv",
+        &format!("{}\n{}", rows[..3].join("\n"), &rows[3][..9]),
+    );
+    let lost = "though the run is finished and has 600 steps";
+    let said = place.expect(0, &plot);
+    assert!(
+        said.err.contains("warning: `fall/series.csv`") && said.err.contains(lost),
+        "{}",
+        said.err
+    );
+    let said = place.expect(0, &["info", "fall"]);
+    assert!(
+        said.out.contains("damaged: it ends at step") && said.out.contains(lost),
+        "{}",
+        said.out
+    );
+    let said = place.expect(0, &["report", "fall"]);
+    assert!(said.err.contains(lost), "{}{}", said.out, said.err);
+
+    place.write(
+        "fall/series.csv",
+        &format!("{}\n1,2\n{}\n", rows[..2].join("\n"), rows[2]),
+    );
+    let said = place.expect(2, &["info", "fall/series.csv"]);
+    assert!(said.err.contains("line 3: the row has 2 cells"), "{}", said.err);
+}
+
+#[test]
 fn info_knows_grains_and_surfaces() {
     let place = Place::new();
     place.write("two.csv", "id x y z diameter\n1 0 0 0 0.002\n7 0.01 0 0 0.004\n");

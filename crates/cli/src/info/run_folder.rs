@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::readable::{number, things};
 use demeter::checkpoint::{self, Header};
 use demeter::output::RunFolder;
+use demeter::results::{finished_steps, shortfall};
 use demeter::scenario::RunError;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -80,11 +81,24 @@ pub fn run_folder(path: &Path) -> Result<Info, Failure> {
             format!("{} of {} columns", things(span.rows, "row"), span.columns.len()),
         );
     }
+    let steps = summary
+        .as_ref()
+        .and_then(finished_steps)
+        .filter(|_| !folder.is_locked());
+    let short = span
+        .as_ref()
+        .zip(steps)
+        .filter(|(span, steps)| span.last_step < Some(*steps));
+    let problem = short.map(|(span, steps)| shortfall(span.last_step, steps));
+    if let Some(problem) = &problem {
+        rows.add("", format!("damaged: {problem}"));
+    }
     rows.add("frames", frames.to_string());
     let value = json!({
         "summary": summary,
         "checkpoint": header.and_then(Result::ok).map(|h| to_json(&h)),
         "series_rows": span.map(|s| s.rows),
+        "series_problem": problem,
         "frames": frames,
     });
     Ok(Info {

@@ -83,6 +83,10 @@ impl Contents {
     fn read(run: &Run, going_on: bool) -> Self {
         let mut problems = Vec::new();
         let series = kept(run.series(), &mut problems);
+        let short = series
+            .as_ref()
+            .and_then(|series| kept(run.shortfall(series), &mut problems));
+        problems.extend(short.map(|problem| format!("`series.csv`: {problem}")));
         let packing = kept(Packing::latest(run), &mut problems);
         let summary = kept(run.summary(), &mut problems);
         let log = kept(log(run), &mut problems).unwrap_or_default();

@@ -18,7 +18,7 @@ pub use packing::{PackedContacts, PackedGrains, PackedWall, Packing, Scalar};
 pub use poly_data::TableFile;
 pub(crate) use rows::nearest;
 pub use rows::{column_name, position_of};
-pub use run::{FrameTables, Moment, Run, TableKind};
+pub use run::{FrameTables, Moment, Run, TableKind, finished_steps, shortfall};
 
 #[cfg(test)]
 mod tests;

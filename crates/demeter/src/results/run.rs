@@ -1,6 +1,6 @@
 //! The folder of a run, read.
 
-use super::columns::{Columns, Update};
+use super::columns::{Column, Columns, Update};
 use super::error::ResultsError;
 use super::poly_data::TableFile;
 use crate::output::RunFolder;
@@ -129,6 +129,19 @@ impl Run {
         self.columns(&self.folder.series())
     }
 
+    /// What the series of a finished run lacks at its end, in words; nothing where no summary tells that it is finished, and as
+    /// long as it goes on.
+    pub fn shortfall(&self, series: &Columns) -> Result<Option<String>, ResultsError> {
+        let Some(steps) = self.summary()?.as_ref().and_then(finished_steps) else {
+            return Ok(None);
+        };
+        let last = series.find("step").and_then(Column::numbers).and_then(<[f64]>::last);
+        if last.is_some_and(|last| *last >= steps as f64) || self.is_going_on() {
+            return Ok(None);
+        }
+        Ok(Some(shortfall(last.map(|last| *last as u64), steps)))
+    }
+
     /// A table of rows in the folder: the series, a profile, a distribution; nothing when it is not there.
     pub fn columns(&self, path: &Path) -> Result<Option<Columns>, ResultsError> {
         let file = self.file(path)?;
@@ -193,4 +206,19 @@ impl Run {
             .map_err(ResultsError::io(path))?;
         Ok(Some(text))
     }
+}
+
+/// The steps of a finished run, as its summary tells them.
+pub fn finished_steps(summary: &serde_json::Value) -> Option<u64> {
+    let is_finished = summary["finished"].as_bool() == Some(true);
+    summary["steps"].as_u64().filter(|_| is_finished)
+}
+
+/// That the series of a finished run has no row of its last step.
+pub fn shortfall(last: Option<u64>, steps: u64) -> String {
+    let end = last.map_or_else(|| "has no rows".to_owned(), |last| format!("ends at step {last}"));
+    format!(
+        "it {end}, though the run is finished and has {steps} steps: rows are missing. Put the file back as the run wrote it, \
+         or run the scenario again"
+    )
 }

@@ -137,6 +137,8 @@ pub fn gather(folder: &SweepFolder, statuses: &[Status]) -> Result<Results, Swee
         if status.is_finished()
             && let Err(error) = add_run(&mut results, &folder.run_folder(index), &metrics)
         {
+            // the cells stay empty, and the row says why
+            results.set("message", ResultsCell::Word(error.to_string()));
             results.problems.push(error.to_string());
         }
     }
@@ -201,12 +203,16 @@ pub fn check_wishes(folder: &SweepFolder, scenario: &Scenario) -> Result<(), Swe
 /// Adds what a finished run left to the last row.
 fn add_run(results: &mut Results, folder: &Path, metrics: &[Metric]) -> Result<(), ResultsError> {
     let run = Run::open(folder)?;
-    let missing = |what: &str| ResultsError::Table {
+    let damaged = |what: &str, problem: String| ResultsError::Table {
         path: folder.join(what),
-        problem: "it is not there, though the run is finished".to_string(),
+        problem,
     };
+    let missing = |what: &str| damaged(what, "it is not there, though the run is finished".to_string());
     let series = run.series()?.ok_or_else(|| missing("series.csv"))?;
     let summary = run.summary()?.ok_or_else(|| missing("summary.json"))?;
+    if let Some(problem) = run.shortfall(&series)? {
+        return Err(damaged("series.csv", problem));
+    }
     let of_summary = |place: &str| {
         let number = summary.pointer(place).and_then(serde_json::Value::as_f64);
         number.map_or(ResultsCell::Empty, ResultsCell::Number)
