@@ -4,8 +4,9 @@ use crate::answer::{Rows, answer, answer_json};
 use crate::arguments::CollideArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
+use crate::plot::write as write_plot;
 use crate::readable::{number, vector};
-use crate::table::{Cell, write_csv, write_plot};
+use crate::table::{Cell, check_outputs, write_csv};
 use demeter::calibrate::{CollideReport, Engine, collide as run};
 use demeter::output::{Plot, Series};
 use demeter::scenario::ImpactFile;
@@ -15,6 +16,7 @@ const MOMENTS: usize = 501;
 
 /// Collides two bodies and tells what became of them.
 pub fn collide(arguments: &CollideArguments) -> Result<Exit, Failure> {
+    check_outputs(&arguments.file, arguments.csv.as_deref(), arguments.plot.as_deref())?;
     let file = ImpactFile::read(&arguments.file, &arguments.set)?;
     let engine = if arguments.engine {
         Engine::Automatic
@@ -29,7 +31,7 @@ pub fn collide(arguments: &CollideArguments) -> Result<Exit, Failure> {
         write_csv(path, &["time [s]", "overlap [m]", "rate [m/s]", "force [N]"], rows)?;
     }
     if let Some(path) = &arguments.plot {
-        write_plot(path, &plot(&file, &report))?;
+        write_plot(&plot(&file, &report), path)?;
     }
     if arguments.json {
         answer_json(&report.to_json())?;

@@ -4,8 +4,9 @@ use crate::answer::{Rows, answer, answer_json};
 use crate::arguments::CurveArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
+use crate::plot::write as write_plot;
 use crate::readable::number;
-use crate::table::{Cell, write_csv, write_plot};
+use crate::table::{Cell, check_outputs, write_csv};
 use demeter::calibrate::{CurvePoint, contact_curve as trace};
 use demeter::output::{Plot, Series};
 use demeter::scenario::ImpactFile;
@@ -13,6 +14,7 @@ use serde_json::{Value, json};
 
 /// Traces the quasi-static curve of the law of a file.
 pub fn contact_curve(arguments: &CurveArguments) -> Result<Exit, Failure> {
+    check_outputs(&arguments.file, arguments.csv.as_deref(), arguments.plot.as_deref())?;
     let file = ImpactFile::read(&arguments.file, &arguments.set)?;
     let curve = trace(&file)?;
     if let Some(path) = &arguments.csv {
@@ -23,7 +25,7 @@ pub fn contact_curve(arguments: &CurveArguments) -> Result<Exit, Failure> {
         write_csv(path, &["branch", "overlap [m]", "force [N]", "stored energy [J]"], rows)?;
     }
     if let Some(path) = &arguments.plot {
-        write_plot(path, &plot(&file, &curve))?;
+        write_plot(&plot(&file, &curve), path)?;
     }
     if arguments.json {
         let rows: Vec<Value> = curve

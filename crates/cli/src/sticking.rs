@@ -4,8 +4,9 @@ use crate::answer::{answer, answer_json, note};
 use crate::arguments::StickingArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
+use crate::plot::write as write_plot;
 use crate::readable::number;
-use crate::table::{Cell, write_csv, write_plot};
+use crate::table::{Cell, check_outputs, write_csv};
 use demeter::calibrate::{StickingPoint, log_spaced, sticking as search};
 use demeter::output::{AxisSpec, Plot, Series};
 use demeter::scenario::{ImpactFile, units};
@@ -21,6 +22,7 @@ const LOGARITHMIC: AxisSpec = AxisSpec {
 
 /// Finds the critical sticking speed against the effective radius.
 pub fn sticking(arguments: &StickingArguments) -> Result<Exit, Failure> {
+    check_outputs(&arguments.file, arguments.csv.as_deref(), arguments.plot.as_deref())?;
     let file = ImpactFile::read(&arguments.file, &arguments.set)?;
     let (first, last) = radii(&arguments.radius)?;
     let count = if first == last {
@@ -50,7 +52,7 @@ pub fn sticking(arguments: &StickingArguments) -> Result<Exit, Failure> {
             y: LOGARITHMIC,
             series: vec![Series::line(file.choice().normal.law, known.clone())],
         };
-        write_plot(path, &plot)?;
+        write_plot(&plot, path)?;
     }
     if arguments.json {
         let rows: Vec<Value> = found

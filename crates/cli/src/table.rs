@@ -1,7 +1,7 @@
 //! Tables and plots that a command writes when asked to.
 
 use crate::failure::Failure;
-use demeter::output::Plot;
+use demeter::checkpoint::{Durability, write_atomically};
 use std::path::Path;
 
 /// A value of a table.
@@ -21,7 +21,31 @@ pub fn write_csv<'a>(path: &Path, titles: &[&str], rows: impl Iterator<Item = Ve
         text.push_str(&cells.join(","));
         text.push('\n');
     }
-    std::fs::write(path, text).map_err(|error| Failure::io(format!("cannot write `{}`: {error}", path.display())))
+    write_atomically(path, text.as_bytes(), Durability::Kill)
+        .map_err(|error| Failure::io(format!("cannot write `{}`: {error}", path.display())))
+}
+
+/// Refuses, before anything is computed, a table or a plot that would replace the input, or whose name tells another kind of file.
+pub fn check_outputs(input: &Path, csv: Option<&Path>, plot: Option<&Path>) -> Result<(), Failure> {
+    for (flag, path, endings) in [("--csv", csv, &["csv"][..]), ("--plot", plot, &["svg", "png"])] {
+        let Some(path) = path else { continue };
+        let shown = path.display();
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        if !ending.is_some_and(|ending| endings.contains(&ending.as_str())) {
+            let allowed = endings.join(" or .");
+            return Err(Failure::wrong(format!(
+                "{flag}: `{shown}` does not end with .{allowed}; name it so, that no other file is replaced by mistake"
+            )));
+        }
+        if let (Ok(read), Ok(written)) = (input.canonicalize(), path.canonicalize())
+            && read == written
+        {
+            return Err(Failure::wrong(format!(
+                "{flag}: `{shown}` is input and output; name another file to write"
+            )));
+        }
+    }
+    Ok(())
 }
 
 fn cell(cell: &Cell<'_>) -> String {
@@ -29,9 +53,4 @@ fn cell(cell: &Cell<'_>) -> String {
         Cell::Number(value) => format!("{value:e}"),
         Cell::Word(word) => (*word).to_string(),
     }
-}
-
-/// Writes a plot as SVG.
-pub fn write_plot(path: &Path, plot: &Plot) -> Result<(), Failure> {
-    plot.write_svg(path).map_err(|error| Failure::io(error.to_string()))
 }

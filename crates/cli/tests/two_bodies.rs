@@ -162,3 +162,33 @@ fn what_is_wrong_is_told_and_nothing_is_written() {
     assert_eq!(place.names(), before);
     place.expect(1, &["collide", "mcc.toml", "--csv", "no/such/folder.csv"]);
 }
+
+#[test]
+fn no_file_is_replaced_that_is_not_meant() {
+    let place = place();
+    let before = fs::read(place.path("mcc.toml")).unwrap();
+    for command in ["collide", "contact-curve"] {
+        for (flag, file, part) in [
+            ("--csv", "mcc.toml", "does not end with .csv"),
+            ("--plot", "mcc.toml", "does not end with .svg or .png"),
+            ("--plot", "notes.txt", "does not end with .svg or .png"),
+        ] {
+            let said = place.expect(2, &[command, "mcc.toml", flag, file]);
+            assert!(said.err.contains(part), "{}", said.err);
+        }
+    }
+    let said = place.expect(2, &["sticking", "mcc.toml", "--radius", "1um", "--csv", "mcc.toml"]);
+    assert!(said.err.contains("does not end with .csv"), "{}", said.err);
+    assert_eq!(fs::read(place.path("mcc.toml")).unwrap(), before);
+    place.expect(0, &["contact-curve", "mcc.toml", "--plot", "curve.png"]);
+    assert!(fs::read(place.path("curve.png")).unwrap().starts_with(b"\x89PNG"));
+}
+
+#[cfg(unix)]
+#[test]
+fn the_input_is_no_output_behind_a_link_either() {
+    let place = place();
+    std::os::unix::fs::symlink("mcc.toml", place.path("link.svg")).unwrap();
+    let said = place.expect(2, &["collide", "mcc.toml", "--plot", "link.svg"]);
+    assert!(said.err.contains("is input and output"), "{}", said.err);
+}
