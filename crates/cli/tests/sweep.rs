@@ -290,6 +290,21 @@ fn a_run_whose_series_is_cut_short_has_no_results() {
 }
 
 #[test]
+fn one_run_alone_needs_the_folder_of_a_sweep() {
+    let place = place();
+    let said = place.expect(
+        2,
+        &[&["sweep", "fall.toml", "--vary", "seed=1,2", "--only", "0"][..], &SHORT].concat(),
+    );
+    assert!(
+        said.err.contains("--only 0") && said.err.contains("--resume"),
+        "{}",
+        said.err
+    );
+    assert!(!place.path("runs").exists());
+}
+
+#[test]
 fn a_sweep_does_not_go_on_with_other_files() {
     let place = place();
     let listed = FALL.find("[[grains]]").unwrap()..FALL.find("[[wall]]").unwrap();

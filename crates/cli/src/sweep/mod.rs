@@ -28,6 +28,13 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Failure> {
     if let (Some(folder), Some(index)) = (&arguments.resume, arguments.only) {
         return part::carry_out(arguments, folder, index);
     }
+    // where a scenario is told, the command line cannot tell that --resume is missing
+    if let Some(index) = arguments.only {
+        return Err(Failure::wrong(format!(
+            "--only {index} carries out one run of a sweep that is in a folder already: tell the folder with --resume, without the \
+             scenario. Without --only the sweep is begun here, with all its runs; --slurm only writes its plan and a script"
+        )));
+    }
     let interrupt = Interrupt::listen();
     let begun = match (&arguments.resume, &arguments.file) {
         (Some(folder), _) => begin::open(arguments, folder)?,
