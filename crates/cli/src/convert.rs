@@ -93,6 +93,7 @@ fn conversion(arguments: &ConvertArguments) -> Result<Conversion, Failure> {
         target,
         writing: WriteOptions {
             columns: arguments.columns.clone(),
+            ..WriteOptions::default()
         },
         density: quantity("--density", &arguments.density, Dimension::DENSITY)?,
         type_names: arguments.types.clone(),

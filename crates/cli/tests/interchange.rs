@@ -69,6 +69,25 @@ fn a_run_becomes_a_file_of_every_code_and_what_is_lost_is_said() {
 }
 
 #[test]
+fn the_grains_of_a_run_are_those_of_the_next() {
+    let place = with_run();
+    let listed = FALL.find("[[grains]]").unwrap()..FALL.find("[[wall]]").unwrap();
+    for name in ["grains.csv", "grains.tsv"] {
+        place.expect(0, &["convert", "run", name]);
+        let mut text = FALL.to_owned();
+        text.replace_range(
+            listed.clone(),
+            &format!("[[grains]]\nmaterial = \"glass\"\nsource = \"file\"\nfile = \"{name}\"\n\n"),
+        );
+        place.write("next.toml", &text);
+        place.expect(0, &["check", "next.toml"]);
+    }
+    let [commas, tabs] = ["grains.csv", "grains.tsv"].map(|name| fs::read_to_string(place.path(name)).unwrap());
+    assert!(commas.lines().next().unwrap().ends_with(",coordination"));
+    assert_eq!(commas.replace(',', "\t"), tabs);
+}
+
+#[test]
 fn wrong_conversions_are_refused() {
     let place = with_run();
     place.expect(0, &["convert", "run", "a.csv"]);

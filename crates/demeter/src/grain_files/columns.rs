@@ -39,6 +39,16 @@ pub(super) const COLUMNS: [(&str, Quantity); 22] = [
     ("tz", Quantity::Torque(2)),
 ];
 
+/// Columns of the frames of a run that are no quantity of a packing; `demeter convert` writes them.
+const OF_FRAMES: [&str; 6] = [
+    "coordination",
+    "tag",
+    "orientation_x",
+    "orientation_y",
+    "orientation_z",
+    "orientation_w",
+];
+
 type Units = &'static [(&'static str, f64)];
 
 const LENGTHS: Units = &[
@@ -201,6 +211,9 @@ fn parse_column(cell: &str, extra_columns: bool, extras: &mut Vec<(String, Strin
                 unit.unwrap_or_default().to_owned(),
             ));
             return Ok(Column::new(&name, Quantity::Extra(extras.len() - 1), 1.0));
+        }
+        if OF_FRAMES.contains(&name.as_str()) {
+            return Ok(Column::new(&name, Quantity::Skipped, 1.0));
         }
         return Err(FileProblem::UnknownColumn {
             name: shown(&name),

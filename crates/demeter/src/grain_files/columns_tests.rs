@@ -46,6 +46,12 @@ fn reads_blanks_tabs_and_semicolons_and_radii() {
 }
 
 #[test]
+fn columns_of_the_frames_of_a_run_are_read_over() {
+    let table = parse("x,y,z,diameter,coordination,tag,orientation_x\n1,2,3,4,5,6,7\n").unwrap();
+    assert_eq!((table.len(), table.extras.len()), (1, 0));
+}
+
+#[test]
 fn wrong_tables_are_refused_with_place_and_remedy() {
     for (text, part) in [
         ("", "no grains"),

@@ -213,6 +213,7 @@ fn columns_are_chosen_by_name() {
     let table = table(2, 1.0);
     let options = |names: &[&str]| WriteOptions {
         columns: Some(names.iter().map(|n| (*n).to_owned()).collect()),
+        ..WriteOptions::default()
     };
     let text = written(
         &[&table],

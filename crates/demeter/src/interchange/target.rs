@@ -3,7 +3,7 @@
 use super::Conversion;
 use super::error::ConvertError;
 use crate::checkpoint::{Durability, part_path, write_atomically_with};
-use crate::grain_files::{Cell, Format, GrainTable, GrainWriter};
+use crate::grain_files::{Cell, Format, GrainTable, GrainWriter, WriteOptions};
 use crate::output::vtk_file::NewPolyData;
 use crate::output::vtp::{Array, Cells, PolyData, Values};
 use crate::output::{FrameBox, box_fields};
@@ -64,6 +64,12 @@ impl Write for Stream {
             Self::Compressed(out) => out.flush(),
         }
     }
+}
+
+/// Whether the name of a file asks for tabs.
+fn ends_with_tsv(path: &Path) -> bool {
+    let name = path.to_string_lossy().to_lowercase();
+    name.strip_suffix(".gz").unwrap_or(&name).ends_with(".tsv")
 }
 
 /// A file that gets its name when it is whole.
@@ -152,7 +158,11 @@ impl<'c> Sink<'c> {
         };
         if self.open.is_none() {
             self.check(&path)?;
-            let writer = GrainWriter::new(stream(&path)?, format, self.how.writing.clone());
+            let options = WriteOptions {
+                tabs: ends_with_tsv(&path),
+                ..self.how.writing.clone()
+            };
+            let writer = GrainWriter::new(stream(&path)?, format, options);
             let writer = writer.map_err(|problem| ConvertError::Write {
                 path: path.clone(),
                 problem,

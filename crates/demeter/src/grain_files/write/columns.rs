@@ -117,8 +117,13 @@ pub(super) fn value<'t>(table: &'t GrainTable, numbers: &[u32], column: &Column,
     }
 }
 
-/// Writes CSV with names and units.
-pub(super) fn write(out: &mut impl Write, table: &GrainTable, asked: Option<&[String]>) -> Result<(), WriteError> {
+/// Writes CSV, or the same between other separators, with names and units.
+pub(super) fn write(
+    out: &mut impl Write,
+    table: &GrainTable,
+    asked: Option<&[String]>,
+    separator: &str,
+) -> Result<(), WriteError> {
     let mut default = vec!["x", "y", "z", "diameter"];
     if table.ids.is_some() {
         default.insert(0, "id");
@@ -143,8 +148,8 @@ pub(super) fn write(out: &mut impl Write, table: &GrainTable, asked: Option<&[St
             format!("{name} [{unit}]")
         }
     };
-    writeln!(out, "{}", columns.iter().map(title).collect::<Vec<_>>().join(","))?;
-    rows(out, table, &columns, ",")
+    writeln!(out, "{}", columns.iter().map(title).collect::<Vec<_>>().join(separator))?;
+    rows(out, table, &columns, separator)
 }
 
 /// Writes one line per grain.

@@ -18,6 +18,8 @@ use std::io::{self, Write};
 pub struct WriteOptions {
     /// The columns of formats that let one choose, by name; all that the table tells when absent.
     pub columns: Option<Vec<String>>,
+    /// Whether tabs separate the values of [`Format::Columns`] instead of commas.
+    pub tabs: bool,
 }
 
 /// Why a file of grains cannot be written.
@@ -91,7 +93,7 @@ impl<W: Write> GrainWriter<W> {
             return Err(WriteError::OneMoment { format });
         }
         match format {
-            Format::Columns => columns::write(out, table, columns)?,
+            Format::Columns => columns::write(out, table, columns, if self.options.tabs { "\t" } else { "," })?,
             Format::LammpsData | Format::LiggghtsData => lammps_data::write(out, table, format)?,
             Format::LammpsDump | Format::LiggghtsDump => dump::write(out, table, format, columns, first)?,
             Format::ExtendedXyz => extended_xyz::write(out, table, columns)?,
