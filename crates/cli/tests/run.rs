@@ -174,6 +174,18 @@ fn instructions_that_are_not_there_are_refused_before_anything_is_written() {
 }
 
 #[test]
+fn the_environment_asks_for_no_more_threads_than_the_command_line() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let mut command = place.command(&["run", "fall.toml"]);
+    let output = command.env("RAYON_NUM_THREADS", "20000").output().unwrap();
+    assert_ne!(output.status.code(), Some(0));
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(told.contains("RAYON_NUM_THREADS") && told.contains("4096"), "{told}");
+    assert_eq!(place.names(), ["fall.toml"]);
+}
+
+#[test]
 fn a_wrong_scenario_writes_nothing() {
     let place = Place::new();
     place.write(

@@ -14,6 +14,9 @@ use crate::scenario::run_options::RunOptions;
 use crate::simulation::StateError;
 use std::path::Path;
 
+/// Most threads that the environment may ask for, as `--threads` may.
+const MOST_THREADS: usize = 4096;
+
 /// Runs a scenario and writes its results into a folder.
 pub fn run(
     scenario: &Scenario,
@@ -154,8 +157,20 @@ pub(in crate::scenario) fn read_run(
     Ok((scenario, restored.value))
 }
 
-/// Threads of a run; as many as there are cores when none are asked for.
+/// Threads of a run; as many as there are cores, or as the environment tells, when none are asked for.
 pub(crate) fn thread_pool(threads: Option<usize>) -> Result<rayon::ThreadPool, RunError> {
+    let told = std::env::var("RAYON_NUM_THREADS").ok().filter(|_| threads.is_none());
+    if let Some(threads) = told
+        .and_then(|told| told.parse().ok())
+        .filter(|told| *told > MOST_THREADS)
+    {
+        return Err(RunError::Threads {
+            threads,
+            reason: format!(
+                "the environment variable RAYON_NUM_THREADS tells so many, and at most {MOST_THREADS} are allowed"
+            ),
+        });
+    }
     let threads = threads.unwrap_or(0);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     pool.map_err(|error| RunError::Threads {
