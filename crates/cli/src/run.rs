@@ -169,7 +169,10 @@ fn to_text(report: &Report) -> String {
             format!("interrupted; a checkpoint was written. Go on with `demeter resume {folder}`")
         }
         // the fault itself was told when it happened
-        RunEnd::Fault(fault) => format!("stopped on a fault of grain {}; the last frame shows it", fault.grain()),
+        RunEnd::Fault(fault) => match fault.grain() {
+            0 => "stopped on a fault; the last frame shows it".to_string(),
+            grain => format!("stopped on a fault of grain {grain}; the last frame shows it"),
+        },
     };
     let mut rows = Rows::default();
     rows.add("results", folder.to_string());
