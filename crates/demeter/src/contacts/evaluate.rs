@@ -96,7 +96,6 @@ impl ContactChunk {
             laws: (),
             law: scene.materials.law(self.law),
             dt: scene.dt,
-            slip_time: scene.slip_time(),
             integrator: scene.integrator,
             answers: Answers {
                 normal_force: &mut self.now.normal_force,

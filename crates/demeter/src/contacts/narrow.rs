@@ -61,11 +61,6 @@ pub struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    /// How long springs move that remember the way of contacts, which live at half steps [s]: a step, and before the first half of one.
-    pub(super) fn slip_time(&self) -> f64 {
-        if self.step == 0 { 0.5 * self.dt } else { self.dt }
-    }
-
     /// Distance beyond touching at which bodies may act on each other in this step [m].
     pub(crate) fn widest_window(&self) -> f64 {
         self.window(self.max_speed * self.dt)

@@ -41,8 +41,6 @@ pub(super) struct Respond<'a, S, K, W> {
     pub(super) laws: W,
     pub(super) law: &'a PairLaw,
     pub(super) dt: f64,
-    /// How long springs move that are half a step ahead afterwards [s].
-    pub(super) slip_time: f64,
     pub(super) integrator: Integrator,
     pub(super) answers: Answers<'a>,
 }
@@ -56,7 +54,6 @@ impl<'a, S, K> Respond<'a, S, K, ()> {
             laws: (),
             law,
             dt,
-            slip_time,
             integrator,
             answers,
         } = self;
@@ -66,7 +63,6 @@ impl<'a, S, K> Respond<'a, S, K, ()> {
             laws,
             law,
             dt,
-            slip_time,
             integrator,
             answers,
         }
@@ -128,7 +124,6 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
             laws,
             law,
             dt,
-            slip_time,
             integrator,
             mut answers,
         } = self;
@@ -179,7 +174,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
             let size = motion.size;
             let spin = turning.spin(&motion);
             lot.first = normal_length;
-            let ahead = laws.ahead(&lot, motion.normal, spin * slip_time);
+            let ahead = laws.ahead(&lot, motion.normal, spin * dt);
             lot.first = 0;
             let pressed = laws.press(Press {
                 lot: &mut lot,
@@ -207,7 +202,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                         velocity: turning.sliding(&motion).or(acting, nothing),
                         spin,
                         normal_force: pressed.friction_load,
-                        dt: slip_time,
+                        dt,
                         removable_share: integrator.removable_share(),
                     },
                     ahead,
@@ -233,7 +228,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                         spin,
                         normal_force: pressed.friction_load,
                         normal_stiffness,
-                        dt: slip_time,
+                        dt,
                         removable_share: integrator.removable_share(),
                     },
                 });

@@ -298,10 +298,7 @@ impl Simulation {
         if !self.started {
             self.find_first_forces()?;
             let energies = self.mechanical_energies();
-            let mut tally = self.step_tally();
-            // springs moved in the half ahead alone
-            tally.friction *= 2.0;
-            tally.rolling *= 2.0;
+            let tally = self.step_tally();
             self.books.open(&energies, tally);
             self.started = true;
             memory::give_back();
