@@ -33,7 +33,8 @@ impl Simulation {
             .map(|box_| box_.flow(&box_.rates(), position - box_.middle));
         let speed = (grains.velocity[g] - flow.unwrap_or_default()).length();
         let (way, radius) = (speed * self.dt, grains.radius(g));
-        (way > radius).then_some(Fault::Jump {
+        // what is no number is told elsewhere
+        (way > radius && way.is_finite()).then_some(Fault::Jump {
             step: self.step,
             id: grains.id[g],
             position,

@@ -77,9 +77,9 @@ fn ends_at_five_sevenths_after_the_time_of_theory() {
                 for kind in ["plane", "rectangle", "mesh"] {
                     let mut sim = launched(friction, mu, kind);
                     let l = sim.grains().position[0].z;
-                    // coulomb ends its slide by creeping, from the speed 7/2 mu g dt/f on, f = 0.2
+                    // coulomb ends its slide by creeping, from the speed 7/2 mu g dt/f on, f = 0.16
                     let at_rest = if friction == "coulomb" {
-                        20.0 * mu * G * sim.dt()
+                        25.0 * mu * G * sim.dt()
                     } else {
                         0.0
                     };

@@ -58,7 +58,7 @@ fn sliding_load_is_the_limit_against_the_motion() {
         for step in 0..400 {
             // first across the later direction, so that a law with memory has something to forget
             let towards = if step < 20 { DVec3::X } else { direction };
-            input.rate = towards * 50.0 * case.rate_scale(&input);
+            input.rate = towards * 100.0 * case.rate_scale(&input);
             load = case.respond(&input, &mut history).load;
         }
         let expected = -direction * case.limit(&input).unwrap();

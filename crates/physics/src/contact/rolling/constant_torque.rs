@@ -23,6 +23,9 @@ pub struct ConstantTorque {
 
 /// Moment of inertia of a sphere that turns about its centre over that of one that rolls about its surface.
 const TURNING: f64 = 2.0 / 7.0;
+/// By how much less of a spin may be removed than of a slip: spins of neighbours that turn against each other lose as much as
+/// the share at every contact.
+const OF_SPIN: f64 = 0.4;
 
 impl Rolling for ConstantTorque {
     const NAME: &'static str = "constant-torque";
@@ -48,7 +51,7 @@ impl Rolling for ConstantTorque {
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &RollingInput<L>, _history: &mut [L]) -> RollingResponse<L> {
         let limit = input.size.radius * input.normal_force * self.rolling_friction;
-        let stopping = input.rolling_inertia * (TURNING * input.removable_share / input.dt);
+        let stopping = input.rolling_inertia * (TURNING * OF_SPIN * input.removable_share / input.dt);
         let response = resist(input.angular_velocity, limit, stopping, input.dt);
         RollingResponse {
             torque: response.load,
