@@ -192,11 +192,7 @@ fn a_series_that_is_gone_is_not_begun_anew_in_silence() {
     let frame = pvd.lines().find(|line| line.contains("grains_0000000000")).unwrap();
     place.write("cut/grains.pvd", &pvd.replace(&format!("{frame}\n"), ""));
     let said = place.expect(0, &["resume", "cut"]);
-    assert!(
-        said.err.contains("warning: `cut/series.csv` "),
-        "{}",
-        said.err
-    );
+    assert!(said.err.contains("warning: `cut/series.csv` "), "{}", said.err);
     assert!(
         said.err.contains("warning: `cut/grains.pvd` does not name 1 file"),
         "{}",
