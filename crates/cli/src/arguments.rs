@@ -10,6 +10,7 @@ pub use sweep::SweepArguments;
 
 use crate::exit;
 use clap::{Args, Parser, Subcommand};
+use demeter::scenario::MOST_THREADS;
 use demeter::scenario::schema::FileKind;
 use demeter_physics::lanes::Instructions;
 use std::path::PathBuf;
@@ -162,7 +163,7 @@ pub struct Engine {
 #[derive(Debug, Args)]
 pub struct HowToRun {
     /// Number of threads; when absent all cores, or one for each process under `mpirun`. The results are the same for any number
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=i64::from(MOST_THREADS)))]
     pub threads: Option<u16>,
     /// Write one JSON object to standard output at the end; everything else goes to standard error
     #[arg(long)]

@@ -23,6 +23,19 @@ fn interrupt(place: &Place, run: &[&str], folder: &str, name: &str) {
     panic!("no run was long enough to be interrupted");
 }
 
+/// A run of `fall.toml` in `cut` that was interrupted.
+fn interrupted() -> Place {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    interrupt(
+        &place,
+        &["run", "fall.toml", "--out", "cut", "--overwrite"],
+        "cut",
+        "INT",
+    );
+    place
+}
+
 #[test]
 fn an_interrupted_run_resumes_to_the_same_bits() {
     let place = Place::new();
@@ -164,14 +177,7 @@ fn a_run_does_not_go_on_with_other_files() {
 
 #[test]
 fn a_series_that_is_gone_is_not_begun_anew_in_silence() {
-    let place = Place::new();
-    place.write("fall.toml", FALL);
-    interrupt(
-        &place,
-        &["run", "fall.toml", "--out", "cut", "--overwrite"],
-        "cut",
-        "INT",
-    );
+    let place = interrupted();
     let series = fs::read_to_string(place.path("cut/series.csv")).unwrap();
     let before = place.results("cut");
 
@@ -204,14 +210,7 @@ fn a_series_that_is_gone_is_not_begun_anew_in_silence() {
 
 #[test]
 fn a_run_goes_on_without_its_rows_where_that_is_wanted() {
-    let place = Place::new();
-    place.write("fall.toml", FALL);
-    interrupt(
-        &place,
-        &["run", "fall.toml", "--out", "cut", "--overwrite"],
-        "cut",
-        "INT",
-    );
+    let place = interrupted();
     place.write("cut/series.csv", "");
     let said = place.expect(0, &["resume", "cut"]);
     assert!(said.err.contains("holds no rows up to step"), "{}", said.err);

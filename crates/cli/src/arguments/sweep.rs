@@ -1,6 +1,7 @@
 //! Arguments of `demeter sweep`.
 
 use clap::Args;
+use demeter::scenario::MOST_THREADS;
 use std::path::PathBuf;
 
 /// Of `demeter sweep`.
@@ -56,7 +57,7 @@ pub struct SweepArguments {
     #[arg(long, value_name = "J", value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub jobs: Option<u32>,
     /// Number of threads of every run. The results are the same for any number
-    #[arg(long, value_name = "T", value_parser = clap::value_parser!(u16).range(1..=4096), default_value_t = 1)]
+    #[arg(long, value_name = "T", value_parser = clap::value_parser!(u16).range(1..=i64::from(MOST_THREADS)), default_value_t = 1)]
     pub threads: u16,
     /// List the runs with what they will need; writes nothing
     #[arg(long)]

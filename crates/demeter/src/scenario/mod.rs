@@ -74,7 +74,7 @@ pub use report::{Report, RunEnd};
 pub(crate) use run::thread_pool;
 pub use run::{Observer, Progress, RunState, all_or_none, resume, resume_shared, run, run_shared};
 pub use run_error::RunError;
-pub use run_options::RunOptions;
+pub use run_options::{MOST_THREADS, RunOptions};
 pub use settings::{
     AUTOMATIC_CHECKPOINTS, AUTOMATIC_FRAMES, AUTOMATIC_ROWS, DEFAULT_MAX_OVERLAP, DomainSpec, OutputSpec, PlotSpec,
     SimulationSpec, TimeStep,

@@ -69,8 +69,9 @@ impl Runner<'_> {
     fn left_the_domain(&self) -> Option<String> {
         let (grains, mass) = self.sim.books.left_the_domain();
         (grains > 0).then(|| {
+            let (grains_were, were) = if grains == 1 { ("grain", "was") } else { ("grains", "were") };
             format!(
-                "{grains} grains, {mass:.6} kg left the domain and were removed, as `domain.outside = \"remove\"` says"
+                "{grains} {grains_were}, {mass:.6} kg left the domain and {were} removed, as `domain.outside = \"remove\"` says"
             )
         })
     }

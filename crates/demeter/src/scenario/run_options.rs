@@ -5,6 +5,9 @@ use crate::simulation::Simulation;
 use demeter_physics::lanes::{Instructions, NoSuchInstructions};
 use std::path::Path;
 
+/// Most threads that a run may ask for.
+pub const MOST_THREADS: u16 = 4096;
+
 /// How a run is carried out; none of it changes the results.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RunOptions {

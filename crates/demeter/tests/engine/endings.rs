@@ -389,3 +389,41 @@ fn a_wall_that_ends_at_periodic_sides_is_warned_of() {
     }
     assert_eq!(on_a_plate(22.1), Vec::<String>::new());
 }
+
+#[test]
+fn a_stage_that_waits_for_rest_ends_where_grains_stick() {
+    let text = format!(
+        r#"{STICKY}
+[[stage]]
+duration = "0.2 s"
+stop = {{ kinetic_over_elastic = 1e-3 }}
+"#
+    );
+    let (report, _, _) = ended(&text);
+    let summary = &report.summary;
+    assert!(summary.energies.ledger.elastic < 0.0, "{:?}", summary.energies);
+    let why = &summary.stages[0].ended_by;
+    assert!(why.contains("kinetic over elastic"), "{why}");
+}
+
+/// Two grains that stick to each other.
+const STICKY: &str = r#"
+[domain]
+lower = "-10 -10 -10 mm"
+upper = "10 10 10 mm"
+[material.a]
+young_modulus = "1 MPa"
+poisson_ratio = 0.3
+density = "1000 kg/m^3"
+[contact]
+normal = { law = "jkr", work_of_adhesion = "0.1 N/m", alpha = 0.6 }
+[[grains]]
+material = "a"
+source = "list"
+positions = ["-0.999 0 0 mm", "0.999 0 0 mm"]
+diameter = "2 mm"
+[output]
+frames = "never"
+picture = false
+report = false
+"#;

@@ -23,6 +23,7 @@ mod multi_contact;
 mod oblique;
 mod plasticity;
 mod requests;
+mod rest;
 mod restitution;
 mod rotation;
 mod sliding_to_rolling;

@@ -35,7 +35,7 @@ impl Integrator {
     /// The decays of all contacts of a grain add up. The predictor-corrector, whose forces follow from predicted
     /// rates alone, is stable up to a decay of 0.163 per step, velocity Verlet up to 1 (for the predicted rate `w + (dt/2) a` of a decay `S`
     /// it is `x^2 - (1 - 3/2 S) x - S/2 = 0`, whose root reaches -1 there). Equal spheres that all turn alike, which is the fastest decay of
-    /// slips, lose 0.476 of the share for each of their neighbours: 0.91 where they have twelve.
+    /// slips, lose 2/3 of 5/7 of the share for each of their neighbours: 0.91 where they have twelve.
     #[inline(always)]
     pub fn removable_share(self) -> f64 {
         match self {

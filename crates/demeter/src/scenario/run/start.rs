@@ -10,12 +10,9 @@ use crate::scenario::input_files::InputFile;
 use crate::scenario::prepare::prepare;
 use crate::scenario::report::Report;
 use crate::scenario::run_error::RunError;
-use crate::scenario::run_options::RunOptions;
+use crate::scenario::run_options::{MOST_THREADS, RunOptions};
 use crate::simulation::StateError;
 use std::path::Path;
-
-/// Most threads that the environment may ask for, as `--threads` may.
-const MOST_THREADS: usize = 4096;
 
 /// Runs a scenario and writes its results into a folder.
 pub fn run(
@@ -162,7 +159,7 @@ pub(crate) fn thread_pool(threads: Option<usize>) -> Result<rayon::ThreadPool, R
     let told = std::env::var("RAYON_NUM_THREADS").ok().filter(|_| threads.is_none());
     if let Some(threads) = told
         .and_then(|told| told.parse().ok())
-        .filter(|told| *told > MOST_THREADS)
+        .filter(|told| *told > usize::from(MOST_THREADS))
     {
         return Err(RunError::Threads {
             threads,

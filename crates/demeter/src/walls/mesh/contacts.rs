@@ -14,7 +14,7 @@
 //!   continuous in size and direction from facet to facet.
 //!
 //! A triangle with a closer point is itself among those within reach: to decide, no others are asked. They are taken from the closest on, since
-//! what has the direction of one that is kept need not be judged.
+//! what has the direction of one that is kept, and is left on the way out of that, need not be judged.
 //!
 //! Keys: a face contact has the lowest triangle of its flat patch as key, the same on the whole patch; edges and vertices
 //! have keys of their own above those of the triangles.
@@ -32,8 +32,7 @@ use glam::DVec3;
 use std::cell::RefCell;
 use std::cmp::Ordering;
 
-/// Cosine of the largest angle, 21.6 degrees, between normals of contacts that are one. Two planes that meet at this bend
-/// touch a sphere both at once only from an overlap of 7 % of the radius on. A cylinder of 17 facets is still smooth.
+/// Cosine of the largest angle, 21.6 degrees, between normals of contacts that are one. A cylinder of 17 facets is still smooth.
 const SAME_DIRECTION: f64 = 0.93;
 /// Share by which the closest points of two triangles may differ in distance and still be the same point.
 const SAME_DISTANCE: f64 = 1e-12;
