@@ -48,11 +48,10 @@ impl LookAgain<'_> {
     /// Looks at a contact alone.
     #[inline(never)]
     fn look_alone(&mut self, k: usize) {
-        let (g, wall) = (self.i[k] as usize, &self.scene.walls[self.j[k] as usize]);
-        let radius = self.scene.grains.radius(g);
-        let found = wall.contact_with(self.element[k], self.scene.grains.position[g], radius + self.window);
+        let g = self.i[k] as usize;
+        let found = (self.scene).contact_with(g, (self.j[k], self.element[k]), self.window);
         if let Some(part) = found {
-            self.contacts[k] = geometry(&part, radius);
+            self.contacts[k] = geometry(&part, self.scene.grains.radius(g));
         }
     }
 }

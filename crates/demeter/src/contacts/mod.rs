@@ -28,6 +28,7 @@ mod near_triangles;
 mod rare;
 mod respond;
 mod saved;
+mod seams;
 mod shares;
 pub(crate) mod step_work;
 pub mod sum;

@@ -99,12 +99,13 @@ impl Touched {
             if wall.mesh().is_some() {
                 let points = self.within.next_of(c);
                 if !points.is_empty() {
+                    let first = self.parts.len();
                     wall.contacts_of(points, scene.grains.radius(g), &mut self.parts);
+                    self.retain_from(first, |part| !scene.is_pushed_by_another(g, pair.wall as usize, part));
                 }
             } else if reach.is_new {
-                let (centre, within) = (scene.grains.position[g], scene.grains.radius(g) + reach.window);
                 let parts = self.near.of(c).iter();
-                let contacts = parts.filter_map(|&part| wall.contact_with(part, centre, within));
+                let contacts = parts.filter_map(|&part| scene.contact_with(g, (pair.wall, part), reach.window));
                 self.parts.extend(contacts);
             } else {
                 self.parts.extend(contacts.range(c).map(|k| contacts.at_wall(k)));
@@ -124,18 +125,25 @@ impl Touched {
             let first = self.parts.len();
             // where surfaces bulge, walls are asked as a whole
             wall.contacts(centre, (radius + bulge, window), &mut self.parts);
-            let mut kept = first;
-            for k in first..self.parts.len() {
-                let part = self.parts[k];
+            self.retain_from(first, |part| {
                 let overlap = radius - part.distance + bulge;
-                if scene.acts(law, || scene.size_at_wall(g), overlap, scene.rate_at_wall(pair, &part)) {
-                    self.parts[kept] = part;
-                    kept += 1;
-                }
-            }
-            self.parts.truncate(kept);
-            self.ends.push(kept as u32);
+                scene.acts(law, || scene.size_at_wall(g), overlap, scene.rate_at_wall(pair, part))
+                    && !scene.is_pushed_by_another(g, pair.wall as usize, part)
+            });
+            self.ends.push(self.parts.len() as u32);
         }
+    }
+
+    /// Keeps of the parts from one on those that are wanted.
+    fn retain_from(&mut self, first: usize, is_wanted: impl Fn(&SurfaceContact) -> bool) {
+        let mut kept = first;
+        for k in first..self.parts.len() {
+            if is_wanted(&self.parts[k]) {
+                self.parts[kept] = self.parts[k];
+                kept += 1;
+            }
+        }
+        self.parts.truncate(kept);
     }
 
     /// Forgets what was near.
@@ -169,6 +177,23 @@ impl Scene<'_> {
             // no grain that meets a wall is fixed
             mass: 1.0 / self.grains.inverse_mass(grain),
         }
+    }
+
+    /// How a grain meets an element of a wall that is no mesh, as [`Wall::contact_with`](crate::walls::Wall::contact_with) tells it: as far
+    /// away as to do nothing where another wall pushes it.
+    #[inline]
+    pub(super) fn contact_with(
+        &self,
+        grain: usize,
+        (wall, element): (u32, u32),
+        window: f64,
+    ) -> Option<SurfaceContact> {
+        let (wall, reach) = (wall as usize, self.grains.radius(grain) + window);
+        let mut part = self.walls[wall].contact_with(element, self.grains.position[grain], reach)?;
+        if self.is_pushed_by_another(grain, wall, &part) {
+            part.distance = 2.0 * reach;
+        }
+        Some(part)
     }
 
     /// Rate at which a grain approaches a part of a wall [m/s].
@@ -326,6 +351,8 @@ impl Kept {
             normal: geometry.normal,
             distance: geometry.lever_i,
             element: self.element[contact],
+            // what touches nothing now is asked again in the next look
+            is_at_edge: false,
         }
     }
 

@@ -11,7 +11,7 @@ use demeter_physics::geometry::contact_sphere_disc::{Disc, contact_sphere_disc};
 use demeter_physics::geometry::contact_sphere_plane::{Plane, contact_sphere_plane};
 use demeter_physics::geometry::contact_sphere_rectangle::{Rectangle, contact_sphere_rectangle};
 use demeter_physics::geometry::contact_sphere_shell::{Shell, contact_sphere_shell};
-use demeter_physics::geometry::{Feature, SurfacePoint};
+use demeter_physics::geometry::{AT_END, Feature, SurfacePoint};
 use glam::DVec3;
 
 /// A surface in the wall frame.
@@ -149,6 +149,7 @@ impl Surface {
             normal: point.normal,
             distance: point.distance,
             element,
+            is_at_edge: point.feature != Feature::Face,
         })
     }
 
@@ -236,6 +237,7 @@ fn push(point: SurfacePoint, element: u32, reach: f64, out: &mut Vec<SurfaceCont
             normal: point.normal,
             distance: point.distance,
             element,
+            is_at_edge: point.feature != Feature::Face,
         });
     }
 }
@@ -275,6 +277,7 @@ fn box_surface(lower: DVec3, upper: DVec3, open: [bool; 6]) -> Result<Surface, W
     if faces.is_empty() {
         return Err(WallError::NoFace);
     }
+    let margin = (upper - lower) * AT_END;
     let end = |side: usize, corner: DVec3, beyond: f64| {
         DVec3::from_array([0, 1, 2].map(|k| if open[2 * k + side] { corner[k] } else { beyond }))
     };
@@ -282,7 +285,10 @@ fn box_surface(lower: DVec3, upper: DVec3, open: [bool; 6]) -> Result<Surface, W
         faces,
         lower,
         upper,
-        reach: (end(0, lower, f64::NEG_INFINITY), end(1, upper, f64::INFINITY)),
+        reach: (
+            end(0, lower + margin, f64::NEG_INFINITY),
+            end(1, upper - margin, f64::INFINITY),
+        ),
     })
 }
 

@@ -27,6 +27,8 @@ pub struct SurfaceContact {
     /// Key of the touched part, stable while the grain stays on it. Faces of a box: 0 to 5. Meshes: the lowest triangle of
     /// the flat patch for a face, then keys of edges, then of vertices. Every other shape: 0.
     pub element: u32,
+    /// Whether an edge, a rim or a corner is touched, not a face.
+    pub is_at_edge: bool,
 }
 
 /// A wall: a surface of one material that moves as told and feels the grains.

@@ -26,6 +26,7 @@ mod requests;
 mod rest;
 mod restitution;
 mod rotation;
+mod seams;
 mod sliding_to_rolling;
 mod smooth_motion;
 mod three_grain_block;

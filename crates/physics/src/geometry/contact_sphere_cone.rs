@@ -1,6 +1,6 @@
 //! Contact of a sphere and the lateral surface of a (truncated) cone with open ends.
 
-use super::surface_point::{OffAxis, direction};
+use super::surface_point::{OffAxis, direction, is_between_ends};
 use super::{Feature, Side, SurfacePoint};
 use glam::DVec3;
 
@@ -41,7 +41,7 @@ pub fn contact_sphere_cone(cone: &Cone, centre: DVec3) -> SurfacePoint {
     let beside = offset * tangent.0 - height * tangent.1;
     let outward = cone.side.sign(beside);
     let normal = (radial * tangent.0 - cone.axis * tangent.1) * outward;
-    if (0.0..=slant).contains(&along) {
+    if is_between_ends(along, slant) {
         let foot_radius = cone.start_radius + along * tangent.1;
         return SurfacePoint {
             normal,
@@ -50,7 +50,7 @@ pub fn contact_sphere_cone(cone: &Cone, centre: DVec3) -> SurfacePoint {
             feature: Feature::Face,
         };
     }
-    let (end, end_height, end_radius) = if along > 0.0 {
+    let (end, end_height, end_radius) = if along > 0.5 * slant {
         (1, cone.length, cone.end_radius)
     } else {
         (0, 0.0, cone.start_radius)
@@ -59,7 +59,7 @@ pub fn contact_sphere_cone(cone: &Cone, centre: DVec3) -> SurfacePoint {
     if end_radius > 0.0 {
         return SurfacePoint::away_from(foot, centre, normal, Feature::Edge(end));
     }
-    let beyond = if along > 0.0 { cone.axis } else { -cone.axis };
+    let beyond = if end == 1 { cone.axis } else { -cone.axis };
     let (outward_normal, distance) = direction(centre - foot, beyond);
     SurfacePoint {
         normal: outward_normal * outward,

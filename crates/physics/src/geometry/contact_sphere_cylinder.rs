@@ -1,6 +1,6 @@
 //! Contact of a sphere and the lateral surface of a finite cylinder with open ends.
 
-use super::surface_point::OffAxis;
+use super::surface_point::{OffAxis, is_between_ends};
 use super::{Feature, Side, SurfacePoint};
 use glam::DVec3;
 
@@ -32,7 +32,7 @@ pub fn contact_sphere_cylinder(cylinder: &Cylinder, centre: DVec3) -> SurfacePoi
     let along = height.clamp(0.0, cylinder.length);
     let foot = cylinder.start + cylinder.axis * along + radial * cylinder.radius;
     let outward = cylinder.side.sign(off_axis - cylinder.radius);
-    if along == height {
+    if is_between_ends(height, cylinder.length) {
         return SurfacePoint {
             normal: radial * outward,
             distance: (off_axis - cylinder.radius) * outward,
@@ -40,7 +40,7 @@ pub fn contact_sphere_cylinder(cylinder: &Cylinder, centre: DVec3) -> SurfacePoi
             feature: Feature::Face,
         };
     }
-    let rim = Feature::Edge(u8::from(height > 0.0));
+    let rim = Feature::Edge(u8::from(height > 0.5 * cylinder.length));
     SurfacePoint::away_from(foot, centre, radial * outward, rim)
 }
 

@@ -1,6 +1,6 @@
 //! Contact of a sphere and a circular plate without thickness.
 
-use super::surface_point::OffAxis;
+use super::surface_point::{AT_END, OffAxis};
 use super::{Feature, SurfacePoint};
 use glam::DVec3;
 
@@ -24,7 +24,7 @@ pub fn contact_sphere_disc(disc: &Disc, centre: DVec3) -> SurfacePoint {
         radial,
     } = OffAxis::new(centre - disc.center, disc.normal);
     let facing = if height < 0.0 { -disc.normal } else { disc.normal };
-    if off_axis <= disc.radius {
+    if off_axis <= disc.radius * (1.0 - AT_END) {
         return SurfacePoint {
             normal: facing,
             distance: height.abs(),

@@ -1,5 +1,6 @@
 //! Contact of a sphere and a rectangular plate without thickness.
 
+use super::surface_point::is_between_ends;
 use super::{Feature, SurfacePoint};
 use glam::DVec3;
 
@@ -38,7 +39,8 @@ pub fn contact_sphere_rectangle(plate: &Rectangle, centre: DVec3) -> SurfacePoin
     let height = from_centre.dot(normal);
     let facing = if height < 0.0 { -normal } else { normal };
     let positive = [u8::from(at[0] > 0.0), u8::from(at[1] > 0.0)];
-    let feature = match (held[0] == at[0], held[1] == at[1]) {
+    let within = [0, 1].map(|k| is_between_ends(at[k] + plate.half[k], 2.0 * plate.half[k]));
+    let feature = match (within[0], within[1]) {
         (true, true) => {
             return SurfacePoint {
                 normal: facing,

@@ -14,4 +14,4 @@ pub mod contact_sphere_sphere;
 pub mod contact_sphere_triangle;
 pub mod surface_point;
 
-pub use surface_point::{Feature, Side, SurfacePoint};
+pub use surface_point::{AT_END, Feature, Side, SurfacePoint};

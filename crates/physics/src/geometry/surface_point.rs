@@ -67,6 +67,17 @@ impl SurfacePoint {
     }
 }
 
+/// What is nearer to an end than this share of the whole is at the end: rounding leaves no place that lies in the faces of two surfaces
+/// of which one begins where the other ends.
+pub const AT_END: f64 = 1e-12;
+
+/// Whether a coordinate lies between 0 and a length, and not at its ends.
+#[inline(always)]
+pub(crate) fn is_between_ends(along: f64, length: f64) -> bool {
+    let end = AT_END * length;
+    along >= end && along <= length - end
+}
+
 /// The square of a smaller length may vanish.
 pub(crate) const LEAST_LENGTH: f64 = 1e-140;
 

@@ -189,6 +189,7 @@ impl Mesh {
             normal: point.normal,
             distance: point.distance,
             element: self.topology.patch(point.triangle),
+            is_at_edge: false,
         };
         let junction = match point.feature {
             Feature::Face => return Some(contact),
@@ -205,6 +206,7 @@ impl Mesh {
             contact.distance = height.abs();
         } else {
             contact.element = junction.key;
+            contact.is_at_edge = true;
         }
         Some(contact)
     }
@@ -249,6 +251,7 @@ fn join(
             normal: out.way / depth,
             distance: radius - depth,
             element,
+            is_at_edge: false,
         };
     }
 }

@@ -77,6 +77,7 @@ fn by_the_rule(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
             element: junction
                 .filter(|_| !on_face)
                 .map_or(mesh.topology.patch(triangle), |at| at.key),
+            is_at_edge: !on_face,
         });
     }
     found.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.element.cmp(&b.element)));
@@ -101,6 +102,7 @@ fn by_the_rule(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
                 normal: way.normalize(),
                 distance: reach - way.length(),
                 element: holding.into_iter().map(|k| all[k].element).min().unwrap(),
+                is_at_edge: false,
             };
         }
     }
