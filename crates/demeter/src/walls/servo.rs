@@ -5,6 +5,11 @@
 //! bed's stiffness it cannot excite it, and it rests only where `f = F`: there is no steady error. `D` starts at
 //! `F / max_speed`, so that an unloaded plate approaches at the largest speed.
 //!
+//! A bed that goes away, as another wall drives it, would be followed with the error `D v`. So the plate is borne by a carriage, which
+//! takes on the plate's speed over a time `T`: `v = (F - f)/D + u`, `du/dt = (F - f)/(D T)`, as if the brake joined it to a mass `D T`.
+//! That takes only energy, too. On a bed of stiffness `k` it does not overshoot for `T > 4 D/k`; of `k` it is known that `f` built up over
+//! the way since the plate touched.
+//!
 //! What can still make it oscillate is that the force is one step old. A loop that is too fast for that overshoots the
 //! target again after less than [`HASTE`] steps; then `D` doubles. When a pressing plate has closed less than a tenth of
 //! the error in [`PATIENCE`] steps, `D` halves, down to a share of its start, so that a brake that was once needed never
@@ -16,6 +21,9 @@ use serde::{Deserialize, Serialize};
 const HASTE: u32 = 8;
 /// Steps of slow approach before the brake is loosened.
 const PATIENCE: u32 = 100;
+/// Least time in which the carriage takes on the plate's speed, in steps: four times that in which an error falls where it is closed by a
+/// tenth in [`PATIENCE`] steps.
+const LEAST_CARRY: f64 = 4000.0;
 /// Largest and smallest brake, as multiples of its start.
 const STRONGEST: f64 = 1e12;
 const WEAKEST: f64 = 1.0 / 32.0;
@@ -27,6 +35,9 @@ pub(crate) struct Servo {
     max_speed: f64,
     /// `D` as a multiple of `F / max_speed`.
     brake: f64,
+    /// Speed of the carriage, and the way of the plate since it touched the bed in one step each, as multiples of `max_speed`.
+    carried: f64,
+    way: f64,
     /// Whether the wall pressed too little in the last step.
     wanting: bool,
     since_crossing: u32,
@@ -40,6 +51,8 @@ impl Servo {
             target,
             max_speed,
             brake: 1.0,
+            carried: 0.0,
+            way: 0.0,
             wanting: true,
             since_crossing: u32::MAX,
             since_review: 0,
@@ -51,7 +64,19 @@ impl Servo {
     pub(crate) fn speed(&mut self, pressing: f64) -> f64 {
         let error = self.target - pressing;
         self.review(error);
-        (self.max_speed * (error / (self.target * self.brake))).clamp(-self.max_speed, self.max_speed)
+        let slip = error / (self.target * self.brake);
+        let speed = (slip + self.carried).clamp(-1.0, 1.0);
+        if pressing > 0.0 {
+            self.way += speed;
+            let carry = (4.0 * self.brake * self.way.abs() * (self.target / pressing)).max(LEAST_CARRY);
+            // at its largest speed the plate does not follow, whatever the carriage does
+            if speed.abs() < 1.0 {
+                self.carried += slip / carry;
+            }
+        } else {
+            (self.carried, self.way) = (0.0, 0.0);
+        }
+        self.max_speed * speed
     }
 
     fn review(&mut self, error: f64) {
@@ -90,6 +115,8 @@ mod tests {
         mass: f64,
         contact: f64,
         contact_damping: f64,
+        /// Speed of the floor away from the plate.
+        sinks: f64,
     }
 
     struct Outcome {
@@ -101,7 +128,7 @@ mod tests {
 
     fn press(bed: &Bed, target: f64, max_speed: f64, dt: f64, steps: u32) -> Outcome {
         let mut servo = Servo::new(target, max_speed);
-        let (mut plate, mut x, mut v) = (-1e-3, 0.0, 0.0);
+        let (mut plate, mut x, mut v, mut floor) = (-1e-3, 0.0, 0.0, 0.0);
         let mut out = Outcome {
             force: 0.0,
             ripple: 0.0,
@@ -118,8 +145,9 @@ mod tests {
                 0.0
             };
             out.force = out.force.max(0.0);
-            v += (out.force - bed.stiffness * x - bed.damping * v) / bed.mass * dt;
+            v += (out.force - bed.stiffness * (x - floor) - bed.damping * (v - bed.sinks)) / bed.mass * dt;
             x += v * dt;
+            floor += bed.sinks * dt;
             out.largest = out.largest.max(out.force);
             if step > steps / 10 * 9 {
                 out.ripple = out.ripple.max((out.force - target).abs() / target);
@@ -148,6 +176,7 @@ mod tests {
                         mass,
                         contact,
                         contact_damping,
+                        sinks: 0.0,
                     };
                     let dt = safe_step(&bed);
                     // At full speed the force of the contact rises by this share of the target in one step.
@@ -175,6 +204,7 @@ mod tests {
             mass: 0.1,
             contact: 1e6,
             contact_damping: 100.0,
+            sinks: 0.0,
         };
         let dt = safe_step(&bed);
         // In one step at full speed the force rises by a hundred times the target.
@@ -190,10 +220,39 @@ mod tests {
             mass: 0.1,
             contact: 1e5,
             contact_damping: 40.0,
+            sinks: 0.0,
         };
         let dt = safe_step(&bed);
         let out = press(&bed, 10.0, 1e-3 * 10.0 / (bed.contact * dt), dt, 200_000);
         assert!(out.largest < 10.0 * 1.02, "{}", out.largest);
         assert!((out.force - 10.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn follows_a_bed_that_moves_away_or_comes() {
+        for stiffness in [1e3f64, 1e5] {
+            for (fraction, share) in [(1e-3, 0.5), (1e-2, -0.5), (1e-2, 0.9), (0.1, 0.2), (1.0, -0.05)] {
+                let (contact, mass) = (10.0 * stiffness, 0.1f64);
+                let mut bed = Bed {
+                    stiffness,
+                    damping: 0.3 * 2.0 * (stiffness * mass).sqrt(),
+                    mass,
+                    contact,
+                    contact_damping: 0.3 * 2.0 * (contact * mass).sqrt(),
+                    sinks: 0.0,
+                };
+                let dt = safe_step(&bed);
+                let max_speed = fraction * 10.0 / (contact * dt);
+                bed.sinks = share * max_speed;
+                let travel = 1e-3 + 10.0 / stiffness + 10.0 / contact;
+                let steps = (2.0 * travel / ((1.0 - share) * max_speed * dt) + 2e5) as u32;
+                let out = press(&bed, 10.0, max_speed, dt, steps);
+                assert!(
+                    out.ripple < 2e-3,
+                    "k {stiffness} speed {fraction} sinks {share}: {}",
+                    out.ripple
+                );
+            }
+        }
     }
 }
