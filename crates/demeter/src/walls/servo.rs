@@ -8,7 +8,7 @@
 //! A bed that goes away, as another wall drives it, would be followed with the error `D v`. So the plate is borne by a carriage, which
 //! takes on the plate's speed over a time `T`: `v = (F - f)/D + u`, `du/dt = (F - f)/(D T)`, as if the brake joined it to a mass `D T`.
 //! That takes only energy, too. On a bed of stiffness `k` it does not overshoot for `T > 4 D/k`; of `k` it is known that `f` built up over
-//! the way since the plate touched.
+//! the way since the plate touched. In a bed that yields that way only grows: `T` is a quarter of the time since then at most.
 //!
 //! What can still make it oscillate is that the force is one step old. A loop that is too fast for that overshoots the
 //! target again after less than [`HASTE`] steps; then `D` doubles. When a pressing plate has closed less than a tenth of
@@ -38,6 +38,10 @@ pub(crate) struct Servo {
     /// Speed of the carriage, and the way of the plate since it touched the bed in one step each, as multiples of `max_speed`.
     carried: f64,
     way: f64,
+    /// Steps in touch with the bed.
+    touching: f64,
+    /// Steps since it touched the bed last, at most [`PATIENCE`].
+    apart: u32,
     /// Whether the wall pressed too little in the last step.
     wanting: bool,
     since_crossing: u32,
@@ -53,6 +57,8 @@ impl Servo {
             brake: 1.0,
             carried: 0.0,
             way: 0.0,
+            touching: 0.0,
+            apart: 0,
             wanting: true,
             since_crossing: u32::MAX,
             since_review: 0,
@@ -67,14 +73,19 @@ impl Servo {
         let slip = error / (self.target * self.brake);
         let speed = (slip + self.carried).clamp(-1.0, 1.0);
         if pressing > 0.0 {
+            self.apart = 0;
             self.way += speed;
-            let carry = (4.0 * self.brake * self.way.abs() * (self.target / pressing)).max(LEAST_CARRY);
+            self.touching += 1.0;
+            let stiffness = pressing / self.way.abs();
+            let carry = (4.0 * self.brake * (self.target / stiffness)).min(0.25 * self.touching);
             // at its largest speed the plate does not follow, whatever the carriage does
             if speed.abs() < 1.0 {
-                self.carried += slip / carry;
+                self.carried += slip / carry.max(LEAST_CARRY);
             }
+        } else if self.apart < PATIENCE {
+            self.apart += 1;
         } else {
-            (self.carried, self.way) = (0.0, 0.0);
+            (self.carried, self.way, self.touching) = (0.0, 0.0, 0.0);
         }
         self.max_speed * speed
     }
@@ -117,6 +128,8 @@ mod tests {
         contact_damping: f64,
         /// Speed of the floor away from the plate.
         sinks: f64,
+        /// Speed with which it yields, per force on it.
+        yields: f64,
     }
 
     struct Outcome {
@@ -145,9 +158,10 @@ mod tests {
                 0.0
             };
             out.force = out.force.max(0.0);
-            v += (out.force - bed.stiffness * (x - floor) - bed.damping * (v - bed.sinks)) / bed.mass * dt;
+            let sinks = bed.sinks + bed.yields * bed.stiffness * (x - floor);
+            v += (out.force - bed.stiffness * (x - floor) - bed.damping * (v - sinks)) / bed.mass * dt;
             x += v * dt;
-            floor += bed.sinks * dt;
+            floor += sinks * dt;
             out.largest = out.largest.max(out.force);
             if step > steps / 10 * 9 {
                 out.ripple = out.ripple.max((out.force - target).abs() / target);
@@ -177,6 +191,7 @@ mod tests {
                         contact,
                         contact_damping,
                         sinks: 0.0,
+                        yields: 0.0,
                     };
                     let dt = safe_step(&bed);
                     // At full speed the force of the contact rises by this share of the target in one step.
@@ -205,6 +220,7 @@ mod tests {
             contact: 1e6,
             contact_damping: 100.0,
             sinks: 0.0,
+            yields: 0.0,
         };
         let dt = safe_step(&bed);
         // In one step at full speed the force rises by a hundred times the target.
@@ -221,6 +237,7 @@ mod tests {
             contact: 1e5,
             contact_damping: 40.0,
             sinks: 0.0,
+            yields: 0.0,
         };
         let dt = safe_step(&bed);
         let out = press(&bed, 10.0, 1e-3 * 10.0 / (bed.contact * dt), dt, 200_000);
@@ -228,30 +245,50 @@ mod tests {
         assert!((out.force - 10.0).abs() < 1e-3);
     }
 
+    /// A bed of some stiffness, and a time step that is safe for it.
+    fn bed_and_step(stiffness: f64) -> (Bed, f64) {
+        let (contact, mass) = (10.0 * stiffness, 0.1f64);
+        let bed = Bed {
+            stiffness,
+            damping: 0.3 * 2.0 * (stiffness * mass).sqrt(),
+            mass,
+            contact,
+            contact_damping: 0.3 * 2.0 * (contact * mass).sqrt(),
+            sinks: 0.0,
+            yields: 0.0,
+        };
+        let dt = safe_step(&bed);
+        (bed, dt)
+    }
+
     #[test]
     fn follows_a_bed_that_moves_away_or_comes() {
         for stiffness in [1e3f64, 1e5] {
             for (fraction, share) in [(1e-3, 0.5), (1e-2, -0.5), (1e-2, 0.9), (0.1, 0.2), (1.0, -0.05)] {
-                let (contact, mass) = (10.0 * stiffness, 0.1f64);
-                let mut bed = Bed {
-                    stiffness,
-                    damping: 0.3 * 2.0 * (stiffness * mass).sqrt(),
-                    mass,
-                    contact,
-                    contact_damping: 0.3 * 2.0 * (contact * mass).sqrt(),
-                    sinks: 0.0,
-                };
-                let dt = safe_step(&bed);
-                let max_speed = fraction * 10.0 / (contact * dt);
+                let (mut bed, dt) = bed_and_step(stiffness);
+                let max_speed = fraction * 10.0 / (bed.contact * dt);
                 bed.sinks = share * max_speed;
-                let travel = 1e-3 + 10.0 / stiffness + 10.0 / contact;
+                let travel = 1e-3 + 10.0 / stiffness + 10.0 / bed.contact;
                 let steps = (2.0 * travel / ((1.0 - share) * max_speed * dt) + 2e5) as u32;
                 let out = press(&bed, 10.0, max_speed, dt, steps);
-                assert!(
-                    out.ripple < 2e-3,
-                    "k {stiffness} speed {fraction} sinks {share}: {}",
-                    out.ripple
-                );
+                let label = format!("k {stiffness} speed {fraction} sinks {share}: {}", out.ripple);
+                assert!(out.ripple < 2e-3, "{label}");
+            }
+        }
+    }
+
+    #[test]
+    fn presses_as_told_on_a_bed_that_yields() {
+        for stiffness in [1e3f64, 1e5] {
+            for (fraction, share) in [(1e-3, 0.5), (1e-2, 0.1), (0.1, 0.2), (1.0, 0.1)] {
+                let (mut bed, dt) = bed_and_step(stiffness);
+                let max_speed = fraction * 10.0 / (bed.contact * dt);
+                bed.yields = share * max_speed / 10.0;
+                let travel = 1e-3 + 10.0 / stiffness + 10.0 / bed.contact;
+                let steps = (2.0 * travel / ((1.0 - share) * max_speed * dt) + 2e5) as u32;
+                let out = press(&bed, 10.0, max_speed, dt, steps);
+                let label = format!("k {stiffness} speed {fraction} yields {share}: {}", out.ripple);
+                assert!(out.ripple < 2e-3, "{label}");
             }
         }
     }
