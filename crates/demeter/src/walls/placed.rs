@@ -42,12 +42,14 @@ impl PlacedPart {
         };
         match surface {
             Surface::Plane(plane) => Some(Self::Plane(placed(plane), (DVec3::NEG_INFINITY, DVec3::INFINITY))),
-            Surface::Box { faces, reach, .. } if pose.is_unrotated() => {
+            Surface::Box {
+                faces, reach, margin, ..
+            } if pose.is_unrotated() => {
                 let (_, plane) = faces.iter().find(|(face, _)| *face == element)?;
                 let (from, to) = *reach;
                 Some(Self::Plane(
                     placed(plane),
-                    (from + pose.translation, to + pose.translation),
+                    (from + *margin + pose.translation, to - *margin + pose.translation),
                 ))
             }
             Surface::Cylinder(cylinder) => {

@@ -18,12 +18,13 @@ use glam::DVec3;
 #[derive(Clone, Debug)]
 pub(super) enum Surface {
     Plane(Plane),
-    /// Faces of a box with their numbers, its corners, and between which places its faces reach.
+    /// Faces of a box with their numbers, its corners, between which places its faces reach, and how near to these they end.
     Box {
         faces: Vec<(u32, Plane)>,
         lower: DVec3,
         upper: DVec3,
         reach: (DVec3, DVec3),
+        margin: DVec3,
     },
     Cylinder(Cylinder),
     Cone(Cone),
@@ -99,9 +100,14 @@ impl Surface {
         let reach = radius + beyond;
         match self {
             Surface::Mesh(mesh) => mesh.contacts(centre, (radius, beyond), out),
-            Surface::Box { faces, reach: ends, .. } => {
+            Surface::Box {
+                faces,
+                reach: ends,
+                margin,
+                ..
+            } => {
                 for (element, plane) in faces {
-                    push(contact_box_face(plane, *ends, centre), *element, reach, out);
+                    push(contact_box_face(plane, (*ends, *margin), centre), *element, reach, out);
                 }
             }
             single => {
@@ -119,9 +125,14 @@ impl Surface {
     pub(super) fn parts_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
         match self {
             Surface::Mesh(mesh) => mesh.triangles_near(centre, reach, out),
-            Surface::Box { faces, reach: ends, .. } => {
+            Surface::Box {
+                faces,
+                reach: ends,
+                margin,
+                ..
+            } => {
                 for (face, plane) in faces {
-                    if contact_box_face(plane, *ends, centre).distance < reach {
+                    if contact_box_face(plane, (*ends, *margin), centre).distance < reach {
                         out.push(*face);
                     }
                 }
@@ -136,9 +147,14 @@ impl Surface {
     pub(super) fn contact_with(&self, element: u32, centre: DVec3, reach: f64) -> Option<SurfaceContact> {
         let mut point = match self {
             Surface::Mesh(_) => return None,
-            Surface::Box { faces, reach: ends, .. } => {
+            Surface::Box {
+                faces,
+                reach: ends,
+                margin,
+                ..
+            } => {
                 let (_, plane) = faces.iter().find(|(face, _)| *face == element)?;
-                contact_box_face(plane, *ends, centre)
+                contact_box_face(plane, (*ends, *margin), centre)
             }
             single => single.closest(centre)?,
         };
@@ -167,9 +183,14 @@ impl Surface {
     pub(super) fn near(&self, centre: DVec3, reach: f64) -> bool {
         match self {
             Surface::Mesh(mesh) => mesh.near(centre, reach),
-            Surface::Box { faces, reach: ends, .. } => faces
+            Surface::Box {
+                faces,
+                reach: ends,
+                margin,
+                ..
+            } => faces
                 .iter()
-                .any(|(_, plane)| contact_box_face(plane, *ends, centre).distance <= reach),
+                .any(|(_, plane)| contact_box_face(plane, (*ends, *margin), centre).distance <= reach),
             single => {
                 let within = |point: SurfacePoint| point.distance <= reach && !single.is_left_behind(&point, reach);
                 single.closest(centre).is_some_and(within)
@@ -183,10 +204,12 @@ impl Surface {
         let found = match self {
             Surface::Mesh(_) if limit <= 0.0 => return limit,
             Surface::Mesh(mesh) => mesh.distance(point, limit),
-            Surface::Box { faces, reach, .. } => {
+            Surface::Box {
+                faces, reach, margin, ..
+            } => {
                 let distances = faces
                     .iter()
-                    .map(|(_, plane)| contact_box_face(plane, *reach, point).distance);
+                    .map(|(_, plane)| contact_box_face(plane, (*reach, *margin), point).distance);
                 distances.fold(limit, f64::min)
             }
             single => single.closest(point).map_or(limit, |closest| match single {
@@ -243,14 +266,14 @@ fn push(point: SurfacePoint, element: u32, reach: f64, out: &mut Vec<SurfaceCont
 }
 
 /// Closest point of a face of a box. It goes on beyond closed faces, where no grain gets, so that a grain that has crossed an edge
-/// is pushed back by both; beyond an open face its rim is an edge that pushes straight away.
+/// is pushed back by both; beyond an open face, and a margin before it, its rim is an edge that pushes straight away.
 #[inline]
-fn contact_box_face(plane: &Plane, (from, to): (DVec3, DVec3), centre: DVec3) -> SurfacePoint {
+fn contact_box_face(plane: &Plane, ((from, to), margin): ((DVec3, DVec3), DVec3), centre: DVec3) -> SurfacePoint {
     let on_plane = contact_sphere_plane(plane, centre);
-    let foot = on_plane.foot.clamp(from, to);
-    if foot == on_plane.foot {
+    if on_plane.foot.cmpge(from + margin).all() && on_plane.foot.cmple(to - margin).all() {
         return on_plane;
     }
+    let foot = on_plane.foot.clamp(from, to);
     SurfacePoint::away_from(foot, centre, plane.normal, Feature::Edge(0))
 }
 
@@ -277,7 +300,6 @@ fn box_surface(lower: DVec3, upper: DVec3, open: [bool; 6]) -> Result<Surface, W
     if faces.is_empty() {
         return Err(WallError::NoFace);
     }
-    let margin = (upper - lower) * AT_END;
     let end = |side: usize, corner: DVec3, beyond: f64| {
         DVec3::from_array([0, 1, 2].map(|k| if open[2 * k + side] { corner[k] } else { beyond }))
     };
@@ -285,10 +307,8 @@ fn box_surface(lower: DVec3, upper: DVec3, open: [bool; 6]) -> Result<Surface, W
         faces,
         lower,
         upper,
-        reach: (
-            end(0, lower + margin, f64::NEG_INFINITY),
-            end(1, upper - margin, f64::INFINITY),
-        ),
+        reach: (end(0, lower, f64::NEG_INFINITY), end(1, upper, f64::INFINITY)),
+        margin: (upper - lower) * AT_END,
     })
 }
 
