@@ -15,6 +15,7 @@
 //! The intensity of segregation is `S^2/S_0^2` (P. V. Danckwerts, Appl. Sci. Res. A 3 (1952) 279), the relative standard deviation
 //! `S/p`. Both count chance as segregation: they fall with the number of grains in a cell.
 
+use super::images::{Corners, Periods, around_cylinder};
 use super::told_first::each_in_order;
 use super::{Selection, ToldColumn, Value};
 use crate::particles::Origins;
@@ -47,6 +48,14 @@ pub enum MixingSpace {
 }
 
 impl MixingSpace {
+    /// A box around it.
+    fn bounds(&self) -> Corners {
+        match *self {
+            Self::Box { lower, upper } => (lower, upper),
+            Self::Cylinder { start, end, radius } => around_cylinder(start, end, radius),
+        }
+    }
+
     /// Where a point lies, each coordinate as a share from 0 to 1 of the way through the cells; nothing outside.
     fn shares(&self, place: DVec3) -> Option<[f64; 3]> {
         match *self {
@@ -107,15 +116,25 @@ impl Mixing {
         MIXING_COLUMNS.iter().map(|c| c.title(name)).collect()
     }
 
-    /// Its values now, in the order of [`MIXING_COLUMNS`].
+    /// Its values now, in the order of [`MIXING_COLUMNS`]; across periodic sides every image counts that lies in the space.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Value> {
         let grains = &sim.grains;
         let mut counts = self.empty_cells();
-        let tell = |g: usize| {
-            let cell = self.cell_of(sim.comm.wrapped(grains.position[g]))?;
-            Some((cell as u32, self.selection.holds(grains, origins, g)))
+        let (periods, bounds) = (Periods::of(sim), self.space.bounds());
+        let each_cell = |place: DVec3, visit: &mut dyn FnMut(usize)| {
+            periods.each_image((place, place), bounds, &mut |shift, _| {
+                self.cell_of(place + shift).into_iter().for_each(&mut *visit);
+            });
         };
-        each_in_order(sim, tell, |(cell, is_kind)| count(&mut counts[cell as usize], is_kind));
+        let tell = |g: usize| {
+            let place = sim.comm.wrapped(grains.position[g]);
+            let mut is_in = false;
+            each_cell(place, &mut |_| is_in = true);
+            is_in.then(|| (place, self.selection.holds(grains, origins, g)))
+        };
+        each_in_order(sim, tell, |(place, is_kind)| {
+            each_cell(place, &mut |cell| count(&mut counts[cell], is_kind));
+        });
         let told = Mixedness::of(&counts);
         vec![
             Value::Number(told.lacey),

@@ -16,6 +16,7 @@ mod fabric;
 mod field;
 mod flow;
 mod forces;
+mod images;
 mod mixing;
 mod neighbour_mixing;
 mod network;

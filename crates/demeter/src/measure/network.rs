@@ -1,5 +1,6 @@
 //! The network of contacts: how many, how strong, how long, how densely packed.
 
+use super::images::{Periods, around};
 use super::told_first::{Acting, each, each_in_order, own_pairs, own_with_walls};
 use super::{all_bounds, sphere_in_box};
 use crate::simulation::Simulation;
@@ -112,22 +113,15 @@ impl ContactNetwork {
         if sim.grains.is_empty() || size.min_element() <= 0.0 {
             return f64::NAN;
         }
-        let domain = sim.domain();
-        // a grain that reaches across a periodic face is in the core there with a part of its image
-        let images: [&[f64]; 3] = domain.periodic.map(|p| if p { &[-1.0, 0.0, 1.0][..] } else { &[0.0] });
-        let period = domain.size();
-        // not a product: an open direction may be of infinite length
-        let shift = |k: usize, boxes: f64| if boxes == 0.0 { 0.0 } else { boxes * period[k] };
-        let shifts = itertools::iproduct!(images[0], images[1], images[2]);
-        let shifts: Vec<DVec3> = shifts
-            .map(|(&x, &y, &z)| DVec3::new(shift(0, x), shift(1, y), shift(2, z)))
-            .collect();
+        // a grain that reaches across a periodic side is in the core there with a part of its image
+        let periods = Periods::of(sim);
         let parts = sim.own_grains().flat_map(|g| {
             let (centre, radius) = (sim.grains.position[g], sim.grains.radius(g));
-            let parts = shifts
-                .iter()
-                .map(move |shift| sphere_in_box(centre + *shift, radius, lower, upper));
-            parts.filter(|part| *part != 0.0)
+            let mut parts = Vec::new();
+            periods.each_image(around(centre, radius), (lower, upper), &mut |shift, _| {
+                parts.push(sphere_in_box(centre + shift, radius, lower, upper));
+            });
+            parts.into_iter().filter(|part| *part != 0.0)
         });
         let mut solid = 0.0;
         each(sim, parts, |part| solid += part);

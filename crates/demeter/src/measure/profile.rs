@@ -1,5 +1,6 @@
 //! Profiles along an axis: packing fraction and velocity in slices of a box.
 
+use super::images::{Periods, around};
 use super::told_first::each_grain;
 use super::{Selection, sphere_in_box};
 use crate::particles::Origins;
@@ -73,7 +74,8 @@ impl Profile {
         (centre + radius).cmpge(self.lower).all() && (centre - radius).cmple(self.upper).all()
     }
 
-    /// Measures all slices. Grains are summed up in the order of their ids.
+    /// Measures all slices; across periodic sides every image counts that lies in the box, or reaches into it. Grains are summed up in the
+    /// order of their ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Slice> {
         let grains = &sim.grains;
         let last = i64::from(self.slices) - 1;
@@ -82,13 +84,28 @@ impl Profile {
         let mut squares = vec![0.0; slices.len()];
         let centre = |g: usize| sim.comm.wrapped(grains.position[g]);
         let counts = |g: usize| self.selection.holds(grains, origins, g);
-        let is_in =
-            |g: usize| self.slice_with(centre(g)).is_some() || counts(g) && self.meets(centre(g), grains.radius(g));
+        let periods = Periods::of(sim);
+        let each_image = |(centre, radius): (DVec3, f64), visit: &mut dyn FnMut(DVec3, DVec3)| {
+            periods.each_image(
+                around(centre, radius),
+                (self.lower, self.upper),
+                &mut |shift, velocity| {
+                    if self.meets(centre + shift, radius) {
+                        visit(centre + shift, velocity);
+                    }
+                },
+            );
+        };
+        let is_in = |g: usize| {
+            let mut is_in = false;
+            each_image((centre(g), grains.radius(g)), &mut |_, _| is_in = true);
+            is_in
+        };
         let tell = |g: usize| {
             let ball = (centre(g), grains.radius(g));
             (ball, grains.mass(g), counts(g).then_some(grains.velocity[g]))
         };
-        each_grain(sim, is_in, tell, |_, ((centre, radius), mass, velocity)| {
+        let mut add = |((centre, radius), mass, velocity): ((DVec3, f64), f64, Option<DVec3>)| {
             let slice = self.slice_with(centre);
             if let Some(k) = slice {
                 whole[k] += mass;
@@ -105,6 +122,11 @@ impl Profile {
                 slices[k].velocity += velocity * mass;
                 squares[k] += velocity.length_squared() * mass;
             }
+        };
+        each_grain(sim, is_in, tell, |_, (ball, mass, velocity)| {
+            each_image(ball, &mut |centre, faster| {
+                add(((centre, ball.1), mass, velocity.map(|velocity| velocity + faster)));
+            });
         });
         for (k, (slice, squares)) in slices.iter_mut().zip(squares).enumerate() {
             let (lower, upper) = self.corners(k as u32);

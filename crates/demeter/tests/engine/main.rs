@@ -21,4 +21,5 @@ mod report;
 mod restart;
 mod scenarios;
 mod shared_runs;
+mod slices;
 mod work_counters;

@@ -1,12 +1,11 @@
 //! What is spread over a grid, and how: some layers of cells are one task, which takes all that reaches it in a fixed order.
 
 use super::kernel::KernelIn;
+use crate::measure::images::Periods;
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// Most periods that an image is looked for beyond the box of the grid.
-const MOST_PERIODS: f64 = 100.0;
 /// Most tasks.
 const MOST_BLOCKS: usize = 64;
 /// A branch shorter than this share of the reach of the kernel, seen along the averaged directions, is a point.
@@ -69,13 +68,6 @@ impl Load {
             }
         }
     }
-}
-
-/// How the world repeats itself: what leads to the next image along each direction [m], and how fast that changes [m/s].
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Periods {
-    pub edges: [Option<DVec3>; 3],
-    pub velocities: [DVec3; 3],
 }
 
 /// A force along a branch.
@@ -231,28 +223,12 @@ impl Grid {
 
     /// Shifts to the images of a box that come within reach of the grid, and their velocities.
     fn images(&self, low: DVec3, high: DVec3, reach: f64, periods: &Periods) -> Vec<(DVec3, DVec3)> {
-        let fine = self.fine();
-        let mut images = vec![(DVec3::ZERO, DVec3::ZERO)];
-        // an edge that is not along its axis moves images along others, so it comes first
-        let is_oblique = |axis: &usize| periods.edges[*axis].is_some_and(|edge| edge[*axis].abs() < edge.length());
-        let oblique = (0..3).filter(is_oblique);
-        let order = oblique.chain((0..3).filter(|axis| !is_oblique(axis)));
-        for axis in order {
-            let Some(edge) = periods.edges[axis] else { continue };
-            let reach = if fine[axis] { reach } else { 0.0 };
-            let mut next = Vec::new();
-            for (shift, velocity) in images {
-                let (low, high) = (low[axis] + shift[axis], high[axis] + shift[axis]);
-                let first = ((self.lower[axis] - reach - high) / edge[axis]).ceil();
-                let last = ((self.upper[axis] + reach - low) / edge[axis]).floor();
-                let mut n = first.max(-MOST_PERIODS);
-                while n <= last.min(MOST_PERIODS) {
-                    next.push((shift + edge * n, velocity + periods.velocities[axis] * n));
-                    n += 1.0;
-                }
-            }
-            images = next;
-        }
+        let reach = DVec3::from_array(self.fine().map(|fine| if fine { reach } else { 0.0 }));
+        let mut images = Vec::new();
+        let within = (self.lower - reach, self.upper + reach);
+        periods.each_image((low, high), within, &mut |shift, velocity| {
+            images.push((shift, velocity))
+        });
         images
     }
 

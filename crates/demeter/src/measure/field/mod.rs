@@ -31,13 +31,12 @@ mod kernel;
 pub use deposit::SUMS;
 pub use kernel::{Kernel, KernelIn, KernelShape, LARGEST_CUT, LEAST_CUT};
 
+use super::images::Periods;
 use super::told_first::{Acting, counting, each_contact, each_in_order};
 use super::{Selection, contact_counts, holds};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
-use deposit::{
-    Branch, CONTACTS, FLUX, Grid, Load, MASS, MOMENTUM, NUMBER, Periods, Point, SOLID, STRESS, Spread, TRACTION,
-};
+use deposit::{Branch, CONTACTS, FLUX, Grid, Load, MASS, MOMENTUM, NUMBER, Point, SOLID, STRESS, Spread, TRACTION};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -161,7 +160,7 @@ impl Field {
         let is_first = sim.together().is_first();
         let mut sampling = Sampling {
             spread: Spread {
-                periods: periods(sim),
+                periods: Periods::of(sim),
                 ..Spread::default()
             },
             kernel: self.kernel.in_dimensions(grid.dimensions()),
@@ -318,14 +317,6 @@ impl Sampling {
 /// What leads to the next image along a periodic direction [m].
 pub(super) fn period(sim: &Simulation, axis: usize) -> Option<DVec3> {
     sim.domain().periodic[axis].then(|| sim.comm.edge(axis))
-}
-
-/// How the world of a simulation repeats itself.
-fn periods(sim: &Simulation) -> Periods {
-    Periods {
-        edges: [0, 1, 2].map(|axis| period(sim, axis)),
-        velocities: [0, 1, 2].map(|axis| sim.comm.edge_velocity(axis)),
-    }
 }
 
 #[cfg(test)]
