@@ -3,6 +3,7 @@
 use super::contacts_at::{ContactAt, ContactsAt};
 use crate::output::WallSurface;
 use crate::simulation::Simulation;
+use crate::walls::ElementRecord;
 use glam::DVec3;
 
 /// The contacts of [`ContactsAt`], column by column.
@@ -64,10 +65,7 @@ pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
         let velocity = wall.velocity_at(wall.origin());
         let triangles = wall.triangles(lower, upper);
         let records = wall.element_records();
-        let of_triangles = || {
-            let elements = wall.elements_drawn(triangles.len());
-            elements.iter().filter_map(|e| records.get(*e).copied()).collect()
-        };
+        let of_triangles = || shared_out(&triangles, &wall.elements_drawn(triangles.len()), &records);
         WallSurface {
             name: &wall.name,
             records: wall.is_recorded().then(of_triangles),
@@ -78,6 +76,31 @@ pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
         }
     });
     walls.chain(sim.deforms().then(|| box_surface(sim))).collect()
+}
+
+/// What was recorded on elements, shared out over the triangles that draw each by their areas, so that what adds up over a wall does.
+fn shared_out(triangles: &[[DVec3; 3]], elements: &[usize], records: &[ElementRecord]) -> Vec<ElementRecord> {
+    let area = |[a, b, c]: &[DVec3; 3]| (*b - *a).cross(*c - *a).length();
+    let mut whole = vec![0.0; records.len()];
+    for (triangle, &element) in triangles.iter().zip(elements) {
+        if let Some(whole) = whole.get_mut(element) {
+            *whole += area(triangle);
+        }
+    }
+    let drawn = triangles.iter().zip(elements);
+    drawn
+        .filter_map(|(triangle, &element)| {
+            let record = records.get(element)?;
+            let part = area(triangle);
+            // one that is drawn by a single triangle keeps its bits
+            let share = if part == whole[element] {
+                1.0
+            } else {
+                part / whole[element]
+            };
+            Some(record.shared(share))
+        })
+        .collect()
 }
 
 /// The sides of a periodic box.

@@ -102,6 +102,19 @@ pub struct ElementRecord {
     pub wear_depth: f64,
 }
 
+impl ElementRecord {
+    /// What of it lies on a share of the area.
+    pub(crate) fn shared(&self, share: f64) -> Self {
+        ElementRecord {
+            force: self.force * share,
+            impact_energy: self.impact_energy * share,
+            sliding_energy: self.sliding_energy * share,
+            worn_volume: self.worn_volume * share,
+            ..*self
+        }
+    }
+}
+
 impl Record {
     pub(super) fn new(recording: Recording, elements: usize) -> Self {
         Self {

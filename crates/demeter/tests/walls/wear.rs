@@ -4,8 +4,9 @@ use crate::cases;
 
 use crate::cases::{Case, G, Laws, hertz_overlap, law, mass, on_threads, one_material};
 use demeter::contacts::Coupling;
+use demeter::measure::wall_surfaces;
 use demeter::simulation::Simulation;
-use demeter::walls::{Motion, Recording, Shape, WearCoefficients};
+use demeter::walls::{ElementRecord, Motion, Recording, Shape, WearCoefficients};
 use demeter_physics::DVec3;
 use demeter_physics::integrator::Integrator;
 
@@ -145,6 +146,19 @@ fn what_walls_record_is_what_the_books_lost() {
                 );
                 assert!(e.friction_dissipated > 0.0 && totals[2] > 0.0);
                 assert!(sim.walls.iter().all(|wall| wall.wear()[0] > 0.0));
+                // what is drawn of a wall adds up to it, however many triangles an element has
+                for (wall, drawn) in sim.walls.iter().zip(wall_surfaces(&sim)) {
+                    let records = drawn.records.unwrap();
+                    let sum = |of: fn(&ElementRecord) -> f64| records.iter().map(of).sum::<f64>();
+                    let sums = [
+                        sum(|r| r.impact_energy),
+                        sum(|r| r.sliding_energy),
+                        sum(|r| r.worn_volume),
+                    ];
+                    for (sum, whole) in sums.into_iter().zip(wall.wear()) {
+                        assert!((sum - whole).abs() <= 1e-12 * whole, "{}: {sum} {whole}", wall.name);
+                    }
+                }
             }
         }
     });
