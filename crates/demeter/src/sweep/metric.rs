@@ -12,9 +12,9 @@ pub enum What {
     First,
     /// The last.
     Last,
-    /// The mean over the rows.
+    /// The mean over time: rows follow each other at times that may differ, and the column goes straight from one to the next.
     Mean,
-    /// The standard deviation over the rows.
+    /// The standard deviation over time, likewise.
     Deviation,
     /// The least.
     Min,
@@ -40,22 +40,25 @@ impl What {
             .map_or("", |(name, _)| name)
     }
 
-    /// Of values that are no NaN.
-    fn of(self, values: &[f64]) -> f64 {
-        let count = values.len() as f64;
-        let mean = || values.iter().sum::<f64>() / count;
+    /// Of values that are no NaN, each with the time that it stands for.
+    fn of(self, values: &[(f64, f64)]) -> f64 {
+        let whole: f64 = values.iter().map(|(_, time)| time).sum();
+        let mean = |of: &dyn Fn(f64) -> f64| match whole > 0.0 {
+            true => values.iter().map(|(value, time)| of(*value) * time).sum::<f64>() / whole,
+            false => values.iter().map(|(value, _)| of(*value)).sum::<f64>() / values.len() as f64,
+        };
+        let each = || values.iter().map(|(value, _)| *value);
         match self {
             _ if values.is_empty() => f64::NAN,
-            Self::First => values[0],
-            Self::Last => values[values.len() - 1],
-            Self::Mean => mean(),
+            Self::First => values[0].0,
+            Self::Last => values[values.len() - 1].0,
+            Self::Mean => mean(&|value| value),
             Self::Deviation => {
-                let mean = mean();
-                let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-                (squares / count).sqrt()
+                let middle = mean(&|value| value);
+                mean(&|value| (value - middle).powi(2)).sqrt()
             }
-            Self::Min => values.iter().copied().fold(f64::INFINITY, f64::min),
-            Self::Max => values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            Self::Min => each().fold(f64::INFINITY, f64::min),
+            Self::Max => each().fold(f64::NEG_INFINITY, f64::max),
         }
     }
 }
@@ -181,11 +184,20 @@ impl Metric {
             Rows::Stage(stage) => is_repeat(stages[*row], stage),
             Rows::Times(from, to) => (*from..=*to).contains(&times[*row]),
         };
-        let told: Vec<f64> = (0..series.rows())
-            .filter(counts)
-            .map(|row| values[row])
-            .filter(|value| !value.is_nan())
-            .collect();
+        let is_told = |row: &usize| counts(row) && !values[*row].is_nan();
+        let mut told: Vec<(f64, f64)> = Vec::new();
+        let mut before: Option<usize> = None;
+        for row in (0..series.rows()).filter(is_told) {
+            // what lies between two rows of which one does not count is not known
+            let half = before
+                .filter(|before| before + 1 == row)
+                .map_or(0.0, |before| 0.5 * (times[row] - times[before]));
+            if let Some(last) = told.last_mut() {
+                last.1 += half;
+            }
+            told.push((values[row], half));
+            before = Some(row);
+        }
         Ok((self.title(&column.title), self.what.of(&told)))
     }
 }
@@ -238,10 +250,20 @@ mod tests {
         assert_eq!([value("f"), value("first:f"), value("last:f@press")], [-1.0, 2.0, 9.0]);
         assert_eq!(
             [value("mean:f@press"), value("max:f"), value("min:f")],
-            [5.0, 9.0, -1.0]
+            [4.75, 9.0, -1.0]
         );
         assert_eq!([value("mean:f@1 s..2 s"), value("deviation:f@press 1")], [3.0, 1.0]);
         assert!(value("mean:f@fill").is_nan());
+        // a stage with few rows counts as long as it lasts, and one row alone is its own mean
+        std::fs::write(&path, "time [s],stage,f [N]\n0,a,0\n1,a,1\n2,a,2\n10,b,10\n").unwrap();
+        let uneven = Columns::read(&path).unwrap();
+        let value = |told: &str| Metric::read(told).unwrap().of(&uneven).unwrap().1;
+        assert_eq!(
+            [value("mean:f"), value("mean:f@b"), value("mean:f@a")],
+            [5.0, 10.0, 1.0]
+        );
+        let value = |told: &str| Metric::read(told).unwrap().of(&series).unwrap().1;
+        assert_eq!(value("mean:f@rest"), -1.0);
         let titles = ["time [s]".to_string(), "f [N]".to_string()];
         let problem = |told: &str| {
             Metric::read(told)
