@@ -45,6 +45,7 @@ mod traffic;
 pub mod units;
 mod wall_report;
 mod walls;
+mod walls_in_one_place;
 mod zones;
 
 #[cfg(test)]

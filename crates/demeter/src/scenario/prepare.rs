@@ -78,6 +78,9 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::deformation::check(scenario, &grains, None, &mut faults);
     meshes::check(scenario, &walls, &meshes, &all, &mut warnings);
     check_walls_at_periodic_sides(&walls, &all, &domain, &mut warnings);
+    super::walls_in_one_place::check(&walls, &all, &domain, &mut warnings);
+    super::field_measures::check_kernels(&scenario.measures, &domain, &mut warnings);
+    super::region_measures::check_gates(&scenario.measures, &all, &domain, &mut warnings);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
     if all.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));

@@ -2,6 +2,7 @@
 
 use super::field_measures::cells;
 use super::grains::axis_ends;
+use super::measures::{MeasureKind, MeasureSpec};
 use super::quantity::Kind;
 use super::reader::TableReader;
 use super::walls::rectangle;
@@ -10,6 +11,7 @@ use crate::measure::{
     Along, CylinderProfile, Gate, MAX_CELLS, MAX_NEAREST, MAX_SLICES, MassFlow, Mixing, MixingSpace, NeighbourMixing,
     Profile, Selection, Slope,
 };
+use crate::particles::{Domain, Grains, Outside};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
@@ -66,6 +68,37 @@ pub(super) fn mass_flow(table: &TableReader<'_>, named: &Named<'_>) -> MassFlow 
     }
     gate.finish(&format!("a gate of shape \"{}\"", SHAPES[shape]));
     flow
+}
+
+/// Tells gates that grains cannot be seen to pass, as they are removed where they leave the domain: a look every few steps finds them
+/// before the gate, and not behind it.
+pub(super) fn check_gates(measures: &[MeasureSpec], grains: &Grains, domain: &Domain, warnings: &mut Vec<String>) {
+    if domain.outside != Outside::Remove {
+        return;
+    }
+    let room = grains.radii().fold(0.0, f64::max);
+    for measure in measures {
+        let MeasureKind::MassFlow(flow) = &measure.kind else {
+            continue;
+        };
+        for axis in (0..3).filter(|&k| !domain.periodic[k] && flow.normal[k].abs() > 0.99) {
+            let behind = [
+                flow.point[axis] - domain.lower[axis],
+                domain.upper[axis] - flow.point[axis],
+            ];
+            if behind.into_iter().any(|way| way < room) {
+                warnings.push(format!(
+                    "the gate of measure `{}` is closer than a grain's radius to a side of the domain, {} m of {} to {} m along {}: grains that leave \
+                     there are removed before they are seen behind the gate, and do not count. Let the domain reach beyond the gate",
+                    measure.name,
+                    flow.point[axis],
+                    domain.lower[axis],
+                    domain.upper[axis],
+                    ["x", "y", "z"][axis]
+                ));
+            }
+        }
+    }
 }
 
 /// A mixing index: the cells of a box or a cylinder, and the kind whose share is looked at.

@@ -412,3 +412,60 @@ steps = 10
         );
     }
 }
+
+#[test]
+fn measures_that_would_miss_grains_are_warned_of() {
+    let told = |gate: &str, width: &str| {
+        let text = format!(
+            r#"
+[domain]
+lower = "0 0 0 mm"
+upper = "20 20 20 mm"
+outside = "remove"
+
+[material.glass]
+young_modulus = "5 MPa"
+poisson_ratio = 0.25
+density = "2500 kg/m^3"
+
+[contact]
+normal = {{ law = "hertz-tsuji", restitution = 0.8 }}
+
+[[grains]]
+material = "glass"
+source = "list"
+positions = [["10 mm", "10 mm", "15 mm"]]
+diameter = "2 mm"
+
+[[measure]]
+name = "out"
+kind = "mass-flow"
+gate = {{ shape = "plane", point = "0 0 {gate} mm", normal = "-z" }}
+
+[[measure]]
+name = "flow"
+kind = "field"
+cells = [10, 1, 1]
+{width}
+
+[[stage]]
+name = "fall"
+steps = 10
+"#
+        );
+        prepare(&parse(&text, &[]).unwrap()).unwrap().warnings
+    };
+    let wide = "kernel = \"lucy\"\nwidth = \"4 mm\"";
+    assert_eq!(told("1.5", wide), [""; 0]);
+    assert!(told("0.5", wide)[0].starts_with("the gate of measure `out` is closer than a grain's radius"));
+    assert!(told("19.5", wide)[0].contains("19.5") || told("19.5", wide)[0].contains("0.0195"));
+    for narrow in [
+        "kernel = \"lucy\"\nwidth = \"2.9 mm\"",
+        "kernel = \"gaussian\"\nwidth = \"1.1 mm\"",
+    ] {
+        assert!(
+            told("1.5", narrow)[0].starts_with("the kernel of field `flow`"),
+            "{narrow}"
+        );
+    }
+}

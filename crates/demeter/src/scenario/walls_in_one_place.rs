@@ -1,0 +1,171 @@
+//! Walls that lie in one place, where a grain is pushed by each of them.
+
+use crate::particles::{Domain, Grains};
+use crate::walls::{SurfaceContact, Wall};
+use glam::DVec3;
+
+/// Most triangles of all walls whose middles are looked at, and the least of a wall.
+const MOST_PLACES: usize = 1 << 14;
+const FEWEST_PLACES: usize = 64;
+
+/// Two surfaces are one where their distances from a grain differ by less than this share of its radius, and the cosine of the angle between
+/// them is larger.
+const SAME_DISTANCE: f64 = 1e-2;
+const SAME_DIRECTION: f64 = 0.99;
+
+/// Tells which walls push a grain twice.
+pub(super) fn check(walls: &[Wall], grains: &Grains, domain: &Domain, warnings: &mut Vec<String>) {
+    let smallest = grains.radii().fold(f64::INFINITY, f64::min);
+    let mut told: Vec<(usize, usize)> = Vec::new();
+    for (a, wall) in walls.iter().enumerate() {
+        let triangles = wall.triangles(domain.lower, domain.upper);
+        let most = (MOST_PLACES / walls.len()).max(FEWEST_PLACES);
+        for triangle in triangles.iter().step_by(triangles.len().div_ceil(most).max(1)) {
+            for touched in places_beside(wall, triangle, smallest) {
+                for (b, other) in walls.iter().enumerate() {
+                    let pair = (a.min(b), a.max(b));
+                    if a != b && !told.contains(&pair) && lies_there(other, &touched, smallest) {
+                        told.push(pair);
+                        warnings.push(format!(
+                            "walls `{}` and `{}` lie in one place at {}: a grain there is pushed by both, as by a wall that is twice as stiff, \
+                             and rebounds with another restitution than was asked. Leave out of one of them what belongs to the other",
+                            walls[pair.0].name, walls[pair.1].name, touched.0 - touched.1.normal * touched.1.distance
+                        ));
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Centres of grains that touch a wall in the middle of a triangle, from either side, each with the contact.
+fn places_beside(wall: &Wall, triangle: &[DVec3; 3], radius: f64) -> Vec<(DVec3, SurfaceContact)> {
+    let [a, b, c] = *triangle;
+    let middle = (a + b + c) / 3.0;
+    let normal = (b - a).cross(c - a).normalize_or_zero();
+    let size = a.distance(middle).max(b.distance(middle)).max(c.distance(middle));
+    let face = |centre: DVec3, reach: f64| {
+        let mut parts = Vec::new();
+        wall.contacts(centre, (reach, 0.0), &mut parts);
+        let face = parts.into_iter().filter(|part| !part.is_at_edge && part.distance > 0.0);
+        face.min_by(|a, b| a.distance.total_cmp(&b.distance))
+    };
+    let beside = [1.0, -1.0].map(|side| {
+        // the triangle is flat, the wall may be round
+        let (near, part) = [0.5 * radius, size + radius].into_iter().find_map(|height| {
+            let near = middle + normal * (side * height);
+            face(near, 4.0 * height).map(|part| (near, part))
+        })?;
+        let centre = near - part.normal * (part.distance - 0.9 * radius);
+        Some((centre, face(centre, radius)?))
+    });
+    beside.into_iter().flatten().collect()
+}
+
+/// Whether a grain with its centre at a place touches a wall as it touches another one.
+fn lies_there(wall: &Wall, (centre, contact): &(DVec3, SurfaceContact), radius: f64) -> bool {
+    let mut parts = Vec::new();
+    if wall.near(*centre, radius) {
+        wall.contacts(*centre, (radius, 0.0), &mut parts);
+    }
+    let is_same = |part: &SurfaceContact| {
+        !part.is_at_edge
+            && (part.distance - contact.distance).abs() < SAME_DISTANCE * radius
+            && part.normal.dot(contact.normal) > SAME_DIRECTION
+    };
+    parts.iter().any(is_same)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::particles::{NewGrain, Outside};
+    use crate::walls::{Motion, Shape, Side};
+
+    /// Which of some walls are said to lie in one place, by their numbers.
+    fn told(shapes: Vec<Shape>) -> Vec<String> {
+        let walls: Vec<Wall> = (shapes.into_iter().enumerate())
+            .map(|(k, shape)| Wall::new(&k.to_string(), 0, shape, Motion::Rest).unwrap())
+            .collect();
+        let mut grains = Grains::default();
+        grains.push(
+            1,
+            &NewGrain {
+                fixed: false,
+                material: 0,
+                radius: 1e-3,
+                density: 1000.0,
+                position: DVec3::ZERO,
+                velocity: DVec3::ZERO,
+                angular_velocity: DVec3::ZERO,
+            },
+        );
+        let domain = Domain {
+            lower: DVec3::splat(-0.1),
+            upper: DVec3::splat(0.1),
+            periodic: [false; 3],
+            outside: Outside::Stop,
+        };
+        let mut warnings = Vec::new();
+        check(&walls, &grains, &domain, &mut warnings);
+        let names = |warning: &String| warning.split(" lie in").next().unwrap_or_default().to_owned();
+        warnings.iter().map(names).collect()
+    }
+
+    fn cylinder(radius: f64) -> Shape {
+        Shape::Cylinder {
+            start: DVec3::Z * -0.05,
+            end: DVec3::Z * 0.05,
+            radius,
+            side: Side::Inside,
+        }
+    }
+
+    fn rectangle(center: DVec3, half_u: DVec3, half_v: DVec3) -> Shape {
+        Shape::Rectangle { center, half_u, half_v }
+    }
+
+    #[test]
+    fn a_surface_that_is_there_twice_is_told() {
+        let (x, y, z) = (DVec3::X * 0.05, DVec3::Y * 0.05, DVec3::Z * 0.05);
+        let floor = Shape::Plane {
+            point: -z,
+            normal: DVec3::Z,
+        };
+        let bin = Shape::Box {
+            lower: DVec3::splat(-0.05),
+            upper: DVec3::splat(0.05),
+            open: [false; 6],
+        };
+        assert_eq!(told(vec![floor.clone(), bin.clone()]), ["walls `0` and `1`"]);
+        assert_eq!(told(vec![cylinder(0.04), cylinder(0.04)]), ["walls `0` and `1`"]);
+        // a part of a large one
+        let mesh = Shape::Mesh {
+            triangles: vec![[-z, x * 0.1 - z, y * 0.1 - z]],
+        };
+        assert_eq!(
+            told(vec![bin, mesh, rectangle(y, x, z)]),
+            ["walls `0` and `2`", "walls `0` and `1`"]
+        );
+    }
+
+    #[test]
+    fn walls_that_meet_or_cross_are_not_told() {
+        let (x, y, z) = (DVec3::X * 0.05, DVec3::Y * 0.05, DVec3::Z * 0.05);
+        let plane = |point: DVec3, normal| Shape::Plane { point, normal };
+        let walls = vec![
+            plane(-z, DVec3::Z),
+            cylinder(0.04),
+            cylinder(0.045),
+            rectangle(DVec3::ZERO, 0.6 * x, 0.6 * y),
+            rectangle(1.2 * x, 0.6 * x, 0.6 * y),
+            rectangle(DVec3::ZERO, y, z),
+            Shape::Disc {
+                center: DVec3::Z * 0.0501,
+                normal: DVec3::Z,
+                radius: 0.04,
+            },
+        ];
+        assert_eq!(told(walls), [""; 0]);
+    }
+}
