@@ -60,6 +60,19 @@ pub enum MeshError {
         /// Its corners [m].
         corners: [DVec3; 3],
     },
+    /// The distance within which corners are joined leaves no triangle.
+    #[error(
+        "none of the {count} triangles of the mesh is left where corners within {tolerance} m are joined; its shortest edge is \
+         {shortest} m long, so join corners within far less than that"
+    )]
+    AllJoined {
+        /// Distance within which corners are joined [m].
+        tolerance: f64,
+        /// Triangles with an area before.
+        count: usize,
+        /// Shortest edge [m].
+        shortest: f64,
+    },
     /// The mesh should be closed and is not.
     #[error(
         "the mesh is not closed: {count} edges belong to an odd number of triangles, the first from {start} to {end} of \
