@@ -232,6 +232,9 @@ fn deepest_in_wall(grains: &Grains, walls: &[Wall]) -> Option<(usize, usize, f64
 /// A wall may not move by more than this share of the smallest radius in one step.
 const MOST_MOTION: f64 = 0.1;
 
+/// A motion that comes and goes takes at least this many steps each time; with fewer the steps see another motion.
+const LEAST_STEPS_OF_PERIOD: f64 = 20.0;
+
 /// Tells motions that are too fast for the time step.
 pub(super) fn check_wall_speeds(
     scenario: &Scenario,
@@ -268,6 +271,23 @@ pub(super) fn check_wall_speeds(
                     speed * dt / smallest
                 ),
                 Some("slow it down or use a shorter time step".to_string()),
+            );
+        }
+        let periods = motion.parts.iter().filter_map(|part| shortest_period(&part.motion));
+        let shortest = periods.min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((does, period)) = shortest.filter(|(_, period)| *period < LEAST_STEPS_OF_PERIOD * dt) {
+            faults.push(
+                &path,
+                format!(
+                    "wall `{name}` {does} within {period:.4e} s, {:.3} time steps of {dt:.3e} s; at least {LEAST_STEPS_OF_PERIOD} are \
+                     needed, or the steps see another motion than the one that is told",
+                    period / dt
+                ),
+                Some(format!(
+                    "let it take {:.3e} s or longer, or set `simulation.time_step` to {:.3e} s or less",
+                    LEAST_STEPS_OF_PERIOD * dt,
+                    period / LEAST_STEPS_OF_PERIOD
+                )),
             );
         }
     }
@@ -368,6 +388,22 @@ fn check_leaders(scenario: &Scenario, leaders: &[Option<usize>], paths: &[(usize
     }
 }
 
+/// What a motion does again and again, and the shortest time in which it does [s]; `None` where it does not.
+fn shortest_period(motion: &Motion) -> Option<(&'static str, f64)> {
+    let (does, frequency) = match motion {
+        Motion::Oscillation {
+            amplitude, frequency, ..
+        } if *amplitude != DVec3::ZERO => ("oscillates once", *frequency),
+        Motion::Rocking {
+            amplitude, frequency, ..
+        } if *amplitude != 0.0 => ("rocks once", *frequency),
+        Motion::Rotation { angular_velocity, .. } => ("turns once", angular_velocity.abs() / (2.0 * PI)),
+        Motion::Table(table) => return Some(("goes to and fro by its table", 2.0 * table.shortest_way()?)),
+        _ => return None,
+    };
+    (frequency > 0.0).then(|| (does, 1.0 / frequency))
+}
+
 /// Upper bound of the speed of a wall by all motions that do not depend on forces, none where it rests [m/s]. Motions that turn
 /// count as far as the wall lies from the point of their axis where it starts; a wall without bounds by its straight ones alone.
 fn largest_speed(motions: &Motions, bounds: Option<(DVec3, DVec3)>) -> Option<f64> {
@@ -382,7 +418,12 @@ fn largest_speed(motions: &Motions, bounds: Option<(DVec3, DVec3)>) -> Option<f6
         Motion::Oscillation {
             amplitude, frequency, ..
         } => 2.0 * PI * frequency * amplitude.length(),
-        Motion::Table(table) => table.largest_speed(),
+        Motion::Table(table) => {
+            let turn = table
+                .axis()
+                .map_or(0.0, |(point, axis)| table.largest_rate() * reach(point, axis));
+            table.largest_speed() + turn
+        }
         Motion::Servo { max_speed, .. } => *max_speed,
         Motion::Rotation {
             point,
