@@ -125,49 +125,6 @@ pub(super) fn check_periodic_size(
     }
 }
 
-/// Walls are not repeated across periodic sides: one that ends near a side is not felt by grains on the other end of the
-/// domain that reach across it. One that goes through from side to side is taken to be the same all along; it must reach beyond both
-/// sides, as grains are put back only some way behind a side.
-pub(super) fn check_walls_at_periodic_sides(
-    walls: &[Wall],
-    grains: &Grains,
-    domain: &Domain,
-    warnings: &mut Vec<String>,
-) {
-    let largest = grains.radii().fold(0.0, f64::max);
-    let finite = walls.iter().filter_map(|wall| Some((wall, wall.bounds()?)));
-    for (wall, (lower, upper)) in finite.filter(|(wall, _)| wall.is_present()) {
-        for axis in (0..3).filter(|&axis| domain.periodic[axis]) {
-            let (below, above) = (domain.lower[axis], domain.upper[axis]);
-            if upper[axis] < below - largest || lower[axis] > above + largest {
-                continue;
-            }
-            let (reaches_lower, reaches_upper) = (lower[axis] < below + largest, upper[axis] > above - largest);
-            if reaches_lower != reaches_upper {
-                let (side, name) = (if reaches_lower { "-" } else { "+" }, ["x", "y", "z"][axis]);
-                warnings.push(format!(
-                    "wall `{}` comes within a grain's radius of the periodic side {side}{name} and not of the opposite one: walls \
-                     are not repeated, so grains that reach across that side do not feel it there. Keep it away from the side, or \
-                     let it go through the domain",
-                    wall.name
-                ));
-            } else if reaches_lower && (lower[axis] > below - largest || upper[axis] < above + largest) {
-                let name = ["x", "y", "z"][axis];
-                warnings.push(format!(
-                    "wall `{}` reaches from {:.6} m to {:.6} m along {name}, where periodic sides are at {below:.6} m and {above:.6} m: \
-                     grains feel its rim before they are put back from behind a side. Let it reach beyond both sides by the radius of \
-                     the largest grain: from {:.6} m or less to {:.6} m or more",
-                    wall.name,
-                    lower[axis],
-                    upper[axis],
-                    below - largest,
-                    above + largest
-                ));
-            }
-        }
-    }
-}
-
 pub(super) fn check_overlaps(
     scenario: &Scenario,
     grains: &Grains,
@@ -294,7 +251,7 @@ pub(super) fn check_wall_speeds(
 }
 
 /// All motions that any wall is told in the run.
-fn told_motions(scenario: &Scenario) -> impl Iterator<Item = (usize, &Motions)> {
+pub(super) fn told_motions(scenario: &Scenario) -> impl Iterator<Item = (usize, &Motions)> {
     let at_start = scenario.walls.iter().map(|wall| &wall.motion).enumerate();
     let in_stages = scenario.stages.iter().flat_map(|stage| &stage.motions);
     at_start.chain(in_stages.map(|(wall, motions)| (*wall, motions)))

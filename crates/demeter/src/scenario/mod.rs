@@ -22,6 +22,7 @@ mod observed;
 mod other_kind;
 mod overrides;
 mod packing_file;
+mod periodic_walls;
 mod plain;
 mod plots;
 mod prepare;

@@ -1,12 +1,12 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
 use super::checks::{
-    check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds,
-    check_walls_at_periodic_sides, expected_of_feed, memory_of, wall_partners, with_free_walls,
+    check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds, expected_of_feed,
+    memory_of, wall_partners, with_free_walls,
 };
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
-use super::{Diagnostics, Scenario, TimeStep, WallSpec};
+use super::{Diagnostics, Scenario, TimeStep, WallSpec, periodic_walls};
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, NewGrain, Origins, Outside};
@@ -77,7 +77,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     check_feeds(scenario, &domain, &mut faults);
     super::deformation::check(scenario, &grains, None, &mut faults);
     meshes::check(scenario, &walls, &meshes, &all, &mut warnings);
-    check_walls_at_periodic_sides(&walls, &all, &domain, &mut warnings);
+    periodic_walls::check(&walls, &all, &domain, &mut warnings);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
     if all.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));
@@ -195,6 +195,17 @@ fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> (Vec<Wall>, Vec<Optio
                     None,
                 );
             }
+        }
+    }
+    // numbers belong to the walls of the scenario where all of them were built
+    if let (Some(domain), true) = (periodic_domain(scenario), walls.len() == scenario.walls.len()) {
+        for (k, error) in periodic_walls::repeat(&mut walls, scenario, &domain) {
+            let name = &scenario.walls[k].name;
+            faults.push(
+                &format!("wall[{k}]"),
+                format!("wall `{name}`, repeated at periodic sides: {error}"),
+                None,
+            );
         }
     }
     (walls, origins)

@@ -117,6 +117,11 @@ impl MotionTable {
         self.axis
     }
 
+    /// Whether it displaces anything along a coordinate axis.
+    pub fn is_shifted(&self, axis: usize) -> bool {
+        self.places.iter().any(|place| place[axis] != 0.0)
+    }
+
     /// Displacement and angle, and their rates, at a time since the start of the motion.
     pub fn at(&self, time: f64) -> ([f64; 4], [f64; 4]) {
         let last = self.times.len() - 1;

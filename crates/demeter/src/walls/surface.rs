@@ -1,5 +1,6 @@
 //! A shape, checked and made ready for queries in the wall frame.
 
+use super::elements::FACES;
 use super::error::WallError;
 use super::limits::{UNIT_TOLERANCE, finite, not_negative, positive, unit};
 use super::mesh::Mesh;
@@ -31,6 +32,8 @@ pub(super) enum Surface {
     Rectangle(Rectangle),
     Disc(Disc),
     Mesh(Box<Mesh>),
+    /// Images of one of the others, but of a mesh, at these shifts; the first is not shifted.
+    Images(Box<Surface>, Vec<DVec3>),
 }
 
 impl Surface {
@@ -99,6 +102,14 @@ impl Surface {
         let reach = radius + beyond;
         match self {
             Surface::Mesh(mesh) => mesh.contacts(centre, (radius, beyond), out),
+            Surface::Images(one, shifts) => {
+                for (image, &shift) in shifts.iter().enumerate() {
+                    let first = out.len();
+                    one.contacts(centre - shift, (radius, beyond), out);
+                    let found = out[first..].iter_mut();
+                    found.for_each(|contact| contact.element = of_image(image, contact.element));
+                }
+            }
             Surface::Box { faces, reach: ends, .. } => {
                 for (element, plane) in faces {
                     push(contact_box_face(plane, *ends, centre), *element, reach, out);
@@ -119,6 +130,14 @@ impl Surface {
     pub(super) fn parts_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
         match self {
             Surface::Mesh(mesh) => mesh.triangles_near(centre, reach, out),
+            Surface::Images(one, shifts) => {
+                for (image, &shift) in shifts.iter().enumerate() {
+                    let first = out.len();
+                    one.parts_near(centre - shift, reach, out);
+                    let found = out[first..].iter_mut();
+                    found.for_each(|element| *element = of_image(image, *element));
+                }
+            }
             Surface::Box { faces, reach: ends, .. } => {
                 for (face, plane) in faces {
                     if contact_box_face(plane, *ends, centre).distance < reach {
@@ -136,6 +155,11 @@ impl Surface {
     pub(super) fn contact_with(&self, element: u32, centre: DVec3, reach: f64) -> Option<SurfaceContact> {
         let mut point = match self {
             Surface::Mesh(_) => return None,
+            Surface::Images(one, shifts) => {
+                let shift = shifts.get(element as usize / FACES)?;
+                let contact = one.contact_with(element % FACES as u32, centre - shift, reach)?;
+                return Some(SurfaceContact { element, ..contact });
+            }
             Surface::Box { faces, reach: ends, .. } => {
                 let (_, plane) = faces.iter().find(|(face, _)| *face == element)?;
                 contact_box_face(plane, *ends, centre)
@@ -166,6 +190,7 @@ impl Surface {
     pub(super) fn near(&self, centre: DVec3, reach: f64) -> bool {
         match self {
             Surface::Mesh(mesh) => mesh.near(centre, reach),
+            Surface::Images(one, shifts) => shifts.iter().any(|&shift| one.near(centre - shift, reach)),
             Surface::Box { faces, reach: ends, .. } => faces
                 .iter()
                 .any(|(_, plane)| contact_box_face(plane, *ends, centre).distance <= reach),
@@ -182,6 +207,9 @@ impl Surface {
         let found = match self {
             Surface::Mesh(_) if limit <= 0.0 => return limit,
             Surface::Mesh(mesh) => mesh.distance(point, limit),
+            Surface::Images(one, shifts) => shifts
+                .iter()
+                .fold(limit, |least, &shift| one.clearance(point - shift, least)),
             Surface::Box { faces, reach, .. } => {
                 let distances = faces
                     .iter()
@@ -196,7 +224,7 @@ impl Surface {
         found.min(limit)
     }
 
-    /// The one closest point of a shape that touches a sphere at most once; `None` for boxes and meshes.
+    /// The one closest point of a shape that touches a sphere at most once; `None` for boxes, meshes and images.
     #[inline]
     fn closest(&self, centre: DVec3) -> Option<SurfacePoint> {
         Some(match self {
@@ -206,7 +234,7 @@ impl Surface {
             Surface::Shell(shell) => contact_sphere_shell(shell, centre),
             Surface::Rectangle(plate) => contact_sphere_rectangle(plate, centre),
             Surface::Disc(disc) => contact_sphere_disc(disc, centre),
-            Surface::Box { .. } | Surface::Mesh(_) => return None,
+            Surface::Box { .. } | Surface::Mesh(_) | Surface::Images(..) => return None,
         })
     }
 
@@ -225,8 +253,14 @@ impl Surface {
             Surface::Rectangle(plate) => plate.center,
             Surface::Disc(disc) => disc.center,
             Surface::Mesh(mesh) => mesh.centroid(),
+            Surface::Images(one, _) => one.centroid(),
         }
     }
+}
+
+/// The element of an image.
+fn of_image(image: usize, element: u32) -> u32 {
+    (image * FACES) as u32 + element
 }
 
 #[inline]

@@ -96,6 +96,8 @@ pub struct Mesh {
     triangles: Vec<Triangle>,
     topology: Topology,
     hierarchy: Hierarchy,
+    /// Of which triangles the last ones are copies.
+    copies: Vec<u32>,
 }
 
 impl Mesh {
@@ -125,7 +127,26 @@ impl Mesh {
             triangles,
             topology,
             hierarchy,
+            copies: Vec::new(),
         })
+    }
+
+    /// A mesh whose last triangles are copies of others, beside which they stand: what happens on a copy happens on its original.
+    pub(super) fn with_copies(corners: &[[DVec3; 3]], copies: Vec<u32>) -> Result<Self, MeshError> {
+        Ok(Mesh {
+            copies,
+            ..Self::new(corners)?
+        })
+    }
+
+    /// The triangle that a triangle is a copy of, or that triangle itself.
+    pub(super) fn original(&self, triangle: u32) -> u32 {
+        let own = self.triangles.len() - self.copies.len();
+        let copied = (triangle as usize).checked_sub(own);
+        copied
+            .and_then(|copy| self.copies.get(copy))
+            .copied()
+            .unwrap_or(triangle)
     }
 
     /// Error when the surface has a hole: an edge with an odd number of triangles.
