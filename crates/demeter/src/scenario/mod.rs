@@ -40,6 +40,7 @@ pub mod schema;
 mod settings;
 mod sizes;
 mod stages;
+mod stray_walls;
 mod tags;
 mod templates;
 mod traffic;

@@ -6,7 +6,7 @@ use super::checks::{
 };
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
-use super::{Diagnostics, Scenario, TimeStep, WallSpec, periodic_walls};
+use super::{Diagnostics, Scenario, TimeStep, WallSpec, periodic_walls, stray_walls};
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, NewGrain, Origins, Outside};
@@ -103,6 +103,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
     check_wall_speeds(scenario, &walls, &all, dt, &mut faults);
+    stray_walls::check(scenario, &walls, (&all, &domain), dt, &mut warnings);
     super::deformation::check(scenario, &grains, Some(dt), &mut faults);
     if !faults.is_empty() {
         return Err(faults);

@@ -1,5 +1,6 @@
 mod faults;
 mod reference;
+mod stray_walls;
 
 use super::*;
 use crate::insertion::{Amount, Basis, LatticeKind, Region, SizeDistribution, Source};

@@ -327,6 +327,11 @@ impl Wall {
         self.motor.driven()
     }
 
+    /// Whether the wall moves by its own motions alone, told as functions of time.
+    pub fn is_foreseeable(&self) -> bool {
+        self.motor.leader().is_none() && self.motor.is_clockwork()
+    }
+
     /// Moves the wall by one step of `dt` [s]; servos and free walls answer to the load of the last step.
     pub fn advance(&mut self, dt: f64) {
         self.motor.advance(dt, self.origin);
@@ -413,7 +418,13 @@ impl Wall {
 
     /// Smallest box around the wall in the world [m]; `None` when it is infinite, as planes and boxes of planes are.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
-        outline::bounds(&self.surface, self.origin, &self.motor.pose)
+        outline::bounds(self.described(), self.origin, &self.motor.pose)
+    }
+
+    /// A box around the wall in the world that costs little to find [m], as large as the turned box of a mesh; `None` when the wall goes
+    /// on beyond it.
+    pub fn rough_bounds(&self) -> Option<(DVec3, DVec3)> {
+        outline::enclosing(self.described(), self.origin, &self.motor.pose)
     }
 
     /// Triangles that draw the surface in the world frame [m]; an infinite plane is cut by the box given. None of a wall that
