@@ -8,23 +8,12 @@ use crate::walls::{Motion, Motions, SurfaceContact, Wall};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Memory of a grain with its contacts, candidates, and its share of a frame while that is written [bytes], and that of a run of few
-/// grains: above the largest resident sizes (`/usr/bin/time -v`) of `examples/settle-20000`, 134 MB, of the beds `w6-200k` and `w6-1m`
-/// of `benches/peers`, 356 and 1249 MB (1344 MB where it is resumed), and of ten of the latter side by side, 11453 MB.
-const BYTES_PER_GRAIN: f64 = 1300.0;
-const BYTES_OF_A_RUN: f64 = 110e6;
-
-/// Memory that a run with so many grains needs at most [bytes].
-pub(super) fn memory_of(grains: f64) -> f64 {
-    BYTES_OF_A_RUN + grains * BYTES_PER_GRAIN
-}
-
 /// Refuses grains that cannot fit into memory before any is made.
-pub(super) fn check_memory(scenario: &Scenario, faults: &mut Diagnostics) {
+pub(super) fn check_memory(scenario: &Scenario, walls: &[Wall], faults: &mut Diagnostics) {
     let at_start: f64 = scenario.grains.iter().map(expected_count).sum();
     let expected = at_start + scenario.feeds.iter().map(expected_of_feed).sum::<f64>();
     let Some(available) = available_memory() else { return };
-    let needed = memory_of(expected);
+    let needed = super::estimates::memory(expected, walls);
     if needed > available {
         let largest = (0..scenario.grains.len())
             .max_by(|&a, &b| expected_count(&scenario.grains[a]).total_cmp(&expected_count(&scenario.grains[b])));

@@ -4,6 +4,7 @@ mod checks;
 mod deformation;
 mod diagnostics;
 mod document;
+mod estimates;
 mod feeds;
 mod field_files;
 mod field_measures;

@@ -113,7 +113,7 @@ pub(super) fn longest(stage: &Stage, dt: f64) -> u64 {
 }
 
 /// Whole steps nearest to a time, at least one.
-fn steps_in(seconds: f64, dt: f64) -> u64 {
+pub(super) fn steps_in(seconds: f64, dt: f64) -> u64 {
     (seconds / dt).round().max(1.0) as u64
 }
 
