@@ -73,6 +73,10 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
     }
     rows.add("steps", count(prepared.steps));
     rows.add("memory", format!("about {}", bytes(prepared.memory)));
+    let each = bytes(prepared.frame_bytes);
+    let all = bytes(prepared.frame_bytes.saturating_mul(prepared.frames));
+    let frames = things(prepared.frames, "frame");
+    rows.add("frames", format!("{frames} of about {each}, {all} together"));
     rows.add("run time", format!("about {} on one thread", wait(prepared.run_time)));
     format!("{} is right\n{}", scenario.name, rows.lines())
 }
@@ -104,6 +108,8 @@ fn to_json(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Val
         "steps": prepared.steps,
         "memory": prepared.memory,
         "run_time": prepared.run_time,
+        "frames": prepared.frames,
+        "frame_bytes": prepared.frame_bytes,
         "warnings": prepared.warnings,
     })
 }

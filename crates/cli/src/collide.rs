@@ -10,6 +10,7 @@ use crate::table::{Cell, check_outputs, write_csv};
 use demeter::calibrate::{CollideReport, Engine, collide as run};
 use demeter::output::{Plot, Series};
 use demeter::scenario::ImpactFile;
+use demeter_physics::collision::Start;
 
 /// Rows of the course of a collision.
 const MOMENTS: usize = 501;
@@ -36,7 +37,7 @@ pub fn collide(arguments: &CollideArguments) -> Result<Exit, Failure> {
     if arguments.json {
         answer_json(&report.to_json())?;
     } else {
-        answer(&to_text(&report))?;
+        answer(&to_text(&report, file.impact.start))?;
     }
     Ok(Exit::Finished)
 }
@@ -52,7 +53,7 @@ fn plot(file: &ImpactFile, report: &CollideReport) -> Plot {
     }
 }
 
-fn to_text(report: &CollideReport) -> String {
+fn to_text(report: &CollideReport, start: Start) -> String {
     let mut rows = Rows::default();
     let absent = "none: they never part";
     rows.add("outcome", report.outcome.name());
@@ -61,7 +62,13 @@ fn to_text(report: &CollideReport) -> String {
         rows.add("tangential restitution", number(tangential));
         rows.add("angle out", format!("{} deg", number(report.angle_out.to_degrees())));
     }
-    let time = report.contact_time.map(|t| format!("{} s", number(t)));
+    // with an attraction across the gap the bodies feel each other for longer than they touch
+    let of_what = match (report.reach > 0.0, start) {
+        (false, _) => "",
+        (true, Start::Far) => ", from the first pull across the gap to the last",
+        (true, Start::Contact) => ", from first touch to the last pull across the gap",
+    };
+    let time = report.contact_time.map(|t| format!("{} s{of_what}", number(t)));
     rows.add("contact time", time.unwrap_or_else(|| absent.to_string()));
     rows.add("largest overlap", format!("{} m", number(report.max_overlap)));
     rows.add("largest force", format!("{} N", number(report.max_force)));

@@ -140,7 +140,7 @@ impl From<CalibrateError> for Failure {
     fn from(error: CalibrateError) -> Self {
         let exit = match error {
             CalibrateError::File(faults) => return Self::Scenario(faults),
-            CalibrateError::Fault(_) | CalibrateError::Steps { .. } => Exit::Fault,
+            CalibrateError::Fault(_) | CalibrateError::Overlap { .. } | CalibrateError::Steps { .. } => Exit::Fault,
             _ => Exit::Wrong,
         };
         let message = error.to_string();

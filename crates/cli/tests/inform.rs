@@ -67,6 +67,45 @@ fn check_tells_how_the_run_would_be() {
     assert_eq!(place.names(), ["fall.toml"]);
 }
 
+#[test]
+fn check_tells_how_many_frames_a_run_writes_and_counts_triangles() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let short = [
+        "--set",
+        "stage[0].steps=300",
+        "--set",
+        "stage[1].steps=310",
+        "--set",
+        "output.frames=20 us",
+    ];
+    let told = place
+        .expect(0, &[&["check", "fall.toml", "--json"], &short[..]].concat())
+        .json();
+    place.expect(0, &[&["run", "fall.toml", "--out", "fall"], &short[..]].concat());
+    let frames = fs::read_dir(place.path("fall/frames")).unwrap();
+    let names = frames.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let written = names.filter(|name| name.starts_with("grains_")).count();
+    assert!(written > 5, "{written}");
+    assert_eq!(told["frames"], written);
+    let needs = |file: &str| {
+        let answer = place.expect(0, &["check", file, "--json"]).json();
+        ["memory", "frame_bytes", "run_time"].map(|key| answer[key].as_f64().unwrap())
+    };
+    let mesh =
+        "\n[[wall]]\nname = \"mesh\"\nmaterial = \"glass\"\nshape = \"mesh\"\nfile = \"many.txt\"\nunit = \"m\"\n";
+    place.write("mesh.toml", &format!("{FALL}{mesh}"));
+    let line = |k: usize| {
+        let [x, beside] = [k, k + 1].map(|k| 1e-5 * k as f64);
+        format!("{x} 0.006 0.02 {beside} 0.006 0.02 {x} 0.0061 0.02\n")
+    };
+    place.write("many.txt", &(0..1000).map(line).collect::<String>());
+    let (plain, with_mesh) = (needs("fall.toml"), needs("mesh.toml"));
+    assert_eq!(with_mesh[0] - plain[0], 300_000.0);
+    assert_eq!(with_mesh[1] - plain[1], 21_000.0);
+    assert!(with_mesh[2] > plain[2]);
+}
+
 /// A box of 20 mm without lid, drawn in millimetres, with a hole in the side at x = 20: one of its triangles is missing.
 fn leaky_box() -> String {
     let mut text = "o box\n".to_string();

@@ -192,3 +192,31 @@ fn the_input_is_no_output_behind_a_link_either() {
     let said = place.expect(2, &["collide", "mcc.toml", "--plot", "link.svg"]);
     assert!(said.err.contains("is input and output"), "{}", said.err);
 }
+
+#[test]
+fn an_impact_too_deep_for_a_run_is_told_with_what_helps_here() {
+    let place = place();
+    let fast = "impact.velocity=300 m/s";
+    let said = place.expect(3, &["collide", "mcc.toml", "--engine", "--set", fast]);
+    assert!(said.err.contains("Without `--engine`"), "{}", said.err);
+    assert!(!said.err.contains("raise `simulation"), "{}", said.err);
+    place.expect(0, &["collide", "mcc.toml", "--set", fast]);
+}
+
+#[test]
+fn a_contact_time_with_an_attraction_across_the_gap_says_from_where_to_where() {
+    let place = place();
+    let told = |tail: &str, start: &str| {
+        let (tail, start) = (format!("contact.normal.tail={tail}"), format!("impact.start={start}"));
+        let mut call = vec!["collide", "limestone.toml", "--set", "impact.velocity=10 m/s"];
+        call.extend(["--set", &tail, "--set", &start]);
+        let text = place.expect(0, &call).out;
+        text.lines()
+            .find(|line| line.contains("contact time"))
+            .unwrap()
+            .to_string()
+    };
+    assert!(told("none", "contact").ends_with(" s"));
+    assert!(told("full", "far").ends_with(" s, from the first pull across the gap to the last"));
+    assert!(told("full", "contact").ends_with(" s, from first touch to the last pull across the gap"));
+}

@@ -240,6 +240,8 @@ impl Scenario {
             "steps": prepared.steps,
             "memory": prepared.memory,
             "run_time": prepared.run_time,
+            "frames": prepared.frames,
+            "frame_bytes": prepared.frame_bytes,
             "warnings": prepared.warnings,
         });
         from_json(py, &told)

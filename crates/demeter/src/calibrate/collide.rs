@@ -30,8 +30,10 @@ pub struct CollideReport {
     pub restitution: f64,
     /// Reversed tangential velocity of the surfaces after over that before; absent when there was none before.
     pub tangential_restitution: Option<f64>,
-    /// Time from the first to the last force [s]; absent after sticking.
+    /// Time to the last force from the first, or from first touch where the velocity is told there [s]; absent after sticking.
     pub contact_time: Option<f64>,
+    /// Gap across which the bodies feel each other before they touch [m]: then the contact time holds more than the touch.
+    pub reach: f64,
     /// Largest overlap [m].
     pub max_overlap: f64,
     /// Largest normal force [N].
@@ -63,14 +65,18 @@ pub fn collide(file: &ImpactFile, engine: Engine, moments: usize) -> Result<Coll
         return Err(file.refused("impact", message).into());
     };
     let law = file.law()?;
+    let launch = Launch {
+        file,
+        law: &law,
+        speed,
+        max_overlap: DEFAULT_MAX_OVERLAP,
+    };
     match engine {
-        Engine::Reference if is_head_on(file, &law) => head_on(file, &law, speed, moments),
+        Engine::Reference if is_head_on(file, &law) => head_on(&launch, moments),
         Engine::Reference => {
             let launch = Launch {
-                file,
-                law: &law,
-                speed,
                 max_overlap: expected_overlap(file, &law, speed)?,
+                ..launch
             };
             let limit = limit(&launch)?;
             let mut report = told(&launch, limit.flight);
@@ -80,12 +86,6 @@ pub fn collide(file: &ImpactFile, engine: Engine, moments: usize) -> Result<Coll
             Ok(report)
         }
         Engine::Automatic => {
-            let launch = Launch {
-                file,
-                law: &law,
-                speed,
-                max_overlap: DEFAULT_MAX_OVERLAP,
-            };
             let dt = SAFE_SHARE * launch.time_scale()?;
             let mut report = told(&launch, launch.fly(dt)?);
             report.method = "the engine with its automatic time step".to_string();
@@ -118,7 +118,8 @@ fn expected_overlap(file: &ImpactFile, law: &PairLaw, speed: f64) -> Result<f64,
     Ok(MARGIN * overlap / smaller)
 }
 
-fn head_on(file: &ImpactFile, law: &PairLaw, speed: f64, moments: usize) -> Result<CollideReport, CalibrateError> {
+fn head_on(launch: &Launch<'_>, moments: usize) -> Result<CollideReport, CalibrateError> {
+    let Launch { file, law, speed, .. } = *launch;
     let size = file.size();
     let impact = HeadOn {
         law: &law.normal,
@@ -143,6 +144,7 @@ fn head_on(file: &ImpactFile, law: &PairLaw, speed: f64, moments: usize) -> Resu
         restitution: found.restitution,
         tangential_restitution: None,
         contact_time: found.contact_time(),
+        reach: launch.reach(),
         max_overlap: found.max_overlap,
         max_force: found.max_force,
         angle_out: 0.0,
@@ -232,6 +234,7 @@ fn told(launch: &Launch<'_>, flight: Flight) -> CollideReport {
         restitution: if rebound { -relative.z / start.z } else { 0.0 },
         tangential_restitution: slid.then(|| -after.dot(before) / before.length_squared()),
         contact_time: rebound.then_some(flight.contact_time),
+        reach: launch.reach(),
         max_overlap: flight.max_overlap,
         max_force: flight.max_force,
         angle_out: libm::atan2(relative.x, relative.z),

@@ -19,6 +19,20 @@ pub enum CalibrateError {
     /// The engine stopped.
     #[error("the engine stopped: {0}")]
     Fault(Box<Fault>),
+    /// The bodies overlap more than a run allows.
+    #[error(
+        "the engine stopped at step {step}: the bodies overlap by {share:.5} of the smaller radius, and a run allows {allowed} \
+         unless it is told otherwise. Without `--engine` the impact is computed however deep it goes; a scenario with such \
+         impacts needs `simulation.max_overlap`, and stiffer bodies or a lower `impact.velocity` stay below it"
+    )]
+    Overlap {
+        /// Step.
+        step: u64,
+        /// Overlap as share of the smaller radius.
+        share: f64,
+        /// Allowed share.
+        allowed: f64,
+    },
     /// There is no usable time step.
     #[error("{0}")]
     TimeStep(#[from] TimeStepError),
@@ -63,6 +77,19 @@ impl From<Diagnostics> for CalibrateError {
 
 impl From<Fault> for CalibrateError {
     fn from(fault: Fault) -> Self {
-        Self::Fault(Box::new(fault))
+        match fault {
+            // a file of two bodies has no key for it
+            Fault::Overlap {
+                step,
+                overlap_share,
+                allowed,
+                ..
+            } => Self::Overlap {
+                step,
+                share: overlap_share,
+                allowed,
+            },
+            fault => Self::Fault(Box::new(fault)),
+        }
     }
 }

@@ -77,6 +77,12 @@ impl Launch<'_> {
         Ok(shortest_time_scale(&grains, &walls, &materials, self.max_overlap)?.time)
     }
 
+    /// Gap across which bodies feel each other that have not touched yet [m].
+    pub(super) fn reach(&self) -> f64 {
+        let new = vec![0.0; self.law.normal.info().history];
+        reach(self.law, self.size(), &new)
+    }
+
     /// Where the law first acts, as a gap [m], and the speed to have there.
     fn start(&self, dt: f64) -> (f64, f64) {
         let size = self.size();

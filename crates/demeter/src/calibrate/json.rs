@@ -42,6 +42,7 @@ impl CollideReport {
         json!({
             "restitution": self.restitution,
             "contact_time": self.contact_time,
+            "reach": self.reach,
             "max_overlap": self.max_overlap,
             "max_force": self.max_force,
             "outcome": self.outcome.name(),

@@ -8,23 +8,12 @@ use crate::walls::{Motion, Motions, SurfaceContact, Wall};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Memory of a grain with its contacts, candidates, and its share of a frame while that is written [bytes], and that of a run of few
-/// grains: above the largest resident sizes (`/usr/bin/time -v`) of `examples/settle-20000`, 134 MB, of the beds `w6-200k` and `w6-1m`
-/// of `benches/peers`, 356 and 1249 MB (1344 MB where it is resumed), and of ten of the latter side by side, 11453 MB.
-const BYTES_PER_GRAIN: f64 = 1300.0;
-const BYTES_OF_A_RUN: f64 = 110e6;
-
-/// Memory that a run with so many grains needs at most [bytes].
-pub(super) fn memory_of(grains: f64) -> f64 {
-    BYTES_OF_A_RUN + grains * BYTES_PER_GRAIN
-}
-
 /// Refuses grains that cannot fit into memory before any is made.
-pub(super) fn check_memory(scenario: &Scenario, faults: &mut Diagnostics) {
+pub(super) fn check_memory(scenario: &Scenario, walls: &[Wall], faults: &mut Diagnostics) {
     let at_start: f64 = scenario.grains.iter().map(expected_count).sum();
     let expected = at_start + scenario.feeds.iter().map(expected_of_feed).sum::<f64>();
     let Some(available) = available_memory() else { return };
-    let needed = memory_of(expected);
+    let needed = super::estimates::memory(expected, walls);
     if needed > available {
         let largest = (0..scenario.grains.len())
             .max_by(|&a, &b| expected_count(&scenario.grains[a]).total_cmp(&expected_count(&scenario.grains[b])));
@@ -125,49 +114,6 @@ pub(super) fn check_periodic_size(
     }
 }
 
-/// Walls are not repeated across periodic sides: one that ends near a side is not felt by grains on the other end of the
-/// domain that reach across it. One that goes through from side to side is taken to be the same all along; it must reach beyond both
-/// sides, as grains are put back only some way behind a side.
-pub(super) fn check_walls_at_periodic_sides(
-    walls: &[Wall],
-    grains: &Grains,
-    domain: &Domain,
-    warnings: &mut Vec<String>,
-) {
-    let largest = grains.radii().fold(0.0, f64::max);
-    let finite = walls.iter().filter_map(|wall| Some((wall, wall.bounds()?)));
-    for (wall, (lower, upper)) in finite.filter(|(wall, _)| wall.is_present()) {
-        for axis in (0..3).filter(|&axis| domain.periodic[axis]) {
-            let (below, above) = (domain.lower[axis], domain.upper[axis]);
-            if upper[axis] < below - largest || lower[axis] > above + largest {
-                continue;
-            }
-            let (reaches_lower, reaches_upper) = (lower[axis] < below + largest, upper[axis] > above - largest);
-            if reaches_lower != reaches_upper {
-                let (side, name) = (if reaches_lower { "-" } else { "+" }, ["x", "y", "z"][axis]);
-                warnings.push(format!(
-                    "wall `{}` comes within a grain's radius of the periodic side {side}{name} and not of the opposite one: walls \
-                     are not repeated, so grains that reach across that side do not feel it there. Keep it away from the side, or \
-                     let it go through the domain",
-                    wall.name
-                ));
-            } else if reaches_lower && (lower[axis] > below - largest || upper[axis] < above + largest) {
-                let name = ["x", "y", "z"][axis];
-                warnings.push(format!(
-                    "wall `{}` reaches from {:.6} m to {:.6} m along {name}, where periodic sides are at {below:.6} m and {above:.6} m: \
-                     grains feel its rim before they are put back from behind a side. Let it reach beyond both sides by the radius of \
-                     the largest grain: from {:.6} m or less to {:.6} m or more",
-                    wall.name,
-                    lower[axis],
-                    upper[axis],
-                    below - largest,
-                    above + largest
-                ));
-            }
-        }
-    }
-}
-
 pub(super) fn check_overlaps(
     scenario: &Scenario,
     grains: &Grains,
@@ -232,6 +178,9 @@ fn deepest_in_wall(grains: &Grains, walls: &[Wall]) -> Option<(usize, usize, f64
 /// A wall may not move by more than this share of the smallest radius in one step.
 const MOST_MOTION: f64 = 0.1;
 
+/// A motion that comes and goes takes at least this many steps each time; with fewer the steps see another motion.
+const LEAST_STEPS_OF_PERIOD: f64 = 20.0;
+
 /// Tells motions that are too fast for the time step.
 pub(super) fn check_wall_speeds(
     scenario: &Scenario,
@@ -270,11 +219,28 @@ pub(super) fn check_wall_speeds(
                 Some("slow it down or use a shorter time step".to_string()),
             );
         }
+        let periods = motion.parts.iter().filter_map(|part| shortest_period(&part.motion));
+        let shortest = periods.min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((does, period)) = shortest.filter(|(_, period)| *period < LEAST_STEPS_OF_PERIOD * dt) {
+            faults.push(
+                &path,
+                format!(
+                    "wall `{name}` {does} within {period:.4e} s, {:.3} time steps of {dt:.3e} s; at least {LEAST_STEPS_OF_PERIOD} are \
+                     needed, or the steps see another motion than the one that is told",
+                    period / dt
+                ),
+                Some(format!(
+                    "let it take {:.3e} s or longer, or set `simulation.time_step` to {:.3e} s or less",
+                    LEAST_STEPS_OF_PERIOD * dt,
+                    period / LEAST_STEPS_OF_PERIOD
+                )),
+            );
+        }
     }
 }
 
 /// All motions that any wall is told in the run.
-fn told_motions(scenario: &Scenario) -> impl Iterator<Item = (usize, &Motions)> {
+pub(super) fn told_motions(scenario: &Scenario) -> impl Iterator<Item = (usize, &Motions)> {
     let at_start = scenario.walls.iter().map(|wall| &wall.motion).enumerate();
     let in_stages = scenario.stages.iter().flat_map(|stage| &stage.motions);
     at_start.chain(in_stages.map(|(wall, motions)| (*wall, motions)))
@@ -368,6 +334,22 @@ fn check_leaders(scenario: &Scenario, leaders: &[Option<usize>], paths: &[(usize
     }
 }
 
+/// What a motion does again and again, and the shortest time in which it does [s]; `None` where it does not.
+fn shortest_period(motion: &Motion) -> Option<(&'static str, f64)> {
+    let (does, frequency) = match motion {
+        Motion::Oscillation {
+            amplitude, frequency, ..
+        } if *amplitude != DVec3::ZERO => ("oscillates once", *frequency),
+        Motion::Rocking {
+            amplitude, frequency, ..
+        } if *amplitude != 0.0 => ("rocks once", *frequency),
+        Motion::Rotation { angular_velocity, .. } => ("turns once", angular_velocity.abs() / (2.0 * PI)),
+        Motion::Table(table) => return Some(("goes to and fro by its table", 2.0 * table.shortest_way()?)),
+        _ => return None,
+    };
+    (frequency > 0.0).then(|| (does, 1.0 / frequency))
+}
+
 /// Upper bound of the speed of a wall by all motions that do not depend on forces, none where it rests [m/s]. Motions that turn
 /// count as far as the wall lies from the point of their axis where it starts; a wall without bounds by its straight ones alone.
 fn largest_speed(motions: &Motions, bounds: Option<(DVec3, DVec3)>) -> Option<f64> {
@@ -382,7 +364,12 @@ fn largest_speed(motions: &Motions, bounds: Option<(DVec3, DVec3)>) -> Option<f6
         Motion::Oscillation {
             amplitude, frequency, ..
         } => 2.0 * PI * frequency * amplitude.length(),
-        Motion::Table(table) => table.largest_speed(),
+        Motion::Table(table) => {
+            let turn = table
+                .axis()
+                .map_or(0.0, |(point, axis)| table.largest_rate() * reach(point, axis));
+            table.largest_speed() + turn
+        }
         Motion::Servo { max_speed, .. } => *max_speed,
         Motion::Rotation {
             point,

@@ -3,7 +3,7 @@
 use super::{Scenario, WallShape, WallSpec};
 use crate::particles::Grains;
 use crate::walls::mesh::Repair;
-use crate::walls::{Mesh, MeshFormat, Shape, Wall, read_mesh};
+use crate::walls::{Mesh, MeshError, MeshFormat, Shape, Wall, read_mesh};
 use glam::DVec3;
 
 /// Largest and smallest size of a mesh, as a multiple of the size of all grains together, that is no reason to doubt its
@@ -66,7 +66,14 @@ pub(super) fn shape(spec: &WallSpec) -> Result<(Shape, Option<MeshOrigin>), (&'s
             (content.triangles, Some(source))
         }
     };
-    let (triangles, repair) = Mesh::repair(&given, spec.weld).map_err(|error| ("", error.to_string()))?;
+    let (triangles, repair) = Mesh::repair(&given, spec.weld).map_err(|error| {
+        let key = if matches!(error, MeshError::AllJoined { .. }) {
+            ".weld"
+        } else {
+            ""
+        };
+        (key, error.to_string())
+    })?;
     if spec.closed {
         let mesh = Mesh::new(&triangles).map_err(|error| ("", error.to_string()))?;
         mesh.require_closed().map_err(|error| (".closed", error.to_string()))?;

@@ -1,12 +1,12 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
 use super::checks::{
-    check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds,
-    check_walls_at_periodic_sides, expected_of_feed, memory_of, wall_partners, with_free_walls,
+    check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds, expected_of_feed,
+    wall_partners, with_free_walls,
 };
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
-use super::{Diagnostics, Scenario, TimeStep, WallSpec};
+use super::{Diagnostics, Scenario, TimeStep, WallSpec, estimates, periodic_walls, stray_walls};
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, NewGrain, Origins, Outside};
@@ -15,9 +15,6 @@ use crate::walls::Wall;
 use demeter_physics::contact::LawError;
 use glam::DVec3;
 use std::borrow::Cow;
-
-/// Particle-steps per second and thread assumed for the estimate of the run time.
-const ASSUMED_SPEED: f64 = 2e6;
 
 /// Grains whose memory is given back at once while tables take them: some megabytes.
 const GIVEN_BACK_AT_ONCE: usize = 1 << 16;
@@ -48,8 +45,12 @@ pub struct Prepared {
     pub steps: u64,
     /// Estimated memory [bytes].
     pub memory: u64,
-    /// Estimated run time on one thread [s].
+    /// Estimated run time on one thread, with the writing of frames [s].
     pub run_time: f64,
+    /// Frames when no condition ends a stage early.
+    pub frames: u64,
+    /// Estimated size of the files of one frame [bytes].
+    pub frame_bytes: u64,
 }
 
 /// Makes a scenario ready to run, or tells everything that is wrong with it.
@@ -60,7 +61,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let materials = materials(scenario, &mut faults);
     let (walls, meshes) = walls(scenario, &mut faults);
     check_stage_motions(scenario, &mut faults);
-    check_memory(scenario, &mut faults);
+    check_memory(scenario, &walls, &mut faults);
     if !faults.is_empty() {
         return Err(faults);
     }
@@ -77,7 +78,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     check_feeds(scenario, &domain, &mut faults);
     super::deformation::check(scenario, &grains, None, &mut faults);
     meshes::check(scenario, &walls, &meshes, &all, &mut warnings);
-    check_walls_at_periodic_sides(&walls, &all, &domain, &mut warnings);
+    periodic_walls::check(&walls, &all, &domain, &mut warnings);
     super::walls_in_one_place::check(&walls, &all, &domain, &mut warnings);
     super::field_measures::check_kernels(&scenario.measures, &domain, &mut warnings);
     super::region_measures::check_gates(&scenario.measures, &all, &domain, &mut warnings);
@@ -106,6 +107,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
     check_wall_speeds(scenario, &walls, &all, dt, &mut faults);
+    stray_walls::check(scenario, &walls, (&all, &domain), dt, &mut warnings);
     super::deformation::check(scenario, &grains, Some(dt), &mut faults);
     if !faults.is_empty() {
         return Err(faults);
@@ -113,9 +115,12 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let stage_steps: Vec<u64> = scenario.stages.iter().map(|s| super::run::longest(s, dt)).collect();
     let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
     let most = grains.len() as f64 + scenario.feeds.iter().map(expected_of_feed).sum::<f64>();
+    let work = estimates::work(scenario, most, &walls, &stage_steps, dt);
     Ok(Prepared {
-        memory: memory_of(most) as u64,
-        run_time: most * steps as f64 / ASSUMED_SPEED,
+        memory: estimates::memory(most, &walls) as u64,
+        run_time: work.time,
+        frames: work.frames,
+        frame_bytes: work.frame_bytes as u64,
         origins,
         to_come,
         time_scale: scale,
@@ -198,6 +203,17 @@ fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> (Vec<Wall>, Vec<Optio
                     None,
                 );
             }
+        }
+    }
+    // numbers belong to the walls of the scenario where all of them were built
+    if let (Some(domain), true) = (periodic_domain(scenario), walls.len() == scenario.walls.len()) {
+        for (k, error) in periodic_walls::repeat(&mut walls, scenario, &domain) {
+            let name = &scenario.walls[k].name;
+            faults.push(
+                &format!("wall[{k}]"),
+                format!("wall `{name}`, repeated at periodic sides: {error}"),
+                None,
+            );
         }
     }
     (walls, origins)

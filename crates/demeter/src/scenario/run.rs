@@ -12,6 +12,7 @@ use super::prepare::{Prepared, prepare_to_resume};
 use super::report::{Report, RunEnd};
 use super::rows::{Rows, told_titles};
 use super::run_error::RunError;
+use super::stray_walls::StrayWalls;
 use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::contacts::Fault;
@@ -112,7 +113,7 @@ pub(super) fn longest(stage: &Stage, dt: f64) -> u64 {
 }
 
 /// Whole steps nearest to a time, at least one.
-fn steps_in(seconds: f64, dt: f64) -> u64 {
+pub(super) fn steps_in(seconds: f64, dt: f64) -> u64 {
     (seconds / dt).round().max(1.0) as u64
 }
 
@@ -131,6 +132,7 @@ pub(super) struct Runner<'a> {
     /// What the latest row told.
     pub(super) latest: Option<Measures>,
     traffic: Traffic<'a>,
+    stray_walls: StrayWalls,
     steps: u64,
     pub(super) rows: Rows<'a>,
     told: f64,
@@ -266,6 +268,7 @@ impl<'a> Runner<'a> {
             .fold(0, u64::saturating_add);
         Self {
             scenario,
+            stray_walls: StrayWalls::of(&sim.walls, sim.domain(), &sim.grains),
             first_step: sim.step,
             particle_steps: 0,
             started: Instant::now(),
@@ -403,6 +406,7 @@ impl<'a> Runner<'a> {
         let cadence = self.stage().cadence;
         if !is_over && self.is_due(cadence.series) {
             self.write_row()?;
+            self.tell_stray_walls(observer)?;
         }
         if !is_over && self.is_due(cadence.frames) {
             self.write_frame()?;
@@ -419,6 +423,12 @@ impl<'a> Runner<'a> {
             Err(Ok(fault)) => Ok(Err(fault)),
             Err(Err(error)) => Err(error),
         }
+    }
+
+    /// Tells walls that grains do not meet any more.
+    pub(super) fn tell_stray_walls(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
+        let news = (self.stray_walls).news(&self.sim.walls, self.sim.domain(), &self.sim.grains);
+        news.iter().try_for_each(|text| self.say(text, observer))
     }
 
     /// Tells the observer and the log.

@@ -1,5 +1,6 @@
 mod faults;
 mod reference;
+mod stray_walls;
 
 use super::*;
 use crate::insertion::{Amount, Basis, LatticeKind, Region, SizeDistribution, Source};
@@ -359,7 +360,7 @@ fn repeats_are_unrolled_with_names_of_their_own() {
 }
 
 #[test]
-fn a_wall_that_ends_at_a_periodic_side_is_told() {
+fn a_wall_that_ends_at_a_periodic_side_and_is_not_repeated_is_told() {
     let text = |walls: &str| {
         format!(
             r#"
@@ -397,19 +398,36 @@ steps = 10
     };
     let floor =
         "[[wall]]\nname = \"floor\"\nmaterial = \"glass\"\nshape = \"plane\"\npoint = \"0 0 0 mm\"\nnormal = \"z\"\n";
-    let plate = "[[wall]]\nname = \"plate\"\nmaterial = \"glass\"\nshape = \"rectangle\"\ncenter = \"10 10 2 mm\"\nhalf_u = \"11.1 0 0 mm\"\nhalf_v = \"0 3 0 mm\"\n";
+    let plate = |half: f64, more: &str| {
+        format!(
+            "[[wall]]\nname = \"plate\"\nmaterial = \"glass\"\nshape = \"rectangle\"\ncenter = \"10 10 2 mm\"\nhalf_u = \"{half} 0 0 mm\"\nhalf_v = \"0 3 0 mm\"\n{more}"
+        )
+    };
+    let turning = "motion = { rotation = { point = \"10 10 5 mm\", axis = \"z\", angular_velocity = \"1 rpm\" } }\n";
     let told = |walls: &str| prepare(&parse(&text(walls), &[]).unwrap()).unwrap().warnings.join("\n");
-    for walls in [floor, plate, &ball(10.0), &ball(4.1)] {
+    for walls in [
+        floor,
+        &plate(11.1, ""),
+        &plate(10.0, ""),
+        &plate(5.0, turning),
+        &ball(10.0),
+        &ball(3.9),
+        &ball(0.0),
+    ] {
         assert_eq!(told(walls), "", "{walls}");
     }
-    for (x, side) in [(3.9, "-x"), (0.0, "-x"), (16.5, "+x")] {
-        let told = told(&ball(x));
-        assert!(
-            told.contains(&format!(
-                "wall `ball` comes within a grain's radius of the periodic side {side}"
-            )),
-            "{told}"
-        );
+    for (walls, words) in [
+        (
+            plate(10.0, turning),
+            "from 0.000000 m to 0.020000 m along x, where periodic sides are at 0.000000 m and 0.020000 m, and is not repeated",
+        ),
+        (plate(10.5, ""), "as it is longer than the box"),
+        (plate(9.9, ""), "a gap of 2.000e-4 m"),
+        (ball(16.5) + turning, "within a grain's radius of the periodic side +x"),
+        (ball(3.9) + turning, "within a grain's radius of the periodic side -x"),
+    ] {
+        let told = told(&walls);
+        assert!(told.contains(words), "{told}");
     }
 }
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 use std::f64::consts::PI;
 
 /// Number of faces of a box, the open ones counted.
-const FACES: usize = 6;
+pub(super) const FACES: usize = 6;
 
 /// Number of elements.
 pub(super) fn count(surface: &Surface) -> usize {
@@ -20,7 +20,10 @@ pub(super) fn count(surface: &Surface) -> usize {
 /// The element that a contact with a key is on, at a point of the surface in the wall frame.
 pub(super) fn at(surface: &Surface, key: u32, point: DVec3, reach: f64) -> u32 {
     match surface {
-        Surface::Mesh(mesh) => mesh.closest_triangle(point, reach).unwrap_or(0),
+        Surface::Mesh(mesh) => mesh
+            .closest_triangle(point, reach)
+            .map_or(0, |triangle| mesh.original(triangle)),
+        Surface::Images(one, _) if matches!(**one, Surface::Box { .. }) => key % FACES as u32,
         Surface::Box { .. } => key,
         _ => 0,
     }
@@ -43,6 +46,7 @@ pub(super) fn area(surface: &Surface, element: usize) -> f64 {
         Surface::Shell(s) => 4.0 * PI * s.radius * s.radius,
         Surface::Rectangle(r) => 4.0 * r.half[0] * r.half[1],
         Surface::Disc(d) => PI * d.radius * d.radius,
+        Surface::Images(one, _) => area(one, element),
         Surface::Mesh(mesh) => mesh.triangles().get(element).map_or(f64::INFINITY, area_of),
     }
 }

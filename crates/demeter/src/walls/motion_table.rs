@@ -117,6 +117,11 @@ impl MotionTable {
         self.axis
     }
 
+    /// Whether it displaces anything along a coordinate axis.
+    pub fn is_shifted(&self, axis: usize) -> bool {
+        self.places.iter().any(|place| place[axis] != 0.0)
+    }
+
     /// Displacement and angle, and their rates, at a time since the start of the motion.
     pub fn at(&self, time: f64) -> ([f64; 4], [f64; 4]) {
         let last = self.times.len() - 1;
@@ -152,6 +157,16 @@ impl MotionTable {
 
     /// Largest speed of the displacement [m/s].
     pub fn largest_speed(&self) -> f64 {
+        self.steepest(length)
+    }
+
+    /// Largest angular velocity [1/s].
+    pub fn largest_rate(&self) -> f64 {
+        self.steepest(|rates| rates[3].abs())
+    }
+
+    /// The largest of what a measure makes of the rates at any time.
+    fn steepest(&self, measure: impl Fn(&[f64; 4]) -> f64) -> f64 {
         let mut largest = 0.0f64;
         for row in 0..self.times.len() - 1 {
             let h = self.times[row + 1] - self.times[row];
@@ -162,9 +177,32 @@ impl MotionTable {
             } else {
                 1.0
             };
-            largest = largest.max(factor * length(&chord));
+            largest = largest.max(factor * measure(&chord));
         }
-        self.rates.iter().map(length).fold(largest, f64::max)
+        self.rates.iter().map(measure).fold(largest, f64::max)
+    }
+
+    /// Shortest time between two rows at which a displacement or the angle turns back [s]; `None` where none turns back twice.
+    pub fn shortest_way(&self) -> Option<f64> {
+        let last = self.times.len() - 1;
+        let repeats = self.at_end == AtEnd::Repeat;
+        let period = self.times[last] - self.times[0];
+        let of_one = |k: usize| {
+            let ways = self.places.windows(2).map(|rows| rows[1][k] - rows[0][k]);
+            // a wall that waits turns back where it sets out again
+            let ways: Vec<(f64, f64)> = ways
+                .zip(self.times.iter().copied())
+                .filter(|(way, _)| *way != 0.0)
+                .collect();
+            let turns = |pair: &[(f64, f64)]| (pair[0].0 * pair[1].0 < 0.0).then_some(pair[1].1);
+            let mut at: Vec<f64> = ways.windows(2).filter_map(turns).collect();
+            if let (true, Some(first), Some(end)) = (repeats, ways.first(), ways.last()) {
+                at.extend((first.0 * end.0 < 0.0).then_some(first.1 + period));
+                at.extend(at.first().map(|first| first + period));
+            }
+            at.windows(2).map(|times| times[1] - times[0]).reduce(f64::min)
+        };
+        (0..4).filter_map(of_one).reduce(f64::min)
     }
 
     /// At a time from the first row up to the last.
@@ -354,5 +392,31 @@ mod tests {
         assert_eq!(wrong(&|r| r.times[0] = -1.0), WallError::TableOrder);
         assert_eq!(wrong(&|r| r.values[1][2] = f64::NAN), WallError::TableOrder);
         assert_eq!(wrong(&|r| r.times.truncate(1)), WallError::TableRows { rows: 1 });
+    }
+
+    #[test]
+    fn the_shortest_way_is_told_between_rows_where_it_turns_back() {
+        let way = |times: &[f64], places: &[f64], at_end| {
+            let rows = TableRows {
+                times: times.to_vec(),
+                values: places.iter().map(|&x| [0.0, 0.0, x, -2.0 * x]).collect(),
+            };
+            let table = MotionTable::new(rows, Interpolation::Linear, at_end, None).unwrap();
+            table.shortest_way()
+        };
+        assert_eq!(way(&[0.0, 1.0, 3.0, 4.0], &[0.0, 1.0, 2.0, 5.0], AtEnd::Hold), None);
+        assert_eq!(way(&[0.0, 1.0, 3.0], &[0.0, 1.0, 0.0], AtEnd::Hold), None);
+        assert_eq!(
+            way(&[0.0, 1.0, 3.0, 3.5], &[0.0, 1.0, 0.0, 4.0], AtEnd::Hold),
+            Some(2.0)
+        );
+        // it turns back at its end, too, where it begins again
+        assert_eq!(way(&[0.0, 1.0, 3.0], &[0.0, 1.0, 0.0], AtEnd::Repeat), Some(1.0));
+        assert_eq!(way(&[0.5, 1.0, 3.0], &[0.0, 1.0, 2.0], AtEnd::Repeat), None);
+        // it waits at the top from 1 to 2
+        assert_eq!(
+            way(&[0.0, 1.0, 2.0, 3.0, 3.5], &[0.0, 1.0, 1.0, 0.0, 1.0], AtEnd::Hold),
+            Some(1.0)
+        );
     }
 }

@@ -232,6 +232,11 @@ impl Motor {
         self.evaluate(origin);
     }
 
+    /// Whether every part follows the clock alone.
+    pub(super) fn is_clockwork(&self) -> bool {
+        self.parts.iter().all(|part| matches!(part.drive, Drive::Clock))
+    }
+
     /// Tells the driven part where the wall stands at the end of the next step; without one nothing happens.
     pub(super) fn drive(&mut self, next: Driven) {
         for part in &mut self.parts {

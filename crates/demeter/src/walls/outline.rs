@@ -74,6 +74,11 @@ fn rings(surface: &Surface) -> Vec<Ring> {
 pub(super) fn bounds(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(DVec3, DVec3)> {
     match surface {
         Surface::Plane(_) => None,
+        Surface::Images(one, shifts) => {
+            let (lower, upper) = bounds(one, origin, pose)?;
+            let shifts = shifts.iter().map(|&shift| pose.turn(shift));
+            Some(around(shifts.flat_map(|shift| [lower + shift, upper + shift])))
+        }
         Surface::Box { lower, upper, .. } => Some(around(
             corners(*lower, *upper)
                 .into_iter()
@@ -107,9 +112,10 @@ pub(super) fn bounds(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(D
 
 /// A box around a placed surface that costs little, for it is asked for in every step: a turned mesh is as large as its
 /// turned box.
-fn enclosing(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(DVec3, DVec3)> {
+pub(super) fn enclosing(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(DVec3, DVec3)> {
     match surface {
         Surface::Box { .. } => None,
+        Surface::Images(one, _) if matches!(**one, Surface::Box { .. }) => None,
         Surface::Mesh(mesh) => {
             let (lower, upper) = mesh.bounds();
             Some(around(
@@ -242,6 +248,7 @@ pub(super) fn triangles(surface: &Surface, origin: DVec3, pose: &Pose, lower: DV
                 .map(place)
                 .collect()
         }
+        Surface::Images(one, _) => triangles(one, origin, pose, lower, upper),
         Surface::Mesh(mesh) => mesh
             .triangles()
             .iter()

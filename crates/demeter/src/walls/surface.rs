@@ -1,5 +1,6 @@
 //! A shape, checked and made ready for queries in the wall frame.
 
+use super::elements::FACES;
 use super::error::WallError;
 use super::limits::{UNIT_TOLERANCE, finite, not_negative, positive, unit};
 use super::mesh::Mesh;
@@ -32,6 +33,8 @@ pub(super) enum Surface {
     Rectangle(Rectangle),
     Disc(Disc),
     Mesh(Box<Mesh>),
+    /// Images of one of the others, but of a mesh, at these shifts; the first is not shifted.
+    Images(Box<Surface>, Vec<DVec3>),
 }
 
 impl Surface {
@@ -100,6 +103,14 @@ impl Surface {
         let reach = radius + beyond;
         match self {
             Surface::Mesh(mesh) => mesh.contacts(centre, (radius, beyond), out),
+            Surface::Images(one, shifts) => {
+                for (image, &shift) in shifts.iter().enumerate() {
+                    let first = out.len();
+                    one.contacts(centre - shift, (radius, beyond), out);
+                    let found = out[first..].iter_mut();
+                    found.for_each(|contact| contact.element = of_image(image, contact.element));
+                }
+            }
             Surface::Box {
                 faces,
                 reach: ends,
@@ -125,6 +136,14 @@ impl Surface {
     pub(super) fn parts_near(&self, centre: DVec3, reach: f64, out: &mut Vec<u32>) {
         match self {
             Surface::Mesh(mesh) => mesh.triangles_near(centre, reach, out),
+            Surface::Images(one, shifts) => {
+                for (image, &shift) in shifts.iter().enumerate() {
+                    let first = out.len();
+                    one.parts_near(centre - shift, reach, out);
+                    let found = out[first..].iter_mut();
+                    found.for_each(|element| *element = of_image(image, *element));
+                }
+            }
             Surface::Box {
                 faces,
                 reach: ends,
@@ -147,6 +166,11 @@ impl Surface {
     pub(super) fn contact_with(&self, element: u32, centre: DVec3, reach: f64) -> Option<SurfaceContact> {
         let mut point = match self {
             Surface::Mesh(_) => return None,
+            Surface::Images(one, shifts) => {
+                let shift = shifts.get(element as usize / FACES)?;
+                let contact = one.contact_with(element % FACES as u32, centre - shift, reach)?;
+                return Some(SurfaceContact { element, ..contact });
+            }
             Surface::Box {
                 faces,
                 reach: ends,
@@ -183,6 +207,7 @@ impl Surface {
     pub(super) fn near(&self, centre: DVec3, reach: f64) -> bool {
         match self {
             Surface::Mesh(mesh) => mesh.near(centre, reach),
+            Surface::Images(one, shifts) => shifts.iter().any(|&shift| one.near(centre - shift, reach)),
             Surface::Box {
                 faces,
                 reach: ends,
@@ -204,6 +229,9 @@ impl Surface {
         let found = match self {
             Surface::Mesh(_) if limit <= 0.0 => return limit,
             Surface::Mesh(mesh) => mesh.distance(point, limit),
+            Surface::Images(one, shifts) => shifts
+                .iter()
+                .fold(limit, |least, &shift| one.clearance(point - shift, least)),
             Surface::Box {
                 faces, reach, margin, ..
             } => {
@@ -220,7 +248,7 @@ impl Surface {
         found.min(limit)
     }
 
-    /// The one closest point of a shape that touches a sphere at most once; `None` for boxes and meshes.
+    /// The one closest point of a shape that touches a sphere at most once; `None` for boxes, meshes and images.
     #[inline]
     fn closest(&self, centre: DVec3) -> Option<SurfacePoint> {
         Some(match self {
@@ -230,7 +258,7 @@ impl Surface {
             Surface::Shell(shell) => contact_sphere_shell(shell, centre),
             Surface::Rectangle(plate) => contact_sphere_rectangle(plate, centre),
             Surface::Disc(disc) => contact_sphere_disc(disc, centre),
-            Surface::Box { .. } | Surface::Mesh(_) => return None,
+            Surface::Box { .. } | Surface::Mesh(_) | Surface::Images(..) => return None,
         })
     }
 
@@ -249,8 +277,14 @@ impl Surface {
             Surface::Rectangle(plate) => plate.center,
             Surface::Disc(disc) => disc.center,
             Surface::Mesh(mesh) => mesh.centroid(),
+            Surface::Images(one, _) => one.centroid(),
         }
     }
+}
+
+/// The element of an image.
+fn of_image(image: usize, element: u32) -> u32 {
+    (image * FACES) as u32 + element
 }
 
 #[inline]

@@ -10,8 +10,10 @@ use super::outline;
 use super::placed::PlacedPart;
 use super::pose::Pose;
 use super::record::{ElementRecord, Mark, Record, Recording};
+use super::repeated::{self, Drift, Repeated};
 use super::shape::Shape;
 use super::surface::Surface;
+use crate::particles::Domain;
 use demeter_physics::geometry::contact_sphere_triangle::ClosestPoints;
 use demeter_physics::lanes::{Index, Lanes};
 use glam::DVec3;
@@ -38,7 +40,12 @@ pub struct Wall {
     pub name: String,
     /// Index of its material.
     pub material: u16,
+    /// What grains feel.
     surface: Surface,
+    /// The surface as it was described, where grains feel more of it.
+    as_told: Option<Box<Surface>>,
+    /// Axes along which it is repeated.
+    repeated: [bool; 3],
     /// Centroid of the shape in the wall frame.
     origin: DVec3,
     motor: Motor,
@@ -69,6 +76,8 @@ impl Wall {
             name: name.to_owned(),
             material,
             surface,
+            as_told: None,
+            repeated: [false; 3],
             origin,
             motor,
             force,
@@ -76,6 +85,30 @@ impl Wall {
             is_present: true,
             record: None,
         })
+    }
+
+    /// Lengths of a wall and of a periodic box that differ by no more than this share are the same.
+    pub const SAME_LENGTH: f64 = repeated::SAME_LENGTH;
+
+    /// Has grains feel the wall across the periodic sides of a domain, too, along the axes in which it is no longer than the box, before it
+    /// has moved; `drift` tells how it may move along each axis. What it is drawn as, its bounds and its elements stay as described.
+    pub fn repeat(&mut self, domain: &Domain, drift: [Drift; 3]) -> Result<(), WallError> {
+        if let Some(Repeated { surface, axes }) = repeated::repeated(self.described(), domain, drift)? {
+            let told = std::mem::replace(&mut self.surface, surface);
+            self.as_told.get_or_insert(Box::new(told));
+            self.repeated = axes;
+        }
+        Ok(())
+    }
+
+    /// Whether the wall is repeated along an axis.
+    pub fn is_repeated(&self, axis: usize) -> bool {
+        self.repeated[axis]
+    }
+
+    /// The surface as it was described.
+    fn described(&self) -> &Surface {
+        self.as_told.as_deref().unwrap_or(&self.surface)
     }
 
     /// Whether the wall is there. One that is absent touches nothing, but goes on moving as told.
@@ -175,11 +208,23 @@ impl Wall {
             .clearance(self.motor.pose.unplace(self.origin, point), limit)
     }
 
-    /// The mesh that the wall is made of, in the wall frame; `None` when it is another shape.
+    /// The mesh that the wall is made of, as it was described, in the wall frame; `None` when it is another shape.
+    #[inline]
     pub fn mesh(&self) -> Option<&Mesh> {
+        let Surface::Mesh(mesh) = &self.surface else {
+            return None;
+        };
+        match self.as_told.as_deref() {
+            Some(Surface::Mesh(told)) => Some(told),
+            _ => Some(mesh),
+        }
+    }
+
+    /// Triangles of a mesh that grains may feel, copies across periodic sides among them; 0 for other shapes.
+    pub fn felt_triangles(&self) -> usize {
         match &self.surface {
-            Surface::Mesh(mesh) => Some(mesh),
-            _ => None,
+            Surface::Mesh(mesh) => mesh.triangles().len(),
+            _ => 0,
         }
     }
 
@@ -284,6 +329,11 @@ impl Wall {
         self.motor.driven()
     }
 
+    /// Whether the wall moves by its own motions alone, told as functions of time.
+    pub fn is_foreseeable(&self) -> bool {
+        self.motor.leader().is_none() && self.motor.is_clockwork()
+    }
+
     /// Moves the wall by one step of `dt` [s]; servos and free walls answer to the load of the last step.
     pub fn advance(&mut self, dt: f64) {
         self.motor.advance(dt, self.origin);
@@ -370,7 +420,13 @@ impl Wall {
 
     /// Smallest box around the wall in the world [m]; `None` when it is infinite, as planes and boxes of planes are.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
-        outline::bounds(&self.surface, self.origin, &self.motor.pose)
+        outline::bounds(self.described(), self.origin, &self.motor.pose)
+    }
+
+    /// A box around the wall in the world that costs little to find [m], as large as the turned box of a mesh; `None` when the wall goes
+    /// on beyond it.
+    pub fn rough_bounds(&self) -> Option<(DVec3, DVec3)> {
+        outline::enclosing(self.described(), self.origin, &self.motor.pose)
     }
 
     /// Triangles that draw the surface in the world frame [m]; an infinite plane is cut by the box given. None of a wall that
@@ -379,7 +435,7 @@ impl Wall {
         if !self.is_present {
             return Vec::new();
         }
-        outline::triangles(&self.surface, self.origin, &self.motor.pose, lower, upper)
+        outline::triangles(self.described(), self.origin, &self.motor.pose, lower, upper)
     }
 
     /// State for a checkpoint.
@@ -408,7 +464,7 @@ impl Wall {
 
     /// Has loads or wear recorded on every element, from now on.
     pub fn record(&mut self, recording: Recording) {
-        let elements = elements::count(&self.surface);
+        let elements = elements::count(self.described());
         self.record = recording.is_on().then(|| Record::new(recording, elements));
     }
 
@@ -456,13 +512,13 @@ impl Wall {
     /// What was recorded on every element; nothing where nothing is recorded.
     pub fn element_records(&self) -> Vec<ElementRecord> {
         let Some(record) = &self.record else { return Vec::new() };
-        let of = |k| record.of(k, elements::area(&self.surface, k), |v| self.motor.pose.turn(v));
+        let of = |k| record.of(k, elements::area(self.described(), k), |v| self.motor.pose.turn(v));
         (0..record.len()).map(of).collect()
     }
 
     /// The element of every one of so many triangles that draw the wall.
     pub fn elements_drawn(&self, triangles: usize) -> Vec<usize> {
-        elements::drawn(&self.surface, triangles)
+        elements::drawn(self.described(), triangles)
     }
 
     /// Energies lost in impacts and by friction [J] and volume worn [m^3] since the start; 0 where nothing is recorded.

@@ -392,9 +392,16 @@ fn what_cannot_be_tested_says_why_and_what_is_too_large_is_tried_with_a_larger_g
     assert_eq!(ask(&[], &[DVec3::ZERO], 0.1), Err(Untested::NoWall));
     assert_eq!(ask(&closed, &[], 0.1), Err(Untested::NoStart));
     assert_eq!(ask(&closed, &[v(0.5, 0.5, 0.5)], 0.6), Err(Untested::NoRoom));
-    // a grain that starts beside the box is out
-    let beside = ask(&closed, &[v(2.0, 0.5, 3.0)], 0.1).unwrap();
-    assert!(!beside.is_tight(), "{beside:?}");
+    // grains beside the box, or below it, never come into it
+    for start in [v(2.0, 0.5, 3.0), v(0.5, 0.5, -2.0)] {
+        let beside = ask(&closed, &[start], 0.1).unwrap_err();
+        let (lower, upper) = (DVec3::ZERO, DVec3::ONE);
+        assert_eq!(beside, Untested::Beside { lower, upper, start });
+        assert!(beside.to_string().contains("`shift`"), "{beside}");
+        // one above it does, and is out as long as the box is closed
+        let above = ask(&closed, &[start, v(0.5, 0.5, 3.0)], 0.1);
+        assert!(above.is_ok(), "{above:?}");
+    }
     let too_large = [mesh(cuboid(DVec3::splat(-1e4), DVec3::splat(1e4)))];
     assert_eq!(ask(&too_large, &[v(1e4 - 0.5, 0.0, 0.0)], 0.1), Err(Untested::TooLarge));
     let report = ask(&closed, &[v(0.5, 0.5, 0.5)], 1e-5).unwrap();

@@ -13,6 +13,7 @@ mod mesh;
 mod mesh_files;
 mod mesh_repair;
 mod motion;
+mod periodic;
 mod refused;
 mod stl;
 mod wall;

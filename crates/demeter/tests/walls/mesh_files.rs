@@ -148,7 +148,7 @@ fn good() -> Vec<(&'static str, Vec<u8>, MeshFormat)> {
 #[test]
 fn every_format_gives_the_same_triangles_whatever_its_name() {
     for (name, bytes, format) in good() {
-        for name in [name, "no-extension", "wrong.dat"] {
+        for name in [name, "no-extension", "wrong.dat", "wrong.stl"] {
             let content = read(name, &bytes).unwrap();
             assert_eq!((content.format, &content.triangles), (format, &pyramid()), "{name}");
         }
@@ -167,17 +167,15 @@ fn every_format_gives_the_same_triangles_whatever_its_name() {
                     "{name}"
                 );
             }
-            // every other line with another end, and a mark of UTF-8 at the start where the format has no first word
+            // every other line with another end, and a mark of UTF-8 at the start
             let mixed: String = text
                 .lines()
                 .enumerate()
                 .map(|(k, l)| l.to_string() + ["\n", "\r\n"][k % 2])
                 .collect();
             assert_eq!(read(name, mixed.as_bytes()).unwrap().triangles, pyramid(), "{name}");
-            if format != MeshFormat::PlyAscii {
-                let marked = [b"\xef\xbb\xbf", text.as_bytes()].concat();
-                assert_eq!(read(name, &marked).unwrap().triangles, pyramid(), "{name}");
-            }
+            let marked = [b"\xef\xbb\xbf", text.as_bytes()].concat();
+            assert_eq!(read(name, &marked).unwrap().triangles, pyramid(), "{name}");
         }
     }
 }
@@ -225,6 +223,49 @@ fn obj_counts_back_from_the_end_joins_lines_and_cuts_concave_faces() {
 /// A change to a good text: what is replaced, by what, and a piece of the message that must come.
 type Change = (&'static str, &'static str, &'static str);
 
+#[test]
+fn comments_are_passed_over() {
+    let stl = format!(
+        "# by hand\n\n{}",
+        stl_text().replace("outer loop\n", "outer loop\n # of three\n")
+    );
+    let obj = obj()
+        .replace("//1\n", "//1 # a face\n")
+        .replace(" 1.5\n", " 1.5 # the top\n");
+    for (name, text) in [("a.stl", stl), ("a.obj", obj)] {
+        assert!(text.matches('#').count() > 5, "{text}");
+        assert_eq!(read(name, text.as_bytes()).unwrap().triangles, pyramid(), "{name}");
+    }
+}
+
+#[test]
+fn what_is_no_mesh_is_told_by_its_kind() {
+    let wide: Vec<u8> = ("\u{feff}".to_string() + &stl_text())
+        .encode_utf16()
+        .flat_map(u16::to_le_bytes)
+        .collect();
+    let mut gzip = b"\x1f\x8b\x08".to_vec();
+    gzip.resize(400, 7);
+    for (bytes, what) in [
+        (wide, "text in UTF-16, which is not read; save it as plain text"),
+        (gzip, "compressed by gzip, which is not read; unpack it"),
+        (b"PK\x03\x04 and more".to_vec(), "a ZIP archive"),
+        (b"\xef\xbb\xbf<!DOCTYPE html><html>".to_vec(), "a page of the web"),
+        (b"ISO-10303-21;\nHEADER;".to_vec(), "a STEP file"),
+        (b"version https://git-lfs.github.com/spec/v1\n".to_vec(), "git lfs pull"),
+    ] {
+        for name in ["a.stl", "a.obj", "a.ply", "a.txt", "none"] {
+            let told = read(name, &bytes).unwrap_err().to_string();
+            assert!(told.contains(name) && told.contains(what), "{told}");
+        }
+    }
+    // text that no format fits is not taken for a damaged binary file
+    let told = read("a.stl", "a mesh, some day\n".repeat(20).as_bytes())
+        .unwrap_err()
+        .to_string();
+    assert!(told.contains("in none of the formats"), "{told}");
+}
+
 const OBJ_CHANGES: [Change; 16] = [
     ("f 1//1", "f 9//1", "names vertex 8"),
     ("f 1//1", "f 0//1", "names vertex 0"),
@@ -244,7 +285,7 @@ const OBJ_CHANGES: [Change; 16] = [
     ("s off", "\u{0}\u{1}\u{2}", "a line of an OBJ file"),
 ];
 
-const PLY_CHANGES: [Change; 26] = [
+const PLY_CHANGES: [Change; 27] = [
     ("format ascii 1.0\n", "", "before a line `format"),
     ("format ascii", "format morse", "`format` ascii"),
     ("element vertex 5", "element vertex 4000000000", "4000000000 entries"),
@@ -267,7 +308,11 @@ const PLY_CHANGES: [Change; 26] = [
         "element nothing 99999999\nelement vertex 5",
         "entries",
     ),
-    ("property float x", "property float w", "`x`, `y` and `z`"),
+    (
+        "property float x",
+        "property float w",
+        "has the properties `w`, `y`, `z`, `red`, and needs `x`, `y` and `z`",
+    ),
     ("property float x", "property long x", "a type and a name"),
     ("property float x", "property list float int x", "a type and a name"),
     (
@@ -278,9 +323,10 @@ const PLY_CHANGES: [Change; 26] = [
     ("element vertex 5\n", "", "an `element` before"),
     ("end_header\n", "", "a line of a PLY header"),
     ("4 0 3 2 1", "4 0 3 2 7", "names vertex 7"),
-    ("4 0 3 2 1", "4 0 3 2 -1", "names vertex -1"),
+    ("4 0 3 2 1", "4 0 3 2 -1", "names vertex -1; the file has 5 vertices"),
     ("4 0 3 2 1", "4 0 3 2 0.5", "names vertex 0.5"),
     ("4 0 3 2 1", "4000000 0 3 2 1", "before all"),
+    ("4 0 3 2 1", "-4 0 3 2 1", "would have -4 entries"),
     ("4 0 3 2 1", "4 0 3 2 one", "`one` is none"),
     ("0.5 0.5 1.5 255", "0.5 0.5 nan 255", "must be finite"),
 ];

@@ -198,3 +198,14 @@ fn a_fine_sphere_crosses_itself_nowhere() {
         "{found:?}"
     );
 }
+
+#[test]
+fn a_distance_of_joining_that_leaves_no_triangle_is_told() {
+    let corners = [[v(0.0, 0.0, 0.0), v(0.3, 0.0, 0.0), v(0.0, 0.4, 0.0)]];
+    let error = Mesh::repair(&corners, Some(2.0)).unwrap_err();
+    let told = error.to_string();
+    assert!(
+        told.contains("none of the 1 triangles") && told.contains("within 2 m") && told.contains("0.3 m long"),
+        "{told}"
+    );
+}

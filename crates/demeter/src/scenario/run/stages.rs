@@ -41,6 +41,7 @@ impl Runner<'_> {
 
     pub(super) fn end_stage(&mut self, reason: &str, observer: &mut dyn Observer) -> Result<(), RunError> {
         self.write_row()?;
+        self.tell_stray_walls(observer)?;
         self.write_frame()?;
         self.draw_stage()?;
         let stage = self.stage();

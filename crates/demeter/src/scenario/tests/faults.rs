@@ -174,3 +174,49 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn motions_that_come_and_go_within_some_steps_are_refused() {
+    let told = |motion: &str| {
+        let motion = format!("wall.box.motion={{ {motion} }}");
+        let scenario = parse(settle(), &["simulation.time_step=1 us", &motion]).unwrap();
+        prepare(&scenario).map_or_else(|faults| faults.to_string(), |_| String::new())
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let table = |name: &str, rows: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, format!("time [us], z [um]\n{rows}")).unwrap();
+        format!(
+            "table = {{ file = {:?}, at_end = \"repeat\" }}",
+            path.display().to_string()
+        )
+    };
+    for (motion, words) in [
+        (
+            "oscillation = { amplitude = \"0 0 1 nm\", frequency = \"1 MHz\" }",
+            "wall `box` oscillates once within 1.0000e-6 s, 1.000 time steps of 1.000e-6 s; at least 20 are needed",
+        ),
+        (
+            "rocking = { point = \"0 0 0 m\", axis = \"y\", amplitude = \"1e-6 deg\", frequency = \"60 kHz\" }",
+            "rocks once",
+        ),
+        (
+            "rotation = { point = \"0 0 0 m\", axis = \"z\", angular_velocity = \"4e5 rad/s\" }",
+            "turns once",
+        ),
+        (
+            &table("fast.csv", "0, 0\n4, 0.001\n9, 0\n"),
+            "goes to and fro by its table within 8",
+        ),
+    ] {
+        let told = told(motion);
+        assert!(told.contains(words), "{motion}: {told}");
+    }
+    for motion in [
+        "oscillation = { amplitude = \"0 0 1 nm\", frequency = \"49 kHz\" }",
+        "oscillation = { amplitude = \"0 0 0 nm\", frequency = \"1 MHz\" }",
+        &table("slow.csv", "0, 0\n12, 0.001\n30, 0\n"),
+    ] {
+        assert_eq!(told(motion), "", "{motion}");
+    }
+}

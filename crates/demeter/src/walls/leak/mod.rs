@@ -110,7 +110,7 @@ impl LeakReport {
 }
 
 /// Why the test could not be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum Untested {
     /// There is no wall.
     #[error("there is no wall")]
@@ -121,6 +121,19 @@ pub enum Untested {
     /// Every grain at the start touches a wall on all sides.
     #[error("no grain has room to move at the start, so there is no way out to look for")]
     NoRoom,
+    /// No grain is between the walls, nor falls between them.
+    #[error(
+        "no grain starts between the walls or above them: they reach from {lower} to {upper} m, and the first grain is at {start} m. \
+         Is the place of the walls (`shift`, `unit`, `scale` of a mesh) right, and that of the grains?"
+    )]
+    Beside {
+        /// Lower corner of the box around the walls [m].
+        lower: DVec3,
+        /// Upper corner [m].
+        upper: DVec3,
+        /// Where the first grain is [m].
+        start: DVec3,
+    },
     /// Walls that reach too far for their grains.
     #[error("the walls are too large against the grains")]
     TooLarge,
@@ -134,6 +147,7 @@ pub fn find_openings(test: &LeakTest<'_>) -> Result<LeakReport, Untested> {
     if test.starts.is_empty() {
         return Err(Untested::NoStart);
     }
+    check_place(test)?;
     let area = Space::new(test.walls, test.radius, test.gravity).area;
     let mut radius = test.radius.max((CELLS_PER_AREA * area / MOST_CELLS as f64).sqrt());
     for attempt in 0..6u8 {
@@ -145,6 +159,45 @@ pub fn find_openings(test: &LeakTest<'_>) -> Result<LeakReport, Untested> {
         }
     }
     Err(Untested::TooLarge)
+}
+
+/// Refuses grains all of which are beside the box around the walls, and do not fall into it either.
+fn check_place(test: &LeakTest<'_>) -> Result<(), Untested> {
+    let mut boxes = Vec::with_capacity(test.walls.len());
+    for wall in test.walls {
+        // what goes on for ever has no beside
+        let Some(bounds) = wall.bounds() else { return Ok(()) };
+        boxes.push(bounds);
+    }
+    let mut around = boxes.into_iter();
+    let Some(first) = around.next() else { return Ok(()) };
+    let (lower, upper) = around.fold(first, |(l, u), (low, high)| (l.min(low), u.max(high)));
+    let reach = DVec3::splat(test.radius);
+    let down = test.gravity.normalize_or_zero();
+    let periodic = test.domain.map_or([false; 3], |domain| domain.periodic);
+    let meets = |start: &DVec3| {
+        let (mut enters, mut leaves) = (0.0f64, f64::INFINITY);
+        for k in (0..3).filter(|&k| !periodic[k]) {
+            let [near, far] = [lower[k] - reach[k] - start[k], upper[k] + reach[k] - start[k]];
+            if down[k] == 0.0 {
+                if near > 0.0 || far < 0.0 {
+                    return false;
+                }
+                continue;
+            }
+            let [a, b] = [near / down[k], far / down[k]];
+            (enters, leaves) = (enters.max(a.min(b)), leaves.min(a.max(b)));
+        }
+        enters <= leaves
+    };
+    if test.starts.iter().any(meets) {
+        return Ok(());
+    }
+    Err(Untested::Beside {
+        lower,
+        upper,
+        start: test.starts[0],
+    })
 }
 
 /// The search for all openings.

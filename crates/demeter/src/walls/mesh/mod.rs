@@ -60,6 +60,19 @@ pub enum MeshError {
         /// Its corners [m].
         corners: [DVec3; 3],
     },
+    /// The distance within which corners are joined leaves no triangle.
+    #[error(
+        "none of the {count} triangles of the mesh is left where corners within {tolerance} m are joined; its shortest edge is \
+         {shortest} m long, so join corners within far less than that"
+    )]
+    AllJoined {
+        /// Distance within which corners are joined [m].
+        tolerance: f64,
+        /// Triangles with an area before.
+        count: usize,
+        /// Shortest edge [m].
+        shortest: f64,
+    },
     /// The mesh should be closed and is not.
     #[error(
         "the mesh is not closed: {count} edges belong to an odd number of triangles, the first from {start} to {end} of \
@@ -83,6 +96,8 @@ pub struct Mesh {
     triangles: Vec<Triangle>,
     topology: Topology,
     hierarchy: Hierarchy,
+    /// Of which triangles the last ones are copies.
+    copies: Vec<u32>,
 }
 
 impl Mesh {
@@ -112,7 +127,26 @@ impl Mesh {
             triangles,
             topology,
             hierarchy,
+            copies: Vec::new(),
         })
+    }
+
+    /// A mesh whose last triangles are copies of others, beside which they stand: what happens on a copy happens on its original.
+    pub(super) fn with_copies(corners: &[[DVec3; 3]], copies: Vec<u32>) -> Result<Self, MeshError> {
+        Ok(Mesh {
+            copies,
+            ..Self::new(corners)?
+        })
+    }
+
+    /// The triangle that a triangle is a copy of, or that triangle itself.
+    pub(super) fn original(&self, triangle: u32) -> u32 {
+        let own = self.triangles.len() - self.copies.len();
+        let copied = (triangle as usize).checked_sub(own);
+        copied
+            .and_then(|copy| self.copies.get(copy))
+            .copied()
+            .unwrap_or(triangle)
     }
 
     /// Error when the surface has a hole: an edge with an odd number of triangles.

@@ -95,6 +95,9 @@ impl Mesh {
             }
         }
         if kept.is_empty() {
+            if !solid.is_empty() {
+                return Err(all_joined(&solid, welded.tolerance));
+            }
             let index = repair.flat.first - 1;
             return Err(MeshError::ZeroArea {
                 triangle: index + 1,
@@ -105,6 +108,18 @@ impl Mesh {
         let mut triangles: Vec<[u32; 3]> = kept.iter().map(|&k| welded.triangles[k]).collect();
         repair.turned = orient(&mut triangles);
         Ok((triangles.into_iter().map(place).collect(), repair))
+    }
+}
+
+/// Tells that corners were joined until no triangle was left.
+fn all_joined(triangles: &[[DVec3; 3]], tolerance: f64) -> MeshError {
+    let edges = triangles
+        .iter()
+        .flat_map(|[a, b, c]| [a.distance(*b), b.distance(*c), c.distance(*a)]);
+    MeshError::AllJoined {
+        tolerance,
+        count: triangles.len(),
+        shortest: edges.fold(f64::INFINITY, f64::min),
     }
 }
 

@@ -38,6 +38,31 @@ pub enum MeshFileError {
         /// The file.
         path: PathBuf,
     },
+    /// The beginning tells of another kind of file.
+    #[error("{} seems to be {what}, which is not read; {remedy}", path.display())]
+    OtherKind {
+        /// The file.
+        path: PathBuf,
+        /// What it seems to be.
+        what: &'static str,
+        /// What to do.
+        remedy: &'static str,
+    },
+    /// The header of a PLY file does not tell what a mesh needs.
+    #[error(
+        "{}: `{element}` has the properties {found}, and needs {needed}; export the surface again, with vertices and faces",
+        path.display()
+    )]
+    NoProperty {
+        /// The file.
+        path: PathBuf,
+        /// The element.
+        element: &'static str,
+        /// The properties that it has.
+        found: String,
+        /// The properties that it needs.
+        needed: &'static str,
+    },
     /// The file is too short to be an STL file.
     #[error("{} has {bytes} bytes; a binary STL file has at least 84, an ASCII one begins with `solid`", path.display())]
     TooShort {

@@ -3,6 +3,7 @@
 
 mod error;
 mod obj;
+mod other_kind;
 mod ply;
 mod ply_header;
 mod polygon;
@@ -156,14 +157,22 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<Content, MeshFileError> {
     if ply::looks_like_one(bytes) {
         return ply::parse(path, bytes);
     }
-    if extension == "obj" || (extension != "stl" && obj::looks_like_one(bytes)) {
+    if let Some((what, remedy)) = other_kind::seems(bytes) {
+        return Err(MeshFileError::OtherKind {
+            path: path.to_owned(),
+            what,
+            remedy,
+        });
+    }
+    let is_text = other_kind::is_text(bytes);
+    if extension == "obj" || (is_text && obj::looks_like_one(bytes)) {
         return obj::parse(path, bytes);
     }
     if triangle_list::looks_like_one(bytes) {
         return triangle_list::parse(path, bytes);
     }
     match extension {
-        "stl" => binary_stl(),
+        "stl" if !is_text || bytes.len() < stl::HEADER => binary_stl(),
         "ply" => ply::parse(path, bytes),
         "txt" | "csv" | "dat" => triangle_list::parse(path, bytes),
         _ => Err(MeshFileError::UnknownFormat { path: path.to_owned() }),

@@ -18,14 +18,10 @@ const FREE_FORM: [&[u8]; 7] = [b"curv", b"curv2", b"surf", b"cstype", b"deg", b"
 /// Whether a text begins as an OBJ file does.
 pub(super) fn looks_like_one(bytes: &[u8]) -> bool {
     let mut lines = Lines::new(Path::new(""), bytes);
-    while let Some(line) = lines.next() {
-        if line.text.starts_with(b"#") {
-            continue;
-        }
+    lines.next_but_comments().is_some_and(|line| {
         let word = line.words().next().unwrap_or(b"");
-        return word == b"v" || word == b"f" || (IGNORED.contains(&word) && line.words().count() > 1);
-    }
-    false
+        word == b"v" || word == b"f" || (IGNORED.contains(&word) && line.words().count() > 1)
+    })
 }
 
 pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, MeshFileError> {
@@ -36,7 +32,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, MeshFileError>
     while let Some(line) = lines.next() {
         let words = continued(&mut lines, line);
         match words.first().copied().unwrap_or(b"") {
-            word if word.starts_with(b"#") => {}
+            b"" => {}
             b"v" => vertices.push(vertex(&words).ok_or_else(|| lines.syntax(&line, "`v` and three numbers"))?),
             b"f" => {
                 for word in &words[1..] {
@@ -64,13 +60,14 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, MeshFileError>
     Ok(Content::of_faces(MeshFormat::Obj, cutter))
 }
 
-/// Words of a line, with those of the next line where a backslash at the end asks for it.
+/// Words of a line without its comment, with those of the next line where a backslash at the end asks for it.
 fn continued<'a>(lines: &mut Lines<'a>, line: Line<'a>) -> Vec<&'a [u8]> {
-    let mut words: Vec<&[u8]> = line.words().collect();
+    let told = |line: Line<'a>| line.words().take_while(|word| !word.starts_with(b"#"));
+    let mut words: Vec<&[u8]> = told(line).collect();
     while let Some(b"\\") = words.last().copied() {
         words.pop();
         let Some(next) = lines.next() else { break };
-        words.extend(next.words());
+        words.extend(told(next));
     }
     words
 }

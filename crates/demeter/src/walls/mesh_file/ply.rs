@@ -1,6 +1,7 @@
 //! PLY files, as text and binary of both byte orders (G. Turk, Stanford 1994). Vertices and faces are read, all other
 //! elements and properties are skipped. Strips of triangles are not read.
 
+use super::other_kind::without_mark;
 use super::ply_header::{self, Element, Header, Scalar};
 use super::polygon::Cutter;
 use super::text::{number, shown};
@@ -10,6 +11,7 @@ use std::path::Path;
 
 /// Whether a file begins as a PLY file does.
 pub(super) fn looks_like_one(bytes: &[u8]) -> bool {
+    let bytes = without_mark(bytes);
     bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r")
 }
 
@@ -29,7 +31,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, MeshFileError>
         check_count(element, &body)?;
         match element.name.as_str() {
             "vertex" => read_vertices(element, &mut body, &mut vertices)?,
-            "face" => read_faces(element, &mut body, &mut faces)?,
+            "face" => read_faces(element, &mut body, (&mut faces, told_vertices(&header)))?,
             _ => skip(element, &mut body)?,
         }
     }
@@ -90,10 +92,7 @@ fn read_vertices(element: &Element, body: &mut Body<'_>, vertices: &mut Vec<DVec
         element.properties.iter().position(property)
     });
     let [Some(x), Some(y), Some(z)] = at else {
-        return Err(MeshFileError::CutShort {
-            path: body.path.to_owned(),
-            expected: "the properties `x`, `y` and `z` of `vertex` were told".to_string(),
-        });
+        return Err(no_property(body.path, ("vertex", element), "`x`, `y` and `z`"));
     };
     let mut values = vec![0.0; element.properties.len()];
     for _ in 0..element.count {
@@ -108,13 +107,33 @@ fn read_vertices(element: &Element, body: &mut Body<'_>, vertices: &mut Vec<DVec
     Ok(())
 }
 
-fn read_faces(element: &Element, body: &mut Body<'_>, faces: &mut Faces) -> Result<(), MeshFileError> {
+fn no_property(path: &Path, (name, element): (&'static str, &Element), needed: &'static str) -> MeshFileError {
+    let names: Vec<String> = element
+        .properties
+        .iter()
+        .take(12)
+        .map(|p| format!("`{}`", p.name))
+        .collect();
+    MeshFileError::NoProperty {
+        path: path.to_owned(),
+        element: name,
+        found: if names.is_empty() {
+            "none".to_string()
+        } else {
+            names.join(", ")
+        },
+        needed,
+    }
+}
+
+fn read_faces(
+    element: &Element,
+    body: &mut Body<'_>,
+    (faces, vertices): (&mut Faces, usize),
+) -> Result<(), MeshFileError> {
     let named = |p: &ply_header::Property| ["vertex_indices", "vertex_index"].contains(&p.name.as_str());
     let Some(list) = element.properties.iter().position(|p| named(p) && p.count.is_some()) else {
-        return Err(MeshFileError::CutShort {
-            path: body.path.to_owned(),
-            expected: "the property list `vertex_indices` of `face` was told".to_string(),
-        });
+        return Err(no_property(body.path, ("face", element), "a list `vertex_indices`"));
     };
     for _ in 0..element.count {
         for (k, property) in element.properties.iter().enumerate() {
@@ -126,7 +145,9 @@ fn read_faces(element: &Element, body: &mut Body<'_>, faces: &mut Faces) -> Resu
                     let corners = body.list_length(count, property.of)?;
                     for _ in 0..corners {
                         let value = body.scalar(property.of)?;
-                        faces.corners.push(index(value, faces.ends.len() + 1, body.path)?);
+                        faces
+                            .corners
+                            .push(index(value, (faces.ends.len() + 1, vertices), body.path)?);
                     }
                 }
                 Some(count) => body.skip_list(count, property.of)?,
@@ -138,7 +159,7 @@ fn read_faces(element: &Element, body: &mut Body<'_>, faces: &mut Faces) -> Resu
 }
 
 /// The index of a vertex; whether the vertex exists is asked when the face is cut into triangles.
-fn index(value: f64, face: usize, path: &Path) -> Result<usize, MeshFileError> {
+fn index(value: f64, (face, vertices): (usize, usize), path: &Path) -> Result<usize, MeshFileError> {
     if value >= 0.0 && value <= f64::from(u32::MAX) && value.fract() == 0.0 {
         return Ok(value as usize);
     }
@@ -146,8 +167,14 @@ fn index(value: f64, face: usize, path: &Path) -> Result<usize, MeshFileError> {
         path: path.to_owned(),
         face,
         index: value.to_string(),
-        vertices: 0,
+        vertices,
     })
+}
+
+/// How many vertices the header tells of; the vertices may come after the faces.
+fn told_vertices(header: &Header) -> usize {
+    let vertices = header.elements.iter().find(|element| element.name == "vertex");
+    vertices.map_or(0, |element| element.count as usize)
 }
 
 fn skip(element: &Element, body: &mut Body<'_>) -> Result<(), MeshFileError> {
@@ -230,6 +257,11 @@ impl Body<'_> {
         let fits = length >= 0.0 && length.fract() == 0.0 && length * least <= self.rest.len() as f64 + 1.0;
         if fits {
             Ok(length as usize)
+        } else if length < 0.0 || length.fract() != 0.0 {
+            Err(MeshFileError::CutShort {
+                path: self.path.to_owned(),
+                expected: format!("all lists that its header tells of (one would have {length} entries)"),
+            })
         } else {
             Err(self.cut_short())
         }

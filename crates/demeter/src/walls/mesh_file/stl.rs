@@ -7,7 +7,7 @@ use glam::DVec3;
 use std::path::Path;
 
 /// Bytes of a binary file before the first triangle: 80 of free text and a count.
-const HEADER: usize = 84;
+pub(super) const HEADER: usize = 84;
 /// Bytes of a triangle in a binary file: a normal, three corners and two spare bytes.
 const RECORD: usize = 50;
 
@@ -23,8 +23,12 @@ fn told_length(bytes: &[u8]) -> Option<(u32, u64)> {
 }
 
 pub(super) fn is_ascii(bytes: &[u8]) -> bool {
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
-    let begins_solid = text.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    let first = Lines::new(Path::new(""), bytes).next_but_comments();
+    let begins_solid = first.is_some_and(|line| {
+        line.text
+            .get(..5)
+            .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+    });
     // A binary file whose header says "solid" and whose length is wrong has a zero byte early on; text has none.
     begins_solid && !fits_binary(bytes) && !bytes.iter().take(HEADER + RECORD).any(|&byte| byte == 0)
 }
@@ -68,7 +72,7 @@ struct Facets<'a> {
 impl<'a> Facets<'a> {
     /// The next line, which must begin with these words; gives what follows them.
     fn expect(&mut self, words: &str) -> Result<(Line<'a>, &'a [u8]), MeshFileError> {
-        let Some(line) = self.lines.next() else {
+        let Some(line) = self.lines.next_but_comments() else {
             return Err(MeshFileError::CutShort {
                 path: self.lines.path.to_owned(),
                 expected: words.to_string(),
@@ -111,7 +115,7 @@ pub(super) fn parse_ascii(path: &Path, bytes: &[u8]) -> Result<Vec<[DVec3; 3]>, 
     };
     let mut triangles = Vec::new();
     let mut open = false;
-    while let Some(line) = facets.lines.next() {
+    while let Some(line) = facets.lines.next_but_comments() {
         if !open && after_words(line.text, "solid").is_some() {
             open = true;
         } else if open && after_words(line.text, "endsolid").is_some() {

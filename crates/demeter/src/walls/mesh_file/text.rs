@@ -1,6 +1,7 @@
 //! Lines of a text file that is not trusted.
 
 use super::MeshFileError;
+use super::other_kind::without_mark;
 use std::path::Path;
 
 /// Longest piece of a file that a message shows [bytes].
@@ -32,9 +33,18 @@ impl<'a> Line<'a> {
 
 impl<'a> Lines<'a> {
     pub(super) fn new(path: &'a Path, bytes: &'a [u8]) -> Self {
-        // some editors mark a text as UTF-8
-        let rest = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let rest = without_mark(bytes);
         Lines { path, rest, number: 0 }
+    }
+
+    /// The next line that does not begin with `#`.
+    pub(super) fn next_but_comments(&mut self) -> Option<Line<'a>> {
+        loop {
+            let line = self.next()?;
+            if !line.text.starts_with(b"#") {
+                return Some(line);
+            }
+        }
     }
 
     pub(super) fn next(&mut self) -> Option<Line<'a>> {

@@ -1,0 +1,66 @@
+//! What a run will need: memory, time, and room for its frames.
+
+use super::Scenario;
+use crate::simulation::Stage;
+use crate::walls::Wall;
+
+/// Memory of a grain with its contacts, candidates, and its share of a frame while that is written [bytes], and that of a run of few
+/// grains: above the largest resident sizes (`/usr/bin/time -v`) of `examples/settle-20000`, 134 MB, of the beds `w6-200k` and `w6-1m`
+/// of `benches/peers`, 356 and 1249 MB (1344 MB where it is resumed), and of ten of the latter side by side, 11453 MB.
+const BYTES_PER_GRAIN: f64 = 1300.0;
+const BYTES_OF_A_RUN: f64 = 110e6;
+
+/// Memory of a triangle of a mesh, with what is needed while it is read and drawn [bytes]: above that of three grains beside a binary STL
+/// file of 980,000 triangles, 334 MB in all.
+const BYTES_PER_TRIANGLE: f64 = 300.0;
+
+/// Particle-steps per second and thread.
+const SPEED: f64 = 2e6;
+
+/// Room in the files of a frame [bytes]: of next to nothing, of a grain with its contacts, as in `benches/peers` (`w6-1m`: 494 MB), and of a triangle as in the
+/// mesh above (20 MB).
+const FRAME_BYTES: f64 = 8e3;
+const FRAME_BYTES_PER_GRAIN: f64 = 500.0;
+const FRAME_BYTES_PER_TRIANGLE: f64 = 21.0;
+/// Time that they take to be written [s].
+const FRAME_TIME_PER_GRAIN: f64 = 5e-6;
+const FRAME_TIME_PER_TRIANGLE: f64 = 5e-7;
+
+/// Memory that a run with so many grains and such walls needs at most [bytes].
+pub(super) fn memory(grains: f64, walls: &[Wall]) -> f64 {
+    let felt: usize = walls.iter().map(Wall::felt_triangles).sum();
+    BYTES_OF_A_RUN + grains * BYTES_PER_GRAIN + felt as f64 * BYTES_PER_TRIANGLE
+}
+
+/// Frames of a run when no condition ends a stage early, what they take, and the time of all of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Work {
+    pub(super) frames: u64,
+    /// Bytes of one frame.
+    pub(super) frame_bytes: f64,
+    /// Seconds on one thread.
+    pub(super) time: f64,
+}
+
+/// The work of a run with so many grains at most and such walls.
+pub(super) fn work(scenario: &Scenario, grains: f64, walls: &[Wall], stage_steps: &[u64], dt: f64) -> Work {
+    let drawn: usize = walls
+        .iter()
+        .filter_map(Wall::mesh)
+        .map(|mesh| mesh.triangles().len())
+        .sum();
+    let drawn = drawn as f64;
+    let of_stage = |(stage, steps): (&Stage, &u64)| {
+        // the last is at its end
+        let due = |seconds: f64| steps.div_ceil(super::run::steps_in(seconds, dt)).max(1);
+        stage.cadence.frames.map_or(1, due)
+    };
+    let frames = 1 + scenario.stages.iter().zip(stage_steps).map(of_stage).sum::<u64>();
+    let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
+    let per_frame = grains * FRAME_TIME_PER_GRAIN + drawn * FRAME_TIME_PER_TRIANGLE;
+    Work {
+        frames,
+        frame_bytes: FRAME_BYTES + grains * FRAME_BYTES_PER_GRAIN + drawn * FRAME_BYTES_PER_TRIANGLE,
+        time: grains * steps as f64 / SPEED + frames as f64 * per_frame,
+    }
+}
