@@ -2,9 +2,10 @@
 
 use super::measures::MeasureKind;
 use super::plots;
-use super::run::{Observer, Runner};
+use super::run::{Observer, Runner, larger};
 use super::run_error::RunError;
 use crate::contacts::Fault;
+use crate::measure::measure;
 use crate::output::picture::{PictureOptions, render_packing};
 use crate::output::{OutputError, RunFolder, Summary, path_lines};
 use crate::report;
@@ -153,7 +154,10 @@ impl Runner<'_> {
     }
 
     /// What `summary.json` tells, but for the profile. Each process calls this.
-    fn summary(&self, end: &RunEnd) -> Summary {
+    fn summary(&mut self, end: &RunEnd) -> Summary {
+        let moment = self.moment();
+        // the latest row of the series may be older than the state, and after a restart there may be none
+        let now = measure(&mut self.sim, moment, self.scenario.output.strain.as_ref());
         let seconds_here = self.started.elapsed().as_secs_f64();
         let speed = self.particle_steps as f64 / seconds_here.max(1e-9);
         let mut summary = Summary {
@@ -167,10 +171,6 @@ impl Runner<'_> {
                 RunEnd::Interrupted => "interrupted; continue with `demeter resume`".to_string(),
                 RunEnd::Fault(fault) => fault.to_string(),
             },
-            grains: self.sim.grains.len() as u64,
-            contacts: self.sim.acting_contacts(),
-            steps: self.sim.step,
-            simulated_time: self.sim.time(),
             time_step: self.sim.dt,
             time_step_reason: self.place.time_step_reason.clone(),
             wall_clock_time: self.place.wall_clock,
@@ -186,12 +186,8 @@ impl Runner<'_> {
             ..Summary::default()
         };
         let names: Vec<String> = self.sim.walls.iter().map(|w| w.name.clone()).collect();
-        if let Some(latest) = &self.latest {
-            summary.set_measures(latest, self.place.max_residual, &names);
-        }
-        // the latest row may be older than the state
-        summary.steps = self.sim.step;
-        summary.simulated_time = self.sim.time();
+        let max_residual = larger(self.place.max_residual, now.energies.residual.abs());
+        summary.set_measures(&now, max_residual, &names);
         summary
     }
 }

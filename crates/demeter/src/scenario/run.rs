@@ -28,6 +28,7 @@ use std::time::{Duration, Instant};
 pub(super) use start::read_run;
 pub(crate) use start::thread_pool;
 pub use start::{resume, resume_shared, run, run_shared};
+pub(super) use writing::larger;
 
 /// Steps between two looks at the energies for a stop condition.
 const ENERGY_INTERVAL: u64 = 50;
@@ -129,7 +130,7 @@ pub(super) struct Runner<'a> {
     /// Sum over the steps of this process of the number of grains.
     pub(super) particle_steps: u64,
     /// What the latest row told.
-    pub(super) latest: Option<Measures>,
+    latest: Option<Measures>,
     traffic: Traffic<'a>,
     steps: u64,
     pub(super) rows: Rows<'a>,
