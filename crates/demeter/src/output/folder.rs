@@ -260,7 +260,7 @@ impl RunFolder {
     }
 }
 
-fn is_frame(name: &str) -> bool {
+pub(super) fn is_frame(name: &str) -> bool {
     let name = name.strip_suffix(".part").unwrap_or(name);
     name.ends_with(".vtp")
         && ["grains_", "contacts_", "walls_"]
