@@ -171,7 +171,7 @@ impl From<RunError> for Failure {
                     | OutputError::NotAFolder { .. }
                     | OutputError::NotARun { .. }
                     | OutputError::OtherSeries { .. }
-                    | OutputError::NoSeries { .. }
+                    | OutputError::FilesGone { .. }
             ),
             RunError::Checkpoint(ref checkpoint) => matches!(checkpoint, CheckpointError::Missing { .. }),
             RunError::ThisProcess { rank, source } => return Self::from(*source).of_process(rank),

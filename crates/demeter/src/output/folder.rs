@@ -217,6 +217,11 @@ impl RunFolder {
         fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
     }
 
+    /// The collection of a field, by the name of the measure.
+    pub fn field_collection(&self, measure: &str) -> PathBuf {
+        self.fields().join(format!("{measure}.pvd"))
+    }
+
     /// The table of a field along one direction, by the name of the measure.
     pub fn field_table(&self, measure: &str) -> PathBuf {
         self.fields().join(format!("{measure}.csv"))
@@ -231,6 +236,16 @@ impl RunFolder {
     pub fn make_chains(&self) -> Result<(), OutputError> {
         let sub = self.chains();
         fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
+    }
+
+    /// The collection of force chains, by the name of the measure.
+    pub fn chain_collection(&self, measure: &str) -> PathBuf {
+        self.chains().join(format!("{measure}.pvd"))
+    }
+
+    /// The collection of the frames of a kind: `grains`, `contacts`, `walls`.
+    pub fn frame_collection(&self, kind: &str) -> PathBuf {
+        self.root.join(format!("{kind}.pvd"))
     }
 
     /// Folder of the paths of grains; [`RunFolder::make_paths`] makes it.

@@ -135,8 +135,9 @@ impl<'a> Runner<'a> {
         };
         let mut state = self.state_with(simulation);
         if (self.files.as_ref()).is_none_or(|files| files.folder.root() != root) {
-            // the rows so far stay where they are
+            // the rows and frames so far stay where they are
             state.place.last_row = None;
+            state.place.last_frame = None;
         }
         checkpoint::write_latest(root, &header, &state)?;
         self.sim.took(Phase::Output);
