@@ -1,5 +1,6 @@
 //! What can go wrong when results are written.
 
+use super::folder::MARKER;
 use crate::checkpoint::hint;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -147,7 +148,6 @@ fn hint_of(source: &io::Error) -> String {
     hint(source).map_or_else(String::new, |hint| format!(" {hint}"))
 }
 
-/// Why a path is no run.
 /// Which files are not there, and what they held.
 fn are_gone(files: &[(PathBuf, u64)]) -> String {
     let one = |(path, step): &(PathBuf, u64)| {
@@ -158,6 +158,7 @@ fn are_gone(files: &[(PathBuf, u64)]) -> String {
     told.join(";\n")
 }
 
+/// Why a path is no run.
 fn lacks(path: &Path, marker: &str) -> String {
     match path.is_file() {
         true => "it is a file".to_owned(),
@@ -166,11 +167,13 @@ fn lacks(path: &Path, marker: &str) -> String {
     }
 }
 
-/// Where the run of a scenario lies, if this is one, and it was run.
+/// The run that a file lies in, or, of a scenario that was run, where its run lies.
 fn its_run(path: &Path) -> String {
+    let around = path.parent().filter(|around| around.join(MARKER).is_file());
     let name = path
         .file_stem()
         .filter(|_| path.extension().is_some_and(|e| e == "toml"));
-    let run = name.map(|name| Path::new("runs").join(name)).filter(|run| run.is_dir());
+    let run = || name.map(|name| Path::new("runs").join(name)).filter(|run| run.is_dir());
+    let run = around.map(Path::to_owned).or_else(run);
     run.map_or_else(String::new, |run| format!(", as `{}`", run.display()))
 }

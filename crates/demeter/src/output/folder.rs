@@ -410,6 +410,11 @@ mod tests {
         assert_eq!(names_in(place.path()).unwrap(), ["thesis.tex"]);
         let error = RunFolder::open(place.path()).unwrap_err();
         assert!(matches!(error, OutputError::NotARun { .. }));
+        let run = place.path().join("run");
+        let folder = RunFolder::create(&run, false).unwrap();
+        folder.write(&folder.series(), b"step\n").unwrap();
+        let text = RunFolder::open(&folder.series()).unwrap_err().to_string();
+        assert!(text.ends_with(&format!("wrote, as `{}`.", run.display())), "{text}");
         let error = RunFolder::create(&place.path().join("thesis.tex"), true).unwrap_err();
         assert!(matches!(error, OutputError::NotAFolder { .. }));
     }
