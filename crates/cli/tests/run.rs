@@ -291,6 +291,23 @@ fn a_fault_leaves_a_snapshot_and_names_the_grain() {
     assert!(place.path("leak").join(snapshot).is_file());
 }
 
+#[test]
+fn very_many_errors_are_counted() {
+    let place = Place::new();
+    let keys: String = (0..150).map(|k| format!("k{k} = 1\n")).collect();
+    place.write("fall.toml", &format!("{FALL}{keys}"));
+    let said = place.expect(2, &["run", "fall.toml"]);
+    assert!(
+        said.err.contains("... and 50 more faults") && said.err.contains("\n150 errors; nothing was written"),
+        "{}",
+        said.err
+    );
+    assert_eq!(
+        place.expect(2, &["check", "fall.toml", "--json"]).json()["error"]["errors"],
+        150
+    );
+}
+
 /// A limit on the size of files stands in for a full disk, which needs privileges to make.
 #[test]
 fn a_refused_write_keeps_what_was_written() {
