@@ -8,7 +8,7 @@ use crate::contacts::Fault;
 use crate::measure::measure;
 use crate::output::picture::{PictureOptions, render_packing};
 use crate::output::{OutputError, RunFolder, Summary, path_lines};
-use crate::report;
+use crate::report::{self, ReportError};
 use crate::simulation::Phase;
 use std::path::PathBuf;
 
@@ -88,13 +88,22 @@ impl Runner<'_> {
         Ok(())
     }
 
-    /// Writes the report. Without one the run is as good, so that it is only warned of.
-    fn write_page(&mut self, folder: &RunFolder, observer: &mut dyn Observer) -> Result<(), RunError> {
-        if !self.scenario.output.report {
+    /// Writes the report, of what the folder holds. What cannot be read there is warned of; a page that cannot be written is missing.
+    pub(super) fn write_page(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
+        let files = self.files.as_ref().filter(|_| self.scenario.output.report);
+        let Some(folder) = files.map(|files| files.folder.root().to_owned()) else {
             return Ok(());
-        }
-        let problems = match report::write_at_the_end(folder.root()) {
+        };
+        let problems = match report::write_at_the_end(&folder) {
             Ok(written) => written.problems,
+            Err(ReportError::Output(error)) => {
+                // told to the observer alone: where there is no room for the page, there may be none in the log
+                observer.message(&format!(
+                    "all else of the run is written; `demeter report {}` writes the page that is missing",
+                    folder.display()
+                ));
+                return Err(error.into());
+            }
             Err(error) => vec![format!("no report: {error}")],
         };
         for problem in problems {
@@ -133,7 +142,7 @@ impl Runner<'_> {
     }
 
     /// Writes the summary and, after whole runs and faults, the picture and the plots.
-    pub(super) fn report(&mut self, end: &RunEnd, observer: &mut dyn Observer) -> Result<Summary, RunError> {
+    pub(super) fn report(&mut self, end: &RunEnd) -> Result<Summary, RunError> {
         self.sim.took(Phase::Other);
         let mut summary = self.summary(end);
         if self.scenario.output.picture {
@@ -149,7 +158,6 @@ impl Runner<'_> {
         self.sim.took(Phase::Output);
         summary.profile = self.sim.profile();
         summary.write(&folder)?;
-        self.write_page(&folder, observer)?;
         Ok(summary)
     }
 

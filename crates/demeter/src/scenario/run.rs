@@ -305,12 +305,13 @@ impl<'a> Runner<'a> {
         }
         self.tell_the_end(observer)?;
         self.place.wall_clock += self.started.elapsed().as_secs_f64();
-        let summary = self.report(end, observer)?;
+        let summary = self.report(end)?;
+        let page = self.write_page(observer);
         if *end == RunEnd::Finished {
-            // last of all: a run whose checkpoint says that it is finished has its report
+            // last of all: a run whose checkpoint says that it is finished has all that it leaves, but for a page that can be written later
             self.write_checkpoint()?;
         }
-        Ok(summary)
+        page.map(|()| summary)
     }
 
     /// Runs on, stage by stage. Where it pauses changes no bit of the results.
@@ -484,7 +485,6 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// A clock that has run for so many seconds.
 /// Refuses to go on where a file is gone that the run wrote into: it would be begun anew, as if nothing had been before.
 fn check_files(scenario: &Scenario, folder: &RunFolder, place: &Place) -> Result<(), OutputError> {
     let of_frames = [FrameWriter::files(folder), FieldFiles::files(scenario, folder)].concat();
@@ -503,6 +503,7 @@ fn check_files(scenario: &Scenario, folder: &RunFolder, place: &Place) -> Result
     Err(OutputError::FilesGone { files })
 }
 
+/// A clock that has run for so many seconds.
 fn clock_after(seconds: f64) -> Instant {
     let now = Instant::now();
     now.checked_sub(Duration::from_secs_f64(seconds)).unwrap_or(now)

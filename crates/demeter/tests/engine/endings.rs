@@ -3,7 +3,7 @@
 
 use crate::exchange::{HEAD, parse, run_in, watcher};
 use demeter::contacts::Fault;
-use demeter::scenario::{Report, RunEnd, RunOptions, prepare, resume};
+use demeter::scenario::{LiveRun, Report, RunEnd, RunError, RunOptions, Until, prepare, resume};
 use demeter::simulation::Simulation;
 use glam::DVec3;
 use std::fs;
@@ -410,6 +410,34 @@ duration = "20 ms"
     let resumed = resumed.summary;
     assert_eq!((resumed.energies, resumed.walls), (energies, summary.walls));
     assert_eq!((resumed.grains, resumed.contacts), (6, 1));
+}
+
+/// It was warned of, and the run told as if all was written.
+#[test]
+fn a_page_that_cannot_be_written_is_an_error() {
+    let text = format!(
+        "{HEAD}[domain]\nlower = \"-9 -9 -9 mm\"\nupper = \"9 9 9 mm\"\n[[grains]]\nmaterial = \"seed\"\nsource = \"list\"\n\
+         positions = [\"0 0 0 mm\"]\ndiameter = \"2 mm\"\n[[stage]]\nduration = \"2 ms\"\n"
+    );
+    let place = tempfile::tempdir().unwrap();
+    let (folder, mut watcher) = (place.path().join("run"), watcher());
+    let mut run = LiveRun::new(parse(&text), Some(&folder), RunOptions::default(), &mut watcher).unwrap();
+    let in_the_way = folder.join("report.html.part");
+    fs::create_dir(&in_the_way).unwrap();
+    let error = run.advance(&Until::default(), &mut watcher).unwrap_err().to_string();
+    assert!(
+        error.starts_with("cannot write `") && error.contains("report.html"),
+        "{error}"
+    );
+    let told = watcher.messages.last().unwrap();
+    assert!(told.contains("`demeter report"), "{told}");
+    drop(run);
+    // all else is there
+    let again = resume(&folder, RunOptions::default(), &mut watcher).unwrap_err();
+    assert!(matches!(again, RunError::Finished { .. }), "{again}");
+    assert!(folder.join("summary.json").is_file());
+    fs::remove_dir(in_the_way).unwrap();
+    demeter::report::write(&folder).unwrap();
 }
 
 /// A grain on a square plate of the given half width, in a box of 40 mm that is periodic along x and y.
