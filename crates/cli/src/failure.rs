@@ -61,7 +61,7 @@ impl Failure {
         if !as_json || answer_json(&self.to_json()).is_err() {
             match self {
                 Self::Scenario(faults) => {
-                    let count = faults.list().len();
+                    let count = faults.count();
                     let errors = if count == 1 {
                         "1 error"
                     } else {
@@ -117,9 +117,13 @@ impl Failure {
             Exit::Wrong => "command line",
             _ => "input or output",
         };
-        json!({ "error": {
+        let mut error = json!({
             "kind": kind, "exit_code": self.exit() as u8, "message": message, "diagnostics": diagnostics,
-        } })
+        });
+        if let Self::Scenario(faults) = self {
+            error["errors"] = json!(faults.count());
+        }
+        json!({ "error": error })
     }
 }
 
@@ -171,7 +175,7 @@ impl From<RunError> for Failure {
                     | OutputError::NotAFolder { .. }
                     | OutputError::NotARun { .. }
                     | OutputError::OtherSeries { .. }
-                    | OutputError::NoSeries { .. }
+                    | OutputError::FilesGone { .. }
             ),
             RunError::Checkpoint(ref checkpoint) => matches!(checkpoint, CheckpointError::Missing { .. }),
             RunError::ThisProcess { rank, source } => return Self::from(*source).of_process(rank),

@@ -1,4 +1,5 @@
-//! Ctrl-C and SIGTERM: the first asks a run to end with a checkpoint, the second ends the process at once.
+//! Ctrl-C and SIGTERM: the first asks a run to end with a checkpoint, the second ends the process at once. A file that grows beyond a
+//! limit ends none.
 
 use crate::answer::note;
 use crate::exit::Exit;
@@ -66,6 +67,15 @@ impl Interrupt {
             end_at_once();
         }
     }
+}
+
+/// Lets what writes into a file hear that it may not become larger (`ulimit -f`), as of a full disk. Unless this is called the system
+/// ends the process without a word.
+#[cfg(unix)]
+#[allow(unsafe_code, reason = "the standard library does this for broken pipes alone")]
+pub fn hear_of_limits() {
+    // SAFETY: to ignore a signal installs no code that could run between other code
+    unsafe { libc::signal(libc::SIGXFSZ, libc::SIG_IGN) };
 }
 
 #[allow(clippy::exit, reason = "the user asked not to wait for the run")]

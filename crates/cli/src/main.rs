@@ -51,6 +51,8 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     bug_report::install();
+    #[cfg(unix)]
+    interrupt::hear_of_limits();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => return refuse(&error).into(),

@@ -162,8 +162,15 @@ impl Drawing<'_> {
                 series.extend(self.series(table, name, asked, several)?);
             }
         }
+        let mut without_logarithm = 0;
         for line in &mut series {
-            cut(&mut line.points, x, y);
+            without_logarithm += cut(&mut line.points, x, y);
+        }
+        if without_logarithm > 0 {
+            let points: usize = series.iter().map(|line| line.points.len()).sum();
+            note(&format!(
+                "warning: {without_logarithm} of {points} points are left out: they are not above 0, and --log {log} has no place for them"
+            ));
         }
         if series
             .iter()
@@ -297,14 +304,19 @@ fn axis(logarithmic: bool, flag: &str, range: Option<&str>) -> Result<AxisSpec, 
     })
 }
 
-/// Breaks lines where they leave the ranges.
-fn cut(points: &mut [(f64, f64)], x: AxisSpec, y: AxisSpec) {
-    let inside = |value: f64, range: Option<(f64, f64)>| range.is_none_or(|(low, high)| (low..=high).contains(&value));
+/// Breaks lines where they leave the ranges, and where values have no logarithm; tells how many these are.
+fn cut(points: &mut [(f64, f64)], x: AxisSpec, y: AxisSpec) -> usize {
+    let inside = |value: f64, axis: AxisSpec| axis.range.is_none_or(|(low, high)| (low..=high).contains(&value));
+    let has_no_place = |value: f64, axis: AxisSpec| axis.logarithmic && value <= 0.0;
+    let mut without_logarithm = 0;
     for point in points {
-        if !(inside(point.0, x.range) && inside(point.1, y.range)) {
+        let is_without = has_no_place(point.0, x) || has_no_place(point.1, y);
+        without_logarithm += usize::from(is_without);
+        if is_without || !(inside(point.0, x) && inside(point.1, y)) {
             *point = (f64::NAN, f64::NAN);
         }
     }
+    without_logarithm
 }
 
 fn column<'t>(table: &'t Columns, name: &str) -> Result<&'t Column, Failure> {

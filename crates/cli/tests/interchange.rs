@@ -154,6 +154,13 @@ fn columns_are_listed_and_drawn() {
         ],
     );
     assert!(fs::read(place.path("two.png")).unwrap().starts_with(b"\x89PNG"));
+    // the first row is that of time 0
+    let said = place.expect(0, &["plot", "run", "time", "kinetic energy", "--log", "x"]);
+    assert!(
+        said.err.contains("warning: 1 of ") && said.err.contains("not above 0"),
+        "{}",
+        said.err
+    );
     for (arguments, part) in [
         (
             &["plot", "run", "time", "kinetc energy"][..],
@@ -167,6 +174,10 @@ fn columns_are_listed_and_drawn() {
         (&["plot", "run", "time", "contacts", "--x-range", "2..1"], "is no range"),
         (
             &["plot", "run", "time", "contacts", "--x-range", "100..200"],
+            "there is nothing to draw",
+        ),
+        (
+            &["plot", "run", "--log", "y", "--", "time", "-kinetic energy"],
             "there is nothing to draw",
         ),
         (

@@ -208,6 +208,116 @@ fn a_series_that_is_gone_is_not_begun_anew_in_silence() {
     assert!(log.contains("`cut/series.csv` "), "{log}");
 }
 
+/// What is written beside the series, every kind of file once.
+const MEASURES: &str = r#"
+[[measure]]
+name = "forces"
+kind = "force-distribution"
+bin = "0.5 mN"
+upper = "30 mN"
+
+[[measure]]
+name = "rose"
+kind = "contact-angles"
+from = "x"
+towards = "z"
+bins = 12
+
+[[measure]]
+name = "slices"
+kind = "profile"
+lower = "0 0 0 mm"
+upper = "12 12 14 mm"
+axis = "z"
+slices = 4
+
+[[measure]]
+name = "ways"
+kind = "paths"
+ids = [1, 2]
+
+[[measure]]
+name = "density"
+kind = "field"
+lower = "0 0 0 mm"
+upper = "12 12 14 mm"
+cells = [1, 1, 4]
+width = "4 mm"
+
+[[measure]]
+name = "links"
+kind = "force-chains"
+"#;
+
+const BESIDE_THE_SERIES: [&str; 8] = [
+    "distributions/forces.csv",
+    "distributions/rose.csv",
+    "profiles/slices.csv",
+    "paths/ways.csv",
+    "grains.pvd",
+    "fields/density.pvd",
+    "fields/density.csv",
+    "chains/links.pvd",
+];
+
+/// They were begun anew in silence, and held the end of the run alone.
+#[test]
+fn no_file_that_is_gone_is_begun_anew_in_silence() {
+    let place = Place::new();
+    place.write("fall.toml", &format!("{FALL}{MEASURES}"));
+    let run = ["run", "fall.toml", "--out", "cut", "--overwrite"];
+    interrupt(&place, &run, "cut", "INT");
+    let path = |name: &str| place.path("cut").join(name);
+    let kept = BESIDE_THE_SERIES.map(|name| fs::read(path(name)).unwrap());
+    for (name, bytes) in BESIDE_THE_SERIES.iter().zip(&kept) {
+        fs::remove_file(path(name)).unwrap();
+        let said = place.expect(2, &["resume", "cut"]);
+        assert!(
+            said.err.contains(&format!("`cut/{name}` is not there")) && said.err.contains("empty file"),
+            "{}",
+            said.err
+        );
+        assert!(!path(name).exists());
+        fs::write(path(name), bytes).unwrap();
+    }
+    // nor is one that holds something else
+    let slices = fs::read(path("profiles/slices.csv")).unwrap();
+    fs::write(path("profiles/slices.csv"), "a,b\n1,2\n").unwrap();
+    let said = place.expect(2, &["resume", "cut"]);
+    assert!(
+        said.err.contains("slices.csv` does not continue this run") && said.err.contains("empty file"),
+        "{}",
+        said.err
+    );
+    fs::write(path("profiles/slices.csv"), slices).unwrap();
+    // all at once
+    for name in ["distributions", "fields"] {
+        fs::remove_dir_all(path(name)).unwrap();
+    }
+    let said = place.expect(2, &["resume", "cut"]);
+    assert_eq!(said.err.matches("is not there, though").count(), 4, "{}", said.err);
+
+    // what is empty is wanted so, and told
+    for name in ["distributions", "fields"] {
+        fs::create_dir(path(name)).unwrap();
+    }
+    for name in BESIDE_THE_SERIES {
+        fs::write(path(name), "").unwrap();
+    }
+    fs::remove_file(path("frames/contacts_0000000000.vtp")).unwrap();
+    let said = place.expect(0, &["resume", "cut"]);
+    for told in [
+        "`cut/distributions/forces.csv` holds no rows",
+        "`cut/distributions/rose.csv` holds no rows",
+        "`cut/profiles/slices.csv` holds no rows",
+        "`cut/grains.pvd` does not name",
+        "`cut/chains/links.pvd` does not name",
+        "`cut/contacts.pvd` names 1 file that is not there any more",
+    ] {
+        assert!(said.err.contains(told), "{told}: {}", said.err);
+    }
+}
+
 #[test]
 fn a_run_goes_on_without_its_rows_where_that_is_wanted() {
     let place = interrupted();

@@ -4,9 +4,10 @@
 
 mod demeter;
 
-use demeter::{FALL, Place};
+use demeter::{FALL, Place, Said};
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::PathBuf;
 
 /// Two stages of 300 steps.
 const SHORT: [&str; 4] = ["--set", "stage[0].steps=300", "--set", "stage[1].steps=300"];
@@ -17,26 +18,48 @@ fn place() -> Place {
     place
 }
 
+/// A sweep of two runs, and the folder of the second.
+fn two_runs(place: &Place) -> PathBuf {
+    let sweep = [&["sweep", "fall.toml", "--vary", "grains[0].count=20,30"][..], &SHORT].concat();
+    place.expect(0, &sweep);
+    let runs = fs::read_dir(place.path("runs/fall-sweep")).unwrap();
+    runs.map(|entry| entry.unwrap().path())
+        .find(|path| path.to_string_lossy().contains("30") && path.is_dir())
+        .unwrap()
+}
+
+/// The gathered table, row by row, and what was said.
+fn gathered(place: &Place) -> (Vec<BTreeMap<String, String>>, Said) {
+    let said = place.expect(0, &["sweep", "--gather", "runs/fall-sweep"]);
+    let mut reader = csv::Reader::from_path(place.path("runs/fall-sweep/results.csv")).unwrap();
+    (reader.deserialize().map(Result::unwrap).collect(), said)
+}
+
 #[test]
 fn a_run_whose_series_is_cut_short_has_no_results() {
     let place = place();
-    let sweep = [&["sweep", "fall.toml", "--vary", "grains[0].count=20,30"][..], &SHORT].concat();
-    place.expect(0, &sweep);
-    let run = fs::read_dir(place.path("runs/fall-sweep"))
-        .unwrap()
-        .map(|entry| entry.unwrap().path().join("series.csv"))
-        .find(|path| path.to_string_lossy().contains("30") && path.exists())
-        .unwrap();
-    let series = fs::read_to_string(&run).unwrap();
-    let cut: Vec<&str> = series.lines().take(2).collect();
-    fs::write(&run, cut.join("\n") + "\n").unwrap();
-    let said = place.expect(0, &["sweep", "--gather", "runs/fall-sweep"]);
+    let series = two_runs(&place).join("series.csv");
+    let rows = fs::read_to_string(&series).unwrap();
+    let cut: Vec<&str> = rows.lines().take(2).collect();
+    fs::write(&series, cut.join("\n") + "\n").unwrap();
+    let (rows, said) = gathered(&place);
     assert!(said.err.contains("though the run is finished"), "{}", said.err);
-    let mut reader = csv::Reader::from_path(place.path("runs/fall-sweep/results.csv")).unwrap();
-    let rows: Vec<BTreeMap<String, String>> = reader.deserialize().map(Result::unwrap).collect();
-    assert_eq!(rows[0]["grains"], "20");
-    assert_eq!(rows[1]["grains"], "");
+    assert_eq!([&rows[0]["grains"], &rows[0]["end"]], ["20", "finished"]);
+    assert_eq!([&rows[1]["grains"], &rows[1]["end"]], ["", "damaged"]);
     assert!(rows[1]["message"].contains("rows are missing"), "{:?}", rows[1]);
+}
+
+#[test]
+fn a_finished_run_that_was_begun_anew_and_ended_otherwise_has_no_results() {
+    let place = place();
+    let run = two_runs(&place);
+    let run = run.to_str().unwrap();
+    let fault = ["--out", run, "--overwrite", "--set", "simulation.max_overlap=1e-7"];
+    place.expect(3, &[&["run", "fall.toml"][..], &fault].concat());
+    let (rows, said) = gathered(&place);
+    assert!(said.err.contains("something ran it again"), "{}", said.err);
+    assert_eq!([&rows[1]["grains"], &rows[1]["end"]], ["", "damaged"]);
+    assert!(rows[1]["message"].contains("overlaps"), "{:?}", rows[1]);
 }
 
 #[test]

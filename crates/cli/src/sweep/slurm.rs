@@ -35,7 +35,8 @@ pub fn write(folder: &SweepFolder, arguments: &SweepArguments) -> Result<Exit, F
         threads: u32::from(arguments.threads),
         options: &options,
         retry: arguments.retry_failed,
-    });
+    })
+    .map_err(Failure::wrong)?;
     let path = folder.job_script();
     let shown = path.display().to_string();
     let write = || {

@@ -94,7 +94,10 @@ pub fn hint(error: &io::Error) -> Option<&'static str> {
         Kind::PermissionDenied => Some("You may not write there: choose another folder or change its permissions."),
         Kind::ReadOnlyFilesystem => Some("The file system is read-only: choose another folder."),
         Kind::NotFound => Some("Check the path; was the folder moved or deleted?"),
-        Kind::FileTooLarge => Some("The file system cannot hold a file of this size: choose another disk."),
+        Kind::FileTooLarge => Some(
+            "No file may become that large there: choose another disk, or raise the limit of your shell (`ulimit -f`). \
+             Everything written before is intact.",
+        ),
         _ => None,
     }
 }

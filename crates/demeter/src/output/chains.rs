@@ -15,20 +15,15 @@ pub struct ChainWriter {
 }
 
 impl ChainWriter {
-    /// Starts without files, or goes on after a step.
-    pub fn open(folder: &RunFolder, measure: &str, after: Option<u64>) -> Result<Self, OutputError> {
+    /// Starts without files, or goes on after a step; tells what is gone, as warnings.
+    pub fn open(folder: &RunFolder, measure: &str, after: Option<u64>) -> Result<(Self, Vec<String>), OutputError> {
         let mut collection = Collection::of_chains(folder, measure);
-        match after {
-            None => collection.save(folder)?,
-            Some(step) => {
-                collection.load()?;
-                collection.cut(folder, step)?;
-            }
-        }
-        Ok(Self {
+        let warnings = collection.open(folder, after)?;
+        let writer = Self {
             folder: folder.clone(),
             collection,
-        })
+        };
+        Ok((writer, warnings))
     }
 
     /// Writes the lines of a moment. Of several processes that have them together the first does; others [`tell`](tell_chains) it.

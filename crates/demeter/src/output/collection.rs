@@ -24,23 +24,23 @@ pub(crate) struct Collection {
 impl Collection {
     /// An empty collection.
     pub fn new(folder: &RunFolder, kind: &'static str) -> Self {
-        Self::of(folder.root().to_owned(), "frames/", kind, ".vtp")
+        Self::of(folder.frame_collection(kind), "frames/", kind, ".vtp")
     }
 
     /// An empty collection of fields.
     pub fn of_fields(folder: &RunFolder, measure: &str) -> Self {
-        Self::of(folder.fields(), "", measure, ".vti")
+        Self::of(folder.field_collection(measure), "", measure, ".vti")
     }
 
     /// An empty collection of force chains.
     pub fn of_chains(folder: &RunFolder, measure: &str) -> Self {
-        Self::of(folder.chains(), "", measure, ".vtp")
+        Self::of(folder.chain_collection(measure), "", measure, ".vtp")
     }
 
-    fn of(root: PathBuf, below: &'static str, kind: &str, ending: &'static str) -> Self {
+    fn of(path: PathBuf, below: &'static str, kind: &str, ending: &'static str) -> Self {
         Self {
-            path: root.join(format!("{kind}.pvd")),
-            root,
+            root: path.parent().unwrap_or(Path::new("")).to_owned(),
+            path,
             below,
             kind: kind.to_owned(),
             ending,
@@ -89,26 +89,38 @@ impl Collection {
         folder.write(&self.path, text.as_bytes())
     }
 
+    /// Starts the collection, or goes on with it after a step: later files are taken out and removed. Tells files that it names and
+    /// that are gone, and files that it does not name, as warnings.
+    pub fn open(&mut self, folder: &RunFolder, after: Option<u64>) -> Result<Vec<String>, OutputError> {
+        let Some(step) = after else {
+            self.save(folder)?;
+            return Ok(Vec::new());
+        };
+        let gone = self.load()?;
+        let lacks = [self.names_in_vain(&gone, step), self.lacks(step)?];
+        self.cut(folder, step)?;
+        Ok(lacks.into_iter().flatten().collect())
+    }
+
     /// Reads the collection as [`Self::save`] wrote it; lines that it does not know, and files that are not there,
-    /// are left out.
-    pub fn load(&mut self) -> Result<(), OutputError> {
+    /// are left out. Tells the steps of the latter.
+    fn load(&mut self) -> Result<Vec<u64>, OutputError> {
         let text = match fs::read_to_string(&self.path) {
             Err(e) if e.kind() == io::ErrorKind::NotFound => String::new(),
             text => text.map_err(OutputError::io("read", &self.path))?,
         };
-        self.read(&text);
-        Ok(())
+        Ok(self.read(&text))
     }
 
-    /// Takes over the entries of a text as [`Self::save`] writes it, where their files are there.
-    pub fn read(&mut self, text: &str) {
+    /// Takes over the entries of a text as [`Self::save`] writes it, where their files are there; tells the steps of the others.
+    pub fn read(&mut self, text: &str) -> Vec<u64> {
         self.entries.clear();
         let entries: Vec<(u64, f64)> = text.lines().filter_map(|line| self.parse(line)).collect();
-        for (step, time) in entries {
-            if self.file_path(step).is_file() {
-                self.add(step, time);
-            }
-        }
+        let (there, gone): (Vec<_>, Vec<_>) = entries
+            .into_iter()
+            .partition(|(step, _)| self.file_path(*step).is_file());
+        there.into_iter().for_each(|(step, time)| self.add(step, time));
+        gone.into_iter().map(|(step, _)| step).collect()
     }
 
     /// Where the collection is.
@@ -132,8 +144,20 @@ impl Collection {
         digits.strip_suffix(self.ending)?.parse().ok()
     }
 
+    /// A warning of files up to a step that the collection names and that are not there.
+    fn names_in_vain(&self, gone: &[u64], step: u64) -> Option<String> {
+        let gone: Vec<u64> = gone.iter().copied().filter(|gone| *gone <= step).collect();
+        let [first, ..] = gone[..] else { return None };
+        let (path, count) = (self.path.display(), gone.len());
+        let (files, are) = if count == 1 { ("file", "is") } else { ("files", "are") };
+        Some(format!(
+            "warning: `{path}` names {count} {files} that {are} not there any more, `{}` among them: left out from now on",
+            self.file(first)
+        ))
+    }
+
     /// A warning of files up to a step that the collection does not name.
-    pub fn lacks(&self, step: u64) -> Result<Option<String>, OutputError> {
+    fn lacks(&self, step: u64) -> Result<Option<String>, OutputError> {
         let names = names_in(&self.root.join(self.below))?;
         let steps = names.iter().filter_map(|name| self.step_of(name));
         let is_known = |step: &u64| self.entries.binary_search_by_key(step, |entry| entry.0).is_ok();
@@ -149,7 +173,7 @@ impl Collection {
     }
 
     /// Drops what is later than a step: from the collection first, then the files.
-    pub fn cut(&mut self, folder: &RunFolder, step: u64) -> Result<(), OutputError> {
+    fn cut(&mut self, folder: &RunFolder, step: u64) -> Result<(), OutputError> {
         self.entries.retain(|entry| entry.0 <= step);
         self.save(folder)?;
         let frames = self.root.join(self.below);

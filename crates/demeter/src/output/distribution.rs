@@ -56,6 +56,11 @@ impl DistributionWriter {
         Self { file, bins, stages }
     }
 
+    /// What it lacks of the rows up to the last one that was written, as a warning.
+    pub(crate) fn lacks(&self, last_row: u64) -> Option<String> {
+        self.file.lacks(last_row)
+    }
+
     /// Writes both rows of a moment; they are in the file when this returns.
     pub fn write(&mut self, moment: &Measures, counted: &[ForceHistogram; 2]) -> Result<(), OutputError> {
         if let Some(other) = counted.iter().find(|h| h.counts.len() != self.bins) {

@@ -1,5 +1,6 @@
 //! What can go wrong when results are written.
 
+use super::folder::MARKER;
 use crate::checkpoint::hint;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -67,7 +68,8 @@ pub enum OutputError {
     },
     /// A file of rows does not belong to the run.
     #[error(
-        "`{}` does not continue this run: {problem}. Move the file away; a new one is then started.",
+        "`{}` does not continue this run: {problem}. Put the file back as the run wrote it. To go on without its rows, put an empty \
+        file in its place.",
         path.display()
     )]
     OtherSeries {
@@ -76,17 +78,14 @@ pub enum OutputError {
         /// What differs.
         problem: String,
     },
-    /// The series of a run that goes on is gone.
+    /// Files of a run that goes on are gone.
     #[error(
-        "`{}` is not there, though the run wrote rows into it up to step {step}. Put the file back, or begin the run anew \
-        in another folder. To go on without these rows, put an empty file in its place.",
-        path.display()
+        "{}. Put the {} back, or begin the run anew in another folder. To go on without what is lost, put an empty file in its place.",
+        are_gone(files), if files.len() == 1 { "file" } else { "files" }
     )]
-    NoSeries {
-        /// The file.
-        path: PathBuf,
-        /// Step of the last row.
-        step: u64,
+    FilesGone {
+        /// Each with the step of the last moment that was written into it; there is one at least.
+        files: Vec<(PathBuf, u64)>,
     },
     /// The series cannot be read at the end of the run that wrote it.
     #[error(
@@ -149,6 +148,16 @@ fn hint_of(source: &io::Error) -> String {
     hint(source).map_or_else(String::new, |hint| format!(" {hint}"))
 }
 
+/// Which files are not there, and what they held.
+fn are_gone(files: &[(PathBuf, u64)]) -> String {
+    let one = |(path, step): &(PathBuf, u64)| {
+        let path = path.display();
+        format!("`{path}` is not there, though the run wrote into it up to step {step}")
+    };
+    let told: Vec<String> = files.iter().map(one).collect();
+    told.join(";\n")
+}
+
 /// Why a path is no run.
 fn lacks(path: &Path, marker: &str) -> String {
     match path.is_file() {
@@ -158,11 +167,13 @@ fn lacks(path: &Path, marker: &str) -> String {
     }
 }
 
-/// Where the run of a scenario lies, if this is one, and it was run.
+/// The run that a file lies in, or, of a scenario that was run, where its run lies.
 fn its_run(path: &Path) -> String {
+    let around = path.parent().filter(|around| around.join(MARKER).is_file());
     let name = path
         .file_stem()
         .filter(|_| path.extension().is_some_and(|e| e == "toml"));
-    let run = name.map(|name| Path::new("runs").join(name)).filter(|run| run.is_dir());
+    let run = || name.map(|name| Path::new("runs").join(name)).filter(|run| run.is_dir());
+    let run = around.map(Path::to_owned).or_else(run);
     run.map_or_else(String::new, |run| format!(", as `{}`", run.display()))
 }

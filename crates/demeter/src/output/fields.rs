@@ -58,34 +58,29 @@ pub struct FieldWriter {
 }
 
 impl FieldWriter {
-    /// Starts without files, or goes on after a step. `is_row` tells whether a table is written, `stages` are the names of the
-    /// stages, by index.
+    /// Starts without files, or goes on after a step; tells what is gone, as warnings. `is_row` tells whether a table is written,
+    /// `stages` are the names of the stages, by index.
     pub fn open(
         folder: &RunFolder,
         measure: &str,
         is_row: bool,
         stages: Vec<String>,
         after: Option<u64>,
-    ) -> Result<Self, OutputError> {
+    ) -> Result<(Self, Vec<String>), OutputError> {
         let mut collection = Collection::of_fields(folder, measure);
+        let warnings = collection.open(folder, after)?;
         let path = folder.field_table(measure);
-        let table = match after {
-            None => {
-                collection.save(folder)?;
-                is_row.then(|| RowFile::create(&path, &header()))
-            }
-            Some(step) => {
-                collection.load()?;
-                collection.cut(folder, step)?;
-                is_row.then(|| RowFile::resume(&path, &header(), step))
-            }
-        };
-        Ok(Self {
+        let table = is_row.then(|| match after {
+            None => RowFile::create(&path, &header()),
+            Some(step) => RowFile::resume(&path, &header(), step),
+        });
+        let writer = Self {
             folder: folder.clone(),
             collection,
             table: table.transpose()?,
             stages,
-        })
+        };
+        Ok((writer, warnings))
     }
 
     /// Writes the fields of a moment.

@@ -217,6 +217,11 @@ impl RunFolder {
         fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
     }
 
+    /// The collection of a field, by the name of the measure.
+    pub fn field_collection(&self, measure: &str) -> PathBuf {
+        self.fields().join(format!("{measure}.pvd"))
+    }
+
     /// The table of a field along one direction, by the name of the measure.
     pub fn field_table(&self, measure: &str) -> PathBuf {
         self.fields().join(format!("{measure}.csv"))
@@ -231,6 +236,16 @@ impl RunFolder {
     pub fn make_chains(&self) -> Result<(), OutputError> {
         let sub = self.chains();
         fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
+    }
+
+    /// The collection of force chains, by the name of the measure.
+    pub fn chain_collection(&self, measure: &str) -> PathBuf {
+        self.chains().join(format!("{measure}.pvd"))
+    }
+
+    /// The collection of the frames of a kind: `grains`, `contacts`, `walls`.
+    pub fn frame_collection(&self, kind: &str) -> PathBuf {
+        self.root.join(format!("{kind}.pvd"))
     }
 
     /// Folder of the paths of grains; [`RunFolder::make_paths`] makes it.
@@ -260,7 +275,7 @@ impl RunFolder {
     }
 }
 
-fn is_frame(name: &str) -> bool {
+pub(super) fn is_frame(name: &str) -> bool {
     let name = name.strip_suffix(".part").unwrap_or(name);
     name.ends_with(".vtp")
         && ["grains_", "contacts_", "walls_"]
@@ -395,6 +410,11 @@ mod tests {
         assert_eq!(names_in(place.path()).unwrap(), ["thesis.tex"]);
         let error = RunFolder::open(place.path()).unwrap_err();
         assert!(matches!(error, OutputError::NotARun { .. }));
+        let run = place.path().join("run");
+        let folder = RunFolder::create(&run, false).unwrap();
+        folder.write(&folder.series(), b"step\n").unwrap();
+        let text = RunFolder::open(&folder.series()).unwrap_err().to_string();
+        assert!(text.ends_with(&format!("wrote, as `{}`.", run.display())), "{text}");
         let error = RunFolder::create(&place.path().join("thesis.tex"), true).unwrap_err();
         assert!(matches!(error, OutputError::NotAFolder { .. }));
     }

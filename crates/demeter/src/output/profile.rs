@@ -44,6 +44,11 @@ impl ProfileWriter {
         Ok(Self { file, stages })
     }
 
+    /// What it lacks of the rows up to the last one that was written, as a warning.
+    pub(crate) fn lacks(&self, last_row: u64) -> Option<String> {
+        self.file.lacks(last_row)
+    }
+
     /// Writes all slices of a moment; they are in the file when this returns.
     pub fn write(&mut self, moment: &Measures, slices: &[Slice]) -> Result<(), OutputError> {
         let row = |(k, slice): (usize, &Slice)| {

@@ -1,11 +1,21 @@
 //! How the folder of a run is reserved: by a lock on its marker, which is neither removed nor replaced as long as the folder is there.
 
 use super::error::OutputError;
-use super::folder::{MARKER, RunFolder, names_in};
+use super::folder::{MARKER, RunFolder, is_frame, names_in};
+use crate::checkpoint;
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, Write};
+use std::io::{self, BufRead, BufReader, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+
+/// What the marker names as the program that wrote it.
+const PROGRAM: &str = "demeter";
+
+/// Longest marker that is read [bytes].
+const LONGEST_MARKER: u64 = 1 << 16;
+
+/// In the names of the frames of the start.
+const FRAME_OF_THE_START: &str = "_0000000000.";
 
 /// How often the lock is asked for: whoever only looks whether a run is going on has it for a moment.
 const ATTEMPTS: u32 = 5;
@@ -29,8 +39,8 @@ impl RunFolder {
 
     /// Makes the folder of a new run and reserves it. Of several that ask for it at the same moment one gets it.
     ///
-    /// A folder that is not empty is refused, unless `overwrite` is set: then the files of an earlier run, known by
-    /// their names, are removed. Other files are never touched.
+    /// A folder that is not empty is refused, unless `overwrite` is set or a run ended there before its first checkpoint: then the
+    /// files of an earlier run, known by their names, are removed. Other files are never touched.
     pub fn reserve(root: &Path, overwrite: bool) -> Result<(Self, RunLock), OutputError> {
         if root.exists() && !root.is_dir() {
             return Err(OutputError::NotAFolder { path: root.to_owned() });
@@ -46,14 +56,15 @@ impl RunFolder {
         }
         let (mut lock, is_new) = folder.take_marker()?;
         // only now does nobody else change what is there
-        if !overwrite && folder.holds_a_run(&lock, is_new)? {
+        if !overwrite && folder.holds_a_run(&mut lock, is_new)? {
             return Err(OutputError::HoldsARun {
                 folder: root.to_owned(),
             });
         }
+        // first of all: whoever finds what a kill from here on leaves knows that it is ours
+        lock.mark().map_err(OutputError::io("write", &folder.marker()))?;
         folder.remove_run()?;
         folder.make_folders()?;
-        lock.mark().map_err(OutputError::io("write", &folder.marker()))?;
         Ok((folder, lock))
     }
 
@@ -110,28 +121,77 @@ impl RunFolder {
         })
     }
 
-    /// Whether a run was begun here; an empty marker alone was left by one that was killed before.
-    fn holds_a_run(&self, lock: &RunLock, is_new: bool) -> Result<bool, OutputError> {
+    /// Whether a run was begun here of which something is left. One that ended before its first checkpoint, at the start of the
+    /// run, left nothing that another would not do again; an empty marker alone is from a time before that.
+    fn holds_a_run(&self, lock: &mut RunLock, is_new: bool) -> Result<bool, OutputError> {
         if !lock.is_locked {
             // without locks the one that made the marker has the folder
             return Ok(!is_new);
         }
-        let path = self.marker();
-        let length = lock.marker.metadata().map_err(OutputError::io("look at", &path))?.len();
-        Ok(length > 0 || names_in(self.root())?.len() > 1)
+        let marker = lock.read().map_err(OutputError::io("read", &self.marker()))?;
+        match marker.as_slice() {
+            [] => Ok(names_in(self.root())?.len() > 1),
+            marker if is_ours(marker) => self.came_beyond_its_start(),
+            _ => Ok(true),
+        }
+    }
+
+    /// Whether there is something that the start of a run does not leave: a checkpoint, the end of a stage or of the run, or, where
+    /// these were removed, rows and frames.
+    fn came_beyond_its_start(&self) -> Result<bool, OutputError> {
+        let checkpoints = [checkpoint::LATEST, checkpoint::PREVIOUS].map(|name| self.root().join(name));
+        let of_the_end = [self.summary(), self.picture(), self.report()];
+        if checkpoints.iter().chain(&of_the_end).any(|path| path.exists()) {
+            return Ok(true);
+        }
+        let is_later = |name: &String| !(is_frame(name) && name.contains(FRAME_OF_THE_START));
+        for folder in [self.frames(), self.plots(), self.pictures()] {
+            if names_in(&folder)?.iter().any(is_later) {
+                return Ok(true);
+            }
+        }
+        has_rows_behind_the_first(&self.series())
     }
 }
 
 impl RunLock {
+    /// What is in the marker.
+    fn read(&mut self) -> io::Result<Vec<u8>> {
+        let mut text = Vec::new();
+        self.marker.rewind()?;
+        Read::by_ref(&mut self.marker)
+            .take(LONGEST_MARKER)
+            .read_to_end(&mut text)?;
+        self.marker.rewind()?;
+        Ok(text)
+    }
+
     /// Writes what the marker tells. A new file in its place would not be locked.
     fn mark(&mut self) -> io::Result<()> {
         let text = format!(
-            "{{\n  \"program\": \"demeter\",\n  \"version\": \"{}\"\n}}\n",
+            "{{\n  \"program\": \"{PROGRAM}\",\n  \"version\": \"{}\"\n}}\n",
             crate::VERSION
         );
         self.marker.write_all(text.as_bytes())?;
         self.marker.set_len(text.len() as u64)
     }
+}
+
+/// Whether a marker is that of a run, and not another file of this name.
+fn is_ours(marker: &[u8]) -> bool {
+    let marker: Option<serde_json::Value> = serde_json::from_slice(marker).ok();
+    marker.is_some_and(|marker| marker["program"] == PROGRAM)
+}
+
+/// Whether a file of rows, with a header, holds more than one.
+fn has_rows_behind_the_first(path: &Path) -> Result<bool, OutputError> {
+    let file = match File::open(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(false),
+        file => file.map_err(OutputError::io("open", path))?,
+    };
+    let mut third = BufReader::new(file).split(b'\n').skip(2);
+    let third = third.next().transpose().map_err(OutputError::io("read", path))?;
+    Ok(third.is_some())
 }
 
 fn numbered(root: &Path, number: u32) -> PathBuf {
@@ -177,6 +237,7 @@ mod tests {
             }
             assert!(RunFolder::find(&root).unwrap().is_locked());
         }
+        fs::write(RunFolder::at(&root).summary(), "{}").unwrap();
         let refused = RunFolder::reserve(&root, false).unwrap_err();
         assert!(matches!(refused, OutputError::HoldsARun { .. }), "{refused}");
     }
@@ -200,6 +261,59 @@ mod tests {
         let (folder, _lock) = RunFolder::reserve(place.path(), false).unwrap();
         let text = fs::read_to_string(folder.marker()).unwrap();
         assert!(text.contains(crate::VERSION), "{text}");
+    }
+
+    /// Killed, or ended with all processes of its job, between the making of the folder and its first checkpoint.
+    #[test]
+    fn a_run_that_ended_before_its_first_checkpoint_is_in_nobodys_way() {
+        let place = tempfile::tempdir().unwrap();
+        let root = place.path().join("run");
+        let begin = || {
+            let folder = RunFolder::create(&root, false).unwrap();
+            for (path, text) in [
+                (folder.scenario(), "title = \"a\""),
+                (folder.log(), "time step"),
+                (folder.series(), "step,time [s]\n0,0.0\n"),
+                (folder.frames().join("grains_0000000000.vtp"), "x"),
+                (checkpoint::part_path(&root.join(checkpoint::LATEST)), "DEMETERC"),
+            ] {
+                fs::write(path, text).unwrap();
+            }
+            folder
+        };
+        let folder = begin();
+        RunFolder::create(&root, false).unwrap();
+        assert!(!folder.series().exists() && !folder.log().exists());
+
+        // but all that tells of more is kept
+        let later = [
+            (root.join(checkpoint::LATEST), "x"),
+            (root.join(checkpoint::PREVIOUS), "x"),
+            (folder.summary(), "{}"),
+            (folder.report(), "<html>"),
+            (folder.stage_picture(1, "settle"), "x"),
+            (folder.series(), "step,time [s]\n0,0.0\n9,0.1\n"),
+            (folder.frames().join("walls_0000000009.vtp"), "x"),
+        ];
+        for (path, text) in later {
+            begin();
+            fs::write(&path, text).unwrap();
+            let refused = RunFolder::reserve(&root, false).unwrap_err();
+            assert!(matches!(refused, OutputError::HoldsARun { .. }), "{refused}");
+            assert_eq!(fs::read_to_string(&path).unwrap(), text);
+            assert!(folder.scenario().exists());
+            fs::remove_file(path).unwrap();
+        }
+        // a marker of something else protects what is there
+        begin();
+        fs::write(folder.marker(), "{}").unwrap();
+        let refused = RunFolder::reserve(&root, false).unwrap_err();
+        assert!(matches!(refused, OutputError::HoldsARun { .. }), "{refused}");
+        assert!(folder.scenario().exists());
+        // also where it is alone
+        let alone = tempfile::tempdir().unwrap();
+        fs::write(alone.path().join(MARKER), "{}").unwrap();
+        assert!(RunFolder::reserve(alone.path(), false).is_err());
     }
 
     #[test]

@@ -70,9 +70,18 @@ impl RowFile {
         })
     }
 
-    /// Steps of the first and the last row that were there already.
-    pub fn kept(&self) -> Option<(u64, u64)> {
-        self.kept
+    /// What the file lacks of the rows from the start of the run to the last one that was written, as a warning.
+    pub fn lacks(&self, last: u64) -> Option<String> {
+        let problem = match self.kept {
+            Some((0, found)) if found >= last => return None,
+            Some((0, found)) => format!("lacks the rows behind step {found}, up to that of step {last}"),
+            Some((first, _)) => format!("begins at step {first}, not at the start of the run"),
+            None => format!("holds no rows up to step {last} any more"),
+        };
+        let path = self.path.display();
+        Some(format!(
+            "warning: `{path}` {problem}; what is missing stays so, and the file is not that of the whole run"
+        ))
     }
 
     /// Its path.

@@ -472,19 +472,9 @@ impl SeriesWriter {
         Ok(Self { file, labels })
     }
 
-    /// What the series lacks of the rows from the start of the run to the last one that was written, as a warning.
-    pub(crate) fn lacks(&self, last_row: Option<u64>) -> Option<String> {
-        let last = last_row?;
-        let problem = match self.file.kept() {
-            Some((0, found)) if found >= last => return None,
-            Some((0, found)) => format!("lacks the rows behind step {found}, up to that of step {last}"),
-            Some((first, _)) => format!("begins at step {first}, not at the start of the run"),
-            None => format!("holds no rows up to step {last} any more"),
-        };
-        let path = self.file.path().display();
-        Some(format!(
-            "warning: `{path}` {problem}; what is missing stays so, and the series is not that of the whole run"
-        ))
+    /// What the series lacks of the rows up to the last one that was written, as a warning.
+    pub(crate) fn lacks(&self, last_row: u64) -> Option<String> {
+        self.file.lacks(last_row)
     }
 
     /// Writes a row; it is in the file when this returns.

@@ -44,7 +44,7 @@ pub struct Summary {
     pub threads: usize,
     /// The stages that ran, in order.
     pub stages: Vec<StageSummary>,
-    /// Energies at the end [J].
+    /// Energies at the end [J]. A fault leaves a step that is not complete: what was dissipated and worked in it is not counted.
     pub energies: EnergySummary,
     /// Loads on the walls at the end, by name.
     pub walls: BTreeMap<String, WallSummary>,
@@ -80,7 +80,7 @@ pub struct EnergySummary {
     /// Energies and the residual at the end.
     #[serde(flatten)]
     pub ledger: Energies,
-    /// The largest residual in any row of the series.
+    /// The largest residual in any row of the series, and at the end.
     pub max_residual: f64,
 }
 
@@ -112,7 +112,7 @@ pub fn wall_summaries(row: &Measures, wall_names: &[String]) -> BTreeMap<String,
 }
 
 impl Summary {
-    /// Takes over what the last row of measures tells.
+    /// Takes over what is measured at the end.
     pub fn set_measures(&mut self, last: &Measures, max_residual: f64, wall_names: &[String]) {
         self.grains = last.grains as u64;
         self.contacts = last.contacts as u64;

@@ -34,6 +34,11 @@ impl MomentTable {
         Ok(Self { file, stages })
     }
 
+    /// What it lacks of the rows up to the last one that was written, as a warning, where every moment has some.
+    pub(crate) fn lacks(&self, last_row: u64) -> Option<String> {
+        self.file.lacks(last_row)
+    }
+
     /// Adds rows of a moment.
     pub fn add(&mut self, moment: &Measures, rows: impl IntoIterator<Item = Vec<String>>) -> Result<(), OutputError> {
         let row = |cells: Vec<String>| {

@@ -23,6 +23,7 @@ use crate::walls::ElementRecord;
 use glam::DVec3;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::path::PathBuf;
 
 /// Writes frames into the folder of a run.
 #[derive(Debug)]
@@ -45,27 +46,23 @@ pub const MEAN_NORMAL_FORCE: &str = "mean_normal_force";
 pub const WALL_NAMES: &str = "wall_names";
 
 impl FrameWriter {
-    /// Starts with no frame.
-    pub fn create(folder: &RunFolder) -> Result<Self, OutputError> {
-        let collections = KINDS.map(|kind| Collection::new(folder, kind));
-        for collection in &collections {
-            collection.save(folder)?;
-        }
-        Ok(Self {
-            folder: folder.clone(),
-            collections,
-        })
+    /// All files that every frame changes.
+    pub fn files(folder: &RunFolder) -> Vec<PathBuf> {
+        KINDS.map(|kind| folder.frame_collection(kind)).to_vec()
     }
 
-    /// Goes on after a step: later frames are taken out of the collections and their files removed. Tells the frames that are
-    /// in no collection, as warnings.
-    pub fn resume(folder: &RunFolder, step: u64) -> Result<(Self, Vec<String>), OutputError> {
+    /// Starts with no frame.
+    pub fn create(folder: &RunFolder) -> Result<Self, OutputError> {
+        Self::open(folder, None).map(|(writer, _)| writer)
+    }
+
+    /// Starts with no frame, or goes on after a step: later frames are taken out of the collections and their files removed. Tells
+    /// the frames that are in no collection, and those that are gone, as warnings.
+    pub fn open(folder: &RunFolder, after: Option<u64>) -> Result<(Self, Vec<String>), OutputError> {
         let mut collections = KINDS.map(|kind| Collection::new(folder, kind));
         let mut warnings = Vec::new();
         for collection in &mut collections {
-            collection.load()?;
-            warnings.extend(collection.lacks(step)?);
-            collection.cut(folder, step)?;
+            warnings.extend(collection.open(folder, after)?);
         }
         let writer = Self {
             folder: folder.clone(),

@@ -49,20 +49,30 @@ impl Diagnostics {
 
     /// Adds a fault at the value of a key; at the nearest table above it when the key was not written.
     pub fn push(&mut self, path: &str, message: impl Into<String>, help: Option<String>) {
-        let span = self.document.origin(path);
-        self.push_at(span, path, message.into(), help);
+        if self.keeps_one_more() {
+            let span = self.document.origin(path);
+            self.push_at(span, path, message.into(), help);
+        }
     }
 
     /// Adds a fault at a key itself.
     pub(super) fn push_key(&mut self, path: &str, message: impl Into<String>, help: Option<String>) {
-        let span = self.document.key_origin(path);
-        self.push_at(span, path, message.into(), help);
+        if self.keeps_one_more() {
+            let span = self.document.key_origin(path);
+            self.push_at(span, path, message.into(), help);
+        }
+    }
+
+    /// Whether a fault that was found is kept, so that it is worth to look for its place; else it is counted here.
+    fn keeps_one_more(&mut self) -> bool {
+        let keeps = self.list.len() < MAX_FAULTS;
+        self.left_out += usize::from(!keeps);
+        keeps
     }
 
     /// Adds a fault at a place.
     pub(super) fn push_at(&mut self, span: Option<Span>, path: &str, message: String, help: Option<String>) {
-        if self.list.len() >= MAX_FAULTS {
-            self.left_out += 1;
+        if !self.keeps_one_more() {
             return;
         }
         let (line, column) = span.as_ref().map_or((0, 0), |s| self.document.line_column(s));
@@ -87,7 +97,12 @@ impl Diagnostics {
         self.list.retain(keep);
     }
 
-    /// The faults.
+    /// How many faults were found, those among them that were not kept.
+    pub fn count(&self) -> usize {
+        self.list.len() + self.left_out
+    }
+
+    /// The faults, or the first that were found where there are very many.
     pub fn list(&self) -> &[Diagnostic] {
         &self.list
     }

@@ -3,9 +3,10 @@
 use super::measures::MeasureKind;
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
-use crate::measure::{ForceChains, Moment};
+use crate::measure::{Field, ForceChains, Moment};
 use crate::output::{ChainWriter, FieldWriter, OutputError, RunFolder, tell_chains};
 use crate::simulation::Simulation;
+use std::path::PathBuf;
 
 /// A writer for every field and all force chains of a scenario, in its order.
 pub(super) struct FieldFiles<'a> {
@@ -14,26 +15,50 @@ pub(super) struct FieldFiles<'a> {
 }
 
 impl<'a> FieldFiles<'a> {
-    /// Starts all files, or goes on with them after a step.
-    pub fn open(scenario: &'a Scenario, folder: &RunFolder, after: Option<u64>) -> Result<Self, OutputError> {
-        let (mut fields, mut chains) = (Vec::new(), Vec::new());
+    /// All files that every frame changes.
+    pub fn files(scenario: &Scenario, folder: &RunFolder) -> Vec<PathBuf> {
+        let mut files = Vec::new();
+        for measure in &scenario.measures {
+            let name = measure.name.as_str();
+            match &measure.kind {
+                MeasureKind::Field(field) => {
+                    files.push(folder.field_collection(name));
+                    files.extend(is_row(field).then(|| folder.field_table(name)));
+                }
+                MeasureKind::ForceChains(_) => files.push(folder.chain_collection(name)),
+                _ => {}
+            }
+        }
+        files
+    }
+
+    /// Starts all files, or goes on with them after a step; tells what is gone, as warnings.
+    pub fn open(
+        scenario: &'a Scenario,
+        folder: &RunFolder,
+        after: Option<u64>,
+    ) -> Result<(Self, Vec<String>), OutputError> {
+        let (mut fields, mut chains, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
         for measure in &scenario.measures {
             let name = measure.name.as_str();
             match &measure.kind {
                 MeasureKind::Field(field) => {
                     folder.make_fields()?;
-                    let is_row = field.cells.iter().filter(|n| **n > 1).count() <= 1;
                     let stages = labels(scenario).stages;
-                    fields.push(FieldWriter::open(folder, name, is_row, stages, after)?);
+                    let (writer, told) = FieldWriter::open(folder, name, is_row(field), stages, after)?;
+                    fields.push(writer);
+                    warnings.extend(told);
                 }
                 MeasureKind::ForceChains(of) => {
                     folder.make_chains()?;
-                    chains.push((of, ChainWriter::open(folder, name, after)?));
+                    let (writer, told) = ChainWriter::open(folder, name, after)?;
+                    chains.push((of, writer));
+                    warnings.extend(told);
                 }
                 _ => {}
             }
         }
-        Ok(Self { fields, chains })
+        Ok((Self { fields, chains }, warnings))
     }
 
     /// Writes all fields and chains of a moment; means begin anew.
@@ -49,6 +74,11 @@ impl<'a> FieldFiles<'a> {
         }
         Ok(())
     }
+}
+
+/// Whether the grid of a field is a row of cells, which has a table.
+fn is_row(field: &Field) -> bool {
+    field.cells.iter().filter(|n| **n > 1).count() <= 1
 }
 
 /// Tells the first process what this one has of all fields and chains, as it writes them.

@@ -20,6 +20,7 @@ mod measures;
 mod meshes;
 mod motions;
 mod observed;
+mod other_code;
 mod other_kind;
 mod overrides;
 mod packing_file;
@@ -329,6 +330,11 @@ fn tree_with(text: &str, name: &str, overrides: &[Override]) -> Result<Arc<Docum
     let mut root = match read_toml(text, 0) {
         Ok(root) => root,
         Err(faults) => {
+            if let Some((message, help)) = other_code::recognise(text) {
+                let mut diagnostics = Diagnostics::new(name, Arc::new(Document::without_keys(sources)));
+                diagnostics.push_at(None, "", message, Some(help));
+                return Err(diagnostics);
+            }
             let message = |mut fault: document::SyntaxFault| {
                 fault.message = format!("not valid TOML: {}", fault.message);
                 (fault, None)
@@ -377,6 +383,9 @@ fn read_text(path: &Path) -> Result<String, String> {
         return Err(format!("the file is larger than {} MiB", MAX_FILE_SIZE >> 20));
     }
     String::from_utf8(bytes).map_err(|error| {
+        if let Some(what) = other_code::recognise_bytes(error.as_bytes()) {
+            return what;
+        }
         let at = error.utf8_error().valid_up_to();
         let line = error.as_bytes()[..at].iter().filter(|b| **b == b'\n').count() + 1;
         format!("line {line} is not UTF-8 text; save the file as UTF-8")

@@ -9,6 +9,7 @@ use super::document::{Entry, Node, Value, join};
 use super::plain::PLAIN_NUMBERS;
 use super::quantity::Kind;
 use std::cell::{Cell, RefCell};
+use std::collections::HashSet;
 
 /// What a getter looks for. Tests hold it against what the reference tells.
 #[derive(Clone, Debug, PartialEq)]
@@ -362,10 +363,11 @@ impl<'a> TableReader<'a> {
     /// Refuses every key that was not asked for so far.
     pub fn refuse_others(&self, place: &str) {
         let asked = self.asked.borrow();
-        for entry in self.entries.iter().filter(|e| !asked.contains(&e.key)) {
-            let mut known: Vec<&str> = asked.iter().map(String::as_str).collect();
-            known.dedup();
-            let help = suggest_or_list(&entry.key, known);
+        let mut known: Vec<&str> = asked.iter().map(String::as_str).collect();
+        known.dedup();
+        let is_known: HashSet<&str> = known.iter().copied().collect();
+        for entry in self.entries.iter().filter(|e| !is_known.contains(e.key.as_str())) {
+            let help = suggest_or_list(&entry.key, known.iter().copied());
             let message = format!("unknown key `{}` in {place}", entry.key);
             let path = join(&self.path, &entry.key);
             self.context.faults.borrow_mut().push_key(&path, message, help);

@@ -2,12 +2,13 @@
 
 use super::measures::MeasureKind;
 use super::plots;
-use super::run::{Observer, Runner};
+use super::run::{Observer, Runner, larger};
 use super::run_error::RunError;
 use crate::contacts::Fault;
+use crate::measure::measure;
 use crate::output::picture::{PictureOptions, render_packing};
 use crate::output::{OutputError, RunFolder, Summary, path_lines};
-use crate::report;
+use crate::report::{self, ReportError};
 use crate::simulation::Phase;
 use std::path::PathBuf;
 
@@ -87,13 +88,22 @@ impl Runner<'_> {
         Ok(())
     }
 
-    /// Writes the report. Without one the run is as good, so that it is only warned of.
-    fn write_page(&mut self, folder: &RunFolder, observer: &mut dyn Observer) -> Result<(), RunError> {
-        if !self.scenario.output.report {
+    /// Writes the report, of what the folder holds. What cannot be read there is warned of; a page that cannot be written is missing.
+    pub(super) fn write_page(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
+        let files = self.files.as_ref().filter(|_| self.scenario.output.report);
+        let Some(folder) = files.map(|files| files.folder.root().to_owned()) else {
             return Ok(());
-        }
-        let problems = match report::write_at_the_end(folder.root()) {
+        };
+        let problems = match report::write_at_the_end(&folder) {
             Ok(written) => written.problems,
+            Err(ReportError::Output(error)) => {
+                // told to the observer alone: where there is no room for the page, there may be none in the log
+                observer.message(&format!(
+                    "all else of the run is written; `demeter report {}` writes the page that is missing",
+                    folder.display()
+                ));
+                return Err(error.into());
+            }
             Err(error) => vec![format!("no report: {error}")],
         };
         for problem in problems {
@@ -132,7 +142,7 @@ impl Runner<'_> {
     }
 
     /// Writes the summary and, after whole runs and faults, the picture and the plots.
-    pub(super) fn report(&mut self, end: &RunEnd, observer: &mut dyn Observer) -> Result<Summary, RunError> {
+    pub(super) fn report(&mut self, end: &RunEnd) -> Result<Summary, RunError> {
         self.sim.took(Phase::Other);
         let mut summary = self.summary(end);
         if self.scenario.output.picture {
@@ -148,12 +158,14 @@ impl Runner<'_> {
         self.sim.took(Phase::Output);
         summary.profile = self.sim.profile();
         summary.write(&folder)?;
-        self.write_page(&folder, observer)?;
         Ok(summary)
     }
 
     /// What `summary.json` tells, but for the profile. Each process calls this.
-    fn summary(&self, end: &RunEnd) -> Summary {
+    fn summary(&mut self, end: &RunEnd) -> Summary {
+        let moment = self.moment();
+        // the latest row of the series may be older than the state, and after a restart there may be none
+        let now = measure(&mut self.sim, moment, self.scenario.output.strain.as_ref());
         let seconds_here = self.started.elapsed().as_secs_f64();
         let speed = self.particle_steps as f64 / seconds_here.max(1e-9);
         let mut summary = Summary {
@@ -167,10 +179,6 @@ impl Runner<'_> {
                 RunEnd::Interrupted => "interrupted; continue with `demeter resume`".to_string(),
                 RunEnd::Fault(fault) => fault.to_string(),
             },
-            grains: self.sim.grains.len() as u64,
-            contacts: self.sim.acting_contacts(),
-            steps: self.sim.step,
-            simulated_time: self.sim.time(),
             time_step: self.sim.dt,
             time_step_reason: self.place.time_step_reason.clone(),
             wall_clock_time: self.place.wall_clock,
@@ -186,12 +194,8 @@ impl Runner<'_> {
             ..Summary::default()
         };
         let names: Vec<String> = self.sim.walls.iter().map(|w| w.name.clone()).collect();
-        if let Some(latest) = &self.latest {
-            summary.set_measures(latest, self.place.max_residual, &names);
-        }
-        // the latest row may be older than the state
-        summary.steps = self.sim.step;
-        summary.simulated_time = self.sim.time();
+        let max_residual = larger(self.place.max_residual, now.energies.residual.abs());
+        summary.set_measures(&now, max_residual, &names);
         summary
     }
 }

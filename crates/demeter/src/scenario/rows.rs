@@ -12,6 +12,7 @@ use crate::output::{
     path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows, rose_titles,
 };
 use crate::simulation::Simulation;
+use std::path::PathBuf;
 
 /// All files of rows, open at their ends. Without files what they tell is measured, too, where another process writes it.
 pub(super) struct Rows<'a> {
@@ -39,6 +40,15 @@ enum Told<'a> {
 }
 
 impl Told<'_> {
+    /// The table of a measure.
+    fn file(&self, measure: &str, folder: &RunFolder) -> PathBuf {
+        match self {
+            Self::Residence(..) | Self::Angles(_) => folder.distribution(measure),
+            Self::Rings(_) => folder.profile(measure),
+            Self::Paths(_) => folder.path_table(measure),
+        }
+    }
+
     fn rows(&self, sim: &Simulation, traffic: &Traffic<'_>) -> Vec<Vec<String>> {
         let origins = traffic.origins();
         match self {
@@ -87,19 +97,28 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Goes on with all files after a step, told that of the last row, and tells what the series lacks.
+    /// All files that a row is written into.
+    pub fn files(scenario: &Scenario, folder: &RunFolder) -> Vec<PathBuf> {
+        let measures = &scenario.measures;
+        let bins = distributions(measures).map(|(name, _)| folder.distribution(name));
+        let slices = profiles(measures).map(|(name, _)| folder.profile(name));
+        let tables = told_in_tables(measures).map(|(name, told)| told.file(name, folder));
+        std::iter::once(folder.series())
+            .chain(bins)
+            .chain(slices)
+            .chain(tables)
+            .collect()
+    }
+
+    /// Goes on with all files after a step, told that of the last row, and tells what they lack, as warnings.
     pub fn resume(
         scenario: &'a Scenario,
         folder: &RunFolder,
         step: u64,
         last_row: Option<u64>,
-    ) -> Result<(Self, Option<String>), OutputError> {
-        let path = folder.series();
-        if let Some(step) = last_row.filter(|_| !path.exists()) {
-            return Err(OutputError::NoSeries { path, step });
-        }
-        let series = SeriesWriter::resume(&path, labels(scenario), step)?;
-        let lacks = series.lacks(last_row);
+    ) -> Result<(Self, Vec<String>), OutputError> {
+        let series = SeriesWriter::resume(&folder.series(), labels(scenario), step)?;
+        let of_series = last_row.and_then(|last| series.lacks(last));
         let rows = Self::with(
             scenario,
             folder,
@@ -107,7 +126,24 @@ impl<'a> Rows<'a> {
             |name, bins, stages| DistributionWriter::resume(&folder.distribution(name), bins, stages, step),
             |name, stages| ProfileWriter::resume(&folder.profile(name), stages, step),
         )?;
-        Ok((rows, lacks))
+        let of_others = last_row.map(|last| rows.lack(last)).unwrap_or_default();
+        Ok((rows, of_series.into_iter().chain(of_others).collect()))
+    }
+
+    /// What the files beside the series lack of the rows up to the last one.
+    fn lack(&self, last_row: u64) -> Vec<String> {
+        let bins = self
+            .distributions
+            .iter()
+            .filter_map(|(_, file)| file.as_ref()?.lacks(last_row));
+        let slices = self
+            .profiles
+            .iter()
+            .filter_map(|(_, file)| file.as_ref()?.lacks(last_row));
+        // paths tell nothing as long as none of their grains is there
+        let tables = self.tables.iter().filter(|(told, _)| !matches!(told, Told::Paths(_)));
+        let tables = tables.filter_map(|(_, file)| file.as_ref()?.lacks(last_row));
+        bins.chain(slices).chain(tables).collect()
     }
 
     fn with(
@@ -236,25 +272,25 @@ fn tables<'a>(
 ) -> Result<Vec<(Told<'a>, Option<MomentTable>)>, OutputError> {
     let stages = labels(scenario).stages;
     let open = |(name, told): (&str, Told<'a>)| {
-        let (path, titles) = match &told {
+        let titles = match &told {
             Told::Residence(_, (width, bins)) => {
                 folder.make_distributions()?;
-                (folder.distribution(name), residence_titles(*width, *bins))
+                residence_titles(*width, *bins)
             }
             Told::Angles(angles) => {
                 folder.make_distributions()?;
-                (folder.distribution(name), rose_titles(&angles.edges()))
+                rose_titles(&angles.edges())
             }
             Told::Rings(_) => {
                 folder.make_profiles()?;
-                (folder.profile(name), ring_titles())
+                ring_titles()
             }
             Told::Paths(_) => {
                 folder.make_paths()?;
-                (folder.path_table(name), path_titles())
+                path_titles()
             }
         };
-        let table = MomentTable::open(&path, &titles, stages.clone(), after)?;
+        let table = MomentTable::open(&told.file(name, folder), &titles, stages.clone(), after)?;
         Ok((told, Some(table)))
     };
     told_in_tables(&scenario.measures).map(open).collect()

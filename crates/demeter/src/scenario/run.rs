@@ -17,18 +17,19 @@ use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::contacts::Fault;
 use crate::measure::Measures;
-use crate::output::{FrameWriter, RunFolder, SeriesLabels, StageSummary, Summary};
+use crate::output::{FrameWriter, OutputError, RunFolder, SeriesLabels, StageSummary, Summary};
 use crate::particles::Domain;
 use crate::simulation::{Cadence, Setup, Simulation, SimulationState, Stage, StopCondition};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 pub use sharing::all_or_none;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 pub(super) use start::read_run;
 pub(crate) use start::thread_pool;
 pub use start::{resume, resume_shared, run, run_shared};
+pub(super) use writing::larger;
 
 /// Steps between two looks at the energies for a stop condition.
 const ENERGY_INTERVAL: u64 = 50;
@@ -130,7 +131,7 @@ pub(super) struct Runner<'a> {
     /// Sum over the steps of this process of the number of grains.
     pub(super) particle_steps: u64,
     /// What the latest row told.
-    pub(super) latest: Option<Measures>,
+    latest: Option<Measures>,
     traffic: Traffic<'a>,
     stray_walls: StrayWalls,
     steps: u64,
@@ -182,7 +183,7 @@ impl<'a> Runner<'a> {
         let files = |folder: &RunFolder| -> Result<Files, RunError> {
             Ok(Files {
                 frames: FrameWriter::create(folder)?,
-                fields: FieldFiles::open(scenario, folder, None)?,
+                fields: FieldFiles::open(scenario, folder, None)?.0,
                 folder: folder.clone(),
             })
         };
@@ -219,6 +220,7 @@ impl<'a> Runner<'a> {
         let sim = Simulation::resume(setup, state.simulation)?;
         let traffic = Traffic::resume(scenario, sim.domain(), state.traffic)?;
         let mut told = vec![format!("going on from step {step}, time {:.4e} s", sim.time())];
+        folder.map_or(Ok(()), |folder| check_files(scenario, folder, &state.place))?;
         let rows = match folder {
             Some(folder) => {
                 let (rows, lacks) = Rows::resume(scenario, folder, step, state.place.last_row)?;
@@ -228,11 +230,12 @@ impl<'a> Runner<'a> {
             None => Rows::in_memory(scenario),
         };
         let mut files = |folder: &RunFolder| -> Result<Files, RunError> {
-            let (frames, lacks) = FrameWriter::resume(folder, step)?;
-            told.extend(lacks);
+            let (frames, of_frames) = FrameWriter::open(folder, Some(step))?;
+            let (fields, of_fields) = FieldFiles::open(scenario, folder, Some(step))?;
+            told.extend(of_frames.into_iter().chain(of_fields));
             Ok(Files {
                 frames,
-                fields: FieldFiles::open(scenario, folder, Some(step))?,
+                fields,
                 folder: folder.clone(),
             })
         };
@@ -305,12 +308,13 @@ impl<'a> Runner<'a> {
         }
         self.tell_the_end(observer)?;
         self.place.wall_clock += self.started.elapsed().as_secs_f64();
-        let summary = self.report(end, observer)?;
+        let summary = self.report(end)?;
+        let page = self.write_page(observer);
         if *end == RunEnd::Finished {
-            // last of all: a run whose checkpoint says that it is finished has its report
+            // last of all: a run whose checkpoint says that it is finished has all that it leaves, but for a page that can be written later
             self.write_checkpoint()?;
         }
-        Ok(summary)
+        page.map(|()| summary)
     }
 
     /// Runs on, stage by stage. Where it pauses changes no bit of the results.
@@ -489,6 +493,24 @@ impl<'a> Runner<'a> {
             self.cancelled = true;
         }
     }
+}
+
+/// Refuses to go on where a file is gone that the run wrote into: it would be begun anew, as if nothing had been before.
+fn check_files(scenario: &Scenario, folder: &RunFolder, place: &Place) -> Result<(), OutputError> {
+    let of_frames = [FrameWriter::files(folder), FieldFiles::files(scenario, folder)].concat();
+    let written = [
+        (Rows::files(scenario, folder), place.last_row),
+        (of_frames, place.last_frame),
+    ];
+    let gone = |(files, last): (Vec<PathBuf>, Option<u64>)| {
+        let gone = files.into_iter().filter(|file| !file.exists());
+        last.map_or_else(Vec::new, |step| gone.map(|file| (file, step)).collect())
+    };
+    let files: Vec<(PathBuf, u64)> = written.into_iter().flat_map(gone).collect();
+    if files.is_empty() {
+        return Ok(());
+    }
+    Err(OutputError::FilesGone { files })
 }
 
 /// A clock that has run for so many seconds.

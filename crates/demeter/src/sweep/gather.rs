@@ -23,6 +23,9 @@ const OF_SUMMARY: [(&str, &str); 6] = [
     ("/energies/max_residual", "max energy residual"),
 ];
 
+/// How a run is told to have ended whose outcome says that it is finished, and whose results do not.
+const DAMAGED: &str = "damaged";
+
 /// A cell of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ResultsCell {
@@ -138,6 +141,7 @@ pub fn gather(folder: &SweepFolder, statuses: &[Status]) -> Result<Results, Swee
             && let Err(error) = add_run(&mut results, &folder.run_folder(index), &metrics)
         {
             // the cells stay empty, and the row says why
+            results.set("end", ResultsCell::Word(DAMAGED.to_string()));
             results.set("message", ResultsCell::Word(error.to_string()));
             results.problems.push(error.to_string());
         }
@@ -210,6 +214,14 @@ fn add_run(results: &mut Results, folder: &Path, metrics: &[Metric]) -> Result<(
     let missing = |what: &str| damaged(what, "it is not there, though the run is finished".to_string());
     let series = run.series()?.ok_or_else(|| missing("series.csv"))?;
     let summary = run.summary()?.ok_or_else(|| missing("summary.json"))?;
+    if summary["finished"].as_bool() != Some(true) {
+        let stopped_by = summary["stopped_by"].as_str().unwrap_or("nothing");
+        let problem = format!(
+            "the run was finished, and something ran it again, which was stopped by: {stopped_by}. Go on with it by \
+             `demeter resume`"
+        );
+        return Err(damaged("summary.json", problem));
+    }
     if let Some(problem) = run.shortfall(&series)? {
         return Err(damaged("series.csv", problem));
     }

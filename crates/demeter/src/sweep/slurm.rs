@@ -54,9 +54,24 @@ pub fn option_line(told: &str) -> Result<String, String> {
     })
 }
 
+/// Why there is no script for a folder.
+fn refusal(folder: &str) -> Option<String> {
+    let odd = folder.chars().find(|c| c.is_control() || "\\\"".contains(*c))?;
+    Some(format!(
+        "a job array cannot be written for `{folder}`: `sbatch` reads {odd:?} in the path of a log otherwise. Choose a folder without it \
+         (`--out`)"
+    ))
+}
+
 /// The script: a job array, and when it is started by hand, the submission of the array and of the gathering behind it.
-pub fn array_script(job: &ArrayJob<'_>) -> String {
+/// The error tells a folder that it cannot be written for.
+pub fn array_script(job: &ArrayJob<'_>) -> Result<String, String> {
     let folder = job.folder.display().to_string();
+    if let Some(refusal) = refusal(&folder) {
+        return Err(refusal);
+    }
+    // Slurm puts numbers in the place of `%a` and its kin
+    let logs = format!("{}/{LOGS}", folder.replace('%', "%%"));
     let name = job
         .folder
         .file_name()
@@ -75,6 +90,7 @@ pub fn array_script(job: &ArrayJob<'_>) -> String {
     let limit = job.jobs.map_or(String::new(), |jobs| format!("%{jobs}"));
     let quoted = |text: &str| format!("'{}'", text.replace('\'', "'\\''"));
     let (folder_word, program) = (quoted(&folder), quoted(&job.program.display().to_string()));
+    let log_of_gathering = quoted(&format!("{logs}/gather.log"));
     let retry = if job.retry { " --retry-failed" } else { "" };
     let told = |names: &[&str]| {
         let begins =
@@ -88,7 +104,7 @@ pub fn array_script(job: &ArrayJob<'_>) -> String {
         head.push(format!("--cpus-per-task={}", job.threads));
     }
     if !told(&["--output", "-o"]) {
-        let output = format!("{folder}/{LOGS}/%a.log");
+        let output = format!("{logs}/%a.log");
         let quotes = if output.contains(char::is_whitespace) { "\"" } else { "" };
         head.push(format!("--output={quotes}{output}{quotes}"));
     }
@@ -104,7 +120,7 @@ pub fn array_script(job: &ArrayJob<'_>) -> String {
     };
     let passed: Vec<String> = job.options.iter().map(words).collect();
     let passed = passed.join(" ");
-    format!(
+    Ok(format!(
         r#"#!/usr/bin/env bash
 {head}
 # A sweep of {runs} runs. `bash job.sh` submits them as a job array, and behind it a job that gathers the results.
@@ -118,7 +134,7 @@ if [ -z "${{SLURM_ARRAY_TASK_ID:-}}" ]; then
     array=$(sbatch --parsable "$sweep/job.sh")
     array="${{array%%;*}}"
     gather=$(printf '%q sweep --gather %q' "$demeter" "$sweep")
-    sbatch {passed} --job-name={name}-gather --dependency=afterany:"$array" --output="$sweep/{LOGS}/gather.log" --ntasks=1 \
+    sbatch {passed} --job-name={name}-gather --dependency=afterany:"$array" --output={log_of_gathering} --ntasks=1 \
         --cpus-per-task=1 --wrap "$gather"
     echo "submitted job array $array; results will be in $sweep/results.csv"
     exit
@@ -128,7 +144,7 @@ exec "$demeter" sweep --resume "$sweep" --only "$SLURM_ARRAY_TASK_ID" --threads 
 "#,
         runs = job.runs,
         threads = job.threads,
-    )
+    ))
 }
 
 #[cfg(test)]
@@ -159,7 +175,7 @@ mod tests {
             options: &options,
             retry: false,
         };
-        let script = array_script(&job);
+        let script = array_script(&job).unwrap();
         for line in [
             "#SBATCH --job-name=x-sweep\n",
             "#SBATCH --array=0-11%4\n",
@@ -171,5 +187,31 @@ mod tests {
             assert!(script.contains(line), "no `{line}`:\n{script}");
         }
         assert!(!script.contains("--cpus-per-task=2"), "{script}");
+    }
+
+    /// Slurm wrote the logs of a sweep in `100%a` into `1000`, `1001`, ...
+    #[test]
+    fn signs_of_slurm_in_the_folder_stand_for_themselves() {
+        let job = |folder| ArrayJob {
+            folder,
+            program: Path::new("/opt/demeter"),
+            runs: 2,
+            jobs: None,
+            threads: 1,
+            options: &[],
+            retry: false,
+        };
+        let script = array_script(&job(Path::new("/data/100%a"))).unwrap();
+        for line in [
+            "#SBATCH --output=/data/100%%a/slurm/%a.log\n",
+            "sweep='/data/100%a'\n",
+            " --output='/data/100%%a/slurm/gather.log' ",
+        ] {
+            assert!(script.contains(line), "no `{line}`:\n{script}");
+        }
+        for odd in ["/data/a\\b", "/data/a\"b", "/data/a\nb"] {
+            let refused = array_script(&job(Path::new(odd))).unwrap_err();
+            assert!(refused.contains("--out"), "{refused}");
+        }
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::exchange::{HEAD, parse, run_in, watcher};
 use demeter::contacts::Fault;
-use demeter::scenario::{Report, RunEnd, prepare};
+use demeter::scenario::{LiveRun, Report, RunEnd, RunError, RunOptions, Until, prepare, resume};
 use demeter::simulation::Simulation;
 use glam::DVec3;
 use std::fs;
@@ -342,6 +342,102 @@ absent = []
     assert_told(&told, &log, &format!("error: {fault}"));
     assert!(!report.summary.finished);
     assert_eq!(report.summary.stopped_by, fault.to_string());
+}
+
+/// The rows of the series were older, and after a restart there were none: energies of 0 were told.
+#[test]
+fn a_summary_tells_of_the_moment_of_a_fault() {
+    let head = HEAD.replace("series = \"2 ms\"", "series = \"50 ms\"");
+    let head = head.replace("checkpoints = \"10 ms\"", "checkpoints = \"1 ms\"");
+    let text = format!(
+        r#"{head}
+[domain]
+lower = "-20 -20 -2 mm"
+upper = "20 20 40 mm"
+[[wall]]
+name = "floor"
+material = "seed"
+shape = "plane"
+point = "0 0 0 m"
+normal = "z"
+[[grains]]
+material = "seed"
+source = "list"
+positions = ["0 0 0.999 mm", "0 0 2.997 mm"]
+diameter = "2 mm"
+[[grains]]
+material = "seed"
+source = "list"
+positions = ["0 10 10 mm"]
+velocity = "0 2 0 m/s"
+diameter = "2 mm"
+[[feed]]
+name = "fd"
+material = "seed"
+diameter = "2 mm"
+from = {{ shape = "box", lower = "-11 -11 29 mm", upper = "11 -5 36 mm" }}
+count = 3
+[[stage]]
+duration = "20 ms"
+"#
+    );
+    let place = tempfile::tempdir().unwrap();
+    let report = run_in(&parse(&text), place.path(), 1, &mut watcher());
+    assert!(
+        matches!(report.end, RunEnd::Fault(Fault::Outside { id: 3, .. })),
+        "{:?}",
+        report.end
+    );
+    let summary = report.summary;
+    assert_eq!((summary.grains, summary.contacts), (6, 1));
+    assert_eq!(summary.walls["floor"].contacts, 1);
+    assert!(
+        (4.9e-3..5.1e-3).contains(&summary.simulated_time),
+        "{}",
+        summary.simulated_time
+    );
+    let energies = summary.energies;
+    // three spheres of 4/3 pi mg, dropped from 30 to 35 mm
+    let dropped = 3.0 * 4.19e-6 * 9.81;
+    assert!(
+        (0.030 * dropped..0.035 * dropped).contains(&energies.ledger.inserted),
+        "{energies:?}"
+    );
+    assert!(energies.ledger.residual.abs() < 1e-3, "{energies:?}");
+
+    let resumed = resume(place.path(), RunOptions::default(), &mut watcher()).unwrap();
+    assert_eq!(resumed.end, report.end);
+    let resumed = resumed.summary;
+    assert_eq!((resumed.energies, resumed.walls), (energies, summary.walls));
+    assert_eq!((resumed.grains, resumed.contacts), (6, 1));
+}
+
+/// It was warned of, and the run told as if all was written.
+#[test]
+fn a_page_that_cannot_be_written_is_an_error() {
+    let text = format!(
+        "{HEAD}[domain]\nlower = \"-9 -9 -9 mm\"\nupper = \"9 9 9 mm\"\n[[grains]]\nmaterial = \"seed\"\nsource = \"list\"\n\
+         positions = [\"0 0 0 mm\"]\ndiameter = \"2 mm\"\n[[stage]]\nduration = \"2 ms\"\n"
+    );
+    let place = tempfile::tempdir().unwrap();
+    let (folder, mut watcher) = (place.path().join("run"), watcher());
+    let mut run = LiveRun::new(parse(&text), Some(&folder), RunOptions::default(), &mut watcher).unwrap();
+    let in_the_way = folder.join("report.html.part");
+    fs::create_dir(&in_the_way).unwrap();
+    let error = run.advance(&Until::default(), &mut watcher).unwrap_err().to_string();
+    assert!(
+        error.starts_with("cannot write `") && error.contains("report.html"),
+        "{error}"
+    );
+    let told = watcher.messages.last().unwrap();
+    assert!(told.contains("`demeter report"), "{told}");
+    drop(run);
+    // all else is there
+    let again = resume(&folder, RunOptions::default(), &mut watcher).unwrap_err();
+    assert!(matches!(again, RunError::Finished { .. }), "{again}");
+    assert!(folder.join("summary.json").is_file());
+    fs::remove_dir(in_the_way).unwrap();
+    demeter::report::write(&folder).unwrap();
 }
 
 /// A grain on a square plate of the given half width, in a box of 40 mm that is periodic along x and y.

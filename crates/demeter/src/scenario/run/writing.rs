@@ -34,7 +34,7 @@ impl<'a> Runner<'a> {
         table
     }
 
-    pub(super) fn moment(&self) -> Moment {
+    pub(in crate::scenario) fn moment(&self) -> Moment {
         Moment {
             stage: self.place.stage,
             stage_time: (self.sim.step - self.place.stage_step) as f64 * self.sim.dt,
@@ -135,8 +135,9 @@ impl<'a> Runner<'a> {
         };
         let mut state = self.state_with(simulation);
         if (self.files.as_ref()).is_none_or(|files| files.folder.root() != root) {
-            // the rows so far stay where they are
+            // the rows and frames so far stay where they are
             state.place.last_row = None;
+            state.place.last_frame = None;
         }
         checkpoint::write_latest(root, &header, &state)?;
         self.sim.took(Phase::Output);
@@ -145,7 +146,7 @@ impl<'a> Runner<'a> {
 }
 
 /// The larger of two residuals; one that is no number is larger than all.
-fn larger(one: f64, other: f64) -> f64 {
+pub(in crate::scenario) fn larger(one: f64, other: f64) -> f64 {
     if one.is_nan() || other.is_nan() {
         f64::NAN
     } else {

@@ -93,6 +93,25 @@ fn a_fault_is_drawn_with_its_line_and_underlined() {
     assert_eq!(faults.to_string(), plain);
 }
 
+/// Each looked for its place among all, which took minutes.
+#[test]
+fn very_many_faults_are_counted_and_take_no_time() {
+    let keys: String = (0..100_000).map(|k| format!("k{k} = 1\n")).collect();
+    let text = format!("{}[very-many]\n{keys}", settle());
+    let flat = format!("{}{keys}", settle());
+    let began = std::time::Instant::now();
+    assert_eq!(parse(&text, &[]).unwrap_err().count(), 1);
+    let faults = parse(&flat, &[]).unwrap_err();
+    assert_eq!((faults.list().len(), faults.count()), (100, 100_000));
+    let drawn = faults.render(false);
+    assert!(
+        drawn.ends_with("... and 99900 more faults"),
+        "{}",
+        &drawn[drawn.len() - 200..]
+    );
+    assert!(began.elapsed().as_secs() < 30, "{:?}", began.elapsed());
+}
+
 #[test]
 fn files_that_cannot_be_read_are_told() {
     let folder = tempfile::tempdir().unwrap();

@@ -62,21 +62,4 @@ impl Simulation {
         let join = |before: Vec<Branch<T>>, behind| joined(before.into_iter().chain(behind), count);
         sum(division.fold(mine, join))
     }
-
-    /// Contacts that act, of all processes, those with walls counted; each calls this.
-    pub(crate) fn acting_contacts(&self) -> u64 {
-        let of_segment = |segment: Segment| {
-            segment
-                .pairs
-                .iter()
-                .chain(segment.walls)
-                .map(ContactChunk::acting)
-                .sum()
-        };
-        let here: usize = self
-            .own_segments()
-            .map(|s| -> usize { of_segment(self.segment(s)) })
-            .sum();
-        self.count_of_all(here as u64)
-    }
 }
