@@ -351,7 +351,7 @@ impl Kept {
             normal: geometry.normal,
             distance: geometry.lever_i,
             element: self.element[contact],
-            // what touches nothing now is asked again in the next look
+            // asked anew in every look
             is_at_edge: false,
         }
     }

@@ -459,9 +459,10 @@ duration = "0.1 s"
         let sum = |title: &str| moment.iter().map(|row| row[at(title)]).sum::<f64>();
         assert_eq!(sum("grains"), 600.0);
         assert!((sum("mass [kg]") / (600.0 * 1000.0 * ball) - 1.0).abs() < 1e-12);
-        // what reaches across a periodic side comes in on the other; some grains are pressed a little into the floor
+        // what reaches across a periodic side comes in on the other; grains that hit the floor stick out of the box below by some per cent of
+        // their radius
         let filled = sum("packing fraction") * slice / (600.0 * ball);
-        assert!((filled - 1.0).abs() < 1e-6, "{filled}");
+        assert!((1.0 - 1e-4..1.0 + 1e-12).contains(&filled), "{filled}");
     }
     let last_moment = &rows[rows.len() - 12..];
     let bed = last_moment[1][at("packing fraction")];
