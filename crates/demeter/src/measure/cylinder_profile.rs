@@ -76,37 +76,21 @@ impl CylinderProfile {
         }
     }
 
-    /// Measures all bins; across periodic sides every image counts that lies in the cylinder, or reaches into it. Grains are summed up in the order of their ids.
+    /// Measures all bins; across periodic sides every image counts that lies in the cylinder, or reaches into it. Grains are summed up in
+    /// the order of their ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Ring> {
         let grains = &sim.grains;
         let axis = (self.end - self.start).normalize();
         let mut rings = vec![Ring::default(); self.bins as usize];
         let (mut squares, mut whole) = (vec![0.0; rings.len()], vec![0.0; rings.len()]);
         let limits: Vec<([f64; 2], [f64; 2])> = (0..rings.len()).map(|k| self.limits(k)).collect();
-        let reaches_in = |away: DVec3, reach: f64| {
-            let height = away.dot(axis);
-            let distance = (away - axis * height).length();
-            height > -reach && height < (self.end - self.start).length() + reach && distance < self.radius + reach
-        };
         let periods = Periods::of(sim);
         let bounds = around_cylinder(self.start, self.end, self.radius);
-        let each_image = |(centre, radius): (DVec3, f64), visit: &mut dyn FnMut(DVec3, DVec3)| {
-            periods.each_image(around(centre, radius), bounds, &mut |shift, velocity| {
-                let away = centre + shift - self.start;
-                if reaches_in(away, radius) {
-                    visit(away, velocity);
-                }
-            });
-        };
-        let ball = |g: usize| (sim.comm.wrapped(grains.position[g]), grains.radius(g));
-        let is_in = |g: usize| {
-            let mut is_in = false;
-            each_image(ball(g), &mut |_, _| is_in = true);
-            is_in
-        };
+        let centre = |g: usize| sim.comm.wrapped(grains.position[g]);
+        let is_in = |g: usize| periods.any_meets(around(centre(g), grains.radius(g)), bounds);
         let tell = |g: usize| {
             let velocity = self.selection.holds(grains, origins, g).then_some(grains.velocity[g]);
-            (ball(g), grains.mass(g), velocity)
+            ((centre(g), grains.radius(g)), grains.mass(g), velocity)
         };
         let mut add = |(away, radius): (DVec3, f64), mass: f64, velocity: Option<DVec3>| {
             let height = away.dot(axis);
@@ -136,9 +120,10 @@ impl CylinderProfile {
                 squares[bin] += velocity.length_squared() * mass;
             }
         };
-        each_grain(sim, is_in, tell, |_, (ball, mass, velocity)| {
-            each_image(ball, &mut |away, faster| {
-                add((away, ball.1), mass, velocity.map(|velocity| velocity + faster));
+        each_grain(sim, is_in, tell, |_, ((centre, radius), mass, velocity)| {
+            periods.each_image(around(centre, radius), bounds, &mut |shift, faster| {
+                let away = centre + shift - self.start;
+                add((away, radius), mass, velocity.map(|velocity| velocity + faster));
             });
         });
         for (k, ring) in rings.iter_mut().enumerate() {

@@ -35,8 +35,14 @@ impl Periods {
         }
     }
 
-    /// Visits all images of a box that meet another one along the periodic directions: the shift to each [m], and how much faster it
-    /// moves [m/s]. Along other directions nothing is asked.
+    /// Whether an image of a box meets another one.
+    pub fn any_meets(&self, one: Corners, other: Corners) -> bool {
+        let mut meets = false;
+        self.each_image(one, other, &mut |_, _| meets = true);
+        meets
+    }
+
+    /// Visits all images of a box that meet another one: the shift to each [m], and how much faster it moves [m/s].
     pub fn each_image(&self, one: Corners, other: Corners, visit: &mut dyn FnMut(DVec3, DVec3)) {
         // an edge that is not along its axis moves images along others, so it comes first
         let is_oblique = |axis: usize| self.edges[axis].is_some_and(|edge| edge[axis].abs() < edge.length());
@@ -55,10 +61,13 @@ impl Periods {
         let Some((&axis, rest)) = axes.split_first() else {
             return visit(shift, velocity);
         };
-        let Some(edge) = self.edges[axis] else {
-            return self.along(rest, (shift, velocity), (one, other), visit);
-        };
         let (low, high) = (one.0[axis] + shift[axis], one.1[axis] + shift[axis]);
+        let Some(edge) = self.edges[axis] else {
+            if low <= other.1[axis] && high >= other.0[axis] {
+                self.along(rest, (shift, velocity), (one, other), visit);
+            }
+            return;
+        };
         let first = ((other.0[axis] - high) / edge[axis]).ceil();
         let last = ((other.1[axis] - low) / edge[axis]).floor();
         let mut n = first.max(-MOST_PERIODS);

@@ -121,19 +121,17 @@ impl Mixing {
         let grains = &sim.grains;
         let mut counts = self.empty_cells();
         let (periods, bounds) = (Periods::of(sim), self.space.bounds());
-        let each_cell = |place: DVec3, visit: &mut dyn FnMut(usize)| {
-            periods.each_image((place, place), bounds, &mut |shift, _| {
-                self.cell_of(place + shift).into_iter().for_each(&mut *visit);
-            });
-        };
         let tell = |g: usize| {
             let place = sim.comm.wrapped(grains.position[g]);
-            let mut is_in = false;
-            each_cell(place, &mut |_| is_in = true);
+            let is_in = periods.any_meets((place, place), bounds);
             is_in.then(|| (place, self.selection.holds(grains, origins, g)))
         };
         each_in_order(sim, tell, |(place, is_kind)| {
-            each_cell(place, &mut |cell| count(&mut counts[cell], is_kind));
+            periods.each_image((place, place), bounds, &mut |shift, _| {
+                if let Some(cell) = self.cell_of(place + shift) {
+                    count(&mut counts[cell], is_kind);
+                }
+            });
         });
         let told = Mixedness::of(&counts);
         vec![

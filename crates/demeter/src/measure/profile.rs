@@ -69,11 +69,6 @@ impl Profile {
         inside.then(|| self.slice_of(centre[self.axis]).clamp(0, last) as usize)
     }
 
-    /// Whether a sphere reaches into the box, or nearly.
-    fn meets(&self, centre: DVec3, radius: f64) -> bool {
-        (centre + radius).cmpge(self.lower).all() && (centre - radius).cmple(self.upper).all()
-    }
-
     /// Measures all slices; across periodic sides every image counts that lies in the box, or reaches into it. Grains are summed up in the
     /// order of their ids.
     pub fn measure(&self, sim: &Simulation, origins: &Origins) -> Vec<Slice> {
@@ -85,27 +80,13 @@ impl Profile {
         let centre = |g: usize| sim.comm.wrapped(grains.position[g]);
         let counts = |g: usize| self.selection.holds(grains, origins, g);
         let periods = Periods::of(sim);
-        let each_image = |(centre, radius): (DVec3, f64), visit: &mut dyn FnMut(DVec3, DVec3)| {
-            periods.each_image(
-                around(centre, radius),
-                (self.lower, self.upper),
-                &mut |shift, velocity| {
-                    if self.meets(centre + shift, radius) {
-                        visit(centre + shift, velocity);
-                    }
-                },
-            );
-        };
-        let is_in = |g: usize| {
-            let mut is_in = false;
-            each_image((centre(g), grains.radius(g)), &mut |_, _| is_in = true);
-            is_in
-        };
+        let bounds = (self.lower, self.upper);
+        let is_in = |g: usize| periods.any_meets(around(centre(g), grains.radius(g)), bounds);
         let tell = |g: usize| {
             let ball = (centre(g), grains.radius(g));
             (ball, grains.mass(g), counts(g).then_some(grains.velocity[g]))
         };
-        let mut add = |((centre, radius), mass, velocity): ((DVec3, f64), f64, Option<DVec3>)| {
+        let mut add = |(centre, radius): (DVec3, f64), mass: f64, velocity: Option<DVec3>| {
             let slice = self.slice_with(centre);
             if let Some(k) = slice {
                 whole[k] += mass;
@@ -123,9 +104,13 @@ impl Profile {
                 squares[k] += velocity.length_squared() * mass;
             }
         };
-        each_grain(sim, is_in, tell, |_, (ball, mass, velocity)| {
-            each_image(ball, &mut |centre, faster| {
-                add(((centre, ball.1), mass, velocity.map(|velocity| velocity + faster)));
+        each_grain(sim, is_in, tell, |_, ((centre, radius), mass, velocity)| {
+            periods.each_image(around(centre, radius), bounds, &mut |shift, faster| {
+                add(
+                    (centre + shift, radius),
+                    mass,
+                    velocity.map(|velocity| velocity + faster),
+                );
             });
         });
         for (k, (slice, squares)) in slices.iter_mut().zip(squares).enumerate() {

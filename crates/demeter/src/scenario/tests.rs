@@ -359,6 +359,23 @@ fn repeats_are_unrolled_with_names_of_their_own() {
     assert_eq!(scenario.output.cadence.checkpoints, Some(0.1));
 }
 
+/// A grain in the middle of a box of 20 mm.
+const ONE_GRAIN: &str = r#"
+[material.glass]
+young_modulus = "1 MPa"
+poisson_ratio = 0.25
+density = "2500 kg/m^3"
+
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.7 }
+
+[[grains]]
+material = "glass"
+source = "list"
+positions = ["10 10 15 mm"]
+diameter = "2 mm"
+"#;
+
 #[test]
 fn a_wall_that_ends_at_a_periodic_side_and_is_not_repeated_is_told() {
     let text = |walls: &str| {
@@ -369,19 +386,7 @@ lower = "0 0 0 mm"
 upper = "20 20 20 mm"
 periodic = ["x"]
 
-[material.glass]
-young_modulus = "1 MPa"
-poisson_ratio = 0.25
-density = "2500 kg/m^3"
-
-[contact]
-normal = {{ law = "hertz-tsuji", restitution = 0.7 }}
-
-[[grains]]
-material = "glass"
-source = "list"
-positions = [["10 mm", "10 mm", "15 mm"]]
-diameter = "2 mm"
+{ONE_GRAIN}
 
 {walls}
 
@@ -441,19 +446,7 @@ lower = "0 0 0 mm"
 upper = "20 20 20 mm"
 outside = "remove"
 
-[material.glass]
-young_modulus = "5 MPa"
-poisson_ratio = 0.25
-density = "2500 kg/m^3"
-
-[contact]
-normal = {{ law = "hertz-tsuji", restitution = 0.8 }}
-
-[[grains]]
-material = "glass"
-source = "list"
-positions = [["10 mm", "10 mm", "15 mm"]]
-diameter = "2 mm"
+{ONE_GRAIN}
 
 [[measure]]
 name = "out"

@@ -21,45 +21,74 @@ pub(super) fn check(walls: &[Wall], grains: &Grains, domain: &Domain, warnings: 
         let triangles = wall.triangles(domain.lower, domain.upper);
         let most = (MOST_PLACES / walls.len()).max(FEWEST_PLACES);
         for triangle in triangles.iter().step_by(triangles.len().div_ceil(most).max(1)) {
-            for touched in places_beside(wall, triangle, smallest) {
-                for (b, other) in walls.iter().enumerate() {
-                    let pair = (a.min(b), a.max(b));
-                    if a != b && !told.contains(&pair) && lies_there(other, &touched, smallest) {
-                        told.push(pair);
-                        warnings.push(format!(
-                            "walls `{}` and `{}` lie in one place at {}: a grain there is pushed by both, as by a wall that is twice as stiff, \
-                             and rebounds with another restitution than was asked. Leave out of one of them what belongs to the other",
-                            walls[pair.0].name, walls[pair.1].name, touched.0 - touched.1.normal * touched.1.distance
-                        ));
-                    }
+            let probe = Probe::on(triangle, smallest);
+            for (b, other) in walls.iter().enumerate() {
+                let pair = (a.min(b), a.max(b));
+                if a == b || told.contains(&pair) || !other.near(probe.middle, probe.radius + probe.size) {
+                    continue;
                 }
+                let touched = probe.touching(wall);
+                let Some((centre, contact)) = touched.into_iter().find(|there| lies_there(other, there, probe.radius))
+                else {
+                    continue;
+                };
+                told.push(pair);
+                warnings.push(format!(
+                    "walls `{}` and `{}` lie in one place at {}: a grain there is pushed by both, as by a wall that is twice as stiff, \
+                     and rebounds with another restitution than was asked. Leave out of one of them what belongs to the other",
+                    walls[pair.0].name,
+                    walls[pair.1].name,
+                    centre - contact.normal * contact.distance
+                ));
             }
         }
     }
 }
 
-/// Centres of grains that touch a wall in the middle of a triangle, from either side, each with the contact.
-fn places_beside(wall: &Wall, triangle: &[DVec3; 3], radius: f64) -> Vec<(DVec3, SurfaceContact)> {
-    let [a, b, c] = *triangle;
-    let middle = (a + b + c) / 3.0;
-    let normal = (b - a).cross(c - a).normalize_or_zero();
-    let size = a.distance(middle).max(b.distance(middle)).max(c.distance(middle));
-    let face = |centre: DVec3, reach: f64| {
-        let mut parts = Vec::new();
-        wall.contacts(centre, (reach, 0.0), &mut parts);
-        let face = parts.into_iter().filter(|part| !part.is_at_edge && part.distance > 0.0);
-        face.min_by(|a, b| a.distance.total_cmp(&b.distance))
-    };
-    let beside = [1.0, -1.0].map(|side| {
-        // the triangle is flat, the wall may be round
-        let (near, part) = [0.5 * radius, size + radius].into_iter().find_map(|height| {
-            let near = middle + normal * (side * height);
-            face(near, 4.0 * height).map(|part| (near, part))
-        })?;
-        let centre = near - part.normal * (part.distance - 0.9 * radius);
-        Some((centre, face(centre, radius)?))
-    });
-    beside.into_iter().flatten().collect()
+/// A sphere that is held to a triangle of a wall. It is no larger than the triangle: of a fine mesh it meets few.
+struct Probe {
+    middle: DVec3,
+    normal: DVec3,
+    /// How far the triangle reaches from its middle [m].
+    size: f64,
+    /// Of the sphere [m].
+    radius: f64,
+}
+
+impl Probe {
+    fn on(triangle: &[DVec3; 3], grain: f64) -> Self {
+        let [a, b, c] = *triangle;
+        let middle = (a + b + c) / 3.0;
+        let size = a.distance(middle).max(b.distance(middle)).max(c.distance(middle));
+        Self {
+            middle,
+            normal: (b - a).cross(c - a).normalize_or_zero(),
+            size,
+            radius: grain.min(size),
+        }
+    }
+
+    /// Centres at which it touches the wall beside the middle of the triangle, from either side, each with the contact.
+    fn touching(&self, wall: &Wall) -> Vec<(DVec3, SurfaceContact)> {
+        let face = |centre: DVec3, reach: f64| {
+            let mut parts = Vec::new();
+            wall.contacts(centre, (reach, 0.0), &mut parts);
+            let face = parts.into_iter().filter(|part| !part.is_at_edge && part.distance > 0.0);
+            face.min_by(|a, b| a.distance.total_cmp(&b.distance))
+        };
+        let beside = [1.0, -1.0].map(|side| {
+            // the triangle is flat, the wall may be round
+            let (near, part) = [0.5 * self.radius, self.size + self.radius]
+                .into_iter()
+                .find_map(|height| {
+                    let near = self.middle + self.normal * (side * height);
+                    face(near, 4.0 * height).map(|part| (near, part))
+                })?;
+            let centre = near - part.normal * (part.distance - 0.9 * self.radius);
+            Some((centre, face(centre, self.radius)?))
+        });
+        beside.into_iter().flatten().collect()
+    }
 }
 
 /// Whether a grain with its centre at a place touches a wall as it touches another one.

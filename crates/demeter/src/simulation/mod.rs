@@ -83,7 +83,7 @@ enum Places {
 pub struct Setup {
     /// Grains at the start.
     pub grains: Grains,
-    /// Walls at the start.
+    /// Walls at the start; in a periodic domain grains feel them across its sides once they are told to by [`Wall::repeat`].
     pub walls: Vec<Wall>,
     /// Materials and their laws.
     pub materials: Materials,

@@ -8,20 +8,6 @@ lower = "0 0 0 mm"
 upper = "20 20 20 mm"
 periodic = ["x"]
 
-[material.glass]
-young_modulus = "1 MPa"
-poisson_ratio = 0.25
-density = "2500 kg/m^3"
-
-[contact]
-normal = { law = "hertz-tsuji", restitution = 0.7 }
-
-[[grains]]
-material = "glass"
-source = "list"
-positions = ["10 10 15 mm"]
-diameter = "2 mm"
-
 [[stage]]
 name = "first"
 duration = "0.1 s"
@@ -33,7 +19,7 @@ duration = "0.1 s"
 
 fn plate(x: f64, half: f64, z: f64, motion: &str) -> String {
     format!(
-        "{BOX}\n[[wall]]\nname = \"plate\"\nmaterial = \"glass\"\nshape = \"rectangle\"\ncenter = \"{x} 10 {z} mm\"\n\
+        "{BOX}{ONE_GRAIN}\n[[wall]]\nname = \"plate\"\nmaterial = \"glass\"\nshape = \"rectangle\"\ncenter = \"{x} 10 {z} mm\"\n\
          half_u = \"{half} 0 0 mm\"\nhalf_v = \"0 3 0 mm\"\nmotion = {motion}\n"
     )
 }
