@@ -220,6 +220,9 @@ pub struct CheckArguments {
 pub struct ResumeArguments {
     /// The folder of the run
     pub folder: PathBuf,
+    /// Go on although `scenario.toml` in the folder was changed, with what it tells now
+    #[arg(long)]
+    pub changed: bool,
     /// How to run it.
     #[command(flatten)]
     pub output: HowToRun,

@@ -181,6 +181,8 @@ impl From<RunError> for Failure {
             RunError::ThisProcess { rank, source } => return Self::from(*source).of_process(rank),
             RunError::Finished { .. }
             | RunError::FilesChanged { .. }
+            | RunError::ScenarioChanged { .. }
+            | RunError::OtherMaterials { .. }
             | RunError::OtherProcess { .. }
             | RunError::OtherInputs { .. }
             | RunError::NoFolder

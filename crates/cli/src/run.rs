@@ -48,7 +48,10 @@ pub fn run(arguments: &RunArguments) -> Result<Exit, Failure> {
 pub fn resume(arguments: &ResumeArguments) -> Result<Exit, Failure> {
     let job = Job::join()?;
     let mut watch = Watch::new(Interrupt::listen());
-    let options = options(&job, &arguments.output, &arguments.engine);
+    let options = RunOptions {
+        changed: arguments.changed,
+        ..options(&job, &arguments.output, &arguments.engine)
+    };
     let report = match job.ranks() {
         None => demeter::scenario::resume(&arguments.folder, options, &mut watch),
         Some(ranks) => demeter::scenario::resume_shared(&arguments.folder, options, ranks, &mut watch),

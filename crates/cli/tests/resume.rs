@@ -175,6 +175,57 @@ fn a_run_does_not_go_on_with_other_files() {
     place.expect(0, &["resume", "cut"]);
 }
 
+/// Nobody takes a run for one of the scenario in its folder that is none from its beginning on.
+#[test]
+fn a_run_goes_on_with_a_changed_scenario_only_where_that_is_asked_for() {
+    let place = interrupted();
+    let text = fs::read_to_string(place.path("cut/scenario.toml")).unwrap();
+    let commented = format!("# a remark changes nothing\n{text}");
+    let longer = format!("{commented}\n[[stage]]\nname = \"more\"\nsteps = 10\n");
+    place.write("cut/scenario.toml", &longer);
+    let said = place.expect(2, &["resume", "cut"]);
+    for part in [
+        "cut/scenario.toml",
+        "name = \"more\" | steps = 10",
+        "in place of nothing",
+        "--changed",
+    ] {
+        assert!(said.err.contains(part), "{part}: {}", said.err);
+    }
+    let other = text.replacen(
+        "[material.",
+        "[material.new]\nyoung_modulus = \"1 GPa\"\npoisson_ratio = 0.3\ndensity = \"1000 kg/m^3\"\n[material.",
+        1,
+    );
+    place.write("cut/scenario.toml", &other);
+    let said = place.expect(2, &["resume", "cut", "--changed"]);
+    assert!(
+        said.err
+            .contains("tells the materials `new`, `glass`, and the run began with `glass`"),
+        "{}",
+        said.err
+    );
+    place.write("cut/scenario.toml", &commented);
+    place.expect(0, &["resume", "cut"]);
+    let summary =
+        || -> serde_json::Value { serde_json::from_slice(&fs::read(place.path("cut/summary.json")).unwrap()).unwrap() };
+    let whole = summary()["steps"].as_u64().unwrap();
+
+    place.write("cut/scenario.toml", &longer);
+    place.expect(0, &["resume", "cut", "--changed"]);
+    let summary = summary();
+    assert_eq!(summary["steps"], whole + 10);
+    let warned = format!("from step {whole} on the scenario tells");
+    assert!(
+        summary["warnings"].to_string().contains(&warned),
+        "{}",
+        summary["warnings"]
+    );
+    // from here on this is its scenario
+    let said = place.expect(0, &["resume", "cut"]);
+    assert!(said.out.contains("nothing is left to do"), "{}", said.out);
+}
+
 #[test]
 fn a_series_that_is_gone_is_not_begun_anew_in_silence() {
     let place = interrupted();

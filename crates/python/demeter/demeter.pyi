@@ -201,8 +201,8 @@ class Simulation:
         overwrite: bool = False,
     ) -> Simulation: ...
     @staticmethod
-    def resume(folder: _Path, *, threads: Optional[int] = None) -> Simulation:
-        """The run in a folder, from its latest checkpoint on."""
+    def resume(folder: _Path, *, threads: Optional[int] = None, changed: bool = False) -> Simulation:
+        """The run in a folder, from its latest checkpoint on. `changed`: also when `scenario.toml` in it was changed."""
     def run(self, *, progress: _Progress = None) -> bool:
         """Runs to the end of the protocol. Tells whether the end was reached. `progress`: True for a bar, or a function of a dict."""
     def step(self, n: int = 1) -> None:
@@ -340,8 +340,10 @@ def run(
 ) -> Simulation:
     """Runs a scenario to its end and hands out the simulation."""
 
-def resume(folder: _Path, *, threads: Optional[int] = None, progress: _Progress = None) -> Simulation:
-    """Goes on with the run in a folder to its end, from its latest checkpoint."""
+def resume(
+    folder: _Path, *, threads: Optional[int] = None, changed: bool = False, progress: _Progress = None
+) -> Simulation:
+    """Goes on with the run in a folder to its end, from its latest checkpoint. `changed`: also when `scenario.toml` in it was changed."""
 
 def read_series(folder: _Path) -> _Columns:
     """The series of a run as a dict of columns."""

@@ -3,12 +3,11 @@
 mod going;
 mod looking;
 
-use going::options;
 pub use going::{resume, run};
 use looking::{live_series, present_dict, walls_dict};
 
 use crate::contacts::ContactTable;
-use crate::control::{Callback, Interval, Limit, Messages};
+use crate::control::{Callback, Interval, Limit};
 use crate::convert::{from_json, function as callable, path, text, three, whole};
 use crate::errors::{Error, OrRaise, Raise, RunError, wrong_type, wrong_value};
 use crate::functions::{Function, PythonForce, rows};
@@ -110,17 +109,16 @@ impl Simulation {
     ///
     /// Checkpoints hold no Python functions: callbacks, custom forces and custom motions must be added again, before the
     /// next step for the same bits. Without them the force is absent and the wall rests where it stood; `messages` says so.
+    /// ``changed`` goes on although ``scenario.toml`` in the folder was changed, with what it tells now.
     #[staticmethod]
-    #[pyo3(signature = (folder, *, threads=None))]
-    fn resume(py: Python<'_>, folder: &Bound<'_, PyAny>, threads: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
-        let folder = path(folder, "folder")?;
-        let options = options(threads, None)?;
-        let mut messages = Messages::default();
-        let run = py
-            .detach(|| LiveRun::resume(&folder, options, &mut messages))
-            .or_raise(py)?;
-        messages.tell(py, 0)?;
-        Ok(Self::of(run, messages))
+    #[pyo3(signature = (folder, *, threads=None, changed=false))]
+    fn resume(
+        py: Python<'_>,
+        folder: &Bound<'_, PyAny>,
+        threads: Option<&Bound<'_, PyAny>>,
+        changed: bool,
+    ) -> PyResult<Self> {
+        Self::resumed(py, folder, threads, changed)
     }
 
     /// Runs to the end of the protocol, or until a callback calls `stop`. Tells whether the end was reached.

@@ -30,7 +30,7 @@ use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// Version of the format. It grows with every change of the layout or of the type of the payload.
-pub const FORMAT: u32 = 22;
+pub const FORMAT: u32 = 23;
 
 /// File name of the latest checkpoint of a run.
 pub const LATEST: &str = "checkpoint.latest";
@@ -42,8 +42,8 @@ const MAGIC: &[u8; 8] = b"DEMETERC";
 const FIXED: usize = 32;
 /// A header is a few hundred bytes; a longer one can only come from a damaged file.
 const LONGEST_HEADER: u32 = 1 << 16;
-/// All texts in a payload: names, reasons and warnings, some kilobytes.
-const LONGEST_TEXTS: u64 = 1 << 24;
+/// All texts in a payload: the scenario, names, reasons and warnings, mostly some kilobytes.
+const LONGEST_TEXTS: u64 = 1 << 26;
 /// Bytes that are read or written at once.
 const PIECE: usize = 1 << 20;
 

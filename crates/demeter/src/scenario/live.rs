@@ -104,7 +104,7 @@ impl LiveRun {
         options.check()?;
         let folder = RunFolder::open(folder)?;
         let lock = folder.lock()?;
-        let (scenario, state) = read_run(&folder, observer)?;
+        let (scenario, state) = read_run(&folder, &options, observer)?;
         let threads = thread_pool(options.threads)?;
         let runner = threads.install(|| {
             OwnRunner::try_new(scenario, |scenario| -> Result<Runner<'_>, RunError> {

@@ -3,6 +3,7 @@
 mod checks;
 mod deformation;
 mod diagnostics;
+mod differences;
 mod document;
 mod estimates;
 mod feeds;
@@ -57,6 +58,7 @@ mod tests;
 
 pub use checks::available_memory;
 pub use diagnostics::{Diagnostic, Diagnostics};
+pub(crate) use differences::{line_differences, shortened};
 pub use document::{Document, SourceText, Span};
 pub use feeds::{EXCHANGE_EVERY, FeedEnd, FeedRate, FeedSpec, MAX_FEEDS, RemovalSpec};
 pub use fit_file::{DEFAULT_ERROR, FIT_REFERENCE, FitFile, MAX_OBSERVATIONS, MAX_UNKNOWNS};

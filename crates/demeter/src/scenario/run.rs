@@ -83,6 +83,8 @@ pub(super) struct Place {
     pub(super) wall_clock: f64,
     pub(super) time_step_reason: String,
     pub(super) warnings: Vec<String>,
+    /// The scenario that is run, as its folder tells it.
+    pub(super) scenario: String,
     /// Files that the scenario names, as they were at the start.
     pub(super) files: Vec<InputFile>,
 }
@@ -174,6 +176,7 @@ impl<'a> Runner<'a> {
             wall_clock: 0.0,
             time_step_reason: prepared.time_step_reason,
             warnings: prepared.warnings,
+            scenario: scenario.to_resolved_toml(),
             files: scenario.input_files(),
         };
         let rows = match folder {

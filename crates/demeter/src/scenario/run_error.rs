@@ -35,6 +35,31 @@ pub enum RunError {
         /// Each with what changed.
         changes: Vec<String>,
     },
+    /// The scenario in the folder was changed since the run began.
+    #[error(
+        "`{}` is not what it was when the run began: {difference}\nPut it back as it was, or begin the run anew in another folder. To go \
+         on with what it tells now nevertheless, tell `--changed` (in Python `changed=True`).",
+        file.display()
+    )]
+    ScenarioChanged {
+        /// The scenario in the folder.
+        file: PathBuf,
+        /// What changed.
+        difference: String,
+    },
+    /// The scenario in the folder has other materials than the grains.
+    #[error(
+        "`{}` tells the materials {is}, and the run began with {was}: grains keep theirs by place in this list, so that it must stay as it was",
+        file.display()
+    )]
+    OtherMaterials {
+        /// The scenario in the folder.
+        file: PathBuf,
+        /// Names now.
+        is: String,
+        /// Names when the run began.
+        was: String,
+    },
     /// There is nothing to go on with.
     #[error("the run in `{}` is finished: nothing is left to do", folder.display())]
     Finished {

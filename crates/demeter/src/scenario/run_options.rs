@@ -8,7 +8,7 @@ use std::path::Path;
 /// Most threads that a run may ask for.
 pub const MOST_THREADS: u16 = 4096;
 
-/// How a run is carried out; none of it changes the results.
+/// How a run is carried out; nothing but `changed` changes the results.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RunOptions {
     /// Number of threads; all cores when absent.
@@ -21,6 +21,8 @@ pub struct RunOptions {
     pub instructions: Option<Instructions>,
     /// Whether the summary tells where the time went.
     pub profile: bool,
+    /// Whether a run goes on although its scenario is another one than that it began with.
+    pub changed: bool,
 }
 
 impl RunOptions {

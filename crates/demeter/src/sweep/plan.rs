@@ -4,15 +4,13 @@ use super::design::{Varied, combinations};
 use super::error::SweepError;
 use super::names::{is_name, names, short_keys};
 use super::value::unquoted;
-use crate::scenario::{Diagnostics, InputFile, Override, Scenario, key_steps, resolve};
+use crate::scenario::{Diagnostics, InputFile, Override, Scenario, key_steps, line_differences, resolve, shortened};
 use serde::{Deserialize, Serialize};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 /// Most runs of a sweep.
 pub const MAX_RUNS: usize = 10_000;
-/// Most lines, or values, that are told of a difference.
-const MOST_TOLD: usize = 5;
 
 /// A key that is varied.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -249,44 +247,6 @@ impl Plan {
             .find(|run| is_wrong(run) || !taken.insert(run.name.clone()));
         wrong.map(|run| format!("the run `{}` is told wrongly, or twice", run.name))
     }
-}
-
-/// The first ones, and how many more there are.
-fn shortened(texts: &[String]) -> Vec<String> {
-    let mut shown: Vec<String> = texts.iter().take(MOST_TOLD).cloned().collect();
-    if texts.len() > MOST_TOLD {
-        shown.push(format!("... ({} more)", texts.len() - MOST_TOLD));
-    }
-    shown
-}
-
-/// Lines between those with which both texts begin and end.
-fn line_differences(was: &str, is: &str) -> Vec<String> {
-    if was == is {
-        return Vec::new();
-    }
-    let (was, is): (Vec<&str>, Vec<&str>) = (was.lines().collect(), is.lines().collect());
-    let same = was.iter().zip(&is).take_while(|(a, b)| a == b).count();
-    let (was, is) = (&was[same..], &is[same..]);
-    let same = was
-        .iter()
-        .rev()
-        .zip(is.iter().rev())
-        .take_while(|(a, b)| a == b)
-        .count();
-    let middle = |lines: &[&str]| -> Vec<String> {
-        let lines = lines[..lines.len() - same].iter().filter(|line| !line.is_empty());
-        shortened(&lines.map(ToString::to_string).collect::<Vec<_>>())
-    };
-    let quoted = |lines: Vec<String>| match lines.is_empty() {
-        true => "nothing".to_string(),
-        false => format!("`{}`", lines.join(" | ")),
-    };
-    vec![format!(
-        "the scenario tells {} in place of {}",
-        quoted(middle(is)),
-        quoted(middle(was))
-    )]
 }
 
 /// The seed that a scenario tells; 1 when it tells none, as for a run.

@@ -29,6 +29,7 @@ const OPTIONS: RunOptions = RunOptions {
     numbered: false,
     instructions: None,
     profile: false,
+    changed: false,
 };
 
 fn mixer(changes: &[&str]) -> Scenario {

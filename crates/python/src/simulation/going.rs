@@ -291,6 +291,26 @@ impl Simulation {
         };
         run.with_simulation(|sim| show(showing, sim))
     }
+
+    /// The run in a folder; see the method of Python.
+    pub(super) fn resumed(
+        py: Python<'_>,
+        folder: &Bound<'_, PyAny>,
+        threads: Option<&Bound<'_, PyAny>>,
+        changed: bool,
+    ) -> PyResult<Self> {
+        let folder = path(folder, "folder")?;
+        let options = RunOptions {
+            changed,
+            ..options(threads, None)?
+        };
+        let mut messages = Messages::default();
+        let run = py
+            .detach(|| LiveRun::resume(&folder, options, &mut messages))
+            .or_raise(py)?;
+        messages.tell(py, 0)?;
+        Ok(Self::of(run, messages))
+    }
 }
 
 pub(super) fn options(
@@ -396,14 +416,15 @@ pub fn run<'py>(
 
 /// Goes on with the run in a folder to its end, from its latest checkpoint: `Simulation.resume` and `run`.
 #[pyfunction]
-#[pyo3(signature = (folder, *, threads=None, progress=None))]
+#[pyo3(signature = (folder, *, threads=None, changed=false, progress=None))]
 pub fn resume<'py>(
     py: Python<'py>,
     folder: &Bound<'py, PyAny>,
     threads: Option<&Bound<'py, PyAny>>,
+    changed: bool,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, Simulation>> {
-    let simulation = Bound::new(py, Simulation::resume(py, folder, threads)?)?;
+    let simulation = Bound::new(py, Simulation::resumed(py, folder, threads, changed)?)?;
     Simulation::go_watched(&simulation, &Limit::end(), progress)?;
     Ok(simulation)
 }

@@ -6,6 +6,7 @@ use crate::checkpoint;
 use crate::comm::Ranks;
 use crate::output::RunFolder;
 use crate::scenario::Scenario;
+use crate::scenario::differences::line_differences;
 use crate::scenario::input_files::InputFile;
 use crate::scenario::prepare::prepare;
 use crate::scenario::report::Report;
@@ -105,7 +106,7 @@ fn resume_among(
             return Ok((folder, None, scenario, None));
         }
         let lock = folder.lock()?;
-        let (scenario, state) = read_run(&folder, observer)?;
+        let (scenario, state) = read_run(&folder, &options, observer)?;
         Ok((folder, Some(lock), scenario, Some(state)))
     };
     let (folder, _lock, scenario, state) = all_or_none(ranks.as_deref(), read())?;
@@ -137,10 +138,11 @@ fn be_patient(ranks: Option<&dyn Ranks>) {
 /// The scenario and the latest checkpoint of a folder.
 pub(in crate::scenario) fn read_run(
     folder: &RunFolder,
+    options: &RunOptions,
     observer: &mut dyn Observer,
 ) -> Result<(Scenario, RunState<'static>), RunError> {
     let mut scenario = Scenario::read_to_go_on(&folder.scenario())?;
-    let restored = checkpoint::read_latest::<RunState<'static>>(folder.root())?;
+    let mut restored = checkpoint::read_latest::<RunState<'static>>(folder.root())?;
     // a scenario without a title is named after its file, which has another name here
     scenario.title.clone_from(&restored.header.title);
     let on_the_way = restored.value.place.files.iter().filter(|file| !file.of_start);
@@ -148,10 +150,41 @@ pub(in crate::scenario) fn read_run(
     if !changes.is_empty() {
         return Err(RunError::FilesChanged { changes });
     }
+    let place = &mut restored.value.place;
+    let text = scenario.to_resolved_toml();
+    if let Some(difference) = line_differences(&place.scenario, &text) {
+        let file = folder.scenario();
+        if !options.changed {
+            return Err(RunError::ScenarioChanged { file, difference });
+        }
+        let former = Scenario::parse_for(
+            &place.scenario,
+            "the scenario of the checkpoint",
+            folder.root(),
+            &[],
+            true,
+        )?;
+        let (is, was) = (names(&scenario), names(&former));
+        if is != was {
+            return Err(RunError::OtherMaterials { file, is, was });
+        }
+        let step = restored.value.simulation.step;
+        let warning =
+            format!("from step {step} on {difference} (grains, box and time step are those of the checkpoint)");
+        place.warnings.push(warning.clone());
+        place.scenario = text;
+        restored.warnings.push(warning);
+    }
     for warning in &restored.warnings {
         observer.message(&format!("warning: {warning}"));
     }
     Ok((scenario, restored.value))
+}
+
+/// Names of the materials of a scenario, in their order.
+fn names(scenario: &Scenario) -> String {
+    let names: Vec<String> = scenario.materials.iter().map(|m| format!("`{}`", m.name)).collect();
+    names.join(", ")
 }
 
 /// Threads of a run; as many as there are cores, or as the environment tells, when none are asked for.
