@@ -1,6 +1,7 @@
 //! Which grains are near a place: one cell grid per size class, so that any width of sizes stays linear.
 
 use super::region::wrap_coordinate;
+use crate::neighbours::{Bounds, Counts, are_scattered, crowd};
 use crate::particles::Domain;
 use glam::DVec3;
 use std::ops::ControlFlow;
@@ -89,7 +90,7 @@ impl<'a> PlaceGrid<'a> {
         }
     }
 
-    /// A grid that holds these grains; its box is the smallest around them.
+    /// A grid that holds these grains; its box is the smallest around nearly all of them.
     pub(super) fn holding(domain: Option<&'a Domain>, grains: &[(DVec3, f64)]) -> Self {
         let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for (place, _) in grains {
@@ -97,6 +98,11 @@ impl<'a> PlaceGrid<'a> {
         }
         if grains.is_empty() {
             (lower, upper) = (DVec3::ZERO, DVec3::ZERO);
+        }
+        let mean = 2.0 * grains.iter().map(|(_, radius)| radius).sum::<f64>() / grains.len() as f64;
+        if are_scattered(upper - lower, mean, grains.len()) {
+            let counts = |within| Counts::of(grains.iter().map(|(place, _)| *place), within);
+            Bounds { lower, upper } = crowd(Bounds { lower, upper }, grains.len(), counts);
         }
         let mut grid = Self::new(domain, lower, upper, grains.iter().map(|g| g.1));
         for (place, radius) in grains {

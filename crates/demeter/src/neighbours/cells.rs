@@ -4,6 +4,7 @@
 //! The copies are `f32`: a filter. What passes it is looked at again in `f64`, so nothing depends on its rounding.
 
 use super::classes::SizeClasses;
+use super::crowd::{Counts, Extent};
 use super::ranges::{for_ranges, sums};
 use super::rows_of_cells::RowsOfCells;
 use super::vicinity::{Bounds, Vicinity};
@@ -23,7 +24,7 @@ const ROUNDING: f64 = 5e-7;
 /// Grains whose cells are found by one task.
 const GRAINS_PER_TASK: usize = 4096;
 
-/// The box around all grains, in which places are measured from its lower corner.
+/// The box around nearly all grains, in which places are measured from its lower corner.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Frame {
     lower: DVec3,
@@ -32,38 +33,47 @@ pub(super) struct Frame {
     pub(super) periodic: [bool; 3],
     /// What rounding to `f32` may add to a distance [m].
     pub(super) slack: f64,
+    /// Least and largest places in it: those beyond are drawn to its sides, which takes no two grains farther apart, so that the search still
+    /// finds all that are near.
+    ends: [DVec3; 2],
 }
 
 impl Frame {
-    /// Bounding box of the grains.
-    fn around(grains: &Grains, comm: &Single) -> Self {
-        let bounds = (grains.position.rows().par_chunks(GRAINS_PER_TASK))
-            .map(Bounds::of_centres)
-            .reduce(|| Bounds::NOTHING, Bounds::join);
-        Self::of(bounds, comm)
-    }
-
-    /// The box around the centres of all grains; the whole box in periodic directions.
-    pub(super) fn of(bounds: Bounds, comm: &Single) -> Self {
+    /// The box around the centres of nearly all grains; the whole box in periodic directions.
+    pub(super) fn of(Extent { all, crowd }: Extent, comm: &Single) -> Self {
         let domain = comm.domain();
-        let Bounds { mut lower, mut upper } = bounds;
+        let Bounds { mut lower, mut upper } = crowd;
         for axis in (0..3).filter(|&axis| domain.periodic[axis]) {
             lower[axis] = domain.lower[axis];
             upper[axis] = domain.upper[axis];
         }
         let size = (upper - lower).max(DVec3::ZERO);
+        let mut ends = [DVec3::NEG_INFINITY, DVec3::INFINITY];
+        for axis in (0..3).filter(|&axis| !domain.periodic[axis]) {
+            if lower[axis] > all.lower[axis] || upper[axis] < all.upper[axis] {
+                (ends[0][axis], ends[1][axis]) = (0.0, size[axis]);
+            }
+        }
         Self {
             lower,
             size,
             periodic: comm.rings(),
             slack: ROUNDING * size.max_element(),
+            ends,
         }
     }
 
     /// Place in the frame. A grain that has left a periodic box is put back: it is met where its image is.
     #[inline(always)]
     pub(super) fn local(&self, position: DVec3) -> DVec3 {
-        self.put_back(position - self.lower)
+        let [least, most] = self.ends;
+        self.put_back(position - self.lower).max(least).min(most)
+    }
+
+    /// A place without what it lies beyond the ends.
+    pub(super) fn drawn_in(&self, place: DVec3) -> DVec3 {
+        let [least, most] = self.ends;
+        place.max(self.lower + least).min(self.lower + most)
     }
 
     /// A place in the frame that may lie one box outside of a ring.
@@ -218,12 +228,18 @@ impl Cells {
         self.skin = skin;
         match vicinity {
             Some(vicinity) => {
-                self.frame = Frame::of(vicinity.centres, comm);
+                self.frame = Frame::of(vicinity.extent, comm);
                 self.classes.clone_from(&vicinity.classes);
             }
             None => {
-                self.frame = Frame::around(grains, comm);
                 self.classes = SizeClasses::of_all(grains);
+                let rows = || grains.position.rows().par_chunks(GRAINS_PER_TASK);
+                let all = rows().map(Bounds::of_centres).reduce(|| Bounds::NOTHING, Bounds::join);
+                let extent = Extent::find(all, &self.classes, comm, skin, |within| {
+                    let some = |rows: &[Row]| Counts::of(rows.iter().map(|row| row.vector), within);
+                    rows().map(some).reduce(Counts::none, Counts::plus)
+                });
+                self.frame = Frame::of(extent, comm);
             }
         }
         self.grids = grids(&self.classes, &self.frame, skin);

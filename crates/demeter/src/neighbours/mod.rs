@@ -11,6 +11,7 @@
 
 mod cells;
 mod classes;
+mod crowd;
 mod former;
 mod incidence;
 mod moves;
@@ -30,6 +31,7 @@ mod visit;
 mod written;
 
 pub(crate) use classes::{Extremes, SizeClasses};
+pub(crate) use crowd::{Counts, Extent, are_scattered, crowd};
 pub(crate) use former::{Farthest, FormerPlaces};
 pub use moves::{Moves, NewPlaces};
 pub use order::put_in_order;

@@ -252,6 +252,38 @@ fn grains_that_have_left_the_box_by_a_little_are_found() {
 }
 
 #[test]
+fn grains_far_away_change_neither_pairs_nor_work() {
+    for periodic in [[false; 3], [true, false, false]] {
+        let domain = domain(DVec3::splat(1.0), periodic);
+        let far = |places: &mut Vec<(DVec3, f64)>| {
+            let at = DVec3::new(0.1, -3e3, 40.0);
+            places.extend([
+                (at, 0.05),
+                (at + DVec3::Z * 0.1, 0.05),
+                (DVec3::new(0.2, 0.3, 7e3), 0.05),
+            ]);
+        };
+        let mut places = random_places(900, (0.03, 0.06), &domain);
+        far(&mut places);
+        check(&places, domain, 2, 1000);
+
+        let mut places = random_places(20_000, (0.01, 0.02), &domain);
+        let tests = |places: &[(DVec3, f64)]| {
+            let mut found = Neighbours::default();
+            found.find(&grains_at(places, 1), &[], &materials(1), &Single::new(domain), 0.005);
+            found.effort().tests
+        };
+        let of_all = tests(&places);
+        far(&mut places);
+        let with_far = tests(&places);
+        assert!(
+            with_far < 2 * of_all,
+            "{with_far} tests, {of_all} without those far away"
+        );
+    }
+}
+
+#[test]
 fn empty_and_tiny_sets_have_no_pairs() {
     let domain = domain(DVec3::splat(1.0), [true; 3]);
     let mut found = telling();

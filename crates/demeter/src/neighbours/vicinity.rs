@@ -5,6 +5,7 @@
 
 use super::cells::{Frame, Grid, grids};
 use super::classes::SizeClasses;
+use super::crowd::Extent;
 use crate::comm::Single;
 use crate::particles::Row;
 use glam::DVec3;
@@ -151,9 +152,9 @@ pub(crate) struct Reach {
 }
 
 impl Reach {
-    /// For all grains, told by their classes and bounds, and a search of all pairs closer than `skin` to touching.
-    pub(crate) fn new(classes: &SizeClasses, bounds: Bounds, comm: &Single, skin: f64) -> Self {
-        let frame = Frame::of(bounds, comm);
+    /// For all grains, told by their classes and where they are, and a search of all pairs closer than `skin` to touching.
+    pub(crate) fn new(classes: &SizeClasses, extent: Extent, comm: &Single, skin: f64) -> Self {
+        let frame = Frame::of(extent, comm);
         Self {
             grids: grids(classes, &frame, skin),
             frame,
@@ -175,7 +176,7 @@ impl Reach {
         } else {
             DVec3::splat(own.largest + others.largest + self.skin) + own.edge.max(others.edge)
         };
-        let corners = |corner: [f32; 3]| DVec3::from_array(corner.map(f64::from));
+        let corners = |corner: [f32; 3]| self.frame.drawn_in(DVec3::from_array(corner.map(f64::from)));
         let (a_lower, a_upper) = (corners(a.lower), corners(a.upper));
         let (b_lower, b_upper) = (corners(b.lower), corners(b.upper));
         let apart = 0.5 * ((a_lower + a_upper) - (b_lower + b_upper));
@@ -202,8 +203,8 @@ impl Reach {
 #[derive(Debug)]
 pub(crate) struct Vicinity {
     pub(crate) classes: SizeClasses,
-    /// Around the centres of all grains.
-    pub(crate) centres: Bounds,
+    /// Where all grains are.
+    pub(crate) extent: Extent,
     /// Around all grains.
     pub(crate) surfaces: Bounds,
     /// Stretches of grains whose places are known, own ones among them, by rising indices.

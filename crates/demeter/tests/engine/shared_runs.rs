@@ -225,6 +225,21 @@ fn frames_without_rows_are_the_same_with_gear() {
     assert_same(&one, &parts);
 }
 
+/// Cells are laid about nearly all grains, which all processes must find alike.
+#[test]
+fn grains_far_away_are_those_of_one_process() {
+    let place = tempfile::tempdir().unwrap();
+    let one = place.path().join("one");
+    let scenario = scenario("far.toml", &[]);
+    let end = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap().end;
+    assert_eq!(end, RunEnd::Finished);
+    for count in [2, 3] {
+        let folder = place.path().join(count.to_string());
+        on_ranks(count, |rank| share(&scenario, &folder, rank, None));
+        assert_same(&one, &folder);
+    }
+}
+
 #[test]
 fn a_run_goes_on_with_other_numbers_of_processes() {
     let place = tempfile::tempdir().unwrap();

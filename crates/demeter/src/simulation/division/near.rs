@@ -5,7 +5,7 @@
 
 use super::{Division, Introduced, Segment};
 use crate::comm::Message;
-use crate::neighbours::{Bounds, BoxesOfClasses, CORNERS, Extremes, Reach, SizeClasses, Vicinity};
+use crate::neighbours::{Bounds, BoxesOfClasses, CORNERS, Counts, Extent, Extremes, Reach, SizeClasses, Vicinity};
 use crate::particles::{CONSTANTS, Grains};
 use crate::simulation::Simulation;
 use std::ops::Range;
@@ -138,7 +138,11 @@ impl Simulation {
         let told = division.ranks.gather(&division.tell_boxes(&self.grains, per_segment));
         let (centres, surfaces, boxes) = division.hear_boxes(&told);
         let classes = division.sizes.classes.clone();
-        let reach = Reach::new(&classes, centres, &self.comm, skin);
+        let extent = Extent::find(centres, &classes, &self.comm, skin, |within| {
+            let own = &self.grains.position.rows()[division.own.clone()];
+            division.fold(Counts::of(own.iter().map(|row| row.vector), within), Counts::plus)
+        });
+        let reach = Reach::new(&classes, extent, &self.comm, skin);
         let near = division.near_segments(&boxes, &reach);
         let grains_of = |segment: usize| segment * per_segment..((segment + 1) * per_segment).min(count);
         let mut messages: Vec<Message> = Vec::with_capacity(near.len());
@@ -185,7 +189,7 @@ impl Simulation {
         }
         Some(Vicinity {
             classes,
-            centres,
+            extent,
             surfaces,
             known: joined(known),
         })
