@@ -3,6 +3,7 @@
 use crate::particles::{Domain, Grains};
 use crate::walls::{SurfaceContact, Wall};
 use glam::DVec3;
+use std::iter;
 
 /// Most triangles of all walls whose middles are looked at, and the least of a wall.
 const MOST_PLACES: usize = 1 << 14;
@@ -45,7 +46,7 @@ pub(super) fn check(walls: &[Wall], grains: &Grains, domain: &Domain, warnings: 
     }
 }
 
-/// A sphere that is held to a triangle of a wall. It is no larger than the triangle: of a fine mesh it meets few.
+/// A sphere that is held to a triangle of a wall. It is no larger than the triangle, nor than that is wide: of a fine mesh it meets few.
 struct Probe {
     middle: DVec3,
     normal: DVec3,
@@ -60,11 +61,13 @@ impl Probe {
         let [a, b, c] = *triangle;
         let middle = (a + b + c) / 3.0;
         let size = a.distance(middle).max(b.distance(middle)).max(c.distance(middle));
+        let across = (b - a).cross(c - a);
+        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
         Self {
             middle,
-            normal: (b - a).cross(c - a).normalize_or_zero(),
+            normal: across.normalize_or_zero(),
             size,
-            radius: grain.min(size),
+            radius: grain.min(across.length() / longest),
         }
     }
 
@@ -78,12 +81,11 @@ impl Probe {
         };
         let beside = [1.0, -1.0].map(|side| {
             // the triangle is flat, the wall may be round
-            let (near, part) = [0.5 * self.radius, self.size + self.radius]
-                .into_iter()
-                .find_map(|height| {
-                    let near = self.middle + self.normal * (side * height);
-                    face(near, 4.0 * height).map(|part| (near, part))
-                })?;
+            let farther = wall.mesh().is_none().then_some(self.size + self.radius);
+            let (near, part) = (iter::once(0.5 * self.radius).chain(farther)).find_map(|height| {
+                let near = self.middle + self.normal * (side * height);
+                face(near, 4.0 * height).map(|part| (near, part))
+            })?;
             let centre = near - part.normal * (part.distance - 0.9 * self.radius);
             Some((centre, face(centre, self.radius)?))
         });

@@ -7,6 +7,7 @@
 mod elements;
 mod error;
 mod free;
+mod hierarchy;
 pub mod leak;
 mod limits;
 pub mod mesh;

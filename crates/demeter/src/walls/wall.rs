@@ -423,6 +423,16 @@ impl Wall {
         outline::bounds(self.described(), self.origin, &self.motor.pose)
     }
 
+    /// Smallest box around a wall whose clearance is no less than the distance from that box [m]; `None` where it may be less: behind a
+    /// one-sided surface, and near images.
+    pub(crate) fn clearance_bounds(&self) -> Option<(DVec3, DVec3)> {
+        match &self.surface {
+            Surface::Cylinder(_) | Surface::Cone(_) | Surface::Rectangle(_) | Surface::Disc(_) => self.bounds(),
+            Surface::Mesh(_) if self.as_told.is_none() => self.bounds(),
+            _ => None,
+        }
+    }
+
     /// A box around the wall in the world that costs little to find [m], as large as the turned box of a mesh; `None` when the wall goes
     /// on beyond it.
     pub fn rough_bounds(&self) -> Option<(DVec3, DVec3)> {

@@ -43,6 +43,17 @@ impl Triangle {
         self.corners
     }
 
+    /// Mean of the corners [m].
+    pub fn centroid(&self) -> DVec3 {
+        self.corners.iter().sum::<DVec3>() / 3.0
+    }
+
+    /// Lower and upper corner of the smallest box around it [m].
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        let [a, b, c] = self.corners;
+        (a.min(b).min(c), a.max(b).max(c))
+    }
+
     /// Unit normal, right-handed about the corners in order.
     #[inline]
     pub fn normal(&self) -> DVec3 {

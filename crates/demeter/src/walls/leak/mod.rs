@@ -15,6 +15,7 @@
 
 mod cells;
 mod narrow;
+mod obstacles;
 mod passage;
 mod paths;
 mod search;

@@ -3,7 +3,9 @@
 
 use super::super::surface::Surface;
 use super::super::wall::Wall;
+use super::obstacles::Obstacles;
 use glam::{DVec2, DVec3};
+use std::rc::Rc;
 
 /// Share of a direction along `up` from which on it points upwards: 14 degrees above the horizontal.
 const UPWARDS: f64 = 0.25;
@@ -34,6 +36,7 @@ impl Plug {
 /// Walls as obstacles for the centre of a grain.
 pub(super) struct Space<'a> {
     walls: &'a [Wall],
+    obstacles: Rc<Obstacles<'a>>,
     /// Radius of the grain [m].
     pub(super) radius: f64,
     /// Against gravity; zero without gravity.
@@ -62,6 +65,7 @@ impl<'a> Space<'a> {
         }
         Space {
             walls,
+            obstacles: Rc::new(Obstacles::new(walls)),
             radius,
             up: -gravity.normalize_or_zero(),
             cap: f64::INFINITY,
@@ -76,6 +80,7 @@ impl<'a> Space<'a> {
     pub(super) fn again(&self) -> Space<'a> {
         Space {
             walls: self.walls,
+            obstacles: Rc::clone(&self.obstacles),
             radius: self.radius,
             up: self.up,
             cap: self.cap,
@@ -115,10 +120,7 @@ impl<'a> Space<'a> {
     /// Radius of the largest grain that touches nothing at a point; negative behind a one-sided wall [m].
     pub(super) fn clearance(&self, point: DVec3) -> f64 {
         let point = self.put_back(point);
-        let mut least = f64::MAX;
-        for wall in self.walls {
-            least = wall.clearance(point, least).min(least);
-        }
+        let mut least = self.obstacles.clearance(point);
         for plug in &self.plugs {
             least = least.min(plug.distance(point));
         }

@@ -5,8 +5,8 @@
 //! across their edges (S. Gottschalk, M. C. Lin and D. Manocha, SIGGRAPH 1996). Triangles that share an edge or a corner
 //! touch, and so do those whose corner lies on a neighbour: none of them is told.
 
-use super::hierarchy::Hierarchy;
 use super::weld::ROUNDING;
+use crate::walls::hierarchy::Hierarchy;
 use demeter_physics::geometry::contact_sphere_triangle::Triangle;
 use glam::DVec3;
 

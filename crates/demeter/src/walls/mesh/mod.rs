@@ -1,14 +1,13 @@
 //! Triangle meshes as walls.
 //!
 //! * `weld` joins corners that are the same point, `topology` finds edges, neighbours and flat patches
-//! * `hierarchy` finds the triangles near a grain
+//! * [`super::hierarchy`] finds the triangles near a grain
 //! * `contacts` decides which of their closest points are contacts
 //! * `repair` makes a mesh as it comes usable, with `orientation`; `inspection` tells what is remarkable, with `crossings`
 
 mod bend;
 mod contacts;
 mod crossings;
-mod hierarchy;
 mod inspection;
 mod orientation;
 mod repair;
@@ -20,9 +19,9 @@ pub use crossings::Crossings;
 pub use inspection::{Inspection, Places, Rim};
 pub use repair::{LeftOut, Repair};
 
+use super::hierarchy::Hierarchy;
 use demeter_physics::geometry::contact_sphere_triangle::{Triangle, contact_sphere_triangle};
 use glam::DVec3;
-use hierarchy::Hierarchy;
 use thiserror::Error;
 use topology::Topology;
 
@@ -122,7 +121,8 @@ impl Mesh {
             triangles.push(make_triangle(index, ids.map(|id| welded.points[id as usize]))?);
         }
         let topology = Topology::new(&welded, &triangles);
-        let hierarchy = Hierarchy::new(&triangles);
+        let centroids: Vec<DVec3> = triangles.iter().map(Triangle::centroid).collect();
+        let hierarchy = Hierarchy::new(&centroids, |triangle| triangles[triangle as usize].bounds());
         Ok(Mesh {
             triangles,
             topology,
@@ -169,7 +169,7 @@ impl Mesh {
 
     /// Distance of a point from the surface, or `limit` when that is less [m].
     pub fn distance(&self, point: DVec3, limit: f64) -> f64 {
-        self.hierarchy.least_distance(point, limit, |triangle| {
+        self.hierarchy.least_distance(point, limit, |triangle, _| {
             contact_sphere_triangle(&self.triangles[triangle as usize], point).distance
         })
     }

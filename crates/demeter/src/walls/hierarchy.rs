@@ -1,20 +1,19 @@
-//! Bounding-volume hierarchy: which triangles are near a point.
+//! Bounding-volume hierarchy: which triangles of a mesh, or which of many walls, are near a point.
 
-use demeter_physics::geometry::contact_sphere_triangle::Triangle;
 use glam::DVec3;
 
-/// Most triangles in a leaf.
+/// Most items in a leaf.
 const LEAF: usize = 4;
 /// Deepest level: halving 2^32 triangles ends far above it.
 const DEEPEST: usize = 64;
 
-/// Binary tree of boxes, built by halving along the longest side of the centroids. It depends on nothing but the order
-/// of the triangles.
+/// Binary tree of boxes around items, which are told by their numbers: built by halving along the longest side of the centroids. It depends
+/// on nothing but the order of the items.
 #[derive(Clone, Debug)]
 pub(super) struct Hierarchy {
     /// Nodes in depth-first order: the left child of a node follows it.
     nodes: Vec<Node>,
-    /// Triangles, grouped by leaf.
+    /// Items, grouped by leaf.
     order: Vec<u32>,
 }
 
@@ -24,7 +23,7 @@ struct Node {
     upper: DVec3,
     /// Leaf: first entry of `order`. Inner node: the right child.
     start: u32,
-    /// Leaf: number of triangles. Inner node: 0.
+    /// Leaf: number of items. Inner node: 0.
     count: u32,
 }
 
@@ -40,28 +39,30 @@ impl Node {
 }
 
 impl Hierarchy {
-    pub(super) fn new(triangles: &[Triangle]) -> Self {
+    /// A tree of items, one for each centroid; `bounds` tells the box around an item.
+    pub(super) fn new(centroids: &[DVec3], bounds: impl Fn(u32) -> (DVec3, DVec3)) -> Self {
         let mut tree = Hierarchy {
             nodes: Vec::new(),
-            order: (0..triangles.len() as u32).collect(),
+            order: (0..centroids.len() as u32).collect(),
         };
-        let centroids: Vec<DVec3> = triangles
-            .iter()
-            .map(|t| t.corners().iter().sum::<DVec3>() / 3.0)
-            .collect();
         let mut order = std::mem::take(&mut tree.order);
-        tree.build(&mut order, 0, triangles, &centroids);
+        tree.build(&mut order, 0, centroids, &bounds);
         tree.order = order;
         tree
     }
 
-    fn build(&mut self, order: &mut [u32], offset: usize, triangles: &[Triangle], centroids: &[DVec3]) {
+    fn build(
+        &mut self,
+        order: &mut [u32],
+        offset: usize,
+        centroids: &[DVec3],
+        bounds: &impl Fn(u32) -> (DVec3, DVec3),
+    ) {
         let (mut lower, mut upper) = (DVec3::MAX, DVec3::MIN);
         let (mut least, mut most) = (DVec3::MAX, DVec3::MIN);
         for &id in order.iter() {
-            for corner in triangles[id as usize].corners() {
-                (lower, upper) = (lower.min(corner), upper.max(corner));
-            }
+            let (low, high) = bounds(id);
+            (lower, upper) = (lower.min(low), upper.max(high));
             let centroid = centroids[id as usize];
             (least, most) = (least.min(centroid), most.max(centroid));
         }
@@ -85,17 +86,17 @@ impl Hierarchy {
         let (left, right) = order.split_at_mut(middle);
         left.sort_unstable();
         right.sort_unstable();
-        self.build(left, offset, triangles, centroids);
+        self.build(left, offset, centroids, bounds);
         self.nodes[node].start = self.nodes.len() as u32;
         self.nodes[node].count = 0;
-        self.build(right, offset + middle, triangles, centroids);
+        self.build(right, offset + middle, centroids, bounds);
     }
 
     pub(super) fn bounds(&self) -> (DVec3, DVec3) {
         (self.nodes[0].lower, self.nodes[0].upper)
     }
 
-    /// Calls `visit` with every triangle whose box is within `reach` of a point, until it returns `true`; tells whether
+    /// Calls `visit` with every item whose box is within `reach` of a point, until it returns `true`; tells whether
     /// it did.
     #[inline]
     pub(super) fn any_near(&self, point: DVec3, reach: f64, mut visit: impl FnMut(u32) -> bool) -> bool {
@@ -117,7 +118,7 @@ impl Hierarchy {
                 continue;
             }
             let leaf = node.start as usize..(node.start + node.count) as usize;
-            if self.order[leaf].iter().any(|&triangle| visit(triangle)) {
+            if self.order[leaf].iter().any(|&item| visit(item)) {
                 return true;
             }
         }
@@ -126,7 +127,7 @@ impl Hierarchy {
 }
 
 impl Hierarchy {
-    /// Calls `visit` with every triangle of a leaf whose box meets the box given.
+    /// Calls `visit` with every item of a leaf whose box meets the box given.
     pub(super) fn visit_box(&self, lower: DVec3, upper: DVec3, mut visit: impl FnMut(u32)) {
         let mut waiting = [0u32; DEEPEST];
         let mut depth = 1;
@@ -144,13 +145,13 @@ impl Hierarchy {
                 continue;
             }
             let leaf = node.start as usize..(node.start + node.count) as usize;
-            self.order[leaf].iter().for_each(|&triangle| visit(triangle));
+            self.order[leaf].iter().for_each(|&item| visit(item));
         }
     }
 
-    /// The least of the distances that `distance` tells of the triangles, no more than `limit`; it is asked only of
-    /// triangles that may be closer than all before.
-    pub(super) fn least_distance(&self, point: DVec3, limit: f64, mut distance: impl FnMut(u32) -> f64) -> f64 {
+    /// The least of the distances that `distance` tells of the items, no more than `limit`; it is asked only of items that may be closer
+    /// than all before, and told how close these are.
+    pub(super) fn least_distance(&self, point: DVec3, limit: f64, mut distance: impl FnMut(u32, f64) -> f64) -> f64 {
         let mut least = limit;
         let mut waiting = [(0.0, 0u32); DEEPEST];
         let mut depth = 1;
@@ -170,8 +171,8 @@ impl Hierarchy {
                 continue;
             }
             let leaf = node.start as usize..(node.start + node.count) as usize;
-            for &triangle in &self.order[leaf] {
-                least = least.min(distance(triangle));
+            for &item in &self.order[leaf] {
+                least = least.min(distance(item, least));
             }
         }
         least
@@ -191,6 +192,7 @@ fn longest_axis(size: DVec3) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use demeter_physics::geometry::contact_sphere_triangle::Triangle;
 
     #[test]
     fn finds_the_same_triangles_as_looking_at_all() {
@@ -201,7 +203,9 @@ mod tests {
             triangles
                 .push(Triangle::new([at, at + DVec3::new(0.4, 0.1, 0.0), at + DVec3::new(0.0, 0.3, 0.2)]).unwrap());
         }
-        let tree = Hierarchy::new(&triangles);
+        let bounds = |id: u32| triangles[id as usize].bounds();
+        let centroids: Vec<DVec3> = triangles.iter().map(|t| t.corners()[0]).collect();
+        let tree = Hierarchy::new(&centroids, bounds);
         for i in 0..100 {
             let t = f64::from(i);
             let point = DVec3::new(libm::cos(t), libm::sin(t * 3.1), libm::cos(t * 0.7)) * 3.5;
@@ -214,9 +218,7 @@ mod tests {
             found.sort_unstable();
             let expected: Vec<u32> = (0..200u32)
                 .filter(|&id| {
-                    let corners = triangles[id as usize].corners();
-                    let lower = corners[0].min(corners[1]).min(corners[2]);
-                    let upper = corners[0].max(corners[1]).max(corners[2]);
+                    let (lower, upper) = bounds(id);
                     point.distance(point.clamp(lower, upper)) <= reach
                 })
                 .collect();
