@@ -75,7 +75,7 @@ pub enum Fault {
     },
     /// A periodic box shrank so far that a grain would meet two images of a partner.
     #[error(
-        "step {step}: the periodic box has shrunk to {size:.6} m along {direction}; with grain {id}, the largest, it must stay \
+        "step {step}: the periodic box is {size:.6} m long along {direction}; with grain {id}, the largest, it must be \
          longer than {least:.6} m, or a grain meets two images of one partner. Cause: compression beyond what the number of \
          grains allows, or a stress that the grains cannot bear at any volume. Remedy: take more grains or end the \
          compression earlier"

@@ -23,7 +23,7 @@ pub const BOX_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new(
         "stress xx",
         "Pa",
-        "stress of the whole box: of its contacts and of the motion beyond the affine flow; compression positive",
+        "stress of the whole box: of its contacts and of the motion beyond the affine flow and the drift of all grains; compression positive",
     ),
     ToldColumn::new("stress yy", "Pa", "see box stress xx"),
     ToldColumn::new("stress zz", "Pa", "see box stress xx"),
@@ -33,7 +33,7 @@ pub const BOX_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new(
         "kinetic pressure",
         "Pa",
-        "mean of the normal stresses of the motion beyond the affine flow",
+        "mean of the normal stresses of the motion beyond the affine flow and the drift of all grains",
     ),
     ToldColumn::new(
         "solid fraction",

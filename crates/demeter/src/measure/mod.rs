@@ -122,9 +122,9 @@ pub struct Measures {
     pub coordination: f64,
     /// Largest overlap as a share of the smaller radius.
     pub max_overlap: f64,
-    /// Largest speed [m/s]; beyond the affine flow where the box deforms.
+    /// Largest speed [m/s]; beyond the affine flow and the drift of all grains where the box deforms.
     pub max_speed: f64,
-    /// Kinetic over elastic energy; of the motion beyond the affine flow where the box deforms.
+    /// Kinetic over elastic energy; of the motion beyond the affine flow and the drift of all grains where the box deforms.
     pub kinetic_over_elastic: f64,
     /// Energies.
     pub energies: Energies,

@@ -70,13 +70,13 @@ pub const COLUMNS: &[Column<Measures>] = {
         column(
             "max speed",
             "m/s",
-            "largest speed of a grain; beyond the affine flow where the box deforms",
+            "largest speed of a grain; beyond the affine flow and the drift of all grains where the box deforms",
             |m| Number(m.max_speed),
         ),
         column(
             "kinetic over elastic",
             "",
-            "kinetic over elastic energy; beyond the affine flow where the box deforms",
+            "kinetic over elastic energy; beyond the affine flow and the drift of all grains where the box deforms",
             |m| Number(m.kinetic_over_elastic),
         ),
         column(

@@ -2,8 +2,11 @@
 
 use super::{Diagnostics, FeedRate, FeedSpec, Scenario};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
+use crate::materials::Materials;
 use crate::particles::{Domain, Grains};
-use crate::simulation::{TimeScale, TimeStepError, WallPartner, with_free_wall};
+use crate::simulation::{
+    ROOM_FOR_BULGES, TimeScale, TimeStepError, USABLE, WallPartner, largest_reach, with_free_wall,
+};
 use crate::walls::{Motion, Motions, SurfaceContact, Wall};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -88,16 +91,19 @@ pub(super) fn check_periodic_size(
     grains: &Grains,
     domain: &Domain,
     skin: f64,
-    coupled: bool,
+    materials: &Materials,
+    deforms: bool,
     faults: &mut Diagnostics,
 ) {
     let largest = grains.radii().fold(0.0, f64::max);
-    let bulges = if coupled {
-        crate::simulation::ROOM_FOR_BULGES * largest
+    let bulges = if materials.are_coupled() {
+        ROOM_FOR_BULGES * largest
     } else {
         0.0
     };
-    let least = 4.0 * largest + 2.0 * skin + bulges;
+    let reach = largest_reach(grains, &[], materials);
+    let share = if deforms { 2.0 * USABLE } else { 1.0 };
+    let least = (4.0 * largest + 2.0 * (skin + reach) + bulges) / share;
     for axis in (0..3).filter(|&k| domain.periodic[k]) {
         let size = domain.size()[axis];
         if size <= least {

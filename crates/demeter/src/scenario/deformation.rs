@@ -32,7 +32,7 @@ fn drive(above: &TableReader<'_>, key: &str) -> Drive {
         return Drive::Fixed;
     };
     let rate = table.optional_quantity("strain_rate", Kind::NumberRate, Range::FINITE);
-    let stress = table.optional_quantity("stress", Kind::Physical(Dimension::PRESSURE), Range::POSITIVE);
+    let stress = table.optional_quantity("stress", Kind::Physical(Dimension::PRESSURE), Range::FINITE);
     let drive = match (rate, stress) {
         (Some(rate), None) => Drive::StrainRate(rate),
         (None, Some(target)) => Drive::Stress {
@@ -87,8 +87,8 @@ pub(super) fn conditions(table: &TableReader<'_>, stop: &mut Vec<StopCondition>)
         let direction = told.required("direction", meaning);
         let of = direction.and_then(|i| i.choice(&["x", "y", "z", "mean"]));
         let pressure = Kind::Physical(Dimension::PRESSURE);
-        let above = told.optional_quantity("above", pressure, Range::POSITIVE);
-        let below = told.optional_quantity("below", pressure, Range::POSITIVE);
+        let above = told.optional_quantity("above", pressure, Range::FINITE);
+        let below = told.optional_quantity("below", pressure, Range::FINITE);
         if above.is_some() == below.is_some() {
             told.fault("give either `above` or `below`", None);
         }

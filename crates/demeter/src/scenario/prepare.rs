@@ -87,7 +87,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));
     }
     let skin = (scenario.simulation.skin).map_or_else(|| Skin::Tuned(SKIN_SHARE * mean_radius(&all)), Skin::Fixed);
-    check_periodic_size(&all, &domain, skin.first(), materials.are_coupled(), &mut faults);
+    check_periodic_size(&all, &domain, skin.first(), &materials, scenario.deforms(), &mut faults);
     let partners = wall_partners(scenario, &walls);
     for (a, b, why) in refusals(&all, &partners, &materials) {
         let path = scenario.contact.path(a.into(), b.into());

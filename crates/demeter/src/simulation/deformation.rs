@@ -22,7 +22,7 @@ pub enum Drive {
     StrainRate(f64),
     /// The length follows a stress.
     Stress {
-        /// Stress that is wanted, compression positive [Pa].
+        /// Stress that is wanted, compression positive, tension negative [Pa].
         target: f64,
         /// Largest rate of true strain [1/s].
         max_rate: f64,
@@ -157,9 +157,7 @@ impl Drive {
         let value = |what, allowed, value| Err(DeformationError::Value { what, allowed, value });
         match *self {
             Self::StrainRate(rate) if !rate.is_finite() => value("strain rate", "finite", rate),
-            Self::Stress { target, .. } if !(target > 0.0 && target.is_finite()) => {
-                value("stress", "positive (compression)", target)
-            }
+            Self::Stress { target, .. } if !target.is_finite() => value("stress", "finite", target),
             Self::Stress { max_rate, .. } if !(max_rate > 0.0 && max_rate.is_finite()) => {
                 value("largest strain rate", "positive", max_rate)
             }

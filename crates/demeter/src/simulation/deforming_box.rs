@@ -18,7 +18,7 @@ use crate::particles::Domain;
 use crate::simulation::division::heard_grains;
 use crate::step::Motion;
 use crate::walls::Servo;
-use glam::DVec3;
+use glam::{DMat3, DVec3, Vec3Swizzles};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +27,9 @@ const GRAINS_PER_TASK: usize = 1024;
 
 /// What rounding may take from a bound of the relative motion.
 const SLACK: f64 = 1.001;
+
+/// Share of a length within which a grain meets no two images of a partner: half, and what rounding takes of it.
+pub(crate) const USABLE: f64 = 0.49;
 
 /// Reach of the table of contacts beyond touching, as a share of the largest radius, at most (see `contacts/near.rs`).
 const NEAR: f64 = 0.1;
@@ -89,7 +92,7 @@ pub struct BoxState {
     pub shear_rate: f64,
     /// Stress of the box with its kinetic part, compression positive: xx, yy, zz, xy, xz, yz [Pa].
     pub stress: [f64; 6],
-    /// Kinetic part of the stress: of the motion beyond the affine flow [Pa].
+    /// Kinetic part of the stress: of the motion beyond the affine flow and beyond the drift of all grains [Pa].
     pub kinetic_stress: [f64; 6],
     /// Solid volume over the volume of the box.
     pub solid_fraction: f64,
@@ -116,14 +119,33 @@ fn true_strain(from: DVec3, to: DVec3) -> DVec3 {
 
 /// Symmetric part of a dyad: xx, yy, zz, xy, xz, yz.
 fn dyad(a: DVec3, b: DVec3) -> [f64; 6] {
-    [
-        a.x * b.x,
-        a.y * b.y,
-        a.z * b.z,
-        0.5 * (a.x * b.y + a.y * b.x),
-        0.5 * (a.x * b.z + a.z * b.x),
-        0.5 * (a.y * b.z + a.z * b.y),
-    ]
+    let [d, e] = add_dyad([DVec3::ZERO; 2], a, b);
+    [d.x, d.y, d.z, e.x, e.y, e.z]
+}
+
+/// The symmetric part of a dyad as its diagonal and the rest, added to others.
+#[inline(always)]
+fn add_dyad([diagonal, rest]: [DVec3; 2], a: DVec3, b: DVec3) -> [DVec3; 2] {
+    [diagonal + a * b, rest + 0.5 * (a.xxy() * b.yzz() + a.yzz() * b.xxy())]
+}
+
+/// Momentum [kg m/s] and mass [kg] of a grain.
+fn momentum(mass: f64, velocity: DVec3) -> [f64; 4] {
+    let DVec3 { x, y, z } = velocity * mass;
+    [x, y, z, mass]
+}
+
+fn plus(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+    std::array::from_fn(|k| a[k] + b[k])
+}
+
+/// Velocity of the centre of mass [m/s], of momenta and masses that were added up.
+fn mean_velocity([x, y, z, mass]: [f64; 4]) -> DVec3 {
+    if mass > 0.0 {
+        DVec3::new(x, y, z) / mass
+    } else {
+        DVec3::ZERO
+    }
 }
 
 impl Simulation {
@@ -207,15 +229,20 @@ impl Simulation {
         })
     }
 
-    /// Kinetic energy [J] and largest speed [m/s] of the grains' motion beyond the affine flow of a box that deforms.
+    /// Kinetic energy [J] and largest speed [m/s] of the grains' motion beyond the affine flow of a box that deforms, and beyond what
+    /// they do together.
     pub fn beyond_flow(&self) -> Option<(f64, f64)> {
         let deforming = self.comm.deforming()?;
         let (middle, rates, grains) = (deforming.middle, deforming.now(), &self.grains);
+        let beyond = |g: usize| grains.velocity[g] - deforming.flow(&rates, grains.position[g] - middle);
+        let of_segments: Vec<[f64; 4]> = (self.own_pieces().into_par_iter())
+            .map(|some| some.map(|g| momentum(grains.mass(g), beyond(g))).fold([0.0; 4], plus))
+            .collect();
+        let drift = mean_velocity(self.total(&of_segments));
         let of_segments: Vec<[f64; 2]> = (self.own_pieces().into_par_iter())
             .map(|some| {
                 some.fold([0.0, 0.0], |[kinetic, most], g| {
-                    let flow = deforming.flow(&rates, grains.position[g] - middle);
-                    let speed2 = (grains.velocity[g] - flow).length_squared();
+                    let speed2 = (beyond(g) - drift).length_squared();
                     [kinetic + 0.5 * grains.mass(g) * speed2, speed2.max(most)]
                 })
             })
@@ -228,29 +255,45 @@ impl Simulation {
 
     /// Stress of the motion beyond the affine flow, and of the contacts [Pa].
     ///
+    /// The first counts no motion of all grains together: the flow is the same about whichever point it is told, and a frame in which
+    /// all of them drift feels no stress.
+    ///
     /// The sum of `F l` over all contacts, with the branch vector `l` from the partner's image, is that of `F x` over all
     /// grains with the force of all their contacts, and of `F S` over the contacts across the sides.
     fn box_stresses(&self, state: &DeformingBox, deforming: &Deforming) -> [[f64; 6]; 2] {
         let grains = &self.grains;
         let (middle, rates) = (deforming.middle, deforming.now());
-        let of_segments: Vec<[f64; 12]> = (self.own_pieces().into_par_iter())
+        // in every step where a stress is held, so the flow is a matrix and sums are vectors
+        let gradient = DMat3::from_cols_array_2d(&DVec3::AXES.map(|axis| deforming.flow(&rates, axis).to_array()));
+        let (positions, velocities, loads) = (grains.position.rows(), grains.velocity.rows(), grains.load.rows());
+        let of_segments: Vec<[f64; 16]> = (self.own_pieces().into_par_iter())
             .map(|some| {
-                let mut sum = [0.0; 12];
-                for g in some {
-                    let place = grains.position[g] - middle;
-                    let beyond = grains.velocity[g] - deforming.flow(&rates, place);
-                    let terms = [dyad(beyond * grains.mass(g), beyond), dyad(grains.force(g), place)];
-                    sum.iter_mut()
-                        .zip(terms.as_flattened())
-                        .for_each(|(sum, term)| *sum += term);
+                let (mut motion, mut contacts) = ([DVec3::ZERO; 2], [DVec3::ZERO; 2]);
+                let (mut moved, mut all) = (DVec3::ZERO, 0.0);
+                let rows = positions[some.clone()]
+                    .iter()
+                    .zip(&velocities[some.clone()])
+                    .zip(&loads[some]);
+                for ((position, velocity), load) in rows {
+                    let (place, mass) = (position.vector - middle, load.mass());
+                    let beyond = velocity.vector - gradient * place;
+                    motion = add_dyad(motion, beyond * mass, beyond);
+                    contacts = add_dyad(contacts, load.force(), place);
+                    moved += beyond * mass;
+                    all += mass;
                 }
-                sum
+                let sums = [motion[0], motion[1], contacts[0], contacts[1], moved].map(|sum| sum.to_array());
+                std::array::from_fn(|k| sums.as_flattened().get(k).copied().unwrap_or(all))
             })
             .collect();
         let mut sum = self.total(&of_segments);
+        let moved = [sum[12], sum[13], sum[14], sum[15]];
+        let drift = mean_velocity(moved);
+        let together = dyad(drift * moved[3], drift);
+        sum.iter_mut().zip(together).for_each(|(sum, term)| *sum -= term);
         for (axis, force) in state.across.iter().enumerate() {
             let edge = self.comm.edge(axis);
-            sum[6..]
+            sum[6..12]
                 .iter_mut()
                 .zip(dyad(*force, edge))
                 .for_each(|(sum, term)| *sum += term);
@@ -470,7 +513,7 @@ impl Simulation {
             return Ok(skin);
         };
         let size = domain.size()[axis];
-        let room = 0.49 * size - 2.0 * state.largest_radius - self.beyond_touch();
+        let room = USABLE * size - 2.0 * state.largest_radius - self.beyond_touch();
         let least = self.tuner.least().unwrap_or(skin);
         // not a number has no room
         if room >= least {
@@ -482,7 +525,7 @@ impl Simulation {
             id,
             direction: ["x", "y", "z"][axis].into(),
             size,
-            least: (2.0 * state.largest_radius + self.beyond_touch() + least) / 0.49,
+            least: (2.0 * state.largest_radius + self.beyond_touch() + least) / USABLE,
         })
     }
 

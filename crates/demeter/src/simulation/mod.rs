@@ -41,11 +41,12 @@ pub use time_step::{
 };
 
 use deforming_box::DeformingBox;
+pub(crate) use deforming_box::USABLE;
 use division::Division;
 use misplaced::Uncounted;
 use skin::SkinTuner;
 pub(crate) use skin::{Counts, ROOM_FOR_BULGES};
-use time_step::largest_reach;
+pub(crate) use time_step::largest_reach;
 
 use crate::comm::Single;
 use crate::contacts::step_work::StepWork;

@@ -151,7 +151,7 @@ pub fn with_free_wall(scale: TimeScale, wall: &str, free: &FreeMotion) -> Result
 }
 
 /// Largest gap across which any law acts between the bodies in use [m].
-pub(super) fn largest_reach(grains: &Grains, walls: &[WallPartner], materials: &Materials) -> f64 {
+pub(crate) fn largest_reach(grains: &Grains, walls: &[WallPartner], materials: &Materials) -> f64 {
     let mut largest = 0.0f64;
     each_contact(grains, walls, materials, |(a, b), one, other| {
         let law = materials.law(materials.pair(a, b));

@@ -10,6 +10,8 @@
 //! That takes only energy, too. On a bed of stiffness `k` it does not overshoot for `T > 4 D/k`; of `k` it is known that `f` built up over
 //! the way since the plate touched. In a bed that yields that way only grows: `T` is a quarter of the time since then at most.
 //!
+//! A target below 0 is held as its mirror image is; where the target is 0, the largest force that was measured is the measure of errors.
+//!
 //! What can still make it oscillate is that the force is one step old. A loop that is too fast for that overshoots the
 //! target again after less than [`HASTE`] steps; then `D` doubles. When a pressing plate has closed less than a tenth of
 //! the error in [`PATIENCE`] steps, `D` halves, down to a share of its start, so that a brake that was once needed never
@@ -31,9 +33,14 @@ const WEAKEST: f64 = 1.0 / 32.0;
 /// State of the controller.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Servo {
+    /// Never negative.
     target: f64,
+    /// -1 where the target is below 0.
+    side: f64,
+    /// What errors are measured in: the target, or where that is 0 the largest force so far.
+    scale: f64,
     max_speed: f64,
-    /// `D` as a multiple of `F / max_speed`.
+    /// `D` as a multiple of `scale / max_speed`.
     brake: f64,
     /// Speed of the carriage, and the way of the plate since it touched the bed in one step each, as multiples of `max_speed`.
     carried: f64,
@@ -52,7 +59,9 @@ pub(crate) struct Servo {
 impl Servo {
     pub(crate) fn new(target: f64, max_speed: f64) -> Self {
         Servo {
-            target,
+            target: target.abs(),
+            side: if target < 0.0 { -1.0 } else { 1.0 },
+            scale: target.abs(),
             max_speed,
             brake: 1.0,
             carried: 0.0,
@@ -68,16 +77,23 @@ impl Servo {
 
     /// Speed along the axis for the next step, from the force with which the wall pressed in the last [m/s].
     pub(crate) fn speed(&mut self, pressing: f64) -> f64 {
+        let pressing = self.side * pressing;
+        if self.target == 0.0 {
+            self.scale = self.scale.max(pressing.abs());
+        }
+        if self.scale == 0.0 {
+            return 0.0;
+        }
         let error = self.target - pressing;
         self.review(error);
-        let slip = error / (self.target * self.brake);
+        let slip = error / (self.scale * self.brake);
         let speed = (slip + self.carried).clamp(-1.0, 1.0);
         if pressing > 0.0 {
             self.apart = 0;
             self.way += speed;
             self.touching += 1.0;
             let stiffness = pressing / self.way.abs();
-            let carry = (4.0 * self.brake * (self.target / stiffness)).min(0.25 * self.touching);
+            let carry = (4.0 * self.brake * (self.scale / stiffness)).min(0.25 * self.touching);
             // at its largest speed the plate does not follow, whatever the carriage does
             if speed.abs() < 1.0 {
                 self.carried += slip / carry.max(LEAST_CARRY);
@@ -87,7 +103,7 @@ impl Servo {
         } else {
             (self.carried, self.way, self.touching) = (0.0, 0.0, 0.0);
         }
-        self.max_speed * speed
+        self.side * self.max_speed * speed
     }
 
     fn review(&mut self, error: f64) {
@@ -105,7 +121,7 @@ impl Servo {
         }
         self.since_review += 1;
         if self.since_review >= PATIENCE {
-            let weakest = if error < self.target { WEAKEST } else { 1.0 };
+            let weakest = if error < self.scale { WEAKEST } else { 1.0 };
             if error.abs() > 0.9 * self.error_at_review && self.brake > weakest {
                 self.brake *= 0.5;
             }

@@ -97,3 +97,38 @@ fn a_lattice_squeezed_with_its_box_bears_what_it_bears_at_rest() {
     let rate = sim.box_state().unwrap().strain_rate.x;
     assert!(speed < 1e-3 * rate.abs() * RADIUS, "{speed}");
 }
+
+/// A packing that sticks is pressed, let go of all load, held under a tension that it bears, and drawn out with sides that are free.
+#[test]
+fn a_sticky_packing_is_let_go_and_pulled() {
+    let sticky = Laws::of(law("jkr", &[("work_of_adhesion", 0.5), ("alpha", 0.3)]))
+        .friction(law("mindlin-history", &[("friction", 0.5)]));
+    let mut setup = gas(&sticky, 6, 0.35, 0.05, 0.1);
+    setup.materials = one_material(2e6, &sticky);
+    let mut sim = Simulation::new(setup);
+    let hold = |target| Drive::Stress { target, max_rate: 2.0 };
+    let mut residual = 0.0f64;
+    sim.deform(isotropic(Drive::StrainRate(-10.0))).unwrap();
+    while sim.box_state().unwrap().pressure() < 500.0 {
+        residual = residual.max(run(&mut sim, 100));
+    }
+    for target in [0.0, -10.0] {
+        sim.deform(isotropic(hold(target))).unwrap();
+        residual = residual.max(run(&mut sim, 30_000));
+        let found = sim.box_state().unwrap().pressure();
+        report("stress that is held [Pa]", found);
+        assert!((found - target).abs() < 3.0, "{found} in place of {target}");
+    }
+    let before = sim.box_state().unwrap().strain.z;
+    sim.deform(Deformation {
+        directions: [hold(0.0), hold(0.0), Drive::StrainRate(0.2)],
+        ..Deformation::default()
+    })
+    .unwrap();
+    residual = residual.max(run(&mut sim, 30_000));
+    let state = sim.box_state().unwrap();
+    report("stress along the pull [Pa]", state.stress[2]);
+    assert!(state.strain.z > before && state.stress[2] < -10.0, "{state:?}");
+    assert!(state.stress[0].abs() < 5.0 && state.stress[1].abs() < 5.0, "{state:?}");
+    assert!(residual < 1e-3, "{residual}");
+}
