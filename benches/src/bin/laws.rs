@@ -148,6 +148,7 @@ impl Block {
             rolling_inertia: L::load(&self.inertia[at..]),
             normal: vector::<L>(&self.normal, at),
             angular_velocity: vector::<L>(&self.motion, at),
+            twist: L::load(&self.spin[at..]),
             spin: L::load(&self.spin[at..]),
             normal_force: L::load(&self.force[at..]),
             normal_stiffness: L::load(&self.stiffness[at..]),

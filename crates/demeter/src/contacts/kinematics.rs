@@ -136,6 +136,12 @@ impl<L: Lanes> Turning<L> {
         (self.spins[0] + self.spins[1]).inner(motion.normal) * 0.5
     }
 
+    /// Relative angular velocity about the normal [1/s].
+    #[inline(always)]
+    pub(super) fn twist(&self, motion: &Motion<L>) -> L {
+        (self.spins[0] - self.spins[1]).inner(motion.normal)
+    }
+
     /// Relative angular velocity in the contact plane [1/s].
     #[inline(always)]
     pub(super) fn rolling(&self, motion: &Motion<L>) -> L::Vector {

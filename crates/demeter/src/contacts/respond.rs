@@ -225,6 +225,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                         rolling_inertia: turning.rolling_inertia(&motion),
                         normal: motion.normal,
                         angular_velocity: turning.rolling(&motion).or(acting, nothing),
+                        twist: turning.twist(&motion).keep(acting),
                         spin,
                         normal_force: pressed.friction_load,
                         normal_stiffness,

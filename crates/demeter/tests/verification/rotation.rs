@@ -210,3 +210,45 @@ fn an_oblique_impact_that_ends_rolling() {
         assert!((lost * 3.5 - 1.0).abs() < 1e-2, "{lost}");
     });
 }
+
+/// A grain that spins on a floor like a top is slowed by `5/2 mu_t g/r` where its contact resists torsion, and comes to rest; where
+/// it does not, it spins for ever.
+#[test]
+fn a_top_is_stopped_by_torsion() {
+    on_threads(1, || {
+        let (mu, start) = (0.02, 2.0);
+        let deceleration = 2.5 * mu * G / RADIUS;
+        for (name, torsion) in [("epsd-torsion", mu), ("epsd", 0.0)] {
+            let mut laws = Laws::hertz(0.5).friction(friction("mindlin-history"));
+            laws.0.rolling = Some(match name {
+                "epsd" => law(name, &[("rolling_friction", 0.1)]),
+                _ => law(name, &[("rolling_friction", 0.1), ("torsion_friction", torsion)]),
+            });
+            let mut case = Case::new(one_material(YOUNG_MODULUS, &laws));
+            case.plane(0, DVec3::ZERO, DVec3::Z);
+            let overlap = hertz_overlap(YOUNG_MODULUS, RADIUS, mass(RADIUS) * G);
+            case.spinning_grain(RADIUS, DVec3::Z * (RADIUS - overlap), DVec3::ZERO, DVec3::Z * start);
+            case.gravity = DVec3::NEG_Z * G;
+            let mut sim = case.simulation();
+            let stop = start / deceleration;
+            let spin = |sim: &Simulation| sim.grains().angular_velocity[0].z;
+            advance(&mut sim, 0.5 * stop);
+            let expected = if torsion > 0.0 { 0.5 } else { 1.0 };
+            report("spin half way, over that at first", spin(&sim) / start);
+            assert!((spin(&sim) / start - expected).abs() < 1e-3, "{name}: {}", spin(&sim));
+            // the spring swings back and forth meanwhile
+            advance(&mut sim, 15.0 * stop);
+            let energies = sim.energies();
+            let first = 0.5 * 0.4 * mass(RADIUS) * RADIUS * RADIUS * start * start;
+            report("spin in the end", spin(&sim));
+            report("lost over the energy at first", energies.rolling_dissipated / first);
+            if torsion > 0.0 {
+                assert!(spin(&sim).abs() < 1e-3 * start, "{}", spin(&sim));
+                assert!((energies.rolling_dissipated / first - 1.0).abs() < 1e-3, "{energies:?}");
+            } else {
+                assert_eq!(spin(&sim), start);
+            }
+            assert!(energies.residual.abs() < 1e-4, "{energies:?}");
+        }
+    });
+}

@@ -1,4 +1,4 @@
-//! A spring that lies in the contact plane and remembers its load: shared by friction and rolling resistance.
+//! A spring that lies in the contact plane and remembers its load: shared by friction, rolling resistance and, along the normal, torsion.
 //!
 //! The load is kept at half steps. Over one step it changes by `-stiffness rate dt`; the law acts with its value in
 //! the middle of the step, so that an elastic spring does exactly the work that it stores.
@@ -61,6 +61,17 @@ fn energy_of<L: Lanes>(load: L::Vector, compliance: L) -> L {
 pub struct Carried<L: Lanes = f64> {
     turned: L::Vector,
     factor: L,
+}
+
+impl<L: Lanes> Carried<L> {
+    /// A load that was turned already.
+    #[inline(always)]
+    pub fn turned(load: L::Vector) -> Self {
+        Self {
+            turned: load,
+            factor: L::splat(1.0),
+        }
+    }
 }
 
 /// Turns the load of a history with the contact: into the new contact plane, and by the spin about the normal.

@@ -46,6 +46,7 @@ impl PlanarInput {
             rolling_inertia: self.inertia,
             normal: self.normal,
             angular_velocity: self.rate,
+            twist: 0.0,
             spin: self.spin,
             normal_force: self.normal_force,
             normal_stiffness: self.normal_stiffness,

@@ -167,7 +167,11 @@ impl<R: Rolling> AskLanes<PlanarInput> for OfRolling<'_, R> {
     }
 
     fn one(&self, input: &PlanarInput, history: &mut [f64]) -> Answer {
-        let response = self.0.respond(&input.rolling(), history);
+        let input = RollingInput {
+            twist: input.spin,
+            ..input.rolling()
+        };
+        let response = self.0.respond(&input, history);
         [response.torque.to_array().as_slice(), &[response.dissipated]].concat()
     }
 
@@ -180,6 +184,7 @@ impl<R: Rolling> AskLanes<PlanarInput> for OfRolling<'_, R> {
             rolling_inertia: L::from_fn(|k| inputs[k].inertia),
             normal: vector_of::<L>(|k| inputs[k].normal),
             angular_velocity: vector_of::<L>(|k| inputs[k].rate),
+            twist: L::from_fn(|k| inputs[k].spin),
             spin: L::from_fn(|k| inputs[k].spin),
             normal_force: L::from_fn(|k| inputs[k].normal_force),
             normal_stiffness: L::from_fn(|k| inputs[k].normal_stiffness),

@@ -50,17 +50,7 @@ impl Rolling for Epsd {
 
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &RollingInput<L>, history: &mut [L]) -> RollingResponse<L> {
-        let stiffness = self.spring(input.size, input.normal_stiffness);
-        let spring = SpringInput {
-            normal: input.normal,
-            rate: input.angular_velocity,
-            spin: input.spin,
-            stiffness,
-            compliance: compliance(stiffness),
-            damping: (input.rolling_inertia * stiffness).sqrt() * (2.0 * self.parameters.damping_ratio),
-            limit: input.size.radius * input.normal_force * self.parameters.rolling_friction,
-            dt: input.dt,
-        };
+        let spring = self.driven(input, input.angular_velocity, input.rolling_inertia);
         let response = advance_spring(&spring, history, None);
         RollingResponse {
             torque: response.load,
@@ -80,6 +70,31 @@ impl Rolling for Epsd {
 }
 
 impl Epsd {
+    pub(super) fn of(rolling_friction: f64, damping_ratio: f64) -> Self {
+        Self {
+            parameters: EpsdParameters {
+                rolling_friction,
+                damping_ratio,
+            },
+        }
+    }
+
+    /// What drives its spring at an angular velocity, of bodies with an effective moment of inertia.
+    #[inline(always)]
+    pub(super) fn driven<L: Lanes>(&self, input: &RollingInput<L>, rate: L::Vector, inertia: L) -> SpringInput<L> {
+        let stiffness = self.spring(input.size, input.normal_stiffness);
+        SpringInput {
+            normal: input.normal,
+            rate,
+            spin: input.spin,
+            stiffness,
+            compliance: compliance(stiffness),
+            damping: (inertia * stiffness).sqrt() * (2.0 * self.parameters.damping_ratio),
+            limit: input.size.radius * input.normal_force * self.parameters.rolling_friction,
+            dt: input.dt,
+        }
+    }
+
     /// Rolling stiffness, `9/4 k_n (mu_r R)^2` [N m].
     #[inline(always)]
     fn spring<L: Lanes>(&self, size: PairSize<L>, normal_stiffness: L) -> L {

@@ -1,4 +1,4 @@
-//! Rolling laws: a torque against rolling.
+//! Rolling laws: a torque against rolling, and perhaps against torsion.
 
 use super::lane_by_lane::{ask, vector_in, vector_of};
 use super::{MaterialPair, PairSize, law_family};
@@ -19,6 +19,8 @@ pub struct RollingInput<L: Lanes = f64> {
     pub normal: L::Vector,
     /// Angular velocity of the first body relative to the second, in the contact plane [1/s].
     pub angular_velocity: L::Vector,
+    /// Angular velocity of the first body relative to the second, about the normal [1/s].
+    pub twist: L,
     /// Mean angular velocity of the two bodies about the normal [1/s].
     pub spin: L,
     /// Normal force that the torque is limited by [N], not negative.
@@ -41,6 +43,7 @@ impl<L: Lanes> RollingInput<L> {
             rolling_inertia: self.rolling_inertia.as_slice()[lane],
             normal: vector_in::<L>(&self.normal, lane),
             angular_velocity: vector_in::<L>(&self.angular_velocity, lane),
+            twist: self.twist.as_slice()[lane],
             spin: self.spin.as_slice()[lane],
             normal_force: self.normal_force.as_slice()[lane],
             normal_stiffness: self.normal_stiffness.as_slice()[lane],
@@ -121,5 +124,6 @@ law_family! {
     laws {
         constant_torque::ConstantTorque,
         epsd::Epsd,
+        epsd_torsion::EpsdTorsion,
     }
 }
