@@ -7,7 +7,7 @@
 //! The middle of the box rests.
 
 use crate::particles::Domain;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
 /// Directions of a simple shear, as numbers of axes.
@@ -188,31 +188,30 @@ impl Deforming {
     pub(super) fn velocities(&self, domain: &Domain) -> [DVec3; 3] {
         let per_time = if self.dt > 0.0 { 1.0 / self.dt } else { 0.0 };
         let edges = self.edges(domain);
-        [0, 1, 2].map(|k| self.changes[k] * per_time + self.second_half(edges[k]))
+        let change = self.second_half();
+        [0, 1, 2].map(|k| self.changes[k] * per_time + change * edges[k])
     }
 
-    /// What the velocity of the affine flow at a place changes by from the beginning of a step with these rates to its middle,
-    /// where it was `now` before [m/s].
-    #[inline(always)]
-    pub(crate) fn first_half(&self, rates: &Rates, dt: f64, x: DVec3) -> DVec3 {
-        self.flow(&rates.beyond(&self.now), x) + self.flow(rates, self.flow(rates, x)) * (0.5 * dt)
+    /// What the gradient of the affine flow, with that of its acceleration, adds up to from the beginning of a step with these rates to
+    /// its middle, where it was `now` before [1/s].
+    pub(crate) fn first_half(&self, rates: &Rates, dt: f64) -> DMat3 {
+        let gradient = self.gradient(rates);
+        self.gradient(&rates.beyond(&self.now)) + gradient * gradient * (0.5 * dt)
     }
 
-    /// What it changes by from the middle of the latest step until now [m/s].
-    #[inline(always)]
-    pub(crate) fn second_half(&self, x: DVec3) -> DVec3 {
-        let rates = &self.rates;
-        self.flow(&self.now.beyond(rates), x) + self.flow(rates, self.flow(rates, x)) * (0.5 * self.dt)
+    /// What it adds up to from the middle of the latest step until now [1/s].
+    pub(crate) fn second_half(&self) -> DMat3 {
+        let gradient = self.gradient(&self.rates);
+        self.gradient(&self.now.beyond(&self.rates)) + gradient * gradient * (0.5 * self.dt)
     }
 
-    /// Velocity of the affine flow at a place relative to the middle [m/s].
-    #[inline(always)]
-    pub(crate) fn flow(&self, rates: &Rates, x: DVec3) -> DVec3 {
-        let mut velocity = rates.stretching * x;
-        if let Some(ShearAxes { flow, gradient }) = self.axes {
-            velocity[flow] += rates.shear * x[gradient];
+    /// Velocity gradient of the affine flow [1/s]: times a place relative to the middle it is the velocity there.
+    pub(crate) fn gradient(&self, rates: &Rates) -> DMat3 {
+        let mut gradient = DMat3::from_diagonal(rates.stretching);
+        if let Some(ShearAxes { flow, gradient: across }) = self.axes {
+            gradient.col_mut(across)[flow] += rates.shear;
         }
-        velocity
+        gradient
     }
 
     pub(super) fn set_axes(&mut self, axes: ShearAxes) {

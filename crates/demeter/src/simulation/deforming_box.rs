@@ -233,8 +233,8 @@ impl Simulation {
     /// they do together.
     pub fn beyond_flow(&self) -> Option<(f64, f64)> {
         let deforming = self.comm.deforming()?;
-        let (middle, rates, grains) = (deforming.middle, deforming.now(), &self.grains);
-        let beyond = |g: usize| grains.velocity[g] - deforming.flow(&rates, grains.position[g] - middle);
+        let (middle, gradient, grains) = (deforming.middle, deforming.gradient(&deforming.now()), &self.grains);
+        let beyond = |g: usize| grains.velocity[g] - gradient * (grains.position[g] - middle);
         let of_segments: Vec<[f64; 4]> = (self.own_pieces().into_par_iter())
             .map(|some| some.map(|g| momentum(grains.mass(g), beyond(g))).fold([0.0; 4], plus))
             .collect();
@@ -263,8 +263,7 @@ impl Simulation {
     fn box_stresses(&self, state: &DeformingBox, deforming: &Deforming) -> [[f64; 6]; 2] {
         let grains = &self.grains;
         let (middle, rates) = (deforming.middle, deforming.now());
-        // in every step where a stress is held, so the flow is a matrix and sums are vectors
-        let gradient = DMat3::from_cols_array_2d(&DVec3::AXES.map(|axis| deforming.flow(&rates, axis).to_array()));
+        let gradient = deforming.gradient(&rates);
         let (positions, velocities, loads) = (grains.position.rows(), grains.velocity.rows(), grains.load.rows());
         let of_segments: Vec<[f64; 16]> = (self.own_pieces().into_par_iter())
             .map(|some| {
@@ -314,7 +313,7 @@ impl Simulation {
             self.control(&mut state, &deforming);
             let next = Self::rates(&state);
             if state.plan.affine && !(rates == deforming.now() && rates.stretching == DVec3::ZERO) {
-                self.push_along(&deforming, &rates, 0.0, |x| deforming.first_half(&rates, dt, x));
+                self.push_along(&deforming, &rates, 0.0, deforming.first_half(&rates, dt));
             }
             self.comm.advance([rates, next], dt);
             state.sheared[0] += rates.shear * dt;
@@ -362,10 +361,11 @@ impl Simulation {
         if let Some(deforming) = self.comm.deforming().copied().filter(|_| is_affine) {
             let rates = deforming.rates();
             if !(rates == deforming.now() && rates.stretching == DVec3::ZERO) {
-                self.push_along(&deforming, &rates, 0.5 * self.dt, |x| deforming.second_half(x));
+                let change = deforming.second_half();
+                self.push_along(&deforming, &rates, 0.5 * self.dt, change);
                 for g in heard_grains(self.division.as_deref()) {
                     let place = self.grains.position[g] - deforming.middle;
-                    self.grains.velocity[g] += deforming.second_half(place);
+                    self.grains.velocity[g] += change * place;
                 }
             }
         }
@@ -380,10 +380,10 @@ impl Simulation {
         })
     }
 
-    /// Changes the velocities of own grains by what is told for their places relative to the middle. Forces have acted on the
+    /// Changes the velocities of own grains by what a gradient tells for their places relative to the middle. Forces have acted on the
     /// velocities for `ahead` [s] beyond the middle of the step.
-    fn push_along(&mut self, deforming: &Deforming, rates: &Rates, ahead: f64, kick: impl Fn(DVec3) -> DVec3 + Sync) {
-        let (middle, half) = (deforming.middle, 0.5 * self.dt);
+    fn push_along(&mut self, deforming: &Deforming, rates: &Rates, ahead: f64, change: DMat3) {
+        let (middle, gradient, half) = (deforming.middle, deforming.gradient(rates), 0.5 * self.dt);
         let (own, n) = (self.own_grains(), self.grains_per_piece());
         let grains = &mut self.grains;
         let of_segments: Vec<[f64; 2]> = (
@@ -397,12 +397,12 @@ impl Simulation {
                 for ((position, velocity), load) in position.iter().zip(velocity).zip(load) {
                     let mass = load.mass();
                     let place = position.vector - middle;
-                    let kick = kick(place);
+                    let kick = change * place;
                     let then = velocity.vector - load.force() * (ahead * velocity.scalar);
                     gained += mass * (then + 0.5 * kick).dot(kick);
                     velocity.vector += kick;
-                    let beyond = velocity.vector - deforming.flow(rates, place);
-                    work -= mass * half * beyond.dot(deforming.flow(rates, beyond));
+                    let beyond = velocity.vector - gradient * place;
+                    work -= mass * half * beyond.dot(gradient * beyond);
                 }
                 [gained, work]
             })
@@ -456,7 +456,11 @@ impl Simulation {
             return motion;
         };
         let grains = &self.grains;
-        let (middle, rates, carry) = (deforming.middle, deforming.rates(), deforming.carry);
+        let (middle, gradient, carry) = (
+            deforming.middle,
+            deforming.gradient(&deforming.rates()),
+            deforming.carry,
+        );
         let (dt, own, n) = (self.dt, self.own_grains(), GRAINS_PER_TASK);
         let (speed2, step2) = (
             grains.position.rows()[own.clone()].par_chunks(n),
@@ -470,7 +474,7 @@ impl Simulation {
                     let middle_velocity = velocity.vector - load.force() * (0.5 * dt * velocity.scalar);
                     let place = position.vector - middle;
                     let before = place - middle_velocity * dt;
-                    let beyond = velocity.vector - deforming.flow(&rates, place);
+                    let beyond = velocity.vector - gradient * place;
                     speed2 = speed2.max(beyond.length_squared());
                     step2 = step2.max((place - carry.apply(before)).length_squared());
                 }

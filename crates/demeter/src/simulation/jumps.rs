@@ -30,7 +30,7 @@ impl Simulation {
         let flow = self
             .comm
             .deforming()
-            .map(|box_| box_.flow(&box_.rates(), position - box_.middle));
+            .map(|box_| box_.gradient(&box_.rates()) * (position - box_.middle));
         let speed = (grains.velocity[g] - flow.unwrap_or_default()).length();
         let (way, radius) = (speed * self.dt, grains.radius(g));
         // what is no number is told elsewhere
