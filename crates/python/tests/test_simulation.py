@@ -462,6 +462,13 @@ def test_folders_series_frames_and_resume(bed, tmp_path):
     saved = half.checkpoint(tmp_path / "half")
     resumed = demeter.resume(saved)
     assert np.array_equal(resumed.positions[resumed.indices()], final)
+    saved = half.checkpoint(tmp_path / "longer")
+    scenario = tmp_path / "longer" / "scenario.toml"
+    scenario.write_text(scenario.read_text() + '\n[[stage]]\nname = "more"\nsteps = 10\n')
+    with pytest.raises(demeter.RunError, match="changed=True"):
+        demeter.resume(saved)
+    longer = demeter.resume(saved, changed=True)
+    assert longer.time > resumed.time and len(longer.positions) == 50
     with pytest.raises(demeter.Error):
         demeter.Simulation.resume(tmp_path / "nowhere")
 

@@ -180,6 +180,15 @@ mod tests {
         );
     }
 
+    /// Or it meets all slivers beside its own.
+    #[test]
+    fn a_sphere_is_no_larger_than_its_triangle_is_wide() {
+        let sliver = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1e-3, 0.0)];
+        assert!(Probe::on(&sliver, 0.1).radius <= 1e-3);
+        let wide = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        assert_eq!(Probe::on(&wide, 0.1).radius, 0.1);
+    }
+
     #[test]
     fn walls_that_meet_or_cross_are_not_told() {
         let (x, y, z) = (DVec3::X * 0.05, DVec3::Y * 0.05, DVec3::Z * 0.05);

@@ -47,3 +47,65 @@ impl<'a> Obstacles<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::walls::{Motion, Shape, Side};
+
+    #[test]
+    fn the_nearest_of_many_is_that_of_all() {
+        let mut state = 7u64;
+        let mut uniform = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let mut anywhere = || DVec3::new(uniform(), uniform(), uniform());
+        let mut shapes = vec![Shape::Plane {
+            point: DVec3::Z * -0.1,
+            normal: DVec3::Z,
+        }];
+        for kind in 0..120 {
+            let (center, away) = (anywhere(), 0.1 * anywhere() + 0.01);
+            shapes.push(match kind % 4 {
+                0 => Shape::Cylinder {
+                    start: center,
+                    end: center + away,
+                    radius: 0.02,
+                    side: if kind % 8 == 0 { Side::Inside } else { Side::Outside },
+                },
+                1 => Shape::Disc {
+                    center,
+                    normal: away.normalize(),
+                    radius: 0.03,
+                },
+                2 => Shape::Mesh {
+                    triangles: vec![[center, center + away, center + DVec3::X * 0.1]],
+                },
+                _ => Shape::Sphere {
+                    center,
+                    radius: 0.02,
+                    side: Side::Outside,
+                },
+            });
+        }
+        let walls: Vec<Wall> = (shapes.into_iter().enumerate())
+            .map(|(k, shape)| Wall::new(&k.to_string(), 0, shape, Motion::Rest).unwrap())
+            .collect();
+        let obstacles = Obstacles::new(&walls);
+        assert_eq!((obstacles.bounded.len(), obstacles.endless.len()), (90, 31));
+        for _ in 0..2000 {
+            let point = 1.4 * anywhere() - 0.2;
+            let all = walls.iter().map(|wall| wall.clearance(point, f64::MAX));
+            let least = all.fold(f64::MAX, f64::min);
+            let found = obstacles.clearance(point);
+            // inside of a solid one it may be anything that is not free
+            assert!(
+                found == least || (found <= 0.0 && least <= 0.0),
+                "{point}: {found}, not {least}"
+            );
+        }
+    }
+}

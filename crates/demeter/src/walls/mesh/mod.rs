@@ -1,7 +1,7 @@
 //! Triangle meshes as walls.
 //!
 //! * `weld` joins corners that are the same point, `topology` finds edges, neighbours and flat patches
-//! * [`super::hierarchy`] finds the triangles near a grain
+//! * `walls::hierarchy` finds the triangles near a grain
 //! * `contacts` decides which of their closest points are contacts
 //! * `repair` makes a mesh as it comes usable, with `orientation`; `inspection` tells what is remarkable, with `crossings`
 
