@@ -33,7 +33,7 @@ pub(super) struct Frame {
     pub(super) periodic: [bool; 3],
     /// What rounding to `f32` may add to a distance [m].
     pub(super) slack: f64,
-    /// Least and largest places in it: those beyond are drawn to its sides, which takes no two grains farther apart, so that the search still
+    /// Least and largest places that are told apart: those beyond are drawn to the sides, which takes no two grains farther apart, so that the search still
     /// finds all that are near.
     ends: [DVec3; 2],
 }
@@ -51,7 +51,7 @@ impl Frame {
         let mut ends = [DVec3::NEG_INFINITY, DVec3::INFINITY];
         for axis in (0..3).filter(|&axis| !domain.periodic[axis]) {
             if lower[axis] > all.lower[axis] || upper[axis] < all.upper[axis] {
-                (ends[0][axis], ends[1][axis]) = (0.0, size[axis]);
+                (ends[0][axis], ends[1][axis]) = (lower[axis], upper[axis]);
             }
         }
         Self {
@@ -66,14 +66,14 @@ impl Frame {
     /// Place in the frame. A grain that has left a periodic box is put back: it is met where its image is.
     #[inline(always)]
     pub(super) fn local(&self, position: DVec3) -> DVec3 {
-        let [least, most] = self.ends;
-        self.put_back(position - self.lower).max(least).min(most)
+        self.put_back(self.drawn_in(position) - self.lower)
     }
 
     /// A place without what it lies beyond the ends.
+    #[inline(always)]
     pub(super) fn drawn_in(&self, place: DVec3) -> DVec3 {
         let [least, most] = self.ends;
-        place.max(self.lower + least).min(self.lower + most)
+        place.max(least).min(most)
     }
 
     /// A place in the frame that may lie one box outside of a ring.

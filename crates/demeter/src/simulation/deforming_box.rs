@@ -262,13 +262,12 @@ impl Simulation {
     /// grains with the force of all their contacts, and of `F S` over the contacts across the sides.
     fn box_stresses(&self, state: &DeformingBox, deforming: &Deforming) -> [[f64; 6]; 2] {
         let grains = &self.grains;
-        let (middle, rates) = (deforming.middle, deforming.now());
-        let gradient = deforming.gradient(&rates);
+        let (middle, gradient) = (deforming.middle, deforming.gradient(&deforming.now()));
         let (positions, velocities, loads) = (grains.position.rows(), grains.velocity.rows(), grains.load.rows());
         let of_segments: Vec<[f64; 16]> = (self.own_pieces().into_par_iter())
             .map(|some| {
                 let (mut motion, mut contacts) = ([DVec3::ZERO; 2], [DVec3::ZERO; 2]);
-                let (mut moved, mut all) = (DVec3::ZERO, 0.0);
+                let mut moved = [0.0; 4];
                 let rows = positions[some.clone()]
                     .iter()
                     .zip(&velocities[some.clone()])
@@ -278,11 +277,12 @@ impl Simulation {
                     let beyond = velocity.vector - gradient * place;
                     motion = add_dyad(motion, beyond * mass, beyond);
                     contacts = add_dyad(contacts, load.force(), place);
-                    moved += beyond * mass;
-                    all += mass;
+                    moved = plus(moved, momentum(mass, beyond));
                 }
-                let sums = [motion[0], motion[1], contacts[0], contacts[1], moved].map(|sum| sum.to_array());
-                std::array::from_fn(|k| sums.as_flattened().get(k).copied().unwrap_or(all))
+                let ([a, b], [c, d], [x, y, z, mass]) = (motion, contacts, moved);
+                [
+                    a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, x, y, z, mass,
+                ]
             })
             .collect();
         let mut sum = self.total(&of_segments);

@@ -99,16 +99,31 @@ impl Hierarchy {
     /// Calls `visit` with every item whose box is within `reach` of a point, until it returns `true`; tells whether
     /// it did.
     #[inline]
-    pub(super) fn any_near(&self, point: DVec3, reach: f64, mut visit: impl FnMut(u32) -> bool) -> bool {
+    pub(super) fn any_near(&self, point: DVec3, reach: f64, visit: impl FnMut(u32) -> bool) -> bool {
         // Room for the rounding of the distances that follow.
         let limit = reach * reach * (1.0 + 1e-9);
+        self.any_in(|node| node.distance_squared(point) <= limit, visit)
+    }
+
+    /// Calls `visit` with every item of a leaf whose box meets the box given.
+    pub(super) fn visit_box(&self, lower: DVec3, upper: DVec3, mut visit: impl FnMut(u32)) {
+        let meets = |node: &Node| node.lower.cmple(upper).all() && node.upper.cmpge(lower).all();
+        self.any_in(meets, |item| {
+            visit(item);
+            false
+        });
+    }
+
+    /// Calls `visit` with every item of the leaves that are asked for, until it returns `true`; tells whether it did.
+    #[inline(always)]
+    fn any_in(&self, is_asked_for: impl Fn(&Node) -> bool, mut visit: impl FnMut(u32) -> bool) -> bool {
         let mut waiting = [0u32; DEEPEST];
         let mut depth = 1;
         while depth > 0 {
             depth -= 1;
             let index = waiting[depth];
             let node = &self.nodes[index as usize];
-            if node.distance_squared(point) > limit {
+            if !is_asked_for(node) {
                 continue;
             }
             if node.count == 0 {
@@ -123,30 +138,6 @@ impl Hierarchy {
             }
         }
         false
-    }
-}
-
-impl Hierarchy {
-    /// Calls `visit` with every item of a leaf whose box meets the box given.
-    pub(super) fn visit_box(&self, lower: DVec3, upper: DVec3, mut visit: impl FnMut(u32)) {
-        let mut waiting = [0u32; DEEPEST];
-        let mut depth = 1;
-        while depth > 0 {
-            depth -= 1;
-            let index = waiting[depth];
-            let node = &self.nodes[index as usize];
-            if node.lower.cmpgt(upper).any() || node.upper.cmplt(lower).any() {
-                continue;
-            }
-            if node.count == 0 {
-                waiting[depth] = node.start;
-                waiting[depth + 1] = index + 1;
-                depth += 2;
-                continue;
-            }
-            let leaf = node.start as usize..(node.start + node.count) as usize;
-            self.order[leaf].iter().for_each(|&item| visit(item));
-        }
     }
 
     /// The least of the distances that `distance` tells of the items, no more than `limit`; it is asked only of items that may be closer

@@ -164,7 +164,7 @@ pub(in crate::scenario) fn read_run(
             &[],
             true,
         )?;
-        let (is, was) = (names(&scenario), names(&former));
+        let (is, was) = (material_names(&scenario), material_names(&former));
         if is != was {
             return Err(RunError::OtherMaterials { file, is, was });
         }
@@ -182,7 +182,7 @@ pub(in crate::scenario) fn read_run(
 }
 
 /// Names of the materials of a scenario, in their order.
-fn names(scenario: &Scenario) -> String {
+fn material_names(scenario: &Scenario) -> String {
     let names: Vec<String> = scenario.materials.iter().map(|m| format!("`{}`", m.name)).collect();
     names.join(", ")
 }
