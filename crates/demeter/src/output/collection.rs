@@ -2,9 +2,8 @@
 
 use super::error::OutputError;
 use super::folder::{RunFolder, names_in};
-use std::fmt::Write as _;
-use std::fs;
-use std::io;
+use std::fs::{self, OpenOptions};
+use std::io::{self, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
 /// The files of one kind, in the order of their steps.
@@ -17,9 +16,14 @@ pub(crate) struct Collection {
     kind: String,
     ending: &'static str,
     path: PathBuf,
-    /// Step and time [s].
+    /// Step and time [s] of every file, in the order of the steps.
     entries: Vec<(u64, f64)>,
+    /// How many of them the collection on disk names, and where its end begins there [bytes]; nothing where it is to be written anew.
+    saved: Option<(usize, u64)>,
 }
+
+const BEGIN: &str = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
+const END: &str = "</Collection>\n</VTKFile>\n";
 
 impl Collection {
     /// An empty collection.
@@ -45,6 +49,7 @@ impl Collection {
             kind: kind.to_owned(),
             ending,
             entries: Vec::new(),
+            saved: None,
         }
     }
 
@@ -66,27 +71,45 @@ impl Collection {
     /// Adds a file, in place of one of the same step.
     pub fn add(&mut self, step: u64, time: f64) {
         let at = self.entries.partition_point(|entry| entry.0 < step);
+        self.saved = self.saved.filter(|(count, _)| *count <= at);
         match self.entries.get_mut(at) {
             Some(entry) if entry.0 == step => entry.1 = time,
             _ => self.entries.insert(at, (step, time)),
         }
     }
 
-    /// Writes the collection.
-    pub fn save(&self, folder: &RunFolder) -> Result<(), OutputError> {
-        let mut text = String::from(
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n",
-        );
-        for &(step, time) in &self.entries {
-            // Writing to a String cannot fail.
-            let _ = writeln!(
-                text,
-                "<DataSet timestep=\"{time:?}\" part=\"0\" file=\"{}\"/>",
-                self.file(step)
-            );
+    /// Writes the collection: in place of its end where the file is as it was left, so that many frames do not each write all
+    /// before them; anew otherwise.
+    pub fn save(&mut self, folder: &RunFolder) -> Result<(), OutputError> {
+        let at = match self.saved.take() {
+            Some((count, at)) if self.append(count, at).is_ok() => at + self.lines(count).len() as u64,
+            _ => {
+                let text = [BEGIN, &self.lines(0), END].concat();
+                folder.write(&self.path, text.as_bytes())?;
+                (text.len() - END.len()) as u64
+            }
+        };
+        self.saved = Some((self.entries.len(), at));
+        Ok(())
+    }
+
+    /// Writes all but the first entries over the end of the file, which begins at a place.
+    fn append(&self, count: usize, at: u64) -> io::Result<()> {
+        let mut file = OpenOptions::new().write(true).open(&self.path)?;
+        if file.metadata()?.len() != at + END.len() as u64 {
+            return Err(io::Error::other("changed by someone else"));
         }
-        text.push_str("</Collection>\n</VTKFile>\n");
-        folder.write(&self.path, text.as_bytes())
+        file.seek(SeekFrom::Start(at))?;
+        file.write_all([self.lines(count).as_str(), END].concat().as_bytes())
+    }
+
+    /// The lines of all but the first entries.
+    fn lines(&self, count: usize) -> String {
+        let line = |&(step, time): &(u64, f64)| {
+            let file = self.file(step);
+            format!("<DataSet timestep=\"{time:?}\" part=\"0\" file=\"{file}\"/>\n")
+        };
+        self.entries[count..].iter().map(line).collect()
     }
 
     /// Starts the collection, or goes on with it after a step: later files are taken out and removed. Tells files that it names and
@@ -115,6 +138,7 @@ impl Collection {
     /// Takes over the entries of a text as [`Self::save`] writes it, where their files are there; tells the steps of the others.
     pub fn read(&mut self, text: &str) -> Vec<u64> {
         self.entries.clear();
+        self.saved = None;
         let entries: Vec<(u64, f64)> = text.lines().filter_map(|line| self.parse(line)).collect();
         let (there, gone): (Vec<_>, Vec<_>) = entries
             .into_iter()
@@ -175,6 +199,7 @@ impl Collection {
     /// Drops what is later than a step: from the collection first, then the files.
     fn cut(&mut self, folder: &RunFolder, step: u64) -> Result<(), OutputError> {
         self.entries.retain(|entry| entry.0 <= step);
+        self.saved = None;
         self.save(folder)?;
         let frames = self.root.join(self.below);
         for name in names_in(&frames)? {
@@ -229,6 +254,41 @@ mod tests {
         );
         let text = fs::read_to_string(folder.root().join("grains.pvd")).unwrap();
         assert_eq!(text.matches("<DataSet ").count(), 2);
+    }
+
+    #[test]
+    fn what_is_added_is_written_over_the_end_and_anew_where_someone_wrote() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = RunFolder::create(place.path(), false).unwrap();
+        let mut collection = Collection::new(&folder, "grains");
+        let text = |collection: &Collection| fs::read_to_string(collection.path()).unwrap();
+        collection.save(&folder).unwrap();
+        let empty = text(&collection);
+        // a mark in what stands before the end tells whether it was written anew
+        fs::write(collection.path(), empty.replace("0.1", "0.7")).unwrap();
+        for step in [1, 2, 4] {
+            collection.add(step, step as f64);
+            collection.save(&folder).unwrap();
+        }
+        assert!(text(&collection).contains("0.7"), "{}", text(&collection));
+
+        // one between, one in place of another, and a file that is longer or gone
+        let whole = |collection: &mut Collection, step: u64, time: f64| {
+            collection.add(step, time);
+            collection.save(&folder).unwrap();
+            let mut again = Collection::new(&folder, "grains");
+            again.entries.clone_from(&collection.entries);
+            let written = text(collection);
+            again.save(&folder).unwrap();
+            assert_eq!(written, text(&again));
+        };
+        whole(&mut collection, 3, 3.0);
+        whole(&mut collection, 4, 4.5);
+        whole(&mut collection, 5, 5.0);
+        fs::write(collection.path(), text(&collection) + "\n").unwrap();
+        whole(&mut collection, 6, 6.0);
+        fs::remove_file(collection.path()).unwrap();
+        whole(&mut collection, 7, 7.0);
     }
 
     #[test]

@@ -35,7 +35,8 @@ impl ImageData<'_> {
         ));
         file.field_data((self.step, self.time), &[], &[]);
         file.line(&format!("<Piece Extent=\"{extent}\">\n<PointData>\n</PointData>"));
-        file.arrays("CellData", self.cell_data);
+        let count = x * y * z;
+        file.arrays("CellData", self.cell_data.into_iter().map(|array| (count, array)));
         file.line("</Piece>\n</ImageData>");
         in_memory(|out| file.finish(out))
     }

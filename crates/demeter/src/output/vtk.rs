@@ -23,7 +23,7 @@ use crate::walls::ElementRecord;
 use glam::DVec3;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Writes frames into the folder of a run.
 #[derive(Debug)]
@@ -73,17 +73,15 @@ impl FrameWriter {
 
     /// Writes a frame. A frame of the same step is replaced. Where several processes have parts of it, the others tell theirs.
     pub fn write(&mut self, frame: &Frame) -> Result<(), OutputError> {
-        let sums = frame.contact_sums();
-        let records = records(frame);
-        let [grains, contacts] = of_all(frame, &sums);
-        let files = [grains, contacts, walls(frame, &records)];
-        for (collection, data) in self.collections.iter_mut().zip(files) {
-            let path = collection.file_path(frame.step);
-            self.folder.write_with(&path, |file| data.write(file))?;
-            collection.add(frame.step, frame.time);
-        }
+        let [of_grains, of_contacts, of_walls] = self.collections.each_ref().map(|c| c.file_path(frame.step));
+        let put = |path: &Path, data: NewPolyData<'_>| self.folder.write_with(path, |file| data.write(file));
+        // what one file needs goes before the next is made
+        put(&of_grains, grains(frame, &frame.contact_sums()))?;
+        put(&of_contacts, contacts(frame))?;
+        put(&of_walls, walls(frame, &records(frame)))?;
         // The collections come last, so that none names a file that is not there.
-        for collection in &self.collections {
+        for collection in &mut self.collections {
+            collection.add(frame.step, frame.time);
             collection.save(&self.folder)?;
         }
         Ok(())
@@ -102,13 +100,8 @@ impl FrameWriter {
 
 /// Tells the first process the own part of a frame that it writes.
 pub(crate) fn tell(frame: &Frame) {
-    let sums = frame.contact_sums();
-    of_all(frame, &sums).into_iter().for_each(NewPolyData::pass);
-}
-
-/// The tables of which every process has a part.
-fn of_all<'a>(frame: &'a Frame, sums: &'a ContactSums) -> [NewPolyData<'a>; 2] {
-    [grains(frame, sums), contacts(frame)]
+    grains(frame, &frame.contact_sums()).pass();
+    contacts(frame).pass();
 }
 
 /// A box as arrays of the whole file.

@@ -1,6 +1,7 @@
 //! Files of VTK as they are written: XML, and behind it arrays as compressed binary data.
 //!
-//! Arrays are made, compressed and written one after the other, so that a frame of many contacts needs the memory of one of them.
+//! Arrays are made, compressed and written one after the other, some blocks at a time, so that a frame of many contacts needs little
+//! memory.
 //!
 //! Format: "VTK XML file formats" (version 1.0, `header_type="UInt64"`, zlib blocks, appended raw data).
 
@@ -10,7 +11,7 @@ use flate2::write::ZlibEncoder;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::io::{self, Cursor, Seek, Write};
+use std::io::{self, Cursor, Seek, SeekFrom, Write};
 
 /// Length of an uncompressed block [bytes], a multiple of the size of every type.
 pub(crate) const BLOCK: usize = 1 << 18;
@@ -101,13 +102,14 @@ impl<'a> NewArray<'a> {
         }
     }
 
-    /// Writes the numbers; answers with the length [bytes].
-    fn write(self, out: &mut impl Write) -> io::Result<usize> {
+    /// Writes the numbers of so many points or cells; answers with the length [bytes].
+    fn write(self, out: &mut (impl Write + Seek), elements: usize) -> io::Result<u64> {
+        let count = self.components * elements;
         match self.numbers {
-            Numbers::Float64(numbers) => write_compressed(out, numbers.map(f64::to_le_bytes)),
-            Numbers::Int32(numbers) => write_compressed(out, numbers.map(i32::to_le_bytes)),
-            Numbers::UInt32(numbers) => write_compressed(out, numbers.map(u32::to_le_bytes)),
-            Numbers::Int64(numbers) => write_compressed(out, numbers.map(i64::to_le_bytes)),
+            Numbers::Float64(numbers) => write_compressed(out, count, numbers.map(f64::to_le_bytes)),
+            Numbers::Int32(numbers) => write_compressed(out, count, numbers.map(i32::to_le_bytes)),
+            Numbers::UInt32(numbers) => write_compressed(out, count, numbers.map(u32::to_le_bytes)),
+            Numbers::Int64(numbers) => write_compressed(out, count, numbers.map(i64::to_le_bytes)),
         }
     }
 }
@@ -201,12 +203,12 @@ impl NewPolyData<'_> {
             "<Piece NumberOfPoints=\"{points}\" NumberOfVerts=\"{vertices}\" NumberOfLines=\"{lines}\" \
              NumberOfStrips=\"0\" NumberOfPolys=\"{triangles}\">"
         ));
-        file.arrays("PointData", self.point_data);
-        file.arrays("CellData", self.cell_data);
-        file.arrays("Points", [NewArray::vectors("Points", self.points)]);
+        file.arrays("PointData", self.point_data.into_iter().map(|array| (points, array)));
+        file.arrays("CellData", self.cell_data.into_iter().map(|array| (count, array)));
+        file.arrays("Points", [(points, NewArray::vectors("Points", self.points))]);
         let topology = [
-            NewArray::places("connectivity", 0..points as i64),
-            NewArray::places("offsets", offsets.map(|end| end as i64)),
+            (points, NewArray::places("connectivity", 0..points as i64)),
+            (count, NewArray::places("offsets", offsets.map(|end| end as i64))),
         ];
         file.arrays(element, topology);
         file.line("</Piece>\n</PolyData>");
@@ -225,8 +227,8 @@ pub(super) fn in_memory(write: impl FnOnce(&mut Cursor<Vec<u8>>) -> io::Result<(
 #[derive(Default)]
 pub(super) struct Writer<'a> {
     xml: String,
-    /// With the places in the XML where it is told where they begin.
-    arrays: Vec<(usize, NewArray<'a>)>,
+    /// With the places in the XML where it is told where they begin, and of how many points or cells they are.
+    arrays: Vec<(usize, usize, NewArray<'a>)>,
 }
 
 impl<'a> Writer<'a> {
@@ -235,16 +237,17 @@ impl<'a> Writer<'a> {
         self.xml.push('\n');
     }
 
-    pub fn arrays(&mut self, element: &str, arrays: impl IntoIterator<Item = NewArray<'a>>) {
+    /// Arrays of so many points or cells.
+    pub fn arrays(&mut self, element: &str, arrays: impl IntoIterator<Item = (usize, NewArray<'a>)>) {
         self.line(&format!("<{element}>"));
-        for array in arrays {
+        for (elements, array) in arrays {
             self.xml.push_str(&format!(
                 "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" ",
                 array.kind(),
                 array.name,
                 array.components,
             ));
-            self.arrays.push((self.xml.len(), array));
+            self.arrays.push((self.xml.len(), elements, array));
             self.xml.push_str(&offset(0));
             self.line("/>");
         }
@@ -305,10 +308,10 @@ impl<'a> Writer<'a> {
         out.write_all(xml.as_bytes())?;
         out.write_all(START_OF_DATA.as_bytes())?;
         let mut begin = 0;
-        for (place, array) in self.arrays {
+        for (place, elements, array) in self.arrays {
             let told = offset(begin);
             xml.replace_range(place..place + told.len(), &told);
-            begin += array.write(out)?;
+            begin += array.write(out, elements)?;
         }
         out.write_all(END_OF_DATA.as_bytes())?;
         out.rewind()?;
@@ -317,35 +320,53 @@ impl<'a> Writer<'a> {
 }
 
 /// Tells where an array begins, in a text of always the same length.
-fn offset(begin: usize) -> String {
+fn offset(begin: u64) -> String {
     const WIDTH: usize = "offset=\"\"".len() + 20;
     format!("{:<WIDTH$}", format!("offset=\"{begin}\""))
 }
 
-/// Writes `[blocks][block length][length of the last block if it is shorter][compressed lengths][blocks]`; answers with the length [bytes].
+/// Writes `[blocks][block length][length of the last block if it is shorter][compressed lengths][blocks]`; answers with the length
+/// [bytes]. The compressed lengths are not known before, so the head is written twice.
 fn write_compressed<const N: usize>(
-    out: &mut impl Write,
+    out: &mut (impl Write + Seek),
+    count: usize,
     mut numbers: impl Iterator<Item = [u8; N]>,
-) -> io::Result<usize> {
-    let (mut blocks, mut length) = (Vec::new(), 0);
-    let mut some: Vec<[u8; N]> = Vec::new();
-    loop {
+) -> io::Result<u64> {
+    let length = count * N;
+    let mut head = vec![length.div_ceil(BLOCK), BLOCK, length % BLOCK];
+    let begin = out.stream_position()?;
+    out.write_all(&vec![0; size_of::<u64>() * (head.len() + head[0])])?;
+    let (mut some, mut left) = (Vec::<[u8; N]>::new(), count);
+    while left > 0 {
         some.clear();
-        some.extend(numbers.by_ref().take(AT_ONCE / N));
-        let bytes = some.as_flattened();
-        if bytes.is_empty() {
+        some.extend(numbers.by_ref().take(left.min(AT_ONCE / N)));
+        if some.is_empty() {
             break;
         }
-        length += bytes.len();
-        let compressed: io::Result<Vec<Vec<u8>>> = bytes.par_chunks(BLOCK).map(compress).collect();
-        blocks.extend(compressed?);
+        left -= some.len();
+        let compressed: io::Result<Vec<Vec<u8>>> = some.as_flattened().par_chunks(BLOCK).map(compress).collect();
+        for block in compressed? {
+            out.write_all(&block)?;
+            head.push(block.len());
+        }
     }
-    let head = [blocks.len(), BLOCK, length % BLOCK];
-    let head = head.into_iter().chain(blocks.iter().map(Vec::len));
-    let head: Vec<u8> = head.flat_map(|number| (number as u64).to_le_bytes()).collect();
+    // the others of a run wait until all they tell has been heard
+    let more = numbers.count();
+    if left > 0 || more > 0 {
+        let found = count - left + more;
+        return Err(io::Error::other(format!(
+            "an array has {found} numbers in place of {count}"
+        )));
+    }
+    let end = out.stream_position()?;
+    out.seek(SeekFrom::Start(begin))?;
+    let head: Vec<u8> = head
+        .into_iter()
+        .flat_map(|number| (number as u64).to_le_bytes())
+        .collect();
     out.write_all(&head)?;
-    blocks.iter().try_for_each(|block| out.write_all(block))?;
-    Ok(head.len() + blocks.iter().map(Vec::len).sum::<usize>())
+    out.seek(SeekFrom::Start(end))?;
+    Ok(end - begin)
 }
 
 fn compress(block: &[u8]) -> io::Result<Vec<u8>> {
@@ -386,10 +407,23 @@ mod tests {
     fn blocks_decode_at_every_edge_of_the_block_length() {
         for length in [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK, 2 * BLOCK + 8, AT_ONCE + 1] {
             let bytes: Vec<u8> = (0..length).map(|k| (k % 251) as u8).collect();
-            let mut out = Vec::new();
-            let written = write_compressed(&mut out, bytes.iter().map(|byte| [*byte])).unwrap();
-            assert_eq!(written, out.len());
+            let mut out = Cursor::default();
+            let written = write_compressed(&mut out, length, bytes.iter().map(|byte| [*byte])).unwrap();
+            let out: Vec<u8> = out.into_inner();
+            assert_eq!(written, out.len() as u64);
             assert!(decode(&out) == bytes, "{length}");
+        }
+    }
+
+    #[test]
+    fn an_array_of_another_length_than_its_file_tells_is_no_file() {
+        for (count, found) in [(3, 2), (2, 3), (0, 1), (1, 0)] {
+            let array = NewArray::counts("id", (0..found).map(|id| id as u32));
+            let error = array
+                .write(&mut Cursor::new(Vec::new()), count)
+                .unwrap_err()
+                .to_string();
+            assert_eq!(error, format!("an array has {found} numbers in place of {count}"));
         }
     }
 }
