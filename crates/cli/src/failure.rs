@@ -115,6 +115,8 @@ impl Failure {
         let kind = match self.exit() {
             _ if !diagnostics.is_empty() => "scenario",
             Exit::Wrong => "command line",
+            Exit::Fault => "simulation",
+            Exit::Interrupted => "interrupted",
             _ => "input or output",
         };
         let mut error = json!({

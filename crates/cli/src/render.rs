@@ -184,7 +184,9 @@ fn options(arguments: &RenderArguments, run: &Run) -> Result<PictureOptions, Fai
         width,
         height,
         view: view(&arguments.view)?,
-        colour_end: arguments.colour_end.as_deref().map(colour_end).transpose()?,
+        colour_end: (arguments.colour_end.as_deref())
+            .map(|end| colour_end(end, colour.1))
+            .transpose()?,
         walls: match arguments.walls.as_str() {
             "faces" => WallLook::Faces,
             "none" => WallLook::Hidden,
@@ -196,14 +198,28 @@ fn options(arguments: &RenderArguments, run: &Run) -> Result<PictureOptions, Fai
     })
 }
 
-/// A value with a unit, or a number in SI.
-fn colour_end(text: &str) -> Result<f64, Failure> {
-    match units::parse(text) {
-        Ok(quantity) if quantity.value > 0.0 => Ok(quantity.value),
-        _ => Err(Failure::wrong(format!(
-            "--colour-end: `{text}` is no value above 0, as \"2 m/s\" or \"5 mN\""
-        ))),
+/// A value with a unit of what the colours tell, or a number in SI.
+fn colour_end(text: &str, by: ColourBy) -> Result<f64, Failure> {
+    let wrong = |message: String| Err(Failure::wrong(format!("--colour-end: `{text}` {message}")));
+    let quantity = match units::parse(text) {
+        Ok(quantity) if quantity.value > 0.0 => quantity,
+        _ => return wrong("is no value above 0, as \"2 m/s\" or \"5 mN\"".to_string()),
+    };
+    if quantity.dimension == Dimension::NONE {
+        return Ok(quantity.value);
     }
+    // the colours of themselves tell forces, or diameters where there are none
+    let meant = by.unit().map_or(vec!["N", "m"], |unit| vec![unit]);
+    let is_meant =
+        |unit: &&str| units::parse(&format!("1 {unit}")).is_ok_and(|one| one.dimension == quantity.dimension);
+    if meant.iter().any(is_meant) {
+        return Ok(quantity.value);
+    }
+    let allowed = meant.join(" or ");
+    wrong(match allowed.is_empty() {
+        true => "has a unit; what the colours tell has none".to_string(),
+        false => format!("has another unit than what the colours tell, which is in {allowed}"),
+    })
 }
 
 /// `WIDTHxHEIGHT`, both made even, as films need them.

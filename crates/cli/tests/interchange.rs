@@ -231,6 +231,15 @@ fn frames_become_pictures() {
     assert!(place.path("film/00000.png").exists() && place.path("film/00001.png").exists());
     for (arguments, part) in [
         (&["render", "run", "--colour", "sped"][..], "Did you mean `speed`?"),
+        (
+            &["render", "run", "--colour", "speed", "--colour-end", "2 kg"],
+            "`2 kg` has another unit than what the colours tell, which is in m/s",
+        ),
+        (&["render", "run", "--colour-end", "2 kg"], "which is in N or m"),
+        (
+            &["render", "run", "--colour", "coordination", "--colour-end", "2 m"],
+            "what the colours tell has none",
+        ),
         (&["render", "run", "--view", "above"], "tell one of corner, front"),
         (&["render", "run", "--size", "10x10"], "as `1200x900`"),
         (&["render", "run", "--frame", "999"], "there is no frame number 999"),

@@ -267,7 +267,7 @@ fn what_is_no_mesh_is_told_by_its_kind() {
 }
 
 const OBJ_CHANGES: [Change; 16] = [
-    ("f 1//1", "f 9//1", "names vertex 8"),
+    ("f 1//1", "f 9//1", "names vertex 9;"),
     ("f 1//1", "f 0//1", "names vertex 0"),
     ("f 1//1", "f -9//1", "names vertex -9"),
     ("f 1//1", "f x//1", "counted from 1"),

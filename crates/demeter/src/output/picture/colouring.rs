@@ -44,6 +44,19 @@ pub enum ColourBy {
 }
 
 impl ColourBy {
+    /// Unit of the values, empty where they have none; nothing for what has no values, or where it is not known before.
+    pub fn unit(self) -> Option<&'static str> {
+        match self {
+            Self::Automatic | Self::Material => None,
+            Self::ContactForce => Some("N"),
+            Self::Speed => Some("m/s"),
+            Self::Diameter => Some("m"),
+            Self::Coordination => Some(""),
+            Self::Spin => Some("1/s"),
+            Self::Pressure => Some("Pa"),
+        }
+    }
+
     /// What can be told on the command line, by name.
     pub const NAMED: [(&'static str, Self); 9] = [
         ("automatic", Self::Automatic),
@@ -92,6 +105,7 @@ impl Colouring {
         let (g, own, all) = (frame.grains, frame.own(), frame.part.together);
         let lengths =
             |rows: &Rows| -> Vec<f64> { rows.rows()[own.clone()].iter().map(|row| row.vector.length()).collect() };
+        let unit = by.unit().unwrap_or("");
         match by {
             ColourBy::Automatic => {
                 let is_any = frame.contacts.all().any(|c| c.repulsion() != 0.0);
@@ -104,19 +118,19 @@ impl Colouring {
             }
             ColourBy::ContactForce => {
                 let forces = frame.contact_sums().force;
-                Self::by_value("contact force", "N", &forces, high, all)
+                Self::by_value("contact force", unit, &forces, high, all)
             }
-            ColourBy::Speed => Self::by_value("speed", "m/s", &lengths(&g.velocity), high, all),
+            ColourBy::Speed => Self::by_value("speed", unit, &lengths(&g.velocity), high, all),
             ColourBy::Diameter => {
                 let diameters: Vec<f64> = own.map(|grain| 2.0 * g.radius(grain)).collect();
-                Self::by_value("diameter", "m", &diameters, high, all)
+                Self::by_value("diameter", unit, &diameters, high, all)
             }
             ColourBy::Coordination => {
                 let contacts: Vec<f64> = frame.contact_sums().coordination.into_iter().map(f64::from).collect();
-                Self::by_value("contacts", "", &contacts, high, all)
+                Self::by_value("contacts", unit, &contacts, high, all)
             }
-            ColourBy::Spin => Self::by_value("spin", "1/s", &lengths(&g.angular_velocity), high, all),
-            ColourBy::Pressure => Self::by_value("pressure", "Pa", &frame.contact_sums().stress, high, all),
+            ColourBy::Spin => Self::by_value("spin", unit, &lengths(&g.angular_velocity), high, all),
+            ColourBy::Pressure => Self::by_value("pressure", unit, &frame.contact_sums().stress, high, all),
             ColourBy::Material => Self::by_material(frame),
         }
     }

@@ -51,7 +51,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, MeshFileError>
             _ => return Err(lines.syntax(&line, "a line of an OBJ file, as `v 0 0 1` or `f 1 2 3`")),
         }
     }
-    let mut cutter = Cutter::new(path, &vertices);
+    let mut cutter = Cutter::new(path, &vertices, 1);
     let mut start = 0;
     for end in ends {
         cutter.add(&corners[start..end])?;

@@ -36,7 +36,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, MeshFileError>
         }
     }
     refuse_left_over(&header, &body)?;
-    let mut cutter = Cutter::new(path, &vertices);
+    let mut cutter = Cutter::new(path, &vertices, 0);
     let mut start = 0;
     for end in faces.ends {
         cutter.add(&faces.corners[start..end])?;

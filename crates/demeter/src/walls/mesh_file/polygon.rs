@@ -18,6 +18,8 @@ const STRAIGHT: f64 = 1e-9;
 pub(super) struct Cutter<'a> {
     path: &'a Path,
     vertices: &'a [DVec3],
+    /// Number of the first vertex in the file.
+    first: usize,
     /// Triangles so far.
     pub(super) triangles: Vec<[DVec3; 3]>,
     faces: usize,
@@ -28,10 +30,11 @@ pub(super) struct Cutter<'a> {
 }
 
 impl<'a> Cutter<'a> {
-    pub(super) fn new(path: &'a Path, vertices: &'a [DVec3]) -> Self {
+    pub(super) fn new(path: &'a Path, vertices: &'a [DVec3], first: usize) -> Self {
         Cutter {
             path,
             vertices,
+            first,
             triangles: Vec::new(),
             faces: 0,
             polygons: 0,
@@ -48,7 +51,7 @@ impl<'a> Cutter<'a> {
             return Err(MeshFileError::NoSuchVertex {
                 path: path(),
                 face,
-                index: index.to_string(),
+                index: (index + self.first).to_string(),
                 vertices: self.vertices.len(),
             });
         }
@@ -168,7 +171,7 @@ mod tests {
             .iter()
             .map(|p| DVec3::new(p[0], p[1], 0.5 * p[0] - p[1]))
             .collect();
-        let mut cutter = Cutter::new(Path::new("face"), &vertices);
+        let mut cutter = Cutter::new(Path::new("face"), &vertices, 0);
         let indices: Vec<usize> = (0..points.len()).collect();
         cutter.add(&indices).unwrap();
         (cutter.triangles, cutter.twisted)
