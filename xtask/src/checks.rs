@@ -31,32 +31,50 @@ pub fn build_demeter() -> Result<(), String> {
 /// A check of a merge, and what it is called where its time is told.
 type Check = (&'static str, fn() -> Result<(), String>);
 
-/// Everything that must hold before a merge. The quick checks come first.
-const CHECKS: [Check; 10] = [
+/// What must hold before a merge, one after the other. The quick checks come first.
+const CHECKS: [Check; 6] = [
     ("format", || format(true)),
     ("layers", layers),
     ("clippy", clippy),
     ("documentation", documentation),
     ("pages for browsers", web::check_where_possible),
     ("tests", test),
-    ("book", book::check),
-    ("instructions of one step", || instructions::run(false)),
-    ("Python", python::test),
-    ("browser", browser::test_where_possible),
+];
+
+/// What must hold, too, and needs the program that the tests have built. Each row leaves a processor to the other, which it does not
+/// wait for: the second compiles nothing.
+const CHECKS_BESIDE: [[Check; 2]; 2] = [
+    [
+        ("instructions of one step", || instructions::run(false)),
+        ("Python", python::test),
+    ],
+    [("book", book::check), ("browser", browser::test_where_possible)],
 ];
 
 /// All checks of a merge, and how long each took.
 pub fn ci() -> Result<(), String> {
     // they come through the network while others work; what fails here is told by the check that needs them
     std::thread::spawn(python::with_packages);
-    let mut taken = Vec::new();
-    for (name, check) in CHECKS {
-        let began = Instant::now();
-        check()?;
-        taken.push(format!("    {name}: {} s", began.elapsed().as_secs()));
+    let mut taken = in_turn(&CHECKS)?;
+    let rows = std::thread::scope(|scope| {
+        let begun = CHECKS_BESIDE.each_ref().map(|row| scope.spawn(|| in_turn(row)));
+        begun.map(|row| row.join().unwrap_or_else(|_| Err("a check panicked".to_string())))
+    });
+    for row in rows {
+        taken.extend(row?);
     }
     println!("==> all checks passed\n{}", taken.join("\n"));
     Ok(())
+}
+
+/// Makes checks one after the other, as far as they hold; tells how long each took.
+fn in_turn(checks: &[Check]) -> Result<Vec<String>, String> {
+    let one = |(name, check): &Check| {
+        let began = Instant::now();
+        check()?;
+        Ok(format!("    {name}: {} s", began.elapsed().as_secs()))
+    };
+    checks.iter().map(one).collect()
 }
 
 /// All tests and the examples in the documentation.
