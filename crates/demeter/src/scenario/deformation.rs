@@ -31,7 +31,16 @@ fn drive(above: &TableReader<'_>, key: &str) -> Drive {
     let Some(table) = above.optional(key).and_then(|i| i.table()) else {
         return Drive::Fixed;
     };
-    let rate = table.optional_quantity("strain_rate", Kind::NumberRate, Range::FINITE);
+    let help = "a rate of true strain, `{ strain_rate = \"-0.1 1/s\" }`, negative to compress; or a stress to hold, \
+                `{ stress = \"10 kPa\", max_rate = \"1 1/s\" }`";
+    let drive = rate_or_stress(&table, "strain_rate", &format!("`{key}`"), help);
+    table.finish("what drives a length of the box");
+    drive
+}
+
+/// A rate, by its key, or a stress with the largest rate.
+fn rate_or_stress(table: &TableReader<'_>, rate_key: &str, what: &str, help: &str) -> Drive {
+    let rate = table.optional_quantity(rate_key, Kind::NumberRate, Range::FINITE);
     let stress = table.optional_quantity("stress", Kind::Physical(Dimension::PRESSURE), Range::FINITE);
     let drive = match (rate, stress) {
         (Some(rate), None) => Drive::StrainRate(rate),
@@ -45,18 +54,15 @@ fn drive(above: &TableReader<'_>, key: &str) -> Drive {
             ),
         },
         _ => {
-            let help = "a rate of true strain, `{ strain_rate = \"-0.1 1/s\" }`, negative to compress; or a stress to hold, \
-                        `{ stress = \"10 kPa\", max_rate = \"1 1/s\" }`";
-            let message = format!("`{key}` needs either `strain_rate` or `stress`");
+            let message = format!("{what} needs either `{rate_key}` or `stress`");
             table.fault(message, Some(help.to_string()));
             Drive::Fixed
         }
     };
     // makes the key known for the suggestion on a misspelt one
-    if stress.is_none() {
+    if rate.is_some() || stress.is_none() {
         table.optional("max_rate");
     }
-    table.finish("what drives a length of the box");
     drive
 }
 
@@ -64,38 +70,36 @@ fn shear(table: TableReader<'_>) -> Option<Shear> {
     let axis = |key: &str, meaning: &str| table.required(key, meaning).and_then(|i| i.choice(&AXES));
     let flow = axis("flow", "the direction in which images slide, as \"x\"");
     let gradient = axis("gradient", "the direction across which they slide, as \"y\"");
-    let rate = table.quantity(
-        "rate",
-        Kind::NumberRate,
-        Range::FINITE,
-        "the rate of shear, as \"10 1/s\"",
-    );
+    let help =
+        "a rate, `rate = \"10 1/s\"`; or a shear stress to hold, `stress = \"100 Pa\"` with `max_rate = \"100 1/s\"`";
+    let drive = rate_or_stress(&table, "rate", "the shear", help);
     table.finish("the shear of the box");
     Some(Shear {
         axes: ShearAxes {
             flow: flow?,
             gradient: gradient?,
         },
-        rate,
+        drive,
     })
 }
 
 /// Reads the stop conditions of a box that deforms.
 pub(super) fn conditions(table: &TableReader<'_>, stop: &mut Vec<StopCondition>) {
     if let Some(told) = table.optional("box_stress").and_then(|i| i.table()) {
-        let meaning = "the direction of the stress, as \"x\", or \"mean\"";
+        let meaning = "the direction of the stress, as \"x\", or \"mean\" or \"shear\"";
         let direction = told.required("direction", meaning);
-        let of = direction.and_then(|i| i.choice(&["x", "y", "z", "mean"]));
+        let of = direction.and_then(|i| i.choice(&["x", "y", "z", "mean", "shear"]));
         let pressure = Kind::Physical(Dimension::PRESSURE);
         let above = told.optional_quantity("above", pressure, Range::FINITE);
         let below = told.optional_quantity("below", pressure, Range::FINITE);
         if above.is_some() == below.is_some() {
             told.fault("give either `above` or `below`", None);
         }
-        let of = of.map_or(
-            StressOf::Mean,
-            |k| if k < 3 { StressOf::Axis(k) } else { StressOf::Mean },
-        );
+        let of = match of {
+            Some(axis @ 0..=2) => StressOf::Axis(axis),
+            Some(4) => StressOf::Shear,
+            _ => StressOf::Mean,
+        };
         stop.extend(above.map(|stress| StopCondition::BoxStress {
             of,
             stress,
@@ -130,6 +134,7 @@ pub(super) fn reached(stop: &StopCondition, sim: &Simulation, looks: bool) -> Op
             let (name, found) = match of {
                 StressOf::Axis(axis) => (AXES[axis.min(2)], state.stress[axis.min(2)]),
                 StressOf::Mean => ("mean", state.pressure()),
+                StressOf::Shear => ("shear", state.shear_stress(sim.shear_axes()?)),
             };
             let is_reached = if falls { found <= stress } else { found >= stress };
             is_reached.then(|| format!("the stress of the box ({name}) is {found:.6e} Pa, {stress:e} Pa was asked"))
@@ -162,6 +167,32 @@ impl Scenario {
     /// Whether the box deforms at any time.
     pub(super) fn deforms(&self) -> bool {
         self.deformations().next().is_some()
+    }
+}
+
+/// Tells stages that wait for the shear of a box which is not sheared in them.
+fn wait_in_vain(scenario: &Scenario, faults: &mut Diagnostics) {
+    let mut plan = scenario.domain.deform.as_ref();
+    let mut told = std::collections::BTreeSet::new();
+    for (stage, path) in scenario.stages.iter().zip(&scenario.stage_paths) {
+        plan = stage.deformation.as_ref().or(plan);
+        let is_sheared = plan.is_some_and(|plan| plan.shear.is_some());
+        let waits = stage.stop.iter().any(|stop| {
+            use StopCondition::{BoxStress, ShearStrain};
+            matches!(
+                stop,
+                ShearStrain(_)
+                    | BoxStress {
+                        of: StressOf::Shear,
+                        ..
+                    }
+            )
+        });
+        if waits && !is_sheared && told.insert(path) {
+            let help = "name a `shear` in the table `deform` of this stage, or of one before that none replaces";
+            let message = "the stage waits for a shear strain or shear stress of the box, which is not sheared in it";
+            faults.push(&format!("{path}.stop"), message, Some(help.to_string()));
+        }
     }
 }
 
@@ -205,6 +236,7 @@ pub(super) fn check(scenario: &Scenario, grains: &Grains, dt: Option<f64>, fault
     for (_, path, misfit) in misfits.into_iter().filter(|(is_there, ..)| *is_there) {
         faults.push(path, misfit.to_string(), None);
     }
+    wait_in_vain(scenario, faults);
     let mut axes = None;
     let mut told = std::collections::BTreeSet::new();
     for (path, plan) in scenario.deformations() {

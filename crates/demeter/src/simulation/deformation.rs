@@ -12,30 +12,34 @@ const NAMES: [&str; 3] = ["x", "y", "z"];
 /// Most true strain of the box in one step: beyond it a step is no small change.
 const MOST_STRAIN: f64 = 1e-2;
 
-/// How the length of a box changes in one direction, or in all of them together.
+/// How the length of a box changes in one direction, or in all of them together; or its shear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Drive {
     /// The length stays.
     #[default]
     Fixed,
-    /// A constant rate of true strain `(dL/dt)/L`, negative where the box shrinks [1/s]: `L = L0 exp(rate t)`.
+    /// A constant rate of true strain `(dL/dt)/L`, negative where the box shrinks [1/s]: `L = L0 exp(rate t)`. Of a shear its rate.
     StrainRate(f64),
     /// The length follows a stress.
     Stress {
-        /// Stress that is wanted, compression positive, tension negative [Pa].
+        /// Stress that is wanted, compression positive, tension negative [Pa]. Of a shear the shear stress.
         target: f64,
-        /// Largest rate of true strain [1/s].
+        /// Largest rate of true strain, or of shear [1/s].
         max_rate: f64,
     },
 }
+
+/// How many drives a box has: of each direction, of all together, and of the shear.
+pub(super) const DRIVES: usize = 5;
 
 /// A simple shear of a periodic box (Lees and Edwards 1972).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Shear {
     /// Directions of flow and gradient.
     pub axes: ShearAxes,
-    /// Rate of shear: change of the velocity along the gradient direction [1/s].
-    pub rate: f64,
+    /// What drives it: a rate of shear, the change of the velocity along the gradient direction [1/s]; or the shear stress [Pa] that
+    /// draws a face of the gradient direction along the flow, positive where it drives a positive rate.
+    pub drive: Drive,
 }
 
 /// How a periodic box deforms.
@@ -169,11 +173,14 @@ impl Drive {
 impl Deformation {
     /// Whether some length follows a stress.
     pub fn follows_stress(&self) -> bool {
-        self.drives().any(|drive| matches!(drive, Drive::Stress { .. }))
+        self.drives().iter().any(|drive| matches!(drive, Drive::Stress { .. }))
     }
 
-    fn drives(&self) -> impl Iterator<Item = &Drive> {
-        self.directions.iter().chain([&self.isotropic])
+    /// What drives each direction, all of them together, and the shear.
+    pub(super) fn drives(&self) -> [Drive; DRIVES] {
+        let [x, y, z] = self.directions;
+        let shear = self.shear.map_or(Drive::Fixed, |shear| shear.drive);
+        [x, y, z, self.isotropic, shear]
     }
 
     /// Whether it is possible in a domain with these periodic directions, with time steps `dt` [s].
@@ -192,22 +199,12 @@ impl Deformation {
                 return Err(DeformationError::NotPeriodic { direction: named(axis) });
             }
         }
-        self.drives().try_for_each(Drive::check)?;
-        if let Some(shear) = &self.shear {
-            if shear.axes.flow == shear.axes.gradient {
-                let direction = named(shear.axes.flow);
-                return Err(DeformationError::NoPlane { direction });
-            }
-            if !shear.rate.is_finite() {
-                return Err(DeformationError::Value {
-                    what: "rate of shear",
-                    allowed: "finite",
-                    value: shear.rate,
-                });
-            }
+        self.drives().iter().try_for_each(Drive::check)?;
+        if let Some(shear) = self.shear.filter(|shear| shear.axes.flow == shear.axes.gradient) {
+            let direction = named(shear.axes.flow);
+            return Err(DeformationError::NoPlane { direction });
         }
-        let rates = self.drives().map(Drive::largest_rate);
-        for rate in rates.chain(self.shear.iter().map(|shear| shear.rate)) {
+        for rate in self.drives().map(|drive| drive.largest_rate()) {
             if rate.abs() * dt > MOST_STRAIN {
                 return Err(DeformationError::TooFast { rate, dt });
             }

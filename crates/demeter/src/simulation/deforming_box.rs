@@ -11,9 +11,10 @@
 //! `-F dS` of work comes from outside, half of it with the force before the step and half with that after it, as velocity
 //! Verlet does its work. Passing a side and the affine kick change kinetic energy; both are booked as they happen.
 
-use super::deformation::{Deformation, DeformationError, Drive};
+use super::deformation::{DRIVES, Deformation, DeformationError, Drive};
+use super::shear_drive::ShearDrive;
 use super::{Fault, Simulation};
-use crate::comm::{Carry, Deforming, Rates};
+use crate::comm::{Carry, Deforming, Rates, ShearAxes};
 use crate::particles::Domain;
 use crate::simulation::division::heard_grains;
 use crate::step::Motion;
@@ -21,6 +22,9 @@ use crate::walls::Servo;
 use glam::{DMat3, DVec3, Vec3Swizzles};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+
+/// Of the drives, how many drive lengths: each direction, and all together. The shear comes behind.
+const LENGTHS: usize = DRIVES - 1;
 
 /// Grains handled by one task.
 const GRAINS_PER_TASK: usize = 1024;
@@ -38,14 +42,15 @@ const NEAR: f64 = 0.1;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct DeformingBox {
     plan: Deformation,
-    /// Controllers of the single directions, and of all together.
-    servos: [Option<Servo>; 4],
+    /// Controllers of what follows a stress: of lengths, and of the shear.
+    servos: [Option<Servo>; LENGTHS],
+    shear_drive: Option<ShearDrive>,
     /// Lengths at the start of the run and of the stage [m].
     lengths: [DVec3; 2],
     /// Shear so far, and at the start of the stage.
     sheared: [f64; 2],
     /// What the controllers tell for the next step: a step ahead, so that forces are found at the flow of their moment [1/s].
-    pending: [f64; 4],
+    pending: [f64; DRIVES],
     /// Forces across the sides in the latest step [N].
     across: [DVec3; 3],
     /// How the box has deformed since the candidates were found.
@@ -103,6 +108,17 @@ impl BoxState {
     pub fn pressure(&self) -> f64 {
         (self.stress[0] + self.stress[1] + self.stress[2]) / 3.0
     }
+
+    /// Shear stress that drives a shear [Pa]: positive where it drives a positive rate.
+    pub fn shear_stress(&self, axes: ShearAxes) -> f64 {
+        shear_stress(&self.stress, axes)
+    }
+}
+
+/// Shear stress that drives a shear [Pa], of the stress (compression positive): `-stress` of flow and gradient.
+fn shear_stress(stress: &[f64; 6], axes: ShearAxes) -> f64 {
+    // xy, xz and yz stand behind the three normal stresses
+    -stress[(axes.flow + axes.gradient + 2).min(5)]
 }
 
 /// `ln(L/L0)` in each direction; 0 where the length is the same, were it infinite.
@@ -159,20 +175,26 @@ impl Simulation {
         let state = self.deforming.get_or_insert_with(|| {
             Box::new(DeformingBox {
                 plan,
-                servos: [None, None, None, None],
+                servos: Default::default(),
+                shear_drive: None,
                 lengths: [size; 2],
                 sheared: [0.0; 2],
-                pending: [0.0; 4],
+                pending: [0.0; DRIVES],
                 across: [DVec3::ZERO; 3],
                 since: Carry::NONE,
                 largest_radius,
             })
         });
-        let [x, y, z] = plan.directions;
-        for ((servo, drive), before) in (state.servos.iter_mut())
-            .zip([x, y, z, plan.isotropic])
-            .zip(state.plan.directions.into_iter().chain([state.plan.isotropic]))
-        {
+        let [.., shear_before] = state.plan.drives();
+        let [.., shear] = plan.drives();
+        match shear {
+            Drive::Stress { target, max_rate } if state.shear_drive.is_none() || shear != shear_before => {
+                state.shear_drive = Some(ShearDrive::new(target, max_rate, Self::rates(state).shear));
+            }
+            Drive::Stress { .. } => {}
+            Drive::Fixed | Drive::StrainRate(_) => state.shear_drive = None,
+        }
+        for ((servo, drive), before) in (state.servos.iter_mut()).zip(plan.drives()).zip(state.plan.drives()) {
             match drive {
                 Drive::Stress { target, max_rate } if servo.is_none() || drive != before => {
                     *servo = Some(Servo::new(target, max_rate));
@@ -188,6 +210,11 @@ impl Simulation {
     /// Whether the periodic box deforms, or has deformed.
     pub fn deforms(&self) -> bool {
         self.deforming.is_some()
+    }
+
+    /// Directions of the shear of a box that deforms, if it is sheared.
+    pub(crate) fn shear_axes(&self) -> Option<ShearAxes> {
+        Some(self.deforming.as_deref()?.plan.shear?.axes)
     }
 
     /// Strains of the stage are counted from here.
@@ -328,30 +355,34 @@ impl Simulation {
     /// Asks the controllers, which see the stress at this moment, for the step after the next.
     fn control(&self, state: &mut DeformingBox, deforming: &Deforming) {
         if !state.plan.follows_stress() {
-            state.pending = [0.0; 4];
+            state.pending = [0.0; DRIVES];
             return;
         }
         let [kinetic, contacts] = self.box_stresses(state, deforming);
-        let [x, y, z] = [0, 1, 2].map(|axis: usize| kinetic[axis] + contacts[axis]);
+        let stress: [f64; 6] = std::array::from_fn(|k| kinetic[k] + contacts[k]);
+        let [x, y, z, ..] = stress;
         let stresses = [x, y, z, (x + y + z) / 3.0];
         for ((pending, servo), stress) in state.pending.iter_mut().zip(&mut state.servos).zip(stresses) {
             // a controller tells how fast to press
             *pending = servo.as_mut().map_or(0.0, |servo| -servo.speed(stress));
         }
+        let sheared = state.shear_drive.as_mut().zip(state.plan.shear);
+        state.pending[LENGTHS] = sheared.map_or(0.0, |(drive, shear)| {
+            drive.rate(shear_stress(&stress, shear.axes), self.dt)
+        });
     }
 
     /// Velocity gradient of a step.
     fn rates(state: &DeformingBox) -> Rates {
-        let rate = |drive: Drive, pending: f64| match drive {
+        let drives = state.plan.drives();
+        let [x, y, z, all, shear] = std::array::from_fn(|k| match drives[k] {
             Drive::Fixed => 0.0,
             Drive::StrainRate(rate) => rate,
-            Drive::Stress { .. } => pending,
-        };
-        let ([x, y, z], pending) = (state.plan.directions, state.pending);
+            Drive::Stress { .. } => state.pending[k],
+        });
         Rates {
-            stretching: DVec3::new(rate(x, pending[0]), rate(y, pending[1]), rate(z, pending[2]))
-                + DVec3::splat(rate(state.plan.isotropic, pending[3])),
-            shear: state.plan.shear.map_or(0.0, |shear| shear.rate),
+            stretching: DVec3::new(x, y, z) + DVec3::splat(all),
+            shear,
         }
     }
 

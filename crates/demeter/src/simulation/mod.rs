@@ -14,6 +14,7 @@ mod misplaced;
 pub(crate) mod profile;
 mod protocol;
 mod roofline;
+mod shear_drive;
 mod skin;
 mod state;
 #[cfg(test)]

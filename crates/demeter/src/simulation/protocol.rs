@@ -64,13 +64,15 @@ pub enum StopCondition {
     GrainsAtMost(u64),
 }
 
-/// A normal stress.
+/// A stress of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum StressOf {
     /// Along an axis, by its number.
     Axis(usize),
     /// Mean of the three.
     Mean,
+    /// Shear stress that drives the shear of the box.
+    Shear,
 }
 
 /// How often things are written, in seconds of simulated time. `None`: not in this stage.

@@ -2,6 +2,7 @@
 
 mod bits;
 mod follow;
+mod shear_stress;
 
 use crate::cases::{Case, Laws, full, index, law, one_material, report};
 use demeter::comm::ShearAxes;
@@ -80,11 +81,11 @@ fn gas(laws: &Laws, edge: u32, fraction: f64, speed: f64, spread: f64) -> Setup 
     }
 }
 
-fn shear(flow: usize, gradient: usize, rate: f64) -> Deformation {
+fn shear(flow: usize, gradient: usize, drive: Drive) -> Deformation {
     Deformation {
         shear: Some(Shear {
             axes: ShearAxes { flow, gradient },
-            rate,
+            drive,
         }),
         ..Deformation::default()
     }
@@ -139,7 +140,7 @@ fn a_contact_across_a_sliding_side_is_that_with_a_moving_partner() {
     sheared
         .deform(Deformation {
             affine: false,
-            ..shear(0, 1, rate)
+            ..shear(0, 1, Drive::StrainRate(rate))
         })
         .unwrap();
     let mut touched = 0;
@@ -209,7 +210,7 @@ fn a_collision_across_a_shrinking_side_takes_up_its_speed() {
 #[test]
 fn momentum_beyond_the_flow_is_conserved() {
     let mut sim = Simulation::new(gas(&rough(), 6, 0.35, 0.3, 0.1));
-    sim.deform(shear(0, 1, 60.0)).unwrap();
+    sim.deform(shear(0, 1, Drive::StrainRate(60.0))).unwrap();
     let mut largest = 0.0f64;
     for step in 0..20_000 {
         sim.step().unwrap();
@@ -242,7 +243,7 @@ fn the_drift_of_all_grains_together_is_no_stress() {
         let mut setup = gas(&smooth(0.9), 4, 0.3, 0.3, 0.1);
         setup.grains.velocity.iter_mut().for_each(|v| *v += drift);
         let mut sim = Simulation::new(setup);
-        sim.deform(shear(0, 1, 60.0)).unwrap();
+        sim.deform(shear(0, 1, Drive::StrainRate(60.0))).unwrap();
         for _ in 0..400 {
             sim.step().unwrap();
         }
@@ -278,7 +279,7 @@ fn hold_in_boxes_cut_elsewhere(laws: &Laws) {
             }
         }
         let mut sim = Simulation::new(setup);
-        sim.deform(shear(0, 1, 80.0)).unwrap();
+        sim.deform(shear(0, 1, Drive::StrainRate(80.0))).unwrap();
         sim
     };
     let (mut one, mut other) = (build(0.0), build(4.3 * RADIUS));
@@ -301,7 +302,7 @@ fn hold_in_boxes_cut_elsewhere(laws: &Laws) {
 fn a_sheared_gas_has_a_linear_profile() {
     let rate = 100.0;
     let mut sim = Simulation::new(gas(&rough(), 8, 0.5, 0.1, 0.15));
-    sim.deform(shear(0, 2, rate)).unwrap();
+    sim.deform(shear(0, 2, Drive::StrainRate(rate))).unwrap();
     let steps = (3.0 / rate / sim.dt()) as u64;
     let residual = run(&mut sim, steps);
     const BINS: usize = 8;
@@ -341,7 +342,7 @@ fn a_sheared_gas_has_a_linear_profile() {
 fn no_contact_across_a_moving_side_is_missed() {
     for (flow, gradient) in [(0, 1), (2, 0), (1, 2)] {
         let mut sim = Simulation::new(gas(&rough(), 6, 0.35, 0.3, 0.3));
-        sim.deform(shear(flow, gradient, 150.0)).unwrap();
+        sim.deform(shear(flow, gradient, Drive::StrainRate(150.0))).unwrap();
         let (mut looked, mut across) = (0, 0);
         for step in 0..3000 {
             sim.step().unwrap();
@@ -476,14 +477,23 @@ fn stresses_are_held_while_another_direction_is_strained() {
     }
 }
 
+/// Normal stress along the gradient [Pa].
+const PRESSURE: f64 = 1e-3 * STIFFNESS / RADIUS;
+
 /// Shear at a constant normal stress along the gradient.
-fn sheared_at_constant_stress(laws: &Laws, edge: u32) -> Simulation {
+fn sheared_at_constant_stress(laws: &Laws, edge: u32, drive: Drive) -> Simulation {
     let mut sim = Simulation::new(gas(laws, edge, 0.52, 0.1, 0.15));
-    let target = 1e-3 * STIFFNESS / RADIUS;
-    let mut plan = shear(0, 1, 50.0);
-    plan.directions[1] = Drive::Stress { target, max_rate: 20.0 };
-    sim.deform(plan).unwrap();
+    sim.deform(plan_at_constant_stress(drive)).unwrap();
     sim
+}
+
+fn plan_at_constant_stress(drive: Drive) -> Deformation {
+    let mut plan = shear(0, 1, drive);
+    plan.directions[1] = Drive::Stress {
+        target: PRESSURE,
+        max_rate: 20.0,
+    };
+    plan
 }
 
 #[test]
@@ -492,8 +502,7 @@ fn shear_at_constant_stress_holds_the_stress_and_its_books() {
 }
 
 fn hold_the_books(laws: &Laws) {
-    let mut sim = sheared_at_constant_stress(laws, 7);
-    let target = 1e-3 * STIFFNESS / RADIUS;
+    let mut sim = sheared_at_constant_stress(laws, 7, Drive::StrainRate(50.0));
     let mut residual = run(&mut sim, 20_000);
     let (mut normal, mut shear_stress) = (0.0, 0.0);
     for _ in 0..200 {
@@ -502,10 +511,10 @@ fn hold_the_books(laws: &Laws) {
         normal += stress[1] / 200.0;
         shear_stress -= stress[3] / 200.0;
     }
-    report("normal stress over its target", normal / target);
+    report("normal stress over its target", normal / PRESSURE);
     report("friction of the flow", shear_stress / normal);
     report("largest residual", residual);
-    assert!((normal / target - 1.0).abs() < 0.05, "{}", normal / target);
+    assert!((normal / PRESSURE - 1.0).abs() < 0.05, "{}", normal / PRESSURE);
     assert!(
         (0.2..0.9).contains(&(shear_stress / normal)),
         "{}",
@@ -551,7 +560,7 @@ fn what_does_not_go_with_a_deforming_box_is_refused() {
     assert_eq!(gravity, DeformationError::With(Misfit::Gravity));
     let fast = refused(|_| (), isotropic(Drive::StrainRate(-1e9)));
     assert!(matches!(fast, DeformationError::TooFast { .. }), "{fast}");
-    let flat = refused(|_| (), shear(1, 1, 1.0));
+    let flat = refused(|_| (), shear(1, 1, Drive::StrainRate(1.0)));
     assert_eq!(flat, DeformationError::NoPlane { direction: "y" });
     let pull = refused(
         |_| (),
@@ -562,8 +571,8 @@ fn what_does_not_go_with_a_deforming_box_is_refused() {
     );
     assert!(matches!(pull, DeformationError::Value { .. }), "{pull}");
     let mut sim = Simulation::new(gas(&smooth(0.5), 4, 0.1, 0.0, 0.0));
-    sim.deform(shear(0, 1, 1.0)).unwrap();
-    let other = sim.deform(shear(0, 2, 1.0));
+    sim.deform(shear(0, 1, Drive::StrainRate(1.0))).unwrap();
+    let other = sim.deform(shear(0, 2, Drive::StrainRate(1.0)));
     assert_eq!(
         other,
         Err(DeformationError::OtherShear {

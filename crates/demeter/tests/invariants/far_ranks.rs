@@ -7,7 +7,7 @@ use crate::cases::{Case, Laws, law, on_threads, one_material, report};
 use demeter::comm::{Ranks, ShearAxes};
 use demeter::measure::{ForceDistribution, Moment, measure};
 use demeter::particles::{Domain, Outside};
-use demeter::simulation::{Deformation, Setup, Shear, Simulation};
+use demeter::simulation::{Deformation, Drive, Setup, Shear, Simulation};
 use demeter_physics::DVec3;
 
 /// Largest radius [m].
@@ -115,7 +115,10 @@ fn small_grains_among_large_ones_have_the_same_bits() {
 fn processes_that_meet_across_sliding_sides_have_the_same_bits() {
     let axes = ShearAxes { flow: 0, gradient: 1 };
     let shear = Deformation {
-        shear: Some(Shear { axes, rate: 200.0 }),
+        shear: Some(Shear {
+            axes,
+            drive: Drive::StrainRate(200.0),
+        }),
         ..Deformation::default()
     };
     compare("shear", || duct(64, [true; 3], &[1.0, 0.5]), Some(shear), &[2, 4, 8]);

@@ -1,10 +1,10 @@
 //! A box that deforms has the same bits on any number of threads and processes and after a restart.
 
-use super::{gas, rough, rough_and_soft, sheared_at_constant_stress};
+use super::{PRESSURE, gas, rough, rough_and_soft, sheared_at_constant_stress};
 use crate::cases::ranks::on_ranks;
 use crate::cases::{Laws, on_threads};
 use demeter::comm::Ranks;
-use demeter::simulation::{Simulation, SimulationState};
+use demeter::simulation::{Drive, Simulation, SimulationState};
 
 /// All that can be seen of a run, in bytes.
 fn fingerprint(sim: &mut Simulation) -> Vec<u8> {
@@ -17,13 +17,22 @@ fn fingerprint(sim: &mut Simulation) -> Vec<u8> {
 
 #[test]
 fn shear_at_constant_stress_has_the_same_bits_on_threads_and_after_a_restart() {
-    [rough(), rough_and_soft()].iter().for_each(hold_the_bits);
+    cases().iter().for_each(hold_the_bits);
 }
 
-fn hold_the_bits(laws: &Laws) {
+/// At a rate and at a shear stress.
+fn cases() -> [(Laws, Drive); 2] {
+    let (target, max_rate) = (0.5 * PRESSURE, 100.0);
+    [
+        (rough(), Drive::Stress { target, max_rate }),
+        (rough_and_soft(), Drive::StrainRate(50.0)),
+    ]
+}
+
+fn hold_the_bits((laws, drive): &(Laws, Drive)) {
     let go = |threads: usize| {
         on_threads(threads, || {
-            let mut sim = sheared_at_constant_stress(laws, 7);
+            let mut sim = sheared_at_constant_stress(laws, 7, *drive);
             let mut states = Vec::new();
             for step in 1..=2400 {
                 sim.step().unwrap();
@@ -54,9 +63,9 @@ fn hold_the_bits(laws: &Laws) {
 
 #[test]
 fn shear_at_constant_stress_has_the_same_bits_on_any_number_of_processes() {
-    let go = |laws: &Laws, rank: Option<Box<dyn Ranks>>| {
+    let go = |(laws, drive): &(Laws, Drive), rank: Option<Box<dyn Ranks>>| {
         on_threads(1, || {
-            let mut sim = sheared_at_constant_stress(laws, 13);
+            let mut sim = sheared_at_constant_stress(laws, 13, *drive);
             let is_shared = rank.is_some();
             rank.into_iter().for_each(|rank| sim.share(rank));
             for _ in 0..450 {
@@ -67,10 +76,10 @@ fn shear_at_constant_stress_has_the_same_bits_on_any_number_of_processes() {
             fingerprint(&mut sim)
         })
     };
-    for laws in [rough(), rough_and_soft()] {
-        let alone = go(&laws, None);
+    for case in cases() {
+        let alone = go(&case, None);
         for ranks in [2, 3] {
-            let shared = on_ranks(ranks, |rank| go(&laws, Some(rank)));
+            let shared = on_ranks(ranks, |rank| go(&case, Some(rank)));
             assert!(
                 shared.iter().all(|bits| *bits == alone),
                 "{ranks} processes give other bits"

@@ -17,7 +17,7 @@ fn a_jump_across_a_sliding_side_is_no_flow() {
     let mut sim = case.simulation();
     sim.deform(Deformation {
         affine: false,
-        ..shear(0, 1, rate)
+        ..shear(0, 1, Drive::StrainRate(rate))
     })
     .unwrap();
     let gate = |x: f64| MassFlow {
