@@ -83,7 +83,7 @@ impl Runner<'_> {
             self.say(&left, observer)?;
         }
         if let Some(warning) = self.residual_warning() {
-            self.say(&format!("warning: {warning}"), observer)?;
+            self.tell_text(&format!("warning: {warning}"), observer)?;
         }
         Ok(())
     }

@@ -438,8 +438,16 @@ impl<'a> Runner<'a> {
         news.iter().try_for_each(|text| self.say(text, observer))
     }
 
-    /// Tells the observer and the log.
+    /// Tells the observer and the log, and a warning the summary, too.
     pub(super) fn say(&mut self, text: &str, observer: &mut dyn Observer) -> Result<(), RunError> {
+        if let Some(warning) = text.strip_prefix("warning: ") {
+            self.place.warnings.push(warning.to_owned());
+        }
+        self.tell_text(text, observer)
+    }
+
+    /// Tells the observer and the log.
+    pub(super) fn tell_text(&mut self, text: &str, observer: &mut dyn Observer) -> Result<(), RunError> {
         observer.message(text);
         let log = |files: &Files| files.folder.log_line(text);
         Ok(self.files.as_ref().map_or(Ok(()), log)?)

@@ -144,7 +144,7 @@ impl<'a> Traffic<'a> {
     }
 
     /// What a user wants to read of feeds that end with a stage, told by its index, before all came that they were told.
-    pub fn end_stage(&self, stage: usize) -> Vec<String> {
+    pub fn end_stage(&self, stage: usize, dt: f64) -> Vec<String> {
         let later = self.scenario.stages.get(stage + 1..).unwrap_or_default();
         let is_last = |&feed: &usize| {
             // a stage that tells nothing of feeds leaves them as they are
@@ -158,7 +158,10 @@ impl<'a> Traffic<'a> {
         let name = self.scenario.stages.get(stage).map_or("", |stage| stage.name.as_str());
         let feeds = (0..self.state.feeds.len()).filter(is_last);
         feeds
-            .filter_map(|feed| self.state.feeds[feed].cut_short(&self.scenario.feeds[feed], name))
+            .filter_map(|feed| {
+                let (spec, source) = (&self.scenario.feeds[feed], &self.sources[feed]);
+                self.state.feeds[feed].cut_short(spec, source, dt, name)
+            })
             .collect()
     }
 
@@ -526,9 +529,8 @@ impl Feeding<'_> {
         if state.done {
             return Some(format!("feed `{name}` is done: {grains} grains, {mass:.6} kg came"));
         }
-        let behind = state.behind(self.spec, self.source, self.sim.dt);
-        let much = behind > BEHIND * (mass + behind) && behind > BEHIND_GRAINS * self.source.mean_mass();
-        if !much || state.told_behind {
+        let behind = state.far_behind(self.spec, self.source, self.sim.dt)?;
+        if state.told_behind {
             return None;
         }
         state.told_behind = true;
@@ -541,12 +543,16 @@ impl Feeding<'_> {
 }
 
 impl FeedState {
-    /// What of a feed without a rate found no room until the end of its last stage.
-    fn cut_short(&self, spec: &FeedSpec, stage: &str) -> Option<String> {
-        if !self.active || self.done || spec.rate != FeedRate::AsRoomAllows {
+    /// What of a feed found no room until the end of its last stage.
+    fn cut_short(&self, spec: &FeedSpec, source: &Streaming, dt: f64, stage: &str) -> Option<String> {
+        if !self.active || self.done {
             return None;
         }
         let came = match (spec.end.count, spec.end.mass) {
+            _ if spec.rate != FeedRate::AsRoomAllows => {
+                let behind = self.far_behind(spec, source, dt)?;
+                format!("{:.6} kg of {:.6} kg", self.mass, self.mass + behind)
+            }
             (Some(count), _) if self.grains < count => format!("{} of {count} grains", self.grains),
             (None, Some(mass)) => format!("{:.6} kg of {mass:.6} kg", self.mass),
             _ => return None,
@@ -556,6 +562,13 @@ impl FeedState {
              that is free of walls and grains, faster grains or a longer stage let all come",
             spec.name
         ))
+    }
+
+    /// What is worth telling of [`Self::behind`].
+    fn far_behind(&self, spec: &FeedSpec, source: &Streaming, dt: f64) -> Option<f64> {
+        let behind = self.behind(spec, source, dt);
+        let is_far = behind > BEHIND * (self.mass + behind) && behind > BEHIND_GRAINS * source.mean_mass();
+        is_far.then_some(behind)
     }
 
     /// Mass that is due by the rate and has not come [kg].

@@ -292,6 +292,19 @@ duration = "60 ms"
     assert!(came > 5.0 * mass);
     assert!(((behind + came) / mass - 600.0).abs() < 3.0, "{behind} and {came}");
     assert!(series["max overlap"].iter().all(|o| *o < 0.1));
+    // what is told on the way and at the end stands in the summary, too
+    let file = fs::read_to_string(place.path().join("summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&file).unwrap();
+    let warned = |what: &str| {
+        let warnings = summary["warnings"].as_array().unwrap();
+        warnings.iter().filter(|w| w.as_str().unwrap().contains(what)).count()
+    };
+    assert_eq!(warned("feed `stream` is behind"), 1, "{summary}");
+    let at_the_end = format!(
+        "let {came:.6} kg of {:.6} kg come until the end of stage",
+        came + behind
+    );
+    assert_eq!(warned(&at_the_end), 1, "{at_the_end}: {summary}");
 }
 
 #[test]

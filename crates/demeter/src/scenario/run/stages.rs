@@ -49,7 +49,7 @@ impl Runner<'_> {
         let name = &stage.name;
         let text = format!("stage `{name}` ended at {:.4e} s: {reason}", self.sim.time());
         self.say(&text, observer)?;
-        for text in self.traffic.end_stage(self.place.stage) {
+        for text in self.traffic.end_stage(self.place.stage, dt) {
             self.say(&text, observer)?;
         }
         self.place.stages_done.push(StageSummary {
