@@ -367,6 +367,9 @@ fn sliding_over_facets_keeps_the_energy() {
     }
 }
 
+/// Cosine of the largest angle between normals of contacts that are one, as `walls/mesh/contacts.rs` has it.
+const SAME_DIRECTION: f64 = 0.93;
+
 proptest! {
     #[test]
     fn the_deepest_contact_is_the_closest_point(seed in 0u64..1000, n in 1usize..40, at in prop::array::uniform3(-2.0f64..2.0)) {
@@ -385,7 +388,9 @@ proptest! {
         prop_assert_eq!(found.is_empty(), least >= 0.7);
         prop_assert_eq!(mesh.near(centre, 0.7), least <= 0.7);
         if let Some(deepest) = found.iter().map(|c| c.distance).reduce(f64::min) {
-            prop_assert!((deepest - least).abs() <= 1e-12);
+            // where several of nearly the same direction are one contact, the way out of all of them may be a little longer
+            let (overlap, longest) = (0.7 - deepest, (0.7 - least) / SAME_DIRECTION);
+            prop_assert!(deepest <= least + 1e-12 && overlap <= longest + 1e-12, "{} and {}", deepest, least);
         }
     }
 }
