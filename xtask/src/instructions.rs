@@ -33,21 +33,7 @@ pub fn run(accept: bool) -> Result<(), String> {
         println!("==> instructions of one step: NOT COUNTED, the reference is of Linux on x86-64");
         return Ok(());
     }
-    run_cargo(
-        &[
-            "build",
-            "-p",
-            "demeter-benches",
-            // the wheel that is tested later finds the engine compiled
-            "-p",
-            "demeter-py",
-            "--bin",
-            "one_step",
-            "--config",
-            PROFILES,
-        ],
-        &[],
-    )?;
+    build()?;
     let binary = target_folder()?.join("debug/one_step");
     let mut counts = Vec::new();
     for instructions in COUNTED {
@@ -63,6 +49,25 @@ pub fn run(accept: bool) -> Result<(), String> {
     }
     let accepted = read(&path).map_err(|error| format!("{error}; `cargo xtask instructions --accept` writes it"))?;
     compare(&accepted, &compiler, &counts).map(|text| println!("{text}"))
+}
+
+/// Compiles what is counted.
+pub fn build() -> Result<(), String> {
+    run_cargo(
+        &[
+            "build",
+            "-p",
+            "demeter-benches",
+            // the wheel that is tested later finds the engine compiled
+            "-p",
+            "demeter-py",
+            "--bin",
+            "one_step",
+            "--config",
+            PROFILES,
+        ],
+        &[],
+    )
 }
 
 /// The compiler, as its one line tells it.

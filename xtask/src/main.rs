@@ -84,6 +84,9 @@ enum Command {
         /// Take what is counted as the new reference
         #[arg(long)]
         accept: bool,
+        /// Only compile what is counted, and the Python module as it is tested
+        #[arg(long, conflicts_with = "accept")]
+        build: bool,
     },
     /// Settle the benchmark packing and print the speed
     Bench {
@@ -116,7 +119,8 @@ fn main() -> ExitCode {
         Command::Book => book::make(),
         Command::Verify { filter } => checks::verify(filter.as_deref()),
         Command::Validate { arguments } => validate::run(&arguments),
-        Command::Instructions { accept } => instructions::run(accept),
+        Command::Instructions { build: true, .. } => instructions::build(),
+        Command::Instructions { accept, .. } => instructions::run(accept),
         Command::Bench { threads, scenario, out } => bench::run(&scenario, threads, out),
     };
     match result {
