@@ -5,10 +5,11 @@
 //! bed's stiffness it cannot excite it, and it rests only where `f = F`: there is no steady error. `D` starts at
 //! `F / max_speed`, so that an unloaded plate approaches at the largest speed.
 //!
-//! A bed that goes away, as another wall drives it, would be followed with the error `D v`. So the plate is borne by a carriage, which
-//! takes on the plate's speed over a time `T`: `v = (F - f)/D + u`, `du/dt = (F - f)/(D T)`, as if the brake joined it to a mass `D T`.
-//! That takes only energy, too. On a bed of stiffness `k` it does not overshoot for `T > 4 D/k`; of `k` it is known that `f` built up over
-//! the way since the plate touched. In a bed that yields that way only grows: `T` is a quarter of the time since then at most.
+//! A bed that goes away, as another wall drives it, or flows round the plate, would be followed with the error `D v`. So the plate is
+//! borne by a carriage, which takes on the plate's speed over a time `T`: `v = (F - f)/D + u`, `du/dt = (F - f)/(D T)`, as if the brake
+//! joined it to a mass `D T`. That takes only energy, too, and the mean of `f` is `F` wherever the bed lets the plate go on. A bed that
+//! bears the plate is approached without the carriage: it gains speed only while the plate does not close the error by itself, by a tenth
+//! in [`PATIENCE`] steps.
 //!
 //! A target below 0 is held as its mirror image is; where the target is 0, the largest force that was measured is the measure of errors.
 //!
@@ -23,9 +24,8 @@ use serde::{Deserialize, Serialize};
 const HASTE: u32 = 8;
 /// Steps of slow approach before the brake is loosened.
 const PATIENCE: u32 = 100;
-/// Least time in which the carriage takes on the plate's speed, in steps: four times that in which an error falls where it is closed by a
-/// tenth in [`PATIENCE`] steps.
-const LEAST_CARRY: f64 = 4000.0;
+/// `T` in steps.
+const CARRY: f64 = 500.0;
 /// Largest and smallest brake, as multiples of its start.
 const STRONGEST: f64 = 1e12;
 const WEAKEST: f64 = 1.0 / 32.0;
@@ -42,12 +42,11 @@ pub(crate) struct Servo {
     max_speed: f64,
     /// `D` as a multiple of `scale / max_speed`.
     brake: f64,
-    /// Speed of the carriage, and the way of the plate since it touched the bed in one step each, as multiples of `max_speed`.
+    /// Speed of the carriage, as a multiple of `max_speed`.
     carried: f64,
-    way: f64,
-    /// Steps in touch with the bed.
-    touching: f64,
-    /// Steps since it touched the bed last, at most [`PATIENCE`].
+    /// Whether the carriage gains speed.
+    follows: bool,
+    /// Steps since it touched the bed last.
     apart: u32,
     /// Whether the wall pressed too little in the last step.
     wanting: bool,
@@ -65,9 +64,8 @@ impl Servo {
             max_speed,
             brake: 1.0,
             carried: 0.0,
-            way: 0.0,
-            touching: 0.0,
-            apart: 0,
+            follows: true,
+            apart: u32::MAX,
             wanting: true,
             since_crossing: u32::MAX,
             since_review: 0,
@@ -88,20 +86,16 @@ impl Servo {
         self.review(error);
         let slip = error / (self.scale * self.brake);
         let speed = (slip + self.carried).clamp(-1.0, 1.0);
-        if pressing > 0.0 {
-            self.apart = 0;
-            self.way += speed;
-            self.touching += 1.0;
-            let stiffness = pressing / self.way.abs();
-            let carry = (4.0 * self.brake * (self.scale / stiffness)).min(0.25 * self.touching);
-            // at its largest speed the plate does not follow, whatever the carriage does
-            if speed.abs() < 1.0 {
-                self.carried += slip / carry.max(LEAST_CARRY);
-            }
-        } else if self.apart < PATIENCE {
-            self.apart += 1;
+        self.apart = if pressing > 0.0 {
+            0
         } else {
-            (self.carried, self.way, self.touching) = (0.0, 0.0, 0.0);
+            self.apart.saturating_add(1)
+        };
+        if self.apart > PATIENCE {
+            self.carried = 0.0;
+        } else if self.follows && speed.abs() < 1.0 {
+            // at its largest speed the plate does not follow, whatever the carriage does
+            self.carried += slip / CARRY;
         }
         self.side * self.max_speed * speed
     }
@@ -116,13 +110,15 @@ impl Servo {
             self.wanting = wanting;
             self.since_crossing = 0;
             self.since_review = 0;
+            self.follows = true;
             self.error_at_review = error.abs();
             return;
         }
         self.since_review += 1;
         if self.since_review >= PATIENCE {
             let weakest = if error < self.scale { WEAKEST } else { 1.0 };
-            if error.abs() > 0.9 * self.error_at_review && self.brake > weakest {
+            self.follows = error.abs() > 0.9 * self.error_at_review;
+            if self.follows && self.brake > weakest {
                 self.brake *= 0.5;
             }
             self.since_review = 0;
@@ -305,6 +301,53 @@ mod tests {
                 let out = press(&bed, 10.0, max_speed, dt, steps);
                 let label = format!("k {stiffness} speed {fraction} yields {share}: {}", out.ripple);
                 assert!(out.ripple < 2e-3, "{label}");
+            }
+        }
+    }
+
+    /// Mean force over the target and mean speed, of the latter half of some steps in a bed that flows round the plate: grains between
+    /// both are dragged along against a resistance that grows with their speed and changes from moment to moment.
+    fn flow(max_speed: f64, fluctuation: f64, steps: u32) -> (f64, f64) {
+        let (target, mass, contact, resistance) = (10.0, 0.1f64, 1e6, 20.0);
+        let contact_damping = 0.5 * 2.0 * (contact * mass).sqrt();
+        let dt = 0.1 * (mass / contact).sqrt();
+        let mut servo = Servo::new(target, max_speed);
+        let (mut plate, mut x, mut v, mut force, mut slow) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        let (mut seed, mut sums) = (1u64, (0.0, 0.0));
+        for step in 0..steps {
+            let speed = servo.speed(force);
+            assert!(speed.abs() <= max_speed);
+            plate += speed * dt;
+            let overlap: f64 = plate - x;
+            force = if overlap > 0.0 {
+                (contact * overlap + contact_damping * (speed - v)).max(0.0)
+            } else {
+                0.0
+            };
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            let noise = (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0;
+            slow += 1e-2 * (10.0 * noise - slow);
+            let against = 5.0 * (v / 0.01).clamp(-1.0, 1.0) + resistance * v + fluctuation * slow;
+            v += (force - against) / mass * dt;
+            x += v * dt;
+            if 2 * step >= steps {
+                sums = (sums.0 + force, sums.1 + speed);
+            }
+        }
+        let half = f64::from(steps / 2);
+        (sums.0 / half / target, sums.1 / half)
+    }
+
+    #[test]
+    fn presses_on_the_mean_in_a_bed_that_flows() {
+        for max_speed in [0.5, 2.0, 10.0] {
+            for fluctuation in [0.0, 2.0, 5.0] {
+                let (mean, speed) = flow(max_speed, fluctuation, 400_000);
+                let label = format!("at most {max_speed} m/s, fluctuation {fluctuation}: {mean} at {speed} m/s");
+                assert!((mean - 1.0).abs() < 5e-3, "{label}");
+                assert!((speed / 0.25 - 1.0).abs() < 0.03, "{label}");
             }
         }
     }
