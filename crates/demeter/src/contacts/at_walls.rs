@@ -2,6 +2,7 @@
 
 use super::kinematics::{Motion, Sight, Source, Turning, note_engaged, places_in_turn, put_listed, shift};
 use super::meetings::next_lane;
+use super::respond::Lost;
 use super::sum::{Adder, Loads, Sink};
 use super::{ContactChunk, Scene};
 use crate::particles::Load;
@@ -206,7 +207,7 @@ impl ContactChunk {
         }
         if scene.records_walls {
             self.losses.clear();
-            self.losses.resize(self.len(), [0.0; 2]);
+            self.losses.resize(self.len(), Lost::default());
         }
         let mut engaged = std::mem::take(&mut self.engaged);
         let mut felt = std::mem::take(&mut self.felt);

@@ -68,6 +68,18 @@ pub fn spring_energies(law: &PairLaw, history: &[f64]) -> (f64, f64) {
     )
 }
 
+/// Largest force that friction bears before a contact slides as a whole [N].
+pub fn friction_limit(law: &PairLaw, load: f64) -> f64 {
+    struct Limit(f64);
+    impl TangentialVisitor for Limit {
+        type Output = f64;
+        fn visit<L: Tangential>(self, law: &L) -> f64 {
+            law.limit(self.0)
+        }
+    }
+    law.tangential.map_or(0.0, |t| t.visit(Limit(load)))
+}
+
 /// Energy stored by the normal law of a contact between bodies of these sizes [J].
 pub fn normal_energy(law: &PairLaw, size: PairSize, overlap: f64, history: &[f64]) -> f64 {
     struct Stored<'a>(PairSize, f64, &'a [f64]);

@@ -1,6 +1,7 @@
 //! What contacts do to walls that record it.
 
 use super::laws::spring_energies;
+use super::respond::Lost;
 use super::{ContactChunk, Scene};
 use crate::neighbours::WallPair;
 use crate::walls::Mark;
@@ -31,6 +32,7 @@ impl ContactChunk {
                     tangential: glam::DVec3::ZERO,
                     impact: 0.0,
                     sliding,
+                    way_slid: 0.0,
                 });
             }
         }
@@ -41,22 +43,23 @@ impl ContactChunk {
         for k in 0..self.len() {
             let wall = &scene.walls[self.j[k] as usize];
             // what the springs held of one that ended is lost in this step
-            let does_nothing = !self.is_engaged(k) && self.losses[k] == [0.0; 2];
+            let does_nothing = !self.is_engaged(k) && self.losses[k] == Lost::default();
             if !wall.is_recorded() || does_nothing {
                 continue;
             }
             let (g, contact) = (self.i[k] as usize, &self.now.geometry[k]);
             let normal_force = self.normal_force(k);
             let point = scene.grains.position[g] - contact.normal * contact.lever_i;
-            let [impact, sliding] = self.losses[k];
+            let lost = self.losses[k];
             self.marks.push(Mark {
                 wall: self.j[k],
                 element: wall.element_at(self.now.element[k], point, scene.grains.radius(g)),
                 normal_force,
                 normal: contact.normal,
                 tangential: -self.tangential_force(k),
-                impact,
-                sliding,
+                impact: lost.normal,
+                sliding: lost.friction,
+                way_slid: lost.way_slid,
             });
         }
     }

@@ -56,6 +56,7 @@ use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use evaluate::WORD;
 use glam::DVec3;
 use rare::{Rare, begins_empty};
+use respond::Lost;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use told::Told;
@@ -261,10 +262,9 @@ pub struct ContactChunk {
     /// Force and torque on every wall (torque about its origin), for chunks of wall contacts.
     #[serde(skip)]
     pub wall_load: Vec<(DVec3, DVec3)>,
-    /// What every contact lost in this step, by its normal law and by friction [J], and what that did to the walls: where
-    /// walls record it.
+    /// What every contact lost in this step, and what that did to the walls: where walls record it.
     #[serde(skip)]
-    losses: Vec<[f64; 2]>,
+    losses: Vec<Lost>,
     /// Normal forces that do not depend on the rate [N], where contacts feel each other.
     #[serde(skip)]
     elastic: Vec<f64>,

@@ -3,7 +3,7 @@
 
 use super::asking::{Lot, Press, Pressed, Roll, Rub, Stiffness};
 use super::kinematics::{Motion, Sight, Source, load_some, store_some_singles};
-use super::laws::{normal_history, spring_energies, tangential_history};
+use super::laws::{friction_limit, normal_history, spring_energies, tangential_history};
 use super::meetings::{lanes_below, next_lane};
 use super::sum::{Loads, Sink};
 use super::together::Laws;
@@ -28,7 +28,7 @@ pub(super) struct Answers<'a> {
     /// Torque of the rolling law on the first body [N m]; empty where no law resists rolling.
     pub(super) torques: &'a mut Told,
     /// What every contact loses, by its normal law and by friction [J], nothing yet; empty where nobody asks.
-    pub(super) losses: &'a mut [[f64; 2]],
+    pub(super) losses: &'a mut [Lost],
     /// Normal force that does not depend on the rate [N]; empty where nobody asks.
     pub(super) elastic: &'a mut [f64],
 }
@@ -105,7 +105,7 @@ fn end(answers: &mut Answers, k: usize, mut ended: u32, law: &PairLaw, booked: &
         if history.iter().any(|&value| value.to_bits() != 0) {
             booked.book_end(history, law);
             if let Some(lost) = answers.losses.get_mut(k + lane) {
-                lost[1] += spring_energies(law, history).0;
+                lost.friction += spring_energies(law, history).0;
             }
             history.fill(0.0);
         }
@@ -238,7 +238,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 answers.torques.put_lanes::<L>(k, rolling_torque);
             }
             store_some_singles(force, answers.normal_force, k);
-            answers.tell::<L>(k, count, &pressed, &rubbed, acting);
+            answers.tell::<L>(k, count, &pressed, &rubbed, acting, law);
             let tangential = rubbed.force.or(acting, nothing);
             answers.tangential.put_lanes::<L>(k, tangential);
             let arm = motion.normal.outer(tangential);
@@ -268,6 +268,20 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
     }
 }
 
+/// What a contact lost in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Lost {
+    /// By its normal law [J].
+    pub(super) normal: f64,
+    /// By friction [J].
+    pub(super) friction: f64,
+    /// Way slid, where it slid as a whole [m].
+    pub(super) way_slid: f64,
+}
+
+/// A contact slides as a whole under at least this share of what friction bears; the rest is rounding.
+const SLIDING: f64 = 1.0 - 1e-9;
+
 /// Overlap, as a share of the effective radius, of lanes that do not act.
 const GENTLE: f64 = 1e-3;
 
@@ -293,6 +307,7 @@ impl Answers<'_> {
         pressed: &Pressed<L>,
         rubbed: &TangentialResponse<L>,
         acting: L::Mask,
+        law: &PairLaw,
     ) {
         if self.losses.is_empty() && self.elastic.is_empty() {
             return;
@@ -301,9 +316,13 @@ impl Answers<'_> {
         if let Some(losses) = self.losses.get_mut(places.clone()) {
             let normal = (pressed.viscous + pressed.lost).keep(acting).to_array();
             let friction = rubbed.dissipated.keep(acting).to_array();
-            for (told, (normal, friction)) in losses.iter_mut().zip(normal.iter().zip(friction)) {
-                told[0] += normal;
-                told[1] += friction;
+            let force = rubbed.force.square().sqrt().keep(acting).to_array();
+            let load = pressed.friction_load.to_array();
+            for (lane, told) in losses.iter_mut().enumerate() {
+                told.normal += normal[lane];
+                told.friction += friction[lane];
+                let slides = force[lane] > 0.0 && force[lane] >= SLIDING * friction_limit(law, load[lane]);
+                told.way_slid = if slides { friction[lane] / force[lane] } else { 0.0 };
             }
         }
         if let Some(elastic) = self.elastic.get_mut(places) {

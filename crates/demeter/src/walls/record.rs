@@ -7,7 +7,8 @@
 //!   *pressure*, and the *shear stress* (the magnitude of the mean of `T` over the area: what changes its direction cancels)
 //! * *impact energy* `E`: what the normal law lost, in dashpots and by plastic work or tear-off
 //! * *sliding energy* `W`: what friction lost, with what its spring still held when the contact ended
-//! * *slid load* `sum N ds`: the normal force times the way slid, `ds = dW/|T|`, for slid is what friction lost over its force
+//! * *slid load* `sum N ds`: the normal force times the way slid, `ds = dW/|T|`, while `|T|` is all that friction bears: what a contact
+//!   loses that sticks, in the dashpot beside its spring, is no sliding
 //! * worn volume `k_s sum N ds + k_i E`, and over the area of the element the *depth of wear*
 //!
 //! The first term is J. F. Archard, Journal of Applied Physics 24 (1953) 981, eq. 7: the volume worn is `K N s/H` with the wear
@@ -58,6 +59,8 @@ pub(crate) struct Mark {
     /// Lost by the normal law and by friction [J].
     pub(crate) impact: f64,
     pub(crate) sliding: f64,
+    /// While the contact slides as a whole [m].
+    pub(crate) way_slid: f64,
 }
 
 /// Sums on one element; vectors in the wall frame.
@@ -139,10 +142,7 @@ impl Record {
         sums.shearing += shearing;
         sums.impact += mark.impact;
         sums.sliding += mark.sliding;
-        let friction = mark.tangential.length();
-        if friction > 0.0 {
-            sums.slid_load += mark.normal_force.max(0.0) * mark.sliding / friction;
-        }
+        sums.slid_load += mark.normal_force.max(0.0) * mark.way_slid;
     }
 
     pub(super) fn pass(&mut self, dt: f64) {

@@ -87,6 +87,50 @@ fn a_grain_that_slides_down_a_mesh_wears_it_as_archard_says() {
     });
 }
 
+/// Energies and volume of a grain's oblique impact on a floor, at this friction; the floor wears by sliding only.
+fn impact(friction: f64, tangential: &'static str) -> [f64; 3] {
+    let mut values = vec![("friction", friction)];
+    if tangential == "linear-history" {
+        values.push(("stiffness", 5e3));
+    }
+    let laws = Laws::hertz(0.6).friction(law(tangential, &values));
+    let mut case = Case::new(one_material(MODULUS, &laws));
+    case.max_overlap = 0.2;
+    case.wall(0, strip(2), Motion::Rest);
+    case.walls[0].record(Recording {
+        stress: false,
+        wear: Some(WearCoefficients {
+            sliding: 2e-12,
+            impact: 0.0,
+        }),
+    });
+    case.grain(2e-3, DVec3::new(5e-3, 1e-3, 2.2e-3), DVec3::new(0.05, 0.0, -0.3));
+    let mut sim = case.simulation();
+    cases::advance(&mut sim, 6e-3);
+    assert!(sim.grains().velocity[0].z > 0.1 && sim.contacts.acting_walls() == 0);
+    sim.walls[0].wear()
+}
+
+#[test]
+fn an_impact_that_sticks_wears_nothing_and_one_that_slides_does_by_its_way() {
+    on_threads(1, || {
+        for tangential in ["linear-history", "mindlin-history", "mindlin-deresiewicz"] {
+            let [_, sliding, volume] = impact(1000.0, tangential);
+            assert!(sliding > 0.0 && volume == 0.0, "{tangential}: {sliding} {volume}");
+        }
+        for tangential in ["coulomb", "linear-history", "mindlin-history", "mindlin-deresiewicz"] {
+            // friction is the same share of the normal force all the way, so the energy tells the slid load
+            let mu = 0.01;
+            let [_, sliding, volume] = impact(mu, tangential);
+            let expected = 2e-12 * sliding / mu;
+            assert!(
+                (volume / expected - 1.0).abs() < 0.02,
+                "{tangential}: {volume} {expected}"
+            );
+        }
+    });
+}
+
 /// A grain that bounces about in a box of which one side is a mesh.
 fn bouncing(integrator: Integrator, laws: &Laws) -> Simulation {
     let mut case = Case::new(one_material(MODULUS, laws));

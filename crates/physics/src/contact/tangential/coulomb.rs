@@ -42,13 +42,18 @@ impl Tangential for Coulomb {
 
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &TangentialInput<L>, _history: &mut [L]) -> TangentialResponse<L> {
-        let limit = input.normal_force * self.friction;
+        let limit = self.limit(input.normal_force);
         let stopping = input.size.tangential_mass() * (input.removable_share / input.dt);
         let response = resist(input.velocity, limit, stopping, input.dt);
         TangentialResponse {
             force: response.load,
             dissipated: response.dissipated,
         }
+    }
+
+    #[inline(always)]
+    fn limit<L: Lanes>(&self, normal_force: L) -> L {
+        normal_force * self.friction
     }
 
     #[inline(always)]

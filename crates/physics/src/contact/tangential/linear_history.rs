@@ -71,7 +71,7 @@ impl Tangential for LinearHistory {
             stiffness,
             compliance,
             damping: dashpot(p.damping_ratio, stiffness, input.size),
-            limit: input.normal_force * p.friction,
+            limit: self.limit(input.normal_force),
             dt: input.dt,
         };
         let response = advance_spring(&spring, history, carried);
@@ -79,6 +79,11 @@ impl Tangential for LinearHistory {
             force: response.load,
             dissipated: response.dissipated,
         }
+    }
+
+    #[inline(always)]
+    fn limit<L: Lanes>(&self, normal_force: L) -> L {
+        normal_force * self.parameters.friction
     }
 
     #[inline(always)]

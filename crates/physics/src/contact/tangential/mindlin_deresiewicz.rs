@@ -311,7 +311,7 @@ impl Tangential for MindlinDeresiewicz {
         row.resize(radius, input.size.radius, bears);
         let across = input.normal.outer(row.axis);
         let velocity = [input.velocity.inner(row.axis), input.velocity.inner(across)];
-        let limit = input.normal_force * self.parameters.friction;
+        let limit = self.limit(input.normal_force);
         let middle = row.shear(velocity, input.dt, self.modulus, limit);
         let damping = dashpot(self.parameters.damping_ratio, radius * self.modulus, input.size);
         let load = held(difference(middle, scaled(velocity, damping)), limit);
@@ -322,6 +322,11 @@ impl Tangential for MindlinDeresiewicz {
             force: force.or(bears, L::Vector::null()),
             dissipated: L::select(bears, lost, before),
         }
+    }
+
+    #[inline(always)]
+    fn limit<L: Lanes>(&self, normal_force: L) -> L {
+        normal_force * self.parameters.friction
     }
 
     #[inline(always)]

@@ -81,7 +81,7 @@ impl Tangential for MindlinHistory {
             stiffness: radius * self.modulus,
             compliance: ((L::splat(1.0) / radius) * self.inverse).keep(radius.gt(L::splat(0.0))),
             damping: (input.size.mass * radius).sqrt() * self.dashpot,
-            limit: input.normal_force * self.parameters.friction,
+            limit: self.limit(input.normal_force),
             dt: input.dt,
         };
         let response = advance_spring(&spring, history, carried);
@@ -89,6 +89,11 @@ impl Tangential for MindlinHistory {
             force: response.load,
             dissipated: response.dissipated,
         }
+    }
+
+    #[inline(always)]
+    fn limit<L: Lanes>(&self, normal_force: L) -> L {
+        normal_force * self.parameters.friction
     }
 
     #[inline(always)]

@@ -118,6 +118,8 @@ pub trait Tangential: Copy + Send + Sync {
     ) -> TangentialResponse<L> {
         self.respond_wide(input, history)
     }
+    /// Largest force that friction bears before the contact slides as a whole [N].
+    fn limit<L: Lanes>(&self, normal_force: L) -> L;
     /// Energy stored with this history [J].
     fn energy(&self, history: &[f64]) -> f64;
     /// Tangential stiffness at an overlap [N/m]; 0 for a law without a spring.
