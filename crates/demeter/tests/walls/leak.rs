@@ -223,6 +223,52 @@ fn a_plate_is_left_where_it_ends() {
 }
 
 #[test]
+fn places_of_an_open_side_are_no_narrower_than_the_grain() {
+    // a grain on a plate gets away on all sides
+    let plate = wall(Shape::Rectangle {
+        center: DVec3::ZERO,
+        half_u: DVec3::X * 10.0,
+        half_v: DVec3::Y * 10.0,
+    });
+    let report = test(&[plate], &[v(0.0, 0.0, 2.5)], 2.0);
+    assert!(!report.openings.is_empty() && report.more, "{report:?}");
+    assert!(report.openings.iter().all(|o| o.width >= 4.0), "{report:?}");
+}
+
+/// A floor that hangs below the sides of a box open above: round its corners the way between both is wider than the gap.
+#[test]
+fn a_gap_along_a_floor_is_told_its_own_width() {
+    for gap in [4.2, 5.0, 7.0] {
+        for half_y in [20.0, 14.0] {
+            let corners = [
+                v(-20.0, -half_y, 0.0),
+                v(20.0, -half_y, 0.0),
+                v(20.0, half_y, 0.0),
+                v(-20.0, half_y, 0.0),
+            ];
+            let up = DVec3::Z * 40.0;
+            let below = DVec3::Z * -gap;
+            let sides = (0..4).flat_map(|k| {
+                let (a, b) = (corners[k], corners[(k + 1) % 4]);
+                quad(a, b, b + up, a + up)
+            });
+            let floor = quad(
+                corners[0] + below,
+                corners[1] + below,
+                corners[2] + below,
+                corners[3] + below,
+            );
+            let walls = [mesh(sides.chain(floor).collect())];
+            let report = test(&walls, &[v(5.0, 5.0, 10.0), v(-5.0, 5.0, 10.0)], 2.0);
+            assert!(!report.openings.is_empty(), "{gap}: {report:?}");
+            for opening in &report.openings {
+                assert!((opening.width / gap - 1.0).abs() < 0.03, "{gap}: {report:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_slit_all_around_leaks_when_it_is_wider_than_the_grain_and_only_then() {
     for share in [0.9, 0.95, 1.05] {
         let shell = wall(Shape::Cylinder {

@@ -99,6 +99,22 @@ impl Cells {
         });
     }
 
+    /// Centres of neighbouring cells one after the other; across a periodic side they go on beyond it.
+    pub(super) fn centers(&self, path: &[u32]) -> Vec<DVec3> {
+        let extent = self.size * DVec3::from_array(self.roots.map(f64::from));
+        let mut last: Option<DVec3> = None;
+        let follow = path.iter().map(|&cell| {
+            let mut center = self.center(cell);
+            for axis in (0..3).filter(|&axis| self.periodic[axis]) {
+                let ahead = last.map_or(0.0, |last| center[axis] - last[axis]);
+                center[axis] -= (ahead / extent[axis]).round() * extent[axis];
+            }
+            last = Some(center);
+            center
+        });
+        follow.collect()
+    }
+
     fn judge(&self, space: &Space<'_>, clearance: f64, center: DVec3, level: u8) -> State {
         let (left, half) = (space.below_cap(clearance, center), self.half_diagonal(level));
         if left >= space.radius + half {

@@ -25,7 +25,7 @@ use super::Wall;
 use crate::particles::Domain;
 use cells::{Cells, State};
 use glam::DVec3;
-use narrow::{Narrowest, narrowest};
+use narrow::{Narrowest, narrowest, narrowest_along};
 use passage::{Verdict, passages};
 use paths::{Ways, flood};
 use search::{Coarse, Goal, Search};
@@ -50,6 +50,8 @@ const MARGIN: f64 = 3.0;
 const ABOVE_GRAINS: f64 = 3.0;
 /// Radius of a plug in clearances of the opening: the corners of a triangle are that far from the middle.
 const PLUG: f64 = 4.0;
+/// What passes a grain is at least this share of its size; the rest is rounding.
+const SURELY: f64 = 1.0 - 1e-6;
 /// Most starting points.
 const MOST_STARTS: usize = 4000;
 
@@ -415,6 +417,10 @@ impl<'a> Hunt<'a> {
             }
             None => narrow_on(&self.search, &way(&[deep])).or_else(|| narrow_on(&self.search, &way(&starts)))?,
         };
+        if found.clearance < SURELY * self.search.space.radius {
+            // the grain passes where the way leads, but this is not on it
+            return None;
+        }
         self.plug(&found);
         Some(Opening {
             kind: OpeningKind::Leak,
@@ -482,23 +488,7 @@ fn settle(space: &Space<'_>, places: &[DVec3], ends: (DVec3, DVec3)) -> Vec<DVec
 
 /// The narrowest place of a way through cells; of no way, nowhere.
 fn narrow_on(search: &Search<'_>, path: &[u32]) -> Option<Narrowest> {
-    let Search { space, cells, .. } = search;
-    let clearance = |k: usize| cells.get(path[k]).clearance;
-    // of equally narrow places the last
-    let least = (0..path.len())
-        .rev()
-        .min_by(|&a, &b| clearance(a).total_cmp(&clearance(b)));
-    let at = least?;
-    let ends = [path[at.saturating_sub(1)], path[(at + 1).min(path.len() - 1)]];
-    let along = (cells.center(ends[1]) - cells.center(ends[0]))
-        .try_normalize()
-        .unwrap_or(DVec3::Z);
-    Some(narrowest(
-        space,
-        cells.center(path[at]),
-        along,
-        1.5 * cells.side(path[at]),
-    ))
+    narrowest_along(&search.space, &search.cells.centers(path))
 }
 
 /// Where a way leads from above a height to below it; of one that stays above, where it ends.
