@@ -174,6 +174,13 @@ fn every_format_gives_the_same_triangles_whatever_its_name() {
                 .map(|(k, l)| l.to_string() + ["\n", "\r\n"][k % 2])
                 .collect();
             assert_eq!(read(name, mixed.as_bytes()).unwrap().triangles, pyramid(), "{name}");
+            if format == MeshFormat::StlAscii {
+                // white space is free in this format
+                for blank in [" ", "\t "] {
+                    let one_line = text.replace('\n', blank);
+                    assert_eq!(read(name, one_line.as_bytes()).unwrap().triangles, pyramid(), "{name}");
+                }
+            }
             let marked = [b"\xef\xbb\xbf", text.as_bytes()].concat();
             assert_eq!(read(name, &marked).unwrap().triangles, pyramid(), "{name}");
         }
@@ -342,9 +349,14 @@ const LIST_CHANGES: [Change; 8] = [
     ("1.5\n", "1.5\u{0}\n", "nine numbers"),
 ];
 
-const STL_CHANGES: [Change; 8] = [
+const STL_CHANGES: [Change; 9] = [
     ("vertex 0.5 0.5 1.5", "vertex 0.5 0.5", "three numbers"),
     ("vertex 0.5 0.5 1.5", "vertex 0.5 0.5 inf", "must be finite"),
+    (
+        "vertex 0.5 0.5 1.5",
+        "vertex 0.5 0.5 1e30",
+        "1000000000000000000000000000000",
+    ),
     ("vertex 0.5 0.5 1.5", "vertex 0.5 0,5 1.5", "three numbers"),
     ("vertex 0.5 0.5 1.5\n", "", "expected vertex"),
     ("endloop\n", "", "expected endloop"),

@@ -119,9 +119,14 @@ pub enum MeshFileError {
         /// The file.
         path: PathBuf,
     },
-    /// A coordinate is not a finite number.
-    #[error("triangle {triangle} (counted from 1) of {} has a corner at {corner}; coordinates must be finite", path.display())]
-    NotFinite {
+    /// A coordinate is not a finite number, or so large that it must be damaged.
+    #[error(
+        "triangle {triangle} (counted from 1) of {} has a corner at {corner} m; coordinates must be finite and at most {} m; \
+         the file is damaged, export it again, or correct `unit`, `scale`, `shift`",
+        path.display(),
+        super::FARTHEST
+    )]
+    TooFar {
         /// The file.
         path: PathBuf,
         /// The triangle, counted from 1.

@@ -21,6 +21,8 @@ use std::path::Path;
 
 /// Largest file that is read [bytes].
 const MOST_BYTES: u64 = 2 << 30;
+/// Largest coordinate [m]: beyond it a number is damaged, as by a bit that was turned.
+const FARTHEST: f64 = 1e8;
 
 /// Format of a mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,8 +109,9 @@ pub fn read_mesh(path: &Path, scale: Option<f64>, shift: DVec3) -> Result<MeshFi
     for (index, triangle) in content.triangles.iter_mut().enumerate() {
         for corner in triangle {
             *corner = *corner * scale + shift;
-            if !corner.is_finite() {
-                return Err(MeshFileError::NotFinite {
+            let usable = corner.is_finite() && corner.abs().max_element() <= FARTHEST;
+            if !usable {
+                return Err(MeshFileError::TooFar {
                     path: path.to_owned(),
                     triangle: index + 1,
                     corner: *corner,

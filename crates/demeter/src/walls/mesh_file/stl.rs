@@ -109,9 +109,35 @@ fn after_words<'a>(mut text: &'a [u8], words: &str) -> Option<&'a [u8]> {
     Some(text)
 }
 
+/// Words that begin a line.
+const LINES: [&str; 6] = ["facet", "outer", "vertex", "endloop", "endfacet", "endsolid"];
+
+/// The text with its line ends, where it has other blanks in their place; nothing where it has line ends.
+fn broken_into_lines(bytes: &[u8]) -> Option<Vec<u8>> {
+    let mut lines = Lines::new(Path::new(""), bytes);
+    let first = loop {
+        let line = lines.next_but_comments()?;
+        let place = line.words().position(|word| word.eq_ignore_ascii_case(b"vertex"));
+        if let Some(place) = place {
+            break place;
+        }
+    };
+    if first == 0 {
+        return None;
+    }
+    let mut text = Vec::with_capacity(bytes.len());
+    for word in bytes.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()) {
+        let begins = LINES.iter().any(|known| word.eq_ignore_ascii_case(known.as_bytes()));
+        text.push(if begins { b'\n' } else { b' ' });
+        text.extend_from_slice(word);
+    }
+    Some(text)
+}
+
 pub(super) fn parse_ascii(path: &Path, bytes: &[u8]) -> Result<Vec<[DVec3; 3]>, MeshFileError> {
+    let broken = broken_into_lines(bytes);
     let mut facets = Facets {
-        lines: Lines::new(path, bytes),
+        lines: Lines::new(path, broken.as_deref().unwrap_or(bytes)),
     };
     let mut triangles = Vec::new();
     let mut open = false;
