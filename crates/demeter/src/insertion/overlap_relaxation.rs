@@ -20,6 +20,9 @@ pub(super) const CLEARANCE: f64 = 3e-9;
 const INFLATION: f64 = 1e-3;
 /// Gap up to which pairs are listed, over the mean radius.
 const SKIN: f64 = 0.4;
+/// Radius over that of a grain from which on another is much larger, and places that are tried for a grain so that it is beside such ones.
+const MUCH_LARGER: f64 = 3.0;
+const TRIES: u32 = 100;
 /// Grains whose pairs one task lists.
 const GRAINS_PER_TASK: usize = 512;
 /// Limits before giving up: steps and shakes of a jammed packing. Few grains get more of both, as their packings jam by
@@ -88,7 +91,7 @@ pub(super) fn relax(
     occupied: &[(DVec3, f64)],
     random: &mut RandomNumbers,
 ) -> Result<Vec<DVec3>, Jammed> {
-    let places: Vec<DVec3> = radii.iter().map(|r| space.random_place(*r, random)).collect();
+    let places = random_places(space, radii, occupied, random);
     // Neighbours in space are made neighbours in memory.
     let order = slices(space, &places, radii);
     let sorted_radii: Vec<f64> = order.iter().map(|i| radii[*i]).collect();
@@ -100,6 +103,47 @@ pub(super) fn relax(
         places[index] = place;
     }
     Ok(places)
+}
+
+/// Random places; those of sizes far apart from the largest grain on, each beside the much larger ones that came before, where it has
+/// room: from the middle of a large grain a small one has a long way out, and is in the way of all others.
+fn random_places(space: &Space, radii: &[f64], occupied: &[(DVec3, f64)], random: &mut RandomNumbers) -> Vec<DVec3> {
+    let of_all = || radii.iter().copied().chain(occupied.iter().map(|o| o.1));
+    let (smallest, largest) = of_all().fold((f64::INFINITY, 0.0f64), |(s, l), r| (s.min(r), l.max(r)));
+    if largest < MUCH_LARGER * smallest {
+        return radii.iter().map(|r| space.random_place(*r, random)).collect();
+    }
+    let (lower, upper) = space.bounds();
+    let mut grid = PlaceGrid::new(space.domain(), lower, upper, of_all());
+    occupied.iter().for_each(|(place, radius)| grid.add(*place, *radius));
+    let mut order: Vec<usize> = (0..radii.len()).collect();
+    order.sort_by(|a, b| radii[*b].total_cmp(&radii[*a]));
+    let mut places = vec![DVec3::ZERO; radii.len()];
+    for index in order {
+        let radius = radii[index];
+        let is_beside = |place: &DVec3| {
+            let inside = grid.visit(*place, 0.0, |near| {
+                let is_inside = near.radius >= MUCH_LARGER * radius
+                    && near.difference.length_squared() < (near.radius + radius) * (near.radius + radius);
+                if is_inside {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            });
+            inside.is_none()
+        };
+        let mut place = space.random_place(radius, random);
+        for _ in 0..TRIES {
+            if is_beside(&place) {
+                break;
+            }
+            place = space.random_place(radius, random);
+        }
+        grid.add(place, radius);
+        places[index] = place;
+    }
+    places
 }
 
 /// Order of grains by slices along z, rows along y, and x.
@@ -385,5 +429,37 @@ impl<'a> Packing<'a> {
         (self.places.iter().zip(self.radii))
             .map(|(place, radius)| self.space.settle(self.space.wrap(*place), *radius))
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::random::Purpose;
+    use super::*;
+    use crate::insertion::Region;
+
+    #[test]
+    fn small_grains_start_beside_much_larger_ones() {
+        let region = Region::Box {
+            lower: DVec3::ZERO,
+            upper: DVec3::splat(1.0),
+        };
+        let space = Space::new(&region, None).unwrap();
+        // two sevenths of the room are in large grains, one of which is fixed
+        let mut radii = vec![0.01; 2000];
+        radii.extend([0.2; 8]);
+        let occupied = [(DVec3::splat(0.5), 0.2)];
+        let mut random = RandomNumbers::new(1, Purpose::Places);
+        let places = random_places(&space, &radii, &occupied, &mut random);
+        let large = places[2000..].iter().copied().chain([occupied[0].0]);
+        let large: Vec<DVec3> = large.collect();
+        for place in &places[..2000] {
+            assert!(large.iter().all(|middle| middle.distance(*place) >= 0.21));
+        }
+        // equal ones are where they always were
+        let drawn = |random: &mut RandomNumbers| random_places(&space, &radii[..9], &[], random);
+        let mut again = RandomNumbers::new(7, Purpose::Places);
+        let one_by_one: Vec<DVec3> = (0..9).map(|_| space.random_place(0.01, &mut again)).collect();
+        assert_eq!(drawn(&mut RandomNumbers::new(7, Purpose::Places)), one_by_one);
     }
 }
