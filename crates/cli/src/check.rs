@@ -6,7 +6,7 @@ use crate::check_walls;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::readable::{bytes, count, number, things, wait};
-use demeter::scenario::{Prepared, Scenario, WallReport, inspect_walls, prepare};
+use demeter::scenario::{Fed, Prepared, Scenario, WallReport, inspect_walls, prepare};
 use serde_json::{Value, json};
 
 /// Most stages that are told.
@@ -36,7 +36,8 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
     let batches = things(scenario.grains.len() as u64, "batch").replace("batchs", "batches");
     rows.add("grains", format!("{} in {batches}", count(setup.grains.len() as u64)));
     if !scenario.feeds.is_empty() {
-        rows.add("feeds", names(&scenario.feeds, |feed| &feed.name).join(", "));
+        let all = names(&scenario.feeds, |feed| &feed.name).join(", ");
+        rows.add("feeds", format!("{all}: {}", fed(&prepared.fed)));
     }
     if !scenario.removals.is_empty() {
         rows.add(
@@ -72,13 +73,32 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
         rows.add("stages", format!("and {more} more"));
     }
     rows.add("steps", count(prepared.steps));
-    rows.add("memory", format!("about {}", bytes(prepared.memory)));
+    // grains that come may leave
+    let about = if prepared.fed.grains > 0.0 {
+        "at most about"
+    } else {
+        "about"
+    };
+    rows.add("memory", format!("{about} {}", bytes(prepared.memory)));
     let each = bytes(prepared.frame_bytes);
     let all = bytes(prepared.frame_bytes.saturating_mul(prepared.frames));
     let frames = things(prepared.frames, "frame");
-    rows.add("frames", format!("{frames} of about {each}, {all} together"));
-    rows.add("run time", format!("about {} on one thread", wait(prepared.run_time)));
+    rows.add("frames", format!("{frames} of {about} {each}, {all} together"));
+    rows.add("run time", format!("{about} {} on one thread", wait(prepared.run_time)));
     format!("{} is right\n{}", scenario.name, rows.lines())
+}
+
+/// How many grains feeds let come.
+fn fed(fed: &Fed) -> String {
+    let known = format!("about {} come", things(fed.grains.round() as u64, "grain"));
+    match (fed.unknown.as_slice(), fed.grains > 0.0) {
+        ([], _) => known,
+        (unknown, true) => format!(
+            "{known}, and as many as there is room for by {}, which are not counted below",
+            unknown.join(", ")
+        ),
+        (_, false) => "as many grains come as there is room for, which are not counted below".to_string(),
+    }
 }
 
 /// Names of things.
@@ -101,6 +121,7 @@ fn to_json(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Val
         "grains": prepared.setup.grains.len(),
         "materials": materials,
         "feeds": names(&scenario.feeds, |feed| &feed.name),
+        "fed": prepared.fed.grains,
         "removals": names(&scenario.removals, |removal| &removal.name),
         "walls": walls,
         "wall_report": check_walls::to_json(scenario, prepared, report),

@@ -9,6 +9,8 @@ use serde_json::{Value, json};
 
 /// Most meshes that are told one by one.
 const MOST_MESHES: usize = 20;
+/// Most pairs of meshes that are told to pass through each other.
+const MOST_MEETINGS: usize = 5;
 /// Most rims that are told of a mesh.
 const MOST_RIMS: usize = 3;
 
@@ -38,6 +40,15 @@ pub fn add_rows(scenario: &Scenario, prepared: &Prepared, report: &WallReport, r
         findings(found, triangles)
             .into_iter()
             .for_each(|words| rows.add("", words));
+    }
+    for (k, ([a, b], place)) in report.meetings.iter().take(MOST_MEETINGS).enumerate() {
+        let words = format!(
+            "`{}` passes through `{}` at {}, as they stand at the start, and they move against each other: is a `shift` right?",
+            scenario.walls[*a].name,
+            scenario.walls[*b].name,
+            vector(place.to_array())
+        );
+        rows.add(if k == 0 { "crossing" } else { "" }, words);
     }
     match &report.leaks {
         Ok(leaks) => leak_words(leaks, report.smallest)
@@ -214,7 +225,11 @@ pub fn to_json(scenario: &Scenario, prepared: &Prepared, report: &WallReport) ->
             })).collect::<Vec<_>>(),
         }),
     };
-    json!({ "meshes": meshes, "leak_test": leaks })
+    let name = |wall: usize| scenario.walls[wall].name.as_str();
+    let crossings: Vec<Value> = (report.meetings.iter())
+        .map(|([a, b], place)| json!({ "walls": [name(*a), name(*b)], "place": place.to_array() }))
+        .collect();
+    json!({ "meshes": meshes, "crossings": crossings, "leak_test": leaks })
 }
 
 fn mesh_json(name: &str, origin: &MeshOrigin, found: &Inspection) -> Value {

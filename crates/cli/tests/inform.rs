@@ -120,11 +120,8 @@ fn leaky_box() -> String {
     text + "f 1 3 4 2\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8\nf 2 4 4\n"
 }
 
-#[test]
-fn check_tells_of_meshes_and_where_grains_get_out() {
-    let place = Place::new();
-    place.write("box.obj", &leaky_box());
-    let scenario = r#"
+/// A grain in the box of `leaky_box`.
+const OBJ_BOX: &str = r#"
 [simulation]
 gravity = "0 0 -9.81 m/s^2"
 [material.glass]
@@ -147,6 +144,44 @@ file = "box.obj"
 name = "fall"
 duration = "1 ms"
 "#;
+
+#[test]
+fn check_tells_of_meshes_that_move_through_one_another() {
+    let place = Place::new();
+    place.write("box.obj", &leaky_box());
+    place.write("blade.txt", "corners\n4 10 10 16 10 10 10 10 18\n");
+    let turns = r#"{ rotation = { point = "10 10 10 mm", axis = "z", angular_velocity = "10 rad/s" } }"#;
+    for (shift, motion, crosses) in [
+        ("0 0 0 mm", turns, false),
+        ("7 0 0 mm", turns, true),
+        ("7 0 0 mm", "\"rest\"", false),
+        ("7 0 0 mm", r#"{ with = "box" }"#, false),
+        ("30 0 0 mm", turns, false),
+    ] {
+        let blade = format!(
+            "[[wall]]\nname = \"blade\"\nmaterial = \"glass\"\nshape = \"mesh\"\nfile = \"blade.txt\"\nunit = \"mm\"\n\
+             shift = \"{shift}\"\nmotion = {motion}\n[[stage]]"
+        );
+        let scenario = OBJ_BOX.replace("\"box.obj\"", "\"box.obj\"\nunit = \"mm\"");
+        place.write("cross.toml", &scenario.replace("[[stage]]", &blade));
+        let said = place.expect(0, &["check", "cross.toml"]);
+        let told = said.out.contains("`box` passes through `blade`");
+        assert_eq!(told, crosses, "{shift} {motion}: {}", said.out);
+        let answer = place.expect(0, &["check", "cross.toml", "--json"]).json();
+        let crossings = answer["wall_report"]["crossings"].as_array().unwrap();
+        assert_eq!(crossings.len(), usize::from(crosses));
+        if crosses {
+            let x = crossings[0]["place"][0].as_f64().unwrap();
+            assert!((x - 0.02).abs() < 2e-3, "{crossings:?}");
+        }
+    }
+}
+
+#[test]
+fn check_tells_of_meshes_and_where_grains_get_out() {
+    let place = Place::new();
+    place.write("box.obj", &leaky_box());
+    let scenario = OBJ_BOX;
     place.write("box.toml", scenario);
     let said = place.expect(0, &["check", "box.toml"]);
     assert!(

@@ -82,6 +82,8 @@ dimensions! {
     ENERGY = (1, 2, -2), "energy or torque", "J";
     /// Pressure or elastic modulus [Pa].
     PRESSURE = (1, -1, -2), "pressure or modulus", "Pa";
+    /// Inverse of a pressure [1/Pa].
+    INVERSE_PRESSURE = (-1, 1, 2), "inverse pressure", "1/Pa";
     /// Mass density [kg/m^3].
     DENSITY = (1, -3, 0), "density", "kg/m^3";
     /// Stiffness [N/m].

@@ -1,9 +1,9 @@
 //! What can be wrong with a scenario beyond its text: memory, overlaps, motions.
 
-use super::{Diagnostics, FeedRate, FeedSpec, Scenario};
+use super::{Diagnostics, Scenario, estimates};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
 use crate::materials::Materials;
-use crate::particles::{Domain, Grains};
+use crate::particles::{Domain, Grains, Outside};
 use crate::simulation::{
     ROOM_FOR_BULGES, TimeScale, TimeStepError, USABLE, WallPartner, largest_reach, with_free_wall,
 };
@@ -14,9 +14,16 @@ use std::f64::consts::PI;
 /// Refuses grains that cannot fit into memory before any is made.
 pub(super) fn check_memory(scenario: &Scenario, walls: &[Wall], faults: &mut Diagnostics) {
     let at_start: f64 = scenario.grains.iter().map(expected_count).sum();
-    let expected = at_start + scenario.feeds.iter().map(expected_of_feed).sum::<f64>();
+    // where grains leave, how many are there at a time is not known
+    let is_left = scenario.domain.outside == Outside::Remove || !scenario.removals.is_empty();
+    let fed = if is_left {
+        0.0
+    } else {
+        estimates::fed(scenario, None).grains
+    };
+    let expected = at_start + fed;
     let Some(available) = available_memory() else { return };
-    let needed = super::estimates::memory(expected, walls);
+    let needed = estimates::memory(expected, walls);
     if needed > available {
         let largest = (0..scenario.grains.len())
             .max_by(|&a, &b| expected_count(&scenario.grains[a]).total_cmp(&expected_count(&scenario.grains[b])));
@@ -33,16 +40,6 @@ pub(super) fn check_memory(scenario: &Scenario, walls: &[Wall], faults: &mut Dia
 }
 
 const GIBIBYTE: f64 = (1u64 << 30) as f64;
-
-/// Number of grains that a feed lets come, as far as its ends tell.
-pub(super) fn expected_of_feed(feed: &FeedSpec) -> f64 {
-    let count = feed.end.count.map_or(f64::INFINITY, |count| count as f64);
-    let expected = match feed.rate {
-        FeedRate::Number(rate) => feed.end.until.map_or(count, |seconds| count.min(rate * seconds)),
-        _ => count,
-    };
-    if expected.is_finite() { expected } else { 0.0 }
-}
 
 /// Number of grains that an insertion will make, as far as its description tells.
 fn expected_count(insertion: &Insertion) -> f64 {

@@ -1,7 +1,8 @@
 //! What a run will need: memory, time, and room for its frames.
 
-use super::Scenario;
-use crate::simulation::Stage;
+use super::{FeedRate, FeedSpec, Scenario};
+use crate::insertion::SizeSampler;
+use crate::simulation::{Stage, StopCondition};
 use crate::walls::Wall;
 
 /// Memory of a grain with its contacts, candidates, and its share of a frame while that is written [bytes], and that of a run of few
@@ -25,6 +26,67 @@ const FRAME_BYTES_PER_TRIANGLE: f64 = 21.0;
 /// Time that they take to be written [s], as `demeter run --profile` told of these two: 5.7 and 0.5 s a frame.
 const FRAME_TIME_PER_GRAIN: f64 = 5e-6;
 const FRAME_TIME_PER_TRIANGLE: f64 = 5e-7;
+
+/// What feeds let come when no condition ends a stage early.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Fed {
+    /// Number of grains; of feeds that go on as there is room, without a number or a mass at which they end, none.
+    pub grains: f64,
+    /// Names of those feeds.
+    pub unknown: Vec<String>,
+}
+
+/// What feeds let come; stages that tell steps alone count where the time step is known [s].
+pub(super) fn fed(scenario: &Scenario, dt: Option<f64>) -> Fed {
+    let mut fed = Fed::default();
+    for (index, feed) in scenario.feeds.iter().enumerate() {
+        let grains = expected_of_feed(scenario, feed, time_of_feed(scenario, index, dt));
+        if grains.is_finite() {
+            fed.grains += grains;
+        } else {
+            fed.unknown.push(feed.name.clone());
+        }
+    }
+    fed
+}
+
+/// For how long a feed may run [s].
+fn time_of_feed(scenario: &Scenario, feed: usize, dt: Option<f64>) -> f64 {
+    let (mut passed, mut runs, mut running) = (0.0, true, 0.0);
+    let until = scenario.feeds[feed].end.until.unwrap_or(f64::INFINITY);
+    for stage in &scenario.stages {
+        if let Some(feeds) = &stage.feeds {
+            runs = feeds.contains(&feed);
+        }
+        let seconds = stage.stop.iter().filter_map(|stop| match *stop {
+            StopCondition::Duration(seconds) => Some(seconds),
+            StopCondition::Steps(steps) => dt.map(|dt| steps as f64 * dt),
+            _ => None,
+        });
+        let end = passed + seconds.reduce(f64::min).unwrap_or(0.0);
+        if runs {
+            running += (end.min(until) - passed).max(0.0);
+        }
+        passed = end;
+    }
+    running
+}
+
+/// Number of grains that a feed lets come in some time [s]; infinite where neither its rate nor its ends tell.
+fn expected_of_feed(scenario: &Scenario, feed: &FeedSpec, seconds: f64) -> f64 {
+    let density = (scenario.materials.get(usize::from(feed.stream.material))).map_or(f64::NAN, |m| m.density);
+    let of_mass = |mass: f64| {
+        let mean = SizeSampler::new(&feed.stream.diameter).map_or(f64::NAN, |sizes| density * sizes.mean_volume());
+        if mean > 0.0 { mass / mean } else { 0.0 }
+    };
+    let by_rate = match feed.rate {
+        FeedRate::Number(rate) => rate * seconds,
+        FeedRate::Mass(rate) => of_mass(rate * seconds),
+        FeedRate::AsRoomAllows => f64::INFINITY,
+    };
+    let by_count = feed.end.count.map_or(f64::INFINITY, |count| count as f64);
+    by_rate.min(by_count).min(feed.end.mass.map_or(f64::INFINITY, of_mass))
+}
 
 /// Memory that a run with so many grains and such walls needs at most [bytes].
 pub(super) fn memory(grains: f64, walls: &[Wall]) -> f64 {

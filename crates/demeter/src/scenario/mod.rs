@@ -60,6 +60,7 @@ pub use checks::available_memory;
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub(crate) use differences::{line_differences, shortened};
 pub use document::{Document, SourceText, Span};
+pub use estimates::Fed;
 pub use feeds::{EXCHANGE_EVERY, FeedEnd, FeedRate, FeedSpec, MAX_FEEDS, RemovalSpec};
 pub use fit_file::{DEFAULT_ERROR, FIT_REFERENCE, FitFile, MAX_OBSERVATIONS, MAX_UNKNOWNS};
 pub use grains::{MAX_BATCHES, MAX_GRAINS};
@@ -338,8 +339,14 @@ fn tree_with(text: &str, name: &str, overrides: &[Override]) -> Result<Arc<Docum
                 return Err(diagnostics);
             }
             let message = |mut fault: document::SyntaxFault| {
+                let at = fault.span.bytes.clone();
+                let is_list = text.get(..at.start).is_some_and(|before| before.ends_with("[["));
+                let again = (fault.message == "duplicate key" && is_list)
+                    .then(|| text.get(at))
+                    .flatten();
+                let help = again.map(|key| format!("`{key}` was one table before: write `[[{key}]]` there, too"));
                 fault.message = format!("not valid TOML: {}", fault.message);
-                (fault, None)
+                (fault, help)
             };
             return Err(refuse(faults.into_iter().map(message).collect(), sources));
         }

@@ -1,9 +1,10 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
 use super::checks::{
-    check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds, expected_of_feed,
-    wall_partners, with_free_walls,
+    check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds, wall_partners,
+    with_free_walls,
 };
+use super::estimates::Fed;
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
 use super::{Diagnostics, Scenario, TimeStep, WallSpec, estimates, periodic_walls, stray_walls};
@@ -43,7 +44,9 @@ pub struct Prepared {
     pub stage_steps: Vec<u64>,
     /// Steps of the whole protocol when no condition ends a stage early.
     pub steps: u64,
-    /// Estimated memory [bytes].
+    /// What feeds let come.
+    pub fed: Fed,
+    /// Estimated memory, where no grain leaves [bytes].
     pub memory: u64,
     /// Estimated run time on one thread, with the writing of frames [s].
     pub run_time: f64,
@@ -114,9 +117,18 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     }
     let stage_steps: Vec<u64> = scenario.stages.iter().map(|s| super::run::longest(s, dt)).collect();
     let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
-    let most = grains.len() as f64 + scenario.feeds.iter().map(expected_of_feed).sum::<f64>();
+    let end = steps as f64 * dt;
+    for (index, tag) in scenario.tags.iter().enumerate().filter(|(_, tag)| tag.at > end) {
+        warnings.push(format!(
+            "tag[{index}] is given from {} s on, and the stages end at {end:.4e} s at the latest: no grain gets it",
+            tag.at
+        ));
+    }
+    let fed = estimates::fed(scenario, Some(dt));
+    let most = grains.len() as f64 + fed.grains;
     let work = estimates::work(scenario, most, &walls, &stage_steps, dt);
     Ok(Prepared {
+        fed,
         memory: estimates::memory(most, &walls) as u64,
         run_time: work.time,
         frames: work.frames,

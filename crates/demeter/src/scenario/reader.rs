@@ -175,7 +175,9 @@ impl<'a> Item<'a> {
                 lower
             }
             Value::Float(value) if value.is_finite() => {
-                self.fault(format!("`{}` must be a whole number, found {value}", self.name), None);
+                let whole = value.fract() == 0.0;
+                let help = whole.then(|| format!("write it without a point: {value}"));
+                self.fault(format!("`{}` must be a whole number, found {value:?}", self.name), help);
                 lower
             }
             other => {

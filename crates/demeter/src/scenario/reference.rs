@@ -92,7 +92,7 @@ const QUANTITIES: [(&str, Kind); 22] = [
     ("force", Kind::Physical(Dimension::FORCE)),
     ("energy", Kind::Physical(Dimension::ENERGY)),
     ("pressure", Kind::Physical(Dimension::PRESSURE)),
-    ("inverse pressure", Kind::Physical(Dimension::new(-1, 1, 2))),
+    ("inverse pressure", Kind::Physical(Dimension::INVERSE_PRESSURE)),
     ("density", Kind::Physical(Dimension::DENSITY)),
     ("stiffness", Kind::Physical(Dimension::STIFFNESS)),
     ("damping coefficient", Kind::Physical(Dimension::DAMPING)),

@@ -3,12 +3,15 @@
 use super::{Prepared, Scenario};
 use crate::walls::leak::{LeakReport, LeakTest, Untested, find_openings};
 use crate::walls::mesh::Inspection;
+use glam::DVec3;
 
 /// What was found about the walls of a scenario.
 #[derive(Clone, Debug)]
 pub struct WallReport {
     /// What is remarkable about each wall; `None` for walls that are no meshes.
     pub meshes: Vec<Option<Inspection>>,
+    /// Meshes that move against each other and pass through one another at the start: their indices, and where [m].
+    pub meetings: Vec<([usize; 2], DVec3)>,
     /// Where the smallest grain gets out, with the walls as they stand at the start.
     pub leaks: Result<LeakReport, Untested>,
     /// Radius of the smallest grain at the start or of a feed [m]; infinite without grains.
@@ -31,6 +34,7 @@ pub fn inspect_walls(scenario: &Scenario, prepared: &Prepared) -> WallReport {
             .iter()
             .map(|wall| wall.mesh().map(|m| m.inspect()))
             .collect(),
+        meetings: meetings(scenario, prepared),
         leaks: find_openings(&LeakTest {
             walls: &present,
             starts: &starts,
@@ -40,4 +44,36 @@ pub fn inspect_walls(scenario: &Scenario, prepared: &Prepared) -> WallReport {
         }),
         smallest,
     }
+}
+
+fn meetings(scenario: &Scenario, prepared: &Prepared) -> Vec<([usize; 2], DVec3)> {
+    let walls = &prepared.setup.walls;
+    let boxes: Vec<_> = walls
+        .iter()
+        .map(|wall| wall.mesh().and_then(|_| wall.bounds()))
+        .collect();
+    let body = |wall: usize| scenario.walls[wall].motion.leader().unwrap_or(wall);
+    let motions = |wall: usize| {
+        let wall = body(wall);
+        let told = scenario
+            .stages
+            .iter()
+            .map(move |stage| stage.motions.iter().find(|(index, _)| *index == wall));
+        let later: Vec<_> = told.map(|told| told.map(|(_, motions)| motions)).collect();
+        (&scenario.walls[wall].motion, later)
+    };
+    let mut found = Vec::new();
+    for (a, first) in boxes.iter().enumerate() {
+        let Some((lower, upper)) = first else { continue };
+        for (b, second) in boxes.iter().enumerate().skip(a + 1) {
+            let is_near = second.is_some_and(|(l, u)| lower.cmple(u).all() && l.cmple(*upper).all());
+            if is_near
+                && motions(a) != motions(b)
+                && let Some(place) = walls[a].meets(&walls[b])
+            {
+                found.push(([a, b], place));
+            }
+        }
+    }
+    found
 }

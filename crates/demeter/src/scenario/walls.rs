@@ -152,7 +152,7 @@ fn wall(table: TableReader<'_>, around: &Surroundings<'_>, frame: &Frame<'_>) ->
 }
 
 fn recording(table: &TableReader<'_>) -> Recording {
-    let per_pressure = Kind::Physical(Dimension::new(-1, 1, 2));
+    let per_pressure = Kind::Physical(Dimension::INVERSE_PRESSURE);
     let wear = table.optional("wear").and_then(|i| i.table());
     Recording {
         stress: table.optional("stress").is_some_and(|i| i.boolean()),

@@ -448,6 +448,15 @@ impl Wall {
         outline::triangles(self.described(), self.origin, &self.motor.pose, lower, upper)
     }
 
+    /// Where a mesh, as it stands, passes through another [m]; `None` of other shapes, and where they are apart or touch.
+    pub fn meets(&self, other: &Wall) -> Option<DVec3> {
+        let (own, others) = (self.mesh()?, other.mesh()?);
+        let (pose, origin) = (self.pose(), self.origin());
+        let here = |corner: DVec3| pose.unplace(origin, other.pose().place(other.origin(), corner));
+        let place = own.meets(others.triangles().iter().map(|triangle| triangle.corners().map(here)))?;
+        Some(pose.place(origin, place))
+    }
+
     /// State for a checkpoint.
     pub fn state(&self) -> WallState {
         WallState {

@@ -60,6 +60,34 @@ pub(super) fn crossings(triangles: &[Triangle], hierarchy: &Hierarchy) -> Crossi
     found
 }
 
+/// Where a triangle of a mesh passes through one of others, told by their corners in the frame of that mesh.
+pub(super) fn meeting(
+    triangles: &[Triangle],
+    hierarchy: &Hierarchy,
+    others: impl Iterator<Item = [DVec3; 3]>,
+) -> Option<DVec3> {
+    let (least, most) = hierarchy.bounds();
+    let mut pairs = 0;
+    for other in others.filter_map(Triangle::new) {
+        let (lower, upper) = bounds(&other);
+        let largest = (least.abs().max(most.abs())).max(lower.abs().max(upper.abs()));
+        let rounding = ROUNDINGS * ROUNDING * largest.max_element();
+        let mut met = None;
+        hierarchy.visit_box(lower, upper, |index| {
+            pairs += 1;
+            let triangle = &triangles[index as usize];
+            if met.is_none() && pairs <= MOST_PAIRS && cross(triangle, &other, rounding) {
+                let (l, u) = bounds(triangle);
+                met = Some(0.5 * (lower.max(l) + upper.min(u)));
+            }
+        });
+        if met.is_some() || pairs > MOST_PAIRS {
+            return met;
+        }
+    }
+    None
+}
+
 fn bounds(triangle: &Triangle) -> (DVec3, DVec3) {
     let [a, b, c] = triangle.corners();
     (a.min(b).min(c), a.max(b).max(c))

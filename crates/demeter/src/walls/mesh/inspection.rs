@@ -1,7 +1,7 @@
 //! What is remarkable about a mesh: holes, edges of many triangles, fronts that do not agree, triangles that cross.
 
 use super::Mesh;
-use super::crossings::{Crossings, crossings};
+use super::crossings::{Crossings, crossings, meeting};
 use super::orientation::is_forward;
 use glam::DVec3;
 
@@ -88,6 +88,11 @@ impl Mesh {
             disagreeing_edges,
             crossings: crossings(&self.triangles, &self.hierarchy),
         }
+    }
+
+    /// Where a triangle passes through one of others, told by their corners in the frame of this mesh [m].
+    pub(crate) fn meets(&self, others: impl Iterator<Item = [DVec3; 3]>) -> Option<DVec3> {
+        meeting(&self.triangles, &self.hierarchy, others)
     }
 
     fn ends(&self, triangle: u32, side: usize) -> [DVec3; 2] {
