@@ -278,19 +278,9 @@ impl Streaming {
         is_blocked: impl Fn(DVec3, f64) -> bool,
     ) -> Option<NewGrain> {
         let mut random = RandomNumbers::new(self.seed(number) ^ mix(time), Purpose::Places);
-        let space = match &self.stream.inlet {
-            Inlet::Region(region) => Some(Space::new(region, Some(&self.domain)).ok()?),
-            _ => None,
-        };
+        let space = self.region();
         let place = (0..TRIES).find_map(|_| {
-            let place = match (&space, &self.mesh) {
-                (_, Some(mesh)) => mesh.random_place(radius, &mut random)?,
-                (Some(space), None) => {
-                    let place = space.random_place(radius, &mut random);
-                    space.holds(place, radius).then_some(place)?
-                }
-                (None, None) => self.on_face(radius, &mut random),
-            };
+            let place = self.random_place(space.as_ref(), radius, &mut random)?;
             let is_free = occupied.is_free(place, radius) && !is_blocked(place, radius + occupied.gap);
             is_free.then_some(place)
         })?;
@@ -310,6 +300,34 @@ impl Streaming {
             angular_velocity: self.stream.angular_velocity,
             fixed: false,
         })
+    }
+
+    /// Some places where a grain of a radius may come.
+    pub fn places(&self, radius: f64, number: u64) -> Vec<DVec3> {
+        let mut random = RandomNumbers::new(self.seed(0), Purpose::Places);
+        let space = self.region();
+        (0..number)
+            .filter_map(|_| self.random_place(space.as_ref(), radius, &mut random))
+            .collect()
+    }
+
+    fn region(&self) -> Option<Space<'_>> {
+        match &self.stream.inlet {
+            Inlet::Region(region) => Space::new(region, Some(&self.domain)).ok(),
+            _ => None,
+        }
+    }
+
+    /// A random place, where this draw gives one.
+    fn random_place(&self, region: Option<&Space>, radius: f64, random: &mut RandomNumbers) -> Option<DVec3> {
+        match (region, &self.mesh, &self.stream.inlet) {
+            (_, Some(mesh), _) => mesh.random_place(radius, random),
+            (Some(space), None, _) => {
+                Some(space.random_place(radius, random)).filter(|place| space.holds(*place, radius))
+            }
+            (None, None, Inlet::Region(_)) => None,
+            (None, None, _) => Some(self.on_face(radius, random)),
+        }
     }
 
     /// A place of the centre on the face, uniform over all where the grain lies inside of its edges.

@@ -1,9 +1,13 @@
 //! What `demeter check` tells of the walls: what is remarkable about every mesh, and where grains would get out.
 
+use super::traffic::sources;
 use super::{Prepared, Scenario};
 use crate::walls::leak::{LeakReport, LeakTest, Untested, find_openings};
 use crate::walls::mesh::Inspection;
 use glam::DVec3;
+
+/// Places where grains of a feed may come that the leak test starts from.
+const PLACES_OF_A_FEED: u64 = 64;
 
 /// What was found about the walls of a scenario.
 #[derive(Clone, Debug)]
@@ -22,7 +26,10 @@ pub struct WallReport {
 pub fn inspect_walls(scenario: &Scenario, prepared: &Prepared) -> WallReport {
     let setup = &prepared.setup;
     let all = [&setup.grains, &prepared.to_come];
-    let starts: Vec<_> = all.iter().flat_map(|grains| grains.position.iter().copied()).collect();
+    let mut starts: Vec<_> = setup.grains.position.iter().copied().collect();
+    for source in sources(scenario, &setup.domain).unwrap_or_default() {
+        starts.extend(source.places(source.radii()[0], PLACES_OF_A_FEED));
+    }
     let smallest = all
         .iter()
         .flat_map(|grains| grains.radii())

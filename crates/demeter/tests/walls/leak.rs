@@ -268,6 +268,69 @@ fn a_gap_along_a_floor_is_told_its_own_width() {
     }
 }
 
+/// A box of 40 mm open at the top, from z = 0; its floor is of squares of 1 mm, without those whose middle is told [mm].
+fn box_of_squares(is_open: impl Fn(f64, f64) -> bool) -> Wall {
+    let mut triangles = cuboid(v(-20.0, -20.0, 0.0), v(20.0, 20.0, 40.0));
+    triangles.truncate(10);
+    triangles.retain(|triangle| triangle.iter().any(|corner| corner.z > 0.0));
+    for x in -20..20 {
+        for y in -20..20 {
+            let (x, y) = (f64::from(x), f64::from(y));
+            if !is_open(x + 0.5, y + 0.5) {
+                triangles.extend(quad(
+                    v(x, y, 0.0),
+                    v(x + 1.0, y, 0.0),
+                    v(x + 1.0, y + 1.0, 0.0),
+                    v(x, y + 1.0, 0.0),
+                ));
+            }
+        }
+    }
+    mesh(triangles)
+}
+
+#[test]
+fn holes_beside_a_wider_one_are_told_and_each_once() {
+    let hole = |x: f64, y: f64, half: f64, at: (f64, f64)| (x - at.0).abs() < half && (y - at.1).abs() < half;
+    type Holes = &'static [(f64, f64, f64)];
+    let cases: [Holes; 4] = [
+        &[(0.0, 0.0, 3.0), (10.0, 10.0, 4.0)],
+        &[(0.0, 0.0, 6.0), (-14.5, -14.5, 2.5)],
+        &[(10.0, 0.0, 4.0), (-10.0, 0.0, 4.0)],
+        &[(0.0, 0.0, 6.0)],
+    ];
+    for holes in cases {
+        let walls = [box_of_squares(|x, y| {
+            holes.iter().any(|&(a, b, half)| hole(x, y, half, (a, b)))
+        })];
+        // grains straight above the holes, too, which would fall out
+        for starts in [
+            vec![v(0.0, 0.0, 10.0)],
+            vec![v(-5.0, 15.0, 5.0), v(0.0, 0.0, 30.0), v(10.0, 10.0, 10.0)],
+        ] {
+            let report = test(&walls, &starts, 2.0);
+            assert_eq!(report.openings.len(), holes.len(), "{report:?}");
+            assert!(!report.more && report.open_at_top, "{report:?}");
+            for &(x, y, half) in holes {
+                let found = report.openings.iter().find(|o| o.place.distance(v(x, y, 0.0)) < 1.0);
+                let width = found.unwrap_or_else(|| panic!("{report:?}")).width;
+                assert!((width / (2.0 * half) - 1.0).abs() < 0.02, "{report:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_slit_is_told_once() {
+    let walls = [box_of_squares(|x, y| x.abs() < 3.0 && y.abs() < 15.0)];
+    let report = test(&walls, &[v(0.0, 0.0, 10.0), v(-15.0, 0.0, 5.0)], 2.0);
+    let (place, width) = leak(&report);
+    assert!(
+        (width / 6.0 - 1.0).abs() < 0.02 && place.z.abs() < 0.1 && place.x.abs() < 0.1,
+        "{report:?}"
+    );
+}
+
 #[test]
 fn a_slit_all_around_leaks_when_it_is_wider_than_the_grain_and_only_then() {
     for share in [0.9, 0.95, 1.05] {

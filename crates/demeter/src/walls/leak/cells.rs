@@ -131,8 +131,7 @@ impl Cells {
         for index in 0..self.cells.len() {
             let cell = self.cells[index];
             let center = self.center_of(&cell);
-            let plugs = space.plugs.iter().map(|plug| plug.distance(center));
-            let clearance = plugs.fold(cell.clearance, f64::min);
+            let clearance = (space.plugs.iter()).fold(cell.clearance, |least, plug| plug.distance(center, least));
             self.cells[index].clearance = clearance;
             self.cells[index].state = match cell.closed {
                 true => State::Blocked,

@@ -48,10 +48,12 @@ const APART: f64 = 0.72;
 const MARGIN: f64 = 3.0;
 /// How high above grains that lie on the highest wall is looked, in radii; less than `MARGIN` and two radii.
 const ABOVE_GRAINS: f64 = 3.0;
-/// Radius of a plug in clearances of the opening: the corners of a triangle are that far from the middle.
+/// How far a plug goes at most, in clearances of the opening: the corners of a triangle are that far from the middle.
 const PLUG: f64 = 4.0;
 /// What passes a grain is at least this share of its size; the rest is rounding.
 const SURELY: f64 = 1.0 - 1e-6;
+/// Cosine of the angle between two openings that may be parts of one.
+const IN_ONE_PLANE: f64 = 0.9;
 /// Most starting points.
 const MOST_STARTS: usize = 4000;
 
@@ -214,6 +216,8 @@ struct Hunt<'a> {
     top: Option<f64>,
     /// Whether all grains lie on that point, so that no rim keeps them.
     lie_on_top: bool,
+    /// Unit vectors across the openings that were told.
+    across: Vec<DVec3>,
     /// From a place to its images [m].
     images: Vec<DVec3>,
     report: LeakReport,
@@ -273,6 +277,7 @@ impl<'a> Hunt<'a> {
                 starts,
                 goal: Goal::Ends,
             },
+            across: Vec::new(),
             images: images(from, to, periodic),
             places: some,
             ends: (from, to),
@@ -330,10 +335,7 @@ impl<'a> Hunt<'a> {
         let surely = self.search.surely_reached();
         let goal = self.search.goal_cells();
         if goal.iter().any(|&cell| surely[cell as usize]) {
-            return Ok(self.wide_opening(&surely).map_or(Round::Lost, |opening| {
-                self.report.openings.push(opening);
-                Round::Found
-            }));
+            return Ok(self.wide_opening(&surely).map_or(Round::Lost, |()| Round::Found));
         }
         let mut found = false;
         for passage in passages(&self.search, &surely) {
@@ -348,16 +350,12 @@ impl<'a> Hunt<'a> {
                         break;
                     }
                     let is_open = matches!(passage.verdict, Verdict::Open(_));
-                    self.report.openings.push(Opening {
-                        kind: if is_open {
-                            OpeningKind::Leak
-                        } else {
-                            OpeningKind::AboutGrainSize
-                        },
-                        place: narrow.place,
-                        width: 2.0 * narrow.clearance,
-                    });
-                    self.plug(&narrow);
+                    let kind = if is_open {
+                        OpeningKind::Leak
+                    } else {
+                        OpeningKind::AboutGrainSize
+                    };
+                    self.tell(kind, &narrow);
                 }
             }
             found = true;
@@ -368,19 +366,38 @@ impl<'a> Hunt<'a> {
         Ok(if found { Round::Found } else { Round::Closed })
     }
 
-    /// Closes an opening and what is near it in its plane.
+    /// Closes an opening.
     fn plug(&mut self, narrow: &Narrowest) {
-        let radius = PLUG * narrow.clearance.max(0.0) + 2.0 * self.search.space.radius;
-        let plugs = self.images.iter().map(|image| Plug {
-            center: narrow.place + *image,
-            normal: narrow.along,
-            radius,
-        });
+        let space = &self.search.space;
+        let farthest = PLUG * narrow.clearance.max(0.0) + 2.0 * space.radius;
+        let plug = Plug::over(space, narrow.place, narrow.along, farthest);
+        let plugs = self.images.iter().map(|image| plug.shifted(*image));
         self.search.space.plugs.extend(plugs);
     }
 
-    /// An opening through which free cells lead: over a rim, or where the widest way is narrowest.
-    fn wide_opening(&mut self, surely: &[bool]) -> Option<Opening> {
+    /// Tells an opening that was found, and closes it. A part of one that was told, in one plane with it, is not told again.
+    fn tell(&mut self, kind: OpeningKind, found: &Narrowest) {
+        let space = &self.search.space;
+        let is_part = |(told, across): (&Opening, &DVec3)| {
+            let between = told.place - found.place;
+            told.kind == kind
+                && across.dot(found.along).abs() > IN_ONE_PLANE
+                && between.dot(*across).abs() < space.radius
+                && space.is_clear(told.place, found.place)
+        };
+        if !self.report.openings.iter().zip(&self.across).any(is_part) {
+            self.report.openings.push(Opening {
+                kind,
+                place: space.put_back(found.place),
+                width: 2.0 * found.clearance,
+            });
+            self.across.push(found.along);
+        }
+        self.plug(found);
+    }
+
+    /// Tells an opening through which free cells lead: over a rim, or where the widest way is narrowest.
+    fn wide_opening(&mut self, surely: &[bool]) -> Option<()> {
         let Search { space, cells, .. } = &self.search;
         let starts = self.search.start_cells();
         let goal = self.search.goal_marks();
@@ -398,11 +415,13 @@ impl<'a> Hunt<'a> {
                     let cap = (height(&crest) - space.radius).min(space.cap - 0.25 * space.radius);
                     self.search.space.cap = cap;
                     self.report.open_at_top = true;
-                    return Some(Opening {
+                    self.report.openings.push(Opening {
                         kind: OpeningKind::OverRim,
                         place,
                         width: 0.0,
                     });
+                    self.across.push(self.search.space.up);
+                    return Some(());
                 }
             }
         }
@@ -421,12 +440,8 @@ impl<'a> Hunt<'a> {
             // the grain passes where the way leads, but this is not on it
             return None;
         }
-        self.plug(&found);
-        Some(Opening {
-            kind: OpeningKind::Leak,
-            place: self.search.space.put_back(found.place),
-            width: 2.0 * found.clearance,
-        })
+        self.tell(OpeningKind::Leak, &found);
+        Some(())
     }
 
     /// From some of the starts uphill in clearance, within the box of the walls: the roomiest place that is found. So the

@@ -27,6 +27,9 @@ const FEW_HALVINGS: u32 = 4;
 
 /// Directions that are tried for the way through.
 const DIRECTIONS: u32 = 200;
+/// Tilts of the best of them, each half of the one before, the first [rad].
+const TILTS: u32 = 6;
+const TILT: f64 = 0.15;
 /// How far before and behind the narrowest place the way is looked for, in its clearance.
 const AHEAD: f64 = 0.3;
 /// Golden angle [rad]: directions by it cover a sphere evenly.
@@ -42,8 +45,8 @@ pub(super) struct Narrowest {
     pub(super) clearance: f64,
 }
 
-/// From a point near the narrowest place of a way that is not known, looks up and down the way, and at each place across it for the widest point: of
-/// these the least is the saddle of the clearance. `reach` is how far off the point may be [m]. The way is looked for
+/// From a point near the narrowest place of a way that is not known, looks up and down the way, and at each place across it for the
+/// widest point: of these the least is the saddle of the clearance. `reach` is how far off the point may be [m]. The way is looked for
 /// twice, the second time along the direction in which it widens most before and behind.
 pub(super) fn narrowest(space: &Space<'_>, near: DVec3, along: DVec3, reach: f64) -> Narrowest {
     let first = saddle(space, near, along, reach);
@@ -177,12 +180,26 @@ fn widening(space: &Space<'_>, at: &Narrowest) -> DVec3 {
     });
     let all = [at.along, DVec3::X, DVec3::Y, DVec3::Z].into_iter().chain(directions);
     let rated = all.map(|direction| (wide(direction), direction));
-    rated
-        .fold(
-            (f64::MIN, at.along),
-            |best, next| if next.0 > best.0 { next } else { best },
-        )
-        .1
+    let mut best = rated.fold(
+        (f64::MIN, at.along),
+        |best, next| if next.0 > best.0 { next } else { best },
+    );
+    let mut tilt = TILT;
+    for _ in 0..TILTS {
+        let u = perpendicular(best.1);
+        let v = best.1.cross(u);
+        let from = best.1;
+        for k in 0..AROUND {
+            let angle = TAU * f64::from(k) / f64::from(AROUND);
+            let direction = (from + (u * libm::cos(angle) + v * libm::sin(angle)) * tilt).normalize();
+            let found = wide(direction);
+            if found > best.0 {
+                best = (found, direction);
+            }
+        }
+        tilt *= 0.5;
+    }
+    best.1
 }
 
 fn saddle(space: &Space<'_>, near: DVec3, along: DVec3, reach: f64) -> Narrowest {

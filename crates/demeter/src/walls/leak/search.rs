@@ -108,15 +108,16 @@ impl Search<'_> {
     }
 }
 
-/// Where a grain from a start comes to rest when it falls straight down: what is above the cap starts there, and what
-/// touches a wall is given some room. `None` when there is no room.
+/// Where a grain from a start comes to rest when it falls straight down: what is above the cap starts there, what touches a wall is given
+/// some room, and what would fall out stays where it starts. `None` when there is no room.
 pub(super) fn settled(space: &Space<'_>, start: DVec3, (lower, upper): (DVec3, DVec3)) -> Option<DVec3> {
     let above = if space.cap == f64::INFINITY {
         0.0
     } else {
         (space.height(start) - space.cap + BELOW_CAP * space.radius).max(0.0)
     };
-    let mut at = with_room(space, start - space.up * above)?;
+    let first = with_room(space, start - space.up * above)?;
+    let mut at = first;
     if space.up == DVec3::ZERO {
         return Some(at);
     }
@@ -127,7 +128,8 @@ pub(super) fn settled(space: &Space<'_>, start: DVec3, (lower, upper): (DVec3, D
         let falls = [spare, spare.min(0.25 * space.radius)].map(|fall| at - space.up * fall);
         match falls.into_iter().find(inside) {
             Some(next) if space.clearance(next) >= 1.02 * space.radius => at = next,
-            _ => break,
+            Some(_) => break,
+            None => return Some(first),
         }
     }
     Some(at)

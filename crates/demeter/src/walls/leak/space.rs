@@ -4,7 +4,9 @@
 use super::super::surface::Surface;
 use super::super::wall::Wall;
 use super::obstacles::Obstacles;
+use demeter_physics::geometry::surface_point::perpendicular;
 use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
 use std::rc::Rc;
 
 /// Share of a direction along `up` from which on it points upwards: 14 degrees above the horizontal.
@@ -14,22 +16,82 @@ const MOST_STEPS: usize = 100;
 /// Cosine from which on a plane counts as one of the axes.
 const ALONG_AXIS: f64 = 0.999_999;
 
-/// A disc that closes an opening that was found.
-#[derive(Clone, Copy, Debug)]
+/// Directions in which it is looked how far an opening goes.
+const RAYS: u32 = 32;
+/// Clearance at the rim of an opening, in radii of the grain and at most in halves of that of the opening, and the least step towards it.
+const AT_RIM: f64 = 0.5;
+const RIM_STEP: f64 = 0.1;
+
+/// A polygon that closes an opening that was found.
+#[derive(Clone, Debug)]
 pub(super) struct Plug {
-    pub(super) center: DVec3,
-    /// Unit vector across the opening.
-    pub(super) normal: DVec3,
-    pub(super) radius: f64,
+    center: DVec3,
+    /// Unit vector across the opening, and two in its plane.
+    normal: DVec3,
+    axes: [DVec3; 2],
+    corners: Vec<DVec2>,
+    /// Largest distance of a corner from the middle [m].
+    radius: f64,
 }
 
 impl Plug {
-    /// Distance of a point [m].
-    pub(super) fn distance(&self, point: DVec3) -> f64 {
+    /// Over all of the opening that is seen from the middle of its narrowest place, at most as far as told.
+    pub(super) fn over(space: &Space<'_>, center: DVec3, normal: DVec3, farthest: f64) -> Self {
+        let u = perpendicular(normal);
+        let axes = [u, normal.cross(u)];
+        let rim = AT_RIM * space.radius.min(space.clearance_of_walls(center));
+        let corners = (0..RAYS).map(|k| {
+            let angle = TAU * f64::from(k) / f64::from(RAYS);
+            let direction = DVec2::new(libm::cos(angle), libm::sin(angle));
+            let along = axes[0] * direction.x + axes[1] * direction.y;
+            let mut way = 0.0;
+            while way < farthest {
+                let clearance = space.clearance_of_walls(center + along * way);
+                if clearance < rim {
+                    break;
+                }
+                way += (0.5 * clearance).max(RIM_STEP * space.radius);
+            }
+            direction * way.min(farthest)
+        });
+        let corners: Vec<DVec2> = corners.collect();
+        Plug {
+            center,
+            normal,
+            axes,
+            radius: corners.iter().map(|corner| corner.length()).fold(0.0, f64::max),
+            corners,
+        }
+    }
+
+    pub(super) fn shifted(&self, by: DVec3) -> Self {
+        Plug {
+            center: self.center + by,
+            ..self.clone()
+        }
+    }
+
+    /// Distance of a point, or what is told where that is less [m].
+    pub(super) fn distance(&self, point: DVec3, most: f64) -> f64 {
         let from_center = point - self.center;
+        let least = most.max(0.0) + self.radius;
+        if from_center.length_squared() > least * least {
+            return most;
+        }
         let height = from_center.dot(self.normal);
-        let beside = (from_center - self.normal * height).length() - self.radius;
-        DVec2::new(height, beside.max(0.0)).length()
+        let flat = DVec2::new(from_center.dot(self.axes[0]), from_center.dot(self.axes[1]));
+        let ends = self.corners.iter().zip(self.corners.iter().cycle().skip(1));
+        let mut is_inside = false;
+        let mut beside = f64::INFINITY;
+        for (&from, &to) in ends {
+            // the middle sees every side from within
+            let is_between = from.perp_dot(flat) >= 0.0 && flat.perp_dot(to) >= 0.0 && from.perp_dot(to) > 0.0;
+            is_inside |= is_between && (to - from).perp_dot(flat - from) >= 0.0;
+            let side = to - from;
+            let share = ((flat - from).dot(side) / side.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+            beside = beside.min(flat.distance(from + side * share));
+        }
+        most.min(DVec2::new(height, if is_inside { 0.0 } else { beside }).length())
     }
 }
 
@@ -122,9 +184,28 @@ impl<'a> Space<'a> {
         let point = self.put_back(point);
         let mut least = self.obstacles.clearance(point);
         for plug in &self.plugs {
-            least = least.min(plug.distance(point));
+            least = plug.distance(point, least);
         }
         least
+    }
+
+    /// The same without what closes openings that were found [m].
+    pub(super) fn clearance_of_walls(&self, point: DVec3) -> f64 {
+        self.obstacles.clearance(self.put_back(point))
+    }
+
+    /// Whether a grain half as large gets straight from one point to another.
+    pub(super) fn is_clear(&self, from: DVec3, to: DVec3) -> bool {
+        let length = from.distance(to);
+        let mut way = 0.0;
+        while way <= length {
+            let clearance = self.clearance_of_walls(from + (to - from) * (way / length.max(f64::MIN_POSITIVE)));
+            if clearance < 0.5 * self.radius {
+                return false;
+            }
+            way += clearance;
+        }
+        true
     }
 
     /// The place of a point in the periodic box: walls are not repeated beyond its sides.
