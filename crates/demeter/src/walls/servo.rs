@@ -9,7 +9,8 @@
 //! borne by a carriage, which takes on the plate's speed over a time `T`: `v = (F - f)/D + u`, `du/dt = (F - f)/(D T)`, as if the brake
 //! joined it to a mass `D T`. That takes only energy, too, and the mean of `f` is `F` wherever the bed lets the plate go on. A bed that
 //! bears the plate is approached without the carriage: it gains speed only while the plate does not close the error by itself, by a tenth
-//! in [`PATIENCE`] steps.
+//! in [`PATIENCE`] steps. [`LONG`] steps after the target was reached first it follows every error, so that the mean is held where bed and
+//! plate swing, too; a plate that leaves the bed again and again begins anew each time, and presses as it happens to.
 //!
 //! A target below 0 is held as its mirror image is; where the target is 0, the largest force that was measured is the measure of errors.
 //!
@@ -26,6 +27,8 @@ const HASTE: u32 = 8;
 const PATIENCE: u32 = 100;
 /// `T` in steps.
 const CARRY: f64 = 500.0;
+/// Steps for which a plate that reached its target is approaching it still.
+const LONG: u32 = 30_000;
 /// Largest and smallest brake, as multiples of its start.
 const STRONGEST: f64 = 1e12;
 const WEAKEST: f64 = 1.0 / 32.0;
@@ -46,6 +49,8 @@ pub(crate) struct Servo {
     carried: f64,
     /// Whether the carriage gains speed.
     follows: bool,
+    /// Steps since the target was reached first in this touch; 0 before.
+    held: u32,
     /// Steps since it touched the bed last.
     apart: u32,
     /// Whether the wall pressed too little in the last step.
@@ -65,6 +70,7 @@ impl Servo {
             brake: 1.0,
             carried: 0.0,
             follows: true,
+            held: 0,
             apart: u32::MAX,
             wanting: true,
             since_crossing: u32::MAX,
@@ -91,12 +97,14 @@ impl Servo {
         } else {
             self.apart.saturating_add(1)
         };
+        // at its largest speed the plate does not follow, whatever the carriage does
+        let is_led = self.follows && speed.abs() < 1.0;
         if self.apart > PATIENCE {
-            self.carried = 0.0;
-        } else if self.follows && speed.abs() < 1.0 {
-            // at its largest speed the plate does not follow, whatever the carriage does
-            self.carried += slip / CARRY;
+            (self.carried, self.held) = (0.0, 0);
+        } else if is_led || self.held > LONG {
+            self.carried = (self.carried + slip.clamp(-1.0, 1.0) / CARRY).clamp(-1.0, 1.0);
         }
+        self.held = self.held.saturating_add(u32::from(self.held > 0));
         self.side * self.max_speed * speed
     }
 
@@ -111,6 +119,7 @@ impl Servo {
             self.since_crossing = 0;
             self.since_review = 0;
             self.follows = true;
+            self.held = self.held.max(1);
             self.error_at_review = error.abs();
             return;
         }
@@ -349,6 +358,40 @@ mod tests {
                 assert!((mean - 1.0).abs() < 5e-3, "{label}");
                 assert!((speed / 0.25 - 1.0).abs() < 0.03, "{label}");
             }
+        }
+    }
+
+    #[test]
+    fn presses_on_the_mean_on_a_bed_that_shakes() {
+        let target = 1.0;
+        for max_speed in [0.3, 1.0, 5.0] {
+            let (stiffness, contact, mass, dt) = (2e4, 1e5, 5e-3f64, 1e-6);
+            let (damping, contact_damping) = (0.6 * (stiffness * mass).sqrt(), (contact * mass).sqrt());
+            let mut servo = Servo::new(target, max_speed);
+            let (mut plate, mut x, mut v, mut force, mut sum) = (-1e-5, 0.0, 0.0, 0.0f64, 0.0);
+            let (steps, cycle) = (1_000_000, 20_000u32);
+            for step in 0..steps {
+                let speed = servo.speed(force);
+                plate += speed * dt;
+                let overlap: f64 = plate - x;
+                force = if overlap > 0.0 {
+                    (contact * overlap + contact_damping * (speed - v)).max(0.0)
+                } else {
+                    0.0
+                };
+                let phase = std::f64::consts::TAU * f64::from(step) / f64::from(cycle);
+                let (floor, floor_speed) = (
+                    -1e-4 * phase.sin(),
+                    -1e-4 * phase.cos() * std::f64::consts::TAU / (f64::from(cycle) * dt),
+                );
+                v += (force - stiffness * (x - floor) - damping * (v - floor_speed)) / mass * dt;
+                x += v * dt;
+                if step >= steps / 2 {
+                    sum += force;
+                }
+            }
+            let mean = sum / f64::from(steps / 2);
+            assert!((mean / target - 1.0).abs() < 1e-3, "at most {max_speed} m/s: {mean}");
         }
     }
 }

@@ -57,7 +57,7 @@ fn a_packing_bears_a_shear_stress_below_that_of_flow() {
         let target = sign * 0.1 * PRESSURE;
         let (mut sim, drive) = from_flow(RATE);
         drive(&mut sim, target);
-        let before = run(&mut sim, 30_000);
+        let before = run(&mut sim, 50_000);
         let (rate, stress, residual) = means(&mut sim, 100);
         report("shear stress over its target", stress / target);
         report("rate of shear [1/s]", rate);
