@@ -279,8 +279,9 @@ pub(super) struct Lost {
     pub(super) way_slid: f64,
 }
 
-/// A contact slides as a whole under at least this share of what friction bears; the rest is rounding.
-const SLIDING: f64 = 1.0 - 1e-9;
+/// A contact slides as a whole under at least this share of what friction bears: forces of the parts of a contact (`mindlin-deresiewicz`)
+/// lag behind a direction that turns, each by itself.
+const SLIDING: f64 = 0.99;
 
 /// Overlap, as a share of the effective radius, of lanes that do not act.
 const GENTLE: f64 = 1e-3;

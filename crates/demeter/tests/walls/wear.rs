@@ -6,9 +6,10 @@ use crate::cases::{Case, G, Laws, hertz_overlap, law, mass, on_threads, one_mate
 use demeter::contacts::Coupling;
 use demeter::measure::wall_surfaces;
 use demeter::simulation::Simulation;
-use demeter::walls::{ElementRecord, Motion, Recording, Shape, WearCoefficients};
+use demeter::walls::{ElementRecord, Motion, MotionPart, Motions, Pace, Recording, Shape, WearCoefficients};
 use demeter_physics::DVec3;
 use demeter_physics::integrator::Integrator;
+use std::f64::consts::PI;
 
 const MODULUS: f64 = 5e6;
 
@@ -127,6 +128,58 @@ fn an_impact_that_sticks_wears_nothing_and_one_that_slides_does_by_its_way() {
                 (volume / expected - 1.0).abs() < 0.02,
                 "{tangential}: {volume} {expected}"
             );
+        }
+    });
+}
+
+/// A grain under its weight on a plate that circles: it slides all the time, in a direction that turns.
+fn circling(tangential: &'static str) -> [f64; 3] {
+    let mut values = vec![("friction", 0.3)];
+    if tangential == "linear-history" {
+        values.push(("stiffness", 5e3));
+    }
+    let laws = Laws::hertz(0.6).friction(law(tangential, &values));
+    let mut case = Case::new(one_material(MODULUS, &laws));
+    case.gravity = DVec3::Z * -G;
+    let swing = |amplitude: DVec3, phase: f64| MotionPart {
+        motion: Motion::Oscillation {
+            amplitude,
+            frequency: 200.0,
+            phase,
+        },
+        pace: Pace::FULL,
+    };
+    let parts = vec![swing(DVec3::X * 1e-3, 0.0), swing(DVec3::Y * 1e-3, 0.5 * PI)];
+    case.wall(0, strip(2), Motions { parts });
+    case.walls[0].record(Recording {
+        stress: false,
+        wear: Some(WearCoefficients {
+            sliding: 2e-12,
+            impact: 0.0,
+        }),
+    });
+    let r = 2e-3;
+    let sunk = hertz_overlap(MODULUS, r, mass(r) * G);
+    case.grain(r, DVec3::new(5e-3, 1e-3, r - sunk), DVec3::ZERO);
+    let mut sim = case.simulation();
+    cases::advance(&mut sim, 0.01);
+    sim.walls[0].wear()
+}
+
+#[test]
+fn sliding_whose_direction_turns_wears_as_much_with_every_law() {
+    on_threads(1, || {
+        for tangential in ["coulomb", "linear-history", "mindlin-history", "mindlin-deresiewicz"] {
+            let [_, sliding, volume] = circling(tangential);
+            let expected = 2e-12 * sliding / 0.3;
+            assert!(
+                (volume / expected - 1.0).abs() < 0.01,
+                "{tangential}: {volume} {expected}"
+            );
+            // about as fast as the plate, under the weight
+            let way = 2.0 * PI * 200.0 * 1e-3 * 0.01;
+            let load = mass(2e-3) * G * way;
+            assert!((volume / (2e-12 * load) - 1.0).abs() < 0.05, "{tangential}: {volume}");
         }
     });
 }
