@@ -9,9 +9,10 @@
 use super::error::{FileProblem, Located};
 use super::lines::Lines;
 use super::numbers::shown;
-use super::read::{Context, Notes};
+use super::read::{Context, Notes, ReadOptions};
 use super::rows::{Column, MOST_COLUMNS, Quantity, Rows};
 use super::table::GrainTable;
+use super::units::FileUnits;
 
 /// Names of columns; the first of a quantity is the one that messages use.
 pub(super) const COLUMNS: [(&str, Quantity); 22] = [
@@ -77,6 +78,20 @@ pub(super) fn units_of(quantity: Quantity) -> Units {
         Quantity::Force(_) => FORCES,
         Quantity::Torque(_) => TORQUES,
         _ => &[],
+    }
+}
+
+/// What a number of a quantity is in SI.
+fn factor_of(quantity: Quantity, units: &FileUnits) -> f64 {
+    match quantity {
+        Quantity::Position(_) | Quantity::Size { .. } => units.length,
+        Quantity::Density => units.density(),
+        Quantity::Mass => units.mass,
+        Quantity::Velocity(_) => units.velocity(),
+        Quantity::AngularVelocity(_) => units.rate(),
+        Quantity::Force(_) => units.force(),
+        Quantity::Torque(_) => units.torque(),
+        _ => 1.0,
     }
 }
 
@@ -153,7 +168,7 @@ fn parse_header(header: &str, separator: Separator, context: &Context) -> Result
         if columns.is_empty() && cell.parse::<f64>().is_ok() {
             return Err(FileProblem::NoHeader { found: shown(cell) });
         }
-        let column = parse_column(cell, context.options.extra_columns, &mut extras)?;
+        let column = parse_column(cell, &context.options, &mut extras)?;
         if let Some(other) = columns.iter().find(|c| c.quantity.is_same(column.quantity)) {
             return Err(FileProblem::TwiceColumn {
                 name: column.name,
@@ -198,14 +213,14 @@ fn check_complete(columns: &[Column], sized: bool) -> Result<(), FileProblem> {
 }
 
 /// A cell of the header: name, and maybe a unit in brackets.
-fn parse_column(cell: &str, extra_columns: bool, extras: &mut Vec<(String, String)>) -> Result<Column, FileProblem> {
+fn parse_column(cell: &str, options: &ReadOptions, extras: &mut Vec<(String, String)>) -> Result<Column, FileProblem> {
     let (name, unit) = match cell.split_once(['[', '(']) {
         Some((name, rest)) => (name.trim(), Some(rest.trim_end_matches([']', ')']).trim())),
         None => (cell, None),
     };
     let name = name.to_lowercase();
     let Some((_, quantity)) = COLUMNS.iter().find(|(known, _)| *known == name) else {
-        if extra_columns && !name.is_empty() {
+        if options.extra_columns && !name.is_empty() {
             extras.push((
                 name.replace(char::is_whitespace, "_"),
                 unit.unwrap_or_default().to_owned(),
@@ -221,7 +236,7 @@ fn parse_column(cell: &str, extra_columns: bool, extras: &mut Vec<(String, Strin
         });
     };
     let factor = match unit {
-        None => 1.0,
+        None => options.units.map_or(1.0, |units| factor_of(*quantity, &units)),
         Some(unit) => {
             let units = units_of(*quantity);
             let found = units.iter().find(|(known, _)| *known == unit);

@@ -46,6 +46,22 @@ fn reads_blanks_tabs_and_semicolons_and_radii() {
 }
 
 #[test]
+fn units_that_are_told_hold_for_titles_that_name_none() {
+    let options = ReadOptions {
+        units: Some("mm,g,ms".parse().unwrap()),
+        ..ReadOptions::default()
+    };
+    let text = "x,y [m],z,diameter,density,vx,vy,vz [m/s],wx,wy,wz\n1,2,3,4,5,6,7,8,9,10,11\n";
+    let table = parse_as(text, &options).unwrap();
+    assert_eq!(table.positions, [DVec3::new(1e-3, 2.0, 3.0 * 1e-3)]);
+    assert_eq!(table.diameters, [4.0 * 1e-3]);
+    let near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-14;
+    assert!(near(table.densities.unwrap()[0], 5e6));
+    assert_eq!(table.velocities, Some(vec![DVec3::new(6.0, 7.0, 8.0)]));
+    assert!(near(table.angular_velocities.unwrap()[0].x, 9e3));
+}
+
+#[test]
 fn columns_of_the_frames_of_a_run_are_read_over() {
     let table = parse("x,y,z,diameter,coordination,tag,orientation_x\n1,2,3,4,5,6,7\n").unwrap();
     assert_eq!((table.len(), table.extras.len()), (1, 0));
