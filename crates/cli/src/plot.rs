@@ -252,6 +252,13 @@ impl Drawing<'_> {
             }
         }
         if spans.len() == steps.len() {
+            if !["last", "all"].contains(&self.arguments.at.as_str()) {
+                let message = format!(
+                    "--at is for distributions and profiles: `{}` has one row at a time; `--x-range` shows a part of it",
+                    table.path().display()
+                );
+                return Err(Failure::wrong(message));
+            }
             return Ok(vec![(None, 0..table.rows())]);
         }
         match self.arguments.at.as_str() {

@@ -172,6 +172,7 @@ fn columns_are_listed_and_drawn() {
             "neither .svg nor .png",
         ),
         (&["plot", "run", "time", "contacts", "--x-range", "2..1"], "is no range"),
+        (&["plot", "run", "time", "contacts", "--at", "3"], "one row at a time"),
         (
             &["plot", "run", "time", "contacts", "--x-range", "100..200"],
             "there is nothing to draw",

@@ -5,7 +5,7 @@
 //! |---|---|---|
 //! | `grains` | a point at the centre of a grain | `id`, `material`, `radius` and `diameter` [m], `mass` [kg], `velocity` [m/s], `angular_velocity` [1/s], `force` [N], `torque` [N m], `coordination` (contacts that act, walls counted), `contact_force` [N] (sum of the magnitudes of their normal forces), `mean_normal_stress` [Pa] (from them, compression positive), `orientation` (quaternion x, y, z, w) where it is followed, `tag` where grains have tags |
 //! | `contacts` | a point at the contact, of those that act: their normal force is not 0 | `id_i`, `id_j` (0: wall), `wall` (-1: none), `element`, `normal` (towards i), `overlap` [m], `normal_force`, `tangential_force` and their vector sum `force` [N], all on i, rounded to single precision, `normal_force_magnitude`, `force_magnitude` [N], `rolling_torque` [N m] |
-//! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s]; where a wall records loads or wear, of the element (triangle of a mesh, face of a box, else all of the wall) `mean_force` [N], `pressure` and `shear_stress` [Pa], means since the last frame; what adds up is shared out over the triangles of an element; `impact_energy` and `sliding_energy` [J] and `wear_depth` [m] since the start |
+//! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s]; where a wall records loads or wear, of the element (triangle of a mesh, face of a box, else all of the wall) `mean_force` [N], `pressure` and `shear_stress` [Pa], means since the last frame; what adds up is shared out over the triangles of an element; `impact_energy` and `sliding_energy` [J], `worn_volume` [m^3] and `wear_depth` [m] since the start |
 //!
 //! Every file carries `TimeValue` [s] and `step`; `grains` the names of the materials and, where there is a domain, `box` (its lower corner
 //! and three edges [m], as they are at that moment) and `box_periodic`; `walls` the names of
@@ -233,6 +233,7 @@ fn walls<'a>(frame: &'a Frame, records: &'a Option<Vec<ElementRecord>>) -> NewPo
             scalars("shear_stress", |r| r.shear_stress),
             scalars("impact_energy", |r| r.impact_energy),
             scalars("sliding_energy", |r| r.sliding_energy),
+            scalars("worn_volume", |r| r.worn_volume),
             scalars("wear_depth", |r| r.wear_depth),
         ]);
     }

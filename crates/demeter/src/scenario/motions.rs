@@ -197,7 +197,7 @@ fn servo(table: TableReader<'_>) -> Motion {
     let force = Kind::Physical(Dimension::FORCE);
     let motion = Motion::Servo {
         axis: table.direction("axis", "the direction in which the wall pushes the grains, as \"-z\""),
-        force: table.quantity("force", force, Range::NOT_NEGATIVE, "the force to hold, as \"5 N\""),
+        force: table.quantity("force", force, Range::POSITIVE, "the force to hold, as \"5 N\""),
         max_speed: table.quantity(
             "max_speed",
             VELOCITY,

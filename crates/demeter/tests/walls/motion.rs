@@ -534,6 +534,7 @@ fn threads_and_restarts_change_no_bit() {
             "shear_stress",
             "impact_energy",
             "sliding_energy",
+            "worn_volume",
             "wear_depth",
         ]
         .iter()

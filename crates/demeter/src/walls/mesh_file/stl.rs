@@ -135,9 +135,21 @@ fn broken_into_lines(bytes: &[u8]) -> Option<Vec<u8>> {
 }
 
 pub(super) fn parse_ascii(path: &Path, bytes: &[u8]) -> Result<Vec<[DVec3; 3]>, MeshFileError> {
-    let broken = broken_into_lines(bytes);
+    let Some(text) = broken_into_lines(bytes) else {
+        return parse_lines(path, bytes);
+    };
+    parse_lines(path, &text).map_err(|mut error| {
+        if let MeshFileError::Syntax { line, .. } = &mut error {
+            // the lines are ours
+            *line = 1;
+        }
+        error
+    })
+}
+
+fn parse_lines(path: &Path, text: &[u8]) -> Result<Vec<[DVec3; 3]>, MeshFileError> {
     let mut facets = Facets {
-        lines: Lines::new(path, broken.as_deref().unwrap_or(bytes)),
+        lines: Lines::new(path, text),
     };
     let mut triangles = Vec::new();
     let mut open = false;
