@@ -123,17 +123,10 @@ fn leaky_box() -> String {
 #[test]
 fn check_asks_feeds_where_grains_come() {
     let place = Place::new();
+    let (head, _) = OBJ_BOX.split_once("[[grains]]").unwrap();
     let scenario = |from: &str| {
         format!(
-            r#"
-[simulation]
-gravity = "0 0 -9.81 m/s^2"
-[material.glass]
-young_modulus = "5 MPa"
-poisson_ratio = 0.25
-density = "2500 kg/m^3"
-[contact]
-normal = {{ law = "hertz-tsuji", restitution = 0.6 }}
+            r#"{head}
 [[wall]]
 name = "cup"
 material = "glass"

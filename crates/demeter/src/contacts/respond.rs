@@ -27,7 +27,7 @@ pub(super) struct Answers<'a> {
     pub(super) tangential: &'a mut Told,
     /// Torque of the rolling law on the first body [N m]; empty where no law resists rolling.
     pub(super) torques: &'a mut Told,
-    /// What every contact loses, by its normal law and by friction [J], nothing yet; empty where nobody asks.
+    /// What every contact loses, nothing yet; empty where nobody asks.
     pub(super) losses: &'a mut [Lost],
     /// Normal force that does not depend on the rate [N]; empty where nobody asks.
     pub(super) elastic: &'a mut [f64],

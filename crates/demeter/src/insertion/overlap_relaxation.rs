@@ -122,7 +122,7 @@ fn random_places(space: &Space, radii: &[f64], occupied: &[(DVec3, f64)], random
     for index in order {
         let radius = radii[index];
         let is_beside = |place: &DVec3| {
-            let inside = grid.visit(*place, 0.0, |near| {
+            let inside = grid.visit(*place, radius, |near| {
                 let is_inside = near.radius >= MUCH_LARGER * radius
                     && near.difference.length_squared() < (near.radius + radius) * (near.radius + radius);
                 if is_inside {

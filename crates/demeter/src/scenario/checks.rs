@@ -16,10 +16,12 @@ pub(super) fn check_memory(scenario: &Scenario, walls: &[Wall], faults: &mut Dia
     let at_start: f64 = scenario.grains.iter().map(expected_count).sum();
     // where grains leave, how many are there at a time is not known
     let is_left = scenario.domain.outside == Outside::Remove || !scenario.removals.is_empty();
+    // only what is told by numbers: how long stages take is not known yet
+    let endless = vec![f64::INFINITY; scenario.stages.len()];
     let fed = if is_left {
         0.0
     } else {
-        estimates::fed(scenario, None).grains
+        estimates::fed(scenario, &endless).grains
     };
     let expected = at_start + fed;
     let Some(available) = available_memory() else { return };

@@ -2,7 +2,7 @@
 
 use super::{FeedRate, FeedSpec, Scenario};
 use crate::insertion::SizeSampler;
-use crate::simulation::{Stage, StopCondition};
+use crate::simulation::Stage;
 use crate::walls::Wall;
 
 /// Memory of a grain with its contacts, candidates, and its share of a frame while that is written [bytes], and that of a run of few
@@ -36,11 +36,11 @@ pub struct Fed {
     pub unknown: Vec<String>,
 }
 
-/// What feeds let come; stages that tell steps alone count where the time step is known [s].
-pub(super) fn fed(scenario: &Scenario, dt: Option<f64>) -> Fed {
+/// What feeds let come in stages that take so long at most [s].
+pub(super) fn fed(scenario: &Scenario, stages: &[f64]) -> Fed {
     let mut fed = Fed::default();
     for (index, feed) in scenario.feeds.iter().enumerate() {
-        let grains = expected_of_feed(scenario, feed, time_of_feed(scenario, index, dt));
+        let grains = expected_of_feed(scenario, feed, time_of_feed(scenario, index, stages));
         if grains.is_finite() {
             fed.grains += grains;
         } else {
@@ -51,19 +51,14 @@ pub(super) fn fed(scenario: &Scenario, dt: Option<f64>) -> Fed {
 }
 
 /// For how long a feed may run [s].
-fn time_of_feed(scenario: &Scenario, feed: usize, dt: Option<f64>) -> f64 {
+fn time_of_feed(scenario: &Scenario, feed: usize, stages: &[f64]) -> f64 {
     let (mut passed, mut runs, mut running) = (0.0, true, 0.0);
     let until = scenario.feeds[feed].end.until.unwrap_or(f64::INFINITY);
-    for stage in &scenario.stages {
+    for (stage, seconds) in scenario.stages.iter().zip(stages) {
         if let Some(feeds) = &stage.feeds {
             runs = feeds.contains(&feed);
         }
-        let seconds = stage.stop.iter().filter_map(|stop| match *stop {
-            StopCondition::Duration(seconds) => Some(seconds),
-            StopCondition::Steps(steps) => dt.map(|dt| steps as f64 * dt),
-            _ => None,
-        });
-        let end = passed + seconds.reduce(f64::min).unwrap_or(0.0);
+        let end = passed + seconds;
         if runs {
             running += (end.min(until) - passed).max(0.0);
         }

@@ -124,7 +124,8 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
             tag.at
         ));
     }
-    let fed = estimates::fed(scenario, Some(dt));
+    let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
+    let fed = estimates::fed(scenario, &stages);
     let most = grains.len() as f64 + fed.grains;
     let work = estimates::work(scenario, most, &walls, &stage_steps, dt);
     Ok(Prepared {

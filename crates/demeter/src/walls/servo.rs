@@ -160,6 +160,15 @@ mod tests {
         largest: f64,
     }
 
+    /// Force of a contact with this stiffness and damping.
+    fn pressed([stiffness, damping]: [f64; 2], overlap: f64, closing: f64) -> f64 {
+        if overlap > 0.0 {
+            (stiffness * overlap + damping * closing).max(0.0)
+        } else {
+            0.0
+        }
+    }
+
     fn press(bed: &Bed, target: f64, max_speed: f64, dt: f64, steps: u32) -> Outcome {
         let mut servo = Servo::new(target, max_speed);
         let (mut plate, mut x, mut v, mut floor) = (-1e-3, 0.0, 0.0, 0.0);
@@ -173,12 +182,7 @@ mod tests {
             assert!(speed.abs() <= max_speed);
             plate += speed * dt;
             let overlap: f64 = plate - x;
-            out.force = if overlap > 0.0 {
-                bed.contact * overlap + bed.contact_damping * (speed - v)
-            } else {
-                0.0
-            };
-            out.force = out.force.max(0.0);
+            out.force = pressed([bed.contact, bed.contact_damping], overlap, speed - v);
             let sinks = bed.sinks + bed.yields * bed.stiffness * (x - floor);
             v += (out.force - bed.stiffness * (x - floor) - bed.damping * (v - sinks)) / bed.mass * dt;
             x += v * dt;
@@ -328,11 +332,7 @@ mod tests {
             assert!(speed.abs() <= max_speed);
             plate += speed * dt;
             let overlap: f64 = plate - x;
-            force = if overlap > 0.0 {
-                (contact * overlap + contact_damping * (speed - v)).max(0.0)
-            } else {
-                0.0
-            };
+            force = pressed([contact, contact_damping], overlap, speed - v);
             seed = seed
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);
@@ -374,11 +374,7 @@ mod tests {
                 let speed = servo.speed(force);
                 plate += speed * dt;
                 let overlap: f64 = plate - x;
-                force = if overlap > 0.0 {
-                    (contact * overlap + contact_damping * (speed - v)).max(0.0)
-                } else {
-                    0.0
-                };
+                force = pressed([contact, contact_damping], overlap, speed - v);
                 let phase = std::f64::consts::TAU * f64::from(step) / f64::from(cycle);
                 let (floor, floor_speed) = (
                     -1e-4 * phase.sin(),
