@@ -14,9 +14,6 @@ const STEPS: [u64; 2] = [20, 320];
 /// The widest that callgrind knows, and what every processor has.
 const COUNTED: [&str; 2] = ["portable", "avx2"];
 
-/// How what is counted is compiled, and the wheel that is tested.
-pub const PROFILES: &str = "xtask/counted.toml";
-
 /// Largest difference from the reference.
 const TOLERANCE: f64 = 0.05;
 
@@ -51,20 +48,18 @@ pub fn run(accept: bool) -> Result<(), String> {
     compare(&accepted, &compiler, &counts).map(|text| println!("{text}"))
 }
 
-/// Compiles what is counted.
+/// Compiles what is counted, and with it the Python module: the wheel that is tested later finds the engine compiled, which the tests compile
+/// with other features of its dependencies.
 pub fn build() -> Result<(), String> {
     run_cargo(
         &[
             "build",
             "-p",
             "demeter-benches",
-            // the wheel that is tested later finds the engine compiled
             "-p",
             "demeter-py",
             "--bin",
             "one_step",
-            "--config",
-            PROFILES,
         ],
         &[],
     )

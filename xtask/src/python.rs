@@ -1,7 +1,6 @@
 //! The Python module, built and tested as a user has it; and the output of a run, opened with PyVista.
 
 use crate::checks::build_demeter;
-use crate::instructions::PROFILES;
 use crate::shell::run;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -85,7 +84,7 @@ fn test_module(python: &str, target: &Path) -> Result<(), String> {
     ];
     let settings = [
         "--config-settings",
-        &format!("build-args=--profile dev --config {PROFILES}"),
+        "build-args=--profile dev",
         "--wheel-dir",
         &text(&wheels),
     ];

@@ -68,7 +68,7 @@ impl Moves {
         match self {
             Self::Reordered(places) => {
                 let to = places.get(grain);
-                debug_assert!(to.is_some(), "it is not known where grain {grain} goes");
+                assert!(to.is_some(), "it is not known where grain {grain} goes");
                 to
             }
             Self::ClosedUp { gone, .. } => match gone.binary_search(&grain) {

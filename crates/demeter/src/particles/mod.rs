@@ -380,7 +380,7 @@ pub(crate) enum Beyond {
 
 /// Sets memory aside for so many in an empty list, with little more: pushed one by one, a list takes up to twice as much.
 pub(crate) fn make_room<T>(list: &mut Vec<T>, count: usize, beyond: Beyond) {
-    debug_assert!(list.is_empty());
+    assert!(list.is_empty());
     let spare = (count / 32).max(SPARE / size_of::<T>());
     if beyond == Beyond::GivenBack && list.capacity() > count + 4 * spare {
         *list = Vec::new();

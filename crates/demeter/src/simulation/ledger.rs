@@ -304,7 +304,7 @@ impl Simulation {
 
     /// Kinetic, gravitational and stored energies at this moment, of all processes.
     pub(crate) fn mechanical_energies(&self) -> Energies {
-        debug_assert!(!self.awaits_kick, "velocities are those predicted");
+        assert!(!self.awaits_kick, "velocities are those predicted");
         let free_walls = self.walls.iter().map(Wall::energy).sum();
         Energies {
             free_walls,

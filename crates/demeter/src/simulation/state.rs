@@ -140,7 +140,7 @@ impl Simulation {
     }
 
     fn state_of<'a>(&'a self, part: Part<'a>) -> SimulationState<'a> {
-        debug_assert!(!self.awaits_kick, "velocities are those predicted");
+        assert!(!self.awaits_kick, "velocities are those predicted");
         SimulationState {
             started: self.started,
             step: self.step,

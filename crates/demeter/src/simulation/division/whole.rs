@@ -64,7 +64,7 @@ impl Simulation {
 
     /// Has every process have all grains, where the run is shared.
     fn make_grains_whole(&mut self) {
-        debug_assert!(!self.awaits_kick, "velocities are those predicted");
+        assert!(!self.awaits_kick, "velocities are those predicted");
         let Some(division) = self.division.as_ref().filter(|division| !division.is_whole) else {
             return;
         };
