@@ -30,7 +30,7 @@ use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// Version of the format. It grows with every change of the layout or of the type of the payload.
-pub const FORMAT: u32 = 25;
+pub const FORMAT: u32 = 26;
 
 /// File name of the latest checkpoint of a run.
 pub const LATEST: &str = "checkpoint.latest";
@@ -215,9 +215,11 @@ pub fn read<T: DeserializeOwned>(path: &Path) -> Result<(Header, T), CheckpointE
     Ok((opened.header, value))
 }
 
-/// Reads what a checkpoint says about itself, without its payload.
+/// Reads what a checkpoint says about itself. All of the file is checked, so that one that is damaged is never called whole.
 pub fn read_header(path: &Path) -> Result<Header, CheckpointError> {
-    Ok(Opened::new(path)?.header)
+    let mut opened = Opened::new(path)?;
+    opened.check_payload()?;
+    Ok(opened.header)
 }
 
 /// Whether a file starts like a checkpoint.

@@ -100,7 +100,11 @@ impl Touched {
                 let points = self.within.next_of(c);
                 if !points.is_empty() {
                     let first = self.parts.len();
-                    wall.contacts_of(points, scene.grains.radius(g), &mut self.parts);
+                    wall.contacts_of(
+                        points,
+                        (scene.grains.position[g], scene.grains.radius(g)),
+                        &mut self.parts,
+                    );
                     self.retain_from(first, |part| !scene.is_pushed_by_another(g, pair.wall as usize, part));
                 }
             } else if reach.is_new {

@@ -100,10 +100,14 @@ impl ContactAt<'_> {
         }
     }
 
-    /// Which element of the wall is touched.
+    /// Which element of the wall is touched; 0 between grains.
     pub fn element(self) -> u32 {
         match self {
-            Self::State(_, acting) => acting.chunk.element(acting.place),
+            Self::State(sim, acting) if acting.with_wall => {
+                let (wall, reach) = (&sim.walls[acting.j() as usize], sim.grains.radius(acting.i()));
+                wall.element_at(acting.chunk.element(acting.place), self.position(), reach)
+            }
+            Self::State(..) => 0,
             Self::Listed(record) => record.element,
         }
     }

@@ -18,7 +18,7 @@ pub struct ContactRecord {
     pub id_j: u32,
     /// Index of the wall; -1 between grains.
     pub wall: i32,
-    /// Which element of the wall is touched (triangle, edge or corner of a mesh, face of a box); 0 otherwise.
+    /// Which element of the wall is touched (triangle of a mesh, face of a box), as loads and wear are recorded; 0 otherwise.
     pub element: u32,
     /// Contact point [m].
     pub position: DVec3,

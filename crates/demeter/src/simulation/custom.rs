@@ -3,7 +3,7 @@
 //! A custom force is asked once in every step, when the grains are where the step has brought them and velocities are those
 //! predicted; its work is booked in the ledger. A custom motion is asked for the places of a wall. Neither is part of a
 //! checkpoint: a run that goes on from one has them when they are given again, and until then the force is absent and the wall
-//! rests where it stood.
+//! rests where it stood. A motion that is given again before the next step goes on where it was, to the same bits.
 //!
 //! When one of them cannot answer, the step is completed, with the loads of the step before or the wall at rest, and told as
 //! [`Fault::Custom`]: the simulation is whole, and the next step asks again.
@@ -11,7 +11,7 @@
 use super::Simulation;
 use crate::contacts::Fault;
 use crate::particles::{Grains, Load};
-use crate::walls::{Driven, Motion, WallError};
+use crate::walls::{Driven, Motion, Motions, WallError};
 use glam::DVec3;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -107,24 +107,33 @@ struct Driver {
     course: VectorCourse,
     is_rate: bool,
     told: Driven,
-    /// Of a course of places: its value at the start, now and one step ahead.
-    start: DVec3,
+    /// Of a course of places: its value now and one step ahead.
     now: DVec3,
     ahead: DVec3,
 }
 
 impl Driver {
-    fn new(mut course: VectorCourse, is_rate: bool, time: f64, dt: f64) -> Result<Self, String> {
+    /// A driver that begins now, or goes on with what an earlier one has told last, where the course has come to that.
+    fn new(
+        (mut course, is_rate): (VectorCourse, bool),
+        (time, dt): (f64, f64),
+        earlier: Option<Driven>,
+    ) -> Result<Self, String> {
         let now = finite(course(time)?)?;
         let ahead = if is_rate { now } else { finite(course(time + dt)?)? };
+        let has_come_to = |told: &Driven| match is_rate {
+            true => told.counted_from == DVec3::ZERO && told.rate == now,
+            false => told.place == now - told.counted_from,
+        };
+        let anew = Driven {
+            place: DVec3::ZERO,
+            rate: if is_rate { now } else { (ahead - now) / dt },
+            counted_from: if is_rate { DVec3::ZERO } else { now },
+        };
         Ok(Self {
             course,
             is_rate,
-            told: Driven {
-                place: DVec3::ZERO,
-                rate: if is_rate { now } else { (ahead - now) / dt },
-            },
-            start: now,
+            told: earlier.filter(has_come_to).unwrap_or(anew),
             now,
             ahead,
         })
@@ -138,7 +147,7 @@ impl Driver {
             self.told.rate = rate;
         } else {
             let beyond = finite((self.course)(time + dt)?)?;
-            self.told.place = self.ahead - self.start;
+            self.told.place = self.ahead - self.told.counted_from;
             self.told.rate = (beyond - self.now) / (2.0 * dt);
             (self.now, self.ahead) = (self.ahead, beyond);
         }
@@ -210,27 +219,34 @@ impl Simulation {
     /// (by [`set_wall_motion`](Self::set_wall_motion), as at the start of a stage) replaces this one.
     pub fn drive_wall(&mut self, wall: usize, motion: CustomMotion) -> Result<(), CustomMotionError> {
         let (course, is_rate, axis) = motion.course();
-        let driver =
-            Driver::new(course, is_rate, self.time(), self.dt).map_err(|reason| CustomMotionError::NoAnswer {
-                wall: self.walls[wall].name.clone(),
-                reason,
-            })?;
-        self.set_wall_motion(wall, Motion::Driven { axis }.into())?;
+        let motion = Motions::from(Motion::Driven { axis });
+        let earlier = self.walls[wall].driven();
+        let earlier = earlier.filter(|_| !self.is_driven(wall) && self.walls[wall].has_motion(motion.clone()));
+        let driver = Driver::new((course, is_rate), (self.time(), self.dt), earlier);
+        let driver = driver.map_err(|reason| CustomMotionError::NoAnswer {
+            wall: self.walls[wall].name.clone(),
+            reason,
+        })?;
+        if earlier != Some(driver.told) {
+            self.set_wall_motion(wall, motion)?;
+        }
         self.customs().drivers.push((wall, driver));
         Ok(())
     }
 
     /// Names of the walls that are to be driven and that nobody drives, as after a restart.
     pub fn undriven_walls(&self) -> Vec<&str> {
-        let driven = |w: usize| {
-            let drivers = self.customs.iter().flat_map(|customs| &customs.drivers);
-            drivers.into_iter().any(|(wall, _)| *wall == w)
-        };
         let walls = self.walls.iter().enumerate();
         walls
-            .filter(|(w, wall)| wall.driven().is_some() && !driven(*w))
+            .filter(|(w, wall)| wall.driven().is_some() && !self.is_driven(*w))
             .map(|(_, wall)| wall.name.as_str())
             .collect()
+    }
+
+    /// Whether somebody drives a wall.
+    fn is_driven(&self, wall: usize) -> bool {
+        let mut drivers = self.customs.iter().flat_map(|customs| &customs.drivers);
+        drivers.any(|(driven, _)| *driven == wall)
     }
 
     fn customs(&mut self) -> &mut Customs {

@@ -169,6 +169,20 @@ impl Motions {
             _ => None,
         })
     }
+
+    /// Why they never come to an end, as the first part that does not tells; nothing where all of them do.
+    pub fn never_ends(&self) -> Option<&'static str> {
+        self.parts.iter().find_map(|part| match &part.motion {
+            Motion::Servo { .. } | Motion::TorqueServo { .. } => Some("its servo follows the load for ever"),
+            Motion::Free(_) => Some("it moves as its load lets it, for ever"),
+            Motion::With(_) => Some("it moves with another wall, whose motion may be named"),
+            Motion::Driven { .. } => Some("it is moved from outside, by whoever knows when to end"),
+            Motion::Table(table) if table.comes_to_rest() => None,
+            _ if part.pace.stop_after.is_finite() => None,
+            Motion::Table(_) => Some("its table goes on behind the last row, and no `stop_after` ends it"),
+            _ => Some("no `stop_after` ends it"),
+        })
+    }
 }
 
 impl From<Motion> for Motions {

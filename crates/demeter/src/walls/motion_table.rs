@@ -150,9 +150,14 @@ impl MotionTable {
         }
     }
 
+    /// Whether nothing more happens behind the last row.
+    pub fn comes_to_rest(&self) -> bool {
+        self.at_end == AtEnd::Hold
+    }
+
     /// Whether the last row is over and nothing more happens.
     pub fn is_over(&self, time: f64) -> bool {
-        self.at_end == AtEnd::Hold && self.times.last().is_some_and(|end| time >= *end)
+        self.comes_to_rest() && self.times.last().is_some_and(|end| time >= *end)
     }
 
     /// Largest speed of the displacement [m/s].

@@ -60,6 +60,8 @@ pub struct Driven {
     pub place: DVec3,
     /// Its rate [m/s or 1/s].
     pub rate: DVec3,
+    /// What whoever drives it counts the displacement from [m or rad], so that it can be gone on with after a restart.
+    pub counted_from: DVec3,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -244,6 +246,23 @@ impl Motor {
                 (*told, *is_fresh) = (next, true);
             }
         }
+    }
+
+    /// Of a servo: share of the steps in which it pressed that it spent at its largest speed, and that speed with its unit.
+    pub(super) fn limited(&self) -> Option<(f64, f64, &'static str)> {
+        self.parts.iter().find_map(|part| match &part.drive {
+            Drive::Servo { servo, .. } => {
+                let (share, speed) = servo.limited();
+                let turns = matches!(part.told.motion, Motion::TorqueServo { .. });
+                Some((share, speed, if turns { "1/s" } else { "m/s" }))
+            }
+            _ => None,
+        })
+    }
+
+    /// Whether these are its motions.
+    pub(super) fn has(&self, motions: &Motions) -> bool {
+        self.parts.iter().map(|part| &part.told).eq(&motions.parts)
     }
 
     /// What the driven part was told last, if there is one.

@@ -58,6 +58,9 @@ pub(crate) struct Servo {
     since_crossing: u32,
     since_review: u32,
     error_at_review: f64,
+    /// Steps since the target was reached, in all touches, and those of them at the largest speed.
+    pressed: u64,
+    at_limit: u64,
 }
 
 impl Servo {
@@ -76,7 +79,14 @@ impl Servo {
             since_crossing: u32::MAX,
             since_review: 0,
             error_at_review: f64::MAX,
+            pressed: 0,
+            at_limit: 0,
         }
+    }
+
+    /// Share of the steps in which it pressed that it spent at its largest speed, so that it did not hold its target; and that speed.
+    pub(crate) fn limited(&self) -> (f64, f64) {
+        (self.at_limit as f64 / self.pressed.max(1) as f64, self.max_speed)
     }
 
     /// Speed along the axis for the next step, from the force with which the wall pressed in the last [m/s].
@@ -104,7 +114,11 @@ impl Servo {
         } else if is_led || self.held > LONG {
             self.carried = (self.carried + slip.clamp(-1.0, 1.0) / CARRY).clamp(-1.0, 1.0);
         }
-        self.held = self.held.saturating_add(u32::from(self.held > 0));
+        if self.held > 0 {
+            self.held = self.held.saturating_add(1);
+            self.pressed += 1;
+            self.at_limit += u64::from(speed.abs() >= 1.0);
+        }
         self.side * self.max_speed * speed
     }
 
@@ -389,5 +403,17 @@ mod tests {
             let mean = sum / f64::from(steps / 2);
             assert!((mean / target - 1.0).abs() < 1e-3, "at most {max_speed} m/s: {mean}");
         }
+    }
+
+    #[test]
+    fn steps_at_the_largest_speed_are_told() {
+        let mut servo = Servo::new(1.0, 0.1);
+        // on its way to the bed it may be as fast as it can
+        (0..500).for_each(|_| assert_eq!(servo.speed(0.0), 0.1));
+        assert_eq!(servo.limited(), (0.0, 0.1));
+        (0..80).for_each(|_| _ = servo.speed(1.05));
+        assert_eq!(servo.limited(), (0.0, 0.1));
+        (0..80).for_each(|_| assert_eq!(servo.speed(3.0), -0.1));
+        assert_eq!(servo.limited(), (0.5, 0.1));
     }
 }

@@ -155,11 +155,18 @@ impl Wall {
         }
     }
 
-    /// Appends the contacts of a sphere of some radius among the closest points of all triangles within reach, sorted by element.
+    /// Appends the contacts of a sphere among the closest points of all triangles within reach, sorted by element.
     #[inline]
-    pub(crate) fn contacts_of(&self, points: &mut [TrianglePoint], radius: f64, out: &mut Vec<SurfaceContact>) {
+    pub(crate) fn contacts_of(
+        &self,
+        points: &mut [TrianglePoint],
+        (centre, radius): (DVec3, f64),
+        out: &mut Vec<SurfaceContact>,
+    ) {
         if let Surface::Mesh(mesh) = &self.surface {
-            mesh.contacts_of((points, radius), |normal| self.motor.pose.turn(normal), out);
+            let pose = &self.motor.pose;
+            let frame = (|| pose.unplace(self.origin, centre), |normal| pose.turn(normal));
+            mesh.contacts_of((points, radius), frame, out);
         }
     }
 
@@ -322,6 +329,16 @@ impl Wall {
     /// how fast it moves then. Not told before a step it rests. Nothing happens to a wall with other motions.
     pub fn drive(&mut self, next: Driven) {
         self.motor.drive(next);
+    }
+
+    /// Share of the steps in which a servo pressed that it spent at its largest speed, and that speed with its unit.
+    pub(crate) fn limited(&self) -> Option<(f64, f64, &'static str)> {
+        self.motor.limited()
+    }
+
+    /// Whether these are the motions that it has.
+    pub(crate) fn has_motion(&self, motions: Motions) -> bool {
+        check_motions(motions).is_ok_and(|motions| self.motor.has(&motions))
     }
 
     /// What a driven wall was told last; `None` for walls with other motions.

@@ -4,7 +4,7 @@ use crate::cases;
 
 use crate::cases::{Case, G, Laws, hertz_overlap, law, mass, on_threads, one_material};
 use demeter::contacts::Coupling;
-use demeter::measure::wall_surfaces;
+use demeter::measure::{contact_records, wall_surfaces};
 use demeter::simulation::Simulation;
 use demeter::walls::{ElementRecord, Motion, MotionPart, Motions, Pace, Recording, Shape, WearCoefficients};
 use demeter_physics::DVec3;
@@ -77,6 +77,9 @@ fn a_grain_that_slides_down_a_mesh_wears_it_as_archard_says() {
         // place of the grain: a (t^2)/2 with a = g (sin - mu cos); energy per way grows as the slip over the speed, which is constant
         let end = 2e-3 + 0.5 * along * (1.0 - mu) * t * t;
         assert!((sim.grains().position[0].x / end - 1.0).abs() < 1e-3);
+        // and the contact is told on one of the two triangles below it
+        let [contact] = contact_records(&sim)[..] else { panic!() };
+        assert_eq!(contact.element / 2, (end / 5e-3) as u32, "{contact:?}");
         for (square, pair) in elements.chunks(2).enumerate() {
             let (from, to) = (5e-3 * square as f64, 5e-3 * (square + 1) as f64);
             let share = (to.min(end) - from.max(2e-3)).max(0.0) / (end - 2e-3);

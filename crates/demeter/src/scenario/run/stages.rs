@@ -8,6 +8,9 @@ use crate::scenario::run_error::RunError;
 use crate::simulation::StopCondition;
 use glam::DVec3;
 
+/// Share of its steps that a servo may be at its largest speed.
+const MOST_LIMITED: f64 = 0.05;
+
 impl Runner<'_> {
     pub(super) fn begin_stage(&mut self) -> Result<(), RunError> {
         self.place.stage_step = self.sim.step;
@@ -52,6 +55,9 @@ impl Runner<'_> {
         for text in self.traffic.end_stage(self.place.stage, dt) {
             self.say(&text, observer)?;
         }
+        for text in self.limited_servos() {
+            self.say(&text, observer)?;
+        }
         self.place.stages_done.push(StageSummary {
             name: name.clone(),
             first_step: start,
@@ -67,6 +73,22 @@ impl Runner<'_> {
         });
         self.place.stage += 1;
         self.begin_stage()
+    }
+
+    /// Servos that were at their largest speed for long, in words.
+    fn limited_servos(&self) -> Vec<String> {
+        let walls = self.sim.walls.iter();
+        let limited =
+            walls.filter_map(|wall| Some((wall, wall.limited().filter(|(share, ..)| *share > MOST_LIMITED)?)));
+        let told = limited.map(|(wall, (share, speed, unit))| {
+            format!(
+                "warning: the servo of wall `{}` was at its largest speed, {speed} {unit}, in {:.0} % of the steps since it first pressed: it \
+                 does not hold what it is told there; raise its `max_speed`",
+                wall.name,
+                100.0 * share
+            )
+        });
+        told.collect()
     }
 
     /// What ends the stage at this step, in words.

@@ -5,13 +5,17 @@
 //! * In the face it is a contact.
 //! * On an edge or a vertex it is a contact only if no triangle that meets there has a closer point: otherwise that
 //!   triangle speaks for the neighbourhood. So a convex edge or corner touches once, and the rim of a face in a concave
-//!   corner not at all.
+//!   corner not at all. A triangle meets there, too, where the edge or vertex lies on it without being joined to it, as where parts of one
+//!   plane abut or overlap.
+//! * Where a rim is not a contact because it is the bottom of a bend, the plane of its face is one: a sphere that overlaps deeply meets the
+//!   other side of a bend before it stands over it ([`Mesh::beyond_rim`]).
 //! * Where the surface is flat around the edge or vertex the contact is one with the plane, so that nothing is felt on
 //!   a seam, not even in the last digits of the normal.
-//! * Of contacts whose normals are less than [`SAME_DIRECTION`] apart one stays: the deepest, and where others are as deep, the shortest
-//!   way out of all of them ([`bend`](super::bend)). That joins the contacts of facets that stand for one curved surface, of
-//!   triangles given twice, and of the two skins of a thin sheet. On a faceted surface the force so follows from one overlap and is
-//!   continuous in size and direction from facet to facet.
+//! * Of contacts with faces whose normals are less than [`SAME_DIRECTION`] apart one stays: the deepest, and where others are as deep, the
+//!   shortest way out of all of them ([`bend`](super::bend)). With edges and corners, whose normals turn as the sphere sinks, the places on
+//!   the surface are asked: whether they are as close as those normals make them where the sphere just touches both. That joins the contacts
+//!   of facets that stand for one curved surface, of triangles given twice, and of the two skins of a thin sheet. On a faceted surface the
+//!   force so follows from one overlap and is continuous in size and direction from facet to facet.
 //!
 //! A triangle with a closer point is itself among those within reach: to decide, no others are asked. They are taken from the closest on, since
 //! what has the direction of one that is kept, and is left on the way out of that, need not be judged.
@@ -32,10 +36,25 @@ use glam::DVec3;
 use std::cell::RefCell;
 use std::cmp::Ordering;
 
-/// Cosine of the largest angle, 21.6 degrees, between normals of contacts that are one. A cylinder of 17 facets is still smooth.
+/// Cosine of the largest angle, 21.6 degrees, between normals of contacts with faces that are one. A cylinder of 17 facets is still smooth.
 const SAME_DIRECTION: f64 = 0.93;
 /// Share by which the closest points of two triangles may differ in distance and still be the same point.
 const SAME_DISTANCE: f64 = 1e-12;
+
+/// Cosine of the sharpest bend, 60 degrees, whose other side is met by a sphere before it stands over it: sharper ones ask for an overlap of
+/// half its radius.
+const SHARPEST: f64 = 0.5;
+/// Share of the height of a triangle above a plane by which a corner may lie below it that lies on it.
+const PLANE: f64 = 1e-6;
+/// Share of the radius by which a point may lie beside a triangle on which it lies: what files round.
+const BESIDE: f64 = 1e-3;
+
+/// Square of the distance between two places, an edge or a corner among them, whose contacts are one, as share of that of the radius: where a
+/// sphere just touches both, their normals are as far apart as [`SAME_DIRECTION`] lets those of faces be.
+const SAME_PLACE: f64 = 2.0 * (1.0 - SAME_DIRECTION);
+/// Cosine of the angle, 31.8 degrees, to which the normals of such contacts turn away from each other and are one still: those of edges as far
+/// apart as may be do at an overlap of three tenths.
+const WIDEST: f64 = 0.85;
 
 /// Share of the radius by which a point may be deeper that is left on the way out of a contact.
 const ROUNDING: f64 = 1e-12;
@@ -85,24 +104,32 @@ impl Mesh {
                 }
                 false
             });
-            self.contacts_of((points, radius), |normal| normal, out);
+            self.contacts_of((points, radius), (|| centre, |normal| normal), out);
         });
     }
 
-    /// Appends the contacts of a sphere of some radius among the closest points of all triangles within reach, sorted by element. The normals
-    /// of the points are those that `turn` makes of normals in the wall frame.
+    /// Appends the contacts of a sphere of some radius among the closest points of all triangles within reach, sorted by element. The centre
+    /// is that in the wall frame; the normals of the points are those that `turn` makes of normals there.
     pub(crate) fn contacts_of(
         &self,
         (points, radius): (&mut [TrianglePoint], f64),
-        turn: impl Fn(DVec3) -> DVec3,
+        (centre, turn): (impl Fn() -> DVec3, impl Fn(DVec3) -> DVec3),
         out: &mut Vec<SurfaceContact>,
     ) {
+        let is_on_closer = |point: &TrianglePoint, nearer: &[TrianglePoint]| {
+            let triangle = |point: &TrianglePoint| &self.triangles[point.triangle as usize];
+            let mut closer = nearer.iter().filter(|other| other.is_closer_than(point)).peekable();
+            closer.peek().is_some() && {
+                let place = contact_sphere_triangle(triangle(point), centre()).foot;
+                closer.any(|other| contact_sphere_triangle(triangle(other), place).distance <= BESIDE * radius)
+            }
+        };
         let Some(closest) = (0..points.len()).min_by(|&a, &b| self.order(&points[a], &points[b])) else {
             return;
         };
         points.swap(0, closest);
         let first = out.len();
-        out.extend(self.judge(&points[0], &[], &turn));
+        out.extend(self.judge(&points[0], &[], &turn, is_on_closer));
         if points[1..].iter().all(|point| is_known(point, radius, &out[first..])) {
             return;
         }
@@ -113,17 +140,14 @@ impl Mesh {
                 if is_known(&points[n], radius, &out[first..]) {
                     continue;
                 }
-                let Some(contact) = self.judge(&points[n], &points[..n], &turn) else {
+                let Some(contact) = self.judge(&points[n], &points[..n], &turn, is_on_closer) else {
                     continue;
                 };
                 let mut known = out[first..].iter().chain(beside.iter().map(|(_, contact)| contact));
                 if known.any(|other| other.element == contact.element) {
                     continue;
                 }
-                match out[first..]
-                    .iter()
-                    .position(|other| has_direction(other, contact.normal))
-                {
+                match out[first..].iter().position(|other| are_one(other, &contact, radius)) {
                     Some(of) => beside.push((first + of, contact)),
                     None => out.push(contact),
                 }
@@ -178,12 +202,14 @@ impl Mesh {
         })
     }
 
-    /// The contact at the closest point of a triangle, if there is one beside those that are `nearer`.
+    /// The contact at the closest point of a triangle, if there is one beside those that are `nearer`; what tells whether the point lies on
+    /// one of them is asked last.
     fn judge(
         &self,
         point: &TrianglePoint,
         nearer: &[TrianglePoint],
         turn: impl Fn(DVec3) -> DVec3,
+        is_on_closer: impl Fn(&TrianglePoint, &[TrianglePoint]) -> bool,
     ) -> Option<SurfaceContact> {
         let mut contact = SurfaceContact {
             normal: point.normal,
@@ -196,34 +222,98 @@ impl Mesh {
             Feature::Edge(side) => self.topology.edge(point.triangle, side),
             Feature::Vertex(corner) => self.topology.vertex(point.triangle, corner),
         };
-        if junction.has_closer(point.distance, nearer) {
-            return None;
+        if junction.closer(point, nearer).next().is_some() {
+            return self.beyond_rim(point, &junction, nearer, turn);
         }
         if junction.flat {
             let normal = turn(self.triangles[point.triangle as usize].normal());
             let height = point.distance * normal.dot(point.normal);
             contact.normal = if height < 0.0 { -normal } else { normal };
             contact.distance = height.abs();
+        } else if is_on_closer(point, nearer) {
+            return None;
         } else {
             contact.element = junction.key;
             contact.is_at_edge = true;
         }
         Some(contact)
     }
+
+    /// The contact with the plane of a face whose rim is closest, where the sphere stands over a face at the rim, and all that meets there and
+    /// is closer rises from that plane towards the sphere, in a bend that is no part of a round surface.
+    ///
+    /// Two planes that rise from each other by an angle `b` are both overlapped from where the sphere is deeper in one than `(1 - cos b) r`, while
+    /// its foot on the other comes to lie on it only later. Were the rim no contact until then, that force would begin with a jump.
+    fn beyond_rim(
+        &self,
+        point: &TrianglePoint,
+        junction: &Junction,
+        nearer: &[TrianglePoint],
+        turn: impl Fn(DVec3) -> DVec3,
+    ) -> Option<SurfaceContact> {
+        if !junction
+            .closer(point, nearer)
+            .any(|other| other.feature == Feature::Face)
+        {
+            return None;
+        }
+        let triangle = &self.triangles[point.triangle as usize];
+        let height = point.distance * turn(triangle.normal()).dot(point.normal);
+        let upwards = height.signum() * triangle.normal();
+        let normal = turn(upwards);
+        let rises = |other: &TrianglePoint| {
+            let face = &self.triangles[other.triangle as usize];
+            let facing = turn(face.normal());
+            let cosine = facing.dot(normal) * facing.dot(other.normal).signum();
+            let mut heights = face.corners().map(|corner| upwards.dot(corner - triangle.corners()[0]));
+            heights.sort_unstable_by(f64::total_cmp);
+            let is_ahead = other.normal.dot(point.normal) <= SAME_DIRECTION && height.abs() >= other.distance;
+            is_ahead && (SHARPEST..=SAME_DIRECTION).contains(&cosine) && heights[0] > -PLANE * heights[2]
+        };
+        junction.closer(point, nearer).all(rises).then_some(SurfaceContact {
+            normal,
+            distance: height.abs(),
+            element: self.topology.patch(point.triangle),
+            is_at_edge: false,
+        })
+    }
 }
 
-/// Whether a contact has the direction of a normal.
-fn has_direction(contact: &SurfaceContact, normal: DVec3) -> bool {
-    contact.normal.dot(normal) > SAME_DIRECTION
+impl TrianglePoint {
+    fn is_closer_than(&self, other: &Self) -> bool {
+        self.distance < other.distance * (1.0 - SAME_DISTANCE)
+    }
 }
 
-/// Whether a contact of a sphere is known that has the direction of a point, on whose way out the point is left, too.
+/// Whether two contacts of a sphere are one.
+fn are_one(a: &SurfaceContact, b: &SurfaceContact, radius: f64) -> bool {
+    let cosine = a.normal.dot(b.normal);
+    match a.is_at_edge || b.is_at_edge {
+        true => are_close((a.normal, a.distance), (b.normal, b.distance), radius),
+        false => cosine > SAME_DIRECTION,
+    }
+}
+
+/// Whether two places on a surface, told by directions and distances from the centre of a sphere, are close to each other.
+fn are_close(a: (DVec3, f64), b: (DVec3, f64), radius: f64) -> bool {
+    a.0.dot(b.0) > WIDEST && (a.1 * a.0 - b.1 * b.0).length_squared() < SAME_PLACE * radius * radius
+}
+
+/// Whether a contact of a sphere is known that is one with that of a point, whatever this turns out to be, on whose way out the point is
+/// left, too; it is the first that may be one with it.
 fn is_known(point: &TrianglePoint, radius: f64, contacts: &[SurfaceContact]) -> bool {
-    contacts.iter().any(|other| {
+    let compare = |other: &SurfaceContact| {
         let cosine = other.normal.dot(point.normal);
+        let is_at_edge = other.is_at_edge || point.feature != Feature::Face;
+        let [as_faces, as_edges] = [
+            cosine > SAME_DIRECTION,
+            is_at_edge && are_close((other.normal, other.distance), (point.normal, point.distance), radius),
+        ];
         let left = cosine * (radius - other.distance).max(0.0) + ROUNDING * radius;
-        cosine > SAME_DIRECTION && radius - point.distance <= left
-    })
+        let is_left = radius - point.distance <= left;
+        (as_faces || as_edges).then_some(as_faces && (as_edges || !is_at_edge) && is_left)
+    };
+    contacts.iter().find_map(compare).unwrap_or(false)
 }
 
 /// Makes one of the contacts of a sphere that of the shortest way out of it and of those beside it.
@@ -257,11 +347,15 @@ fn join(
 }
 
 impl Junction<'_> {
-    /// Whether one of the triangles that meet here has a point closer than `distance`.
-    fn has_closer(&self, distance: f64, nearer: &[TrianglePoint]) -> bool {
-        let closer = distance * (1.0 - SAME_DISTANCE);
-        let is_closer = |point: &TrianglePoint| point.distance < closer && self.triangles.contains(&point.triangle);
-        nearer.iter().any(is_closer)
+    /// The points of triangles that meet here which are closer than one at the junction.
+    fn closer<'p>(
+        &self,
+        point: &TrianglePoint,
+        nearer: &'p [TrianglePoint],
+    ) -> impl Iterator<Item = &'p TrianglePoint> {
+        let is_closer =
+            |other: &&TrianglePoint| other.is_closer_than(point) && self.triangles.contains(&other.triangle);
+        nearer.iter().filter(is_closer)
     }
 }
 

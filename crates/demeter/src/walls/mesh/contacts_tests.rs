@@ -49,7 +49,8 @@ fn way_out(all: &[SurfaceContact], radius: f64) -> (DVec3, Vec<usize>) {
 /// The rule as it is told in words: every triangle within reach is judged by all triangles that it meets.
 fn by_the_rule(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
     let closest = |triangle: u32| contact_sphere_triangle(&mesh.triangles[triangle as usize], centre);
-    let mut found: Vec<SurfaceContact> = Vec::new();
+    // each with the distance of the point of its triangle, in whose order they are asked
+    let mut found: Vec<(f64, SurfaceContact)> = Vec::new();
     for triangle in 0..mesh.triangles.len() as u32 {
         let point = closest(triangle);
         if point.distance >= reach {
@@ -60,35 +61,78 @@ fn by_the_rule(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
             Feature::Edge(side) => Some(mesh.topology.edge(triangle, side)),
             Feature::Vertex(corner) => Some(mesh.topology.vertex(triangle, corner)),
         };
-        let closer = point.distance * (1.0 - SAME_DISTANCE);
-        let is_led = |junction: &Junction| junction.triangles.iter().any(|&other| closest(other).distance < closer);
-        if junction.as_ref().is_some_and(is_led) {
+        let closer = |other: u32| closest(other).distance < point.distance * (1.0 - SAME_DISTANCE);
+        let leaders: Vec<u32> = (junction.iter().flat_map(|junction| junction.triangles))
+            .copied()
+            .filter(|&other| closer(other))
+            .collect();
+        if !leaders.is_empty() {
+            // the plane of the face is met before the sphere stands over it
+            let plane = &mesh.triangles[triangle as usize];
+            let side = plane.face_point(centre).normal;
+            let is_bottom = |&other: &u32| {
+                let above = mesh.triangles[other as usize]
+                    .corners()
+                    .map(|corner| side.dot(corner - plane.corners()[0]));
+                let facing = mesh.triangles[other as usize].face_point(centre).normal;
+                let bend = facing.dot(side);
+                let there = closest(other);
+                let is_ahead = there.normal.dot(point.normal) <= SAME_DIRECTION
+                    && plane.face_point(centre).distance >= there.distance;
+                is_ahead && above.iter().all(|height| *height > -1e-9) && (0.5..=SAME_DIRECTION).contains(&bend)
+            };
+            let stands_over = |&other: &u32| closest(other).feature == Feature::Face;
+            if leaders.iter().any(stands_over) && leaders.iter().all(is_bottom) {
+                let contact = SurfaceContact {
+                    normal: side,
+                    distance: plane.face_point(centre).distance,
+                    element: mesh.topology.patch(triangle),
+                    is_at_edge: false,
+                };
+                found.push((point.distance, contact));
+            }
             continue;
         }
         let on_face = junction.as_ref().is_none_or(|junction| junction.flat);
-        let point = if on_face {
+        let place = centre - point.distance * point.normal;
+        let is_covered = |other: u32| {
+            let on_it = contact_sphere_triangle(&mesh.triangles[other as usize], place);
+            closer(other) && on_it.distance <= 1e-3 * reach
+        };
+        if !on_face && (0..mesh.triangles.len() as u32).any(is_covered) {
+            continue;
+        }
+        let surface = if on_face {
             mesh.triangles[triangle as usize].face_point(centre)
         } else {
             point
         };
-        found.push(SurfaceContact {
-            normal: point.normal,
-            distance: point.distance,
+        let contact = SurfaceContact {
+            normal: surface.normal,
+            distance: surface.distance,
             element: junction
                 .filter(|_| !on_face)
                 .map_or(mesh.topology.patch(triangle), |at| at.key),
             is_at_edge: !on_face,
-        });
+        };
+        found.push((point.distance, contact));
     }
-    found.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.element.cmp(&b.element)));
+    found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.element.cmp(&b.1.element)));
     let (mut kept, mut beside) = (Vec::<SurfaceContact>::new(), Vec::<(usize, SurfaceContact)>::new());
-    for contact in found {
+    for (_, contact) in found {
         let is_same = |other: &SurfaceContact| other.element == contact.element;
         if kept.iter().chain(beside.iter().map(|(_, c)| c)).any(is_same) {
             continue;
         }
-        let towards = |other: &SurfaceContact| other.normal.dot(contact.normal) > SAME_DIRECTION;
-        match kept.iter().position(towards) {
+        let is_one = |other: &SurfaceContact| {
+            let cosine = other.normal.dot(contact.normal);
+            let apart = (other.distance * other.normal).distance(contact.distance * contact.normal);
+            match other.is_at_edge || contact.is_at_edge {
+                true => cosine > WIDEST && apart < (2.0 * (1.0 - SAME_DIRECTION)).sqrt() * reach,
+                false => cosine > SAME_DIRECTION,
+            }
+        };
+        match kept.iter().position(is_one) {
             Some(of) => beside.push((of, contact)),
             None => kept.push(contact),
         }
@@ -147,7 +191,8 @@ impl Kernel for Among<'_> {
             }
         }
         let mut contacts = Vec::new();
-        self.wall.contacts_of(&mut points, self.reach, &mut contacts);
+        self.wall
+            .contacts_of(&mut points, (self.centre, self.reach), &mut contacts);
         contacts
     }
 }
