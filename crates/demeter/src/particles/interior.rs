@@ -1,7 +1,9 @@
 //! The inside of a closed surface of triangles.
 //!
 //! Corners are put on a lattice of whole numbers, 2^-30 of the size of the mesh apart, and a point too: then all tests are
-//! exact. A point is inside when a ray upwards from it crosses the surface an odd number of times. Where the ray would meet an
+//! exact. A point is inside when the surface winds around it: when a ray upwards from it meets other numbers of fronts and of backs. So parts
+//! that overlap are one body, and a part inside another that faces the other way is a hole in it. Where triangles do not agree on their
+//! front, the ray must cross the surface an odd number of times. Where the ray would meet an
 //! edge or a corner, or the point lies on the surface, the point counts as moved by an amount smaller than any other: first
 //! upwards, then along x, then along y (simulation of simplicity, H. Edelsbrunner and E. P. Mücke, ACM Trans. Graph. 9 (1990)
 //! 66). So every point is inside or outside, and interiors that share a face share no point.
@@ -13,6 +15,9 @@ use thiserror::Error;
 const STEPS: f64 = (1u64 << 30) as f64;
 /// Most columns along x and along y.
 const MOST_COLUMNS: usize = 1024;
+/// Places along each axis at which is asked whether parts overlap, and at which their volume is counted out then.
+const COARSE: usize = 24;
+const FINE: usize = 128;
 
 /// Why triangles enclose nothing.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -55,6 +60,8 @@ pub struct Interior {
     /// Triangles over column `c`: `over[start[c]..start[c + 1]]`.
     start: Vec<u32>,
     over: Vec<u32>,
+    /// Whether triangles agree on their front across every edge.
+    is_oriented: bool,
     volume: f64,
 }
 
@@ -78,11 +85,13 @@ impl Interior {
             columns: [1; 2],
             start: Vec::new(),
             over: Vec::new(),
-            volume: volume(triangles, 0.5 * (lower + upper)),
+            is_oriented: false,
+            volume: 0.0,
         };
         interior.triangles = triangles.iter().map(|t| t.map(|c| interior.on_lattice(c))).collect();
-        interior.check_closed()?;
+        interior.is_oriented = interior.check_closed()?;
         interior.sort_into_columns();
+        interior.volume = interior.volume_within(triangles);
         Ok(interior)
     }
 
@@ -91,18 +100,23 @@ impl Interior {
         [steps.x as i64, steps.y as i64, steps.z as i64]
     }
 
-    fn check_closed(&self) -> Result<(), InteriorError> {
-        let mut edges: Vec<[Corner; 2]> = (self.triangles.iter())
+    /// Whether triangles agree on their front: whether each edge is passed as often one way as the other.
+    fn check_closed(&self) -> Result<bool, InteriorError> {
+        let mut edges: Vec<([Corner; 2], bool)> = (self.triangles.iter())
             .flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]])
-            .map(|[a, b]| [a.min(b), a.max(b)])
-            .filter(|[a, b]| a != b)
+            .map(|[a, b]| ([a.min(b), a.max(b)], a < b))
+            .filter(|([a, b], _)| a != b)
             .collect();
         edges.sort_unstable();
-        let odd: Vec<&[Corner; 2]> = (edges.chunk_by(|a, b| a == b))
+        let of_each = || edges.chunk_by(|a, b| a.0 == b.0);
+        let odd: Vec<&[Corner; 2]> = of_each()
             .filter(|same| same.len() % 2 == 1)
-            .filter_map(|same| same.first())
+            .filter_map(|same| Some(&same.first()?.0))
             .collect();
-        let Some(first) = odd.first() else { return Ok(()) };
+        let Some(first) = odd.first() else {
+            let forwards = |same: &[([Corner; 2], bool)]| same.iter().filter(|(_, forward)| *forward).count();
+            return Ok(of_each().all(|same| 2 * forwards(same) == same.len()));
+        };
         let [start, end] = first.map(|c| self.lower + DVec3::from_array(c.map(|x| x as f64)) / self.scale);
         Err(InteriorError::Open {
             count: odd.len(),
@@ -165,11 +179,37 @@ impl Interior {
         if !(p.cmpge(self.lower).all() && p.cmple(self.upper).all()) {
             return false;
         }
+        self.winding(p) != 0
+    }
+
+    /// How often the surface winds around a point within its bounds; 1 inside and 0 outside where triangles do not agree on their front.
+    fn winding(&self, p: DVec3) -> i64 {
         let p = self.on_lattice(p);
         let column = self.column(1, p[1]) * self.columns[0] + self.column(0, p[0]);
         let over = &self.over[self.start[column] as usize..self.start[column + 1] as usize];
-        let crossings = over.iter().filter(|&&t| is_above(&self.triangles[t as usize], p));
-        crossings.count() % 2 == 1
+        let crossings = over.iter().map(|&t| crossing(&self.triangles[t as usize], p));
+        match self.is_oriented {
+            true => crossings.sum(),
+            false => crossings.filter(|turn| *turn != 0).count() as i64 % 2,
+        }
+    }
+
+    /// Volume inside [m^3]: exact where no parts overlap, else counted out.
+    fn volume_within(&self, triangles: &[[DVec3; 3]]) -> f64 {
+        let size = self.upper - self.lower;
+        let places = |count: usize| {
+            (0..count * count * count).map(move |k| {
+                let at = [k % count, k / count % count, k / (count * count)].map(|k| (k as f64 + 0.5) / count as f64);
+                self.lower + size * DVec3::from_array(at)
+            })
+        };
+        let windings = || places(COARSE).map(|p| self.winding(p));
+        let (least, most) = windings().fold((0, 0), |(least, most), turns| (turns.min(least), turns.max(most)));
+        if most - least <= 1 {
+            return enclosed(triangles, 0.5 * (self.lower + self.upper));
+        }
+        let inside = places(FINE).filter(|p| self.winding(*p) != 0).count();
+        size.element_product() * inside as f64 / (FINE * FINE * FINE) as f64
     }
 
     /// Smallest box along the axes around it [m].
@@ -177,24 +217,24 @@ impl Interior {
         (self.lower, self.upper)
     }
 
-    /// Its volume, where the triangles agree on their front [m^3].
+    /// Its volume, where the triangles agree on their front [m^3]; what parts overlap counts once.
     pub fn volume(&self) -> f64 {
         self.volume
     }
 }
 
-/// Volume that triangles enclose [m^3].
-fn volume(triangles: &[[DVec3; 3]], middle: DVec3) -> f64 {
+/// Volume that triangles enclose, what parts overlap counted for each [m^3].
+fn enclosed(triangles: &[[DVec3; 3]], middle: DVec3) -> f64 {
     let six = |[a, b, c]: &[DVec3; 3]| (*a - middle).dot((*b - middle).cross(*c - middle));
     (triangles.iter().map(six).sum::<f64>() / 6.0).abs()
 }
 
-/// Whether the ray upwards from a point crosses a triangle.
-fn is_above(triangle: &[Corner; 3], p: Corner) -> bool {
+/// Whether the ray upwards from a point crosses a triangle: 1 from its back, -1 from its front, 0 if it does not.
+fn crossing(triangle: &[Corner; 3], p: Corner) -> i64 {
     let [a, b, c] = triangle;
     let turns = [side(a, b, p), side(b, c, p), side(c, a, p)];
     if turns[0] == 0 || turns[1] != turns[0] || turns[2] != turns[0] {
-        return false;
+        return 0;
     }
     let d = |u: &Corner, v: &Corner| [0, 1, 2].map(|k| i128::from(u[k] - v[k]));
     let (u, v, w) = (d(b, a), d(c, a), d(&p, a));
@@ -205,7 +245,11 @@ fn is_above(triangle: &[Corner; 3], p: Corner) -> bool {
     ];
     let off = normal[0] * w[0] + normal[1] * w[1] + normal[2] * w[2];
     // on the surface a point is just above it
-    off.signum() * normal[2].signum() < 0
+    if off.signum() * normal[2].signum() < 0 {
+        turns[0]
+    } else {
+        0
+    }
 }
 
 /// On which side of the line from `a` to `b`, seen from above, a point lies that is moved by nothing along x and by less along y;
@@ -324,6 +368,41 @@ mod tests {
         // the axis goes through both poles, where all meridians meet
         assert!(ball.contains(DVec3::ZERO) && ball.contains(dvec3(0.0, 0.0, -0.99)));
         assert!(!ball.contains(dvec3(0.0, 0.0, -1.01)) && !ball.contains(DVec3::NAN));
+    }
+
+    #[test]
+    fn parts_that_overlap_are_one_and_one_that_faces_the_other_way_is_a_hole() {
+        let all = |parts: &[Vec<[DVec3; 3]>]| Interior::new(&parts.concat()).unwrap();
+        let cube = |from: f64, to: f64| boxed(DVec3::splat(from), DVec3::splat(to));
+        let turned = |mut part: Vec<[DVec3; 3]>| {
+            part.iter_mut().for_each(|triangle| triangle.swap(0, 1));
+            part
+        };
+        let holds = |interior: &Interior, x: f64| interior.contains(DVec3::splat(x));
+        // two cubes share an eighth of each
+        let two = all(&[cube(0.0, 1.0), cube(0.5, 1.5)]);
+        assert!([0.2, 0.7, 1.2].iter().all(|&x| holds(&two, x)) && !holds(&two, 1.49999 + 1e-4));
+        assert!(!two.contains(dvec3(0.2, 0.2, 1.2)));
+        assert!((two.volume() - 1.875).abs() < 0.02, "{}", two.volume());
+        // drawn twice, one ever so little larger
+        let twice = all(&[cube(0.0, 1.0), cube(-1e-7, 1.0 + 1e-7)]);
+        assert!(
+            holds(&twice, 0.5) && (twice.volume() - 1.0).abs() < 0.02,
+            "{}",
+            twice.volume()
+        );
+        let hollow = all(&[cube(0.0, 1.0), turned(cube(0.25, 0.75))]);
+        assert!(holds(&hollow, 0.1) && !holds(&hollow, 0.5));
+        assert!((hollow.volume() - 0.875).abs() < 1e-12, "{}", hollow.volume());
+        // side by side they may face as they like
+        let apart = all(&[cube(0.0, 1.0), turned(cube(2.0, 3.0))]);
+        assert!(holds(&apart, 0.5) && holds(&apart, 2.5) && !holds(&apart, 1.5));
+        assert!((apart.volume() - 2.0).abs() < 0.05, "{}", apart.volume());
+        // triangles that do not agree tell by their number
+        let mut torn = cube(0.0, 1.0);
+        torn[3].swap(0, 1);
+        let torn = all(&[torn]);
+        assert!(holds(&torn, 0.5) && !torn.is_oriented && two.is_oriented);
     }
 
     #[test]
