@@ -2,7 +2,7 @@
 
 use super::{FeedRate, FeedSpec, Scenario};
 use crate::insertion::SizeSampler;
-use crate::simulation::Stage;
+use crate::simulation::{Stage, ends_within};
 use crate::walls::Wall;
 
 /// Memory of a grain with its contacts, candidates, and its share of a frame while that is written [bytes], and that of a run of few
@@ -109,7 +109,7 @@ pub(super) fn work(scenario: &Scenario, grains: f64, walls: &[Wall], stage_steps
     let drawn = drawn as f64;
     let of_stage = |(stage, steps): (&Stage, &u64)| {
         // the last is at its end
-        let due = |seconds: f64| steps.div_ceil(super::run::steps_in(seconds, dt)).max(1);
+        let due = |seconds: f64| ends_within(seconds, dt, *steps);
         stage.cadence.frames.map_or(1, due)
     };
     let frames = 1 + scenario.stages.iter().zip(stage_steps).map(of_stage).sum::<u64>();

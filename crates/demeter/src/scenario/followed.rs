@@ -7,7 +7,7 @@ use crate::measure::{
     ResidenceState, Value,
 };
 use crate::particles::Origins;
-use crate::simulation::Simulation;
+use crate::simulation::{Simulation, ends_at};
 use serde::{Deserialize, Serialize};
 
 /// What the measures of a scenario remember, each kind in the order of the scenario.
@@ -34,10 +34,9 @@ fn picked<'a, T>(scenario: &'a Scenario, pick: impl Fn(&'a MeasureKind) -> Optio
 
 /// Whether a field is sampled after this step.
 fn samples(field: &Field, sim: &Simulation) -> bool {
-    let steps = |seconds: f64| (seconds / sim.dt).round().max(1.0) as u64;
     field
         .sample_every
-        .is_some_and(|seconds| sim.step.is_multiple_of(steps(seconds)))
+        .is_some_and(|seconds| sim.step == 0 || ends_at(seconds, sim.dt, sim.step))
 }
 
 impl<'a> Followed<'a> {

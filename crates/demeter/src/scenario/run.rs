@@ -19,7 +19,7 @@ use crate::contacts::Fault;
 use crate::measure::Measures;
 use crate::output::{FrameWriter, OutputError, RunFolder, SeriesLabels, StageSummary, Summary};
 use crate::particles::Domain;
-use crate::simulation::{Cadence, Setup, Simulation, SimulationState, Stage, StopCondition};
+use crate::simulation::{Cadence, Setup, Simulation, SimulationState, Stage, StopCondition, ends_at};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 pub use sharing::all_or_none;
@@ -460,7 +460,7 @@ impl<'a> Runner<'a> {
     /// Whether an interval of the stage ends at this step.
     fn is_due(&self, interval: Option<f64>) -> bool {
         let elapsed = self.sim.step - self.place.stage_step;
-        interval.is_some_and(|seconds| elapsed > 0 && elapsed.is_multiple_of(steps_in(seconds, self.sim.dt)))
+        interval.is_some_and(|seconds| ends_at(seconds, self.sim.dt, elapsed))
     }
 
     /// Whether the grains are looked at after this step: by what is written, by what lets grains come and go or follows them, or by a

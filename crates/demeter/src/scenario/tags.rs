@@ -5,7 +5,7 @@ use super::reader::TableReader;
 use super::zones::{Named, region, selection, tag_value};
 use crate::measure::{Selection, holds};
 use crate::particles::{Origins, Zone};
-use crate::simulation::Simulation;
+use crate::simulation::{Simulation, ends_at};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 
@@ -62,7 +62,7 @@ impl TagSpec {
         };
         match self.every {
             None => since == 0,
-            Some(seconds) => since.is_multiple_of((seconds / sim.dt).round().max(1.0) as u64),
+            Some(seconds) => since == 0 || ends_at(seconds, sim.dt, since),
         }
     }
 

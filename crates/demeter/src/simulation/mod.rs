@@ -34,6 +34,7 @@ pub use ledger::{Books, Energies};
 pub use memory::MemoryPart;
 pub use profile::{Phase, PhaseTime, ProfileReport};
 pub use protocol::{Cadence, Stage, StopCondition, StressOf};
+pub(crate) use protocol::{ends_at, ends_within};
 pub use roofline::{Machine, Roofline, Work};
 pub use skin::Skin;
 pub use state::{SimulationState, StateError};

@@ -75,6 +75,23 @@ pub enum StressOf {
     Shear,
 }
 
+/// Whether an interval [s] ends at a step: whether it is the one nearest to a multiple of it, or any where steps are longer. Intervals that are
+/// no whole number of steps keep their mean that way.
+pub(crate) fn ends_at(interval: f64, dt: f64, step: u64) -> bool {
+    let steps = interval / dt;
+    if steps <= 1.0 {
+        return step > 0;
+    }
+    let ended = (step as f64 / steps).round();
+    ended >= 1.0 && (ended * steps).round() == step as f64
+}
+
+/// How many intervals [s] end before the last of so many steps, and that one, which ends the last.
+pub(crate) fn ends_within(interval: f64, dt: f64, steps: u64) -> u64 {
+    let ended = (steps as f64 - 0.5) / (interval / dt).max(1.0);
+    ended.ceil().max(1.0) as u64
+}
+
 /// How often things are written, in seconds of simulated time. `None`: not in this stage.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cadence {
@@ -105,4 +122,30 @@ pub struct Stage {
     pub deformation: Option<Deformation>,
     /// How often things are written.
     pub cadence: Cadence,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn intervals_end_at_the_nearest_step_and_do_not_drift() {
+        let dt = 2.0212e-6;
+        for interval in [1e-4, 3e-6, 2.0212e-6, 1e-6, 40.0 * 2.0212e-6] {
+            let due: Vec<u64> = (0..20_001).filter(|step| ends_at(interval, dt, *step)).collect();
+            for (k, step) in due.iter().enumerate() {
+                let expected = f64::max(
+                    (k + 1) as f64 * interval,
+                    if interval <= dt { (k + 1) as f64 * dt } else { 0.0 },
+                );
+                assert!(
+                    (*step as f64 * dt - expected).abs() <= 0.500_001 * dt,
+                    "{interval} {k} {step}"
+                );
+            }
+            // counted without asking, the last at the end
+            let before_the_last = due.iter().filter(|step| **step < 20_000).count() as u64;
+            assert_eq!(ends_within(interval, dt, 20_000), before_the_last + 1, "{interval}");
+        }
+    }
 }
