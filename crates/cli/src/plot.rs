@@ -104,6 +104,13 @@ pub fn default_name(x: &str, y: &[String]) -> PathBuf {
 /// Lists the columns, and the other tables of a run.
 fn list(arguments: &PlotArguments) -> Result<(), Failure> {
     let columns = read(&arguments.run)?;
+    if columns.all().iter().all(|column| column.numbers().is_none()) {
+        return Err(Failure::wrong(format!(
+            "`{}` is no table: it has no column of numbers. The series of a run, its profiles and distributions are tables, and CSV files \
+             whose first line tells titles",
+            columns.path().display()
+        )));
+    }
     let others = other_tables(&arguments.run);
     if arguments.json {
         let one = |column: &Column| json!({ "name": column.name(), "unit": column.unit(), "words": column.numbers().is_none() });

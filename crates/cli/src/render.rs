@@ -35,6 +35,9 @@ pub fn render(arguments: &RenderArguments) -> Result<Exit, Failure> {
         );
         return Err(Failure::wrong(message));
     };
+    if let Some(problem) = run.missing_frames()? {
+        note(&format!("warning: `{}`: {problem}", arguments.run.display()));
+    }
     let mut options = options(arguments, &run)?;
     if arguments.frame == "all" {
         let files = movie(arguments, &run, &moments, &mut options)?;
@@ -205,6 +208,9 @@ fn colour_end(text: &str, by: ColourBy) -> Result<f64, Failure> {
         Ok(quantity) if quantity.value > 0.0 => quantity,
         _ => return wrong("is no value above 0, as \"2 m/s\" or \"5 mN\"".to_string()),
     };
+    if by == ColourBy::Material {
+        return wrong("is the end of a bar, and materials have none".to_string());
+    }
     if quantity.dimension == Dimension::NONE {
         return Ok(quantity.value);
     }

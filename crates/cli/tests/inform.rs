@@ -384,6 +384,28 @@ fn info_knows_a_run_and_what_is_in_it() {
     }
     let said = place.expect(2, &["info", "fall/grains.pvd"]);
     assert!(said.err.contains("ParaView"), "{}", said.err);
+
+    // what is damaged is not called whole
+    let path = place.path("fall/checkpoint.latest");
+    let mut bytes = fs::read(&path).unwrap();
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 1;
+    fs::write(&path, bytes).unwrap();
+    let said = place.expect(1, &["info", "fall/checkpoint.latest"]);
+    assert!(said.err.contains("checksum"), "{}", said.err);
+    assert!(place.expect(0, &["info", "fall"]).out.contains("checksum"));
+    let mut frames: Vec<_> = fs::read_dir(place.path("fall/frames"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .collect();
+    frames.sort();
+    fs::remove_file(frames.pop().unwrap()).unwrap();
+    let lacks = "1 frame is not whole";
+    assert!(place.expect(0, &["info", "fall"]).out.contains(lacks));
+    let said = place.expect(0, &["render", "fall", "--out", "last.png"]);
+    assert!(said.err.contains(lacks), "{}", said.err);
+    let said = place.expect(2, &["render", "fall", "--colour", "material", "--colour-end", "2 m"]);
+    assert!(said.err.contains("materials have none"), "{}", said.err);
 }
 
 #[test]
@@ -451,6 +473,11 @@ fn info_knows_grains_and_surfaces() {
     place.write("broken.csv", "x y z diameter\n0 0 zero 1\n");
     let said = place.expect(2, &["info", "broken.csv"]);
     assert!(said.err.contains("line 2") && said.err.contains("zero"), "{}", said.err);
+    let said = place.expect(2, &["plot", &shared("plate.stl")]);
+    assert!(said.err.contains("no column of numbers"), "{}", said.err);
+    fs::write(place.path("tetrahedron.stl.gz"), [0x1f, 0x8b, 8, 0]).unwrap();
+    let said = place.expect(2, &["info", "tetrahedron.stl.gz"]);
+    assert!(said.err.contains("compressed by gzip"), "{}", said.err);
     place.write("notes.pdf", "hello");
     assert!(
         place

@@ -82,7 +82,12 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
     let mut start = Vec::new();
     let file = File::open(path).map_err(refused)?;
     file.take(256).read_to_end(&mut start).map_err(refused)?;
-    let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+    let extension_of = |path: &Path| path.extension().map(|e| e.to_string_lossy().to_lowercase());
+    // what is packed is told by those who read what was packed
+    let extension = match extension_of(path) {
+        Some(packed) if packed == "gz" => extension_of(&path.with_extension("")).or(Some(packed)),
+        other => other,
+    };
     Ok(match extension.as_deref() {
         _ if checkpoint::looks_like_one(path) => Kind::Checkpoint,
         _ if series::looks_like_one(&start) => Kind::Series,

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::readable::{number, things};
 use demeter::checkpoint::{self, Header};
 use demeter::output::RunFolder;
-use demeter::results::{finished_steps, shortfall};
+use demeter::results::{Run, finished_steps, shortfall};
 use demeter::scenario::RunError;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -94,12 +94,17 @@ pub fn run_folder(path: &Path) -> Result<Info, Failure> {
         rows.add("", format!("damaged: {problem}"));
     }
     rows.add("frames", frames.to_string());
+    let missing = Run::open(path)?.missing_frames()?;
+    if let Some(problem) = &missing {
+        rows.add("", format!("damaged: {problem}"));
+    }
     let value = json!({
         "summary": summary,
         "checkpoint": header.and_then(Result::ok).map(|h| to_json(&h)),
         "series_rows": span.map(|s| s.rows),
         "series_problem": problem,
         "frames": frames,
+        "frames_problem": missing,
     });
     Ok(Info {
         kind: "run",

@@ -142,7 +142,10 @@ pub enum FileProblem {
     NotRead { what: String, remedy: &'static str },
     #[error("there is no moment number {number}; there are {there}")]
     NoFrame { number: usize, there: usize },
-    #[error("is a frame or a folder of Demeter; `demeter convert` reads it")]
+    #[error(
+        "is a frame or a folder of Demeter; `demeter convert` makes a file of grains of it (`demeter convert RUN grains.csv`), a frame in the \
+         folder of its run and with its name there"
+    )]
     OwnFile,
     #[error("there is no atom with id {id}")]
     UnknownId { id: u32 },

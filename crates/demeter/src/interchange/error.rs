@@ -14,6 +14,16 @@ pub enum ConvertError {
     /// The run cannot be read.
     #[error(transparent)]
     Run(#[from] ResultsError),
+    /// The input is a table of a frame, but not that of its grains.
+    #[error("`{}` holds {kind}, no grains; those of its moment are in `{}`", path.display(), grains.display())]
+    NoGrains {
+        /// The file.
+        path: PathBuf,
+        /// What it holds.
+        kind: &'static str,
+        /// The table of the grains.
+        grains: PathBuf,
+    },
     /// The input is what a run is made of.
     #[error("`{}` is a scenario, which holds no packing; run it, and name the folder of the run", path.display())]
     Scenario {

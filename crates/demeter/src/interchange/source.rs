@@ -3,7 +3,7 @@
 use super::error::ConvertError;
 use super::run_frames::table_of_run;
 use crate::grain_files::{GrainFile, GrainTable, ReadOptions};
-use crate::results::{Moment, Run};
+use crate::results::{Moment, Run, TableKind};
 use std::path::{Path, PathBuf};
 
 /// Which moments are converted.
@@ -36,8 +36,8 @@ enum Kind {
     Run {
         run: Run,
         moments: Vec<Moment>,
-        /// Why a moment that was read has no box.
-        note: Option<String>,
+        /// What was noticed: frames that are gone, and why a moment that was read has no box.
+        notes: Vec<String>,
     },
 }
 
@@ -58,17 +58,24 @@ impl Source {
                 file: Box::new(GrainFile::open(path, reading)?),
                 taken: 0,
             },
-            Some((folder, step)) => {
+            Some(OfRun { folder, frame }) => {
                 let run = Run::open(&folder)?;
                 let mut moments = run.moments()?;
-                if let Some(step) = step {
-                    moments.retain(|moment| moment.step == step);
+                let mut notes = Vec::new();
+                match frame {
+                    None => notes.extend(run.missing_frames()?),
+                    Some((kind, step)) if kind == TableKind::Grains.name() => {
+                        moments.retain(|moment| moment.step == step);
+                    }
+                    Some((kind, step)) => {
+                        return Err(ConvertError::NoGrains {
+                            path: path.to_owned(),
+                            kind,
+                            grains: run.table_path(TableKind::Grains, step),
+                        });
+                    }
                 }
-                Kind::Run {
-                    run,
-                    moments,
-                    note: None,
-                }
+                Kind::Run { run, moments, notes }
             }
         };
         Ok(Self {
@@ -90,7 +97,7 @@ impl Source {
     pub fn notes(&self) -> Vec<String> {
         match &self.kind {
             Kind::File { file, .. } => file.notes().to_vec(),
-            Kind::Run { note, .. } => note.iter().cloned().collect(),
+            Kind::Run { notes, .. } => notes.clone(),
         }
     }
 
@@ -122,14 +129,12 @@ impl Source {
     /// A moment by its number, which never goes back; nothing behind the last of several.
     pub fn table(&mut self, number: usize) -> Result<Option<GrainTable>, ConvertError> {
         match &mut self.kind {
-            Kind::Run { run, moments, note } => {
+            Kind::Run { run, moments, notes } => {
                 let Some(moment) = moments.get(number) else {
                     return Ok(None);
                 };
                 let (table, why) = table_of_run(run, moment.step)?;
-                if note.is_none() {
-                    *note = why;
-                }
+                notes.extend(why.filter(|why| !notes.contains(why)));
                 Ok(Some(table))
             }
             Kind::File { file, taken } => {
@@ -199,10 +204,17 @@ impl Numbers {
     }
 }
 
-/// The folder of the run that a path is of, and the step of a single frame.
-fn run_of(path: &Path) -> Option<(PathBuf, Option<u64>)> {
+/// The run that a path is of.
+struct OfRun {
+    folder: PathBuf,
+    /// What a table of a single frame is of, and its step.
+    frame: Option<(&'static str, u64)>,
+}
+
+fn run_of(path: &Path) -> Option<OfRun> {
+    let whole = |folder| Some(OfRun { folder, frame: None });
     if path.is_dir() {
-        return Some((path.to_owned(), None));
+        return whole(path.to_owned());
     }
     let name = path.file_name()?.to_string_lossy().into_owned();
     let folder = || {
@@ -215,8 +227,15 @@ fn run_of(path: &Path) -> Option<(PathBuf, Option<u64>)> {
         })
     };
     if name.ends_with(".pvd") {
-        return Some((folder()?.to_owned(), None));
+        return whole(folder()?.to_owned());
     }
-    let step = name.strip_suffix(".vtp")?.rsplit_once('_')?.1.parse().ok()?;
-    Some((folder()?.join(".."), Some(step)))
+    let (told, step) = name.strip_suffix(".vtp")?.rsplit_once('_')?;
+    let kind = TableKind::ALL
+        .map(TableKind::name)
+        .into_iter()
+        .find(|kind| *kind == told)?;
+    Some(OfRun {
+        folder: folder()?.join(".."),
+        frame: Some((kind, step.parse().ok()?)),
+    })
 }

@@ -1,5 +1,6 @@
 use super::*;
 use crate::grain_files::{Format, Which, read_grain_file};
+use crate::results::{Run, TableKind};
 use std::fs;
 
 const DATA: &str = "LAMMPS data file, units = si\n\n2 atoms\n2 atom types\n\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\n\
@@ -160,10 +161,21 @@ fn boxes_of_a_run_that_deform_are_written_and_read() {
             "{tilts:?}"
         );
     }
+    // a table of a frame that holds no grains is refused, and frames that are gone are told
+    let kinds = Run::open(&at("run")).unwrap();
+    let step = kinds.moments().unwrap().last().unwrap().step;
+    let contacts = kinds.table_path(TableKind::Contacts, step);
+    let error = convert(&contacts, &at("contacts.csv"), &how(Target::Grains(Format::Columns))).unwrap_err();
+    assert!(error.to_string().contains("holds contacts, no grains"), "{error}");
     // a data file has one moment, with its tilts
     convert(&at("run"), &at("last.data"), &how(Target::Grains(Format::LammpsData))).unwrap();
     let text = fs::read_to_string(at("last.data")).unwrap();
     assert!(text.lines().any(|line| line.ends_with("xy xz yz")), "{text}");
+    fs::remove_file(kinds.table_path(TableKind::Grains, step)).unwrap();
+    let done = convert(&at("run"), &at("before.data"), &how(Target::Grains(Format::LammpsData))).unwrap();
+    let lacks =
+        format!("1 frame is not whole: files are gone that the run has written, the last of them of step {step}");
+    assert!(done.notes.contains(&lacks), "{:?}", done.notes);
     // sheared along z, the first edge leaves the axis x
     run("other", "flow = \"z\", gradient = \"x\"");
     for (format, told) in [

@@ -7,6 +7,7 @@ use crate::output::RunFolder;
 use crate::output::collection::Collection;
 use crate::output::vtk::KINDS;
 use crate::output::vtp::PolyData;
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -85,14 +86,33 @@ impl Run {
     pub fn moments(&self) -> Result<Vec<Moment>, ResultsError> {
         let mut collections = Vec::new();
         for kind in TableKind::ALL {
-            let mut collection = Collection::new(&self.folder, kind.name());
-            collection.read(&self.text(collection.path())?.unwrap_or_default());
-            collections.push(collection);
+            collections.push(self.collection(kind)?.0);
         }
         let has = |collection: &Collection, step| collection.entries().binary_search_by_key(&step, |e| e.0).is_ok();
         let whole = |(step, _): &&(u64, f64)| collections.iter().all(|collection| has(collection, *step));
         let moment = |&(step, time): &(u64, f64)| Moment { step, time };
         Ok(collections[0].entries().iter().filter(whole).map(moment).collect())
+    }
+
+    /// That tables of frames which the run has written are not there any more, in words; nothing where none is missing.
+    pub fn missing_frames(&self) -> Result<Option<String>, ResultsError> {
+        let mut steps = BTreeSet::new();
+        for kind in TableKind::ALL {
+            steps.extend(self.collection(kind)?.1);
+        }
+        let Some(last) = steps.last() else { return Ok(None) };
+        let (count, frames) = (steps.len(), if steps.len() == 1 { "frame is" } else { "frames are" });
+        Ok(Some(format!(
+            "{count} {frames} not whole: files are gone that the run has written, the last of them of step {last}"
+        )))
+    }
+
+    /// The tables of a kind that the run tells of, as far as they are there, and the steps of those that are not.
+    fn collection(&self, kind: TableKind) -> Result<(Collection, Vec<u64>), ResultsError> {
+        let mut collection = Collection::new(&self.folder, kind.name());
+        let text = self.text(collection.path())?.unwrap_or_default();
+        let gone = collection.read(&text);
+        Ok((collection, gone))
     }
 
     /// Opens a table of the frame of a step, to read some of its arrays.
