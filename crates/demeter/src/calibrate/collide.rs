@@ -58,8 +58,24 @@ pub struct CollideReport {
     pub moments: Vec<Moment>,
 }
 
-/// Collides the bodies of a file. `moments` is the number of rows of the course, where it can be chosen.
+/// Collides the bodies of a file. `moments` is the number of rows of the course, or the largest where it has a row for each step.
 pub fn collide(file: &ImpactFile, engine: Engine, moments: usize) -> Result<CollideReport, CalibrateError> {
+    let mut report = collide_to_the_end(file, engine, moments)?;
+    thin_out(&mut report.moments, moments);
+    Ok(report)
+}
+
+/// Leaves so many of a list, at equal distances, the first and the last among them.
+fn thin_out<T: Copy>(list: &mut Vec<T>, most: usize) {
+    let last = list.len().saturating_sub(1);
+    if list.len() > most {
+        *list = (0..most)
+            .map(|k| list[k * last / most.saturating_sub(1).max(1)])
+            .collect();
+    }
+}
+
+fn collide_to_the_end(file: &ImpactFile, engine: Engine, moments: usize) -> Result<CollideReport, CalibrateError> {
     let Some(speed) = file.impact.velocity else {
         let message = "`velocity` is missing: the speed of the impact, as velocity = \"1 m/s\" in [impact]";
         return Err(file.refused("impact", message).into());

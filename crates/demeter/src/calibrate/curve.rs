@@ -73,6 +73,17 @@ pub fn contact_curve(file: &ImpactFile) -> Result<Vec<CurvePoint>, CalibrateErro
             impact.run(&Tolerance::default())?.max_overlap
         }
     };
+    if depth > DEEPEST * size.radius {
+        return Err(CalibrateError::Curve(format!(
+            "the curve goes to an overlap of {depth} m; at most the effective radius, {} m, makes sense",
+            DEEPEST * size.radius
+        )));
+    }
+    if let Some(to) = file.curve.unload_to.filter(|to| *to >= depth) {
+        return Err(CalibrateError::Curve(format!(
+            "`unload_to` is {to} m, and the curve unloads from {depth} m: tell a smaller overlap"
+        )));
+    }
     Ok(law.normal.visit(Trace { size, depth, file }))
 }
 
@@ -100,7 +111,7 @@ impl NormalVisitor for DepthAtForce {
                 let reached = excess(deepest) + force;
                 return Err(CalibrateError::Curve(format!(
                     "`max_force` is {force} N; at an overlap of the effective radius, {deepest} m, the force is \
-                     {reached} N only"
+                     {reached:.4e} N only"
                 )));
             }
             depth = (2.0 * depth).min(deepest);

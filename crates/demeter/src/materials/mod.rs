@@ -117,6 +117,11 @@ impl Materials {
             .any(|law| law != independent)
     }
 
+    /// Laws of all pairs.
+    pub fn laws(&self) -> &[PairLaw] {
+        &self.laws
+    }
+
     /// The materials in the order of their indices.
     pub fn list(&self) -> &[Material] {
         &self.list

@@ -9,22 +9,26 @@
 //! (K. Kanatani, Int. J. Eng. Sci. 22 (1984) 149; H weighs by force). The traces are 1. The anisotropy of a fabric is
 //! `sqrt(3/2 D:D)` of its deviator `D = F - 1/3`: 0 when no direction is preferred, 1 when all contacts point the same way.
 //!
-//! **Rattlers** are grains that less than four contacts hold (two in a plane would be three, but one normal force alone never
-//! holds a grain). They are taken out one after the other with their contacts, as what they held may rattle then, too.
-//! The coordination without rattlers is the mean over the others.
+//! **Rattlers** are grains that fewer contacts hold than are needed: four without friction, two with it, which then carry a grain between them
+//! (C. Thornton, Géotechnique 50 (2000) 43, leaves out grains with none and with one). They are taken out one after the other with their
+//! contacts, as what they held may rattle then, too. The coordination without rattlers is the mean over the others.
 //!
 //! The **strong network** (F. Radjai et al., Phys. Rev. Lett. 77 (1996) 274) is made of the contacts that carry more than the
 //! mean normal force.
 
 use super::told_first::{Acting, counting, each_contact};
 use super::{Selection, ToldColumn, Value};
+use crate::contacts::laws::friction_limit;
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
+use demeter_physics::contact::PairLaw;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-/// Contacts that hold a grain in space.
+/// Contacts that hold a grain in space by their normal forces alone.
 const HOLD: u32 = 4;
+/// Contacts that hold a grain with their friction.
+const HOLD_BY_FRICTION: u32 = 2;
 
 /// Columns of a fabric.
 pub const FABRIC_COLUMNS: &[ToldColumn] = &[
@@ -34,7 +38,11 @@ pub const FABRIC_COLUMNS: &[ToldColumn] = &[
         "",
         "mean number of contacts of the grains, those with walls counted",
     ),
-    ToldColumn::new("rattlers", "", "share of the grains that less than four contacts hold"),
+    ToldColumn::new(
+        "rattlers",
+        "",
+        "share of the grains that less than four contacts hold, less than two where contacts bear friction",
+    ),
     ToldColumn::new(
         "contacts per grain without rattlers",
         "",
@@ -125,7 +133,12 @@ impl Fabric {
         });
         let own = sim.own_grains().filter(|&g| counts[g]).count();
         let grains = sim.together().count(own);
-        let (coordination, rattlers, without) = coordination(&bodies, grains, counts.len());
+        let bears_friction = |law: &PairLaw| friction_limit(law, 1.0) > 0.0;
+        let hold = match sim.materials.laws().iter().any(bears_friction) {
+            true => HOLD_BY_FRICTION,
+            false => HOLD,
+        };
+        let (coordination, rattlers, without) = coordination(&bodies, hold, grains, counts.len());
         let mut values = vec![Value::Count(forces.len() as u64)];
         values.extend([coordination, rattlers, without].map(Value::Number));
         for fabric in fabrics.map(|fabric| fabric.mean()) {
@@ -188,8 +201,9 @@ fn anisotropy(f: &[f64; 6]) -> f64 {
     (1.5 * (diagonal + 2.0 * others)).sqrt()
 }
 
-/// Mean number of contacts, share of rattlers, and mean number of contacts without them, of so many `grains` that count among `all`.
-fn coordination(contacts: &[Bodies], grains: usize, all: usize) -> (f64, f64, f64) {
+/// Mean number of contacts, share of rattlers, which less than `hold` contacts hold, and mean number of contacts without them, of so many
+/// `grains` that count among `all`.
+fn coordination(contacts: &[Bodies], hold: u32, grains: usize, all: usize) -> (f64, f64, f64) {
     // the contacts of grain g are those between starts g and g + 1
     let mut starts = vec![0u32; all + 1];
     contacts.iter().flat_map(grains_of).for_each(|g| starts[g + 1] += 1);
@@ -207,7 +221,7 @@ fn coordination(contacts: &[Bodies], grains: usize, all: usize) -> (f64, f64, f6
     let mut left: Vec<u32> = starts.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut is_gone = vec![false; contacts.len()];
     // a grain without any contact rattles
-    let mut rattles: Vec<bool> = left.iter().map(|count| *count < HOLD).collect();
+    let mut rattles: Vec<bool> = left.iter().map(|count| *count < hold).collect();
     let mut loose: Vec<usize> = (0..all).filter(|&g| rattles[g] && left[g] > 0).collect();
     while let Some(g) = loose.pop() {
         for &k in &of_grains[starts[g] as usize..starts[g + 1] as usize] {
@@ -216,7 +230,7 @@ fn coordination(contacts: &[Bodies], grains: usize, all: usize) -> (f64, f64, f6
             }
             for body in grains_of(&contacts[k as usize]) {
                 left[body] -= 1;
-                if left[body] < HOLD && !rattles[body] {
+                if left[body] < hold && !rattles[body] {
                     rattles[body] = true;
                     loose.push(body);
                 }
@@ -273,12 +287,17 @@ mod tests {
         // a chain of two hangs on, and one is alone
         contacts.push([4, 5].map(Some));
         contacts.push([5, 6].map(Some));
-        let (all, rattlers, without) = coordination(&contacts, 8, 8);
+        let (all, rattlers, without) = coordination(&contacts, HOLD, 8, 8);
         assert_eq!((all, rattlers, without), (3.0, 3.0 / 8.0, 4.0));
+        // friction holds five as well; the chain goes all the same, from its end
+        let with_friction = coordination(&contacts, HOLD_BY_FRICTION, 8, 8);
+        assert_eq!(with_friction, (3.0, 3.0 / 8.0, 4.0));
         // without one of them the others have three, and all fall
         contacts.retain(|bodies| bodies.iter().flatten().all(|&g| g < 4));
-        let (all, rattlers, without) = coordination(&contacts, 4, 8);
+        let (all, rattlers, without) = coordination(&contacts, HOLD, 4, 8);
         assert_eq!((all, rattlers), (3.0, 1.0));
         assert!(without.is_nan());
+        // unless friction holds them
+        assert_eq!(coordination(&contacts, HOLD_BY_FRICTION, 4, 8), (3.0, 0.0, 3.0));
     }
 }

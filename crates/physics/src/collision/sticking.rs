@@ -10,8 +10,10 @@ use crate::contact::normal::{Normal, NormalLaw, NormalVisitor};
 pub enum Sticking {
     /// They stick below this speed [m/s].
     Below(f64),
-    /// They part at every speed, down to the one told [m/s].
+    /// They part at every speed that was tried, from the one told [m/s] to that at which they would overlap by their effective radius.
     Never(f64),
+    /// They part below this speed [m/s] and stick above it, up to some other speed.
+    From(f64),
     /// They stick at every speed, up to the one told [m/s], at which they would overlap by their effective radius.
     Always(f64),
 }
@@ -21,6 +23,9 @@ pub const BRACKET: f64 = 1e-7;
 
 /// Factor between the speeds that are tried in search of a bracket.
 const STRIDE: f64 = 4.0;
+
+/// Factor between the speeds at which sticking is looked for above those at which bodies part.
+const UPWARDS: f64 = 1.5;
 
 /// Bodies that part at this share of the first speed tried, or of the largest speed on the way, part at every speed: below it, rounding
 /// decides. What attracts may make them so fast that the energy they began with is lost in the rounding of that on the way.
@@ -47,7 +52,8 @@ pub fn sticking_speed_of(
 }
 
 /// Critical sticking speed of two bodies. Where there are several, as laws whose force jumps may have, it is one of
-/// them.
+/// them. Where they part at low speeds, speeds above are tried in strides of a factor 1.5: laws whose adhesion grows with the dent
+/// may have a range of speeds at which they stick.
 pub fn sticking_speed<L: Normal>(
     law: &L,
     size: PairSize,
@@ -70,29 +76,65 @@ pub fn sticking_speed<L: Normal>(
     let mut speed = first;
     let mut collision = collide(speed)?;
     let stuck_first = sticks(&collision);
-    let (mut stuck, mut parted) = (speed, speed);
-    for stride in 0.. {
+    let mut strides = 0;
+    let (stuck, parted) = loop {
         let next = if stuck_first { speed * STRIDE } else { speed / STRIDE };
         if !stuck_first && next < NOTHING * first.max(collision.max_speed) {
-            return Ok(Sticking::Never(speed));
+            let parting = speed;
+            let Some((last_parting, sticking)) = first_sticking(first, size.radius, collide)? else {
+                return Ok(Sticking::Never(parting));
+            };
+            let edge = narrow(last_parting, sticking, |speed| Ok(!sticks(&collide(speed)?)))?;
+            return Ok(Sticking::From(edge));
         }
         collision = collide(next)?;
         if sticks(&collision) != stuck_first {
-            (stuck, parted) = if stuck_first { (speed, next) } else { (next, speed) };
-            break;
+            break if stuck_first { (speed, next) } else { (next, speed) };
         }
         speed = next;
-        if stuck_first && (collision.max_overlap > size.radius || stride == MOST_STRIDES) {
+        if stuck_first && (collision.max_overlap > size.radius || strides == MOST_STRIDES) {
             return Ok(Sticking::Always(speed));
         }
+        strides += 1;
+    };
+    narrow(stuck, parted, |speed| Ok(sticks(&collide(speed)?))).map(Sticking::Below)
+}
+
+/// A speed at which bodies part and the next one that was tried, at which they stick, from a first speed on to that at which they overlap by
+/// so much.
+fn first_sticking(
+    first: f64,
+    most: f64,
+    collide: impl Fn(f64) -> Result<Collision, CollisionError>,
+) -> Result<Option<(f64, f64)>, CollisionError> {
+    let mut parting = first;
+    for _ in 0..MOST_STRIDES {
+        let next = parting * UPWARDS;
+        let collision = collide(next)?;
+        if collision.outcome == Outcome::Stick {
+            return Ok(Some((parting, next)));
+        }
+        if collision.max_overlap > most {
+            break;
+        }
+        parting = next;
     }
-    while parted > stuck * (1.0 + BRACKET) {
-        let middle = (stuck * parted).sqrt();
-        if sticks(&collide(middle)?) {
-            stuck = middle;
+    Ok(None)
+}
+
+/// The speed between a lower one, at which something holds, and a higher one, at which it does not.
+fn narrow(
+    mut lower: f64,
+    mut higher: f64,
+    holds: impl Fn(f64) -> Result<bool, CollisionError>,
+) -> Result<f64, CollisionError> {
+    while higher > lower * (1.0 + BRACKET) {
+        let middle = (lower * higher).sqrt();
+        if holds(middle)? {
+            lower = middle;
         } else {
-            parted = middle;
+            higher = middle;
         }
     }
-    Ok(Sticking::Below((stuck * parted).sqrt()))
+    Ok((lower * higher).sqrt())
 }

@@ -168,3 +168,31 @@ fn laws_without_adhesion_never_stick() {
     let found = sticking_speed_of(&law, size(1e-6), Start::Contact, &Tolerance::default()).unwrap();
     assert!(matches!(found, Sticking::Never(speed) if speed < 1e-11), "{found:?}");
 }
+
+#[test]
+fn a_dent_that_grows_holds_what_is_fast_enough() {
+    let (k1, k2, kc) = (1e3, 5e3, 1e3);
+    let given = [
+        ("loading_stiffness", k1),
+        ("unloading_stiffness", k2),
+        ("adhesion_stiffness", kc),
+        ("plastic_depth", 0.05),
+    ];
+    let law = NormalLaw::build("luding", &values(&given), &PAIR).unwrap();
+    let found = sticking_speed_of(&law, size(0.5e-3), Start::Contact, &Tolerance::default()).unwrap();
+    let Sticking::From(edge) = found else {
+        panic!("{found:?}")
+    };
+    let outcome = |speed: f64| {
+        let impact = HeadOn {
+            law: &law,
+            size: size(0.5e-3),
+            speed,
+            start: Start::Contact,
+        };
+        impact.run(&Tolerance::default()).unwrap().outcome
+    };
+    let [below, above, far] = [0.999, 1.001, 1.5].map(|share| outcome(share * edge));
+    assert!(below != Outcome::Stick && above == Outcome::Stick && far == Outcome::Stick);
+    assert!(outcome(20.0 * edge) != Outcome::Stick);
+}

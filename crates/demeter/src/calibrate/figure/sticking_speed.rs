@@ -34,7 +34,9 @@ impl Loading {
         let law = law(self.alpha, self.elastic, tail)?;
         let one = |&radius: &f64| match sticking_speed_of(&law, size(radius), start, &Tolerance::default())? {
             Sticking::Below(speed) => Ok((radius, speed)),
-            Sticking::Never(_) | Sticking::Always(_) => Err(CalibrateError::NoStickingSpeed { radius }),
+            Sticking::Never(_) | Sticking::From(_) | Sticking::Always(_) => {
+                Err(CalibrateError::NoStickingSpeed { radius })
+            }
         };
         radii.par_iter().map(one).collect()
     }

@@ -127,7 +127,10 @@ impl<'a> Scene<'a> {
             Observable::MaxForce => self.collision()?.max_force,
             Observable::StickingVelocity => {
                 match sticking_speed_of(self.law, self.size, self.start, &STICKING_TOLERANCE)? {
-                    Sticking::Below(speed) | Sticking::Never(speed) | Sticking::Always(speed) => speed,
+                    Sticking::Below(speed)
+                    | Sticking::Never(speed)
+                    | Sticking::From(speed)
+                    | Sticking::Always(speed) => speed,
                 }
             }
             Observable::PullOffForce => self.law.visit(PullOff(self.size, self.observation.preload)),

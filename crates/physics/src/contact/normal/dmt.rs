@@ -54,14 +54,15 @@ impl Tail {
     #[inline(always)]
     fn mean<L: Lanes>(&self, input: &NormalInput<L>) -> L {
         let (gap, h, zero) = (-input.overlap, input.half_window, L::splat(0.0));
-        if !(gap + h).gt(zero).any() {
+        if !(gap + h).ge(zero).any() {
             return zero;
         }
         let inverse = L::splat(1.0) / (gap + self.separation);
         let (share, width) = (inverse * self.separation, inverse * h);
         // f + f'' h^2/6 with f = (z/(z + g))^2
         let smooth = share * share * (width * width + 1.0);
-        let across = gap.gt(zero);
+        // surfaces that just touch attract as those do that are ever so little apart
+        let across = gap.ge(zero);
         let smooth = smooth.keep(across & (L::splat(self.cutoff)).gt(gap));
         let near_an_end = h.ge(gap.abs()) | h.ge((gap - self.cutoff).abs());
         let wide = (near_an_end | (across & width.gt(L::splat(WIDE)))) & h.gt(zero);
@@ -173,7 +174,7 @@ impl Normal for Dmt {
         let distance = L::splat(tail.separation) - overlap;
         let share = L::splat(tail.separation) / distance;
         let slope = self.pull_off(size) * -2.0 * share * share / distance;
-        let across = overlap.lt(L::splat(0.0)) & overlap.gt(L::splat(-tail.cutoff));
+        let across = L::splat(0.0).ge(overlap) & overlap.gt(L::splat(-tail.cutoff));
         L::select(across, slope, spring)
     }
 

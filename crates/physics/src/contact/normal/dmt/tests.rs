@@ -108,6 +108,22 @@ fn means_over_windows_are_those_of_the_energy() {
 }
 
 #[test]
+fn surfaces_that_just_touch_attract() {
+    let law = with_tail(&[("cutoff", 5e-9)]).unwrap();
+    let pull = 2.0 * PI * WORK * SIZE.radius;
+    for overlap in [-1e-15, -0.0, 0.0, 1e-18] {
+        let input = NormalInput {
+            size: SIZE,
+            overlap,
+            rate: 0.0,
+            half_window: 0.0,
+        };
+        let force = law.respond(&input, &mut [0.0]).elastic;
+        assert_relative_eq!(force, -pull, max_relative = 1e-5);
+    }
+}
+
+#[test]
 fn nothing_is_lost_on_any_path() {
     for law in [without_tail(&[]), with_tail(&[("cutoff", 5e-9)]).unwrap()] {
         for seed in 0..5 {
