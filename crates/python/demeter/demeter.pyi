@@ -247,7 +247,7 @@ class Simulation:
         """Lets the folder of the run go, and goes no further; the state stays to be looked at."""
     def __enter__(self) -> Simulation: ...
     def __exit__(self, *_exception: object) -> bool: ...
-    def checkpoint(self, folder: Optional[_Path] = None) -> PathLike[str]:
+    def checkpoint(self, folder: Optional[_Path] = None, *, overwrite: bool = False) -> PathLike[str]:
         """Writes a checkpoint. Tells the folder."""
     @property
     def time(self) -> float:
@@ -300,6 +300,9 @@ class Simulation:
     @property
     def masses(self) -> _Floats:
         """Masses [kg], (n,)."""
+    @property
+    def fixed(self) -> npt.NDArray[np.bool_]:
+        """Which grains forces leave where they are, (n,)."""
     @property
     def ids(self) -> npt.NDArray[np.uint32]:
         """Ids, which never change, (n,)."""

@@ -2,7 +2,7 @@
 
 use crate::errors::{Error, Raise, out_of_range, wrong_type, wrong_value};
 use demeter_physics::dimension::Dimension;
-use engine::scenario::{Foreign, Plain, faults_with_foreign, units};
+use engine::scenario::{Foreign, MOST_THREADS, Plain, faults_with_foreign, units};
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
@@ -230,6 +230,16 @@ fn not_whole(value: &Bound<'_, PyAny>, name: &str) -> PyErr {
 pub fn optional_count(value: Option<&Bound<'_, PyAny>>, name: &str, least: u64) -> PyResult<Option<usize>> {
     let count = |value| whole(value, name, least).map(|number| usize::try_from(number).unwrap_or(usize::MAX));
     value.map(count).transpose()
+}
+
+/// A number of threads.
+pub fn threads(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<usize>> {
+    match optional_count(value, "threads", 1)? {
+        Some(threads) if threads > usize::from(MOST_THREADS) => Err(wrong_value(format!(
+            "`threads` is {threads}; at most {MOST_THREADS} are allowed"
+        ))),
+        threads => Ok(threads),
+    }
 }
 
 /// True or False.

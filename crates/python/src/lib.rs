@@ -24,7 +24,7 @@ use pyo3::prelude::*;
 /// >>> sim = demeter.Simulation(scenario); sim.step(1000)  # in your hands
 /// >>> demeter.collide("two_bodies.toml")["restitution"]   # two bodies
 ///
-/// Quantities are texts with units ("2 mm") or plain numbers in SI; everything that comes out is SI.
+/// Quantities are texts with units ("2 mm"), or in dicts plain numbers in SI; everything that comes out is SI.
 #[pymodule]
 fn demeter(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", engine::VERSION)?;

@@ -75,17 +75,15 @@ impl Source {
         Err(faults_with_foreign(&self.text, &self.name, &self.foreign, read.err()).raise(py))
     }
 
-    /// Reads a scenario.
-    pub fn scenario(&self, py: Python<'_>, set: &[String]) -> PyResult<EngineScenario> {
-        let base = std::path::absolute(&self.base).unwrap_or_else(|_| self.base.clone());
-        let read = match &self.file {
-            Some(file) => EngineScenario::read(file, set),
-            None => EngineScenario::parse(&self.text, &self.name, &base, set),
-        };
-        let mut read = self.whole(py, read)?;
-        // the scenario in the run folder must find its files from anywhere
-        read.base = base;
-        Ok(read)
+    /// Reads a scenario. What is in its file is kept, and where relative paths start, so that it is the same scenario later and elsewhere.
+    pub fn scenario(&mut self, py: Python<'_>, set: &[String]) -> PyResult<EngineScenario> {
+        if let Some(file) = self.file.take() {
+            self.text = EngineScenario::text_of(&file).or_raise(py)?;
+        }
+        if let Ok(here) = std::env::current_dir() {
+            self.base = here.join(&self.base);
+        }
+        self.whole(py, EngineScenario::parse(&self.text, &self.name, &self.base, set))
     }
 
     /// Reads a file of two bodies.
@@ -124,7 +122,7 @@ pub struct Scenario {
 }
 
 impl Scenario {
-    fn new(py: Python<'_>, source: Source, set: Vec<String>) -> PyResult<Self> {
+    fn new(py: Python<'_>, mut source: Source, set: Vec<String>) -> PyResult<Self> {
         let read = source.scenario(py, &set)?;
         Ok(Self { source, set, read })
     }
@@ -204,7 +202,7 @@ impl Scenario {
         TEMPLATES.iter().map(|(name, ..)| *name).collect()
     }
 
-    /// The same scenario with changes, checked anew. Keys as ``"grains[0].count"`` or ``"wall.lid.velocity"``.
+    /// The same scenario, as it was read, with changes, checked anew. Keys as ``"grains[0].count"`` or ``"wall.lid.velocity"``.
     fn set(&self, py: Python<'_>, changes: &Bound<'_, PyAny>) -> PyResult<Self> {
         let mut set = self.set.clone();
         set.extend(overrides(Some(changes))?);
@@ -212,7 +210,7 @@ impl Scenario {
             text: self.source.text.clone(),
             name: self.source.name.clone(),
             base: self.source.base.clone(),
-            file: self.source.file.clone(),
+            file: None,
             foreign: Vec::new(),
         };
         Self::new(py, source, set)

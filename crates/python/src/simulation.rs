@@ -8,21 +8,19 @@ use looking::{live_series, present_dict, walls_dict};
 
 use crate::contacts::ContactTable;
 use crate::control::{Callback, Interval, Limit};
-use crate::convert::{from_json, function as callable, path, text, three, whole};
-use crate::errors::{Error, OrRaise, Raise, RunError, wrong_type, wrong_value};
+use crate::convert::{flag, from_json, function as callable, path, text, whole};
+use crate::errors::{Error, OrRaise, RunError, wrong_type};
 use crate::functions::{Function, PythonForce, rows};
 use crate::views::{Table, Views};
-use demeter_physics::dimension::Dimension;
 use engine::scenario::LiveRun;
 use engine::simulation::Simulation as EngineSimulation;
-use glam::DVec3;
 use numpy::PyArray1;
 use pyo3::PyTraverseError;
 use pyo3::gc::PyVisit;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError, Weak};
 
 /// A run with what Python sees of it.
 pub struct Live {
@@ -79,7 +77,8 @@ pub struct Simulation {
     is_asked_to_stop: AtomicBool,
     callbacks: Mutex<Vec<Callback>>,
     /// Functions that the engine asks.
-    functions: Mutex<Vec<Arc<Function>>>,
+    /// Those that the engine asks, which keeps them alive.
+    functions: Mutex<Vec<Weak<Function>>>,
     messages: Mutex<Vec<String>>,
     is_closed: AtomicBool,
     /// The process that made it: its threads do not follow into one that is forked.
@@ -191,7 +190,7 @@ impl Simulation {
     /// Parameters
     /// ----------
     /// interval : int, str or float
-    ///     Steps (an int), or simulated time: ``"1 ms"``, or seconds (a float).
+    ///     Steps (an int), or simulated time: ``"1 ms"``, or seconds (a float), which is rounded to whole steps.
     /// function : callable, optional
     ///     Without it `every` is a decorator.
     ///
@@ -262,54 +261,31 @@ impl Simulation {
         axis: Option<&Bound<'_, PyAny>>,
         point: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
-        let index = self.wall(&text(wall, "wall")?)?;
         let ways = [
             ("position", position),
             ("velocity", velocity),
             ("angle", angle),
             ("angular_velocity", angular_velocity),
         ];
-        let mut given: Vec<(&str, Py<PyAny>)> = ways.into_iter().filter_map(|(n, f)| Some((n, f?))).collect();
-        let (Some((how, function)), true) = (given.pop(), given.is_empty()) else {
-            let message = "give one of position, velocity, angle and angular_velocity: a function of time";
-            return Err(wrong_type(message));
-        };
-        callable(function.bind(py), how, "time [s]")?;
-        let turns = how.starts_with("angle") || how.starts_with("angular");
-        let axis = match (turns, axis) {
-            (false, None) => None,
-            (true, Some(axis)) => {
-                let axis = DVec3::from_array(three(axis, "axis", Dimension::NONE)?);
-                if axis == DVec3::ZERO {
-                    return Err(wrong_value("`axis` is (0, 0, 0), which has no direction"));
-                }
-                let point = point.map_or(Ok([0.0; 3]), |point| three(point, "point", Dimension::LENGTH))?;
-                Some((DVec3::from_array(point), axis))
-            }
-            (true, None) => return Err(wrong_type(format!("`{how}` needs an `axis`, as (0, 0, 1)"))),
-            (false, Some(_)) => {
-                let message = format!("`{how}` has no `axis`, which belongs to `angle` and `angular_velocity`");
-                return Err(wrong_type(message));
-            }
-        };
-        let mut live = self.live()?;
-        let function = self.keep(function);
-        let motion = going::motion(Arc::clone(&function), how, axis);
-        let run = &mut live.run;
-        let told = py.detach(|| run.change(|sim| sim.drive_wall(index, motion)));
-        drop(live);
-        told.map_err(|error| function.take_raised().unwrap_or_else(|| error.raise(py)))
+        self.drive(py, &text(wall, "wall")?, ways, (axis, point))
     }
 
     /// Writes a checkpoint: into the folder of the run, or into a new folder, from which `resume` goes on. Tells the folder.
     ///
-    /// It holds no Python functions: see `resume`.
-    #[pyo3(signature = (folder=None))]
-    fn checkpoint(&self, py: Python<'_>, folder: Option<&Bound<'_, PyAny>>) -> PyResult<std::path::PathBuf> {
+    /// It holds no Python functions: see `resume`. With ``overwrite`` what a run or an earlier checkpoint has left in another folder is
+    /// removed first.
+    #[pyo3(signature = (folder=None, *, overwrite=None), text_signature = "($self, folder=None, *, overwrite=False)")]
+    fn checkpoint(
+        &self,
+        py: Python<'_>,
+        folder: Option<&Bound<'_, PyAny>>,
+        overwrite: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<std::path::PathBuf> {
         let folder = folder.map(|folder| path(folder, "folder")).transpose()?;
+        let overwrite = overwrite.map_or(Ok(false), |told| flag(told, "overwrite"))?;
         folder.is_none().then(|| self.refuse_closed()).transpose()?;
         let run = &mut self.live()?.run;
-        py.detach(|| run.checkpoint(folder.as_deref())).or_raise(py)
+        py.detach(|| run.checkpoint(folder.as_deref(), overwrite)).or_raise(py)
     }
 
     /// Lets the folder of the run go, so that another one may be written there, and goes no further. The state stays to be looked
@@ -407,7 +383,9 @@ impl Simulation {
     ///
     /// A read-only array that shares the memory of the simulation. It shows the moment at which it was taken, for as long
     /// as it lives: when the simulation goes on, it leaves that memory to the array. Assigning moves all grains:
-    /// candidates and forces are found anew, the change of energy is booked; rows may lie in another order afterwards.
+    /// candidates and forces are found anew, the change of energy is booked; rows may lie in another order afterwards. Places beyond
+    /// periodic sides are those of their images in the box. Where a Fault is raised, as grains overlap too deeply, the grains are at the
+    /// new places: assign others before the next step. What contacts remembered that were not there then is gone.
     #[getter]
     fn positions<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         Self::show(slf, Table::Position, |s, sim| s.vectors(&sim.grains().position))
@@ -421,7 +399,8 @@ impl Simulation {
         py.detach(|| live.change(|sim| sim.set_positions(&values))).or_raise(py)
     }
 
-    /// Velocities [m/s], (n, 3); read-only and without a copy, as `positions`. Assigning books the change of energy.
+    /// Velocities [m/s], (n, 3); read-only and without a copy, as `positions`. Assigning books the change of energy; grains that are
+    /// `fixed` keep theirs.
     #[getter]
     fn velocities<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         Self::show(slf, Table::Velocity, |s, sim| s.vectors(&sim.grains().velocity))
@@ -436,7 +415,8 @@ impl Simulation {
             .or_raise(py)
     }
 
-    /// Angular velocities [rad/s], (n, 3); read-only and without a copy, as `positions`. Assigning books the change of energy.
+    /// Angular velocities [rad/s], (n, 3); read-only and without a copy, as `positions`. Assigning books the change of energy; grains
+    /// that are `fixed` keep theirs.
     #[getter]
     fn angular_velocities<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         Self::show(slf, Table::AngularVelocity, |s, sim| {
@@ -475,6 +455,17 @@ impl Simulation {
     #[getter]
     fn masses<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         Self::show(slf, Table::Load, |s, sim| s.masses(&sim.grains().load))
+    }
+
+    /// Which grains forces leave where they are, (n,).
+    #[getter]
+    fn fixed<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<bool>>> {
+        let fixed = |sim: &EngineSimulation| {
+            (0..sim.grains().len())
+                .map(|grain| sim.grains().is_fixed(grain))
+                .collect()
+        };
+        Ok(PyArray1::from_vec(py, self.live()?.run.with_simulation(fixed)))
     }
 
     /// Ids, which never change, (n,); without a copy.
@@ -579,7 +570,7 @@ impl Simulation {
             }
         }
         if let Ok(functions) = self.functions.try_lock() {
-            for function in functions.iter() {
+            for function in functions.iter().filter_map(Weak::upgrade) {
                 function.traverse(&visit)?;
             }
         }
@@ -591,7 +582,10 @@ impl Simulation {
             callbacks.clear();
         }
         if let Ok(functions) = self.functions.try_lock() {
-            functions.iter().for_each(|function| function.clear());
+            functions
+                .iter()
+                .filter_map(Weak::upgrade)
+                .for_each(|function| function.clear());
         }
     }
 }

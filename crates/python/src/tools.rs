@@ -1,7 +1,9 @@
 //! The tools for two bodies and for measurements.
 
 use crate::aside::{aside, listening};
-use crate::convert::{flag, from_json, optional_count, optional_quantity, overrides, path, quantity, shown, text};
+use crate::convert::{
+    self, flag, from_json, optional_count, optional_quantity, overrides, path, quantity, shown, text,
+};
 use crate::errors::{CollisionError, OrRaise, unknown_name, wrong_type, wrong_value};
 use crate::scenario::Source;
 use demeter_physics::collision::Sticking;
@@ -42,9 +44,9 @@ const MOST_POINTS: usize = 100_000;
 /// engine : bool
 ///     With the steps of a run, instead of to reference precision.
 /// course : int
-///     Number of moments of the collision to hand out; 0 for none.
+///     Number of moments of the collision to hand out, at most; 0 for none.
 /// set : dict, optional
-///     Changes, as ``{"impact.velocity": "2 m/s"}``.
+///     Changes, as ``{"impact.velocity": "2 m/s"}``: quantities as `bodies` tells them, so plain numbers in SI only where that is a dict.
 ///
 /// Returns
 /// -------
@@ -122,7 +124,7 @@ pub fn contact_curve<'py>(
 /// Returns
 /// -------
 /// dict
-///     ``effective_radius`` [m] and ``velocity`` [m/s]: NaN where they part at every speed, infinite where they always stick.
+///     ``effective_radius`` [m] and ``velocity`` [m/s]: NaN where they part at low speeds, infinite where they always stick.
 #[pyfunction]
 #[pyo3(signature = (bodies, radius, *, points=None, set=None), text_signature = "(bodies, radius, *, points=20, set=None)")]
 pub fn sticking<'py>(
@@ -146,17 +148,25 @@ pub fn sticking<'py>(
         let message = format!("`radius` is from {first} m to {last} m; it must rise, and be above 0");
         return Err(wrong_value(message));
     }
-    let points = optional_count(points, "points", 1)?.unwrap_or(20);
+    let (points, least) = (
+        optional_count(points, "points", 1)?.unwrap_or(20),
+        if first == last { 1 } else { 2 },
+    );
+    if points < least {
+        return Err(wrong_value(format!(
+            "`points` is {points}; a range of radii has {least} at least"
+        )));
+    }
     if points > MOST_POINTS {
         return Err(wrong_value(format!(
             "`points` is {points}; at most {MOST_POINTS} are computed"
         )));
     }
-    let radii = log_spaced(first, last, if first == last { 1 } else { points.max(2) });
+    let radii = log_spaced(first, last, if first == last { 1 } else { points });
     let found = aside(py, || search(&file, &radii))?.or_raise(py)?;
     let speed = |sticking: Sticking| match sticking {
         Sticking::Below(speed) => speed,
-        Sticking::Never(_) => f64::NAN,
+        Sticking::Never(_) | Sticking::From(_) => f64::NAN,
         Sticking::Always(_) => f64::INFINITY,
     };
     let dict = PyDict::new(py);
@@ -194,7 +204,7 @@ pub fn fit<'py>(
     set: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let out = out.map(|out| path(out, "out")).transpose()?;
-    let threads = optional_count(threads, "threads", 1)?;
+    let threads = convert::threads(threads)?;
     match Source::of(task)?.fit(py, &overrides(set)?)? {
         FitTask::Collisions(file) => {
             if out.is_some() || threads.is_some() {

@@ -97,3 +97,16 @@ def test_quantities():
     assert demeter.si(2) == 2.0
     with pytest.raises(ValueError):
         demeter.si("2 mmm")
+
+
+def test_a_scenario_stays_what_was_read(bed, tmp_path, monkeypatch):
+    text = demeter.Scenario.from_dict(bed).to_toml()
+    (tmp_path / "grains.csv").write_text("x y z diameter\n0.01 0.01 0.05 0.002\n")
+    (tmp_path / "bed.toml").write_text(text + '\n[[grains]]\nmaterial = "glass"\nsource = "file"\nfile = "grains.csv"\n')
+    monkeypatch.chdir(tmp_path)
+    scenario = demeter.Scenario.from_toml("bed.toml")
+    (tmp_path / "bed.toml").write_text("nothing of it is left")
+    monkeypatch.chdir("/")
+    changed = scenario.set({"seed": 2})
+    assert changed.check()["grains"] == scenario.check()["grains"] == 51
+    assert len(demeter.Simulation(changed).ids) == 51

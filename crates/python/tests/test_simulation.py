@@ -473,6 +473,40 @@ def test_folders_series_frames_and_resume(bed, tmp_path):
         demeter.Simulation.resume(tmp_path / "nowhere")
 
 
+@pytest.mark.parametrize(
+    "motion",
+    [
+        {"position": lambda t: (0, 0, 0.05 - 0.01 * np.sin(100 * t))},
+        {"velocity": lambda t: (0, 0, -np.cos(100 * t))},
+        {"angle": lambda t: 1.0 + 0.1 * np.sin(300 * t), "axis": (0, 0, 1), "point": (0.01, 0.01, 0)},
+        {"angular_velocity": lambda t: 3 * np.cos(300 * t), "axis": (0, 0.6, 0.8)},
+    ],
+    ids=lambda motion: next(iter(motion)),
+)
+def test_a_motion_told_again_after_a_restart_goes_on_to_the_same_bits(bed, tmp_path, motion):
+    def state(sim):
+        plate = sim.walls["plate"]
+        return [sim.positions[sim.indices()], plate["position"], plate["velocity"], plate["angular_velocity"]]
+
+    sim = demeter.Simulation(bed)
+    sim.step(37)
+    sim.move_wall("plate", **motion)
+    sim.step(1200)
+    sim.checkpoint(tmp_path / "saved")
+    sim.checkpoint(tmp_path / "late")
+    sim.step(800)
+    resumed = demeter.Simulation.resume(tmp_path / "saved")
+    resumed.move_wall("plate", **motion)
+    resumed.step(800)
+    assert all(np.array_equal(*pair) for pair in zip(state(sim), state(resumed)))
+    # told in a step that is not the first, it begins where the wall stands
+    late = demeter.Simulation.resume(tmp_path / "late")
+    late.step(1)
+    before = late.walls["plate"]["position"]
+    late.move_wall("plate", **motion)
+    assert np.array_equal(late.walls["plate"]["position"], before)
+
+
 def test_a_resumed_run_says_what_it_lacks(bed, tmp_path):
     def push(state):
         return np.tile([0, 0, 1e-4], (len(state), 1))
@@ -498,9 +532,60 @@ def test_a_fault_has_its_message(bed):
     assert caught.value.grain > 0 and isinstance(caught.value, demeter.RunError)
 
 
+def test_functions_that_are_asked_no_more_are_let_go(bed):
+    sim = demeter.Simulation(bed)
+
+    def push():
+        return lambda state: np.zeros((len(state), 3))
+
+    def lift():
+        return lambda t: (0, 0, 0)
+
+    alive = []
+    for _ in range(5):
+        force, motion = push(), lift()
+        alive += [weakref.ref(force), weakref.ref(motion)]
+        sim.clear_forces()
+        sim.add_force(force)
+        sim.move_wall("plate", velocity=motion)
+        sim.step(2)
+    del force, motion
+    gc.collect()
+    sim.step(1)
+    assert sum(function() is not None for function in alive) == 2
+
+
+def test_fixed_grains_stay_and_images_are_brought_back(bed):
+    bed["domain"] = {"lower": [0, 0, -1], "upper": [0.02, 0.02, 1], "periodic": ["x", "y"]}
+    bed["wall"] = [{"name": "plate", "material": "glass", "shape": "plane", "point": [0, 0, 0], "normal": "z"}]
+    bed["grains"].append({"material": "glass", "source": "list", "positions": [[0.01, 0.01, 0.5]], "diameter": "2 mm", "fixed": True})
+    sim = demeter.Simulation(bed)
+    assert sim.fixed.sum() == 1 and sim.fixed.dtype == bool
+    at = int(np.flatnonzero(sim.fixed)[0])
+    sim.velocities = np.tile([0, 0, 1.0], (len(sim.ids), 1))
+    sim.angular_velocities = np.ones((len(sim.ids), 3))
+    assert sim.velocities[at].tolist() == [0, 0, 0] and sim.angular_velocities[at].tolist() == [0, 0, 0]
+    assert (sim.velocities[~sim.fixed] == [0, 0, 1]).all()
+    sim.positions = sim.positions + [0.14, -0.06, 0]
+    sim.step(10)
+    inside = sim.positions[:, :2]
+    assert (inside >= -0.001).all() and (inside <= 0.021).all()
+
+
+def test_a_checkpoint_may_take_the_place_of_another(bed, tmp_path):
+    sim = demeter.Simulation(bed)
+    for steps in [10, 20]:
+        sim.step(10)
+        sim.checkpoint(tmp_path / "saved", overwrite=True)
+        assert demeter.Simulation.resume(tmp_path / "saved").steps == steps
+    with pytest.raises(demeter.Error, match="overwrite"):
+        sim.checkpoint(tmp_path / "saved")
+
+
 def test_threads(bed):
-    with pytest.raises(ValueError, match="threads"):
-        demeter.Simulation(bed, threads=0)
+    for threads in [0, 5000, 10**30]:
+        with pytest.raises(demeter.WrongValue, match="threads"):
+            demeter.Simulation(bed, threads=threads)
 
 
 def test_pandas(bed):

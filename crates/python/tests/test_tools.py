@@ -23,6 +23,10 @@ def test_collide():
     slower = demeter.collide(MCC, set={"impact.velocity": "0.1 m/s"})
     assert slower["contact_time"] > report["contact_time"]
     assert demeter.collide(MCC, engine=True)["restitution"] == pytest.approx(0.54, abs=1e-4)
+    by_steps = demeter.collide(MCC, engine=True, course=11)["course"]
+    assert len(by_steps["time"]) == 11 and by_steps["time"][-1] > 0.9 * report["contact_time"]
+    with pytest.raises(demeter.WrongValue, match="points"):
+        demeter.sticking(MCC, ("1 um", "2 um"), points=1)
 
 
 def test_an_oblique_collision_slides_or_sticks_as_rigid_bodies_do():

@@ -100,15 +100,16 @@ impl NormalVisitor for DepthAtForce {
 
     fn visit<L: Normal>(self, law: &L) -> Self::Output {
         let Self(size, force) = self;
-        let excess = |overlap: f64| {
+        let reached = |overlap: f64| {
             let mut history = vec![0.0; L::HISTORY.len()];
-            press(law, size, &mut history, overlap, f64::MIN_POSITIVE) - force
+            press(law, size, &mut history, overlap, f64::MIN_POSITIVE)
         };
+        let excess = |overlap: f64| reached(overlap) - force;
         let deepest = DEEPEST * size.radius;
         let mut depth = 1e-9 * size.radius;
         while excess(depth) < 0.0 {
             if depth >= deepest {
-                let reached = excess(deepest) + force;
+                let reached = reached(deepest);
                 return Err(CalibrateError::Curve(format!(
                     "`max_force` is {force} N; at an overlap of the effective radius, {deepest} m, the force is \
                      {reached:.4e} N only"

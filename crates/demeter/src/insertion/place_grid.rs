@@ -1,6 +1,5 @@
 //! Which grains are near a place: one cell grid per size class, so that any width of sizes stays linear.
 
-use super::region::wrap_coordinate;
 use crate::neighbours::{Bounds, Counts, are_scattered, crowd};
 use crate::particles::Domain;
 use glam::DVec3;
@@ -128,13 +127,7 @@ impl<'a> PlaceGrid<'a> {
     }
 
     fn wrap(&self, place: DVec3) -> DVec3 {
-        match self.domain {
-            Some(domain) => DVec3::from_array(std::array::from_fn(|k| match domain.periodic[k] {
-                true => wrap_coordinate(place[k], domain.lower[k], domain.upper[k]),
-                false => place[k],
-            })),
-            None => place,
-        }
+        self.domain.map_or(place, |domain| domain.brought_back(place))
     }
 
     /// Visits every grain whose surface may be closer than `reach` to the place. Some are farther away.

@@ -269,11 +269,11 @@ impl<'a> Space<'a> {
     /// A place of a grain of this radius, uniform over all that are inside.
     pub(super) fn random_place(&self, radius: f64, random: &mut RandomNumbers) -> DVec3 {
         match &self.shape {
-            Shape::Box { lower, upper } => DVec3::from_array(std::array::from_fn(|k| {
+            Shape::Box { lower, upper } => self.wrap(DVec3::from_array(std::array::from_fn(|k| {
                 let margin = if self.periodic[k] { 0.0 } else { radius };
                 let room = (upper[k] - lower[k] - 2.0 * margin).max(0.0);
-                self.wrapped(k, lower[k] + margin + random.uniform() * room)
-            })),
+                lower[k] + margin + random.uniform() * room
+            }))),
             Shape::Cylinder {
                 frame,
                 length,
@@ -294,14 +294,7 @@ impl<'a> Space<'a> {
 
     /// Puts a point back into the periodic box.
     pub(super) fn wrap(&self, p: DVec3) -> DVec3 {
-        DVec3::from_array(std::array::from_fn(|k| self.wrapped(k, p[k])))
-    }
-
-    fn wrapped(&self, k: usize, x: f64) -> f64 {
-        match self.domain {
-            Some(domain) if domain.periodic[k] => wrap_coordinate(x, domain.lower[k], domain.upper[k]),
-            _ => x,
-        }
+        self.domain.map_or(p, |domain| domain.brought_back(p))
     }
 
     /// Moves a grain that stands out by no more than rounding of its radius wholly inside, where sides are flat.
@@ -318,19 +311,5 @@ impl<'a> Space<'a> {
             }))),
             Shape::Cylinder { .. } => center,
         }
-    }
-}
-
-/// Puts a coordinate into `[lower, upper)` by whole lengths.
-pub(super) fn wrap_coordinate(x: f64, lower: f64, upper: f64) -> f64 {
-    if x >= lower && x < upper {
-        return x;
-    }
-    let size = upper - lower;
-    let wrapped = x - size * ((x - lower) / size).floor();
-    if wrapped >= lower && wrapped < upper {
-        wrapped
-    } else {
-        lower
     }
 }

@@ -62,6 +62,14 @@ impl Domain {
         p
     }
 
+    /// A point with its coordinates in periodic directions put back into the box, from however far away.
+    pub fn brought_back(&self, p: DVec3) -> DVec3 {
+        DVec3::from_array([0, 1, 2].map(|k| match self.periodic[k] {
+            true => wrap_coordinate(p[k], self.lower[k], self.upper[k]),
+            false => p[k],
+        }))
+    }
+
     /// Whether a point lies inside. Beyond a periodic side it does, too, up to one box: a grain is put back whenever the
     /// candidates are found, so farther away it was thrown by one step over more than a box. A point that is not finite
     /// lies nowhere.
@@ -75,5 +83,19 @@ impl Domain {
         let size = self.size();
         let slack = DVec3::from_array([0, 1, 2].map(|k| if self.periodic[k] { size[k] } else { 0.0 }));
         (self.lower - slack, self.upper + slack)
+    }
+}
+
+/// Puts a coordinate into `[lower, upper)` by whole lengths.
+fn wrap_coordinate(x: f64, lower: f64, upper: f64) -> f64 {
+    if x >= lower && x < upper {
+        return x;
+    }
+    let size = upper - lower;
+    let wrapped = x - size * ((x - lower) / size).floor();
+    if wrapped >= lower && wrapped < upper {
+        wrapped
+    } else {
+        lower
     }
 }

@@ -208,8 +208,8 @@ impl LiveRun {
     }
 
     /// Writes a checkpoint: into the folder of the run, or, told another one, into a new folder there, from which
-    /// [`resume`](Self::resume) goes on. Tells the folder.
-    pub fn checkpoint(&mut self, folder: Option<&Path>) -> Result<PathBuf, RunError> {
+    /// [`resume`](Self::resume) goes on; what a run has left there is removed if `overwrite` is told. Tells the folder.
+    pub fn checkpoint(&mut self, folder: Option<&Path>, overwrite: bool) -> Result<PathBuf, RunError> {
         let own = self.folder.as_ref();
         let own = own.filter(|own| folder.is_none_or(|root| root == own.root()));
         let _own_lock;
@@ -222,7 +222,7 @@ impl LiveRun {
             (None, None) => return Err(RunError::NoFolder),
             (Some(root), None) => {
                 let folder;
-                (folder, _new_lock) = RunFolder::reserve(root, false)?;
+                (folder, _new_lock) = RunFolder::reserve(root, overwrite)?;
                 folder.write(&folder.scenario(), self.scenario().to_resolved_toml().as_bytes())?;
                 folder
             }

@@ -154,18 +154,19 @@ pub struct Scenario {
 impl Scenario {
     /// Reads a scenario from a file. Overrides are texts `key=value`, as `grains[0].count=200`.
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
-        let name = path.display().to_string();
-        let text = read_text(path).map_err(|fault| lone_fault(&name, fault))?;
         let base = path.parent().unwrap_or(Path::new(""));
-        Self::parse(&text, &name, base, overrides)
+        Self::parse(&Self::text_of(path)?, &path.display().to_string(), base, overrides)
+    }
+
+    /// The text of the file of a scenario, for [`Self::parse`].
+    pub fn text_of(path: &Path) -> Result<String, Diagnostics> {
+        read_text(path).map_err(|fault| lone_fault(&path.display().to_string(), fault))
     }
 
     /// Reads the scenario of a run that has started: files of grains at the start may be gone.
     pub fn read_to_go_on(path: &Path) -> Result<Self, Diagnostics> {
-        let name = path.display().to_string();
-        let text = read_text(path).map_err(|fault| lone_fault(&name, fault))?;
         let base = path.parent().unwrap_or(Path::new(""));
-        Self::parse_for(&text, &name, base, &[], true)
+        Self::parse_for(&Self::text_of(path)?, &path.display().to_string(), base, &[], true)
     }
 
     /// Reads a scenario from a text. Relative paths in it start from `base`.

@@ -38,30 +38,37 @@ pub enum ChangeError {
 }
 
 impl Simulation {
-    /// Gives all grains other velocities [m/s], by index. The change of kinetic energy is booked as work of custom forces.
+    /// Gives all grains other velocities [m/s], by index; those that are fixed keep theirs. The change of kinetic energy is booked as work of
+    /// custom forces.
     pub fn set_velocities(&mut self, velocities: &[DVec3]) -> Result<(), ChangeError> {
         self.check_change("velocity", velocities)?;
         self.change(|sim| {
-            for (old, new) in sim.grains.velocity.iter_mut().zip(velocities) {
-                *old = *new;
+            for (grain, new) in velocities.iter().enumerate() {
+                if !sim.grains.is_fixed(grain) {
+                    sim.grains.velocity[grain] = *new;
+                }
             }
             Ok(())
         })
     }
 
-    /// Gives all grains other angular velocities [1/s], by index. The change of energy is booked as work of custom forces.
+    /// Gives all grains other angular velocities [1/s], by index; those that are fixed keep theirs. The change of energy is booked as work
+    /// of custom forces.
     pub fn set_angular_velocities(&mut self, velocities: &[DVec3]) -> Result<(), ChangeError> {
         self.check_change("angular velocity", velocities)?;
         self.change(|sim| {
-            for (old, new) in sim.grains.angular_velocity.iter_mut().zip(velocities) {
-                *old = *new;
+            for (grain, new) in velocities.iter().enumerate() {
+                if !sim.grains.is_fixed(grain) {
+                    sim.grains.angular_velocity[grain] = *new;
+                }
             }
             Ok(())
         })
     }
 
-    /// Puts all grains elsewhere [m], by index. Candidates and forces are found anew; contacts that last keep what they remember;
-    /// the change of energy is booked as work of custom forces. The grains may lie in another order in memory afterwards.
+    /// Puts all grains elsewhere [m], by index; places beyond periodic sides are those of their images in the box. Candidates and forces are
+    /// found anew; contacts that last keep what they remember; the change of energy is booked as work of custom forces. The grains may lie in
+    /// another order in memory afterwards.
     /// On error the grains are at the new places, and the next step finds the same fault unless they are put elsewhere.
     pub fn set_positions(&mut self, positions: &[DVec3]) -> Result<(), ChangeError> {
         self.check_change("position", positions)?;
@@ -69,8 +76,9 @@ impl Simulation {
             return Err(ChangeError::Deforms);
         }
         self.change(|sim| {
+            let domain = *sim.domain();
             for (old, new) in sim.grains.position.iter_mut().zip(positions) {
-                *old = *new;
+                *old = domain.brought_back(*new);
             }
             if sim.is_started() {
                 sim.find_forces_anew()?;

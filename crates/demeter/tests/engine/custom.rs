@@ -374,8 +374,11 @@ fn a_run_goes_on_from_a_checkpoint_with_its_custom_force_to_the_same_bits() {
     let mut run = live(1);
     run.change(|sim| sim.add_force(Box::new(Trap)));
     steps(&mut run, 777);
-    assert!(run.checkpoint(None).unwrap_err().to_string().contains("folder"));
-    run.checkpoint(Some(&folder)).unwrap();
+    assert!(run.checkpoint(None, false).unwrap_err().to_string().contains("folder"));
+    run.checkpoint(Some(&folder), false).unwrap();
+    let there = run.checkpoint(Some(&folder), false).unwrap_err().to_string();
+    assert!(there.contains("overwrite"), "{there}");
+    run.checkpoint(Some(&folder), true).unwrap();
     steps(&mut run, 500);
     #[derive(Default)]
     struct Messages(Vec<String>);

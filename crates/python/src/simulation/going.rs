@@ -3,11 +3,12 @@
 use super::{Live, Simulation, locked};
 use crate::contacts::ContactTable;
 use crate::control::{Callback, Limit, Messages, Place, Watcher};
-use crate::convert::{flag, optional_count, path, shown, whole};
-use crate::errors::{OrRaise, Raise, RunError, not_there, unknown_name, wrong_type};
+use crate::convert::{self, flag, function as callable, path, shown, three, whole};
+use crate::errors::{OrRaise, Raise, RunError, not_there, unknown_name, wrong_type, wrong_value};
 use crate::functions::Function;
 use crate::scenario::Scenario;
 use crate::views::{Showing, Table, Views};
+use demeter_physics::dimension::Dimension;
 use engine::contacts::Fault as EngineFault;
 use engine::scenario::{LiveRun, Pause, RunEnd, RunOptions, Until};
 use engine::simulation::{CustomMotion, Simulation as EngineSimulation};
@@ -197,7 +198,7 @@ impl Simulation {
             let Ok(mut live) = self.live() else { return };
             let run = &mut live.run;
             if run.folder().is_some()
-                && let Err(error) = py.detach(|| run.checkpoint(None))
+                && let Err(error) = py.detach(|| run.checkpoint(None, false))
             {
                 locked(&self.messages).push(format!("warning: no checkpoint was written: {error}"));
             }
@@ -242,7 +243,7 @@ impl Simulation {
         let raised = || {
             locked(&self.functions)
                 .iter()
-                .find_map(|function| function.take_raised())
+                .find_map(|function| function.upgrade()?.take_raised())
         };
         match fault {
             EngineFault::Custom { .. } => raised().unwrap_or_else(|| fault.raise(py)),
@@ -250,10 +251,54 @@ impl Simulation {
         }
     }
 
+    /// Moves a wall; see the method `move_wall` of Python. `ways`: the name of each and its function, where it is given.
+    pub(super) fn drive(
+        &self,
+        py: Python<'_>,
+        wall: &str,
+        ways: [(&str, Option<Py<PyAny>>); 4],
+        (axis, point): (Option<&Bound<'_, PyAny>>, Option<&Bound<'_, PyAny>>),
+    ) -> PyResult<()> {
+        let index = self.wall(wall)?;
+        let mut given: Vec<(&str, Py<PyAny>)> = ways.into_iter().filter_map(|(n, f)| Some((n, f?))).collect();
+        let (Some((how, function)), true) = (given.pop(), given.is_empty()) else {
+            let message = "give one of position, velocity, angle and angular_velocity: a function of time";
+            return Err(wrong_type(message));
+        };
+        callable(function.bind(py), how, "time [s]")?;
+        let turns = how.starts_with("angle") || how.starts_with("angular");
+        let axis = match (turns, axis) {
+            (false, None) => None,
+            (true, Some(axis)) => {
+                let axis = DVec3::from_array(three(axis, "axis", Dimension::NONE)?);
+                if axis == DVec3::ZERO {
+                    return Err(wrong_value("`axis` is (0, 0, 0), which has no direction"));
+                }
+                let point = point.map_or(Ok([0.0; 3]), |point| three(point, "point", Dimension::LENGTH))?;
+                Some((DVec3::from_array(point), axis))
+            }
+            (true, None) => return Err(wrong_type(format!("`{how}` needs an `axis`, as (0, 0, 1)"))),
+            (false, Some(_)) => {
+                let message = format!("`{how}` has no `axis`, which belongs to `angle` and `angular_velocity`");
+                return Err(wrong_type(message));
+            }
+        };
+        let mut live = self.live()?;
+        let function = self.keep(function);
+        let motion = motion(Arc::clone(&function), how, axis);
+        let run = &mut live.run;
+        let told = py.detach(|| run.change(|sim| sim.drive_wall(index, motion)));
+        drop(live);
+        told.map_err(|error| function.take_raised().unwrap_or_else(|| error.raise(py)))
+    }
+
     /// A function that the engine asks from now on.
     pub(super) fn keep(&self, function: Py<PyAny>) -> Arc<Function> {
         let function = Function::new(function);
-        locked(&self.functions).push(Arc::clone(&function));
+        let mut functions = locked(&self.functions);
+        // the engine lets them go that it asks no more
+        functions.retain(|function| function.strong_count() > 0);
+        functions.push(Arc::downgrade(&function));
         function
     }
 
@@ -318,7 +363,7 @@ pub(super) fn options(
     overwrite: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<RunOptions> {
     Ok(RunOptions {
-        threads: optional_count(threads, "threads", 1)?,
+        threads: convert::threads(threads)?,
         overwrite: overwrite.map_or(Ok(false), |told| flag(told, "overwrite"))?,
         ..RunOptions::default()
     })

@@ -189,16 +189,16 @@ fn material_names(scenario: &Scenario) -> String {
 
 /// Threads of a run; as many as there are cores, or as the environment tells, when none are asked for.
 pub(crate) fn thread_pool(threads: Option<usize>) -> Result<rayon::ThreadPool, RunError> {
-    let told = std::env::var("RAYON_NUM_THREADS").ok().filter(|_| threads.is_none());
-    if let Some(threads) = told
-        .and_then(|told| told.parse().ok())
-        .filter(|told| *told > usize::from(MOST_THREADS))
-    {
+    let told = || std::env::var("RAYON_NUM_THREADS").ok()?.parse().ok();
+    if let Some(many) = threads.or_else(told).filter(|told| *told > usize::from(MOST_THREADS)) {
+        let who = if threads.is_some() {
+            ""
+        } else {
+            "the environment variable RAYON_NUM_THREADS tells so many, and "
+        };
         return Err(RunError::Threads {
-            threads,
-            reason: format!(
-                "the environment variable RAYON_NUM_THREADS tells so many, and at most {MOST_THREADS} are allowed"
-            ),
+            threads: many,
+            reason: format!("{who}at most {MOST_THREADS} are allowed"),
         });
     }
     let threads = threads.unwrap_or(0);
