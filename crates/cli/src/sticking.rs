@@ -77,7 +77,7 @@ pub fn sticking(arguments: &StickingArguments) -> Result<Exit, Failure> {
 fn speed(point: &StickingPoint) -> Option<(f64, f64)> {
     match point.sticking {
         Sticking::Below(speed) => Some((point.effective_radius, speed)),
-        Sticking::Never(_) | Sticking::From(_) | Sticking::Always(_) => None,
+        Sticking::Never(_) | Sticking::From { .. } | Sticking::Always(_) => None,
     }
 }
 
@@ -89,7 +89,7 @@ fn without_speed(point: &StickingPoint) -> String {
             "at R_eff = {radius} m the bodies part at every speed, from {} m/s to that at which the overlap is larger than R_eff",
             number(down_to)
         ),
-        Sticking::From(speed) => format!(
+        Sticking::From { speed, .. } => format!(
             "at R_eff = {radius} m the bodies part below {} m/s and stick above it, up to some other speed (`demeter collide` tells \
              what becomes of one)",
             number(speed)
@@ -108,7 +108,7 @@ fn never_or_always(found: &[StickingPoint]) -> String {
         Some(Sticking::Never(_)) => {
             "a law without adhesion never sticks; with `start = \"contact\"` neither does one that loses no energy"
         }
-        Some(Sticking::From(_)) => "its adhesion grows with the dent, and slow bodies leave none",
+        Some(Sticking::From { .. }) => "its adhesion grows with the dent, and slow bodies leave none",
         _ => "its damping or its adhesion is too large for any rebound",
     };
     format!("there is no critical sticking velocity: {told}; {reason}")

@@ -372,3 +372,59 @@ fn a_reader_that_goes_away_is_no_fault() {
         assert_eq!((output.status.code(), err.as_str()), (Some(0), ""), "{arguments:?}");
     }
 }
+
+/// A grain between a floor that shakes and a lid that a servo presses on it.
+const LID: &str = r#"
+[simulation]
+max_overlap = 0.3
+
+[material.soft]
+young_modulus = "1 MPa"
+poisson_ratio = 0.3
+density = "2500 kg/m^3"
+
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.5 }
+
+[[grains]]
+material = "soft"
+source = "list"
+positions = ["0 0 2 mm"]
+diameter = "4 mm"
+
+[[wall]]
+name = "floor"
+material = "soft"
+shape = "plane"
+point = "0 0 0 mm"
+normal = "z"
+motion = { oscillation = { amplitude = "0 0 0.1 mm", frequency = "50 Hz" } }
+
+[[wall]]
+name = "lid"
+material = "soft"
+shape = "plane"
+point = "0 0 4.1 mm"
+normal = "-z"
+motion = { servo = { axis = "-z", force = "20 mN", max_speed = "10 mm/s" } }
+
+[[stage]]
+duration = "0.1 s"
+[output]
+frames = "never"
+picture = false
+report = false
+"#;
+
+#[test]
+fn a_servo_that_is_too_slow_is_told() {
+    let place = Place::new();
+    place.write("lid.toml", LID);
+    let run = ["run", "lid.toml", "--overwrite", "--out", "lid"];
+    let told = "warning: the servo of wall `lid` was at its largest speed, 0.01 m/s";
+    let said = place.expect(0, &run).err;
+    assert!(said.contains(told), "{said}");
+    let faster = ["--set", "wall.lid.motion.servo.max_speed=\"0.5 m/s\""];
+    let said = place.expect(0, &[&run[..], &faster].concat()).err;
+    assert!(!said.contains("the servo"), "{said}");
+}

@@ -166,7 +166,7 @@ pub fn sticking<'py>(
     let found = aside(py, || search(&file, &radii))?.or_raise(py)?;
     let speed = |sticking: Sticking| match sticking {
         Sticking::Below(speed) => speed,
-        Sticking::Never(_) | Sticking::From(_) => f64::NAN,
+        Sticking::Never(_) | Sticking::From { .. } => f64::NAN,
         Sticking::Always(_) => f64::INFINITY,
     };
     let dict = PyDict::new(py);

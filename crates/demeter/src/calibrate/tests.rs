@@ -196,10 +196,21 @@ fn curves_follow_the_law() {
     // as deep as the impact goes
     let automatic = contact_curve(&file(&[])).unwrap();
     assert_relative_eq!(automatic[199].overlap, 17.60955505e-6, max_relative = 1e-9);
-    let far = contact_curve(&file(&["curve={max_force = \"1e9 N\"}"]))
-        .unwrap_err()
-        .to_string();
-    assert!(far.contains("`max_force` is 1000000000 N"), "{far}");
+    for (told, words) in [
+        ("max_force = \"1e9 N\"", "`max_force` is 1000000000 N"),
+        // what is reached is not lost in the rounding of what was asked for
+        ("max_force = \"1e30 N\"", "the force is 2.7473e4 N"),
+        ("max_overlap = \"1 m\"", "at most the effective radius, 0.0025 m"),
+        (
+            "max_overlap = \"1 um\", unload_to = \"2 um\"",
+            "`unload_to` is 0.000002 m",
+        ),
+    ] {
+        let refused = contact_curve(&file(&[&format!("curve={{{told}}}")]))
+            .unwrap_err()
+            .to_string();
+        assert!(refused.contains(words), "{refused}");
+    }
 }
 
 #[test]

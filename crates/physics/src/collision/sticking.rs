@@ -12,10 +12,24 @@ pub enum Sticking {
     Below(f64),
     /// They part at every speed that was tried, from the one told [m/s] to that at which they would overlap by their effective radius.
     Never(f64),
-    /// They part below this speed [m/s] and stick above it, up to some other speed.
-    From(f64),
+    /// They part at low speeds, down to one [m/s], and stick from another on, up to some higher one.
+    From {
+        /// The lowest speed that was tried [m/s].
+        parting: f64,
+        /// The speed at which sticking begins [m/s].
+        speed: f64,
+    },
     /// They stick at every speed, up to the one told [m/s], at which they would overlap by their effective radius.
     Always(f64),
+}
+
+impl Sticking {
+    /// The speed below which they stick [m/s]; where there is none, the lowest or highest that was tried.
+    pub fn below(self) -> f64 {
+        match self {
+            Self::Below(speed) | Self::Never(speed) | Self::Always(speed) | Self::From { parting: speed, .. } => speed,
+        }
+    }
 }
 
 /// Relative width to which the critical speed is bracketed.
@@ -84,8 +98,8 @@ pub fn sticking_speed<L: Normal>(
             let Some((last_parting, sticking)) = first_sticking(first, size.radius, collide)? else {
                 return Ok(Sticking::Never(parting));
             };
-            let edge = narrow(last_parting, sticking, |speed| Ok(!sticks(&collide(speed)?)))?;
-            return Ok(Sticking::From(edge));
+            let speed = narrow(last_parting, sticking, |speed| Ok(!sticks(&collide(speed)?)))?;
+            return Ok(Sticking::From { parting, speed });
         }
         collision = collide(next)?;
         if sticks(&collision) != stuck_first {

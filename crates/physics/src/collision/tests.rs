@@ -180,9 +180,11 @@ fn a_dent_that_grows_holds_what_is_fast_enough() {
     ];
     let law = NormalLaw::build("luding", &values(&given), &PAIR).unwrap();
     let found = sticking_speed_of(&law, size(0.5e-3), Start::Contact, &Tolerance::default()).unwrap();
-    let Sticking::From(edge) = found else {
+    let Sticking::From { parting, speed: edge } = found else {
         panic!("{found:?}")
     };
+    // what asks for the speed below which they stick is not told the one above which they do
+    assert!(found.below() == parting && parting < 1e-6 * edge, "{found:?}");
     let outcome = |speed: f64| {
         let impact = HeadOn {
             law: &law,

@@ -34,7 +34,7 @@ impl Loading {
         let law = law(self.alpha, self.elastic, tail)?;
         let one = |&radius: &f64| match sticking_speed_of(&law, size(radius), start, &Tolerance::default())? {
             Sticking::Below(speed) => Ok((radius, speed)),
-            Sticking::Never(_) | Sticking::From(_) | Sticking::Always(_) => {
+            Sticking::Never(_) | Sticking::From { .. } | Sticking::Always(_) => {
                 Err(CalibrateError::NoStickingSpeed { radius })
             }
         };

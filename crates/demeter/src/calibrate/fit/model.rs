@@ -4,7 +4,7 @@ use crate::calibrate::CalibrateError;
 use crate::materials::Material;
 use crate::scenario::{Body, FitFile, Observable, Observation, Partner, Target, pair_size};
 use demeter_physics::collision::ode::locate;
-use demeter_physics::collision::{Collision, HeadOn, Outcome, Sticking, Tolerance, sticking_speed_of};
+use demeter_physics::collision::{Collision, HeadOn, Outcome, Tolerance, sticking_speed_of};
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalLaw, NormalVisitor};
 use demeter_physics::contact::{MaterialPair, PairSize};
 
@@ -126,12 +126,7 @@ impl<'a> Scene<'a> {
             Observable::MaxOverlap => self.collision()?.max_overlap,
             Observable::MaxForce => self.collision()?.max_force,
             Observable::StickingVelocity => {
-                match sticking_speed_of(self.law, self.size, self.start, &STICKING_TOLERANCE)? {
-                    Sticking::Below(speed)
-                    | Sticking::Never(speed)
-                    | Sticking::From(speed)
-                    | Sticking::Always(speed) => speed,
-                }
+                sticking_speed_of(self.law, self.size, self.start, &STICKING_TOLERANCE)?.below()
             }
             Observable::PullOffForce => self.law.visit(PullOff(self.size, self.observation.preload)),
         })
