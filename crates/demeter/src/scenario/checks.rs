@@ -1,5 +1,6 @@
 //! What can be wrong with a scenario beyond its text: memory, overlaps, motions.
 
+use super::meshes::{MeshOrigin, doubt_unit_of};
 use super::{Diagnostics, Scenario, estimates};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
 use crate::materials::Materials;
@@ -190,6 +191,7 @@ const LEAST_STEPS_OF_PERIOD: f64 = 20.0;
 pub(super) fn check_wall_speeds(
     scenario: &Scenario,
     built: &[Wall],
+    meshes: &[Option<MeshOrigin>],
     grains: &Grains,
     dt: f64,
     faults: &mut Diagnostics,
@@ -213,6 +215,7 @@ pub(super) fn check_wall_speeds(
     for (path, index, motion) in walls.chain(stages) {
         let name = &scenario.walls[index].name;
         let bounds = built.get(index).and_then(Wall::bounds);
+        let mesh = built.get(index).zip(meshes.get(index).and_then(Option::as_ref));
         if let Some(speed) = largest_speed(motion, bounds).filter(|speed| speed * dt > MOST_MOTION * smallest) {
             faults.push(
                 &path,
@@ -221,7 +224,10 @@ pub(super) fn check_wall_speeds(
                      {dt:.3e} s; at most {MOST_MOTION} is allowed, or it jumps over grains",
                     speed * dt / smallest
                 ),
-                Some("slow it down or use a shorter time step".to_string()),
+                Some(
+                    mesh.and_then(|(wall, origin)| doubt_unit_of(wall, origin, grains))
+                        .unwrap_or_else(|| "slow it down or use a shorter time step".to_string()),
+                ),
             );
         }
         let periods = motion.parts.iter().filter_map(|part| shortest_period(&part.motion));

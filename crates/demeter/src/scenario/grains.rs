@@ -1,6 +1,7 @@
 //! Tables `[[grains]]`: where grains come from.
 
 use super::document::Value;
+use super::interiors::MeshWithoutUnit;
 use super::materials::material_index;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
@@ -12,6 +13,7 @@ use crate::materials::Material;
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 /// Most batches of grains.
@@ -30,6 +32,8 @@ pub(super) struct Surroundings<'a> {
     /// Folder that relative paths start from.
     pub base: &'a Path,
     pub seed: u64,
+    /// Meshes of regions and inlets whose unit nobody tells; readers add to them.
+    pub without_unit: RefCell<Vec<MeshWithoutUnit>>,
 }
 
 pub(super) fn grains(root: &TableReader<'_>, around: &Surroundings<'_>) -> Vec<Insertion> {

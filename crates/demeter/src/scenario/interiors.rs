@@ -1,6 +1,7 @@
 //! Insides of meshes: regions that a file or a wall encloses.
 
 use super::grains::Surroundings;
+use super::meshes::size_of;
 use super::reader::TableReader;
 use super::walls::{WallShape, WallSpec, mesh};
 use crate::particles::Interior;
@@ -13,6 +14,15 @@ use std::sync::Arc;
 pub(super) struct ClosedMesh {
     pub triangles: Vec<[DVec3; 3]>,
     pub interior: Arc<Interior>,
+}
+
+/// The mesh of a region or an inlet whose unit neither the scenario nor the file tells, so that its numbers count metres.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct MeshWithoutUnit {
+    /// Path of its table, as `removal[0].region`.
+    pub path: String,
+    /// From corner to corner of the box around it [m].
+    pub size: f64,
 }
 
 /// The mesh of a region: that of a file or of triangles, or that of the wall which carries the region when none is told. What
@@ -33,7 +43,7 @@ pub(super) fn closed_mesh(
         Some(spec) => (spec.shape.clone(), "wall"),
         None => (mesh(table, around), key_of(table)),
     };
-    let triangles = triangles(table, shape, key)?;
+    let triangles = triangles(table, shape, key, around)?;
     match Interior::new(&triangles) {
         Ok(interior) => Some(ClosedMesh {
             triangles,
@@ -48,7 +58,7 @@ pub(super) fn closed_mesh(
 
 /// The triangles of a mesh that need not be closed [m].
 pub(super) fn open_mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> Option<Vec<[DVec3; 3]>> {
-    triangles(table, mesh(table, around), key_of(table))
+    triangles(table, mesh(table, around), key_of(table), around)
 }
 
 /// The key that tells the triangles.
@@ -57,13 +67,23 @@ fn key_of(table: &TableReader<'_>) -> &'static str {
 }
 
 /// Repaired triangles of the shape of a wall [m].
-fn triangles(table: &TableReader<'_>, shape: WallShape, key: &str) -> Option<Vec<[DVec3; 3]>> {
+fn triangles(
+    table: &TableReader<'_>,
+    shape: WallShape,
+    key: &str,
+    around: &Surroundings<'_>,
+) -> Option<Vec<[DVec3; 3]>> {
+    let mut unit_is_told = true;
     let read = match shape {
         WallShape::Given(Shape::Mesh { triangles }) if !triangles.is_empty() => Ok(triangles),
         // a scale that is not a number, or a file that is not there, was told already
         WallShape::File(file) if file.path.is_file() && !file.scale.is_some_and(f64::is_nan) => {
             read_mesh(&file.path, file.scale, file.shift)
-                .map(|content| content.triangles)
+                .map(|content| {
+                    // that of a wall is told with the wall
+                    unit_is_told = key == "wall" || file.scale.is_some() || content.told_unit.is_some();
+                    content.triangles
+                })
                 .map_err(|error| error.to_string())
         }
         _ => return None,
@@ -73,7 +93,16 @@ fn triangles(table: &TableReader<'_>, shape: WallShape, key: &str) -> Option<Vec
     }
     let repaired = read.and_then(|read| Mesh::repair(&read, None).map_err(|error| error.to_string()));
     match repaired {
-        Ok((triangles, _)) => Some(triangles),
+        Ok((triangles, _)) => {
+            let size = size_of(triangles.iter().flatten().map(|&corner| (corner, 0.0)));
+            if let Some(size) = size.filter(|_| !unit_is_told) {
+                around.without_unit.borrow_mut().push(MeshWithoutUnit {
+                    path: table.path.clone(),
+                    size,
+                });
+            }
+            Some(triangles)
+        }
         Err(message) => {
             table.fault_at(key, message);
             None

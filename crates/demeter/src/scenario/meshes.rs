@@ -86,11 +86,12 @@ pub(super) fn shape(spec: &WallSpec) -> Result<(Shape, Option<MeshOrigin>), (&'s
     Ok((Shape::Mesh { triangles }, Some(origin)))
 }
 
-/// Tells what was repaired, and doubts units that nobody told.
+/// Tells what was repaired, and doubts units that nobody told. All grains are those at the start and those that come.
 pub(super) fn check(
     scenario: &Scenario,
     walls: &[Wall],
     origins: &[Option<MeshOrigin>],
+    at_start: &Grains,
     grains: &Grains,
     warnings: &mut Vec<String>,
 ) {
@@ -107,14 +108,24 @@ pub(super) fn check(
                 spec.name, source.twisted
             ));
         }
-        let doubt = wall.bounds().zip(bounds(grains)).and_then(|(of_wall, of_grains)| {
-            let size = |(lower, upper): (DVec3, DVec3)| (upper - lower).length();
-            doubt_unit(size(of_wall), size(of_grains))
-        });
-        if let Some(doubt) = doubt.filter(|_| !source.unit_is_told) {
+        if let Some(doubt) = doubt_unit_of(wall, origin, grains) {
             warnings.push(format!("wall `{}`: {doubt}", spec.name));
         }
     }
+    // grains that come lie in their inlets, of which each may be a mesh whose unit is to be doubted
+    let size = size_of(places(at_start)).or_else(|| size_of(places(grains)));
+    for mesh in &scenario.without_unit {
+        if let Some(doubt) = size.and_then(|size| doubt_unit(mesh.size, size)) {
+            warnings.push(format!("{}: {doubt}", mesh.path));
+        }
+    }
+}
+
+/// Why the unit of a wall's mesh is to be doubted, where nobody told it.
+pub(super) fn doubt_unit_of(wall: &Wall, origin: &MeshOrigin, grains: &Grains) -> Option<String> {
+    let source = origin.source.as_ref().filter(|source| !source.unit_is_told);
+    let (lower, upper) = wall.bounds().filter(|_| source.is_some())?;
+    doubt_unit((upper - lower).length(), size_of(places(grains))?)
 }
 
 /// What was repaired, in words.
@@ -142,14 +153,16 @@ fn repairs(repair: &Repair) -> Option<String> {
     (!parts.is_empty()).then(|| format!("the mesh was repaired: {}", parts.join("; ")))
 }
 
-/// The box around all grains; `None` without any.
-fn bounds(grains: &Grains) -> Option<(DVec3, DVec3)> {
-    let places = || grains.position.iter().zip(grains.radii());
-    places().next()?;
-    Some(places().fold(
-        (DVec3::INFINITY, DVec3::NEG_INFINITY),
-        |(lower, upper), (&at, radius)| (lower.min(at - radius), upper.max(at + radius)),
-    ))
+/// Places and radii of all grains [m].
+fn places(grains: &Grains) -> impl Iterator<Item = (DVec3, f64)> {
+    grains.position.iter().copied().zip(grains.radii())
+}
+
+/// From corner to corner of the box around balls, told by place and radius [m]; `None` without any.
+pub(super) fn size_of(balls: impl Iterator<Item = (DVec3, f64)>) -> Option<f64> {
+    let boxes = balls.map(|(at, radius)| (at - radius, at + radius));
+    let (lower, upper) = boxes.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+    Some((upper - lower).length())
 }
 
 /// Why the unit of a mesh is to be doubted, from its size and that of all grains [m].

@@ -97,8 +97,10 @@ use crate::insertion::Insertion;
 use crate::materials::Material;
 use crate::simulation::Stage;
 use document::read_toml;
+use interiors::MeshWithoutUnit;
 use other_kind::refuse_other_kind;
 use reader::{Context, TableReader};
+use std::cell::RefCell;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -149,6 +151,8 @@ pub struct Scenario {
     /// Folder that relative paths start from.
     pub base: PathBuf,
     document: Arc<Document>,
+    /// Meshes of regions and inlets whose unit nobody tells.
+    without_unit: Vec<MeshWithoutUnit>,
 }
 
 impl Scenario {
@@ -219,6 +223,7 @@ impl Scenario {
             materials: &materials,
             base,
             seed,
+            without_unit: RefCell::default(),
         };
         let walls = walls::walls(&table, &around, simulation.gravity);
         let grains = grains::grains(&table, &around);
@@ -244,6 +249,7 @@ impl Scenario {
         };
         let protocol = stages::protocol(&table, cast, told.intervals);
         table.finish("the scenario");
+        let without_unit = around.without_unit.take();
         Self {
             title,
             seed,
@@ -270,6 +276,7 @@ impl Scenario {
             name: name.to_string(),
             base: base.to_path_buf(),
             document,
+            without_unit,
         }
     }
 

@@ -80,7 +80,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let domain = domain(scenario, &all, &walls, &mut faults);
     check_feeds(scenario, &domain, &mut faults);
     super::deformation::check(scenario, &grains, None, &mut faults);
-    meshes::check(scenario, &walls, &meshes, &all, &mut warnings);
+    meshes::check(scenario, &walls, &meshes, &grains, &all, &mut warnings);
     periodic_walls::check(&walls, &all, &domain, &mut warnings);
     super::walls_in_one_place::check(&walls, &all, &domain, &mut warnings);
     super::field_measures::check_kernels(&scenario.measures, &domain, &mut warnings);
@@ -109,7 +109,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         }
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
-    check_wall_speeds(scenario, &walls, &all, dt, &mut faults);
+    check_wall_speeds(scenario, &walls, &meshes, &all, dt, &mut faults);
     stray_walls::check(scenario, &walls, (&all, &domain), dt, &mut warnings);
     super::deformation::check(scenario, &grains, Some(dt), &mut faults);
     if !faults.is_empty() {
