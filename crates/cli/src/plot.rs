@@ -52,7 +52,17 @@ fn read(path: &Path) -> Result<Columns, Failure> {
             path.display()
         )));
     }
-    Ok(Columns::read(path)?)
+    match path.extension().and_then(|ending| ending.to_str()) {
+        Some("toml") => Err(Failure::wrong(format!(
+            "`{0}` is a scenario, no table; `demeter run {0}` makes a run of it, and `demeter plot RUN` lists what can be plotted",
+            path.display()
+        ))),
+        Some("pvd" | "vtu" | "vtp") => Err(Failure::wrong(format!(
+            "`{}` holds frames for ParaView, no table; `demeter render RUN` draws them, and `demeter plot RUN` lists what can be plotted",
+            path.display()
+        ))),
+        _ => Ok(Columns::read(path)?),
+    }
 }
 
 /// Warns of rows that the series of a finished run lacks.

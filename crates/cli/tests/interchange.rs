@@ -185,6 +185,11 @@ fn columns_are_listed_and_drawn() {
             &["plot", "nothing", "time", "contacts"],
             "there is no run and no file `nothing`",
         ),
+        (
+            &["plot", "fall.toml"],
+            "`fall.toml` is a scenario, no table; `demeter run",
+        ),
+        (&["plot", "run/grains.pvd"], "holds frames for ParaView"),
     ] {
         let said = place.expect(2, arguments);
         assert!(said.err.contains(part), "{arguments:?}: {}", said.err);

@@ -1,6 +1,6 @@
 //! Overrides from the command line: `--set grains[0].count=200`.
 
-use super::document::{Entry, Node, SourceText, Span, SyntaxFault, Value, read_value};
+use super::document::{Entry, Node, SourceText, Span, SyntaxFault, Value, read_toml, read_value};
 use super::reader::did_you_mean;
 
 /// Longest path of an override.
@@ -30,6 +30,27 @@ pub fn key_steps(key: &str) -> Option<Vec<String>> {
     let steps: Vec<String> = steps(key).into_iter().map(|step| step.text).collect();
     let is_key = steps.len() <= MAX_DEPTH && steps.iter().all(|step| !step.is_empty());
     is_key.then_some(steps)
+}
+
+/// [`key_steps`] of some keys of a scenario, where elements of lists stand by their numbers, whether the keys tell numbers or names.
+pub fn key_places(scenario: &str, keys: &[&str]) -> Vec<Option<Vec<String>>> {
+    let root = read_toml(scenario, 0).ok();
+    let place = |key: &&str| {
+        let mut at = root.as_ref();
+        let mut steps = key_steps(key)?;
+        for step in &mut steps {
+            at = match at.map(|node| &node.value) {
+                Some(Value::Array(items)) => position(items, step).ok().map(|index| {
+                    *step = index.to_string();
+                    &items[index]
+                }),
+                Some(Value::Table(entries)) => entries.iter().find(|e| e.key == *step).map(|e| &e.node),
+                _ => None,
+            };
+        }
+        Some(steps)
+    };
+    keys.iter().map(place).collect()
 }
 
 /// One step of the path of an override.

@@ -4,7 +4,7 @@ use super::error::SweepError;
 use super::list::read_list;
 use super::plan::MAX_RUNS;
 use super::table::read_table;
-use crate::scenario::key_steps;
+use crate::scenario::{key_places, key_steps};
 use std::collections::HashMap;
 use std::path::PathBuf;
 
@@ -42,8 +42,8 @@ pub fn key_of(told: &str) -> &str {
 }
 
 impl Varied {
-    /// The axes, or everything that is wrong with them. Seeds count from the one given.
-    pub fn axes(&self, seed: u64) -> Result<Vec<Axis>, SweepError> {
+    /// The axes of the runs of a scenario, or everything that is wrong with them. Seeds count from that of the scenario.
+    pub fn axes(&self, scenario: &str) -> Result<Vec<Axis>, SweepError> {
         let mut problems = Vec::new();
         let mut axes = Vec::new();
         let mut take = |axis: Result<Axis, String>| match axis {
@@ -60,10 +60,10 @@ impl Varied {
             take(read_table(path).map_err(|why| format!("--table: {why}")));
         }
         if let Some(repeat) = self.repeat {
-            take(Ok(seeds(seed, repeat)));
+            take(Ok(seeds(seed_in(scenario), repeat)));
         }
         problems.extend(axes.iter().filter_map(repeated_row));
-        problems.extend(self.lost_keys(&axes));
+        problems.extend(self.lost_keys(&axes, scenario));
         let runs = axes.iter().map(|axis| axis.rows.len()).fold(1, usize::saturating_mul);
         if runs > MAX_RUNS {
             problems.push(format!(
@@ -81,25 +81,28 @@ impl Varied {
     }
 
     /// Keys that would be lost below others.
-    fn lost_keys(&self, axes: &[Axis]) -> Vec<String> {
+    fn lost_keys(&self, axes: &[Axis], scenario: &str) -> Vec<String> {
         let mut problems = Vec::new();
         let varied: Vec<(&str, &str)> = axes
             .iter()
             .flat_map(|axis| axis.keys.iter().map(|key| (key.as_str(), axis.told_by.as_str())))
             .collect();
-        let lies_in = |inner: &str, outer: &str| match (key_steps(inner), key_steps(outer)) {
-            (Some(inner), Some(outer)) => inner.starts_with(&outer),
-            _ => inner == outer,
+        let set: Vec<&str> = self.set.iter().map(|set| key_of(set)).collect();
+        let keys: Vec<&str> = varied.iter().map(|(key, _)| *key).chain(set.iter().copied()).collect();
+        let places = key_places(scenario, &keys);
+        let lies_in = |inner: usize, outer: usize| match (&places[inner], &places[outer]) {
+            (Some(inner), Some(outer)) => inner.starts_with(outer),
+            _ => keys[inner] == keys[outer],
         };
         for (k, (key, option)) in varied.iter().enumerate() {
-            for (other, other_option) in &varied[k + 1..] {
-                if lies_in(key, other) || lies_in(other, key) {
+            for (l, (other, other_option)) in varied.iter().enumerate().skip(k + 1) {
+                if lies_in(k, l) || lies_in(l, k) {
                     problems.push(format!(
                         "`{key}` ({option}) and `{other}` ({other_option}) tell the same key, or one tells a part of the other"
                     ));
                 }
             }
-            for set in self.set.iter().map(|set| key_of(set)).filter(|set| lies_in(set, key)) {
+            for (_, set) in (varied.len()..).zip(&set).filter(|(n, _)| lies_in(*n, k)) {
                 problems.push(format!(
                     "--set `{set}` would have no effect: `{key}` is varied by {option}"
                 ));
@@ -107,6 +110,13 @@ impl Varied {
         }
         problems
     }
+}
+
+/// The seed that a scenario tells; 1 when it tells none, as for a run.
+fn seed_in(text: &str) -> u64 {
+    let table: Option<toml::Table> = text.parse().ok();
+    let seed = table.and_then(|table| table.get("seed")?.as_integer());
+    seed.and_then(|seed| u64::try_from(seed).ok()).unwrap_or(1)
 }
 
 /// Reads `KEY=VALUES`.
@@ -214,7 +224,7 @@ mod tests {
             repeat: Some(2),
             ..Varied::default()
         };
-        let axes = varied.axes(7).unwrap();
+        let axes = varied.axes("seed = 7").unwrap();
         let runs = combinations(&axes);
         assert_eq!(runs.len(), 8);
         assert_eq!(runs[0], ["1", "x", "3 mm", "7"]);
@@ -227,14 +237,24 @@ mod tests {
     fn all_that_is_wrong_is_told_at_once() {
         let varied = Varied {
             vary: owned(&[
-                "a", "b=1,,2", "c=1,1", "d=1..5", "e.f=1,2", "e=3", "g[0].h=1", "g.0.h=2", "=1",
+                "a",
+                "b=1,,2",
+                "c=1,1",
+                "d=1..5",
+                "e.f=1,2",
+                "e=3",
+                "g[0].h=1",
+                "g.0.h=2",
+                "g.fine.h=3",
+                "=1",
             ]),
             zip: owned(&["x=1,2", "y=1,2,3"]),
             table: Some("absent.csv".into()),
             repeat: None,
-            set: owned(&["e.f.k=5", "e=7"]),
+            set: owned(&["e.f.k=5", "e=7", "g.fine.h=4"]),
         };
-        let text = varied.axes(1).unwrap_err().to_string();
+        let scenario = "[[g]]\nname = \"fine\"\nh = 1\n";
+        let text = varied.axes(scenario).unwrap_err().to_string();
         for expected in [
             "--vary `a` has no `=`",
             "--vary `b`: a value is missing",
@@ -242,6 +262,8 @@ mod tests {
             "--vary `d`: `1..5`: the number of values is missing",
             "`e.f` (--vary) and `e` (--vary) tell the same key, or one",
             "`g[0].h` (--vary) and `g.0.h` (--vary)",
+            "`g[0].h` (--vary) and `g.fine.h` (--vary)",
+            "--set `g.fine.h` would have no effect: `g[0].h` is varied",
             "`` is not a key",
             "`x` has 2, `y` has 3",
             "absent.csv",
@@ -252,7 +274,7 @@ mod tests {
         }
         assert!(
             Varied::default()
-                .axes(1)
+                .axes("")
                 .unwrap_err()
                 .to_string()
                 .contains("nothing is varied")
@@ -261,6 +283,6 @@ mod tests {
             vary: owned(&["a=1..2:5000", "b=1..2:5000"]),
             ..Varied::default()
         };
-        assert!(many.axes(1).unwrap_err().to_string().contains("25000000 runs"));
+        assert!(many.axes("").unwrap_err().to_string().contains("25000000 runs"));
     }
 }

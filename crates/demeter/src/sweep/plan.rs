@@ -91,7 +91,7 @@ impl Plan {
         };
         let base = std::path::absolute(base).map_err(SweepError::io("find", base))?;
         let text = resolve(file, &base, &varied.set).map_err(|faults| SweepError::Scenario(Box::new(faults)))?;
-        let axes = varied.axes(seed_in(&text))?;
+        let axes = varied.axes(&text)?;
         let runs = combinations(&axes);
         let column = |axis: &super::Axis, key: &String| Column {
             key: key.clone(),
@@ -247,11 +247,4 @@ impl Plan {
             .find(|run| is_wrong(run) || !taken.insert(run.name.clone()));
         wrong.map(|run| format!("the run `{}` is told wrongly, or twice", run.name))
     }
-}
-
-/// The seed that a scenario tells; 1 when it tells none, as for a run.
-fn seed_in(text: &str) -> u64 {
-    let table: Option<toml::Table> = text.parse().ok();
-    let seed = table.and_then(|table| table.get("seed")?.as_integer());
-    seed.and_then(|seed| u64::try_from(seed).ok()).unwrap_or(1)
 }

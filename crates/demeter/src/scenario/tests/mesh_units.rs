@@ -40,7 +40,10 @@ fn regions_and_inlets_of_meshes_in_millimetres_are_doubted() {
     let kinds = |unit: &str| {
         let region = region(unit);
         [
-            ("removal[0].region", format!("[[removal]]\nname = \"out\"\nregion = {region}\n")),
+            (
+                "removal[0].region",
+                format!("[[removal]]\nname = \"out\"\nregion = {region}\n"),
+            ),
             (
                 "tag[0].region",
                 format!("[[tag]]\nvalue = 1\nat = \"0 s\"\nregion = {region}\n"),
@@ -62,7 +65,10 @@ fn regions_and_inlets_of_meshes_in_millimetres_are_doubted() {
     }
     for (path, table) in kinds(", unit = \"mm\"").into_iter().chain(kinds(", unit = \"m\"")) {
         let warnings = prepared(&table).unwrap();
-        assert!(!warnings.iter().any(|text| text.contains("no `unit`")), "{path}: {warnings:?}");
+        assert!(
+            !warnings.iter().any(|text| text.contains("no `unit`")),
+            "{path}: {warnings:?}"
+        );
     }
 }
 
@@ -75,8 +81,14 @@ fn a_turning_mesh_in_millimetres_is_told_beside_its_speed() {
         ))
     };
     let fault = drum("").unwrap_err();
-    assert!(fault.contains("wall `drum` moves at up to") && fault.contains("`unit = \"mm\"`"), "{fault}");
+    assert!(
+        fault.contains("wall `drum` moves at up to") && fault.contains("`unit = \"mm\"`"),
+        "{fault}"
+    );
     let fault = drum("unit = \"m\"\n").unwrap_err();
-    assert!(fault.contains("slow it down") && !fault.contains("no `unit`"), "{fault}");
+    assert!(
+        fault.contains("slow it down") && !fault.contains("no `unit`"),
+        "{fault}"
+    );
     assert_eq!(drum("unit = \"mm\"\n").unwrap(), Vec::<String>::new());
 }
