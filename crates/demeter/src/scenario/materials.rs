@@ -2,7 +2,7 @@
 
 use super::Scenario;
 use super::diagnostics::Diagnostics;
-use super::document::Value;
+use super::document::{Value, join};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
 use crate::materials::{Material, PairChoice};
@@ -75,6 +75,15 @@ pub(super) fn materials(root: &TableReader<'_>) -> Vec<Material> {
     entries.iter().take(MAX_MATERIALS).map(material).collect()
 }
 
+/// `mPa` in place of `MPa` makes a material a thousand million times too soft.
+fn refuse_millipascals(table: &TableReader<'_>) {
+    if let Some(number) = table.text_of("young_modulus").trim_end().strip_suffix("mPa") {
+        let message = "mPa are thousandths of a pascal, of which no solid is as soft";
+        let help = format!("say \"{number}MPa\" for megapascals, or write the number in Pa");
+        table.context.fault(&join(&table.path, "young_modulus"), message, Some(help));
+    }
+}
+
 fn material(item: &Item<'_>) -> Material {
     let mut material = Material {
         name: item.name.clone(),
@@ -99,6 +108,7 @@ fn material(item: &Item<'_>) -> Material {
             Range::POSITIVE,
             "Young's modulus, as \"5 MPa\"",
         );
+        refuse_millipascals(&table);
         material.poisson_ratio = table.quantity("poisson_ratio", Kind::Number, POISSON, "Poisson's ratio, as 0.3");
         material.density = table.quantity(
             "density",
