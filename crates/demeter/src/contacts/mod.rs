@@ -148,6 +148,11 @@ impl Kept {
         self.tangential.put(place, tangential);
     }
 
+    /// What a contact remembers.
+    fn history_of(&self, contact: usize, stride: usize) -> &[f64] {
+        &self.history[contact * stride..(contact + 1) * stride]
+    }
+
     /// Appends contacts of the step before, but for their forces in the contact plane.
     fn take_on(&mut self, before: &Self, contacts: Range<usize>, stride: usize) {
         let history = contacts.start * stride..contacts.end * stride;

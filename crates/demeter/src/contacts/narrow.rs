@@ -323,7 +323,7 @@ impl ContactChunk {
 
     /// Books the energy that the springs of a contact of the step before still held when it ended.
     pub(super) fn book_end(&mut self, old: usize, scene: &Scene) {
-        let history = &self.before.history[old * scene.stride..(old + 1) * scene.stride];
+        let history = self.before.history_of(old, scene.stride);
         self.tally.book_end(history, scene.materials.law(self.law));
     }
 }

@@ -5,10 +5,12 @@
 //! cone alone. Within a mesh its [triangles](crate::walls::Mesh) follow the same rule. Of walls that are as near, one pushes that is not
 //! touched at an edge, else the first.
 
-use super::Scene;
-use crate::walls::{SurfaceContact, Wall};
+use super::wall_contacts::{SAME_SURFACE, geometry};
+use super::{ContactChunk, Scene, WORD, is_set};
+use crate::walls::{Overlap, SurfaceContact, Wall, are_one, joined};
 use glam::DVec3;
 use std::cell::RefCell;
+use std::ops::Range;
 
 /// Within so many radii of the grain two walls meet: more than what single precision makes of coordinates in mesh files.
 const MEETS: f64 = 1e-3;
@@ -58,5 +60,146 @@ impl Scene<'_> {
                 .map(|part| ((part.distance / (SAME * radius)).round(), part.is_at_edge, wall))
                 .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
         })
+    }
+}
+
+/// A contact of a grain by its number in the chunk, and the one, by its place among those of the grain, of which it is a part.
+type Beside = (usize, SurfaceContact, Option<usize>);
+
+thread_local! {
+    static OF_GRAIN: RefCell<(Vec<Beside>, Vec<Overlap>)> = RefCell::default();
+}
+
+impl ContactChunk {
+    /// Makes one of contacts of a grain with separate walls that would be one on a mesh ([`are_one`]): the others are as far away as to do
+    /// nothing.
+    pub(super) fn join_at_seams(&mut self, window: f64, scene: &Scene) {
+        let mut first = 0;
+        while first < self.len() {
+            let grain = self.i[first];
+            let count = self.i[first..].iter().take_while(|&&other| other == grain).count();
+            if count > 1 {
+                OF_GRAIN.with_borrow_mut(|(parts, overlaps)| {
+                    self.join_of_grain(first..first + count, window, scene, (parts, overlaps));
+                });
+            }
+            first += count;
+        }
+    }
+
+    fn join_of_grain(
+        &mut self,
+        of: Range<usize>,
+        window: f64,
+        scene: &Scene,
+        (parts, overlaps): (&mut Vec<Beside>, &mut Vec<Overlap>),
+    ) {
+        let grain = self.i[of.start] as usize;
+        let (centre, radius) = (scene.grains.position[grain], scene.grains.radius(grain));
+        let reach = radius + window;
+        let near = of.filter(|&k| self.now.geometry[k].lever_i <= reach);
+        parts.clear();
+        parts.extend(near.map(|k| (k, self.now.at_wall(k), None)));
+        let is_beside = |(k, part, _): &Beside| {
+            let is_other =
+                |(l, other, _): &Beside| self.j[*k] != self.j[*l] && part.normal.dot(other.normal) > SAME_SURFACE;
+            parts.iter().any(is_other)
+        };
+        if !parts.iter().any(is_beside) {
+            return;
+        }
+        for (k, part, _) in parts.iter_mut() {
+            let wall = &scene.walls[self.j[*k] as usize];
+            part.is_at_edge = match wall.mesh() {
+                Some(mesh) => part.element as usize >= mesh.triangles().len(),
+                None => (wall.contact_with(part.element, centre, reach)).is_some_and(|found| found.is_at_edge),
+            };
+        }
+        // of those as close, walls come in their order
+        parts.sort_by(|(_, a, _), (_, b, _)| a.distance.total_cmp(&b.distance));
+        for n in 1..parts.len() {
+            let (k, part, _) = parts[n];
+            parts[n].2 = parts[..n]
+                .iter()
+                .position(|(l, other, of)| of.is_none() && self.j[*l] != self.j[k] && are_one(other, &part, radius));
+        }
+        for n in 0..parts.len() {
+            let (k, mut part, of) = parts[n];
+            let mut others = parts
+                .iter()
+                .filter(|(.., of)| *of == Some(n))
+                .map(|(_, part, _)| *part)
+                .peekable();
+            if of.is_some() {
+                part.distance = 2.0 * reach;
+            } else if others.peek().is_some() {
+                part = joined(part, others, radius, overlaps);
+            } else {
+                continue;
+            }
+            self.now.geometry[k] = geometry(&part, radius);
+        }
+    }
+
+    /// Has contacts go on at the walls that push now where walls meet, with all that they remember: those of the table that another wall
+    /// does without from now on, and `orphans` of the step before that are in it no more, each with its grain.
+    ///
+    /// A chunk holds all walls near a grain with which it has the same laws.
+    pub(super) fn hand_over_at_seams(&mut self, orphans: &mut Vec<(usize, u32)>, scene: &Scene) {
+        let stride = scene.stride;
+        for (old, grain) in orphans.drain(..) {
+            let normal = self.before.geometry[old].normal;
+            match self.pushing_now(grain, normal) {
+                Some(new) => {
+                    let history = self.before.history_of(old, stride);
+                    self.now.history[new * stride..(new + 1) * stride].copy_from_slice(history);
+                    self.now.normal_force[new] = self.before.normal_force[old];
+                    self.set_engaged(new, true);
+                }
+                None => self.book_end(old, scene),
+            }
+        }
+        if scene.walls.len() < 2 {
+            return;
+        }
+        for word in 0..self.engaged.len() {
+            let mut left = self.engaged[word];
+            while left != 0 {
+                let old = word * WORD + left.trailing_zeros() as usize;
+                left &= left - 1;
+                let (grain, contact) = (self.i[old], self.now.geometry[old]);
+                // nothing else is so far away
+                if contact.overlap >= -scene.grains.radius(grain as usize) {
+                    continue;
+                }
+                if let Some(new) = self.pushing_now(grain, contact.normal) {
+                    let places = old * stride..(old + 1) * stride;
+                    self.now.history.copy_within(places.clone(), new * stride);
+                    self.now.history[places].fill(0.0);
+                    self.now.normal_force[new] = std::mem::take(&mut self.now.normal_force[old]);
+                    self.set_engaged(new, true);
+                    self.set_engaged(old, false);
+                }
+            }
+        }
+    }
+
+    /// Of the contacts of a grain that did not act in the step before and have nearly some normal, the deepest.
+    fn pushing_now(&self, grain: u32, normal: DVec3) -> Option<usize> {
+        let first = self.i.partition_point(|&other| other < grain);
+        let own = (first..self.len()).take_while(|&k| self.i[k] == grain);
+        let is_free = |k: &usize| !is_set(&self.engaged, *k) && self.now.geometry[*k].normal.dot(normal) > SAME_SURFACE;
+        let overlap = |k: &usize| self.now.geometry[*k].overlap;
+        own.filter(is_free)
+            .max_by(|a, b| overlap(a).total_cmp(&overlap(b)).then(b.cmp(a)))
+    }
+
+    fn set_engaged(&mut self, contact: usize, is_engaged: bool) {
+        let (word, bit) = (&mut self.engaged[contact / WORD], 1 << (contact % WORD));
+        if is_engaged {
+            *word |= bit;
+        } else {
+            *word &= !bit;
+        }
     }
 }

@@ -26,6 +26,10 @@ pub(super) struct Touched {
     taken: Vec<usize>,
     /// Which of the contacts of the step before were engaged, a bit each.
     engaged: Vec<u64>,
+    /// Candidates some of whose triangles do nothing because another wall pushes there.
+    pushed: Vec<usize>,
+    /// Contacts of the step before which ended so, and their grains.
+    orphans: Vec<(usize, u32)>,
     near: NearParts,
     within: Within,
 }
@@ -91,6 +95,8 @@ impl Touched {
     /// older one stay as they were in the step before.
     fn look(&mut self, pairs: &[WallPair], reach: Reach, contacts: &Kept, scene: &Scene) {
         self.clear();
+        let mut pushed = std::mem::take(&mut self.pushed);
+        pushed.clear();
         if self.near.has_meshes {
             self.near.triangles.find((reach.window, 1.0), scene, &mut self.within);
         }
@@ -105,7 +111,11 @@ impl Touched {
                         (scene.grains.position[g], scene.grains.radius(g)),
                         &mut self.parts,
                     );
-                    self.retain_from(first, |part| !scene.is_pushed_by_another(g, pair.wall as usize, part));
+                    self.retain_from(first, |part| {
+                        let is_pushed = scene.is_pushed_by_another(g, pair.wall as usize, part);
+                        pushed.extend(is_pushed.then_some(c));
+                        !is_pushed
+                    });
                 }
             } else if reach.is_new {
                 let parts = self.near.of(c).iter();
@@ -116,6 +126,7 @@ impl Touched {
             }
             self.ends.push(self.parts.len() as u32);
         }
+        self.pushed = pushed;
     }
 
     /// Looks at all candidates, whose material pair is `law`, for what is touched where contacts feel each other.
@@ -139,7 +150,7 @@ impl Touched {
     }
 
     /// Keeps of the parts from one on those that are wanted.
-    fn retain_from(&mut self, first: usize, is_wanted: impl Fn(&SurfaceContact) -> bool) {
+    fn retain_from(&mut self, first: usize, mut is_wanted: impl FnMut(&SurfaceContact) -> bool) {
         let mut kept = first;
         for k in first..self.parts.len() {
             if is_wanted(&self.parts[k]) {
@@ -243,6 +254,10 @@ impl ContactChunk {
             };
             lanes::run(scene.instructions, look);
         }
+        if scene.walls.len() > 1 {
+            self.join_at_seams(reach.window, scene);
+        }
+        self.hand_over_at_seams(&mut touched.orphans, scene);
         self.touched = touched;
     }
 
@@ -312,15 +327,20 @@ impl ContactChunk {
             }
             self.now.start.push(self.now.len() as u32);
         }
-        (touched.taken, touched.engaged) = (taken, engaged);
         if scene.records_walls {
             self.mark_ends(pairs, scene);
         }
-        for k in 0..self.before.len() {
-            if !self.goes_on[k] {
-                self.book_end(k, scene);
+        for (c, pair) in pairs.iter().enumerate() {
+            for k in self.before.range(c).filter(|&k| !self.goes_on[k]) {
+                if !scene.is_coupled() && is_set(&engaged, k) && touched.pushed.contains(&c) {
+                    touched.orphans.push((k, pair.grain));
+                } else {
+                    self.tally
+                        .book_end(self.before.history_of(k, scene.stride), scene.materials.law(self.law));
+                }
             }
         }
+        (touched.taken, touched.engaged) = (taken, engaged);
     }
 
     fn push(&mut self, stride: usize, (i, j, element): (u32, u32, u32), contact: Contact, old: Option<usize>) {
@@ -345,11 +365,11 @@ impl ContactChunk {
 }
 
 /// Cosine of the largest turn of the normal at which a history passes from one wall element to another.
-const SAME_SURFACE: f64 = 0.5;
+pub(super) const SAME_SURFACE: f64 = 0.5;
 
 impl Kept {
     /// The part of a wall in a contact.
-    fn at_wall(&self, contact: usize) -> SurfaceContact {
+    pub(super) fn at_wall(&self, contact: usize) -> SurfaceContact {
         let geometry = &self.geometry[contact];
         SurfaceContact {
             normal: geometry.normal,

@@ -202,7 +202,7 @@ impl Neighbours {
             let grains = segment.candidates.iter().map(|p| p.grain);
             segment.span = grains.fold(table::NOWHERE, |span, g| (span.0.min(g), span.1.max(g)));
         }
-        self.walls.cut();
+        self.walls.cut_by_grain();
         self.find_incidence(grains);
         true
     }

@@ -166,7 +166,7 @@ impl Search {
                 segment.fill(near, &worker.laws, &mut worker.order);
             });
         });
-        table.cut();
+        table.cut_by_grain();
     }
 
     /// Gives its memory back, but for that of the threads: until the next search it is worth more.

@@ -1,5 +1,6 @@
 //! The table of candidates: cut into chunks of one law each.
 
+use super::WallPair;
 use crate::particles::{Beyond, make_room, set_aside};
 use serde::{Deserialize, Serialize};
 
@@ -208,9 +209,22 @@ impl<C> Default for Table<C> {
     }
 }
 
+impl Table<WallPair> {
+    /// Cuts the segments into chunks: those of a grain with one law lie in one.
+    pub(super) fn cut_by_grain(&mut self) {
+        self.cut_into(CHUNK - CHUNK / 4, |a, b| a.grain == b.grain);
+    }
+}
+
 impl<C> Table<C> {
     /// Cuts the segments into chunks: every run of one law into pieces of even length.
     pub(super) fn cut(&mut self) {
+        self.cut_into(CHUNK, |_, _| false);
+    }
+
+    /// The same, into pieces of some candidates at most where those of a run are too many for one, and of so many more as belong together, as
+    /// far as there is room.
+    fn cut_into(&mut self, most: usize, belong_together: impl Fn(&C, &C) -> bool) {
         self.places.clear();
         self.first_chunks.clear();
         self.first_chunks.push(0);
@@ -218,9 +232,17 @@ impl<C> Table<C> {
         for (segment, content) in self.segments.iter().enumerate() {
             let mut start = 0;
             for run in &content.runs {
-                let pieces = ((run.end - start) as usize).div_ceil(CHUNK) as u32;
+                let count = (run.end - start) as usize;
+                let pieces = if count <= CHUNK { 1 } else { count.div_ceil(most) as u32 };
                 for piece in (1..=pieces).rev() {
-                    let end = start + (run.end - start).div_ceil(piece);
+                    let mut end = start + (run.end - start).div_ceil(piece);
+                    let at_end = |end: u32| &content.candidates[end as usize - 1..=end as usize];
+                    while end < run.end
+                        && ((end - start) as usize) < CHUNK
+                        && matches!(at_end(end), [a, b] if belong_together(a, b))
+                    {
+                        end += 1;
+                    }
                     self.places.push(Place {
                         segment: segment as u32,
                         start,

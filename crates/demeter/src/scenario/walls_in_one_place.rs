@@ -1,4 +1,5 @@
-//! Walls that lie in one place, where a grain is pushed by each of them.
+//! Walls that lie in one place, where a grain is pushed by each of them: unless they are of one material and contacts are independent
+//! (`contacts/seams.rs`).
 
 use crate::particles::{Domain, Grains};
 use crate::walls::{SurfaceContact, Wall};
@@ -15,7 +16,12 @@ const SAME_DISTANCE: f64 = 1e-2;
 const SAME_DIRECTION: f64 = 0.99;
 
 /// Tells which walls push a grain twice.
-pub(super) fn check(walls: &[Wall], grains: &Grains, domain: &Domain, warnings: &mut Vec<String>) {
+pub(super) fn check(
+    (walls, are_coupled): (&[Wall], bool),
+    grains: &Grains,
+    domain: &Domain,
+    warnings: &mut Vec<String>,
+) {
     let smallest = grains.radii().fold(f64::INFINITY, f64::min);
     let mut told: Vec<(usize, usize)> = Vec::new();
     for (a, wall) in walls.iter().enumerate() {
@@ -25,7 +31,8 @@ pub(super) fn check(walls: &[Wall], grains: &Grains, domain: &Domain, warnings: 
             let probe = Probe::on(triangle, smallest);
             for (b, other) in walls.iter().enumerate() {
                 let pair = (a.min(b), a.max(b));
-                if a == b || told.contains(&pair) || !other.near(probe.middle, probe.radius + probe.size) {
+                let are_one = wall.material == other.material && !are_coupled;
+                if a == b || are_one || told.contains(&pair) || !other.near(probe.middle, probe.radius + probe.size) {
                     continue;
                 }
                 let touched = probe.touching(wall);
@@ -36,7 +43,7 @@ pub(super) fn check(walls: &[Wall], grains: &Grains, domain: &Domain, warnings: 
                 told.push(pair);
                 warnings.push(format!(
                     "walls `{}` and `{}` lie in one place at {}: a grain there is pushed by both, as by a wall that is twice as stiff, \
-                     and rebounds with another restitution than was asked. Leave out of one of them what belongs to the other",
+                     and rebounds with another restitution than was asked. Leave out of one of them what belongs to the other, or make both of one material and contacts independent",
                     walls[pair.0].name,
                     walls[pair.1].name,
                     centre - contact.normal * contact.distance
@@ -115,8 +122,12 @@ mod tests {
 
     /// Which of some walls are said to lie in one place, by their numbers.
     fn told(shapes: Vec<Shape>) -> Vec<String> {
+        told_of(shapes, 1, false)
+    }
+
+    fn told_of(shapes: Vec<Shape>, other_material: u16, are_coupled: bool) -> Vec<String> {
         let walls: Vec<Wall> = (shapes.into_iter().enumerate())
-            .map(|(k, shape)| Wall::new(&k.to_string(), 0, shape, Motion::Rest).unwrap())
+            .map(|(k, shape)| Wall::new(&k.to_string(), k as u16 * other_material, shape, Motion::Rest).unwrap())
             .collect();
         let mut grains = Grains::default();
         grains.push(
@@ -138,7 +149,7 @@ mod tests {
             outside: Outside::Stop,
         };
         let mut warnings = Vec::new();
-        check(&walls, &grains, &domain, &mut warnings);
+        check((&walls, are_coupled), &grains, &domain, &mut warnings);
         let names = |warning: &String| warning.split(" lie in").next().unwrap_or_default().to_owned();
         warnings.iter().map(names).collect()
     }
@@ -169,7 +180,10 @@ mod tests {
             open: [false; 6],
         };
         assert_eq!(told(vec![floor.clone(), bin.clone()]), ["walls `0` and `1`"]);
-        assert_eq!(told(vec![cylinder(0.04), cylinder(0.04)]), ["walls `0` and `1`"]);
+        let twice = vec![cylinder(0.04), cylinder(0.04)];
+        assert_eq!(told(twice.clone()), ["walls `0` and `1`"]);
+        assert_eq!(told_of(twice.clone(), 0, true), ["walls `0` and `1`"]);
+        assert_eq!(told_of(twice, 0, false), [""; 0]);
         // a part of a large one
         let mesh = Shape::Mesh {
             triangles: vec![[-z, x * 0.1 - z, y * 0.1 - z]],

@@ -203,3 +203,76 @@ fn a_grain_slides_over_seams_as_over_one_plate() {
         }
     });
 }
+
+/// A contact with all that it remembers goes from wall to wall.
+#[test]
+fn contacts_that_remember_pass_seams_as_one_plate() {
+    on_threads(1, || {
+        let (start, y) = (DVec3::new(-0.04, -0.01, 0.0), DVec3::Y * 0.02);
+        let one = [plate(start, DVec3::X * 0.08, y)];
+        let mixed: Vec<Shape> = (0..16)
+            .map(|k| {
+                let corner = start + DVec3::X * (0.005 * f64::from(k));
+                let make = if k % 3 == 0 { mesh } else { plate };
+                make(corner, DVec3::X * 0.005, y)
+            })
+            .collect();
+        let rough = || law("mindlin-history", &[("friction", 0.3)]);
+        for (name, laws) in [
+            (
+                "walton-braun",
+                Laws::of(law("walton-braun", &[("loading_stiffness", 2e3), ("restitution", 0.5)])).friction(rough()),
+            ),
+            (
+                "jkr",
+                Laws::of(law("jkr", &[("work_of_adhesion", 0.05), ("alpha", 0.3)])).friction(rough()),
+            ),
+        ] {
+            let (mut expected, mut found) = (slide(&one, &laws), slide(&mixed, &laws));
+            let off = (found.grains().position[0] - expected.grains().position[0]).abs() / RADIUS;
+            let (whole, residual) = (expected.energies(), found.energies().residual);
+            let lost = (found.energies().dissipated() - whole.dissipated()).abs() / whole.dissipated();
+            report(&format!("{name}: off its path after 12 seams, radii, x"), off.x);
+            report(&format!("{name}: loss beside that on one plate"), lost);
+            assert!(off.z < 1e-6 && off.x < 1e-5, "{name}: {off}");
+            assert!(lost < 1e-5 && residual.abs() < 1e-4, "{name}: {lost} {residual}");
+        }
+    });
+}
+
+/// Where one of two plates leaves their plane, no second contact comes from nowhere.
+#[test]
+fn plates_that_leave_their_plane_do_no_work_for_nothing() {
+    on_threads(1, || {
+        for speed in [1e-3, -1e-3] {
+            let mut case = Case::new(one_material(1e7, &Laws::hertz(0.5)));
+            let y = DVec3::Y * 0.02;
+            let corner = |x: f64| DVec3::new(x, -0.01, 0.0);
+            case.wall(0, plate(corner(0.0), DVec3::X * 0.02, y), Motion::Rest);
+            case.wall(
+                0,
+                plate(corner(0.0), DVec3::X * -0.02, y),
+                Motion::Velocity(DVec3::Z * speed),
+            );
+            // pressed by 0.04 of its radius, a little beside the seam
+            case.wall(
+                0,
+                plate(DVec3::new(-0.02, -0.01, 1.92 * RADIUS), DVec3::X * 0.04, y),
+                Motion::Rest,
+            );
+            case.grain(RADIUS, DVec3::new(0.02 * RADIUS, 0.0, 0.96 * RADIUS), DVec3::ZERO);
+            let mut sim = case.simulation();
+            sim.start().unwrap();
+            let before = sim.energies();
+            advance(&mut sim, 5e-3);
+            let after = sim.energies();
+            let gained = (after.elastic - before.elastic) / before.elastic;
+            let residual = after.residual;
+            report(
+                &format!("elastic energy gained beside a plate that moves by 5e-3 radii at {speed} m/s"),
+                gained,
+            );
+            assert!(gained.abs() < 0.25 && residual.abs() < 1e-3, "{gained} {residual}");
+        }
+    });
+}

@@ -24,7 +24,7 @@ pub(super) struct WayOut {
 
 /// How deep a sphere overlaps at a point [m], the unit normal there, and the element of the surface.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Overlap {
+pub(crate) struct Overlap {
     pub(super) depth: f64,
     pub(super) normal: DVec3,
     pub(super) element: u32,

@@ -152,9 +152,10 @@ impl Mesh {
                     None => out.push(contact),
                 }
             }
-            for of in first..out.len() {
-                if beside.iter().any(|(other, _)| *other == of) {
-                    join(out, of, beside, radius, overlaps);
+            for (of, contact) in out.iter_mut().enumerate().skip(first) {
+                let mut others = beside.iter().filter(|(other, _)| *other == of).peekable();
+                if others.peek().is_some() {
+                    *contact = joined(*contact, others.map(|(_, other)| *other), radius, overlaps);
                 }
             }
         });
@@ -286,7 +287,7 @@ impl TrianglePoint {
 }
 
 /// Whether two contacts of a sphere are one.
-fn are_one(a: &SurfaceContact, b: &SurfaceContact, radius: f64) -> bool {
+pub(crate) fn are_one(a: &SurfaceContact, b: &SurfaceContact, radius: f64) -> bool {
     let cosine = a.normal.dot(b.normal);
     match a.is_at_edge || b.is_at_edge {
         true => are_close((a.normal, a.distance), (b.normal, b.distance), radius),
@@ -316,33 +317,32 @@ fn is_known(point: &TrianglePoint, radius: f64, contacts: &[SurfaceContact]) -> 
     contacts.iter().find_map(compare).unwrap_or(false)
 }
 
-/// Makes one of the contacts of a sphere that of the shortest way out of it and of those beside it.
-fn join(
-    contacts: &mut [SurfaceContact],
-    one: usize,
-    beside: &[(usize, SurfaceContact)],
+/// The contact of the shortest way out of some that are one, the closest first: this where the sphere does not overlap with it.
+pub(crate) fn joined(
+    closest: SurfaceContact,
+    others: impl Iterator<Item = SurfaceContact>,
     radius: f64,
     overlaps: &mut Vec<Overlap>,
-) {
-    let overlap = |contact: &SurfaceContact| Overlap {
+) -> SurfaceContact {
+    if closest.distance >= radius {
+        return closest;
+    }
+    let overlap = |contact: SurfaceContact| Overlap {
         depth: radius - contact.distance,
         normal: contact.normal,
         element: contact.element,
     };
-    let others = beside.iter().filter(|(other, _)| *other == one);
     overlaps.clear();
-    overlaps.push(overlap(&contacts[one]));
-    overlaps.extend(others.map(|(_, contact)| overlap(contact)));
+    overlaps.push(overlap(closest));
+    overlaps.extend(others.map(overlap));
     let out = WayOut::of(overlaps);
     let depth = out.way.length();
-    // while it holds in the bend it is one contact, whichever side is deeper
-    if let (true, Some(element)) = (depth > 0.0, out.holding().iter().map(|&k| overlaps[k].element).min()) {
-        contacts[one] = SurfaceContact {
-            normal: out.way / depth,
-            distance: radius - depth,
-            element,
-            is_at_edge: false,
-        };
+    SurfaceContact {
+        normal: out.way / depth,
+        distance: radius - depth,
+        // while it holds in the bend it is one contact, whichever side is deeper
+        element: (out.holding().iter().map(|&k| overlaps[k].element).min()).unwrap_or(closest.element),
+        is_at_edge: false,
     }
 }
 

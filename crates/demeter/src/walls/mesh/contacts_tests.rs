@@ -303,3 +303,19 @@ fn lanes_find_the_contacts_of_the_rule() {
         "{counts:?} {corner_counts}"
     );
 }
+
+#[test]
+fn across_a_gap_the_closest_is_the_contact() {
+    let side = |x: f64, distance: f64| SurfaceContact {
+        normal: DVec3::new(x, 0.0, 1.0).normalize(),
+        distance,
+        element: 0,
+        is_at_edge: false,
+    };
+    let (closest, other) = (side(0.1, 1.1), side(-0.1, 1.12));
+    let join = |closest| joined(closest, std::iter::once(other), 1.0, &mut Vec::new());
+    assert_eq!(join(closest), closest);
+    // where it is overlapped, all are left on the way out
+    let way = join(side(0.1, 0.9));
+    assert!(way.distance < 1.0 && way.normal.x > 0.0, "{way:?}");
+}

@@ -14,7 +14,8 @@ mod repair;
 mod topology;
 mod weld;
 
-pub(crate) use contacts::TrianglePoint;
+pub(crate) use bend::Overlap;
+pub(crate) use contacts::{TrianglePoint, are_one, joined};
 pub use crossings::Crossings;
 pub use inspection::{Inspection, Places, Rim};
 pub use repair::{LeftOut, Repair};
