@@ -226,6 +226,106 @@ fn a_run_goes_on_with_a_changed_scenario_only_where_that_is_asked_for() {
     assert!(said.out.contains("nothing is left to do"), "{}", said.out);
 }
 
+/// Rows of the series in `cut`: titles, then cells.
+fn series(place: &Place) -> Vec<Vec<String>> {
+    let text = fs::read_to_string(place.path("cut/series.csv")).unwrap();
+    text.lines()
+        .map(|line| line.split(',').map(str::to_owned).collect())
+        .collect()
+}
+
+#[test]
+fn a_stage_added_behind_the_last_does_what_it_does_in_a_whole_run() {
+    let place = Place::new();
+    let told = "motion.box = {";
+    let whole = FALL
+        .replace(told, "absent = [\"lid\"]\nfeeds = [\"more\"]\nmotion.box = {")
+        .replace(
+            "[[stage]]\nname = \"fall\"",
+            r#"[[wall]]
+name = "lid"
+material = "glass"
+shape = "plane"
+point = "0 0 13 mm"
+normal = "-z"
+
+[[feed]]
+name = "more"
+material = "glass"
+diameter = "1 mm"
+number_rate = "2000 1/s"
+velocity = "0 0 -1 m/s"
+from = { shape = "rectangle", center = "6 6 12.5 mm", half_u = "4 0 0 mm", half_v = "0 4 0 mm" }
+
+[[stage]]
+feeds = []
+name = "fall""#,
+        );
+    let second = whole.rfind("[[stage]]").unwrap()..whole.find("[output]").unwrap();
+    let mut first = whole.clone();
+    first.replace_range(second, "");
+    place.write("whole.toml", &whole);
+    place.write("first.toml", &first);
+    place.expect(0, &["run", "whole.toml", "--out", "whole"]);
+    place.expect(0, &["run", "first.toml", "--out", "cut"]);
+    place.write("cut/scenario.toml", &whole);
+    place.expect(0, &["resume", "cut", "--changed"]);
+    let read = |run: &str| fs::read_to_string(place.path(run).join("series.csv")).unwrap();
+    assert!(read("cut") == read("whole"), "{}\n{}", read("cut"), read("whole"));
+}
+
+#[test]
+fn a_motion_changed_in_the_stage_that_was_interrupted_holds_from_there_on() {
+    let place = interrupted();
+    let text = fs::read_to_string(place.path("cut/scenario.toml")).unwrap();
+    let up = "name = \"fall\"\nmotion.box = { velocity = \"0 0 2 mm/s\" }";
+    place.write("cut/scenario.toml", &text.replacen("name = \"fall\"", up, 1));
+    let said = place.expect(0, &["resume", "cut", "--changed"]).err;
+    let from: f64 = said
+        .split("from step ")
+        .nth(1)
+        .unwrap()
+        .split(' ')
+        .next()
+        .unwrap()
+        .parse()
+        .unwrap();
+    let rows = series(&place);
+    let column = |title: &str| rows[0].iter().position(|known| known == title).unwrap();
+    let last = rows.iter().rfind(|row| row[column("stage")] == "fall").unwrap();
+    let number = |title: &str| last[column(title)].parse::<f64>().unwrap();
+    let moving = number("time [s]") * (1.0 - from / number("step"));
+    let moved = number("wall box displacement z [m]");
+    assert!(
+        moved > 0.0 && (moved - 2e-3 * moving).abs() < 1e-9 * moved,
+        "{moved} in {moving} s"
+    );
+}
+
+#[test]
+fn stages_shorter_than_the_interval_of_checkpoints_have_one_at_their_end() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    let said = place
+        .expect(0, &["run", "fall.toml", "--out", "whole", "--json"])
+        .json();
+    let stage = 6000.0 * said["time_step"].as_f64().unwrap();
+    let before_the_last = |intervals_per_stage: f64| {
+        let interval = format!("output.checkpoints=\"{} s\"", stage / intervals_per_stage);
+        place.expect(
+            0,
+            &["run", "fall.toml", "--out", "cut", "--overwrite", "--set", &interval],
+        );
+        let checkpoint = fs::read(place.path("cut/checkpoint.previous")).unwrap();
+        let text = String::from_utf8_lossy(&checkpoint).into_owned();
+        let step = text.split("\"step\": ").nth(1).unwrap();
+        step.split(',').next().unwrap().parse::<u64>().unwrap()
+    };
+    assert_eq!(before_the_last(1.0 / 1.5), 6000);
+    // where the stage is less than half an interval long, none
+    assert_eq!(before_the_last(1.0 / 2.5), 0);
+}
+
 #[test]
 fn a_series_that_is_gone_is_not_begun_anew_in_silence() {
     let place = interrupted();

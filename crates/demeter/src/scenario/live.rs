@@ -104,11 +104,14 @@ impl LiveRun {
         options.check()?;
         let folder = RunFolder::open(folder)?;
         let lock = folder.lock()?;
-        let (scenario, state) = read_run(&folder, &options, observer)?;
+        let (scenario, state, former) = read_run(&folder, &options, observer)?;
         let threads = thread_pool(options.threads)?;
         let runner = threads.install(|| {
             OwnRunner::try_new(scenario, |scenario| -> Result<Runner<'_>, RunError> {
                 let mut runner = Runner::resume(scenario, state, Some(&folder), observer)?;
+                if let Some(former) = &former {
+                    runner.go_on_otherwise(former)?;
+                }
                 options.apply(&mut runner.sim);
                 Ok(runner)
             })

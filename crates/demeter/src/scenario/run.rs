@@ -1,5 +1,6 @@
 //! Running a scenario: stages in order, output at its cadence, checkpoints, and how it ends.
 
+mod changed;
 mod sharing;
 mod stages;
 mod start;
@@ -128,6 +129,8 @@ pub(super) struct Runner<'a> {
     pub(super) place: Place,
     pub(super) started: Instant,
     pub(super) first_step: u64,
+    /// The step of the latest checkpoint that is known here.
+    checkpoint_step: u64,
     /// Seconds of computing when it paused last.
     computed: f64,
     /// Sum over the steps of this process of the number of grains.
@@ -276,6 +279,7 @@ impl<'a> Runner<'a> {
             scenario,
             stray_walls: StrayWalls::of(&sim.walls, sim.domain(), &sim.grains),
             first_step: sim.step,
+            checkpoint_step: sim.step,
             particle_steps: 0,
             started: Instant::now(),
             computed: 0.0,
@@ -392,7 +396,7 @@ impl<'a> Runner<'a> {
     /// One step, with what is written before and after it; nothing is when the protocol is over.
     fn one_step(&mut self, is_over: bool, observer: &mut dyn Observer) -> Result<Result<(), Fault>, RunError> {
         // right after a restart it would only push the one before it out
-        if !is_over && self.sim.step > self.first_step && self.is_due(self.stage().cadence.checkpoints) {
+        if !is_over && self.sim.step > self.first_step && self.checkpoint_is_due() {
             self.write_checkpoint()?;
         }
         let exchanged = self.traffic.exchange(&mut self.sim);
@@ -461,6 +465,20 @@ impl<'a> Runner<'a> {
     fn is_due(&self, interval: Option<f64>) -> bool {
         let elapsed = self.sim.step - self.place.stage_step;
         interval.is_some_and(|seconds| ends_at(seconds, self.sim.dt, elapsed))
+    }
+
+    /// Whether a checkpoint is to be written at this step: an interval ends, or a stage did and the last checkpoint is half an interval old.
+    fn checkpoint_is_due(&self) -> bool {
+        let age = (self.sim.step - self.checkpoint_step) as f64 * self.sim.dt;
+        let is_old = |interval: f64| age >= 0.5 * interval;
+        let before = self
+            .place
+            .stage
+            .checked_sub(1)
+            .map(|stage| self.scenario.stages[stage].cadence);
+        let begins = self.sim.step == self.place.stage_step;
+        self.is_due(self.stage().cadence.checkpoints)
+            || begins && before.is_some_and(|before| before.checkpoints.is_some_and(is_old))
     }
 
     /// Whether the grains are looked at after this step: by what is written, by what lets grains come and go or follows them, or by a

@@ -5,7 +5,7 @@ use crate::measure::kinetic_over_elastic;
 use crate::output::{StageSummary, wall_summaries};
 use crate::scenario::deformation::reached;
 use crate::scenario::run_error::RunError;
-use crate::simulation::StopCondition;
+use crate::simulation::{Stage, StopCondition};
 use glam::DVec3;
 
 /// Share of its steps that a servo may be at its largest speed.
@@ -18,6 +18,13 @@ impl Runner<'_> {
         let Some(stage) = self.scenario.stages.get(self.place.stage) else {
             return Ok(());
         };
+        self.set_up(stage)?;
+        self.sim.mark_strain();
+        Ok(())
+    }
+
+    /// Tells feeds, removals, the box and walls what a stage has them do.
+    pub(super) fn set_up(&mut self, stage: &Stage) -> Result<(), RunError> {
         self.traffic.begin_stage(stage, self.sim.step);
         if let Some(plan) = stage.deformation {
             self.sim.deform(plan).map_err(|source| RunError::Deformation {
@@ -25,7 +32,6 @@ impl Runner<'_> {
                 source,
             })?;
         }
-        self.sim.mark_strain();
         for (wall, motion) in &stage.motions {
             (self.sim)
                 .set_wall_motion(*wall, motion.clone())

@@ -106,13 +106,13 @@ fn resume_among(
             return Ok((folder, None, scenario, None));
         }
         let lock = folder.lock()?;
-        let (scenario, state) = read_run(&folder, &options, observer)?;
-        Ok((folder, Some(lock), scenario, Some(state)))
+        let (scenario, state, former) = read_run(&folder, &options, observer)?;
+        Ok((folder, Some(lock), scenario, Some((state, former))))
     };
     let (folder, _lock, scenario, state) = all_or_none(ranks.as_deref(), read())?;
     let is_over = state
         .as_ref()
-        .is_some_and(|state| state.place.stage >= scenario.stages.len());
+        .is_some_and(|(state, _)| state.place.stage >= scenario.stages.len());
     let of_all = (ranks.as_deref()).map_or_else(|| vec![is_over.into()], |ranks| ranks.gather_even(&[is_over.into()]));
     if of_all.contains(&1) {
         let folder = folder.root().to_owned();
@@ -122,7 +122,10 @@ fn resume_among(
         agree(&**ranks, &Inputs::of(&scenario))?;
     }
     thread_pool(options.threads)?.install(|| {
-        let resumed = state.map(|state| Runner::resume(&scenario, state, Some(&folder), observer));
+        let resumed = state.map(|(state, former)| {
+            let mut runner = Runner::resume(&scenario, state, Some(&folder), observer)?;
+            (former.map_or(Ok(()), |former| runner.go_on_otherwise(&former))).map(|()| runner)
+        });
         let mut runner = Runner::among(&scenario, resumed, ranks, &options, observer)?;
         runner.run_to_the_end(folder.root(), observer)
     })
@@ -135,12 +138,13 @@ fn be_patient(ranks: Option<&dyn Ranks>) {
     }
 }
 
-/// The scenario and the latest checkpoint of a folder.
+/// The scenario and the latest checkpoint of a folder, and the scenario that this followed where it was changed.
 pub(in crate::scenario) fn read_run(
     folder: &RunFolder,
     options: &RunOptions,
     observer: &mut dyn Observer,
-) -> Result<(Scenario, RunState<'static>), RunError> {
+) -> Result<(Scenario, RunState<'static>, Option<Scenario>), RunError> {
+    let mut former = None;
     let mut scenario = Scenario::read_to_go_on(&folder.scenario())?;
     let mut restored = checkpoint::read_latest::<RunState<'static>>(folder.root())?;
     // a scenario without a title is named after its file, which has another name here
@@ -157,14 +161,14 @@ pub(in crate::scenario) fn read_run(
         if !options.changed {
             return Err(RunError::ScenarioChanged { file, difference });
         }
-        let former = Scenario::parse_for(
+        let followed = Scenario::parse_for(
             &place.scenario,
             "the scenario of the checkpoint",
             folder.root(),
             &[],
             true,
         )?;
-        let (is, was) = (material_names(&scenario), material_names(&former));
+        let (is, was) = (material_names(&scenario), material_names(&followed));
         if is != was {
             return Err(RunError::OtherMaterials { file, is, was });
         }
@@ -173,12 +177,13 @@ pub(in crate::scenario) fn read_run(
             format!("from step {step} on {difference} (grains, box and time step are those of the checkpoint)");
         place.warnings.push(warning.clone());
         place.scenario = text;
+        former = Some(followed);
         restored.warnings.push(warning);
     }
     for warning in &restored.warnings {
         observer.message(&format!("warning: {warning}"));
     }
-    Ok((scenario, restored.value))
+    Ok((scenario, restored.value, former))
 }
 
 /// Names of the materials of a scenario, in their order.

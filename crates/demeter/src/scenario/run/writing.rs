@@ -99,6 +99,7 @@ impl<'a> Runner<'a> {
     }
 
     pub(super) fn write_checkpoint(&mut self) -> Result<(), RunError> {
+        self.checkpoint_step = self.sim.step;
         match self.files.as_ref().map(|files| files.folder.root().to_owned()) {
             Some(root) => self.save_checkpoint(&root),
             None if self.sim.is_first_process() => Ok(()),
