@@ -38,7 +38,10 @@ pub fn fit_packing(file: &PackingFile, arguments: &FitArguments) -> Result<Exit,
     } else {
         answer(&to_text(file, &report))?;
     }
-    Ok(Exit::Finished)
+    Ok(match report.answer {
+        Answer::Inside { .. } => Exit::Finished,
+        _ => Exit::Fault,
+    })
 }
 
 /// `runs/fit-NAME`.

@@ -4,6 +4,7 @@ use crate::answer::{Rows, answer, answer_json, note};
 use crate::arguments::PlotArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
+use crate::readable::word;
 use crate::suggestion::did_you_mean;
 use demeter::output::{AxisSpec, Look, Plot, Series};
 use demeter::results::{Column, Columns, ResultsError, Run};
@@ -136,10 +137,18 @@ fn list(arguments: &PlotArguments) -> Result<(), Failure> {
         rows.add(column.name(), unit);
     }
     answer(&rows.lines())?;
-    let shown = arguments.run.display();
-    note(&format!("draw two with `demeter plot {shown} time 'kinetic energy'`"));
+    let numbers = |name: &str| columns.all().iter().find(|c| c.name() == name && c.numbers().is_some());
+    let usual = numbers("time").zip(numbers("kinetic energy"));
+    let mut others_of_it = columns.all().iter().filter(|column| column.numbers().is_some());
+    if let Some((x, y)) = usual.or_else(|| others_of_it.next().zip(others_of_it.next())) {
+        let [x, y] = [x, y].map(|column| word(column.name()));
+        note(&format!(
+            "draw two with `demeter plot {} {x} {y}`",
+            word(arguments.run.display())
+        ));
+    }
     for table in others {
-        note(&format!("more columns: `demeter plot {table}`"));
+        note(&format!("more columns: `demeter plot {}`", word(table)));
     }
     Ok(())
 }

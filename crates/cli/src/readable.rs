@@ -1,6 +1,17 @@
 //! Numbers as people read them.
 
+use std::fmt::Display;
 use std::time::Duration;
+
+/// A word of a command to copy: in quotes where a shell would take it apart.
+pub fn word(text: impl Display) -> String {
+    let text = text.to_string();
+    let is_plain = |c: char| c.is_alphanumeric() || "_-./=:,+@%".contains(c);
+    match !text.is_empty() && text.chars().all(is_plain) {
+        true => text,
+        false => format!("'{}'", text.replace('\'', "'\\''")),
+    }
+}
 
 /// A number with four significant digits, without trailing zeros.
 pub fn number(value: f64) -> String {
@@ -75,6 +86,19 @@ pub fn bytes(value: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_of_commands_are_quoted_where_a_shell_takes_them_apart() {
+        for (text, expected) in [
+            ("runs/fall-sweep", "runs/fall-sweep"),
+            ("slürm", "slürm"),
+            ("kinetic energy", "'kinetic energy'"),
+            ("it's", "'it'\\''s'"),
+            ("", "''"),
+        ] {
+            assert_eq!(word(text), expected);
+        }
+    }
 
     #[test]
     fn numbers_keep_four_digits() {

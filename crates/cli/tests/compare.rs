@@ -172,7 +172,7 @@ loading = [[0.0967, "0.3 N"]]
     assert!(trials.iter().all(|t| t["reused"] == true) && place.path("runs/fit-fit/20000_Pa/summary.json").is_file());
 
     let more = "packing.measured.loading=[[0.0967, \"9 N\"]]";
-    let text = place.expect(0, &["fit", "fit.toml", "--set", more]).out;
+    let text = place.expect(3, &["fit", "fit.toml", "--set", more]).out;
     assert!(
         text.starts_with("NOT found") && text.contains("at the upper end"),
         "{text}"
@@ -190,6 +190,9 @@ loading = [[0.0967, "0.3 N"]]
         fault.contains("the trial with material.gel.young_modulus = 20000 Pa stopped on a fault"),
         "{fault}"
     );
+    let sought = "packing.set=['material.gel.young_modulus=\"100 kPa\"']";
+    let wrong = place.expect(2, &["fit", "fit.toml", "--set", sought]).err;
+    assert!(wrong.contains("would have no effect: it is what is sought"), "{wrong}");
     let wrong = place.expect(2, &["fit", "fit.toml", "--set", "packing.match=tops"]).err;
     assert!(
         wrong.contains("did you mean `top`?") && wrong.contains("1 error"),

@@ -63,6 +63,49 @@ fn a_finished_run_that_was_begun_anew_and_ended_otherwise_has_no_results() {
 }
 
 #[test]
+fn a_finished_run_that_holds_what_another_left_has_no_results() {
+    let place = place();
+    let run = two_runs(&place);
+    let other = [
+        "--set",
+        "grains[0].count=25",
+        "--out",
+        run.to_str().unwrap(),
+        "--overwrite",
+    ];
+    place.expect(0, &[&["run", "fall.toml"][..], &SHORT, &other].concat());
+    let damaged = |said: &str| {
+        let (rows, told) = gathered(&place);
+        assert_eq!([&rows[1]["grains"], &rows[1]["end"]], ["", "damaged"], "{said}");
+        assert!(rows[1]["message"].contains("something wrote it anew"), "{:?}", rows[1]);
+        assert!(
+            told.out.contains("1 of 2 runs finished") && told.out.contains("1 damaged"),
+            "{}",
+            told.out
+        );
+    };
+    damaged("run with other settings");
+    // the other run of the sweep, with what it noted
+    fs::remove_dir_all(&run).unwrap();
+    let sweep = run.parent().unwrap();
+    let folders = fs::read_dir(sweep).unwrap().map(|entry| entry.unwrap().path());
+    let first = folders.filter(|path| path.is_dir() && *path != run).min().unwrap();
+    fs::create_dir(&run).unwrap();
+    for file in fs::read_dir(&first)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.is_file())
+    {
+        fs::copy(&file, run.join(file.file_name().unwrap())).unwrap();
+    }
+    damaged("copied");
+    // as its message tells
+    fs::remove_dir_all(&run).unwrap();
+    place.expect(0, &["sweep", "--resume", "runs/fall-sweep"]);
+    assert_eq!(gathered(&place).0[1]["end"], "finished");
+}
+
+#[test]
 fn one_run_alone_needs_the_folder_of_a_sweep() {
     let place = place();
     let said = place.expect(

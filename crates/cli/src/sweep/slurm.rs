@@ -4,6 +4,7 @@ use crate::answer::{answer, answer_json, note};
 use crate::arguments::SweepArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
+use crate::readable::word;
 use demeter::checkpoint::{Durability, write_atomically};
 use demeter::sweep::{ArrayJob, LOGS, SweepFolder, array_script, option_line};
 use serde_json::json;
@@ -54,7 +55,8 @@ pub fn write(folder: &SweepFolder, arguments: &SweepArguments) -> Result<Exit, F
         answer_json(&json!({ "script": shown, "folder": root.display().to_string(), "runs": runs }))?;
     } else {
         answer(&format!(
-            "wrote {shown}\nsubmit it with `bash {shown}`; the results will be gathered into {}\n",
+            "wrote {shown}\nsubmit it with `bash {}`; the results will be gathered into {}\n",
+            word(&shown),
             folder.results().display()
         ))?;
     }

@@ -6,7 +6,7 @@ use crate::arguments::SweepArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::plot::default_name;
-use crate::readable::number;
+use crate::readable::{number, word};
 use demeter::scenario::RunError;
 use demeter::sweep::{
     Results, ResultsCell, Status, SweepError, SweepFolder, averages, gather, metrics, plot, title_of,
@@ -81,13 +81,20 @@ fn write(folder: &SweepFolder, statuses: &[Status]) -> Result<Written, Failure> 
 
 fn to_text(folder: &SweepFolder, statuses: &[Status], written: &Written) -> String {
     let all = statuses.len();
-    let finished = statuses.iter().filter(|status| status.is_finished()).count();
+    let damaged = written.results.problems.len();
+    let finished = statuses.iter().filter(|status| status.is_finished()).count() - damaged;
     let mut text = format!("{finished} of {all} runs finished\n");
     text += &match &written.averages {
         Some(averages) => average_table(averages),
         None => run_table(&written.results),
     };
     text += &failures(folder, statuses);
+    if damaged > 0 {
+        text += &format!(
+            "{damaged} damaged: remove the folders of these, and `demeter sweep --resume {}` runs them anew\n",
+            word(folder.root().display())
+        );
+    }
     let mut rows = Rows::default();
     rows.add("results", folder.results().display().to_string());
     if written.averages.is_some() {
@@ -101,7 +108,10 @@ fn to_text(folder: &SweepFolder, statuses: &[Status], written: &Written) -> Stri
         .iter()
         .any(|status| matches!(status, Status::Waiting | Status::Interrupted))
     {
-        text += &format!("go on with `demeter sweep --resume {}`\n", folder.root().display());
+        text += &format!(
+            "go on with `demeter sweep --resume {}`\n",
+            word(folder.root().display())
+        );
     }
     text
 }
@@ -128,7 +138,7 @@ fn failures(folder: &SweepFolder, statuses: &[Status]) -> String {
     }
     text += &format!(
         "try them again with `demeter sweep --resume {} --retry-failed`\n",
-        folder.root().display()
+        word(folder.root().display())
     );
     text
 }

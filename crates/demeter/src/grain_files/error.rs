@@ -56,6 +56,8 @@ pub enum FileProblem {
     NotText { position: usize },
     #[error("there are no grains in it")]
     NoGrains,
+    #[error("there are no grains in its moment {number}; tell the number of another")]
+    NoGrainsYet { number: usize },
     #[error(
         "a grain is on every line after the header, but this line starts with `{found}`; put a header such as `x y z diameter` first"
     )]

@@ -50,7 +50,7 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
         };
         rows.read(line, row.split_whitespace())?;
     }
-    let mut table = rows.finish(context.options.diameter, cell)?;
+    let mut table = rows.finish_moment(context.options.diameter, cell)?;
     let time = value(&["Time"])
         .map(number)
         .transpose()

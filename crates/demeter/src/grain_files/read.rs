@@ -224,7 +224,14 @@ pub fn read_grain_file(path: &Path, options: &ReadOptions, which: Which) -> Resu
             return Err(missing(there));
         }
     }
-    file.next_frame()?.ok_or_else(|| missing(number))
+    let table = file.next_frame()?.ok_or_else(|| missing(number))?;
+    match table.is_empty() {
+        true => Err(FileError {
+            problem: Box::new(FileProblem::NoGrainsYet { number }),
+            ..missing(number)
+        }),
+        false => Ok(table),
+    }
 }
 
 /// Reads the first moment of a text.

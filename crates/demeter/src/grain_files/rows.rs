@@ -214,14 +214,19 @@ impl<'a> Rows<'a> {
     }
 
     /// The table. `size` is the diameter of grains of a file that tells none [m]; `cell` its box.
-    pub fn finish(mut self, size: Option<f64>, cell: Option<Cell>) -> Result<GrainTable, Located> {
-        if self.table.positions.is_empty() {
-            return Err(FileProblem::NoGrains.into());
+    pub fn finish(self, size: Option<f64>, cell: Option<Cell>) -> Result<GrainTable, Located> {
+        match self.table.positions.is_empty() {
+            true => Err(FileProblem::NoGrains.into()),
+            false => self.finish_moment(size, cell),
         }
+    }
+
+    /// The same, of one moment of several, which may have no grains.
+    pub fn finish_moment(mut self, size: Option<f64>, cell: Option<Cell>) -> Result<GrainTable, Located> {
         if let Some(ids) = &self.table.ids {
             check_ids(ids, |grain| self.lines[grain] as usize)?;
         }
-        if self.table.diameters.is_empty() {
+        if self.table.diameters.is_empty() && !self.table.positions.is_empty() {
             let size = size.ok_or(FileProblem::NoSizes)?;
             self.table.diameters = vec![diameter(size, &format!("{size:?} m"))?; self.table.positions.len()];
         }

@@ -41,7 +41,7 @@ pub struct Converted {
     pub from: String,
     /// Moments written.
     pub moments: usize,
-    /// Grains of the last of them.
+    /// Grains of that of them which has most.
     pub grains: usize,
     /// Files written.
     pub files: Vec<PathBuf>,
@@ -69,7 +69,7 @@ pub fn convert(input: &Path, output: &Path, how: &Conversion) -> Result<Converte
         }
         sink.write(number, &table)?;
         converted.moments += 1;
-        converted.grains = table.len();
+        converted.grains = converted.grains.max(table.len());
     }
     converted.files = sink.finish()?;
     let first = source.notes();

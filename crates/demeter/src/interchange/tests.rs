@@ -67,6 +67,38 @@ fn a_data_file_becomes_every_other_format_and_comes_back() {
 }
 
 #[test]
+fn moments_without_grains_are_moments() {
+    let place = tempfile::tempdir().unwrap();
+    let at = |name: &str| place.path().join(name);
+    let empty =
+        |step: u32| format!("ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n0\nITEM: ATOMS id type x y z radius\n");
+    fs::write(at("in.dump"), [empty(0), dump(1), empty(300)].concat()).unwrap();
+    let done = convert(
+        &at("in.dump"),
+        &at("all.xyz"),
+        &how(Target::Grains(Format::ExtendedXyz)),
+    )
+    .unwrap();
+    assert_eq!(done.moments, 3);
+    let back = convert(
+        &at("all.xyz"),
+        &at("back.dump"),
+        &how(Target::Grains(Format::LammpsDump)),
+    )
+    .unwrap();
+    assert_eq!((back.moments, back.grains), (3, done.grains));
+    let counts = (0..3).map(|number| read_grain_file(&at("back.dump"), &ReadOptions::default(), Which::Number(number)));
+    let counts: Vec<Result<usize, String>> = counts
+        .map(|table| table.map(|table| table.len()).map_err(|error| error.to_string()))
+        .collect();
+    assert_eq!(counts[1], Ok(done.grains));
+    for number in [0, 2] {
+        let told = counts[number].as_ref().unwrap_err();
+        assert!(told.contains(&format!("no grains in its moment {number}")), "{told}");
+    }
+}
+
+#[test]
 fn moments_are_chosen_and_a_star_makes_a_file_of_each() {
     let place = tempfile::tempdir().unwrap();
     let input = place.path().join("in.dump");

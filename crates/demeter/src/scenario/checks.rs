@@ -165,13 +165,15 @@ fn deepest_in_wall(grains: &Grains, walls: &[Wall]) -> Option<(usize, usize, f64
     let mut deepest: Option<(usize, usize, f64)> = None;
     let mut touched: Vec<SurfaceContact> = Vec::new();
     for g in (0..grains.len()).filter(|&g| !grains.is_fixed(g)) {
+        let (place, radius) = (grains.position[g], grains.radius(g));
         for (w, wall) in walls.iter().enumerate() {
             touched.clear();
-            if wall.near(grains.position[g], grains.radius(g)) {
-                wall.contacts(grains.position[g], (grains.radius(g), 0.0), &mut touched);
+            if wall.near(place, radius) {
+                wall.contacts(place, (radius, 0.0), &mut touched);
             }
-            for contact in &touched {
-                let share = (grains.radius(g) - contact.distance) / grains.radius(g);
+            let of_contacts = touched.iter().map(|contact| -contact.distance);
+            for depth in of_contacts.chain(wall.depth_in_shaft(place)) {
+                let share = (radius + depth) / radius;
                 if deepest.is_none_or(|(_, _, s)| share > s) {
                     deepest = Some((g, w, share));
                 }

@@ -12,9 +12,9 @@ const PIECE: usize = 1 << 16;
 
 /// Length [bytes] and CRC-32 of what is in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Content {
+pub(crate) struct Content {
     bytes: u64,
-    checksum: u32,
+    pub checksum: u32,
 }
 
 /// A file that a scenario names, and what was in it.
@@ -55,7 +55,7 @@ impl InputFile {
 }
 
 /// Reads what is in a file, piece by piece.
-pub(super) fn content(path: &Path) -> std::io::Result<Content> {
+pub(crate) fn content(path: &Path) -> std::io::Result<Content> {
     let mut file = File::open(path)?;
     let (mut bytes, mut checksum) = (0, crc32fast::Hasher::new());
     let mut piece = vec![0; PIECE];

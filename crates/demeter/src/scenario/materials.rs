@@ -80,7 +80,9 @@ fn refuse_millipascals(table: &TableReader<'_>) {
     if let Some(number) = table.text_of("young_modulus").trim_end().strip_suffix("mPa") {
         let message = "mPa are thousandths of a pascal, of which no solid is as soft";
         let help = format!("say \"{number}MPa\" for megapascals, or write the number in Pa");
-        table.context.fault(&join(&table.path, "young_modulus"), message, Some(help));
+        table
+            .context
+            .fault(&join(&table.path, "young_modulus"), message, Some(help));
     }
 }
 

@@ -68,6 +68,7 @@ pub use impact::{
     Body, CurveDepth, CurveSpec, IMPACT_REFERENCE, ImpactFile, ImpactSpec, MAX_CURVE_POINTS, Partner, pair_size,
 };
 pub use input_files::InputFile;
+pub(crate) use input_files::content;
 pub use live::{LiveRun, Pause, Until};
 pub use materials::{ContactSpec, MAX_MATERIALS};
 pub use measures::{MAX_MEASURES, MeasureKind, MeasureSpec};

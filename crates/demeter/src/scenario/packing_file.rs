@@ -6,10 +6,11 @@ use super::plain::PLAIN_NUMBERS;
 use super::quantity::Kind;
 use super::reader::{Context, Item, TableReader};
 use super::run::labels;
-use super::{Diagnostics, Scenario, lone_fault, read_text, tree, units};
+use super::{Diagnostics, Scenario, key_places, lone_fault, read_text, tree, units};
 use crate::compare::{CompareError, Position, Reading, Strokes, is_repeat, measured_points, read_measured};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
+use std::iter;
 use std::path::{Path, PathBuf};
 
 /// All keys of such a file, with their meaning.
@@ -143,6 +144,19 @@ impl PackingFile {
 
     /// Tells what the runs of a scenario will lack, before the first of them.
     fn check(&self, scenario: &Scenario, context: &Context) {
+        let keys: Vec<&str> = iter::once(self.unknown.key.as_str())
+            .chain(self.set.iter().map(|set| set.split('=').next().unwrap_or(set).trim()))
+            .collect();
+        let places = key_places(&scenario.text, &keys);
+        for (_, key) in places
+            .iter()
+            .zip(&keys)
+            .skip(1)
+            .filter(|(place, _)| **place == places[0])
+        {
+            let message = format!("`{key}` would have no effect: it is what is sought");
+            context.fault("packing.set", message, None);
+        }
         let header = labels(scenario).header();
         let has = |column: &str| {
             let named = |title: &String| title == column || title.split(" [").next() == Some(column);

@@ -459,7 +459,7 @@ impl Feeding<'_> {
                 if wall.near(place, reach) {
                     wall.contacts(place, (reach, 0.0), &mut touched);
                 }
-                !touched.is_empty()
+                !touched.is_empty() || wall.depth_in_shaft(place).is_some()
             })
         };
         for _ in 0..MAX_AT_ONCE {

@@ -283,7 +283,8 @@ fn parse_unit(text: &str) -> Result<Product, UnitError> {
             ' ' | '*' | '·' => {
                 // a product after a quotient is read differently by different people
                 let trimmed = rest.trim_start_matches([' ', '*', '·']);
-                if divided && !in_brackets && !trimmed.starts_with(['/', ')']) && !trimmed.is_empty() {
+                if divided && !expect_factor && !in_brackets && !trimmed.starts_with(['/', ')']) && !trimmed.is_empty()
+                {
                     return fail("a product after `/` is ambiguous, use brackets as in `N/(m s)`");
                 }
                 rest = trimmed;

@@ -33,8 +33,8 @@ impl Simulation {
             .map(|box_| box_.gradient(&box_.rates()) * (position - box_.middle));
         let speed = (grains.velocity[g] - flow.unwrap_or_default()).length();
         let (way, radius) = (speed * self.dt, grains.radius(g));
-        // what is no number is told elsewhere
-        (way > radius && way.is_finite()).then_some(Fault::Jump {
+        // a velocity that is no number is told elsewhere; the speed of one that is may be none
+        (way > radius && grains.velocity[g].is_finite()).then_some(Fault::Jump {
             step: self.step,
             id: grains.id[g],
             position,

@@ -4,6 +4,7 @@ use super::error::SweepError;
 use super::plan::{Plan, Wishes};
 use crate::checkpoint::{self, Durability, part_path, write_atomically};
 use crate::output::RunFolder;
+use crate::scenario::content;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{ErrorKind, Read};
@@ -53,6 +54,16 @@ pub struct Outcome {
     pub end: End,
     /// In words.
     pub message: String,
+}
+
+/// What is noted in the folder of a run that ended.
+#[derive(Serialize, Deserialize)]
+struct Record {
+    #[serde(flatten)]
+    outcome: Outcome,
+    /// Of a finished run: [`SweepFolder::results_checksum`].
+    #[serde(default)]
+    results: Option<u32>,
 }
 
 /// How far a run is.
@@ -266,8 +277,8 @@ impl SweepFolder {
     /// How far a run is.
     pub fn status(&self, index: usize) -> Status {
         let folder = self.run_folder(index);
-        if let Some(outcome) = read_outcome(&folder) {
-            return Status::Ended(outcome);
+        if let Some(record) = read_record(&folder) {
+            return Status::Ended(record.outcome);
         }
         match RunFolder::find(&folder) {
             Ok(run) if run.is_locked() => Status::Running,
@@ -285,7 +296,31 @@ impl SweepFolder {
     pub fn record(&self, index: usize, outcome: &Outcome) -> Result<(), SweepError> {
         let folder = self.run_folder(index);
         fs::create_dir_all(&folder).map_err(SweepError::io("make the folder", &folder))?;
-        write_json(&folder.join(OUTCOME), outcome)
+        let is_finished = outcome.end == End::Finished;
+        let record = Record {
+            outcome: outcome.clone(),
+            results: is_finished.then(|| self.results_checksum(index)),
+        };
+        write_json(&folder.join(OUTCOME), &record)
+    }
+
+    /// Whether the results of a run are still those which it left when it finished.
+    pub(super) fn holds_what_was_left(&self, index: usize) -> bool {
+        let noted = read_record(&self.run_folder(index)).and_then(|record| record.results);
+        noted.is_none_or(|noted| noted == self.results_checksum(index))
+    }
+
+    /// Checksum of the name of a run and of its results; a file that is not there counts 0.
+    fn results_checksum(&self, index: usize) -> u32 {
+        let mut checksum = crc32fast::Hasher::new();
+        checksum.update(self.plan.runs[index].name.as_bytes());
+        if let Ok(run) = RunFolder::find(&self.run_folder(index)) {
+            for path in [run.series(), run.summary()] {
+                let of_file = content(&path).map_or(0, |content| content.checksum);
+                checksum.update(&of_file.to_le_bytes());
+            }
+        }
+        checksum.finalize()
     }
 
     /// Forgets what came of a run.
@@ -317,7 +352,7 @@ pub(super) fn has_checkpoint(folder: &Path) -> bool {
         .any(|name| folder.join(name).is_file())
 }
 
-fn read_outcome(folder: &Path) -> Option<Outcome> {
+fn read_record(folder: &Path) -> Option<Record> {
     let text = fs::read_to_string(folder.join(OUTCOME)).ok()?;
     serde_json::from_str(&text).ok()
 }

@@ -138,7 +138,7 @@ pub fn gather(folder: &SweepFolder, statuses: &[Status]) -> Result<Results, Swee
         };
         results.set("message", ResultsCell::Word(message));
         if status.is_finished()
-            && let Err(error) = add_run(&mut results, &folder.run_folder(index), &metrics)
+            && let Err(error) = add_run(&mut results, folder, index, &metrics)
         {
             // the cells stay empty, and the row says why
             results.set("end", ResultsCell::Word(DAMAGED.to_string()));
@@ -205,8 +205,9 @@ pub fn check_wishes(folder: &SweepFolder, scenario: &Scenario) -> Result<(), Swe
 }
 
 /// Adds what a finished run left to the last row.
-fn add_run(results: &mut Results, folder: &Path, metrics: &[Metric]) -> Result<(), ResultsError> {
-    let run = Run::open(folder)?;
+fn add_run(results: &mut Results, sweep: &SweepFolder, index: usize, metrics: &[Metric]) -> Result<(), ResultsError> {
+    let folder = sweep.run_folder(index);
+    let run = Run::open(&folder)?;
     let damaged = |what: &str, problem: String| ResultsError::Table {
         path: folder.join(what),
         problem,
@@ -224,6 +225,10 @@ fn add_run(results: &mut Results, folder: &Path, metrics: &[Metric]) -> Result<(
     }
     if let Some(problem) = run.shortfall(&series)? {
         return Err(damaged("series.csv", problem));
+    }
+    if !sweep.holds_what_was_left(index) {
+        let problem = "this or `summary.json` is not what the run of this sweep left: something wrote it anew";
+        return Err(damaged("series.csv", problem.to_string()));
     }
     let of_summary = |place: &str| {
         let number = summary.pointer(place).and_then(serde_json::Value::as_f64);

@@ -5,6 +5,9 @@ use crate::results::{Columns, ResultsError, column_name, nearest, position_of};
 use crate::scenario::units;
 use demeter_physics::dimension::Dimension;
 
+/// The column of the series that holds words.
+const WORDS: &str = "stage";
+
 /// What is told of the values of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum What {
@@ -122,7 +125,11 @@ impl Metric {
                     let help = format!("result `{told}`: `{}` is no time; write `0.1 s..0.5 s`", text.trim());
                     parsed.map(|quantity| quantity.value).ok_or(help)
                 };
-                Rows::Times(time(from)?, time(to)?)
+                let (from, to) = (time(from)?, time(to)?);
+                if from > to {
+                    return Err(format!("result `{told}`: the smaller time first"));
+                }
+                Rows::Times(from, to)
             }
         };
         Ok(Self {
@@ -162,6 +169,11 @@ impl Metric {
             return Some(format!(
                 "the series of these runs has no column `{}`; {help}",
                 self.column
+            ));
+        }
+        if column_name(&self.column) == WORDS {
+            return Some(format!(
+                "the column `{WORDS}` holds words, of which there is no number to tell"
             ));
         }
         match &self.rows {
@@ -217,9 +229,9 @@ mod tests {
                 "max wall top force z in squeeze [N]",
             ),
             (
-                "min:max speed@0.1 s..20 ms",
+                "min:max speed@20 ms..0.1 s",
                 "max speed [m/s]",
-                "min max speed in 0.1 s..20 ms [m/s]",
+                "min max speed in 20 ms..0.1 s [m/s]",
             ),
         ];
         for (told, title, expected) in cases {
@@ -232,6 +244,7 @@ mod tests {
             ("mean:x@", "names no column, or no stage"),
             ("median:x", "`median` is none of `first`, `last`, `mean`"),
             ("x@1..2 s", "`1` is no time"),
+            ("x@0.1 s..20 ms", "the smaller time first"),
         ] {
             let fault = Metric::read(told).unwrap_err();
             assert!(fault.contains(expected), "{told}: {fault}");
@@ -264,7 +277,7 @@ mod tests {
         );
         let value = |told: &str| Metric::read(told).unwrap().of(&series).unwrap().1;
         assert_eq!(value("mean:f@rest"), -1.0);
-        let titles = ["time [s]".to_string(), "f [N]".to_string()];
+        let titles = ["time [s]", "stage", "f [N]"].map(str::to_string);
         let problem = |told: &str| {
             Metric::read(told)
                 .unwrap()
@@ -272,6 +285,7 @@ mod tests {
         };
         assert_eq!(problem("max:f@press"), None);
         assert!(problem("g").unwrap().contains("no column `g`"));
+        assert!(problem("mean:stage").unwrap().contains("holds words"));
         assert!(problem("f@prss").unwrap().contains("no stage `prss`"));
     }
 }

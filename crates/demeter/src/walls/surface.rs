@@ -12,7 +12,7 @@ use demeter_physics::geometry::contact_sphere_disc::{Disc, contact_sphere_disc};
 use demeter_physics::geometry::contact_sphere_plane::{Plane, contact_sphere_plane};
 use demeter_physics::geometry::contact_sphere_rectangle::{Rectangle, contact_sphere_rectangle};
 use demeter_physics::geometry::contact_sphere_shell::{Shell, contact_sphere_shell};
-use demeter_physics::geometry::{AT_END, Feature, SurfacePoint};
+use demeter_physics::geometry::{AT_END, Feature, Side, SurfacePoint};
 use glam::DVec3;
 
 /// A surface in the wall frame.
@@ -246,6 +246,20 @@ impl Surface {
             }),
         };
         found.min(limit)
+    }
+
+    /// How deep a point lies in a shaft [m]: within a cylinder or cone that has grains outside, between its ends.
+    pub(super) fn depth_in_shaft(&self, point: DVec3) -> Option<f64> {
+        let side = match self {
+            Surface::Images(one, shifts) => {
+                return shifts.iter().find_map(|&shift| one.depth_in_shaft(point - shift));
+            }
+            Surface::Cylinder(cylinder) => cylinder.side,
+            Surface::Cone(cone) => cone.side,
+            _ => return None,
+        };
+        let closest = self.closest(point).filter(|_| side == Side::Outside)?;
+        (closest.distance < 0.0).then_some(-closest.distance)
     }
 
     /// The one closest point of a shape that touches a sphere at most once; `None` for boxes, meshes and images.

@@ -134,6 +134,13 @@ impl Wall {
         self.turn(&mut out[first..]);
     }
 
+    /// How deep a place lies in a shaft [m], a cylinder or cone that has grains outside. [`contacts`](Self::contacts) does not tell of
+    /// grains that lie wholly in there.
+    pub fn depth_in_shaft(&self, place: DVec3) -> Option<f64> {
+        let depth = || self.surface.depth_in_shaft(self.motor.pose.unplace(self.origin, place));
+        self.is_present.then(depth).flatten()
+    }
+
     /// The points of some triangles of a mesh, of which [`Wall::parts_near`] told, that are closest to some centres; nowhere for other
     /// shapes.
     #[inline(always)]

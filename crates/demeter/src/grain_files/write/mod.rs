@@ -111,16 +111,14 @@ impl<W: Write> GrainWriter<W> {
 }
 
 /// The box of a table, or, where there is none that the format knows, the smallest one around all grains, a little widened so that
-/// no grain lies on its side.
+/// no grain lies on its side; without grains one of a metre.
 fn cell_of(table: &GrainTable, format: Format) -> Cell {
     if let Some(cell) = table.cell.filter(|cell| format.knows_box(cell)) {
         return cell;
     }
-    let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for (position, diameter) in table.positions.iter().zip(&table.diameters) {
-        lower = lower.min(*position - 0.5 * *diameter);
-        upper = upper.max(*position + 0.5 * *diameter);
-    }
+    let balls = table.positions.iter().zip(&table.diameters);
+    let boxes = balls.map(|(position, diameter)| (*position - 0.5 * *diameter, *position + 0.5 * *diameter));
+    let (lower, upper) = (boxes.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))).unwrap_or((DVec3::ZERO, DVec3::ONE));
     let margin = 1e-6 * (upper - lower);
     Cell {
         lower: lower - margin,

@@ -97,6 +97,8 @@ fn quantities_of_the_design_read_exactly() {
         ("5mm", 5e-3, Dimension::LENGTH),
         ("2 cm^2", 2e-4, Dimension::AREA),
         ("2 m s^-1", 2.0, Dimension::VELOCITY),
+        ("2500 kg / m^3", 2500.0, Dimension::DENSITY),
+        ("2500 kg/ m^3", 2500.0, Dimension::DENSITY),
         ("4 mm³", 4e-9, Dimension::VOLUME),
         ("1 g/cm^3", 1000.0, Dimension::DENSITY),
         ("7 kg/m/s", 7.0, Dimension::new(1, -1, -1)),
