@@ -108,6 +108,23 @@ fn feeds_walls_and_measures_do_not_feel_the_processes() {
 }
 
 #[test]
+fn contacts_pass_from_wall_to_wall_as_with_one_process() {
+    let place = tempfile::tempdir().unwrap();
+    let one = place.path().join("one");
+    let scenario = scenario("plates.toml", &[]);
+    let report = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+    // contacts that began anew left twice as much
+    assert!(report.summary.energies.max_residual < 8e-5, "{:?}", report.summary.energies);
+    for count in [2, 3] {
+        let folder = place.path().join(count.to_string());
+        for end in on_ranks(count, |rank| share(&scenario, &folder, rank, None)) {
+            assert_eq!(end, RunEnd::Finished);
+        }
+        assert_same(&one, &folder);
+    }
+}
+
+#[test]
 fn every_measure_is_that_of_one_process() {
     let place = tempfile::tempdir().unwrap();
     let gear = "simulation.integrator=\"gear\"";
