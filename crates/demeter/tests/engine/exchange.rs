@@ -126,7 +126,11 @@ duration = "10 ms"
         run_in(&parse(&text), place.path(), 1, &mut watcher());
         let series = series(place.path());
         assert!(last(&series, "grains") > 50.0);
-        assert_eq!(series["within grains"].iter().copied().fold(0.0, f64::max), 0.0, "{shape}");
+        assert_eq!(
+            series["within grains"].iter().copied().fold(0.0, f64::max),
+            0.0,
+            "{shape}"
+        );
     }
 }
 

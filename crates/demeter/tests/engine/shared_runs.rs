@@ -113,8 +113,12 @@ fn contacts_pass_from_wall_to_wall_as_with_one_process() {
     let one = place.path().join("one");
     let scenario = scenario("plates.toml", &[]);
     let report = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
-    // contacts that began anew left twice as much
-    assert!(report.summary.energies.max_residual < 8e-5, "{:?}", report.summary.energies);
+    // contacts that begin anew at seams leave 1.8e-4
+    assert!(
+        report.summary.energies.max_residual < 2e-5,
+        "{:?}",
+        report.summary.energies
+    );
     for count in [2, 3] {
         let folder = place.path().join(count.to_string());
         for end in on_ranks(count, |rank| share(&scenario, &folder, rank, None)) {
