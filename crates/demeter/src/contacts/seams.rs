@@ -4,6 +4,10 @@
 //! So a grain on the seam of two plates, or beside the rim at which a cylinder ends on a cone, rebounds as it does from a plate or a
 //! cone alone. Within a mesh its [triangles](crate::walls::Mesh) follow the same rule. Of walls that are as near, one pushes that is not
 //! touched at an edge, else the first.
+//!
+//! What is left of contacts with walls of one material is joined where it would be one contact on a mesh: in a hollow, at a low step, where
+//! walls lie in one place. A contact that so ends at one wall goes on at the other with all that it remembers. Where contacts feel each
+//! other neither is done.
 
 use super::wall_contacts::{SAME_SURFACE, geometry};
 use super::{ContactChunk, Scene, WORD, is_set};
@@ -168,7 +172,7 @@ impl ContactChunk {
                 let old = word * WORD + left.trailing_zeros() as usize;
                 left &= left - 1;
                 let (grain, contact) = (self.i[old], self.now.geometry[old]);
-                // nothing else is so far away
+                // as far away as what another wall does without
                 if contact.overlap >= -scene.grains.radius(grain as usize) {
                     continue;
                 }

@@ -331,12 +331,14 @@ impl ContactChunk {
             self.mark_ends(pairs, scene);
         }
         for (c, pair) in pairs.iter().enumerate() {
-            for k in self.before.range(c).filter(|&k| !self.goes_on[k]) {
+            for k in self.before.range(c) {
+                if self.goes_on[k] {
+                    continue;
+                }
                 if !scene.is_coupled() && is_set(&engaged, k) && touched.pushed.contains(&c) {
                     touched.orphans.push((k, pair.grain));
                 } else {
-                    self.tally
-                        .book_end(self.before.history_of(k, scene.stride), scene.materials.law(self.law));
+                    self.book_end(k, scene);
                 }
             }
         }

@@ -98,7 +98,9 @@ pub enum InsertionProblem {
         lower.x, lower.y, lower.z, upper.x, upper.y, upper.z
     )]
     InletOutside { lower: DVec3, upper: DVec3 },
-    #[error("the inlet has room for grains of {room} m; the largest that comes has a diameter of {largest} m")]
+    #[error(
+        "the inlet has room for grains of {room:.4e} m; the largest that comes has a diameter of {largest:.4e} m: widen what `from` tells"
+    )]
     InletTooSmall { room: f64, largest: f64 },
     #[error(transparent)]
     Mesh(#[from] crate::walls::MeshError),

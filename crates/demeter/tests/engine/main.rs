@@ -20,6 +20,7 @@ mod profile;
 mod report;
 mod restart;
 mod scenarios;
+mod shafts;
 mod shared_runs;
 mod slices;
 mod work_counters;

@@ -12,7 +12,7 @@ struct InForce<'s> {
     absent: Vec<usize>,
     feeds: Vec<usize>,
     removals: Vec<usize>,
-    deformation: Option<&'s Deformation>,
+    deformation: Deformation,
 }
 
 impl<'s> InForce<'s> {
@@ -22,7 +22,7 @@ impl<'s> InForce<'s> {
             absent: Vec::new(),
             feeds: (0..scenario.feeds.len()).collect(),
             removals: (0..scenario.removals.len()).collect(),
-            deformation: scenario.domain.deform.as_ref(),
+            deformation: scenario.domain.deform.unwrap_or_default(),
         };
         for stage in scenario.stages.iter().take(stage + 1) {
             for (wall, motions) in &stage.motions {
@@ -38,7 +38,7 @@ impl<'s> InForce<'s> {
                     told.clone_from(list);
                 }
             }
-            told.deformation = stage.deformation.as_ref().or(told.deformation);
+            told.deformation = stage.deformation.unwrap_or(told.deformation);
         }
         told
     }
@@ -56,10 +56,7 @@ impl<'s> InForce<'s> {
             absent: changed(self.absent, &was.absent),
             feeds: changed(self.feeds, &was.feeds),
             removals: changed(self.removals, &was.removals),
-            deformation: self
-                .deformation
-                .filter(|_| self.deformation != was.deformation)
-                .copied(),
+            deformation: (self.deformation != was.deformation).then_some(self.deformation),
             ..stage.clone()
         }
     }
