@@ -52,12 +52,12 @@ fn more_flows_out_of_a_larger_orifice_as_beverloo_tells() {
         "stage.flow.duration=\"0.5 s\"",
         "stage.flow.stop={ grains_at_most = 100 }",
     ];
-    let found = study("beverloo", &[5.0, 8.0], &set);
+    let found = study("beverloo", &[4.0, 6.0], &set);
     let [small, large] = found.rows.as_slice() else {
         unreachable!("two points, two rows: {:?}", found.rows);
     };
-    // 2.5 of the orifice less the empty ring; the bed is shallow and the run short: seeds give 2.1 to 2.2
-    assert!((1.9..3.0).contains(&found.number("exponent")), "{:?}", found.numbers);
+    // 2.5 of the orifice less the empty ring; the bed is shallow and the run short: three seeds gave 2.2 to 2.9
+    assert!((1.8..3.2).contains(&found.number("exponent")), "{:?}", found.numbers);
     assert!(small[1] > 0.02 && large[1] > 2.0 * small[1], "{:?}", found.rows);
 }
 

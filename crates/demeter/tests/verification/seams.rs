@@ -240,6 +240,51 @@ fn contacts_that_remember_pass_seams_as_one_plate() {
     });
 }
 
+/// In a hollow separate plates are what one mesh is.
+#[test]
+fn a_hollow_of_plates_is_one_of_a_mesh() {
+    let sides = |angle: f64| {
+        let (rise, y) = (libm::tan(angle.to_radians()), DVec3::Y * 0.04);
+        [-0.03, 0.03].map(|x: f64| (DVec3::Y * -0.02, DVec3::new(x, 0.0, rise * x.abs()), y))
+    };
+    let end = |shapes: &[Shape], angle: f64, laws: &Laws| {
+        let mut case = Case::new(one_material(1e6, laws));
+        case.gravity = DVec3::Z * -G;
+        for shape in shapes {
+            case.wall(0, shape.clone(), Motion::Rest);
+        }
+        let (sin, cos) = (libm::sin(angle.to_radians()), libm::cos(angle.to_radians()));
+        let start = DVec3::new(-8.0 * cos + 0.99 * sin, 0.0, 8.0 * sin + 0.99 * cos) * RADIUS;
+        case.grain(RADIUS, start, DVec3::new(0.1, 0.013, -0.01));
+        let mut sim = case.simulation();
+        sim.start().unwrap();
+        advance(&mut sim, 0.2);
+        let residual = sim.energies().residual.abs();
+        (sim.grains().position[0], residual)
+    };
+    on_threads(1, || {
+        for (name, normal) in [
+            ("hertz-tsuji", law("hertz-tsuji", &[("restitution", 0.9)])),
+            ("jkr", law("jkr", &[("work_of_adhesion", 0.02), ("alpha", 0.1)])),
+        ] {
+            let laws = Laws::of(normal).friction(law("mindlin-history", &[("friction", 0.3)]));
+            for angle in [2.0, 5.0, 8.0] {
+                let plates = sides(angle).map(|(corner, along, across)| plate(corner, along, across));
+                let faces = sides(angle).map(|(a, along, across)| {
+                    [[a, a + along, a + along + across], [a, a + along + across, a + across]]
+                });
+                let triangles = faces.concat();
+                let (of_plates, residual) = end(&plates, angle, &laws);
+                let (of_mesh, _) = end(&[Shape::Mesh { triangles }], angle, &laws);
+                let off = of_plates.distance(of_mesh) / RADIUS;
+                report(&format!("{name}: off the path in a mesh, {angle} degrees, radii"), off);
+                report(&format!("{name}: residual, {angle} degrees"), residual);
+                assert!(off < 1e-6 && residual < 1e-3, "{name}, {angle}: {off} {residual}");
+            }
+        }
+    });
+}
+
 /// Where one of two plates leaves their plane, no second contact comes from nowhere.
 #[test]
 fn plates_that_leave_their_plane_do_no_work_for_nothing() {
