@@ -139,8 +139,8 @@ fn list(arguments: &PlotArguments) -> Result<(), Failure> {
     answer(&rows.lines())?;
     let numbers = |name: &str| columns.all().iter().find(|c| c.name() == name && c.numbers().is_some());
     let usual = numbers("time").zip(numbers("kinetic energy"));
-    let mut others_of_it = columns.all().iter().filter(|column| column.numbers().is_some());
-    if let Some((x, y)) = usual.or_else(|| others_of_it.next().zip(others_of_it.next())) {
+    let mut numeric = columns.all().iter().filter(|column| column.numbers().is_some());
+    if let Some((x, y)) = usual.or_else(|| numeric.next().zip(numeric.next())) {
         let [x, y] = [x, y].map(|column| word(column.name()));
         note(&format!(
             "draw two with `demeter plot {} {x} {y}`",

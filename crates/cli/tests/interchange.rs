@@ -135,6 +135,14 @@ fn columns_are_listed_and_drawn() {
         "{}",
         said.out
     );
+    assert!(
+        said.err.contains("`demeter plot run time 'kinetic energy'`"),
+        "{}",
+        said.err
+    );
+    place.write("a.csv", "words,x,y\nnone,1,2\n");
+    let said = place.expect(0, &["plot", "a.csv"]);
+    assert!(said.err.contains("`demeter plot a.csv x y`"), "{}", said.err);
     place.expect(0, &["plot", "run", "time", "kinetic energy"]);
     let svg = fs::read_to_string(place.path("kinetic-energy-over-time.svg")).unwrap();
     assert!(svg.contains(">kinetic energy [J]") && svg.contains(">time [s]<"));

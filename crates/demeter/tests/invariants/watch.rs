@@ -63,6 +63,9 @@ fn a_grain_that_would_jump_over_another_ends_the_run() {
         }
         other => panic!("{other}"),
     }
+    // a speed whose square is no number any more
+    let fault = first_fault(&mut flying(1e158), 10, "far too fast");
+    assert!(matches!(fault, Fault::Jump { id: 2, .. }), "{fault}");
     // one that is slower overlaps with it on the way, which ends the run as well
     let fault = first_fault(&mut flying(0.9), 100, "no jump");
     assert!(matches!(fault, Fault::Overlap { .. }), "{fault}");
