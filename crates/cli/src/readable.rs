@@ -1,5 +1,6 @@
 //! Numbers as people read them.
 
+use demeter::sweep::quoted;
 use std::fmt::Display;
 use std::time::Duration;
 
@@ -9,7 +10,7 @@ pub fn word(text: impl Display) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "_-./=:,+@%".contains(c);
     match !text.is_empty() && text.chars().all(is_plain) {
         true => text,
-        false => format!("'{}'", text.replace('\'', "'\\''")),
+        false => quoted(&text),
     }
 }
 

@@ -56,7 +56,7 @@ fn more_flows_out_of_a_larger_orifice_as_beverloo_tells() {
     let [small, large] = found.rows.as_slice() else {
         unreachable!("two points, two rows: {:?}", found.rows);
     };
-    // 2.5 of the orifice less the empty ring; the bed is shallow and the run short: three seeds gave 2.2 to 2.9
+    // 2.5 of the orifice less the empty ring; the bed is shallow, the run short, and another seed gives another exponent
     assert!((1.8..3.2).contains(&found.number("exponent")), "{:?}", found.numbers);
     assert!(small[1] > 0.02 && large[1] > 2.0 * small[1], "{:?}", found.rows);
 }

@@ -8,7 +8,7 @@ use crate::particles::{Domain, Grains, Outside};
 use crate::simulation::{
     ROOM_FOR_BULGES, Stage, StopCondition, TimeScale, TimeStepError, USABLE, WallPartner, largest_reach, with_free_wall,
 };
-use crate::walls::{Motion, Motions, SurfaceContact, Wall};
+use crate::walls::{Motion, Motions, Wall};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -163,20 +163,12 @@ pub(super) fn check_overlaps(
 /// The deepest overlap of a grain with a wall: grain, wall, share of the radius.
 fn deepest_in_wall(grains: &Grains, walls: &[Wall]) -> Option<(usize, usize, f64)> {
     let mut deepest: Option<(usize, usize, f64)> = None;
-    let mut touched: Vec<SurfaceContact> = Vec::new();
     for g in (0..grains.len()).filter(|&g| !grains.is_fixed(g)) {
         let (place, radius) = (grains.position[g], grains.radius(g));
         for (w, wall) in walls.iter().enumerate() {
-            touched.clear();
-            if wall.near(place, radius) {
-                wall.contacts(place, (radius, 0.0), &mut touched);
-            }
-            let of_contacts = touched.iter().map(|contact| -contact.distance);
-            for depth in of_contacts.chain(wall.depth_in_shaft(place)) {
-                let share = (radius + depth) / radius;
-                if deepest.is_none_or(|(_, _, s)| share > s) {
-                    deepest = Some((g, w, share));
-                }
+            let share = wall.nearest(place, radius).map(|distance| (radius - distance) / radius);
+            if let Some(share) = share.filter(|share| deepest.is_none_or(|(_, _, s)| *share > s)) {
+                deepest = Some((g, w, share));
             }
         }
     }

@@ -25,6 +25,11 @@ impl Override {
     }
 }
 
+/// The key of `KEY=VALUE`.
+pub fn key_of(told: &str) -> &str {
+    told.split('=').next().unwrap_or(told).trim()
+}
+
 /// The steps of a key, as `grains`, `0`, `count` of `grains[0].count`; nothing where it is not a key.
 pub fn key_steps(key: &str) -> Option<Vec<String>> {
     let steps: Vec<String> = steps(key).into_iter().map(|step| step.text).collect();

@@ -6,7 +6,7 @@ use super::plain::PLAIN_NUMBERS;
 use super::quantity::Kind;
 use super::reader::{Context, Item, TableReader};
 use super::run::labels;
-use super::{Diagnostics, Scenario, key_places, lone_fault, read_text, tree, units};
+use super::{Diagnostics, Scenario, key_of, key_places, lone_fault, read_text, tree, units};
 use crate::compare::{CompareError, Position, Reading, Strokes, is_repeat, measured_points, read_measured};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -145,7 +145,7 @@ impl PackingFile {
     /// Tells what the runs of a scenario will lack, before the first of them.
     fn check(&self, scenario: &Scenario, context: &Context) {
         let keys: Vec<&str> = iter::once(self.unknown.key.as_str())
-            .chain(self.set.iter().map(|set| set.split('=').next().unwrap_or(set).trim()))
+            .chain(self.set.iter().map(|set| key_of(set)))
             .collect();
         let places = key_places(&scenario.text, &keys);
         for (_, key) in places

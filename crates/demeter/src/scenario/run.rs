@@ -475,7 +475,7 @@ impl<'a> Runner<'a> {
             .place
             .stage
             .checked_sub(1)
-            .map(|stage| self.scenario.stages[stage].cadence);
+            .and_then(|stage| Some(self.scenario.stages.get(stage)?.cadence));
         let begins = self.sim.step == self.place.stage_step;
         self.is_due(self.stage().cadence.checkpoints)
             || begins && before.is_some_and(|before| before.checkpoints.is_some_and(is_old))

@@ -453,15 +453,7 @@ impl Feeding<'_> {
         there.extend(come.iter().map(|grain| (grain.position, grain.radius)));
         let expected = (self.due(state) / self.source.mean_mass()).min(MAX_AT_ONCE as f64) as u64 + 1;
         let mut occupied = self.source.occupied(there.into_iter(), sim.largest_reach(), expected);
-        let is_blocked = |place: DVec3, reach: f64| {
-            let mut touched = Vec::new();
-            sim.walls.iter().any(|wall| {
-                if wall.near(place, reach) {
-                    wall.contacts(place, (reach, 0.0), &mut touched);
-                }
-                !touched.is_empty() || wall.depth_in_shaft(place).is_some()
-            })
-        };
+        let is_blocked = |place: DVec3, reach: f64| sim.walls.iter().any(|wall| wall.nearest(place, reach).is_some());
         for _ in 0..MAX_AT_ONCE {
             let Some(radius) = self.next(state) else { return };
             let Some(grain) = self

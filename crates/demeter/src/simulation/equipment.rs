@@ -1,7 +1,7 @@
 //! Walls that get other motions, come or go between two steps.
 
 use super::Simulation;
-use crate::walls::{Motions, Pose, SurfaceContact, Wall, WallError};
+use crate::walls::{Motions, Pose, Wall, WallError};
 use glam::DVec3;
 
 /// A wall that cannot come because a grain is in its way.
@@ -87,18 +87,14 @@ impl Simulation {
     /// The own grain with the lowest id that a wall would touch, its place, and how far it is in the way as a share of its radius.
     fn in_the_way_of(&self, shape: &Wall) -> Option<(u32, DVec3, f64)> {
         let grains = &self.grains;
-        let mut touched: Vec<SurfaceContact> = Vec::new();
         let mut first: Option<(u32, DVec3, f64)> = None;
         for g in self.own_grains().filter(|&g| !grains.is_fixed(g)) {
             let (id, place, radius) = (grains.id[g], grains.position[g], grains.radius(g));
             let reach = radius * (1.0 - 1e-9) + self.max_reach;
-            if first.is_some_and(|(first, ..)| first < id) || !shape.near(place, reach) {
+            if first.is_some_and(|(first, ..)| first < id) {
                 continue;
             }
-            touched.clear();
-            shape.contacts(place, (reach, 0.0), &mut touched);
-            let nearest = touched.iter().map(|s| s.distance).fold(f64::INFINITY, f64::min);
-            if nearest < reach {
+            if let Some(nearest) = shape.nearest(place, reach) {
                 first = Some((id, place, (reach - nearest) / radius));
             }
         }

@@ -4,7 +4,7 @@ use super::error::SweepError;
 use super::list::read_list;
 use super::plan::MAX_RUNS;
 use super::table::read_table;
-use crate::scenario::{key_places, key_steps};
+use crate::scenario::{key_of, key_places, key_steps};
 use std::collections::HashMap;
 use std::path::PathBuf;
 
@@ -34,11 +34,6 @@ pub struct Varied {
     pub repeat: Option<u32>,
     /// `KEY=VALUE` of all runs.
     pub set: Vec<String>,
-}
-
-/// The key of `KEY=VALUE`.
-pub fn key_of(told: &str) -> &str {
-    told.split('=').next().unwrap_or(told).trim()
 }
 
 impl Varied {

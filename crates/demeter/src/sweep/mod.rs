@@ -28,7 +28,7 @@ mod tests;
 
 pub use average::averages;
 pub use check::{Checked, SweepFault, SweepFaults, check};
-pub use design::{Axis, Varied, key_of};
+pub use design::{Axis, Varied};
 pub use error::SweepError;
 pub use folder::{End, Held, Outcome, Status, SweepFolder};
 pub use gather::{Results, ResultsCell, check_wishes, gather, metrics, title_of};
@@ -36,4 +36,4 @@ pub use metric::{Metric, What};
 pub use picture::plot;
 pub use plan::{Column, Estimate, MAX_RUNS, Plan, PlannedRun, Wishes};
 pub use run::{Carried, carry_out};
-pub use slurm::{ArrayJob, LOGS, array_script, option_line};
+pub use slurm::{ArrayJob, LOGS, array_script, option_line, quoted};

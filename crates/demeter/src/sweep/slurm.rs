@@ -24,6 +24,11 @@ pub struct ArrayJob<'a> {
     pub retry: bool,
 }
 
+/// A word of a command, in the quotes of a shell.
+pub fn quoted(text: &str) -> String {
+    format!("'{}'", text.replace('\'', "'\\''"))
+}
+
 /// An option of `sbatch` as it stands behind `#SBATCH`: `time=2:00:00` and `--time=2:00:00` both give the latter. The error tells
 /// what is wrong.
 pub fn option_line(told: &str) -> Result<String, String> {
@@ -88,7 +93,6 @@ pub fn array_script(job: &ArrayJob<'_>) -> Result<String, String> {
         .collect();
     let last = job.runs.saturating_sub(1);
     let limit = job.jobs.map_or(String::new(), |jobs| format!("%{jobs}"));
-    let quoted = |text: &str| format!("'{}'", text.replace('\'', "'\\''"));
     let (folder_word, program) = (quoted(&folder), quoted(&job.program.display().to_string()));
     let log_of_gathering = quoted(&format!("{logs}/gather.log"));
     let retry = if job.retry { " --retry-failed" } else { "" };

@@ -134,11 +134,17 @@ impl Wall {
         self.turn(&mut out[first..]);
     }
 
-    /// How deep a place lies in a shaft [m], a cylinder or cone that has grains outside. [`contacts`](Self::contacts) does not tell of
-    /// grains that lie wholly in there.
-    pub fn depth_in_shaft(&self, place: DVec3) -> Option<f64> {
+    /// Distance [m] from a place to the nearest part of the wall within `reach`, the least of all [`contacts`](Self::contacts), which do not
+    /// tell of grains that lie wholly in a shaft, a cylinder or cone that has grains outside: negative there, too. For grains that are put
+    /// to a wall, or it to them.
+    pub fn nearest(&self, place: DVec3, reach: f64) -> Option<f64> {
+        let mut parts = Vec::new();
+        if self.near(place, reach) {
+            self.contacts(place, (reach, 0.0), &mut parts);
+        }
         let depth = || self.surface.depth_in_shaft(self.motor.pose.unplace(self.origin, place));
-        self.is_present.then(depth).flatten()
+        let in_shaft = self.is_present.then(depth).flatten().map(|depth| -depth);
+        parts.iter().map(|part| part.distance).chain(in_shaft).reduce(f64::min)
     }
 
     /// The points of some triangles of a mesh, of which [`Wall::parts_near`] told, that are closest to some centres; nowhere for other

@@ -460,11 +460,17 @@ fn a_wall_does_not_come_where_a_grain_is() {
         .replace("absent = [\"cover\"]", "")
         .replace("name = \"rest\"", "name = \"rest\"\nabsent = [\"cover\"]");
     let fall = comes.replace("duration = \"50 ms\"", "duration = \"1 ms\"") + "absent = []\n";
+    let disc = "shape = \"disc\"\ncenter = \"0 0 30 mm\"\nnormal = \"z\"\nradius = \"10 mm\"";
+    // they lie wholly within
+    let shaft =
+        "shape = \"cylinder\"\nstart = \"0 0 0 mm\"\nend = \"0 0 60 mm\"\nradius = \"20 mm\"\nside = \"outside\"";
     let place = tempfile::tempdir().unwrap();
-    let end = try_in(&parse(&fall), &place.path().join("run"), 1).unwrap().end;
-    let RunEnd::Fault(fault) = end else { panic!("{end:?}") };
-    let named = "stage `open`: wall `cover` cannot come: grain 1 at";
-    assert!(fault.to_string().contains(named) && fault.grain() == 1, "{fault}");
+    for (k, text) in [fall.clone(), fall.replace(disc, shaft)].iter().enumerate() {
+        let end = try_in(&parse(text), &place.path().join(k.to_string()), 1).unwrap().end;
+        let RunEnd::Fault(fault) = end else { panic!("{end:?}") };
+        let named = "stage `open`: wall `cover` cannot come: grain 1 at";
+        assert!(fault.to_string().contains(named) && fault.grain() == 1, "{fault}");
+    }
     // later both are below it
     let free = comes.replace("duration = \"50 ms\"", "duration = \"90 ms\"") + "absent = []\n";
     try_in(&parse(&free), &place.path().join("free"), 1).unwrap();
