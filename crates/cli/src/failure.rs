@@ -185,6 +185,8 @@ impl From<RunError> for Failure {
             | RunError::FilesChanged { .. }
             | RunError::ScenarioChanged { .. }
             | RunError::OtherMaterials { .. }
+            | RunError::OtherLaws { .. }
+            | RunError::BeyondLaws(_)
             | RunError::OtherProcess { .. }
             | RunError::OtherInputs { .. }
             | RunError::NoFolder

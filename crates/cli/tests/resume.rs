@@ -4,37 +4,10 @@
 
 mod demeter;
 
-use demeter::{FALL, Place, assert_same, signal};
+use demeter::{FALL, Place, assert_same, interrupt, interrupted, signal};
 use std::fs;
 
 const CHECKPOINT: &str = "cut/checkpoint.latest";
-
-/// Interrupts a run behind its first checkpoint. A signal is heard at the next step; when the run was over by then,
-/// it is tried again.
-fn interrupt(place: &Place, run: &[&str], folder: &str, name: &str) {
-    for _ in 0..10 {
-        let _ = fs::remove_file(place.path(folder).join("checkpoint.latest"));
-        let mut child = place.start_until(run, &format!("{folder}/checkpoint.latest"));
-        match signal(&mut child, name).code() {
-            Some(0) => continue,
-            code => return assert_eq!(code, Some(130)),
-        }
-    }
-    panic!("no run was long enough to be interrupted");
-}
-
-/// A run of `fall.toml` in `cut` that was interrupted.
-fn interrupted() -> Place {
-    let place = Place::new();
-    place.write("fall.toml", FALL);
-    interrupt(
-        &place,
-        &["run", "fall.toml", "--out", "cut", "--overwrite"],
-        "cut",
-        "INT",
-    );
-    place
-}
 
 #[test]
 fn an_interrupted_run_resumes_to_the_same_bits() {
@@ -173,133 +146,6 @@ fn a_run_does_not_go_on_with_other_files() {
     place.write("push.csv", &way("0.001"));
     fs::remove_file(place.path("one.csv")).unwrap();
     place.expect(0, &["resume", "cut"]);
-}
-
-/// Nobody takes a run for one of the scenario in its folder that is none from its beginning on.
-#[test]
-fn a_run_goes_on_with_a_changed_scenario_only_where_that_is_asked_for() {
-    let place = interrupted();
-    let text = fs::read_to_string(place.path("cut/scenario.toml")).unwrap();
-    let commented = format!("# a remark changes nothing\n{text}");
-    let longer = format!("{commented}\n[[stage]]\nname = \"more\"\nsteps = 10\n");
-    place.write("cut/scenario.toml", &longer);
-    let said = place.expect(2, &["resume", "cut"]);
-    for part in [
-        "cut/scenario.toml",
-        "name = \"more\" | steps = 10",
-        "in place of nothing",
-        "--changed",
-    ] {
-        assert!(said.err.contains(part), "{part}: {}", said.err);
-    }
-    let other = text.replacen(
-        "[material.",
-        "[material.new]\nyoung_modulus = \"1 GPa\"\npoisson_ratio = 0.3\ndensity = \"1000 kg/m^3\"\n[material.",
-        1,
-    );
-    place.write("cut/scenario.toml", &other);
-    let said = place.expect(2, &["resume", "cut", "--changed"]);
-    assert!(
-        said.err
-            .contains("tells the materials `new`, `glass`, and the run began with `glass`"),
-        "{}",
-        said.err
-    );
-    place.write("cut/scenario.toml", &commented);
-    place.expect(0, &["resume", "cut"]);
-    let summary =
-        || -> serde_json::Value { serde_json::from_slice(&fs::read(place.path("cut/summary.json")).unwrap()).unwrap() };
-    let whole = summary()["steps"].as_u64().unwrap();
-
-    place.write("cut/scenario.toml", &longer);
-    place.expect(0, &["resume", "cut", "--changed"]);
-    let summary = summary();
-    assert_eq!(summary["steps"], whole + 10);
-    let warned = format!("from step {whole} on the scenario tells");
-    assert!(
-        summary["warnings"].to_string().contains(&warned),
-        "{}",
-        summary["warnings"]
-    );
-    // from here on this is its scenario
-    let said = place.expect(0, &["resume", "cut"]);
-    assert!(said.out.contains("nothing is left to do"), "{}", said.out);
-}
-
-/// Rows of the series in `cut`: titles, then cells.
-fn series(place: &Place) -> Vec<Vec<String>> {
-    let text = fs::read_to_string(place.path("cut/series.csv")).unwrap();
-    text.lines()
-        .map(|line| line.split(',').map(str::to_owned).collect())
-        .collect()
-}
-
-#[test]
-fn a_stage_added_behind_the_last_does_what_it_does_in_a_whole_run() {
-    let place = Place::new();
-    let told = "motion.box = {";
-    let whole = FALL
-        .replace(told, "absent = [\"lid\"]\nfeeds = [\"more\"]\nmotion.box = {")
-        .replace(
-            "[[stage]]\nname = \"fall\"",
-            r#"[[wall]]
-name = "lid"
-material = "glass"
-shape = "plane"
-point = "0 0 13 mm"
-normal = "-z"
-
-[[feed]]
-name = "more"
-material = "glass"
-diameter = "1 mm"
-number_rate = "2000 1/s"
-velocity = "0 0 -1 m/s"
-from = { shape = "rectangle", center = "6 6 12.5 mm", half_u = "4 0 0 mm", half_v = "0 4 0 mm" }
-
-[[stage]]
-feeds = []
-name = "fall""#,
-        );
-    let second = whole.rfind("[[stage]]").unwrap()..whole.find("[output]").unwrap();
-    let mut first = whole.clone();
-    first.replace_range(second, "");
-    place.write("whole.toml", &whole);
-    place.write("first.toml", &first);
-    place.expect(0, &["run", "whole.toml", "--out", "whole"]);
-    place.expect(0, &["run", "first.toml", "--out", "cut"]);
-    place.write("cut/scenario.toml", &whole);
-    place.expect(0, &["resume", "cut", "--changed"]);
-    let read = |run: &str| fs::read_to_string(place.path(run).join("series.csv")).unwrap();
-    assert!(read("cut") == read("whole"), "{}\n{}", read("cut"), read("whole"));
-}
-
-#[test]
-fn a_motion_changed_in_the_stage_that_was_interrupted_holds_from_there_on() {
-    let place = interrupted();
-    let text = fs::read_to_string(place.path("cut/scenario.toml")).unwrap();
-    let up = "name = \"fall\"\nmotion.box = { velocity = \"0 0 2 mm/s\" }";
-    place.write("cut/scenario.toml", &text.replacen("name = \"fall\"", up, 1));
-    let said = place.expect(0, &["resume", "cut", "--changed"]).err;
-    let from: f64 = said
-        .split("from step ")
-        .nth(1)
-        .unwrap()
-        .split(' ')
-        .next()
-        .unwrap()
-        .parse()
-        .unwrap();
-    let rows = series(&place);
-    let column = |title: &str| rows[0].iter().position(|known| known == title).unwrap();
-    let last = rows.iter().rfind(|row| row[column("stage")] == "fall").unwrap();
-    let number = |title: &str| last[column(title)].parse::<f64>().unwrap();
-    let moving = number("time [s]") * (1.0 - from / number("step"));
-    let moved = number("wall box displacement z [m]");
-    assert!(
-        moved > 0.0 && (moved - 2e-3 * moving).abs() < 1e-9 * moved,
-        "{moved} in {moving} s"
-    );
 }
 
 #[test]

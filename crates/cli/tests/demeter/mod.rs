@@ -124,6 +124,33 @@ pub fn signal(child: &mut Child, name: &str) -> ExitStatus {
     child.wait().unwrap()
 }
 
+/// Interrupts a run behind its first checkpoint. A signal is heard at the next step; when the run was over by then,
+/// it is tried again.
+pub fn interrupt(place: &Place, run: &[&str], folder: &str, name: &str) {
+    for _ in 0..10 {
+        let _ = fs::remove_file(place.path(folder).join("checkpoint.latest"));
+        let mut child = place.start_until(run, &format!("{folder}/checkpoint.latest"));
+        match signal(&mut child, name).code() {
+            Some(0) => continue,
+            code => return assert_eq!(code, Some(130)),
+        }
+    }
+    panic!("no run was long enough to be interrupted");
+}
+
+/// A run of `fall.toml` in `cut` that was interrupted.
+pub fn interrupted() -> Place {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    interrupt(
+        &place,
+        &["run", "fall.toml", "--out", "cut", "--overwrite"],
+        "cut",
+        "INT",
+    );
+    place
+}
+
 /// Grains that fall into a box: friction, rolling and walls, some ten thousand steps.
 pub const FALL: &str = r#"
 title = "Grains fall into a box"

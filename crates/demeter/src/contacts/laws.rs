@@ -23,6 +23,14 @@ pub(super) fn tangential_history(law: &PairLaw) -> usize {
     law.tangential.map_or(0, |t| t.info().history)
 }
 
+/// Names of the normal, the tangential and the rolling law of a pair as far as contacts remember something for them, and how many values.
+pub fn memories(law: &PairLaw) -> [Option<(&'static str, usize)>; 3] {
+    let normal = Some((law.normal.info().name, normal_history(law)));
+    let others = [law.tangential.map(|law| law.info()), law.rolling.map(|law| law.info())];
+    let [tangential, rolling] = others.map(|law| law.map(|law| (law.name, law.history)));
+    [normal, tangential, rolling].map(|law| law.filter(|(_, values)| *values > 0))
+}
+
 /// Number of history values of the laws of one pair.
 pub fn history_length(law: &PairLaw) -> usize {
     normal_history(law) + tangential_history(law) + law.rolling.map_or(0, |r| r.info().history)

@@ -110,7 +110,7 @@ impl LiveRun {
             OwnRunner::try_new(scenario, |scenario| -> Result<Runner<'_>, RunError> {
                 let mut runner = Runner::resume(scenario, state, Some(&folder), observer)?;
                 if let Some(former) = &former {
-                    runner.go_on_otherwise(former)?;
+                    runner.go_on_otherwise(former, observer)?;
                 }
                 options.apply(&mut runner.sim);
                 Ok(runner)

@@ -91,22 +91,8 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     }
     let skin = (scenario.simulation.skin).map_or_else(|| Skin::Tuned(SKIN_SHARE * mean_radius(&all)), Skin::Fixed);
     check_periodic_size(&all, &domain, skin.first(), &materials, scenario.deforms(), &mut faults);
-    let partners = wall_partners(scenario, &walls);
-    for (a, b, why) in refusals(&all, &partners, &materials) {
-        let path = scenario.contact.path(a.into(), b.into());
-        faults.push(&format!("{path}.normal"), why, None);
-    }
-    let max_overlap = scenario.simulation.max_overlap;
-    let scale = shortest_time_scale(&all, &partners, &materials, max_overlap);
-    let scale = match scale.and_then(|scale| with_free_walls(scale, scenario)) {
-        Ok(scale) if faults.is_empty() => scale,
-        Ok(_) => return Err(faults),
-        Err(error) => {
-            if faults.is_empty() {
-                faults.push("simulation.time_step", error.to_string(), None);
-            }
-            return Err(faults);
-        }
+    let Some(scale) = time_scale(scenario, &all, &walls, &materials, &mut faults) else {
+        return Err(faults);
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
     check_wall_speeds(scenario, &walls, &meshes, &all, dt, &mut faults);
@@ -152,9 +138,34 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
             coupling: scenario.simulation.coupling,
             dt,
             skin,
-            max_overlap,
+            max_overlap: scenario.simulation.max_overlap,
         },
     })
+}
+
+/// The shortest time scale of the laws between these bodies; nothing where something is wrong with these or was before.
+pub(super) fn time_scale(
+    scenario: &Scenario,
+    grains: &Grains,
+    walls: &[Wall],
+    materials: &Materials,
+    faults: &mut Diagnostics,
+) -> Option<TimeScale> {
+    let partners = wall_partners(scenario, walls);
+    for (a, b, why) in refusals(grains, &partners, materials) {
+        let path = scenario.contact.path(a.into(), b.into());
+        faults.push(&format!("{path}.normal"), why, None);
+    }
+    let scale = shortest_time_scale(grains, &partners, materials, scenario.simulation.max_overlap);
+    match scale.and_then(|scale| with_free_walls(scale, scenario)) {
+        Ok(scale) => faults.is_empty().then_some(scale),
+        Err(error) => {
+            if faults.is_empty() {
+                faults.push("simulation.time_step", error.to_string(), None);
+            }
+            None
+        }
+    }
 }
 
 /// What a run needs to go on from a checkpoint: everything but the grains, the time step and the skin, which the checkpoint
@@ -184,7 +195,7 @@ fn mean_radius(grains: &Grains) -> f64 {
     grains.radii().sum::<f64>() / grains.len().max(1) as f64
 }
 
-fn materials(scenario: &Scenario, faults: &mut Diagnostics) -> Option<Materials> {
+pub(super) fn materials(scenario: &Scenario, faults: &mut Diagnostics) -> Option<Materials> {
     match Materials::new(scenario.materials.clone(), |a, b| scenario.contact.choice(a, b)) {
         Ok(materials) => Some(materials.for_many_sizes()),
         Err(error) => {
@@ -291,7 +302,7 @@ fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
 }
 
 /// Grains of the extreme sizes of every feed, at the ends of its inlet: they stand for those that will come.
-fn to_come(scenario: &Scenario, faults: &mut Diagnostics) -> Grains {
+pub(super) fn to_come(scenario: &Scenario, faults: &mut Diagnostics) -> Grains {
     let mut grains = Grains::default();
     let open = Domain {
         lower: DVec3::NEG_INFINITY,
@@ -390,17 +401,7 @@ fn time_step(
     faults: &mut Diagnostics,
     warnings: &mut Vec<String>,
 ) -> (f64, String) {
-    let words = |dt: f64| {
-        let share = if dt < scale.time {
-            format!("1/{:.0} of", scale.time / dt)
-        } else {
-            format!("{:.3} times", dt / scale.time)
-        };
-        format!(
-            "{dt:.4e} s, {share} the shortest time scale, {:.4e} s: {}",
-            scale.time, scale.origin
-        )
-    };
+    let words = |dt: f64| scale.beside(dt);
     match scenario.simulation.time_step {
         TimeStep::Auto => {
             let dt = SAFE_SHARE * scale.time;

@@ -60,6 +60,23 @@ pub enum RunError {
         /// Names when the run began.
         was: String,
     },
+    /// The scenario in the folder tells laws for which contacts remember something else.
+    #[error(
+        "what contacts of {pair} remember in the checkpoint is that of {was}, and the scenario tells {is} now: a run goes on with other \
+         parameters of laws that remember something, but not with others. Remedy: begin a new run with the grains of this one \
+         (`source = \"file\"`)"
+    )]
+    OtherLaws {
+        /// The materials.
+        pair: String,
+        /// Laws now.
+        is: String,
+        /// Laws when the run began.
+        was: String,
+    },
+    /// The state is none that the laws of the changed scenario cover.
+    #[error("the run cannot go on with the laws that the scenario tells now: {0}")]
+    BeyondLaws(Box<Fault>),
     /// There is nothing to go on with.
     #[error("the run in `{}` is finished: nothing is left to do", folder.display())]
     Finished {

@@ -1,6 +1,7 @@
 //! Places and velocities that are changed from outside, between two steps.
 
-use super::Simulation;
+use super::time_step::largest_reach;
+use super::{Simulation, WallPartner};
 use crate::contacts::Fault;
 use crate::particles::HigherDerivatives;
 use glam::DVec3;
@@ -87,6 +88,27 @@ impl Simulation {
         })
     }
 
+    /// Lets the laws act that it has now in place of others, under which contacts began and candidates were found.
+    pub(crate) fn find_forces_of_other_laws(&mut self) -> Result<(), Fault> {
+        let walls: Vec<WallPartner> = self.walls.iter().map(WallPartner::of).collect();
+        self.max_reach = self.max_reach.max(largest_reach(&self.grains, &walls, &self.materials));
+        self.grains.higher.fill(HigherDerivatives::default());
+        self.near.look_anew();
+        if self.is_started() {
+            self.find_forces_anew()
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Books what the energy became by other laws, another gravity or other walls, as work from outside; `before`: what it was [J].
+    pub(crate) fn book_change_since(&mut self, before: f64) {
+        if self.is_started() {
+            let after = self.mechanical_energies().present();
+            self.books.intervene(after - before);
+        }
+    }
+
     fn find_forces_anew(&mut self) -> Result<(), Fault> {
         let dt = self.dt;
         self.dt = SHORT_STEP * dt;
@@ -115,10 +137,7 @@ impl Simulation {
         self.grains.higher.fill(HigherDerivatives::default());
         self.near.look_anew();
         self.book_custom(0.0);
-        if self.is_started() {
-            let after = self.mechanical_energies().present();
-            self.books.intervene(after - before);
-        }
+        self.book_change_since(before);
         Ok(done?)
     }
 }

@@ -37,6 +37,19 @@ pub struct TimeScale {
 }
 
 impl TimeScale {
+    /// A time step [s] beside this scale, in words.
+    pub fn beside(&self, dt: f64) -> String {
+        let share = if dt < self.time {
+            format!("1/{:.0} of", self.time / dt)
+        } else {
+            format!("{:.3} times", dt / self.time)
+        };
+        format!(
+            "{dt:.4e} s, {share} the shortest time scale, {:.4e} s: {}",
+            self.time, self.origin
+        )
+    }
+
     fn if_usable(self) -> Result<Self, TimeStepError> {
         let Self { time, origin } = self;
         if time > 0.0 && time.is_finite() {

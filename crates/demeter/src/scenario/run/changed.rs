@@ -1,10 +1,66 @@
 //! A run that goes on with a scenario that was changed.
 
-use super::Runner;
+use super::{Observer, RunState, Runner};
+use crate::contacts::laws::memories;
+use crate::materials::Materials;
 use crate::scenario::Scenario;
+use crate::scenario::prepare::{materials, prepare_to_resume, time_scale, to_come};
 use crate::scenario::run_error::RunError;
-use crate::simulation::{Deformation, Stage};
+use crate::simulation::{Deformation, SAFE_SHARE, Simulation, Stage, unsafe_share};
 use crate::walls::Motions;
+
+/// The scenario that a run followed until it was changed.
+pub(in crate::scenario) struct Former {
+    scenario: Scenario,
+    materials: Materials,
+    /// What was there under its laws, its gravity and with its walls [J].
+    present: f64,
+}
+
+impl Former {
+    /// That of a state which is to go on with `is`; refused where contacts would have to remember something else.
+    pub(in crate::scenario) fn of(scenario: Scenario, state: &RunState<'_>, is: &Scenario) -> Result<Self, RunError> {
+        let setup = prepare_to_resume(&scenario, state.domain)?;
+        let mut faults = is.diagnostics();
+        let Some(told) = materials(is, &mut faults) else {
+            return Err(faults.into());
+        };
+        let former = setup.materials.clone();
+        for (a, one) in told.list().iter().enumerate() {
+            for (b, other) in told.list().iter().enumerate().skip(a) {
+                let pair = told.pair(a as u16, b as u16);
+                let (is, was) = (memories(told.law(pair)), memories(former.law(pair)));
+                if is != was {
+                    let names = |list: [Option<(&str, usize)>; 3]| {
+                        let names: Vec<String> = list
+                            .into_iter()
+                            .flatten()
+                            .map(|(name, _)| format!("`{name}`"))
+                            .collect();
+                        if names.is_empty() {
+                            "none".to_string()
+                        } else {
+                            names.join(", ")
+                        }
+                    };
+                    return Err(RunError::OtherLaws {
+                        pair: format!("`{}` and `{}`", one.name, other.name),
+                        is: names(is),
+                        was: names(was),
+                    });
+                }
+            }
+        }
+        let present = Simulation::resume(setup, state.simulation.clone())?
+            .energies()
+            .present();
+        Ok(Self {
+            scenario,
+            materials: former,
+            present,
+        })
+    }
+}
 
 /// What a scenario tells of walls, feeds, removals and the box until a stage, and what so holds in it.
 struct InForce<'s> {
@@ -65,13 +121,56 @@ impl<'s> InForce<'s> {
 impl Runner<'_> {
     /// Lets hold what the scenario tells otherwise than a former one, from which the run came until here, and begins the stage that was added
     /// behind its last.
-    pub(in crate::scenario) fn go_on_otherwise(&mut self, former: &Scenario) -> Result<(), RunError> {
-        let is_over = self.place.stage >= former.stages.len();
-        let stage = self.place.stage.min(former.stages.len().saturating_sub(1));
+    pub(in crate::scenario) fn go_on_otherwise(
+        &mut self,
+        former: &Former,
+        observer: &mut dyn Observer,
+    ) -> Result<(), RunError> {
+        let (sim, was) = (&mut self.sim, &former.scenario);
+        if sim.materials.laws() != former.materials.laws() || sim.gravity != was.simulation.gravity {
+            let warning = check_laws(self.scenario, sim)?;
+            let found = self.sim.find_forces_of_other_laws();
+            found.map_err(|fault| RunError::BeyondLaws(Box::new(fault)))?;
+            if let Some(warning) = warning {
+                observer.message(&format!("warning: {warning}"));
+                self.place.warnings.push(warning);
+            }
+        }
+        self.sim.book_change_since(former.present);
+        let is_over = self.place.stage >= was.stages.len();
+        let stage = self.place.stage.min(was.stages.len().saturating_sub(1));
         if let Some(told) = self.scenario.stages.get(stage) {
-            let was = InForce::in_stage(former, stage);
+            let was = InForce::in_stage(was, stage);
             self.set_up(&InForce::in_stage(self.scenario, stage).instead_of(&was, told))?;
         }
         if is_over { self.begin_stage() } else { Ok(()) }
     }
+}
+
+/// Refuses laws for which the time step of the run is too long; what is to be told of it.
+fn check_laws(scenario: &Scenario, sim: &Simulation) -> Result<Option<String>, RunError> {
+    let mut faults = scenario.diagnostics();
+    let mut all = sim.grains().clone();
+    all.append(&to_come(scenario, &mut faults));
+    let scale = time_scale(scenario, &all, &sim.walls, &sim.materials, &mut faults);
+    let Some(scale) = scale else {
+        return Err(faults.into());
+    };
+    let words = scale.beside(sim.dt());
+    let largest = unsafe_share(scenario.simulation.integrator) * scale.time;
+    if sim.dt() > largest && !scenario.simulation.allow_unsafe_time_step {
+        faults.push(
+            "contact",
+            format!("the time step of the run is unsafe for the laws that are told now: {words}"),
+            Some(
+                "begin a new run with the grains of this one (`source = \"file\"`), or say `allow_unsafe_time_step = true` if you want it"
+                    .to_string(),
+            ),
+        );
+        return Err(faults.into());
+    }
+    let is_long = sim.dt() > SAFE_SHARE * scale.time * (1.0 + 1e-9);
+    Ok(is_long.then(|| {
+        format!("the time step of the run is above the one that keeps restitution within 1e-4 with the laws that are told now: {words}")
+    }))
 }

@@ -1,5 +1,6 @@
 //! Runs from their start or from a checkpoint, by one process or several.
 
+use super::changed::Former;
 use super::sharing::{Inputs, agree, all_or_none};
 use super::{Observer, RunState, Runner};
 use crate::checkpoint;
@@ -124,7 +125,7 @@ fn resume_among(
     thread_pool(options.threads)?.install(|| {
         let resumed = state.map(|(state, former)| {
             let mut runner = Runner::resume(&scenario, state, Some(&folder), observer)?;
-            (former.map_or(Ok(()), |former| runner.go_on_otherwise(&former))).map(|()| runner)
+            (former.map_or(Ok(()), |former| runner.go_on_otherwise(&former, observer))).map(|()| runner)
         });
         let mut runner = Runner::among(&scenario, resumed, ranks, &options, observer)?;
         runner.run_to_the_end(folder.root(), observer)
@@ -143,7 +144,7 @@ pub(in crate::scenario) fn read_run(
     folder: &RunFolder,
     options: &RunOptions,
     observer: &mut dyn Observer,
-) -> Result<(Scenario, RunState<'static>, Option<Scenario>), RunError> {
+) -> Result<(Scenario, RunState<'static>, Option<Former>), RunError> {
     let mut former = None;
     let mut scenario = Scenario::read_to_go_on(&folder.scenario())?;
     let mut restored = checkpoint::read_latest::<RunState<'static>>(folder.root())?;
@@ -177,7 +178,7 @@ pub(in crate::scenario) fn read_run(
             format!("from step {step} on {difference} (grains, box and time step are those of the checkpoint)");
         place.warnings.push(warning.clone());
         place.scenario = text;
-        former = Some(followed);
+        former = Some(Former::of(followed, &restored.value, &scenario)?);
         restored.warnings.push(warning);
     }
     for warning in &restored.warnings {
