@@ -308,18 +308,19 @@ fn plastic_grains_return_the_closed_form() {
 fn a_requested_restitution_is_met_beside_adhesion() {
     on_threads(1, || {
         let mut largest = 0.0f64;
-        for (name, parameter, value) in [
-            ("jkr", "work_of_adhesion", WORK),
-            ("dmt", "work_of_adhesion", WORK),
-            ("sjkr", "cohesion_energy_density", 1e3),
-            ("thornton-ning", "yield_pressure", 1e6),
+        for (name, parameter, value, asked, speed) in [
+            ("jkr", "work_of_adhesion", WORK, 0.6, 0.05),
+            ("dmt", "work_of_adhesion", WORK, 0.6, 0.05),
+            // the pull stops it at once
+            ("dmt", "work_of_adhesion", WORK, 0.1, 0.002),
+            ("sjkr", "cohesion_energy_density", 1e3, 0.6, 0.05),
+            ("thornton-ning", "yield_pressure", 1e6, 0.6, 0.05),
         ] {
-            let speed = 0.05;
-            let normal = [(parameter, value), ("restitution", 0.6), ("impact_speed", speed)];
+            let normal = [(parameter, value), ("restitution", asked), ("impact_speed", speed)];
             for partner in PARTNERS {
                 let found = outcome(&mut impact(&normal, name, partner, speed), speed).unwrap();
-                largest = largest.max((found - 0.6).abs());
-                assert!((found - 0.6).abs() < 1e-4, "{name}, {partner:?}: {found}");
+                largest = largest.max((found - asked).abs());
+                assert!((found - asked).abs() < 1e-4, "{name}, {partner:?}: {found}");
             }
         }
         report("largest error of the requested restitution", largest);
