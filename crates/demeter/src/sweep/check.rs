@@ -117,6 +117,7 @@ fn check_one(plan: &Plan, run: usize) -> Result<(Estimate, Vec<String>, Vec<Inpu
         steps: prepared.steps,
         memory: prepared.memory,
         run_time: prepared.run_time,
+        simulated: prepared.steps as f64 * prepared.setup.dt,
     };
     Ok((estimate, prepared.warnings, scenario.input_files()))
 }

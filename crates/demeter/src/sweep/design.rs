@@ -4,6 +4,7 @@ use super::error::SweepError;
 use super::list::read_list;
 use super::plan::MAX_RUNS;
 use super::table::read_table;
+use super::value::meaning;
 use crate::scenario::{key_of, key_places, key_steps};
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -172,10 +173,11 @@ fn seeds(first: u64, count: u32) -> Axis {
 
 /// Tells two rows that are the same, which would give the same bits.
 fn repeated_row(axis: &Axis) -> Option<String> {
-    let mut first: HashMap<&[String], usize> = HashMap::new();
+    let mut first: HashMap<Vec<String>, usize> = HashMap::new();
     let twins = axis.rows.iter().enumerate();
+    let meant = |row: &[String]| row.iter().map(|value| meaning(value)).collect();
     let (row, earlier, at) = twins
-        .filter_map(|(at, row)| Some((row, first.insert(row, at)?, at)))
+        .filter_map(|(at, row)| Some((row, first.insert(meant(row), at)?, at)))
         .next()?;
     let keys = axis.keys.join("`, `");
     let remedy = "runs of the same values give the same bits; tell --repeat for several seeds";
@@ -185,10 +187,11 @@ fn repeated_row(axis: &Axis) -> Option<String> {
             earlier + 1,
             at + 1
         ),
-        option => format!(
-            "{option} `{keys}`: the value {} is there twice; {remedy}",
-            row.join(", ")
-        ),
+        option => {
+            let (row, twin) = (row.join(", "), axis.rows[earlier].join(", "));
+            let as_written = if row == twin { String::new() } else { format!(", as {twin}") };
+            format!("{option} `{keys}`: the value {row} is there twice{as_written}; {remedy}")
+        }
     })
 }
 
@@ -235,6 +238,9 @@ mod tests {
                 "a",
                 "b=1,,2",
                 "c=1,1",
+                "c.d=0.2,1,0.20",
+                "c.e=4 mm,4000 um",
+                "c.f=1 m,1 kg,1",
                 "d=1..5",
                 "e.f=1,2",
                 "e=3",
@@ -250,10 +256,13 @@ mod tests {
         };
         let scenario = "[[g]]\nname = \"fine\"\nh = 1\n";
         let text = varied.axes(scenario).unwrap_err().to_string();
+        assert!(!text.contains("`c.f`: the value"), "{text}");
         for expected in [
             "--vary `a` has no `=`",
             "--vary `b`: a value is missing",
-            "`c`: the value 1 is there twice",
+            "`c`: the value 1 is there twice;",
+            "`c.d`: the value 0.20 is there twice, as 0.2;",
+            "`c.e`: the value 4000 um is there twice, as 4 mm;",
             "--vary `d`: `1..5`: the number of values is missing",
             "`e.f` (--vary) and `e` (--vary) tell the same key, or one",
             "`g[0].h` (--vary) and `g.0.h` (--vary)",

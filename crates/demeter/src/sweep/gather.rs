@@ -189,10 +189,12 @@ pub fn title_of(metric: &Metric, series: &[String]) -> Option<String> {
 pub fn check_wishes(folder: &SweepFolder, scenario: &Scenario) -> Result<(), SweepError> {
     let titles = scenario.series_titles();
     let stages: Vec<&str> = scenario.stages.iter().map(|stage| stage.name.as_str()).collect();
+    let ends = folder.plan.runs.iter().map(|run| run.estimate.simulated);
+    let latest = ends.fold(0.0, f64::max);
     let metrics = metrics(&folder.wishes.results)?;
     let of_series = metrics.iter().filter(|metric| summary_column(metric).is_none());
     let problems: Vec<String> = of_series
-        .filter_map(|metric| metric.problem(&titles, &stages))
+        .filter_map(|metric| metric.problem(&titles, &stages, latest))
         .collect();
     if !problems.is_empty() {
         return Err(SweepError::Told { problems });

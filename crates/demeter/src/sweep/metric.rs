@@ -162,8 +162,8 @@ impl Metric {
         format!("{} {name}{place}{unit}", self.what.name())
     }
 
-    /// What is wrong with it for runs with these columns and stages.
-    pub fn problem(&self, titles: &[String], stages: &[&str]) -> Option<String> {
+    /// What is wrong with it for runs with these columns and stages, which end at `latest` at the latest [s]; 0 where that is not known.
+    pub fn problem(&self, titles: &[String], stages: &[&str], latest: f64) -> Option<String> {
         if position_of(titles, &self.column).is_none() {
             let help = nearest(&self.column, titles.iter().map(|title| column_name(title)));
             return Some(format!(
@@ -181,6 +181,11 @@ impl Metric {
                 let help = nearest(stage, stages.iter().copied());
                 Some(format!("the scenario has no stage `{stage}`; {help}"))
             }
+            // the last row lies within a step of the end
+            Rows::Times(from, _) if latest > 0.0 && *from > latest * (1.0 + 1e-9) => Some(format!(
+                "these runs end at {latest:.6} s at the latest: no row of the series lies in `{}`",
+                self.place
+            )),
             _ => None,
         }
     }
@@ -281,11 +286,13 @@ mod tests {
         let problem = |told: &str| {
             Metric::read(told)
                 .unwrap()
-                .problem(&titles, &["fill", "press 1", "press 2"])
+                .problem(&titles, &["fill", "press 1", "press 2"], 4.0)
         };
         assert_eq!(problem("max:f@press"), None);
         assert!(problem("g").unwrap().contains("no column `g`"));
         assert!(problem("mean:stage").unwrap().contains("holds words"));
         assert!(problem("f@prss").unwrap().contains("no stage `prss`"));
+        assert_eq!(problem("f@4 s..9 s"), None);
+        assert!(problem("f@5 s..9 s").unwrap().contains("end at 4.000000 s at the latest"));
     }
 }

@@ -35,6 +35,9 @@ pub struct Estimate {
     pub memory: u64,
     /// Time on one thread [s].
     pub run_time: f64,
+    /// Simulated time when no condition ends a stage early [s]; 0 where it was not noted.
+    #[serde(default)]
+    pub simulated: f64,
 }
 
 /// A run of a sweep.

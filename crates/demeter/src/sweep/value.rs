@@ -1,6 +1,7 @@
 //! Values as they are written: numbers, quantities, words.
 
 use crate::scenario::units;
+use demeter_physics::dimension::Dimension;
 
 /// What a value is.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +32,18 @@ pub fn value_of(written: &str) -> Value {
         Ok(toml::Value::String(text)) => of_text(text.trim()),
         Ok(other) => Value::Word(other.to_string()),
         Err(_) => of_text(written),
+    }
+}
+
+/// What a value means: the same for every way to write it.
+pub fn meaning(written: &str) -> String {
+    match value_of(written) {
+        Value::Number { number, unit } if unit.is_empty() => format!("{number:e} {:?}", Dimension::NONE),
+        Value::Number { number, unit } => match units::parse(&unquoted(written)) {
+            Ok(quantity) => format!("{:e} {:?}", quantity.value, quantity.dimension),
+            Err(_) => format!("{number} {unit}"),
+        },
+        Value::Word(word) => word,
     }
 }
 
@@ -82,5 +95,15 @@ mod tests {
             assert_eq!(value_of(written), expected, "{written}");
         }
         assert_eq!(unquoted(" \"30 deg\" "), "30 deg");
+        for (one, other, is_same) in [
+            ("0.2", " 0.20", true),
+            ("4 mm", "\"4000 um\"", true),
+            ("50 %", "0.5", true),
+            ("1 m", "1 kg", false),
+            ("1 m", "1", false),
+            ("linear", "\"linear\"", true),
+        ] {
+            assert_eq!(meaning(one) == meaning(other), is_same, "{one}, {other}");
+        }
     }
 }
