@@ -63,10 +63,14 @@ thread_local! {
     static KEPT: RefCell<Option<Mpi>> = const { RefCell::new(None) };
 }
 
-/// Leaves the job, where there is one, together with the other processes.
+/// Leaves the job, where there is one, together with the other processes. All is told by then: a launcher that ends those that are still
+/// there, once one has ended with an error, does not interrupt them.
 pub fn leave() {
     #[cfg(feature = "mpi")]
-    KEPT.take();
+    if let Some(job) = KEPT.take() {
+        answer::be_silent(true);
+        drop(job);
+    }
 }
 
 /// An MPI job, where a launcher such as `mpirun` has started this process.
