@@ -1,7 +1,7 @@
 //! Grains that come and go between two steps.
 
 use super::time_step::largest_reach;
-use super::{Simulation, SkinTuner};
+use super::{Energies, Simulation, SkinTuner};
 use crate::contacts::Coupling;
 use crate::particles::{Grains, HigherDerivatives, NewGrain};
 use crate::simulation::{Skin, WallPartner};
@@ -11,7 +11,7 @@ use glam::DVec3;
 use std::ops::Range;
 
 /// Why grains cannot come.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ExchangeError {
     /// No id is left.
     #[error(
@@ -27,6 +27,28 @@ pub enum ExchangeError {
     /// The box deforms.
     #[error("no grains can come or go while the periodic box deforms")]
     Deforms,
+    /// Grains that leave are told by rising indices.
+    #[error(
+        "the grains that leave must be told by rising indices below the number of grains, {grains}; {index} is none"
+    )]
+    Leave {
+        /// The index that is out of order, or of no grain.
+        index: usize,
+        /// Number of grains.
+        grains: usize,
+    },
+    /// A grain that comes is impossible.
+    #[error("grain {index} of those that are to come has {what} of {value}, which must be {allowed}")]
+    Come {
+        /// Its place among those that come.
+        index: usize,
+        /// What is wrong.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        allowed: &'static str,
+    },
 }
 
 impl Simulation {
@@ -64,6 +86,8 @@ impl Simulation {
                 latest: self.latest_id,
             });
         };
+        self.check_leaving(leave)?;
+        self.check_coming(come)?;
         self.hear_corrected_places();
         if !leave.is_empty() {
             self.remove(leave);
@@ -73,6 +97,59 @@ impl Simulation {
             self.latest_id = end - 1;
         }
         Ok(first..end)
+    }
+
+    fn check_leaving(&self, leave: &[usize]) -> Result<(), ExchangeError> {
+        let grains = self.grains.len();
+        let out_of_order = leave.windows(2).find(|two| two[0] >= two[1]).map(|two| two[1]);
+        let beyond = leave
+            .last()
+            .copied()
+            .filter(|&last| !self.is_divided() && last >= grains);
+        match out_of_order.or(beyond) {
+            None => Ok(()),
+            Some(index) => Err(ExchangeError::Leave { index, grains }),
+        }
+    }
+
+    fn check_coming(&self, come: &[NewGrain]) -> Result<(), ExchangeError> {
+        let materials = self.materials.list().len();
+        for (index, grain) in come.iter().enumerate() {
+            let vectors = [
+                ("a place", grain.position),
+                ("a velocity", grain.velocity),
+                ("an angular velocity", grain.angular_velocity),
+            ];
+            let components = vectors
+                .into_iter()
+                .flat_map(|(what, v)| v.to_array().map(|value| (what, value)));
+            let lost = components
+                .filter(|(_, value)| !value.is_finite())
+                .map(|(what, value)| (what, value, "finite"));
+            let sizes = [("a radius", grain.radius), ("a density", grain.density)].into_iter();
+            let sizes = sizes.filter(|(_, value)| !(*value > 0.0 && value.is_finite()));
+            let sizes = sizes.map(|(what, value)| (what, value, "above 0 and finite"));
+            let unknown = (usize::from(grain.material) >= materials)
+                .then(|| ("a material", f64::from(grain.material), "below the number of materials"));
+            if let Some((what, value, allowed)) = lost.chain(sizes).chain(unknown).next() {
+                return Err(ExchangeError::Come {
+                    index,
+                    what,
+                    value,
+                    allowed,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Energies that grains which come or go bring or take: what is there at the start is booked then.
+    pub(super) fn carried(&self, counts: impl Fn(usize) -> bool + Sync) -> Energies {
+        if self.is_started() {
+            self.energies_of(counts)
+        } else {
+            Energies::default()
+        }
     }
 
     /// Indices, rising, of all grains for which something holds. Where processes share the run each calls this, and looks at its own.
@@ -106,7 +183,7 @@ impl Simulation {
         self.find_candidates();
         self.foresee_bulges();
         let ids = first_id..;
-        let gained = self.energies_of(|g| ids.contains(&self.grains.id[g]));
+        let gained = self.carried(|g| ids.contains(&self.grains.id[g]));
         self.books.insert(come.len() as u64, &gained);
     }
 }

@@ -109,6 +109,13 @@ impl Simulation {
         }
     }
 
+    /// Lets another gravity act [m/s^2]. The change of energy is booked as work of custom forces.
+    pub fn set_gravity(&mut self, gravity: DVec3) {
+        let before = self.mechanical_energies().present();
+        self.gravity = gravity;
+        self.book_change_since(before);
+    }
+
     fn find_forces_anew(&mut self) -> Result<(), Fault> {
         let dt = self.dt;
         self.dt = SHORT_STEP * dt;

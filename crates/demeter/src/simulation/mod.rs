@@ -498,7 +498,7 @@ impl Simulation {
     /// this.
     pub(crate) fn remove(&mut self, indices: &[usize]) {
         let leaves = |g: usize| indices.binary_search(&g).is_ok();
-        let gone = self.energies_of(leaves);
+        let gone = self.carried(leaves);
         self.books.remove(indices.len() as u64, &gone);
         if self.is_divided() {
             self.leave_out_together(indices);

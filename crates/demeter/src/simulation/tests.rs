@@ -280,3 +280,61 @@ fn a_grain_that_crosses_the_box_too_often_ends_the_run() {
     }
     panic!("it went on to {farthest}");
 }
+
+#[test]
+fn an_exchange_that_is_impossible_changes_nothing() {
+    let mut sim = squeezed();
+    let grains = sim.grains.len();
+    let grain = NewGrain {
+        material: 0,
+        radius: 0.1,
+        density: 1000.0,
+        position: DVec3::splat(0.5),
+        velocity: DVec3::ZERO,
+        angular_velocity: DVec3::ZERO,
+        fixed: false,
+    };
+    let leave = |index| ExchangeError::Leave { index, grains };
+    for (indices, index) in [(vec![5, 2], 2), (vec![5, 5], 5), (vec![3, grains], grains)] {
+        assert_eq!(sim.exchange(&indices, &[]), Err(leave(index)));
+    }
+    let come = [
+        (NewGrain { material: 9, ..grain }, "a material"),
+        (NewGrain { radius: 0.0, ..grain }, "a radius"),
+        (
+            NewGrain {
+                velocity: DVec3::Y * f64::INFINITY,
+                ..grain
+            },
+            "a velocity",
+        ),
+    ];
+    for (wrong, expected) in come {
+        let found = sim.exchange(&[], &[grain, wrong]);
+        assert!(
+            matches!(found, Err(ExchangeError::Come { index: 1, what, .. }) if what == expected),
+            "{found:?}"
+        );
+    }
+    assert_eq!(sim.grains.len(), grains);
+}
+
+/// What is there when the books are opened came from nowhere.
+#[test]
+fn grains_that_come_and_go_before_the_start_are_not_booked_twice() {
+    let mut sim = Simulation::new(lattice(0.51, 1.0, Skin::Fixed(0.05)));
+    sim.exchange(&[0, 7], &[]).unwrap();
+    sim.steps(20).unwrap();
+    let residual = sim.energies().residual;
+    assert!(residual.abs() < 1e-3, "{residual}");
+}
+
+#[test]
+fn another_gravity_is_booked() {
+    let mut sim = squeezed();
+    sim.set_gravity(DVec3::new(30.0, 0.0, -50.0));
+    sim.steps(50).unwrap();
+    let energies = sim.energies();
+    assert!(energies.custom_work.abs() > energies.kinetic, "{energies:?}");
+    assert!(energies.residual.abs() < 1e-3, "{}", energies.residual);
+}
