@@ -52,7 +52,10 @@ pub struct ResidenceState {
     /// Id, step at which it came, and mass [kg] of every grain inside, sorted by id.
     inside: Vec<(u32, u64, f64)>,
     left: u64,
-    /// Sums over the grains that left of mass times powers 0 to 3 of their time.
+    /// Time of the first grain that left, in steps. Others' are told from there, so that moments of times that hardly differ do not
+    /// drown in the rounding of those of the times.
+    first: Option<u64>,
+    /// Sums over the grains that left of mass times powers 0 to 3 of their time beyond that.
     powers: [f64; 4],
     /// Shortest and longest time in steps.
     extremes: Option<(u64, u64)>,
@@ -105,20 +108,17 @@ impl Residence {
 
     /// Books a grain that left after some steps.
     fn note(&self, state: &mut ResidenceState, steps: u64, mass: f64, dt: f64) {
-        let time = steps as f64 * dt;
         state.left += 1;
-        for (sum, power) in state
-            .powers
-            .iter_mut()
-            .zip([1.0, time, time * time, time * time * time])
-        {
-            *sum += mass * power;
+        let first = *state.first.get_or_insert(steps);
+        let beyond = (steps as f64 - first as f64) * dt;
+        for (k, sum) in state.powers.iter_mut().enumerate() {
+            *sum += mass * beyond.powi(k as i32);
         }
         let (least, most) = state.extremes.unwrap_or((steps, steps));
         state.extremes = Some((least.min(steps), most.max(steps)));
         if let Some((width, count)) = self.bins {
             state.bins.resize(count as usize + 1, 0.0);
-            let bin = ((time / width) as usize).min(count as usize);
+            let bin = ((steps as f64 * dt / width) as usize).min(count as usize);
             state.bins[bin] += mass;
         }
     }
@@ -129,11 +129,7 @@ impl Residence {
         let aged: f64 = (state.inside.iter())
             .map(|grain| grain.2 * (sim.step - grain.1) as f64 * sim.dt)
             .sum();
-        let [m0, m1, m2, m3] = state.powers;
-        let mean = m1 / m0;
-        let variance = (m2 / m0 - mean * mean).max(0.0);
-        let third = m3 / m0 - 3.0 * mean * m2 / m0 + 2.0 * mean * mean * mean;
-        let deviation = variance.sqrt();
+        let [mean, deviation, skewness] = moments(state, sim.dt);
         let extreme = |pick: fn(&(u64, u64)) -> u64| {
             let steps = state.extremes.as_ref().map(pick);
             Value::Number(steps.map_or(f64::NAN, |steps| steps as f64 * sim.dt))
@@ -143,10 +139,10 @@ impl Residence {
             Value::Number(mass),
             Value::Number(aged / mass),
             Value::Count(state.left),
-            Value::Number(m0),
+            Value::Number(state.powers[0]),
             Value::Number(mean),
-            Value::Number(if m0 > 0.0 { deviation } else { f64::NAN }),
-            Value::Number(third / (deviation * variance)),
+            Value::Number(deviation),
+            Value::Number(skewness),
             extreme(|e| e.0),
             extreme(|e| e.1),
         ]
@@ -166,6 +162,29 @@ impl Residence {
         state.bins.is_empty() || state.bins.len() == count
     }
 }
+
+/// Mean and standard deviation [s] and skewness of the times of the grains that left, by mass; not a number where there are none, the
+/// skewness also where all times are the same.
+fn moments(state: &ResidenceState, dt: f64) -> [f64; 3] {
+    let [m0, m1, m2, m3] = state.powers;
+    let beyond = m1 / m0;
+    let square = m2 / m0 - beyond * beyond;
+    let variance = if square > ROUNDING * m2 / m0 {
+        square
+    } else {
+        0.0 * square
+    };
+    let third = m3 / m0 - 3.0 * beyond * m2 / m0 + 2.0 * beyond * beyond * beyond;
+    let skewness = if variance > 0.0 {
+        third / (variance * variance.sqrt())
+    } else {
+        f64::NAN
+    };
+    [state.first.unwrap_or(0) as f64 * dt + beyond, variance.sqrt(), skewness]
+}
+
+/// A variance of less than this share of the mean square is rounding.
+const ROUNDING: f64 = 1e-12;
 
 #[cfg(test)]
 mod tests {
@@ -193,9 +212,46 @@ mod tests {
         let end = look(60, &[]);
         assert_eq!(end.left, 4);
         // masses 1, 3, 2, 3 with 2, 1, 5 and 3 s
-        assert_eq!(end.powers[..2], [9.0, 2.0 + 3.0 + 10.0 + 9.0]);
+        assert_eq!(end.powers[0], 9.0);
+        let mean = (2.0 + 3.0 + 10.0 + 9.0) / 9.0;
+        let central = |power: i32| {
+            let each =
+                [(1.0, 2.0), (3.0, 1.0), (2.0, 5.0), (3.0, 3.0)].map(|(m, t): (f64, f64)| m * (t - mean).powi(power));
+            each.iter().sum::<f64>() / 9.0
+        };
+        let deviation = central(2).sqrt();
+        let expected = [mean, deviation, central(3) / (deviation * deviation * deviation)];
+        for (found, expected) in moments(&end, 0.1).into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+        }
         assert_eq!(residence.distribution(&end), [0.0, 3.0, 1.0, 5.0]);
         assert!(residence.fits(&end));
         assert!(end.inside.is_empty());
+    }
+
+    #[test]
+    fn a_plug_has_no_spread_and_a_narrow_one_its_own() {
+        let residence = Residence {
+            zone: Zone::default(),
+            selection: Selection::default(),
+            bins: None,
+        };
+        let of = |times: &[u64]| {
+            let mut state = ResidenceState::default();
+            times
+                .iter()
+                .for_each(|&steps| residence.note(&mut state, steps, 0.3, 1e-6));
+            moments(&state, 1e-6)
+        };
+        assert!(of(&[]).iter().all(|value| value.is_nan()));
+        let [mean, deviation, skewness] = of(&[700_000; 7]);
+        assert!((mean - 0.7).abs() < 1e-15 && deviation == 0.0 && skewness.is_nan());
+        // one of four stays a step longer: deviation sqrt(3)/4 steps, skewness 2/sqrt(3)
+        let [_, deviation, skewness] = of(&[700_000, 700_000, 700_001, 700_000]);
+        assert!(
+            (deviation / (1e-6 * 3f64.sqrt() / 4.0) - 1.0).abs() < 1e-9,
+            "{deviation}"
+        );
+        assert!((skewness - 2.0 / 3f64.sqrt()).abs() < 1e-9, "{skewness}");
     }
 }
