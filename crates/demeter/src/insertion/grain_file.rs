@@ -79,8 +79,8 @@ fn check_settings(density: Option<f64>, scale: f64, shift: DVec3) -> Result<(), 
     }
 }
 
-/// Material of every grain. Names are those of materials; numbers are types of the insertion, or nothing when it has
-/// no types.
+/// Material of every grain. Names are those of materials; numbers are types of the insertion, and when it has no types those of
+/// materials that have such a name, or nothing.
 fn materials_of(table: &GrainTable, insertion: &Insertion, materials: &[Material]) -> Result<Vec<u16>, FileProblem> {
     let mut named = Vec::with_capacity(table.type_names.len());
     for name in &table.type_names {
@@ -95,7 +95,11 @@ fn materials_of(table: &GrainTable, insertion: &Insertion, materials: &[Material
     };
     let material_of = |(k, kind): (usize, &TypeOfGrain)| match *kind {
         TypeOfGrain::Name(index) => Ok(named[index as usize]),
-        TypeOfGrain::Number(_) if insertion.types.is_empty() => Ok(insertion.material),
+        TypeOfGrain::Number(found) if insertion.types.is_empty() => {
+            let number = found.to_string();
+            let named = materials.iter().position(|m| m.name == number);
+            Ok(named.map_or(insertion.material, |place| place as u16))
+        }
         TypeOfGrain::Number(found) => {
             (insertion.types.get(found as usize - 1).copied()).ok_or(FileProblem::TypeWithoutMaterial {
                 number: k + 1,

@@ -58,6 +58,24 @@ fn insert_text(text: &[u8], change: impl Fn(&mut Insertion)) -> Result<Inserted,
 }
 
 #[test]
+fn numbers_that_are_names_of_materials_are_these() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("grains.csv");
+    std::fs::write(&path, "x,y,z,diameter,material\n0,0,0,1,2\n2,0,0,1,1\n4,0,0,1,3\n").unwrap();
+    let mut numbered = materials();
+    for (material, name) in numbered.iter_mut().zip(["2", "1"]) {
+        material.name = name.to_string();
+    }
+    let found = |materials: &[Material]| {
+        let inserted = insert(&from_file(&path), materials, &[], None).unwrap();
+        inserted.grains.iter().map(|grain| grain.material).collect::<Vec<u16>>()
+    };
+    // that of the insertion where there is none of this name
+    assert_eq!(found(&numbered), [0, 1, 1]);
+    assert_eq!(found(&materials()), [1, 1, 1]);
+}
+
+#[test]
 fn grains_of_a_file_take_the_settings_of_the_insertion() {
     let made = insert_text(SMALL.as_bytes(), |description| {
         description.types = vec![0, 1];

@@ -4,7 +4,7 @@ use super::Scenario;
 use super::diagnostics::Diagnostics;
 use super::document::{Value, join};
 use super::quantity::Kind;
-use super::reader::{Item, TableReader, suggest_or_list};
+use super::reader::{Item, MAX_LABEL, TableReader, is_label, suggest_or_list};
 use crate::materials::{Material, PairChoice};
 use demeter_physics::contact::{LawChoice, LawInfo, laws as all_laws, multi_contact, normal, rolling, tangential};
 use demeter_physics::dimension::Dimension;
@@ -72,7 +72,29 @@ pub(super) fn materials(root: &TableReader<'_>) -> Vec<Material> {
             None,
         );
     }
+    for entry in entries.iter().take(MAX_MATERIALS) {
+        check_name(entry);
+    }
     entries.iter().take(MAX_MATERIALS).map(material).collect()
+}
+
+/// Most characters of a name that are told.
+const SHOWN: usize = 40;
+
+/// Names stand in files of grains, where commas and semicolons part the columns.
+fn check_name(entry: &Item<'_>) {
+    let is_apart = |c: char| matches!(c, ',' | ';' | '"');
+    if !is_label(&entry.name) || entry.name.contains(is_apart) {
+        let message = format!(
+            "the name of a material must have 1 to {MAX_LABEL} printable characters and no comma, semicolon or quote, as it stands in \
+             files of grains; this is `{}`",
+            entry.name.chars().take(SHOWN).collect::<String>().escape_debug()
+        );
+        entry.fault(
+            message,
+            Some("write `[material.NAME]`, as [material.glass]".to_string()),
+        );
+    }
 }
 
 /// `mPa` in place of `MPa` makes a material a thousand million times too soft.

@@ -139,8 +139,7 @@ impl<'a> Item<'a> {
     /// A text that must not be empty and holds no control characters.
     pub fn label(&self) -> String {
         let text = self.text();
-        let refused = text.trim().is_empty() || text.chars().any(char::is_control) || text.chars().count() > MAX_LABEL;
-        if matches!(self.node.value, Value::String(_)) && refused {
+        if matches!(self.node.value, Value::String(_)) && !is_label(&text) {
             let message = format!(
                 "`{}` must be a text of 1 to {MAX_LABEL} printable characters",
                 self.name
@@ -256,7 +255,12 @@ impl<'a> Item<'a> {
 }
 
 /// Longest name.
-const MAX_LABEL: usize = 200;
+pub(super) const MAX_LABEL: usize = 200;
+
+/// Whether a text is not empty, not long, and holds no control characters.
+pub(super) fn is_label(text: &str) -> bool {
+    !text.trim().is_empty() && !text.chars().any(char::is_control) && text.chars().count() <= MAX_LABEL
+}
 
 /// A table being read. It remembers the keys it was asked for; [`TableReader::finish`] refuses all others.
 pub(super) struct TableReader<'a> {
