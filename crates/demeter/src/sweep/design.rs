@@ -189,7 +189,11 @@ fn repeated_row(axis: &Axis) -> Option<String> {
         ),
         option => {
             let (row, twin) = (row.join(", "), axis.rows[earlier].join(", "));
-            let as_written = if row == twin { String::new() } else { format!(", as {twin}") };
+            let as_written = if row == twin {
+                String::new()
+            } else {
+                format!(", as {twin}")
+            };
             format!("{option} `{keys}`: the value {row} is there twice{as_written}; {remedy}")
         }
     })

@@ -293,6 +293,10 @@ mod tests {
         assert!(problem("mean:stage").unwrap().contains("holds words"));
         assert!(problem("f@prss").unwrap().contains("no stage `prss`"));
         assert_eq!(problem("f@4 s..9 s"), None);
-        assert!(problem("f@5 s..9 s").unwrap().contains("end at 4.000000 s at the latest"));
+        assert!(
+            problem("f@5 s..9 s")
+                .unwrap()
+                .contains("end at 4.000000 s at the latest")
+        );
     }
 }
