@@ -30,8 +30,9 @@ params! {
 /// Gap at which the tail is cut off unless told, in separations.
 const CUTOFF: f64 = 100.0;
 
-/// Time scale of a pull `F` that begins with a jump, over `sqrt(e) m v/F`: a step of a two-hundredth of it changes `v` by `0.02 sqrt(e)`.
-const JUMP: f64 = 4.0;
+/// Time scale of a pull `F` that begins with a jump, over `sqrt(e) m v/F`: a step of a two-hundredth of it changes `v` by a share of
+/// `0.0125 sqrt(e)`.
+const JUMP: f64 = 2.5;
 
 /// Attraction across a gap: `F_c (z/(z + g))^2` to the cut-off.
 #[derive(Clone, Copy, Debug, PartialEq)]
