@@ -10,7 +10,7 @@ pub(crate) use coupled::CouplingState;
 pub use coupled::{CouplingMemory, Effort};
 
 use crate::contacts::sum::{Adder, Work};
-use crate::contacts::{Approach, ContactChunk, Fault, Scene};
+use crate::contacts::{Approach, ContactChunk, Fault, Scene, Span};
 use crate::neighbours::Neighbours;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::simulation::profile::{Part, Profile};
@@ -80,6 +80,7 @@ impl Simulation {
             self.exchange_borders(|_| ());
         }
         self.took(Phase::Search);
+        self.span = Span::of_step(self.dt);
         self.find_contacts(&motion)?;
         self.took(self.phase_of_contacts());
         self.sum_up_work()?;
@@ -128,6 +129,7 @@ impl Simulation {
         self.even_out_start();
         self.foresee_bulges();
         self.exchange_borders(|_| ());
+        self.span = Span::of_start(self.dt, self.integrator);
         self.find_contacts(&motion)?;
         self.sum_up_work()?;
         self.sum_and_correct(Moment::Start)?;
@@ -191,6 +193,7 @@ impl Simulation {
             materials: &self.materials,
             comm: &self.comm,
             dt: self.dt,
+            span: self.span,
             integrator: self.integrator,
             step: self.step,
             max_speed,

@@ -15,13 +15,67 @@ const MOST_WIDE_HISTORY: usize = 32;
 const MANY: usize = 16;
 const FEW: usize = 4;
 
-/// Half of the path of the overlap over which a normal law takes its mean [m].
-#[inline(always)]
-pub(crate) fn normal_window<N: Normal, L: Lanes>(integrator: Integrator, overlap: L, rate: L, dt: f64) -> L {
-    if N::FOLLOWS_KINKS {
-        rate.abs() * (0.5 * dt)
-    } else {
-        integrator.half_window(overlap, rate, dt)
+/// When forces act that are found at a moment, as velocity Verlet has it: from half a step before it to half a step after it, and those
+/// of the start from then on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span {
+    /// A whole step [s].
+    pub(super) dt: f64,
+    /// From the moment to the middle of the time in which they act [s].
+    ahead: f64,
+    /// In which they correct velocities that were predicted [s].
+    correction: f64,
+}
+
+impl Span {
+    /// At the end of a step.
+    pub(crate) fn of_step(dt: f64) -> Self {
+        Self {
+            dt,
+            ahead: 0.0,
+            correction: 0.5 * dt,
+        }
+    }
+
+    /// Before any step, or after velocities were told anew.
+    pub(crate) fn of_start(dt: f64, integrator: Integrator) -> Self {
+        match integrator {
+            Integrator::VelocityVerlet => Self {
+                dt,
+                ahead: 0.25 * dt,
+                correction: 0.0,
+            },
+            Integrator::Gear => Self::of_step(dt),
+        }
+    }
+
+    /// What a normal law is told of contacts whose overlap is this at the moment [m], with their rate of approach [m/s].
+    #[inline(always)]
+    pub(crate) fn normal_input<N: Normal, L: Lanes>(
+        self,
+        integrator: Integrator,
+        size: PairSize<L>,
+        overlap: L,
+        rate: L,
+    ) -> NormalInput<L> {
+        let half_window = if N::FOLLOWS_KINKS {
+            rate.abs() * (0.5 * self.dt)
+        } else {
+            integrator.half_window(overlap, rate, self.dt)
+        };
+        let mut input = NormalInput {
+            size,
+            overlap,
+            rate,
+            half_window,
+        };
+        if self.ahead > 0.0 {
+            // of contacts that begin or end in the step, what lies before the start does not count; elsewhere the mean is the force now
+            let begins = half_window.gt(overlap.abs());
+            input.overlap = overlap + (rate * self.ahead).keep(begins);
+            input.half_window = L::select(begins, half_window * 0.5, half_window);
+        }
+        input
     }
 }
 
@@ -29,7 +83,7 @@ pub(crate) fn normal_window<N: Normal, L: Lanes>(integrator: Integrator, overlap
 pub(super) struct Lot<'a> {
     pub(super) k: usize,
     pub(super) acting: u32,
-    pub(super) dt: f64,
+    pub(super) span: Span,
     pub(super) integrator: Integrator,
     pub(super) values: &'a mut [f64],
     pub(super) stride: usize,
@@ -159,13 +213,8 @@ impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
             rate,
             previous,
         } = self;
-        let dt = lot.dt;
-        let input = NormalInput {
-            size,
-            overlap,
-            rate,
-            half_window: normal_window::<N, L>(lot.integrator, overlap, rate, dt),
-        };
+        let span = lot.span;
+        let input = span.normal_input::<N, L>(lot.integrator, size, overlap, rate);
         const { assert!(!N::WIDE || N::HISTORY.len() <= MANY) };
         let response = if !N::WIDE {
             press_one_by_one(law, &input, lot)
@@ -175,7 +224,7 @@ impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
             press_together::<N, L, MANY>(law, &input, lot)
         };
         let (force, rate) = match lot.integrator {
-            Integrator::VelocityVerlet => centred_force(response, rate, previous, inverse_mass, dt),
+            Integrator::VelocityVerlet => centred_force(response, rate, previous, inverse_mass, span.correction),
             // the predicted rate is of high order already
             Integrator::Gear => ((response.elastic + response.damping * rate).max(response.least), rate),
         };
@@ -185,7 +234,7 @@ impl<L: Lanes> NormalVisitor for Press<'_, '_, L> {
             friction_load: (force + response.adhesion).max(L::splat(0.0)),
             bearing_overlap: response.bearing_overlap,
             // where the force is cut at its least, the spring relaxes into the dashpot without pulling
-            viscous: (force - response.elastic) * rate * dt,
+            viscous: (force - response.elastic) * rate * span.dt,
             lost: response.lost,
         }
     }

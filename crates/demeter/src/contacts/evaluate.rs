@@ -95,7 +95,7 @@ impl ContactChunk {
             sink,
             laws: (),
             law: scene.materials.law(self.law),
-            dt: scene.dt,
+            span: scene.span,
             integrator: scene.integrator,
             answers: Answers {
                 normal_force: &mut self.now.normal_force,

@@ -53,7 +53,7 @@ pub enum Fault {
     /// The contacts of a grain displace each other more than they can bear.
     #[error(
         "step {step}: the contact of grain {id} at {} with {partner} has no coupled force: at a strain of {:.4} (overlap over \
-         the distance at touch) the other contacts of these bodies displace it by {:.4} of the smaller radius, and what it \
+         the distance at touch) the other contacts of these bodies displace it by {:.2e} of the smaller radius, and what it \
          pushes back displaces them in turn without end. Cause: the multi-contact model is one of small strain; its \
          equation has no solution beyond a fold, for a regular packing at a few per cent. Remedy: compress less, lower \
          `prefactor`, take another `multi_contact` law, or stiffen the grains",

@@ -37,6 +37,7 @@ mod told;
 mod transfer;
 mod wall_contacts;
 
+pub(crate) use asking::Span;
 pub use at_walls::Surfaces;
 pub use carried::{CarriedContact, ContactKey};
 pub use coupling::Coupling;

@@ -4,6 +4,7 @@
 //! it, assuming the present rate of approach: `overlap + |rate| dt/2 > 0`. A law that attracts across a gap is asked
 //! as far as it reaches, and one window farther, so that it sees itself let go and books what that loses.
 
+use super::asking::Span;
 use super::coupling::Coupled;
 use super::evaluate::WORD;
 use super::laws::largest_reach;
@@ -36,6 +37,8 @@ pub struct Scene<'a> {
     pub comm: &'a Single,
     /// Time step [s].
     pub dt: f64,
+    /// How long the forces act.
+    pub(crate) span: Span,
     /// How the equations of motion are integrated.
     pub integrator: Integrator,
     /// Number of this step.

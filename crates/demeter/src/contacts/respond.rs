@@ -1,7 +1,7 @@
 //! Contact laws, several contacts at a time: from how the bodies move to what the contacts do to them, without leaving the
 //! registers in between.
 
-use super::asking::{Lot, Press, Pressed, Roll, Rub, Stiffness};
+use super::asking::{Lot, Press, Pressed, Roll, Rub, Span, Stiffness};
 use super::kinematics::{Motion, Sight, Source, load_some, store_some_singles};
 use super::laws::{friction_limit, normal_history, spring_energies, tangential_history};
 use super::meetings::{lanes_below, next_lane};
@@ -40,7 +40,7 @@ pub(super) struct Respond<'a, S, K, W> {
     /// The laws as they are asked.
     pub(super) laws: W,
     pub(super) law: &'a PairLaw,
-    pub(super) dt: f64,
+    pub(super) span: Span,
     pub(super) integrator: Integrator,
     pub(super) answers: Answers<'a>,
 }
@@ -53,7 +53,7 @@ impl<'a, S, K> Respond<'a, S, K, ()> {
             sink,
             laws: (),
             law,
-            dt,
+            span,
             integrator,
             answers,
         } = self;
@@ -62,7 +62,7 @@ impl<'a, S, K> Respond<'a, S, K, ()> {
             sink,
             laws,
             law,
-            dt,
+            span,
             integrator,
             answers,
         }
@@ -123,10 +123,11 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
             sink,
             laws,
             law,
-            dt,
+            span,
             integrator,
             mut answers,
         } = self;
+        let dt = span.dt;
         let count = answers.normal_force.len();
         let (normal_length, tangential_length) = (normal_history(law), tangential_history(law));
         let mut losses = Losses([[0.0; EIGHT]; 4]);
@@ -159,7 +160,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
             let mut lot = Lot {
                 k,
                 acting: acts,
-                dt,
+                span,
                 integrator,
                 values: &mut *answers.history,
                 stride: answers.stride,

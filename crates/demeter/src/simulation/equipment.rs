@@ -23,16 +23,20 @@ pub struct WallInTheWay {
 
 impl Simulation {
     /// Tells a wall other motions, from where it stands. What its drive does at that moment, as when it catches a freely
-    /// moving wall, is booked.
+    /// moving wall, is booked, and that it moves otherwise in the half step in which the latest load still acts.
     pub fn set_wall_motion(&mut self, wall: usize, motions: Motions) -> Result<(), WallError> {
         let leader = (motions.leader()).and_then(|leader| self.walls.get(leader));
         let leader = leader.map_or(Pose::START, |leader| leader.pose());
-        let before = self.walls[wall].energy();
+        let former = &self.walls[wall];
+        let energy_before = former.energy();
+        // no drive does what grains do on a wall that moves freely
+        let power_before = if former.is_free() { 0.0 } else { former.power() };
         self.walls[wall].set_motion_behind(motions, leader)?;
         self.forget_driver(wall);
         if self.is_started() {
-            let after = self.walls[wall].energy();
-            self.books.drive_walls(after - before);
+            let now = &self.walls[wall];
+            let ahead = 0.5 * self.dt * (now.power() - power_before);
+            self.books.drive_walls(now.energy() - energy_before + ahead);
         }
         Ok(())
     }

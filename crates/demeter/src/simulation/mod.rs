@@ -53,7 +53,7 @@ pub(crate) use time_step::largest_reach;
 use crate::comm::Single;
 use crate::contacts::step_work::StepWork;
 use crate::contacts::sum::Sums;
-use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTables, Surfaces, laws};
+use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTables, Span, Surfaces, laws};
 use crate::materials::Materials;
 use crate::neighbours::{Bounds, Moves, Neighbours, put_in_order};
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
@@ -119,7 +119,9 @@ pub struct Simulation {
     pub step: u64,
     /// Time step [s].
     pub(crate) dt: f64,
-    /// Acceleration of gravity [m/s^2].
+    /// When the latest forces act.
+    pub(crate) span: Span,
+    /// Acceleration of gravity [m/s^2]. What a change does to the energy is not booked, as [`set_gravity`](Self::set_gravity) does.
     pub gravity: DVec3,
     /// Active contacts.
     pub contacts: Contacts,
@@ -221,6 +223,7 @@ impl Simulation {
             materials: setup.materials,
             step: 0,
             dt: setup.dt,
+            span: Span::of_step(setup.dt),
             gravity: setup.gravity,
             contacts: Contacts {
                 stride,

@@ -348,6 +348,7 @@ impl Simulation {
             materials: &self.materials,
             comm: &self.comm,
             dt: self.dt,
+            span: self.span,
             integrator: self.integrator,
             step: self.step,
             max_speed,

@@ -2,10 +2,10 @@
 
 use super::sites::Changes;
 use super::{Delivered, Scratch, Worst, lever_shift};
-use crate::contacts::asking::normal_window;
+use crate::contacts::Span;
 use crate::contacts::{ContactChunk, Fault, Kept, Scene};
 use demeter_physics::contact::PairSize;
-use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor};
+use demeter_physics::contact::normal::{Normal, NormalVisitor};
 use demeter_physics::integrator::Integrator;
 use std::ops::Range;
 
@@ -37,7 +37,7 @@ pub(crate) struct Scale<'a> {
 
 /// Elastic forces of a run of contacts of one material pair, at the displaced overlaps.
 struct Elastic<'a> {
-    dt: f64,
+    span: Span,
     integrator: Integrator,
     stride: usize,
     overlap: &'a [f64],
@@ -55,13 +55,8 @@ impl NormalVisitor for Elastic<'_> {
         let remembered = law.history();
         self.memory.resize(remembered, 0.0);
         for (k, answer) in self.answer.iter_mut().enumerate() {
-            let (overlap, rate) = (self.overlap[k], self.rate[k]);
-            let input = NormalInput {
-                size: self.size[k],
-                overlap,
-                rate,
-                half_window: normal_window::<L, f64>(self.integrator, overlap, rate, self.dt),
-            };
+            let (size, overlap, rate) = (self.size[k], self.overlap[k], self.rate[k]);
+            let input = self.span.normal_input::<L, f64>(self.integrator, size, overlap, rate);
             self.memory
                 .copy_from_slice(&self.history[k * self.stride..][..remembered]);
             *answer = law.respond(&input, self.memory).elastic;
@@ -285,7 +280,7 @@ impl ContactChunk {
             let earlier = *coupled;
             coupled.displacement = self.coupling.delivered[k].of_both();
             self.tally.multi_contact += 0.5 * (earlier.elastic * coupled.sum() - force * earlier.sum());
-            coupled.go_on(&earlier, force);
+            coupled.go_on(&earlier, force, scene.step == 0);
             if self.coupling.asleep[k] {
                 self.forget_contact(k, scene);
             }
@@ -311,7 +306,7 @@ impl Scratch {
     fn find_forces(&mut self, run: Range<usize>, now: &Kept, law: u32, scene: &Scene) {
         let law = scene.materials.law(law);
         law.normal.visit(Elastic {
-            dt: scene.dt,
+            span: scene.span,
             integrator: scene.integrator,
             stride: scene.stride,
             overlap: &self.overlap[run.clone()],

@@ -91,10 +91,13 @@ impl Coupled {
         }
     }
 
-    /// Notes the force of this step, whose displacements are here already.
+    /// Notes the force of this step, whose displacements are here already; one of the start came from nowhere and has no trend.
     #[inline(always)]
-    fn go_on(&mut self, earlier: &Self, force: f64) {
+    fn go_on(&mut self, earlier: &Self, force: f64, starts: bool) {
         self.elastic = force;
+        if starts {
+            return;
+        }
         self.trend = force - earlier.elastic;
         self.curve = self.trend - earlier.trend;
         self.lever_trend = self.lever_shift() - earlier.lever_shift();

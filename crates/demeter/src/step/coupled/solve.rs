@@ -12,6 +12,10 @@ use std::sync::{Mutex, PoisonError};
 /// Iterations after which a force that jumps may be the reason for having no solution.
 const PATIENCE_WITH_JUMPS: usize = 30;
 
+/// Iterations after which forces are good enough that are as close to a solution as this.
+const PATIENCE_WITH_ROUNDING: usize = 100;
+const ROUNDING: f64 = 1e-10;
+
 /// Iterations after which the coupled equation is given up.
 const MOST_ITERATIONS: usize = 1000;
 
@@ -39,7 +43,13 @@ impl Simulation {
                 break;
             }
             self.clear_changes();
-            if worst > tolerance {
+            // laws that follow a path are exact to rounding only
+            let enough = if iteration > PATIENCE_WITH_ROUNDING {
+                tolerance.max(ROUNDING)
+            } else {
+                tolerance
+            };
+            if worst > enough {
                 let mixes = progress.mixes(iteration, worst);
                 if iteration.is_multiple_of(PATIENCE_WITH_JUMPS) && self.let_jumps_lag(max_speed, worst) > 0 {
                     progress = Progress::begin();

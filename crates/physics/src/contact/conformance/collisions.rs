@@ -77,7 +77,7 @@ impl Encounter {
             };
             let next = if input.overlap + input.half_window > 0.0 {
                 let response = self.case.respond_with(&input, &mut history);
-                centred_force(response, approach, force, 1.0 / mass, dt).0
+                centred_force(response, approach, force, 1.0 / mass, 0.5 * dt).0
             } else {
                 0.0
             };

@@ -12,7 +12,7 @@ mod window;
 
 use super::{MaterialPair, PairSize, lane_by_lane, law_family};
 use crate::dimension::Dimension;
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Mask};
 use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
 use crate::restitution::ContactEnd;
 
@@ -269,25 +269,34 @@ pub fn mean_slope(input: &NormalInput, primitive: impl Fn(f64) -> f64) -> f64 {
     mean_of_change(input, primitive(upper) - primitive(lower))
 }
 
+/// Largest `c t/m` of the dashpot of a contact in a step. The longest steps that are allowed for constant coefficients come to 0.15.
+const MOST_DAMPED: f64 = 0.2;
+
 /// Normal force of one step [N] and the rate of approach that it acts at [m/s].
 ///
 /// The rate handed in is predicted with the force of the step before, `previous_force`. The contact's own change of
-/// force since then is put in here, implicitly for the dashpot:
-/// `rate' = (rate - (F_el - F_prev) dt / (2 m)) / (1 + c dt / (2 m))`, `F = F_el + c rate'`.
+/// force since then is put in here, implicitly for the dashpot, over the time `t` of the correcting kick, half a step:
+/// `rate' = (rate - (F_el - F_prev) t / m) / (1 + c t / m)`, `F = F_el + c rate'`. With `t = 0` the rate is the true one already.
 /// For two bodies alone this is velocity Verlet with the dashpot at the true velocity, to second order, and stable
-/// for any damping. A force below the least that the law allows is cut there.
+/// for any damping. A force below the least that the law allows is cut there, and a dashpot that would take more than
+/// [`MOST_DAMPED`] gives way: past 1 it would turn the velocity round, and the dashpots of all contacts of a grain add up.
 #[inline(always)]
 pub fn centred_force<L: Lanes>(
     response: NormalResponse<L>,
     rate: L,
     previous_force: L,
     inverse_mass: L,
-    dt: f64,
+    correction: f64,
 ) -> (L, L) {
-    let half_step = inverse_mass * (0.5 * dt);
+    let half_step = inverse_mass * correction;
     let unloaded = rate + previous_force * half_step;
-    let corrected = (unloaded - response.elastic * half_step) / (response.damping * half_step + 1.0);
-    let force = response.elastic + response.damping * corrected;
+    let mut damping = response.damping;
+    let too_strong = (damping * half_step).gt(L::splat(MOST_DAMPED));
+    if too_strong.any() {
+        damping = L::select(too_strong, L::splat(MOST_DAMPED) / half_step, damping);
+    }
+    let corrected = (unloaded - response.elastic * half_step) / (damping * half_step + 1.0);
+    let force = response.elastic + damping * corrected;
     let cut = force.lt(response.least);
     (
         L::select(cut, response.least, force),

@@ -58,6 +58,10 @@ impl Rolling for Epsd {
         }
     }
 
+    fn damping_ratio(&self) -> f64 {
+        self.parameters.damping_ratio
+    }
+
     #[inline(always)]
     fn energy(&self, history: &[f64]) -> f64 {
         spring_energy(history)

@@ -77,6 +77,10 @@ impl Rolling for EpsdTorsion {
         }
     }
 
+    fn damping_ratio(&self) -> f64 {
+        self.rolling.damping_ratio()
+    }
+
     #[inline(always)]
     fn energy(&self, history: &[f64]) -> f64 {
         let (of_rolling, of_torsion) = history.split_at(SPRING_HISTORY);

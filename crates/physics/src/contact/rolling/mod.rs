@@ -111,6 +111,10 @@ pub trait Rolling: Copy + Send + Sync {
         });
         RollingResponse::of_lanes(&answers)
     }
+    /// Share of critical damping of its spring.
+    fn damping_ratio(&self) -> f64 {
+        0.0
+    }
     /// Energy stored with this history [J].
     fn energy(&self, history: &[f64]) -> f64;
     /// Rolling stiffness [N m] at a tangent normal stiffness; 0 for a law without a spring.

@@ -329,6 +329,10 @@ impl Tangential for MindlinDeresiewicz {
         normal_force * self.parameters.friction
     }
 
+    fn damping_ratio(&self) -> f64 {
+        self.parameters.damping_ratio
+    }
+
     #[inline(always)]
     fn energy(&self, history: &[f64]) -> f64 {
         Row::read(history).energy(self.modulus)

@@ -96,6 +96,10 @@ impl Tangential for MindlinHistory {
         normal_force * self.parameters.friction
     }
 
+    fn damping_ratio(&self) -> f64 {
+        self.parameters.damping_ratio
+    }
+
     #[inline(always)]
     fn energy(&self, history: &[f64]) -> f64 {
         spring_energy(history)

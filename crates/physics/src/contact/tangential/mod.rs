@@ -120,6 +120,10 @@ pub trait Tangential: Copy + Send + Sync {
     }
     /// Largest force that friction bears before the contact slides as a whole [N].
     fn limit<L: Lanes>(&self, normal_force: L) -> L;
+    /// Share of critical damping of its spring.
+    fn damping_ratio(&self) -> f64 {
+        0.0
+    }
     /// Energy stored with this history [J].
     fn energy(&self, history: &[f64]) -> f64;
     /// Tangential stiffness at an overlap [N/m]; 0 for a law without a spring.
