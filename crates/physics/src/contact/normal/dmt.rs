@@ -31,7 +31,7 @@ params! {
 const CUTOFF: f64 = 100.0;
 
 /// Time scale of a pull `F` that begins with a jump, over `sqrt(e) m v/F`: a step of a two-hundredth of it changes `v` by a share of
-/// `0.0125 sqrt(e)`.
+/// `0.0125 sqrt(e)`, so that the books are not off by more than 1e-3 at touch either.
 const JUMP: f64 = 2.5;
 
 /// Attraction across a gap: `F_c (z/(z + g))^2` to the cut-off.

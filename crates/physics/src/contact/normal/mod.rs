@@ -278,8 +278,8 @@ const MOST_DAMPED: f64 = 0.2;
 /// force since then is put in here, implicitly for the dashpot, over the time `t` of the correcting kick, half a step:
 /// `rate' = (rate - (F_el - F_prev) t / m) / (1 + c t / m)`, `F = F_el + c rate'`. With `t = 0` the rate is the true one already.
 /// For two bodies alone this is velocity Verlet with the dashpot at the true velocity, to second order, and stable
-/// for any damping. A force below the least that the law allows is cut there, and a dashpot that would take more than
-/// [`MOST_DAMPED`] gives way: past 1 it would turn the velocity round, and the dashpots of all contacts of a grain add up.
+/// for any damping. A force below the least that the law allows is cut there, and a dashpot whose `c t/m` is above
+/// 0.2 gives way: past 1 it would turn the velocity round, and the dashpots of all contacts of a grain add up.
 #[inline(always)]
 pub fn centred_force<L: Lanes>(
     response: NormalResponse<L>,
