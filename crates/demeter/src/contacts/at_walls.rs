@@ -23,6 +23,8 @@ pub struct Surfaces {
     origin: Vec<[f64; 4]>,
     /// The wall whose free motion each follows; empty where none moves freely.
     giving: Vec<u32>,
+    /// Velocities of surfaces along themselves [m/s]; empty where there are none.
+    belts: Vec<[f64; 4]>,
     /// Whether no wall moves.
     is_at_rest: bool,
 }
@@ -45,6 +47,10 @@ impl Surfaces {
                 .extend(walls.iter().enumerate().map(giving).map(|k| k as u32));
         }
         self.is_at_rest = walls.iter().all(Wall::is_at_rest);
+        self.belts.clear();
+        if walls.iter().any(|wall| wall.belt() != DVec3::ZERO) {
+            self.belts.extend(walls.iter().map(|wall| row(wall.belt())));
+        }
     }
 
     /// Velocities of some walls at points [m/s].
@@ -125,6 +131,11 @@ impl Source for AtWalls<'_> {
         if !scene.surfaces.is_at_rest || !scene.surfaces.giving.is_empty() {
             let points = L::Vector::new(x, y, z) - normal * lever;
             velocity = velocity - scene.surfaces.velocities::<L>(&walls, points);
+            if !scene.surfaces.belts.is_empty() {
+                let [[bx, by, bz, _]] = L::fetch([&scene.surfaces.belts], &walls);
+                let belt = L::Vector::new(bx, by, bz);
+                velocity = velocity - (belt - normal * belt.inner(normal));
+            }
             along_normal = along_normal + self.inverse_masses::<L>(&walls, points, normal);
         }
         let rate = -velocity.inner(normal);
@@ -242,6 +253,12 @@ impl ContactChunk {
             }
         }
         self.felt = felt;
+        if !scene.surfaces.belts.is_empty() {
+            for (k, &wall) in self.j.iter().enumerate() {
+                let on_grain = self.now.tangential.of(k);
+                self.tally.wall_work += scene.dt * on_grain.dot(scene.walls[wall as usize].belt());
+            }
+        }
         if let Some((k, overlap)) = too_deep {
             self.note_overlap_at_wall(k, overlap, scene);
         }

@@ -385,7 +385,7 @@ fn largest_speed(motions: &Motions, bounds: Option<(DVec3, DVec3)>) -> Option<f6
         })
     };
     let speed = |motion: &Motion| match motion {
-        Motion::Velocity(velocity) => velocity.length(),
+        Motion::Velocity(velocity) | Motion::Belt(velocity) => velocity.length(),
         Motion::Oscillation {
             amplitude, frequency, ..
         } => 2.0 * PI * frequency * amplitude.length(),

@@ -26,8 +26,9 @@ pub(super) struct Frame<'a> {
     pub gravity: DVec3,
 }
 
-const KINDS: [&str; 10] = [
+const KINDS: [&str; 11] = [
     "velocity",
+    "belt",
     "rotation",
     "oscillation",
     "rocking",
@@ -99,6 +100,7 @@ fn motion(table: &TableReader<'_>, item: &Item<'_>, frame: &Frame<'_>) -> Option
         let Some(told) = table.optional(kind) else { continue };
         read = match kind {
             "velocity" => Some(Motion::Velocity(told.vector(VELOCITY))),
+            "belt" => Some(Motion::Belt(told.vector(VELOCITY))),
             "rotation" => told.table().map(rotation),
             "oscillation" => told.table().map(oscillation),
             "rocking" => told.table().map(rocking),

@@ -20,7 +20,7 @@ fn astray(wall: &Wall, domain: &Domain, reach: f64) -> Option<String> {
         let name = AXES[axis];
         return Some(format!(
             "has moved by {:.6} m along {name}, where the periodic box is {:.6} m long: it is felt across the sides only as long as it \
-             has moved by less than {FARTHEST} of the box, and leaves a part of the box without a wall then. A plane that moves in itself \
+             has moved by less than {FARTHEST} of the box, and leaves a part of the box without a wall then. A `belt`, or a plane that moves in itself, \
              never leaves; so do tables that bring the wall back",
             moved[axis], size[axis]
         ));

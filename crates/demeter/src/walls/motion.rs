@@ -20,6 +20,9 @@ pub enum Motion {
     Rest,
     /// Constant velocity [m/s].
     Velocity(DVec3),
+    /// The wall stays, and its surface moves along itself with this velocity [m/s], as the belt of a conveyor does. What points along the
+    /// normal of a contact does not count there.
+    Belt(DVec3),
     /// Rotation about an axis.
     Rotation {
         /// A point of the axis [m].

@@ -68,6 +68,7 @@ fn check_motion(motion: Motion) -> Result<Motion, WallError> {
             )),
         },
         Motion::Velocity(velocity) => Motion::Velocity(finite("the velocity", velocity)?),
+        Motion::Belt(velocity) => Motion::Belt(finite("the velocity of the belt", velocity)?),
         Motion::Rotation {
             point,
             axis,

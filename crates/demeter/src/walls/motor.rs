@@ -113,9 +113,9 @@ impl Part {
                 axis: Some((point, axis)),
             } => Movement::about(point, axis, told.place.x, told.rate.x),
             _ => Movement {
-                turn: None,
                 shift: told.place,
                 velocity: told.rate,
+                ..Movement::default()
             },
         }
     }
@@ -164,6 +164,8 @@ pub(super) struct Motor {
     pub(super) velocity: DVec3,
     /// Angular velocity [1/s].
     pub(super) angular_velocity: DVec3,
+    /// Velocity of the surface along itself [m/s].
+    pub(super) belt: DVec3,
     /// Force of the grains on this wall and on those that move with it [N], and torque about its origin [N m].
     load: (DVec3, DVec3),
 }
@@ -180,6 +182,7 @@ impl Motor {
             pose,
             velocity: DVec3::ZERO,
             angular_velocity: DVec3::ZERO,
+            belt: DVec3::ZERO,
             load: (DVec3::ZERO, DVec3::ZERO),
         };
         motor.evaluate(origin);
@@ -376,12 +379,14 @@ impl Motor {
             pose: self.began,
             velocity: DVec3::ZERO,
             angular_velocity: DVec3::ZERO,
+            belt: DVec3::ZERO,
         };
         let time = self.clock.time();
         for part in self.parts.iter().rev() {
             part.movement(time).carry(&mut wall, origin);
         }
         (self.pose, self.velocity, self.angular_velocity) = (wall.pose, wall.velocity, wall.angular_velocity);
+        self.belt = wall.belt;
     }
 }
 

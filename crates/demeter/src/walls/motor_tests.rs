@@ -298,3 +298,17 @@ fn a_change_of_the_step_keeps_the_time() {
     clock.advance(0.25);
     assert_eq!(clock.time(), 5.5);
 }
+
+#[test]
+fn a_belt_runs_as_the_motions_before_it_turn_it_and_moves_no_wall() {
+    let turn = rotation(ORIGIN, DVec3::Z, 2.0);
+    let turned = run(turn.clone(), 1e-3, 500);
+    let motor = run(all(&[turn, Motion::Belt(DVec3::X * 3.0)]), 1e-3, 500);
+    let expected = DVec3::new(libm::cos(1.0), libm::sin(1.0), 0.0) * 3.0;
+    assert!((motor.belt - expected).length() < 1e-12, "{}", motor.belt);
+    assert_eq!(
+        (motor.pose, motor.velocity, motor.angular_velocity),
+        (turned.pose, turned.velocity, turned.angular_velocity)
+    );
+    assert!(run(Motion::Belt(DVec3::X), 1e-3, 9).pose == Pose::START);
+}

@@ -11,6 +11,8 @@ pub(super) struct Movement {
     pub(super) turn: Option<Turn>,
     pub(super) shift: DVec3,
     pub(super) velocity: DVec3,
+    /// Velocity of the surface along itself [m/s].
+    pub(super) belt: DVec3,
 }
 
 /// A turn about an axis.
@@ -28,6 +30,7 @@ pub(super) struct Carried {
     pub(super) pose: Pose,
     pub(super) velocity: DVec3,
     pub(super) angular_velocity: DVec3,
+    pub(super) belt: DVec3,
 }
 
 impl Movement {
@@ -41,6 +44,10 @@ impl Movement {
             | Motion::With(_)
             | Motion::Driven { .. } => Self::default(),
             Motion::Velocity(velocity) => Self::along(*velocity, time, rate),
+            Motion::Belt(velocity) => Self {
+                belt: *velocity * rate,
+                ..Self::default()
+            },
             Motion::Oscillation {
                 amplitude,
                 frequency,
@@ -82,9 +89,9 @@ impl Movement {
     /// By a way along a vector.
     pub(super) fn along(vector: DVec3, way: f64, speed: f64) -> Self {
         Self {
-            turn: None,
             shift: vector * way,
             velocity: vector * speed,
+            ..Self::default()
         }
     }
 
@@ -111,6 +118,7 @@ impl Movement {
                 wall.pose.translation += turned * arm - arm;
                 wall.velocity = turned * wall.velocity;
                 wall.angular_velocity = turned * wall.angular_velocity;
+                wall.belt = turned * wall.belt;
             }
             let spin = turn.axis * turn.rate;
             wall.angular_velocity += spin;
@@ -118,6 +126,7 @@ impl Movement {
         }
         wall.pose.translation += self.shift;
         wall.velocity += self.velocity;
+        wall.belt += self.belt;
     }
 
     /// Carries an axis: a point of it and its direction.

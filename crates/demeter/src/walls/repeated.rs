@@ -55,7 +55,7 @@ impl Motion {
             }
         };
         match self {
-            Motion::Rest | Motion::With(_) => Drift::None,
+            Motion::Rest | Motion::Belt(_) | Motion::With(_) => Drift::None,
             Motion::Velocity(way) | Motion::Oscillation { amplitude: way, .. } | Motion::Servo { axis: way, .. } => {
                 shifted(way)
             }

@@ -256,7 +256,14 @@ impl Wall {
     /// Whether no point of the wall moves in this step.
     #[inline]
     pub(crate) fn is_at_rest(&self) -> bool {
-        self.motor.velocity == DVec3::ZERO && self.motor.angular_velocity == DVec3::ZERO
+        let motor = &self.motor;
+        [motor.velocity, motor.angular_velocity, motor.belt] == [DVec3::ZERO; 3]
+    }
+
+    /// Velocity of its surface along itself [m/s].
+    #[inline]
+    pub(crate) fn belt(&self) -> DVec3 {
+        self.motor.belt
     }
 
     /// Velocity of the [`origin`](Self::origin) [m/s].
@@ -307,7 +314,7 @@ impl Wall {
         let motor = &self.motor;
         if !motor.pose.is_finite() {
             Some("place")
-        } else if !(motor.velocity.is_finite() && motor.angular_velocity.is_finite()) {
+        } else if !(motor.velocity + motor.belt).is_finite() || !motor.angular_velocity.is_finite() {
             Some("velocity")
         } else {
             None
@@ -404,9 +411,9 @@ impl Wall {
         self.motor.is_done()
     }
 
-    /// Rate of the work of the wall on the grains [W].
+    /// Rate of the work of the wall on the grains [W]; of a belt, of its whole load.
     pub fn power(&self) -> f64 {
-        -(self.force.dot(self.motor.velocity) + self.torque.dot(self.motor.angular_velocity))
+        -(self.force.dot(self.motor.velocity + self.motor.belt) + self.torque.dot(self.motor.angular_velocity))
     }
 
     /// Force of the grains on the wall [N] and their torque about its [`origin`](Self::origin) [N m].

@@ -7,6 +7,7 @@
 )]
 
 mod adhesion;
+mod belts;
 #[path = "../cases/mod.rs"]
 mod cases;
 mod chung_ooi;
