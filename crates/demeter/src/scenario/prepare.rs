@@ -11,7 +11,7 @@ use super::{Diagnostics, Scenario, TimeStep, WallSpec, estimates, periodic_walls
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, NewGrain, Origins, Outside};
-use crate::simulation::{SAFE_SHARE, Setup, Skin, TimeScale, refusals, shortest_time_scale, unsafe_share};
+use crate::simulation::{Setup, Skin, TimeScale, Verdict, refusals, shortest_time_scale};
 use crate::walls::Wall;
 use demeter_physics::contact::LawError;
 use glam::DVec3;
@@ -404,28 +404,26 @@ fn time_step(
     let words = |dt: f64| scale.beside(dt);
     match scenario.simulation.time_step {
         TimeStep::Auto => {
-            let dt = SAFE_SHARE * scale.time;
+            let dt = scale.automatic();
             (dt, format!("automatic: {}", words(dt)))
         }
         TimeStep::Fixed(dt) => {
-            let (safe, largest) = (
-                SAFE_SHARE * scale.time,
-                unsafe_share(scenario.simulation.integrator) * scale.time,
-            );
-            if dt > largest && !scenario.simulation.allow_unsafe_time_step {
-                faults.push(
+            let (safe, integrator) = (scale.automatic(), scenario.simulation.integrator);
+            match scale.judge(dt, integrator) {
+                Verdict::Unsafe if !scenario.simulation.allow_unsafe_time_step => faults.push(
                     "simulation.time_step",
                     format!("the time step is unsafe: {}", words(dt)),
                     Some(format!(
-                        "use \"auto\" ({safe:.3e} s), a value up to {largest:.3e} s, or say \
-                         `allow_unsafe_time_step = true` if you want it"
+                        "use \"auto\" ({safe:.3e} s), a value up to {:.3e} s, or say \
+                         `allow_unsafe_time_step = true` if you want it",
+                        scale.largest(integrator)
                     )),
-                );
-            } else if dt > safe {
-                warnings.push(format!(
+                ),
+                Verdict::Unsafe | Verdict::Long => warnings.push(format!(
                     "the time step is above the one that keeps restitution within 1e-4 ({safe:.3e} s): {}",
                     words(dt)
-                ));
+                )),
+                Verdict::Safe => {}
             }
             (dt, format!("given: {}", words(dt)))
         }

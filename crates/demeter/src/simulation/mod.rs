@@ -39,7 +39,8 @@ pub use roofline::{Machine, Roofline, Work};
 pub use skin::Skin;
 pub use state::{SimulationState, StateError};
 pub use time_step::{
-    SAFE_SHARE, TimeScale, TimeStepError, WallPartner, refusals, shortest_time_scale, unsafe_share, with_free_wall,
+    Bearable, SAFE_SHARE, TimeScale, TimeStepError, Verdict, WallPartner, refusals, shortest_time_scale, unsafe_share,
+    with_free_wall,
 };
 
 use deforming_box::DeformingBox;

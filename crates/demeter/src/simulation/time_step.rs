@@ -34,6 +34,28 @@ pub struct TimeScale {
     pub time: f64,
     /// In words: `"collision of two grains of glass (hertz-tsuji) at an overlap of 0.05 r"`.
     pub origin: String,
+    /// What the springs against sliding and rolling bear where grains have many neighbours.
+    pub springs: Bearable,
+}
+
+/// The longest time step that some springs bear.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bearable {
+    /// Time step [s]; infinite without springs.
+    pub step: f64,
+    /// Which springs, in words.
+    pub origin: String,
+}
+
+/// What a time step is beside those that are safe.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// It keeps restitution within 1e-4.
+    Safe,
+    /// It is stable, and less exact.
+    Long,
+    /// It is refused unless a scenario says that it wants it.
+    Unsafe,
 }
 
 impl TimeScale {
@@ -44,17 +66,45 @@ impl TimeScale {
         } else {
             format!("{:.3} times", dt / self.time)
         };
+        let Bearable { step, origin } = &self.springs;
+        let springs = if dt > step * (1.0 - 1e-9) {
+            format!("; where grains have many neighbours, {origin} bear {step:.4e} s at most")
+        } else {
+            String::new()
+        };
         format!(
-            "{dt:.4e} s, {share} the shortest time scale, {:.4e} s: {}",
+            "{dt:.4e} s, {share} the shortest time scale, {:.4e} s: {}{springs}",
             self.time, self.origin
         )
     }
 
-    fn if_usable(self) -> Result<Self, TimeStepError> {
-        let Self { time, origin } = self;
-        if time > 0.0 && time.is_finite() {
-            Ok(Self { time, origin })
+    /// The automatic time step [s]: [`SAFE_SHARE`] of the time scale, or what the springs bear.
+    pub fn automatic(&self) -> f64 {
+        (SAFE_SHARE * self.time).min(self.springs.step)
+    }
+
+    /// The longest time step that is not refused [s].
+    pub fn largest(&self, integrator: Integrator) -> f64 {
+        (unsafe_share(integrator) * self.time).min(self.springs.step)
+    }
+
+    /// Judges a time step; what it is by rounding alone does not count.
+    pub fn judge(&self, dt: f64, integrator: Integrator) -> Verdict {
+        let above = |limit: f64| dt > limit * (1.0 + 1e-9);
+        if above(self.largest(integrator)) {
+            Verdict::Unsafe
+        } else if above(self.automatic()) {
+            Verdict::Long
         } else {
+            Verdict::Safe
+        }
+    }
+
+    fn if_usable(self) -> Result<Self, TimeStepError> {
+        if self.time > 0.0 && self.time.is_finite() {
+            Ok(self)
+        } else {
+            let Self { time, origin, .. } = self;
             Err(TimeStepError::Unusable { time, origin })
         }
     }
@@ -124,9 +174,17 @@ pub fn shortest_time_scale(
     let mut shortest: Option<TimeScale> = None;
     each_contact(grains, walls, materials, |pair, one, other| {
         let scale = of_contact(materials, pair, one, other, max_overlap);
-        // a scale that is not a number must win, so that it is told
-        if !shortest.as_ref().is_some_and(|s| scale.time >= s.time) {
+        let Some(known) = &mut shortest else {
             shortest = Some(scale);
+            return;
+        };
+        if scale.springs.step < known.springs.step {
+            known.springs = scale.springs;
+        }
+        // a scale that is not a number must win, so that it is told
+        let is_longer = scale.time >= known.time;
+        if !is_longer {
+            (known.time, known.origin) = (scale.time, scale.origin);
         }
     });
     shortest.ok_or(TimeStepError::NoGrains)?.if_usable()
@@ -151,15 +209,16 @@ pub fn with_free_wall(scale: TimeScale, wall: &str, free: &FreeMotion) -> Result
     of_wall
         .map(|(scale, _)| scale)
         .try_fold(scale, |shortest, (time, what, part)| {
-            let own = TimeScale {
-                time,
-                origin: format!("{what} of wall `{wall}` on its {part}"),
-            };
             if time >= shortest.time {
-                Ok(shortest)
-            } else {
-                own.if_usable()
+                return Ok(shortest);
             }
+            let origin = format!("{what} of wall `{wall}` on its {part}");
+            TimeScale {
+                time,
+                origin,
+                ..shortest
+            }
+            .if_usable()
         })
 }
 
@@ -259,13 +318,16 @@ fn of_contact(
     let law = materials.law(materials.pair(a, b));
     let size = pair_size(one, other);
     let rolling = |g: Representative| 1.0 / (g.inertia + g.mass * g.radius * g.radius);
-    let (smaller, of_other) = match other {
-        Partner::Grain(other) => (one.radius.min(other.radius), rolling(other)),
-        Partner::Wall { .. } => (one.radius, 0.0),
+    let (smaller, rolling_of_other, turning_of_other) = match other {
+        Partner::Grain(other) => (one.radius.min(other.radius), rolling(other), 1.0 / other.inertia),
+        Partner::Wall { .. } => (one.radius, 0.0, 0.0),
     };
     let overlap = max_overlap * smaller;
-    let rolling_inertia = 1.0 / (rolling(one) + of_other);
-    let (time, what) = time_scale(law, size, rolling_inertia, overlap);
+    let inertia = Inertia {
+        rolling: 1.0 / (rolling(one) + rolling_of_other),
+        turning: 1.0 / (1.0 / one.inertia + turning_of_other),
+    };
+    let (time, what, springs) = time_scale(law, size, inertia, overlap);
     let name = |m: u16| materials.list()[m as usize].name.as_str();
     let bodies = match other {
         Partner::Grain(_) if a == b => format!("two grains of `{}`", name(a)),
@@ -279,12 +341,32 @@ fn of_contact(
     TimeScale {
         time,
         origin: format!("{what} of {bodies} at an overlap of {max_overlap} r"),
+        springs: Bearable {
+            step: springs.step,
+            origin: format!("{} between {bodies}", springs.origin),
+        },
     }
 }
 
-/// Shortest time scale of the laws of one contact [s], and what it is.
-fn time_scale(law: &PairLaw, size: PairSize, rolling_inertia: f64, overlap: f64) -> (f64, String) {
-    let damped = |ratio: f64| (DAMPED / ratio).min(1.0);
+/// Effective moments of inertia of two bodies: that roll on each other, and that turn about centres that stay.
+#[derive(Clone, Copy)]
+struct Inertia {
+    rolling: f64,
+    turning: f64,
+}
+
+/// Shortest time scale of the laws of one contact [s], what it is, and what its springs bear.
+fn time_scale(law: &PairLaw, size: PairSize, inertia: Inertia, overlap: f64) -> (f64, String, Bearable) {
+    let mut springs = Bearable {
+        step: f64::INFINITY,
+        origin: String::new(),
+    };
+    let mut bear = |step: f64, law: &str| {
+        if step < springs.step {
+            let origin = format!("the springs of `{law}`");
+            springs = Bearable { step, origin };
+        }
+    };
     let period = |inertia: f64, stiffness: f64| 2.0 * PI * (inertia / stiffness).sqrt();
     let collision = law.normal.visit(CollisionTime(size, overlap));
     let mut shortest = (collision, format!("collision (`{}`)", law.normal.info().name));
@@ -302,29 +384,52 @@ fn time_scale(law: &PairLaw, size: PairSize, rolling_inertia: f64, overlap: f64)
     }
     if let Some(friction) = law.tangential {
         // a solid sphere's tangential mass at the contact point is 2/7 of the effective mass
-        let stiffness = friction.visit(Stiffness(size, overlap));
-        consider(
-            period(2.0 / 7.0 * size.mass, stiffness) * damped(friction.visit(DampingRatio)),
-            format!("tangential oscillation (`{}`)", friction.info().name),
+        let (stiffness, mass) = (friction.visit(Stiffness(size, overlap)), 2.0 / 7.0 * size.mass);
+        let name = friction.info().name;
+        consider(period(mass, stiffness), format!("tangential oscillation (`{name}`)"));
+        let damping = 2.0 * friction.visit(DampingRatio) * (mass * stiffness).sqrt();
+        bear(
+            longest_borne(SLIDING * stiffness / mass, SLIDING * damping / mass),
+            name,
         );
     }
     if let Some(resistance) = law.rolling {
         let normal_stiffness = law.normal.visit(Stiffness(size, overlap));
         let stiffness = resistance.visit(Stiffness(size, normal_stiffness));
-        consider(
-            period(rolling_inertia, stiffness) * damped(resistance.visit(DampingRatio)),
-            format!("rolling oscillation (`{}`)", resistance.info().name),
+        let name = resistance.info().name;
+        let Inertia { rolling, turning } = inertia;
+        consider(period(rolling, stiffness), format!("rolling oscillation (`{name}`)"));
+        let damping = 2.0 * resistance.visit(DampingRatio) * (rolling * stiffness).sqrt();
+        bear(
+            longest_borne(ROLLING * stiffness / turning, ROLLING * damping / turning),
+            name,
         );
     }
-    shortest
+    (shortest.0, shortest.1, springs)
 }
 
 /// Time scale of a dashpot over `m/c`. With the longest time step that is allowed, a twentieth of it, `x = c dt/(2 m)` is 0.15. Contacts
 /// are damped one by one, and the velocity of a grain among twelve that move against it takes a factor `1 - 8 x/(1 + x)` per step.
 const DASHPOTS: f64 = 6.0;
 
-/// The same for springs against sliding and rolling, told by their share of critical damping: `x = 2 pi ratio dt/period`.
-const DAMPED: f64 = 0.15 / (0.05 * 2.0 * PI);
+/// Stiffness over inertia of twelve neighbours that all turn alike, or against each other, over that of one contact: `12 (2/3) (2 R)^2 k`
+/// over `2/5 m R^2`, and `k` over `m/7`, as the tangential mass of two spheres is.
+const SLIDING: f64 = 40.0 / 7.0;
+
+/// The same of springs against rolling, of grains that all turn against their neighbours: `12 (2/3) 2 k` over `I`, and `k` over `I/2`.
+const ROLLING: f64 = 8.0;
+
+/// Longest time step `t` at which springs with dashpots are stable [s].
+///
+/// Rates are foreseen with the forces of the step before. With `W = stiffness/inertia t^2` and `L = damping/inertia t`
+/// their oscillation is stable up to `L = 1`; without dashpots it grows by `0.14 W^2` per step, of which dashpots take
+/// `L/2`. What has none may grow by 5e-5.
+fn longest_borne(stiffness_over_inertia: f64, damping_over_inertia: f64) -> f64 {
+    let (frequency, decay) = (stiffness_over_inertia.sqrt(), damping_over_inertia);
+    let outweighed = libm::cbrt(2.5 * decay / (stiffness_over_inertia * stiffness_over_inertia));
+    let held = outweighed.max(0.14 / frequency).min(1.0 / frequency);
+    held.min(0.9 / decay)
+}
 
 /// Share of critical damping of a spring.
 struct DampingRatio;
@@ -387,5 +492,39 @@ impl RollingVisitor for Stiffness {
     type Output = f64;
     fn visit<L: Rolling>(self, law: &L) -> f64 {
         law.stiffness(self.0, self.1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Largest of what an oscillation with foreseen rates comes to, from a deformation of 1, in so many steps.
+    fn reaches(stiffness: f64, damping: f64, dt: f64, steps: usize) -> f64 {
+        let (mut deformation, mut velocity, mut force, mut largest) = (1.0f64, 0.0, 0.0, 0.0f64);
+        for _ in 0..steps {
+            let foreseen = velocity + 0.5 * dt * force;
+            force = -stiffness * (deformation + 0.5 * dt * foreseen) - damping * foreseen;
+            deformation += dt * foreseen;
+            velocity += dt * force;
+            largest = largest.max(deformation.abs());
+        }
+        largest
+    }
+
+    #[test]
+    fn springs_hold_still_up_to_the_step_that_they_are_said_to_bear() {
+        let stiffness = 3.0f64;
+        for ratio in [0.001, 0.01, 0.03, 0.1, 0.3, 0.5, 1.0, 3.0] {
+            let damping = 2.0 * ratio * stiffness.sqrt();
+            let dt = longest_borne(stiffness, damping);
+            let borne = reaches(stiffness, damping, dt, 20_000);
+            assert!(borne < 1.3, "{ratio}: {borne}");
+            let beyond = reaches(stiffness, damping, 2.0 * dt, 20_000);
+            assert!(beyond > 10.0, "{ratio}: {beyond}");
+        }
+        let dt = longest_borne(stiffness, 0.0);
+        assert!(reaches(stiffness, 0.0, dt, 2000) < 1.2);
+        assert_eq!(longest_borne(0.0, 0.0), f64::INFINITY);
     }
 }

@@ -6,7 +6,7 @@ use crate::materials::Materials;
 use crate::scenario::Scenario;
 use crate::scenario::prepare::{materials, prepare_to_resume, time_scale, to_come};
 use crate::scenario::run_error::RunError;
-use crate::simulation::{Deformation, SAFE_SHARE, Simulation, Stage, unsafe_share};
+use crate::simulation::{Deformation, Simulation, Stage, Verdict};
 use crate::walls::Motions;
 
 /// The scenario that a run followed until it was changed.
@@ -26,31 +26,7 @@ impl Former {
             return Err(faults.into());
         };
         let former = setup.materials.clone();
-        for (a, one) in told.list().iter().enumerate() {
-            for (b, other) in told.list().iter().enumerate().skip(a) {
-                let pair = told.pair(a as u16, b as u16);
-                let (is, was) = (memories(told.law(pair)), memories(former.law(pair)));
-                if is != was {
-                    let names = |list: [Option<(&str, usize)>; 3]| {
-                        let names: Vec<String> = list
-                            .into_iter()
-                            .flatten()
-                            .map(|(name, _)| format!("`{name}`"))
-                            .collect();
-                        if names.is_empty() {
-                            "none".to_string()
-                        } else {
-                            names.join(", ")
-                        }
-                    };
-                    return Err(RunError::OtherLaws {
-                        pair: format!("`{}` and `{}`", one.name, other.name),
-                        is: names(is),
-                        was: names(was),
-                    });
-                }
-            }
-        }
+        remember_alike(&told, &former)?;
         let present = Simulation::resume(setup, state.simulation.clone())?
             .energies()
             .present();
@@ -60,6 +36,36 @@ impl Former {
             present,
         })
     }
+}
+
+/// Refuses laws that remember something else than those of the same pair did.
+fn remember_alike(told: &Materials, former: &Materials) -> Result<(), RunError> {
+    let names = |list: [Option<(&str, usize)>; 3]| {
+        let names: Vec<String> = list
+            .into_iter()
+            .flatten()
+            .map(|(name, _)| format!("`{name}`"))
+            .collect();
+        if names.is_empty() {
+            "none".to_string()
+        } else {
+            names.join(", ")
+        }
+    };
+    for (a, one) in told.list().iter().enumerate() {
+        for (b, other) in told.list().iter().enumerate().skip(a) {
+            let pair = told.pair(a as u16, b as u16);
+            let (is, was) = (memories(told.law(pair)), memories(former.law(pair)));
+            if is != was {
+                return Err(RunError::OtherLaws {
+                    pair: format!("`{}` and `{}`", one.name, other.name),
+                    is: names(is),
+                    was: names(was),
+                });
+            }
+        }
+    }
+    Ok(())
 }
 
 /// What a scenario tells of walls, feeds, removals and the box until a stage, and what so holds in it.
@@ -157,20 +163,21 @@ fn check_laws(scenario: &Scenario, sim: &Simulation) -> Result<Option<String>, R
         return Err(faults.into());
     };
     let words = scale.beside(sim.dt());
-    let largest = unsafe_share(scenario.simulation.integrator) * scale.time;
-    if sim.dt() > largest && !scenario.simulation.allow_unsafe_time_step {
-        faults.push(
-            "contact",
-            format!("the time step of the run is unsafe for the laws that are told now: {words}"),
-            Some(
-                "begin a new run with the grains of this one (`source = \"file\"`), or say `allow_unsafe_time_step = true` if you want it"
-                    .to_string(),
-            ),
-        );
-        return Err(faults.into());
+    match scale.judge(sim.dt(), scenario.simulation.integrator) {
+        Verdict::Unsafe if !scenario.simulation.allow_unsafe_time_step => {
+            faults.push(
+                "contact",
+                format!("the time step of the run is unsafe for the laws that are told now: {words}"),
+                Some(
+                    "begin a new run with the grains of this one (`source = \"file\"`), or say `allow_unsafe_time_step = true` if you want it"
+                        .to_string(),
+                ),
+            );
+            Err(faults.into())
+        }
+        Verdict::Unsafe | Verdict::Long => Ok(Some(format!(
+            "the time step of the run is above the one that keeps restitution within 1e-4 with the laws that are told now: {words}"
+        ))),
+        Verdict::Safe => Ok(None),
     }
-    let is_long = sim.dt() > SAFE_SHARE * scale.time * (1.0 + 1e-9);
-    Ok(is_long.then(|| {
-        format!("the time step of the run is above the one that keeps restitution within 1e-4 with the laws that are told now: {words}")
-    }))
 }
