@@ -81,7 +81,8 @@ impl Simulation {
         }
         self.took(Phase::Search);
         self.span = Span::of_step(self.dt);
-        self.find_contacts(&motion)?;
+        let wall_speed = self.wall_speed();
+        self.find_contacts(&motion, wall_speed)?;
         self.took(self.phase_of_contacts());
         self.sum_up_work()?;
         self.took(Phase::Ranks);
@@ -130,7 +131,9 @@ impl Simulation {
         self.foresee_bulges();
         self.exchange_borders(|_| ());
         self.span = Span::of_start(self.dt, self.integrator);
-        self.find_contacts(&motion)?;
+        // walls have not moved yet
+        let wall_speed = self.wall_speed().max(self.wall_speed_now());
+        self.find_contacts(&motion, wall_speed)?;
         self.sum_up_work()?;
         self.sum_and_correct(Moment::Start)?;
         self.note_across();
@@ -179,8 +182,7 @@ impl Simulation {
     }
 
     /// Narrow phase and contact laws, chunk by chunk.
-    fn find_contacts(&mut self, motion: &Motion) -> Result<(), Fault> {
-        let wall_speed = self.wall_speed();
+    fn find_contacts(&mut self, motion: &Motion, wall_speed: f64) -> Result<(), Fault> {
         let max_speed = motion.max_speed.max(wall_speed);
         self.surfaces.find(&self.walls);
         if self.coupling.is_some() {

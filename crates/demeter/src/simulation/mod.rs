@@ -492,6 +492,13 @@ impl Simulation {
         speed
     }
 
+    /// Upper bound of the speed of any wall near the grains at this moment [m/s].
+    pub(crate) fn wall_speed_now(&self) -> f64 {
+        let (lower, upper) = self.bounds;
+        let speeds = self.walls.iter().map(|wall| wall.largest_speed(lower, upper));
+        speeds.fold(0.0, f64::max)
+    }
+
     fn surface_displacement(&self, since: &[Pose]) -> f64 {
         let (lower, upper) = self.bounds;
         let moved = |(wall, pose): (&Wall, &Pose)| wall.surface_displacement(pose, lower, upper);

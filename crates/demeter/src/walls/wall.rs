@@ -288,6 +288,17 @@ impl Wall {
         }
     }
 
+    /// Upper bound of the speed of the wall within a box [m/s].
+    pub(crate) fn largest_speed(&self, lower: DVec3, upper: DVec3) -> f64 {
+        if !self.is_present {
+            return 0.0;
+        }
+        // it changes along straight lines from place to place
+        let corner = |k: u32| DVec3::from_array([0, 1, 2].map(|axis| [lower, upper][(k >> axis & 1) as usize][axis]));
+        let speeds = (0..8).map(|k| self.velocity_at(corner(k)).length());
+        speeds.fold(0.0, f64::max)
+    }
+
     /// Inverse of the mass with which a freely moving wall gives way to a push along a direction at a point [1/kg]:
     /// `(a.n)^2/m` of one that slides along `a`, `(a.(r x n))^2/I` of one that turns about a hinge; 0 of all others. A wall that
     /// moves with another one gives way as that one does.
