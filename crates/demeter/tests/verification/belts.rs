@@ -44,8 +44,14 @@ fn a_sphere_ends_at_two_sevenths_of_the_speed_of_its_belt() {
     on_threads(1, || {
         let moving = DVec3::X * SPEED;
         let mut carried = lying_on(plane(), Motion::Velocity(moving));
+        let corner = |x: f64, y: f64| DVec3::new(x, y, 0.0) * 0.5;
+        let triangles = vec![
+            [corner(-1.0, -0.9), corner(1.0, -1.0), corner(1.0, 1.0)],
+            [corner(-1.0, -0.9), corner(1.0, 1.0), corner(-1.0, 1.0)],
+        ];
         let mut belts = [
             lying_on(plane(), Motion::Belt(moving)),
+            lying_on(Shape::Mesh { triangles }, Motion::Belt(moving)),
             lying_on(plane(), Motion::Belt(moving - DVec3::Z)),
             lying_on(rectangle(0.5), Motion::Belt(moving)),
         ];
@@ -60,7 +66,7 @@ fn a_sphere_ends_at_two_sevenths_of_the_speed_of_its_belt() {
                 assert!(apart.length() < 1e-12, "{apart} at {} s", sim.time());
             }
         }
-        let [found, _, finite] = belts.map(|mut sim| (sim.grains().velocity[0].x / SPEED, sim.energies().wall_work));
+        let [found, _, _, finite] = belts.map(|mut sim| (sim.grains().velocity[0].x / SPEED, sim.energies().wall_work));
         let (_, work) = (carried.grains().velocity[0], carried.energies().wall_work);
         report(
             "speed of a sphere over 2/7 of that of its belt",
@@ -97,5 +103,35 @@ fn a_belt_carries_grains_over_its_end_and_its_work_is_booked() {
         assert!(sim.grains().position[0].x > 0.03 && sim.grains().velocity[0].x > 0.1);
         report("residual of a sphere that a belt throws off", residual);
         assert!(sim.energies().wall_work > 0.0 && residual < 1e-4, "{residual}");
+    });
+}
+
+#[test]
+fn a_belt_along_a_periodic_direction_carries_a_sphere_across_the_side() {
+    on_threads(1, || {
+        let way = |periodic| {
+            let mut case = Case::new(one_material(YOUNG_MODULUS, &laws()));
+            if periodic {
+                (case.domain.lower.x, case.domain.upper.x) = (-0.02, 0.02);
+                case.domain.periodic = [true, false, false];
+            }
+            let overlap = hertz_overlap(YOUNG_MODULUS, RADIUS, mass(RADIUS) * G);
+            case.grain(RADIUS, DVec3::new(0.015, 0.0, RADIUS - overlap), DVec3::ZERO);
+            case.wall(0, plane(), Motion::Belt(DVec3::X * SPEED));
+            case.gravity = DVec3::Z * -G;
+            let mut sim = case.simulation();
+            while sim.time() < 0.3 {
+                sim.step().unwrap();
+            }
+            (sim.grains().position[0].x, sim.energies())
+        };
+        let ((open, _), (wrapped, energies)) = (way(false), way(true));
+        assert!(open > 0.02, "it came to {open} only");
+        assert!((open - 0.04 - wrapped).abs() < 1e-12, "{open} {wrapped}");
+        assert!(
+            energies.wall_work > 0.0 && energies.residual.abs() < 1e-4,
+            "{}",
+            energies.residual
+        );
     });
 }

@@ -1,9 +1,11 @@
 //! The fold, beyond which the coupled equation has no solution.
 
 use super::influence::{Ball, Model, Place};
+use super::packings::disordered;
 use super::scenes::*;
-use crate::cases::{Case, report};
+use crate::cases::{Case, Laws, law, on_threads, report};
 use demeter::contacts::{Coupling, Fault};
+use demeter::simulation::Simulation;
 use demeter_physics::DVec3;
 
 /// A packing in which all contacts carry one force.
@@ -142,11 +144,57 @@ fn the_fold_is_where_it_must_be() {
                 for contact in found(&sim).iter().filter(|f| f.force != 0.0) {
                     approx::assert_relative_eq!(contact.elastic, expected, max_relative = accuracy);
                 }
+                stays(sim, &regular);
                 let fault = at(1.001 * fold).unwrap_err();
                 assert_told(&fault, &regular, 1.001 * fold);
             }
         }
     }
+}
+
+/// A packing that begins this near to the fold goes on as it began.
+fn stays(mut sim: Simulation, regular: &Regular) {
+    let began: Vec<f64> = found(&sim).iter().map(|contact| contact.elastic).collect();
+    for _ in 0..5 {
+        sim.step().unwrap_or_else(|fault| panic!("{}: {fault}", regular.name));
+        for (contact, began) in found(&sim).iter().zip(&began) {
+            approx::assert_relative_eq!(contact.elastic, *began, max_relative = 2e-2);
+        }
+    }
+}
+
+/// Laws that follow a path answer with the rounding of their integrals, which no iteration gets below.
+#[test]
+fn a_tolerance_near_rounding_is_no_fold() {
+    on_threads(1, || {
+        let choice = law("walton-braun", &[("loading_stiffness", 0.2), ("restitution", 0.5)]);
+        let material = (1.0, 0.35);
+        let mut case = case_of(materials(Model::HalfSpace(1.0), material, material, &Laws::of(choice)));
+        assert_eq!(case.coupling, Coupling::Converged { tolerance: 1e-12 });
+        let (balls, _) = disordered(14, 1.02, 0.66, 3);
+        for (radius, place) in balls {
+            case.grain(radius, place, DVec3::ZERO);
+        }
+        let mut sim = case.simulation();
+        for _ in 0..20 {
+            sim.step().unwrap();
+        }
+        assert!(found(&sim).iter().filter(|contact| contact.force > 0.0).count() > 14);
+    });
+}
+
+#[test]
+fn displacements_without_bound_are_told_in_short() {
+    let fault = Fault::BeyondFold {
+        step: 1,
+        id: 1,
+        position: DVec3::ZERO,
+        partner: "grain 2".into(),
+        strain: 0.1,
+        displacement_share: 1e300,
+    };
+    let told = fault.to_string();
+    assert!(told.contains("displace it by 1.00e300 of"), "{told}");
 }
 
 /// The fault names grain, partner, strain and remedy.
