@@ -196,10 +196,12 @@ impl Metric {
         let values = series.numbers(&self.column)?;
         let times = series.numbers("time")?;
         let stages = series.words("stage")?;
+        // the row of a time is that of the step nearest to it
+        let half = 0.5 * longest_step(series, times) * (1.0 + 1e-9);
         let counts = |row: &usize| match &self.rows {
             Rows::All => true,
             Rows::Stage(stage) => is_repeat(stages[*row], stage),
-            Rows::Times(from, to) => (*from..=*to).contains(&times[*row]),
+            Rows::Times(from, to) => (from - half..=to + half).contains(&times[*row]),
         };
         let is_told = |row: &usize| counts(row) && !values[*row].is_nan();
         let mut told: Vec<(f64, f64)> = Vec::new();
@@ -217,6 +219,14 @@ impl Metric {
         }
         Ok((self.title(&column.title), self.what.of(&told)))
     }
+}
+
+/// The longest time step in a series whose rows are at these times [s]; 0 where it tells no steps.
+fn longest_step(series: &Columns, times: &[f64]) -> f64 {
+    let Ok(steps) = series.numbers("step") else { return 0.0 };
+    let between = steps.windows(2).zip(times.windows(2));
+    let each = between.map(|(steps, times)| (times[1] - times[0]) / (steps[1] - steps[0]));
+    each.filter(|step| step.is_finite()).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -280,6 +290,16 @@ mod tests {
             [value("mean:f"), value("mean:f@b"), value("mean:f@a")],
             [5.0, 10.0, 1.0]
         );
+        // rows lie at the steps nearest to the times asked for
+        std::fs::write(
+            &path,
+            "step,time [s],stage,f [N]\n0,0,a,0\n14,0.98,a,1\n29,2.03,a,2\n43,3.01,a,3\n57,3.99,a,4\n",
+        )
+        .unwrap();
+        let nearest = Columns::read(&path).unwrap();
+        let value = |told: &str| Metric::read(told).unwrap().of(&nearest).unwrap().1;
+        assert_eq!([value("first:f@1 s..3 s"), value("last:f@1 s..3 s")], [1.0, 3.0]);
+        assert_eq!(value("max:f@1.1 s..2.9 s"), 2.0);
         let value = |told: &str| Metric::read(told).unwrap().of(&series).unwrap().1;
         assert_eq!(value("mean:f@rest"), -1.0);
         let titles = ["time [s]", "stage", "f [N]"].map(str::to_string);
