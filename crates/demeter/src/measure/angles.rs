@@ -62,7 +62,7 @@ impl ContactAngles {
         let mut sums = Sums::new(self.bins as usize);
         fabric.each_contact(sim, &counts, |contact| {
             if self.with_walls || !contact.with_wall {
-                sums.add(self, contact.normal, contact.force[0]);
+                sums.add(self, contact.normal, contact.force[0], contact.weight());
             }
         });
         sums.rose()
@@ -90,12 +90,14 @@ impl Sums {
         }
     }
 
-    fn add(&mut self, plane: &ContactAngles, normal: DVec3, force: f64) {
+    /// Adds a contact of which so many grains count.
+    fn add(&mut self, plane: &ContactAngles, normal: DVec3, force: f64, grains: f64) {
         let (x, y) = (normal.dot(plane.from), normal.dot(plane.towards));
-        let weight = x * x + y * y;
-        if weight <= 0.0 {
+        let in_plane = x * x + y * y;
+        if in_plane <= 0.0 {
             return;
         }
+        let weight = grains * in_plane;
         let angle = libm::atan2(y, x) / PI;
         let turn = if angle < 0.0 { angle + 1.0 } else { angle };
         let bins = self.weights.len();
@@ -104,8 +106,8 @@ impl Sums {
         self.weight += weight;
         self.weights[bin] += weight;
         self.forces[bin] += weight * force;
-        self.double[0] += x * x - y * y;
-        self.double[1] += 2.0 * x * y;
+        self.double[0] += grains * (x * x - y * y);
+        self.double[1] += grains * 2.0 * x * y;
     }
 
     fn rose(self) -> Rose {
@@ -137,7 +139,7 @@ mod tests {
     impl ContactAngles {
         fn rose(&self, contacts: impl Iterator<Item = (DVec3, f64)>) -> Rose {
             let mut sums = Sums::new(self.bins as usize);
-            contacts.for_each(|(normal, force)| sums.add(self, normal, force));
+            contacts.for_each(|(normal, force)| sums.add(self, normal, force, 2.0));
             sums.rose()
         }
     }

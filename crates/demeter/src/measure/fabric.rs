@@ -3,9 +3,11 @@
 //! With the unit normals `n_c` of the contacts and their normal forces `f_c`
 //!
 //! ```text
-//! F_ab = 1/C sum n_a n_b                      H_ab = sum f n_a n_b / sum f
+//! F_ab = sum g n_a n_b / sum g                H_ab = sum g f n_a n_b / sum g f
 //! ```
 //!
+//! with `g` the number of grains of the contact that count, one or two: the mean over the grains. At the border of a region contacts between a grain inside
+//! and one outside count once, and those of two inside twice, as each grain counts its own; without that a layer would seem to have contacts across its borders most. One with a wall counts once
 //! (K. Kanatani, Int. J. Eng. Sci. 22 (1984) 149; H weighs by force). The traces are 1. The anisotropy of a fabric is
 //! `sqrt(3/2 D:D)` of its deviator `D = F - 1/3`: 0 when no direction is preferred, 1 when all contacts point the same way.
 //!
@@ -48,7 +50,11 @@ pub const FABRIC_COLUMNS: &[ToldColumn] = &[
         "",
         "mean number of contacts among the other grains and with walls",
     ),
-    ToldColumn::new("fabric xx", "", "mean of the products of the components of the normals"),
+    ToldColumn::new(
+        "fabric xx",
+        "",
+        "mean of the products of the components of the normals over the contacts of every grain",
+    ),
     ToldColumn::new("fabric yy", "", "see fabric xx"),
     ToldColumn::new("fabric zz", "", "see fabric xx"),
     ToldColumn::new("fabric xy", "", "see fabric xx"),
@@ -102,6 +108,13 @@ pub(super) struct Counted {
     bodies: Bodies,
 }
 
+impl Counted {
+    /// How many of its grains count.
+    pub(super) fn weight(&self) -> f64 {
+        grains_of(&self.bodies).count() as f64
+    }
+}
+
 /// Grains of a contact that count.
 type Bodies = [Option<u32>; 2];
 
@@ -125,8 +138,8 @@ impl Fabric {
         self.each_contact(sim, &counts, |contact| {
             bodies.push(contact.bodies);
             if self.with_walls || !contact.with_wall {
-                fabrics[0].add(contact.normal, 1.0);
-                fabrics[1].add(contact.normal, contact.force[0]);
+                fabrics[0].add(contact.normal, contact.weight());
+                fabrics[1].add(contact.normal, contact.weight() * contact.force[0]);
                 forces.push(contact.force[0]);
                 tangential += contact.force[1];
             }

@@ -3,8 +3,11 @@
 use crate::cases::{Case, Laws, law, one_material};
 use demeter::contacts::Coupling;
 use demeter::materials::{Material, Materials};
-use demeter::measure::{ContactNetwork, ForceDistribution, Moment, contact_records, measure};
-use demeter::particles::{Domain, Outside};
+use demeter::measure::{
+    ContactAngles, ContactNetwork, FABRIC_COLUMNS, Fabric, ForceDistribution, Moment, Selection, Value,
+    contact_records, measure,
+};
+use demeter::particles::{Domain, Origins, Outside, Zone, ZonePart, ZoneShape};
 use demeter::scenario::{Observer, Progress, RunEnd, RunOptions, Scenario, resume, run};
 use demeter::simulation::Simulation;
 use demeter_physics::DVec3;
@@ -102,6 +105,55 @@ fn a_periodic_lattice_has_the_measures_of_its_cell() {
         near(found.centre_distance, a);
         near(found.packing_fraction, phi);
         near_in_singles(found.scaling(), 6.0 * phi * a * force);
+    }
+}
+
+/// Every grain of a cubic lattice has the same fabric, so every part of it must, too: contacts across its border are not to weigh more.
+#[test]
+fn a_part_of_a_lattice_has_the_fabric_of_the_whole() {
+    let cubic = Cubic {
+        n: 4,
+        overlap: 0.02,
+        periodic: [true; 3],
+    };
+    let (sim, a) = (cubic.simulation(), cubic.spacing());
+    for layers in [1, 2, 4] {
+        let part = ZonePart {
+            shape: ZoneShape::Box {
+                lower: DVec3::ZERO,
+                upper: DVec3::new(f64::from(layers) * a, 4.0 * a, 4.0 * a),
+            },
+            outside: false,
+            wall: None,
+        };
+        let zone = Zone { parts: vec![part] };
+        let fabric = Fabric {
+            zone: zone.clone(),
+            ..Fabric::default()
+        };
+        let told = fabric.measure(&sim, &Origins::default());
+        let value = |name: &str| {
+            let titled = format!("part {name}");
+            let at = FABRIC_COLUMNS.iter().position(|column| column.title("part") == titled);
+            match told[at.unwrap()] {
+                Value::Number(number) => number,
+                Value::Count(count) => count as f64,
+            }
+        };
+        within(1e-12, value("contacts per grain"), 6.0);
+        for name in ["fabric xx", "fabric yy", "force fabric zz"] {
+            within(1e-9, value(name), 1.0 / 3.0);
+        }
+        assert!(value("fabric anisotropy") < 1e-9 && value("force fabric anisotropy") < 1e-9);
+        let rose = ContactAngles {
+            from: DVec3::X,
+            towards: DVec3::Z,
+            bins: 2,
+            zone,
+            selection: Selection::default(),
+            with_walls: true,
+        };
+        assert!(rose.measure(&sim, &Origins::default()).anisotropy < 1e-9);
     }
 }
 
