@@ -2,7 +2,7 @@
 //!
 //! The grains are sorted into bins by their distance along a direction, or from an axis, and every bin is cut across into
 //! cells that are as wide as the bin. The surface in a cell is as high as the highest point of its grains, and in a bin as high
-//! as the mean over its cells. So every height is the highest of as many grains, near the axis of a heap and far from it; the highest
+//! as the mean over its cells, where these points lie in the mean. So every height is the highest of as many grains, near the axis of a heap and far from it; the highest
 //! of whole rings would lie the higher the longer the ring, and make a heap look flatter. Grains without any contact are in flight
 //! and do not count. The straight line that fits these heights best (least squares over the bins that hold
 //! grains) tells the angle, and how far the heights are from it.
@@ -12,6 +12,7 @@ use super::{Selection, ToldColumn, Value, contact_counts, holds};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -49,13 +50,24 @@ pub struct Slope {
     pub selection: Selection,
 }
 
-/// How high the surface is in every cell that holds grains [m], by bin and cell.
-type Highest = BTreeMap<(u32, i64), f64>;
+/// The highest point of the grains in a cell.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+struct Top {
+    /// How high it lies [m].
+    height: f64,
+    /// At which distance [m].
+    distance: f64,
+}
 
-/// Notes that the surface of a cell is at least so high [m].
-fn rise(highest: &mut Highest, cell: (u32, i64), height: f64) {
-    let top = highest.entry(cell).or_insert(f64::NEG_INFINITY);
-    *top = top.max(height);
+/// The highest points of all cells that hold grains, by bin and cell.
+type Highest = BTreeMap<(u32, i64), Top>;
+
+/// Notes a point of a cell.
+fn rise(highest: &mut Highest, cell: (u32, i64), top: Top) {
+    let highest = highest.entry(cell).or_insert(top);
+    if top.height > highest.height {
+        *highest = top;
+    }
 }
 
 impl Slope {
@@ -77,7 +89,7 @@ impl Slope {
             sphere.and_then(|(centre, radius)| self.top(centre, radius))
         };
         let mut highest = Highest::new();
-        each_in_order(sim, tell, |(cell, height)| rise(&mut highest, cell, height));
+        each_in_order(sim, tell, |(cell, top)| rise(&mut highest, cell, top));
         let (angle, deviation, bins) = self.fit(highest);
         vec![Value::Number(angle), Value::Number(deviation), Value::Count(bins)]
     }
@@ -100,8 +112,8 @@ impl Slope {
         (self.between.1 - self.between.0) / f64::from(self.bins)
     }
 
-    /// The bin and the cell in it that a sphere lies in, and how high it reaches [m].
-    fn top(&self, centre: DVec3, radius: f64) -> Option<((u32, i64), f64)> {
+    /// The bin and the cell in it that a sphere lies in, and its highest point.
+    fn top(&self, centre: DVec3, radius: f64) -> Option<((u32, i64), Top)> {
         let ((from, to), width) = (self.between, self.width());
         let away = centre - self.point;
         let height = away.dot(self.up);
@@ -113,22 +125,26 @@ impl Slope {
         (distance >= from && distance < to).then(|| {
             let bin = (((distance - from) / width) as u32).min(self.bins - 1);
             let middle = from + (f64::from(bin) + 0.5) * width;
-            ((bin, self.cell(outwards, middle, width)), height + radius)
+            let top = Top {
+                height: height + radius,
+                distance,
+            };
+            ((bin, self.cell(outwards, middle, width)), top)
         })
     }
 
     /// Angle [deg], deviation [m] and number of bins, of a surface.
     fn fit(&self, highest: Highest) -> (f64, f64, u64) {
-        let (from, width) = (self.between.0, self.width());
-        let mut sums = vec![(0.0, 0.0); self.bins as usize];
-        for ((bin, _), height) in highest {
-            let (sum, cells) = &mut sums[bin as usize];
-            *sum += height;
+        let mut sums = vec![(0.0, 0.0, 0.0); self.bins as usize];
+        for ((bin, _), top) in highest {
+            let (distance, height, cells) = &mut sums[bin as usize];
+            *distance += top.distance;
+            *height += top.height;
             *cells += 1.0;
         }
-        let points: Vec<(f64, f64)> = (sums.iter().enumerate())
-            .filter(|(_, (_, cells))| *cells > 0.0)
-            .map(|(k, (sum, cells))| (from + (k as f64 + 0.5) * width, sum / cells))
+        let points: Vec<(f64, f64)> = (sums.iter())
+            .filter(|(.., cells)| *cells > 0.0)
+            .map(|(distance, height, cells)| (distance / cells, height / cells))
             .collect();
         let count = points.len() as f64;
         if points.len() < 2 {
@@ -156,7 +172,7 @@ mod tests {
         fn fit_to(&self, spheres: impl Iterator<Item = (DVec3, f64)>) -> (f64, f64, u64) {
             let mut highest = Highest::new();
             let tops = spheres.filter_map(|(centre, radius)| self.top(centre, radius));
-            tops.for_each(|(cell, height)| rise(&mut highest, cell, height));
+            tops.for_each(|(cell, top)| rise(&mut highest, cell, top));
             self.fit(highest)
         }
     }
@@ -201,6 +217,19 @@ mod tests {
             "{angle}, {deviation}"
         );
         assert!((slope(Some(DVec3::Y)).fit_to(plane()).0).abs() < 1e-9);
+    }
+
+    /// Rows that bins as wide as nearly a row cut at ever other places.
+    #[test]
+    fn regular_rows_have_their_angle_whatever_the_bins() {
+        let steep = libm::tan(20f64.to_radians());
+        let rows = (0..40).map(|k| 0.1 + 0.042 * f64::from(k));
+        let spheres = rows.map(|x| (dvec3(x, 0.2, -steep * x), 0.02));
+        let mut slope = slope(Some(DVec3::X));
+        slope.between = (0.0, 0.6);
+        slope.bins = 15;
+        let (angle, deviation, _) = slope.fit_to(spheres);
+        assert!((angle - 20.0).abs() < 1e-9 && deviation < 1e-9, "{angle} {deviation}");
     }
 
     #[test]
