@@ -103,10 +103,19 @@ fn to_text(report: &FitReport) -> String {
     text + &format!("  [contact]\n  {}\n", report.contact)
 }
 
+/// Deviation in errors up to which values fit.
+const FITS: f64 = 3.0;
+
 fn identifiability(report: &FitReport) -> String {
     let open: Vec<&str> = report.not_identified().collect();
     if open.is_empty() {
         return String::new();
+    }
+    if report.worst() > FITS {
+        return format!(
+            "no values that were found fit, so that nothing tells whether these observations fix {}: look at the observations, or tell bounds\n",
+            open.join(", ")
+        );
     }
     let mut text = format!("these observations do not fix {}\n", open.join(", "));
     let products = report.fixed.iter().filter(|c| c.powers.len() > 1);

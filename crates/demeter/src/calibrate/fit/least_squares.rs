@@ -9,6 +9,10 @@ const MOST_ITERATIONS: usize = 80;
 /// Trial points before the search, and those from which it is begun.
 const TRIALS: u32 = 48;
 const STARTS: usize = 4;
+/// Mean square of the deviations up to which a minimum fits; above it starts are looked for farther out.
+const FITS: f64 = 9.0;
+/// Between the bounds of the first starts and the last ones, in logarithms, where others lie.
+const FARTHER: [f64; 3] = [0.0, 0.33, 1.0];
 /// Damping at which no step helps any more.
 const MOST_DAMPING: f64 = 1e7;
 /// Share of the cost that a step must gain for the search to go on, and the cost that is none.
@@ -25,6 +29,8 @@ pub(super) type Deviations<'a> = &'a (dyn Fn(&[f64]) -> Option<Vec<f64>> + Sync)
 /// A sum of squares to be made small.
 pub(super) struct Problem<'a> {
     pub deviations: Deviations<'a>,
+    /// How many they are.
+    pub measured: usize,
     /// Bounds within which starts lie.
     pub first: Vec<(f64, f64)>,
     /// Bounds that are never left.
@@ -42,29 +48,27 @@ pub(super) struct Minimum {
 impl Problem<'_> {
     /// Where searches from several starts end, the best first; none when there is no answer anywhere.
     pub fn minima(&self) -> Vec<Minimum> {
-        let mut trials: Vec<Minimum> = (0..TRIALS)
-            .into_par_iter()
-            .filter_map(|k| self.at(self.trial(k)))
-            .collect();
-        trials.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        trials.truncate(STARTS);
-        let mut ends: Vec<Minimum> = trials.into_par_iter().map(|start| self.descend(start)).collect();
-        ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let mut ends: Vec<Minimum> = Vec::new();
+        for farther in FARTHER {
+            let widened = |(first, last): (&(f64, f64), &(f64, f64))| {
+                let towards = |from: f64, to: f64| from + farther * (to - from);
+                (towards(first.0, last.0), towards(first.1, last.1))
+            };
+            let bounds: Vec<(f64, f64)> = self.first.iter().zip(&self.last).map(widened).collect();
+            let mut trials: Vec<Minimum> = (0..TRIALS)
+                .into_par_iter()
+                .filter_map(|k| self.at(trial(&bounds, k)))
+                .collect();
+            trials.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+            trials.truncate(STARTS);
+            ends.par_extend(trials.into_par_iter().map(|start| self.descend(start)));
+            ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+            let fits = |best: &Minimum| best.cost <= FITS * self.measured as f64;
+            if self.first == self.last || ends.first().is_some_and(fits) {
+                break;
+            }
+        }
         ends
-    }
-
-    /// Points that fill the bounds evenly (Halton); the first is the middle.
-    fn trial(&self, k: u32) -> Vec<f64> {
-        const BASES: [u32; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
-        let place = |(low, high): (f64, f64), base: u32| {
-            let share = if k == 0 { 0.5 } else { radical_inverse(k, base) };
-            low + (high - low) * share
-        };
-        self.first
-            .iter()
-            .zip(BASES.into_iter().cycle())
-            .map(|(b, base)| place(*b, base))
-            .collect()
     }
 
     fn at(&self, point: Vec<f64>) -> Option<Minimum> {
@@ -110,6 +114,17 @@ impl Problem<'_> {
         }
         best
     }
+}
+
+/// Points that fill the bounds evenly (Halton); the first is the middle.
+fn trial(bounds: &[(f64, f64)], k: u32) -> Vec<f64> {
+    const BASES: [u32; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
+    let place = |(low, high): (f64, f64), base: u32| {
+        let share = if k == 0 { 0.5 } else { radical_inverse(k, base) };
+        low + (high - low) * share
+    };
+    let bases = BASES.into_iter().cycle();
+    bounds.iter().zip(bases).map(|(b, base)| place(*b, base)).collect()
 }
 
 fn radical_inverse(mut k: u32, base: u32) -> f64 {
@@ -197,6 +212,7 @@ mod tests {
         let deviations = |x: &[f64]| Some(vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]]);
         let problem = Problem {
             deviations: &deviations,
+            measured: 2,
             first: vec![(-2.0, 2.0); 2],
             last: vec![(-2.0, 2.0); 2],
         };
@@ -209,6 +225,7 @@ mod tests {
         let deviations = |x: &[f64]| (x[0] < 0.8).then(|| vec![x[0]]);
         let problem = Problem {
             deviations: &deviations,
+            measured: 1,
             first: vec![(0.5, 1.0)],
             last: vec![(0.5, 1.0)],
         };
@@ -219,5 +236,18 @@ mod tests {
             ..problem
         };
         assert!(problem.minima().is_empty());
+    }
+    #[test]
+    fn starts_lie_farther_out_where_nothing_near_fits() {
+        // flat but for a valley at -20
+        let deviations = |x: &[f64]| Some(vec![((x[0] + 20.0) * 10.0).clamp(-40.0, 40.0)]);
+        let problem = Problem {
+            deviations: &deviations,
+            measured: 1,
+            first: vec![(-7.0, 7.0)],
+            last: vec![(-27.0, 27.0)],
+        };
+        let found = problem.minima();
+        assert!((found[0].point[0] + 20.0).abs() < 1e-9, "{found:?}");
     }
 }

@@ -116,6 +116,7 @@ pub fn fit(file: &FitFile) -> Result<FitReport, CalibrateError> {
     };
     let problem = Problem {
         deviations: &deviations,
+        measured: measured.len(),
         first: logarithms(|u| u.first),
         last: logarithms(|u| u.last),
     };
@@ -158,7 +159,8 @@ fn search(
         let middle: Vec<f64> = problem.first.iter().map(|(low, high)| 0.5 * (low + high)).collect();
         let why = match model.logarithms(&from_logarithms(&middle)) {
             Err(error) => error.to_string(),
-            Ok(_) => "no values within the bounds give an answer".to_string(),
+            Ok(_) if problem.first == problem.last => "no values within the bounds give an answer".to_string(),
+            Ok(_) => "no values that were tried give an answer; tell two bounds in place of \"free\"".to_string(),
         };
         return Err(file.refused("fit", why).into());
     }

@@ -86,6 +86,36 @@ fn assert_found(report: &FitReport, expected: &[f64], relative: f64) {
 
 use Observable::{ContactTime, MaxForce, MaxOverlap, Restitution};
 
+/// From typical values on, grains as soft as these never yield, and no slope tells where to go.
+#[test]
+fn a_free_yield_pressure_is_found_far_below_a_typical_one() {
+    let bodies = r#"
+[material.soft]
+young_modulus = "3 MPa"
+poisson_ratio = 0.3
+density = "1500 kg/m^3"
+[a]
+material = "soft"
+radius = "2 mm"
+[b]
+material = "soft"
+wall = true
+"#;
+    let known = "work_of_adhesion = \"0.05 N/m\"";
+    let normal = format!("law = \"thornton-ning\", yield_pressure = \"60 kPa\", {known}");
+    let impacts = [0.3, 0.6, 1.0].map(|velocity| seen(bodies, &normal, velocity, &[Restitution, MaxForce]));
+    let report = fit(&file(
+        bodies,
+        "thornton-ning",
+        known,
+        "yield_pressure = \"free\"",
+        &impacts,
+    ))
+    .unwrap();
+    assert!((report.parameters[0].value / 60e3 - 1.0).abs() < 1e-3, "{report:?}");
+    assert!(report.parameters[0].identified, "{report:?}");
+}
+
 #[test]
 fn linear_springs_by_closed_form() {
     let normal = "law = \"linear\", stiffness = \"12 kN/m\", restitution = 0.37";
