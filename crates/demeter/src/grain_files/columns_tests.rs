@@ -30,6 +30,18 @@ fn reads_comma_separated_columns_with_units_in_any_order() {
 }
 
 #[test]
+fn a_mass_beside_a_density_must_agree_with_it() {
+    // 4.18879 mg at a radius of 1 mm and 1000 kg/m^3
+    let table = |mass: &str| format!("x,y,z,radius [mm],mass [mg],density\n0,0,0,1,4.19,1000\n1,0,0,1,{mass},1000\n");
+    assert_eq!(parse(&table("4.18")).unwrap().densities, Some(vec![1000.0; 2]));
+    let told = message(&table("4190"));
+    assert!(
+        told.contains("line 3") && told.contains("`mass`") && told.contains("1.00029e6 kg/m^3"),
+        "{told}"
+    );
+}
+
+#[test]
 fn reads_blanks_tabs_and_semicolons_and_radii() {
     for text in [
         "x [mm] y [mm]  z [mm] radius [mm] type wx wy wz\n1  2 3\t4 5 6 7 8\n",

@@ -78,6 +78,11 @@ pub enum FileProblem {
     NotANumber { text: String },
     #[error("`{text}` is not allowed; {allowed}")]
     NotAllowed { text: String, allowed: &'static str },
+    #[error(
+        "{mass:?} kg and the size make {of_mass:.5e} kg/m^3, and the density is told as {density:?} kg/m^3; correct one of \
+         them or its unit, or leave one column out"
+    )]
+    MassAgainstDensity { mass: f64, of_mass: f64, density: f64 },
     #[error("id {id} is there twice; every grain needs an id of its own")]
     DuplicateId { id: u32 },
     #[error("material `{name}` does not exist; known are {known}")]

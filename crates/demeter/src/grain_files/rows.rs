@@ -271,9 +271,24 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
-    /// Makes densities of masses, where the file tells no densities.
+    /// Makes densities of masses; where the file tells both, they must agree.
     fn weigh(&mut self) -> Result<(), Located> {
-        if self.table.densities.is_some() || self.masses.is_empty() {
+        if self.masses.is_empty() {
+            return Ok(());
+        }
+        if let Some(densities) = &self.table.densities {
+            let told = self.masses.iter().zip(densities).zip(&self.table.diameters);
+            for (k, ((mass, density), diameter)) in told.enumerate() {
+                let of_mass = density_of(*mass, 0.5 * diameter);
+                if (of_mass / density - 1.0).abs() > ROUNDED {
+                    let problem = FileProblem::MassAgainstDensity {
+                        mass: *mass,
+                        of_mass,
+                        density: *density,
+                    };
+                    return Err(problem.at(self.lines[k] as usize, Some("mass")));
+                }
+            }
             return Ok(());
         }
         let mut densities = Vec::with_capacity(self.masses.len());
@@ -287,6 +302,9 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 }
+
+/// How far a mass may be from that of its size and density: files hold few digits.
+const ROUNDED: f64 = 0.02;
 
 /// Density of a sphere [kg/m^3], to 15 digits: what a division of rounded numbers gives back.
 pub fn density_of(mass: f64, radius: f64) -> f64 {
