@@ -42,8 +42,11 @@ pub fn plot(arguments: &PlotArguments) -> Result<Exit, Failure> {
 fn read(path: &Path) -> Result<Columns, Failure> {
     if path.is_dir() {
         let run = Run::open(path)?;
-        let none = || Failure::wrong(format!("the run in `{}` has no series yet", path.display()));
-        let series = run.series()?.ok_or_else(none)?;
+        let Some(series) = run.series()? else {
+            let gone = run.missing_series()?;
+            let problem = gone.unwrap_or_else(|| "the run has no series yet".to_string());
+            return Err(Failure::wrong(format!("`{}`: {problem}", path.display())));
+        };
         warn_of_shortfall(&run, &series)?;
         return Ok(series);
     }

@@ -29,11 +29,11 @@ pub fn render(arguments: &RenderArguments) -> Result<Exit, Failure> {
     let run = Run::open(&arguments.run)?;
     let moments = run.moments()?;
     let Some(last) = moments.last().copied() else {
-        let message = format!(
-            "the run in `{}` has no frames; tell `output.frames` in its scenario",
-            arguments.run.display()
-        );
-        return Err(Failure::wrong(message));
+        let place = arguments.run.display();
+        return Err(Failure::wrong(match run.missing_frames()? {
+            Some(problem) => format!("`{place}`: {problem}"),
+            None => format!("the run in `{place}` has no frames; tell `output.frames` in its scenario"),
+        }));
     };
     if let Some(problem) = run.missing_frames()? {
         note(&format!("warning: `{}`: {problem}", arguments.run.display()));

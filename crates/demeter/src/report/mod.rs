@@ -87,6 +87,10 @@ impl Contents {
             .as_ref()
             .and_then(|series| kept(run.shortfall(series), &mut problems));
         problems.extend(short.map(|problem| format!("`series.csv`: {problem}")));
+        for gone in [run.missing_series(), run.missing_frames()] {
+            let gone = kept(gone, &mut problems);
+            problems.extend(gone);
+        }
         let packing = kept(Packing::latest(run), &mut problems);
         let summary = kept(run.summary(), &mut problems);
         let log = kept(log(run), &mut problems).unwrap_or_default();

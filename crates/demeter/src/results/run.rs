@@ -149,6 +149,14 @@ impl Run {
         self.columns(&self.folder.series())
     }
 
+    /// That a finished run has no series any more, in words; nothing where no summary can be read.
+    pub fn missing_series(&self) -> Result<Option<String>, ResultsError> {
+        let summary = self.summary().ok().flatten();
+        let is_finished = summary.as_ref().and_then(finished_steps).is_some();
+        let is_gone = is_finished && self.series()?.is_none();
+        Ok(is_gone.then(|| "`series.csv` is gone, which the run has written".to_string()))
+    }
+
     /// What the series of a finished run lacks at its end, in words; nothing where no summary tells that it is finished, and as
     /// long as it goes on.
     pub fn shortfall(&self, series: &Columns) -> Result<Option<String>, ResultsError> {

@@ -253,6 +253,24 @@ fn a_killed_run_has_a_report_of_what_there_is() {
 }
 
 #[test]
+fn what_is_gone_of_a_finished_run_is_told() {
+    let (_, place, _) = page_of(&plain(), &[]);
+    let folder = place.path().join("run");
+    for entry in fs::read_dir(folder.join("frames")).unwrap() {
+        fs::remove_file(entry.unwrap().path()).unwrap();
+    }
+    fs::remove_file(folder.join("series.csv")).unwrap();
+    let problems = write(&folder).unwrap().problems;
+    let [series, frames] = problems.as_slice() else {
+        panic!("{problems:?}")
+    };
+    assert!(
+        series.contains("`series.csv` is gone") && frames.contains("frames are not whole"),
+        "{problems:?}"
+    );
+}
+
+#[test]
 fn a_run_that_goes_on_says_so() {
     let (_place, folder) = killed();
     let _lock = RunFolder::open(&folder).unwrap().lock().unwrap();
