@@ -104,6 +104,16 @@ fn check_tells_how_many_frames_a_run_writes_and_counts_triangles() {
     assert_eq!(with_mesh[0] - plain[0], 300_000.0);
     assert_eq!(with_mesh[1] - plain[1], 21_000.0);
     assert!(with_mesh[2] > plain[2]);
+    // contacts that feel each other need more memory, and time
+    let coupled = [
+        "check",
+        "fall.toml",
+        "--json",
+        "--set",
+        "contact.multi_contact={law=\"half-space\"}",
+    ];
+    let coupled = place.expect(0, &coupled).json();
+    assert!(coupled["memory"].as_f64().unwrap() > plain[0] && coupled["run_time"].as_f64().unwrap() > plain[2]);
 }
 
 /// A box of 20 mm without lid, drawn in millimetres, with a hole in the side at x = 20: one of its triangles is missing.

@@ -13,7 +13,7 @@ use glam::DVec3;
 use std::f64::consts::PI;
 
 /// Refuses grains that cannot fit into memory before any is made.
-pub(super) fn check_memory(scenario: &Scenario, walls: &[Wall], faults: &mut Diagnostics) {
+pub(super) fn check_memory(scenario: &Scenario, walls: &[Wall], are_coupled: bool, faults: &mut Diagnostics) {
     let at_start: f64 = scenario.grains.iter().map(expected_count).sum();
     // where grains leave, how many are there at a time is not known
     let is_left = scenario.domain.outside == Outside::Remove || !scenario.removals.is_empty();
@@ -26,7 +26,7 @@ pub(super) fn check_memory(scenario: &Scenario, walls: &[Wall], faults: &mut Dia
     };
     let expected = at_start + fed;
     let Some(available) = available_memory() else { return };
-    let needed = estimates::memory(expected, walls);
+    let needed = estimates::memory(expected, walls, are_coupled);
     if needed > available {
         let largest = (0..scenario.grains.len())
             .max_by(|&a, &b| expected_count(&scenario.grains[a]).total_cmp(&expected_count(&scenario.grains[b])));

@@ -11,12 +11,17 @@ use crate::walls::Wall;
 const BYTES_PER_GRAIN: f64 = 1300.0;
 const BYTES_OF_A_RUN: f64 = 110e6;
 
+/// What contacts that feel each other add to that of a grain: above the largest resident size of 131,072 grains of a face-centred
+/// lattice with `half-space`, each touched by twelve, 656 MB in all.
+const BYTES_OF_COUPLING: f64 = 3300.0;
+
 /// Memory of a triangle of a mesh, with what is needed while it is read and drawn [bytes]: above that of three grains beside a binary STL
 /// file of 980,000 triangles, a square cut into 700 by 700 (`/usr/bin/time -v demeter run`): 378 MB in all.
 const BYTES_PER_TRIANGLE: f64 = 300.0;
 
-/// Particle-steps per second and thread.
+/// Particle-steps per second and thread, and those where contacts feel each other (`benches/README.md`).
 const SPEED: f64 = 2e6;
+const COUPLED_SPEED: f64 = 7e5;
 
 /// Room in the files of a frame [bytes]: of next to nothing, of a grain with its contacts, above that of the bed `w6-1m` of `benches/peers`
 /// at its start (348 MB), and of a triangle, above that of the mesh above, which is flat (13 MB).
@@ -84,9 +89,10 @@ fn expected_of_feed(scenario: &Scenario, feed: &FeedSpec, seconds: f64) -> f64 {
 }
 
 /// Memory that a run with so many grains and such walls needs at most [bytes].
-pub(super) fn memory(grains: f64, walls: &[Wall]) -> f64 {
+pub(super) fn memory(grains: f64, walls: &[Wall], are_coupled: bool) -> f64 {
     let felt: usize = walls.iter().map(Wall::felt_triangles).sum();
-    BYTES_OF_A_RUN + grains * BYTES_PER_GRAIN + felt as f64 * BYTES_PER_TRIANGLE
+    let coupling = if are_coupled { BYTES_OF_COUPLING } else { 0.0 };
+    BYTES_OF_A_RUN + grains * (BYTES_PER_GRAIN + coupling) + felt as f64 * BYTES_PER_TRIANGLE
 }
 
 /// Frames of a run when no condition ends a stage early, what they take, and the time of all of it.
@@ -99,8 +105,15 @@ pub(super) struct Work {
     pub(super) time: f64,
 }
 
-/// The work of a run with so many grains at most and such walls.
-pub(super) fn work(scenario: &Scenario, grains: f64, walls: &[Wall], stage_steps: &[u64], dt: f64) -> Work {
+/// The work of a run of a scenario with so many grains at most, such walls and such steps.
+pub(super) fn work(
+    (scenario, are_coupled): (&Scenario, bool),
+    grains: f64,
+    walls: &[Wall],
+    stage_steps: &[u64],
+    dt: f64,
+) -> Work {
+    let speed = if are_coupled { COUPLED_SPEED } else { SPEED };
     let drawn: usize = walls
         .iter()
         .filter_map(Wall::mesh)
@@ -118,6 +131,6 @@ pub(super) fn work(scenario: &Scenario, grains: f64, walls: &[Wall], stage_steps
     Work {
         frames,
         frame_bytes: FRAME_BYTES + grains * FRAME_BYTES_PER_GRAIN + drawn * FRAME_BYTES_PER_TRIANGLE,
-        time: grains * steps as f64 / SPEED + frames as f64 * per_frame,
+        time: grains * steps as f64 / speed + frames as f64 * per_frame,
     }
 }

@@ -64,7 +64,8 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let materials = materials(scenario, &mut faults);
     let (walls, meshes) = walls(scenario, &mut faults);
     check_stage_motions(scenario, &mut faults);
-    check_memory(scenario, &walls, &mut faults);
+    let are_coupled = materials.as_ref().is_some_and(Materials::are_coupled);
+    check_memory(scenario, &walls, are_coupled, &mut faults);
     if !faults.is_empty() {
         return Err(faults);
     }
@@ -82,7 +83,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::deformation::check(scenario, &grains, None, &mut faults);
     meshes::check(scenario, &walls, &meshes, &grains, &all, &mut warnings);
     periodic_walls::check(&walls, &all, &domain, &mut warnings);
-    super::walls_in_one_place::check((&walls, materials.are_coupled()), &all, &domain, &mut warnings);
+    super::walls_in_one_place::check((&walls, are_coupled), &all, &domain, &mut warnings);
     super::field_measures::check_kernels(&scenario.measures, &domain, &mut warnings);
     super::region_measures::check_gates(&scenario.measures, &all, &domain, &mut warnings);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
@@ -113,10 +114,10 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
     let fed = estimates::fed(scenario, &stages);
     let most = grains.len() as f64 + fed.grains;
-    let work = estimates::work(scenario, most, &walls, &stage_steps, dt);
+    let work = estimates::work((scenario, are_coupled), most, &walls, &stage_steps, dt);
     Ok(Prepared {
         fed,
-        memory: estimates::memory(most, &walls) as u64,
+        memory: estimates::memory(most, &walls, are_coupled) as u64,
         run_time: work.time,
         frames: work.frames,
         frame_bytes: work.frame_bytes as u64,
