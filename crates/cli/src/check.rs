@@ -84,6 +84,12 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
     let all = bytes(prepared.frame_bytes.saturating_mul(prepared.frames));
     let frames = things(prepared.frames, "frame");
     rows.add("frames", format!("{frames} of {about} {each}, {all} together"));
+    let (each, all) = (
+        bytes(prepared.row_bytes),
+        bytes(prepared.row_bytes.saturating_mul(prepared.rows)),
+    );
+    let told = things(prepared.rows, "row");
+    rows.add("series", format!("{told} of about {each}, {all} together"));
     rows.add("run time", format!("{about} {} on one thread", wait(prepared.run_time)));
     format!("{} is right\n{}", scenario.name, rows.lines())
 }
@@ -131,6 +137,8 @@ fn to_json(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Val
         "run_time": prepared.run_time,
         "frames": prepared.frames,
         "frame_bytes": prepared.frame_bytes,
+        "rows": prepared.rows,
+        "row_bytes": prepared.row_bytes,
         "warnings": prepared.warnings,
     })
 }

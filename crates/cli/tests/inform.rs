@@ -88,6 +88,11 @@ fn check_tells_how_many_frames_a_run_writes_and_counts_triangles() {
     let written = names.filter(|name| name.starts_with("grains_")).count();
     assert!(written > 5, "{written}");
     assert_eq!(told["frames"], written);
+    let series = fs::read_to_string(place.path("fall/series.csv")).unwrap();
+    assert_eq!(told["rows"], series.lines().count() - 1);
+    let per_row = (series.len() / series.lines().count()) as f64;
+    let ratio = told["row_bytes"].as_f64().unwrap() / per_row;
+    assert!((0.3..3.0).contains(&ratio), "{ratio}");
     let needs = |file: &str| {
         let answer = place.expect(0, &["check", file, "--json"]).json();
         ["memory", "frame_bytes", "run_time"].map(|key| answer[key].as_f64().unwrap())

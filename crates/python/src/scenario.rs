@@ -240,6 +240,8 @@ impl Scenario {
             "run_time": prepared.run_time,
             "frames": prepared.frames,
             "frame_bytes": prepared.frame_bytes,
+            "rows": prepared.rows,
+            "row_bytes": prepared.row_bytes,
             "warnings": prepared.warnings,
         });
         from_json(py, &told)

@@ -48,12 +48,16 @@ pub struct Prepared {
     pub fed: Fed,
     /// Estimated memory, where no grain leaves [bytes].
     pub memory: u64,
-    /// Estimated run time on one thread, with the writing of frames [s].
+    /// Estimated run time on one thread, with the writing of frames and rows [s].
     pub run_time: f64,
     /// Frames when no condition ends a stage early.
     pub frames: u64,
     /// Estimated size of the files of one frame [bytes].
     pub frame_bytes: u64,
+    /// Rows of the series when no condition ends a stage early.
+    pub rows: u64,
+    /// Estimated size of one row [bytes].
+    pub row_bytes: u64,
 }
 
 /// Makes a scenario ready to run, or tells everything that is wrong with it.
@@ -121,6 +125,8 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         run_time: work.time,
         frames: work.frames,
         frame_bytes: work.frame_bytes as u64,
+        rows: work.rows,
+        row_bytes: work.row_bytes as u64,
         origins,
         to_come,
         time_scale: scale,
