@@ -74,6 +74,16 @@ fn of_list(list: &[ContactRecord], with_wall: bool) -> SomeContacts<'_> {
 }
 
 impl ContactAt<'_> {
+    /// Indices of its grains; `find` tells that of an id, where it knows ids alone.
+    pub fn grains(self, find: impl Fn(u32) -> Option<usize>) -> [Option<usize>; 2] {
+        match self {
+            Self::State(_, acting) => acting.grains(),
+            Self::Listed(record) => {
+                [Some(record.id_i), (record.wall < 0).then_some(record.id_j)].map(|id| id.and_then(&find))
+            }
+        }
+    }
+
     /// Id of the first grain.
     pub fn id_i(self) -> u32 {
         match self {

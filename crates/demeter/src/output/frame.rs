@@ -2,12 +2,12 @@
 
 use crate::comm::together::Together;
 use crate::materials::Material;
-use crate::measure::ContactsAt;
+use crate::measure::{ContactAt, ContactsAt};
 use crate::particles::{ById, Grains};
 use crate::walls::ElementRecord;
 use glam::{DVec3, Vec3};
 use std::f64::consts::PI;
-use std::ops::Range;
+use std::ops::{AddAssign, Range};
 
 /// A contact as it is written. Forces and torque are in single precision, as the tables of contacts hold them: a frame has many of these.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -102,17 +102,6 @@ pub struct Frame<'a> {
     pub(crate) part: FramePart<'a>,
 }
 
-/// What the contacts do to every own grain, walls counted.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ContactSums {
-    /// Number of contacts that act.
-    pub coordination: Vec<u32>,
-    /// Sum of the magnitudes of the normal forces [N].
-    pub force: Vec<f64>,
-    /// Mean normal stress, compression positive [Pa].
-    pub stress: Vec<f64>,
-}
-
 impl ContactRecord {
     /// Normal force, repulsion positive [N].
     pub fn repulsion(&self) -> f64 {
@@ -137,36 +126,48 @@ impl Frame<'_> {
         part.start.min(grains)..part.end.min(grains)
     }
 
-    /// Sums over the contacts of every grain, in their order.
+    /// Number of the contacts of every own grain that act, walls counted.
+    pub fn coordination(&self) -> Vec<u32> {
+        self.sums(|_, _| 1)
+    }
+
+    /// Sum of the magnitudes of the normal forces on every own grain [N].
+    pub fn contact_force(&self) -> Vec<f64> {
+        self.sums(|contact, _| contact.repulsion().abs())
+    }
+
+    /// Mean normal stress of every own grain, compression positive [Pa].
     ///
-    /// The mean normal stress of a grain of volume `V` is `sum(f_n l) / (3 V)` over its contacts, with the normal force
+    /// Of a grain of volume `V` it is `sum(f_n l) / (3 V)` over its contacts, with the normal force
     /// `f_n` (repulsion positive) and the distance `l` from the centre to the contact: `r - overlap / 2` between grains,
     /// `r - overlap` at a wall. It is the mean over the grain's volume of a third of the trace of the stress (J. Weber,
     /// Bulletin de Liaison des Ponts et Chaussees 20, 1966); friction, which is perpendicular to `l`, gives nothing to it.
-    pub fn contact_sums(&self) -> ContactSums {
-        let own = self.own();
-        let by_id = ById::new(&self.grains.id[own.clone()]);
-        let n = own.len();
-        let mut sums = ContactSums {
-            coordination: vec![0; n],
-            force: vec![0.0; n],
-            stress: vec![0.0; n],
-        };
-        for contact in self.contacts.all() {
-            let (ids, depth) = match contact.wall() < 0 {
-                true => ([Some(contact.id_i()), Some(contact.id_j())], 0.5 * contact.overlap()),
-                false => ([Some(contact.id_i()), None], contact.overlap()),
+    pub fn mean_normal_stress(&self) -> Vec<f64> {
+        let mut stress = self.sums(|contact, grain| {
+            let depth = match contact.wall() < 0 {
+                true => 0.5 * contact.overlap(),
+                false => contact.overlap(),
             };
-            let force = contact.repulsion();
-            for at in ids.into_iter().flatten().filter_map(|id| by_id.find(id)) {
-                sums.coordination[at] += 1;
-                sums.force[at] += force.abs();
-                sums.stress[at] += force * (self.grains.radius(own.start + at) - depth);
-            }
-        }
-        for (stress, grain) in sums.stress.iter_mut().zip(own) {
+            contact.repulsion() * (self.grains.radius(grain) - depth)
+        });
+        for (stress, grain) in stress.iter_mut().zip(self.own()) {
             let r = self.grains.radius(grain);
             *stress /= 4.0 * PI * r * r * r;
+        }
+        stress
+    }
+
+    /// Sums over the contacts of every own grain, in their order, of what a contact gives to a grain.
+    fn sums<T: AddAssign + Clone + Default>(&self, of: impl Fn(ContactAt<'_>, usize) -> T) -> Vec<T> {
+        let own = self.own();
+        // contacts of a list know ids alone
+        let by_id = matches!(self.contacts, ContactsAt::List(_)).then(|| ById::new(&self.grains.id[own.clone()]));
+        let find = |id| Some(own.start + by_id.as_ref()?.find(id)?);
+        let mut sums = vec![T::default(); own.len()];
+        for contact in self.contacts.all() {
+            for grain in contact.grains(find).into_iter().flatten().filter(|g| own.contains(g)) {
+                sums[grain - own.start] += of(contact, grain);
+            }
         }
         sums
     }
@@ -217,12 +218,12 @@ mod tests {
             cell: None,
             part: FramePart::default(),
         };
-        let sums = frame.contact_sums();
-        assert_eq!(sums.coordination, [2, 1]);
-        assert_eq!(sums.force, [40.0, 10.0]);
+        assert_eq!(frame.coordination(), [2, 1]);
+        assert_eq!(frame.contact_force(), [40.0, 10.0]);
+        let stress = frame.mean_normal_stress();
         let volume = |r: f64| 4.0 / 3.0 * PI * r.powi(3);
         let expected = (10.0 * 1.9 + 30.0 * 1.9) / (3.0 * volume(2.0));
-        assert_relative_eq!(sums.stress[0], expected, max_relative = 1e-14);
-        assert_relative_eq!(sums.stress[1], 10.0 * 0.9 / (3.0 * volume(1.0)), max_relative = 1e-14);
+        assert_relative_eq!(stress[0], expected, max_relative = 1e-14);
+        assert_relative_eq!(stress[1], 10.0 * 0.9 / (3.0 * volume(1.0)), max_relative = 1e-14);
     }
 }

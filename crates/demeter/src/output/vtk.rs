@@ -14,7 +14,7 @@
 use super::collection::Collection;
 use super::error::OutputError;
 use super::folder::RunFolder;
-use super::frame::{ContactSums, Frame, FrameBox, WallSurface};
+use super::frame::{Frame, FrameBox, WallSurface};
 use super::vtk_file::{NewArray, NewPolyData};
 use super::vtp::{Array, Cells, Values};
 use crate::measure::{ContactAt, SomeContacts};
@@ -76,7 +76,7 @@ impl FrameWriter {
         let [of_grains, of_contacts, of_walls] = self.collections.each_ref().map(|c| c.file_path(frame.step));
         let put = |path: &Path, data: NewPolyData<'_>| self.folder.write_with(path, |file| data.write(file));
         // what one file needs goes before the next is made
-        put(&of_grains, grains(frame, &frame.contact_sums()))?;
+        put(&of_grains, grains(frame))?;
         put(&of_contacts, contacts(frame))?;
         put(&of_walls, walls(frame, &records(frame)))?;
         // The collections come last, so that none names a file that is not there.
@@ -100,7 +100,7 @@ impl FrameWriter {
 
 /// Tells the first process the own part of a frame that it writes.
 pub(crate) fn tell(frame: &Frame) {
-    grains(frame, &frame.contact_sums()).pass();
+    grains(frame).pass();
     contacts(frame).pass();
 }
 
@@ -115,7 +115,7 @@ pub(crate) fn box_fields(cell: &FrameBox) -> [Array; 2] {
 }
 
 /// The table of the grains.
-fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
+fn grains<'a>(frame: &'a Frame) -> NewPolyData<'a> {
     let (g, own, all) = (frame.grains, frame.own(), frame.part.together);
     let vectors = |name, of: &'a Rows| {
         let own = of.rows()[own.clone()].iter();
@@ -137,9 +137,10 @@ fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
         vectors("angular_velocity", &g.angular_velocity),
         loads("force", Load::force),
         loads("torque", Load::torque),
-        NewArray::counts("coordination", all.joined(sums.coordination.iter().copied())),
-        NewArray::scalars("contact_force", all.joined(sums.force.iter().copied())),
-        NewArray::scalars("mean_normal_stress", all.joined(sums.stress.iter().copied())),
+        // each is found when it is written
+        NewArray::counts("coordination", all.joined(later(|| frame.coordination()))),
+        NewArray::scalars("contact_force", all.joined(later(|| frame.contact_force()))),
+        NewArray::scalars("mean_normal_stress", all.joined(later(|| frame.mean_normal_stress()))),
     ];
     if let Some(orientation) = &g.orientation {
         let turned = orientation[own.clone()].iter().map(|q| q.to_array());
@@ -162,6 +163,11 @@ fn grains<'a>(frame: &'a Frame, sums: &'a ContactSums) -> NewPolyData<'a> {
         point_data,
         cell_data: Vec::new(),
     }
+}
+
+/// Values that are found when the first is asked for.
+fn later<'a, T: 'a>(find: impl FnOnce() -> Vec<T> + 'a) -> impl Iterator<Item = T> + 'a {
+    std::iter::once_with(find).flatten()
 }
 
 /// The table of the contacts.

@@ -15,8 +15,11 @@ use std::io::{self, Cursor, Seek, SeekFrom, Write};
 
 /// Length of an uncompressed block [bytes], a multiple of the size of every type.
 pub(crate) const BLOCK: usize = 1 << 18;
-/// Bytes that are compressed at once, by all threads.
-const AT_ONCE: usize = 32 * BLOCK;
+/// Bytes that are compressed at once, by all threads: two blocks for each.
+fn at_once() -> usize {
+    2 * BLOCK * rayon::current_num_threads()
+}
+
 /// How binary data is told, in the head of every file.
 pub(crate) const ENCODING: &str =
     "byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"";
@@ -339,7 +342,7 @@ fn write_compressed<const N: usize>(
     let (mut some, mut left) = (Vec::<[u8; N]>::new(), count);
     while left > 0 {
         some.clear();
-        some.extend(numbers.by_ref().take(left.min(AT_ONCE / N)));
+        some.extend(numbers.by_ref().take(left.min(at_once() / N)));
         if some.is_empty() {
             break;
         }
@@ -405,7 +408,16 @@ mod tests {
 
     #[test]
     fn blocks_decode_at_every_edge_of_the_block_length() {
-        for length in [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK, 2 * BLOCK + 8, AT_ONCE + 1] {
+        for length in [
+            0,
+            1,
+            BLOCK - 1,
+            BLOCK,
+            BLOCK + 1,
+            2 * BLOCK,
+            2 * BLOCK + 8,
+            at_once() + 1,
+        ] {
             let bytes: Vec<u8> = (0..length).map(|k| (k % 251) as u8).collect();
             let mut out = Cursor::default();
             let written = write_compressed(&mut out, length, bytes.iter().map(|byte| [*byte])).unwrap();

@@ -117,7 +117,7 @@ impl Colouring {
                 Self::new(frame, by, high)
             }
             ColourBy::ContactForce => {
-                let forces = frame.contact_sums().force;
+                let forces = frame.contact_force();
                 Self::by_value("contact force", unit, &forces, high, all)
             }
             ColourBy::Speed => Self::by_value("speed", unit, &lengths(&g.velocity), high, all),
@@ -126,11 +126,11 @@ impl Colouring {
                 Self::by_value("diameter", unit, &diameters, high, all)
             }
             ColourBy::Coordination => {
-                let contacts: Vec<f64> = frame.contact_sums().coordination.into_iter().map(f64::from).collect();
+                let contacts: Vec<f64> = frame.coordination().into_iter().map(f64::from).collect();
                 Self::by_value("contacts", unit, &contacts, high, all)
             }
             ColourBy::Spin => Self::by_value("spin", unit, &lengths(&g.angular_velocity), high, all),
-            ColourBy::Pressure => Self::by_value("pressure", unit, &frame.contact_sums().stress, high, all),
+            ColourBy::Pressure => Self::by_value("pressure", unit, &frame.mean_normal_stress(), high, all),
             ColourBy::Material => Self::by_material(frame),
         }
     }
