@@ -52,6 +52,12 @@ pub fn option_line(told: &str) -> Result<String, String> {
             "--sbatch `{told}`: the array follows from the runs; --jobs limits how many go on at a time"
         ));
     }
+    let value = told.trim_start_matches('-').get(name.len() + 1..).unwrap_or_default();
+    if value.contains(char::is_whitespace) {
+        return Err(format!(
+            "--sbatch `{told}`: a value with blanks is cut by sbatch; write it without, as `a_b`"
+        ));
+    }
     Ok(match (told.starts_with('-'), name.len()) {
         (true, _) => told.to_string(),
         (false, 1) => format!("-{told}"),
@@ -162,7 +168,16 @@ mod tests {
         assert_eq!(option_line("-p short").unwrap(), "-p short");
         assert_eq!(option_line("exclusive").unwrap(), "--exclusive");
         assert_eq!(option_line("A me").unwrap(), "-A me");
-        for wrong in ["", "--", "; rm", "time=1\nrm", "array=0-3", "--array=1"] {
+        for wrong in [
+            "",
+            "--",
+            "; rm",
+            "time=1\nrm",
+            "array=0-3",
+            "--array=1",
+            "comment=a b",
+            "-A a b",
+        ] {
             assert!(option_line(wrong).is_err(), "{wrong:?}");
         }
     }
