@@ -116,9 +116,10 @@ pub(super) struct Work {
 
 /// The work of a run of a scenario with so many grains at most, such walls and such steps.
 pub(super) fn work(
-    (scenario, are_coupled): (&Scenario, bool),
+    scenario: &Scenario,
     grains: f64,
     walls: &[Wall],
+    are_coupled: bool,
     stage_steps: &[u64],
     dt: f64,
 ) -> Work {
@@ -129,12 +130,12 @@ pub(super) fn work(
         .map(|mesh| mesh.triangles().len())
         .sum();
     let drawn = drawn as f64;
-    // the last is at the end of its stage
-    let of_stage = |seconds: Option<f64>, steps: u64| seconds.map_or(1, |seconds: f64| ends_within(seconds, dt, steps));
     let all = |interval: fn(&Stage) -> Option<f64>| {
         let stages = scenario.stages.iter().zip(stage_steps);
-        let counts = stages.map(|(stage, steps)| of_stage(interval(stage), *steps));
-        counts.fold(1, u64::saturating_add)
+        // the last is at the end of its stage
+        let of_stage =
+            |(stage, steps): (&Stage, &u64)| interval(stage).map_or(1, |seconds: f64| ends_within(seconds, dt, *steps));
+        stages.map(of_stage).fold(1, u64::saturating_add)
     };
     let frames = all(|stage| stage.cadence.frames);
     let rows = all(|stage| stage.cadence.series);

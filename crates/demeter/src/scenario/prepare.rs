@@ -118,7 +118,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
     let fed = estimates::fed(scenario, &stages);
     let most = grains.len() as f64 + fed.grains;
-    let work = estimates::work((scenario, are_coupled), most, &walls, &stage_steps, dt);
+    let work = estimates::work(scenario, most, &walls, are_coupled, &stage_steps, dt);
     Ok(Prepared {
         fed,
         memory: estimates::memory(most, &walls, are_coupled) as u64,

@@ -6,6 +6,7 @@ use crate::particles::Grains;
 use crate::walls::{FreeMotion, Wall};
 use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor};
 use demeter_physics::contact::rolling::{Rolling, RollingVisitor};
+use demeter_physics::contact::spring::dashpot;
 use demeter_physics::contact::tangential::{Tangential, TangentialVisitor};
 use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::integrator::Integrator;
@@ -375,19 +376,18 @@ fn time_scale(law: &PairLaw, size: PairSize, inertia: Inertia, overlap: f64) -> 
             shortest = (time, what);
         }
     };
-    let dashpot = law.normal.visit(Dashpot(size, overlap));
-    if dashpot > 0.0 {
+    let coefficient = law.normal.visit(Dashpot(size, overlap));
+    if coefficient > 0.0 {
         consider(
-            DASHPOTS * size.mass / dashpot,
+            DASHPOTS * size.mass / coefficient,
             format!("decay in the dashpot (`{}`)", law.normal.info().name),
         );
     }
     if let Some(friction) = law.tangential {
-        // a solid sphere's tangential mass at the contact point is 2/7 of the effective mass
-        let (stiffness, mass) = (friction.visit(Stiffness(size, overlap)), 2.0 / 7.0 * size.mass);
+        let (stiffness, mass) = (friction.visit(Stiffness(size, overlap)), size.tangential_mass());
         let name = friction.info().name;
         consider(period(mass, stiffness), format!("tangential oscillation (`{name}`)"));
-        let damping = 2.0 * friction.visit(DampingRatio) * (mass * stiffness).sqrt();
+        let damping = dashpot(friction.visit(DampingRatio), stiffness, mass);
         bear(
             longest_borne(SLIDING * stiffness / mass, SLIDING * damping / mass),
             name,
@@ -399,7 +399,7 @@ fn time_scale(law: &PairLaw, size: PairSize, inertia: Inertia, overlap: f64) -> 
         let name = resistance.info().name;
         let Inertia { rolling, turning } = inertia;
         consider(period(rolling, stiffness), format!("rolling oscillation (`{name}`)"));
-        let damping = 2.0 * resistance.visit(DampingRatio) * (rolling * stiffness).sqrt();
+        let damping = dashpot(resistance.visit(DampingRatio), stiffness, rolling);
         bear(
             longest_borne(ROLLING * stiffness / turning, ROLLING * damping / turning),
             name,

@@ -26,6 +26,12 @@ pub struct SpringInput<L: Lanes = f64> {
     pub dt: f64,
 }
 
+/// Coefficient of a dashpot with a share of critical damping beside a spring: `2 ratio sqrt(inertia stiffness)`.
+#[inline(always)]
+pub fn dashpot<L: Lanes>(damping_ratio: f64, stiffness: L, inertia: L) -> L {
+    (stiffness * inertia).sqrt() * (2.0 * damping_ratio)
+}
+
 /// What the spring answers.
 #[derive(Clone, Copy, Debug)]
 pub struct SpringResponse<L: Lanes = f64> {

@@ -1,7 +1,7 @@
 #![doc = include_str!("epsd.md")]
 
 use super::{Rolling, RollingInput, RollingResponse};
-use crate::contact::spring::{SpringInput, advance_spring, compliance, spring_energy};
+use crate::contact::spring::{SpringInput, advance_spring, compliance, dashpot, spring_energy};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
@@ -93,7 +93,7 @@ impl Epsd {
             spin: input.spin,
             stiffness,
             compliance: compliance(stiffness),
-            damping: (inertia * stiffness).sqrt() * (2.0 * self.parameters.damping_ratio),
+            damping: dashpot(self.parameters.damping_ratio, stiffness, inertia),
             limit: input.size.radius * input.normal_force * self.parameters.rolling_friction,
             dt: input.dt,
         }

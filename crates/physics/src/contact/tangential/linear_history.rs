@@ -1,7 +1,7 @@
 #![doc = include_str!("linear_history.md")]
 
-use super::{Tangential, TangentialInput, TangentialResponse, dashpot};
-use crate::contact::spring::{Carried, SpringInput, advance_spring, compliance, spring_energy};
+use super::{Tangential, TangentialInput, TangentialResponse};
+use crate::contact::spring::{Carried, SpringInput, advance_spring, compliance, dashpot, spring_energy};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
@@ -70,7 +70,7 @@ impl Tangential for LinearHistory {
             spin: input.spin,
             stiffness,
             compliance,
-            damping: dashpot(p.damping_ratio, stiffness, input.size),
+            damping: dashpot(p.damping_ratio, stiffness, input.size.tangential_mass()),
             limit: self.limit(input.normal_force),
             dt: input.dt,
         };

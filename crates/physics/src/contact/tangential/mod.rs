@@ -141,9 +141,3 @@ law_family! {
         mindlin_deresiewicz::MindlinDeresiewicz,
     }
 }
-
-/// Coefficient of a dashpot with this share of critical damping [N s/m].
-#[inline(always)]
-fn dashpot<L: Lanes>(damping_ratio: f64, stiffness: L, size: PairSize<L>) -> L {
-    (stiffness * size.tangential_mass()).sqrt() * (2.0 * damping_ratio)
-}
