@@ -314,7 +314,11 @@ impl Tangential for MindlinDeresiewicz {
         let velocity = [input.velocity.inner(row.axis), input.velocity.inner(across)];
         let limit = self.limit(input.normal_force);
         let middle = row.shear(velocity, input.dt, self.modulus, limit);
-        let damping = dashpot(self.parameters.damping_ratio, radius * self.modulus, input.size.tangential_mass());
+        let damping = dashpot(
+            self.parameters.damping_ratio,
+            radius * self.modulus,
+            input.size.tangential_mass(),
+        );
         let load = held(difference(middle, scaled(velocity, damping)), limit);
         row.write(history, bears);
         let lost = -inner(load, velocity) * input.dt - (row.energy(self.modulus) - before);
