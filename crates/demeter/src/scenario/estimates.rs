@@ -7,10 +7,10 @@ use crate::simulation::{Stage, ends_within};
 use crate::walls::Wall;
 
 /// Memory of a grain with its contacts, candidates, and its share of a frame while that is written [bytes], and that of a run of few
-/// grains: above the largest resident sizes (`/usr/bin/time -v`) of `examples/settle-20000`, 134 MB, of the beds `w6-200k` and `w6-1m`
-/// of `benches/peers`, 356 and 1249 MB (1344 MB where it is resumed), and of ten of the latter side by side, 11453 MB.
-const BYTES_PER_GRAIN: f64 = 1300.0;
-const BYTES_OF_A_RUN: f64 = 110e6;
+/// grains: above the largest resident sizes (`/usr/bin/time -v`) of `examples/settle-20000`, 133 MB, and of the bed `w6-1m` of
+/// `benches/peers` with frames, picture and report, 731 MB (768 MB where it is resumed), of which the steps take 400.
+const BYTES_PER_GRAIN: f64 = 800.0;
+const BYTES_OF_A_RUN: f64 = 120e6;
 
 /// What contacts that feel each other add to that of a grain: above the largest resident size of 131,072 grains of a face-centred
 /// lattice with `half-space`, each touched by twelve, 656 MB in all.
