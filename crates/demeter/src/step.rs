@@ -13,8 +13,9 @@ use crate::contacts::sum::{Adder, Work};
 use crate::contacts::{Approach, ContactChunk, Fault, Scene, Span};
 use crate::neighbours::Neighbours;
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
+use crate::simulation::memory;
 use crate::simulation::profile::{Part, Profile};
-use crate::simulation::{Counts, Phase, Simulation};
+use crate::simulation::{Counts, Loads, Phase, Simulation};
 use demeter_physics::integrator::Integrator;
 use std::ops::Range;
 
@@ -73,7 +74,7 @@ impl Simulation {
         self.check_jumps(&motion)?;
         if let Some(skin) = self.next_skin(&motion) {
             self.skin = self.skin_that_fits(skin)?;
-            self.find_candidates();
+            self.find_candidates_with(Loads::Forgotten);
             self.check_crossings()?;
             self.foresee_bulges();
             // others are neighbours now
@@ -124,7 +125,8 @@ impl Simulation {
             ..Motion::default()
         };
         self.check_places(&motion)?;
-        self.find_candidates();
+        self.find_candidates_with(Loads::Forgotten);
+        memory::give_back();
         self.check_crossings()?;
         self.check_jumps(&motion)?;
         self.even_out_start();

@@ -146,11 +146,13 @@ impl Debug for Neighbours {
 impl Neighbours {
     /// Finds all pairs closer than `skin` [m] to touching.
     pub fn find(&mut self, grains: &Grains, walls: &[Wall], materials: &Materials, comm: &Single, skin: f64) {
-        self.find_of((&(0..grains.len()), None), grains, (walls, materials, comm), skin);
+        let all = 0..grains.len();
+        self.find_of((&all, None), grains, (walls, materials, comm), skin);
+        self.note_places(&all, grains);
     }
 
     /// Finds all pairs closer than `skin` [m] to touching that one of the `own` grains is in, where no others are known than
-    /// those told.
+    /// those told; [`Neighbours::note_places`] comes after it.
     pub(crate) fn find_of(
         &mut self,
         (own, vicinity): (&Range<usize>, Option<&Vicinity>),
@@ -161,13 +163,15 @@ impl Neighbours {
         let search = &mut self.search;
         self.effort = search.pairs(&mut self.pairs, grains, (materials, comm), skin, (own, vicinity));
         search.walls(&mut self.walls, grains, (walls, materials), skin, own);
-        self.search.forget();
-        self.pairs.forget_found();
         self.total = self.pairs.table.len();
         self.find_incidence(grains);
-        self.former.note(&grains.position, own, self.pairs.per_segment);
         self.wall_reference.clear();
         self.wall_reference.extend(walls.iter().map(Wall::pose));
+    }
+
+    /// Notes where the own grains are with these candidates.
+    pub(crate) fn note_places(&mut self, own: &Range<usize>, grains: &Grains) {
+        self.former.note(&grains.position, own, self.pairs.per_segment);
     }
 
     fn find_incidence(&mut self, grains: &Grains) {

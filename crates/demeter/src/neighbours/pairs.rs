@@ -22,22 +22,14 @@ pub(super) struct PairTable {
     /// For every segment the others with the earlier grains of its pairs.
     #[serde(skip)]
     others: Vec<Vec<u32>>,
-    /// Pairs that the task of each segment found and whose later grain belongs to another.
-    #[serde(skip)]
-    strays_found: Vec<Vec<Pair>>,
-    /// The same by segment of the later grain, and where those of each segment begin.
-    #[serde(skip)]
-    strays: Vec<Pair>,
-    #[serde(skip)]
-    first_strays: Vec<u32>,
 }
 
-/// What a task of the search finds.
-pub(super) struct Found<'a> {
-    /// Pairs whose later grain is one of the task's own.
-    pub(super) own: &'a mut Vec<PackedPair>,
-    /// Others.
-    pub(super) strays: &'a mut Vec<Pair>,
+/// Pairs that tasks found whose later grain belongs to the segment of another.
+struct Strays {
+    /// By segment of the later grain.
+    pairs: Vec<Pair>,
+    /// Where those of each segment begin, and the last end.
+    first: Vec<u32>,
 }
 
 /// Memory of a thread for putting pairs in order.
@@ -52,23 +44,20 @@ pub(super) struct Sorter {
 }
 
 impl PairTable {
-    /// Has the pairs found by tasks with as many grains as segments have, in the memory of the table itself.
+    /// Has the pairs found by tasks with as many grains as segments have: those whose later grain is one of the task's own, in the memory
+    /// of the table itself.
     pub(super) fn search(
         &mut self,
         grains: usize,
         per_segment: usize,
-    ) -> impl IndexedParallelIterator<Item = Found<'_>> {
+    ) -> impl IndexedParallelIterator<Item = &mut Vec<PackedPair>> {
         self.per_segment = per_segment;
         let segments = grains.div_ceil(per_segment);
-        self.strays_found.resize_with(segments, Vec::new);
         self.others.resize_with(segments, Vec::new);
         self.table.segments.resize_with(segments, Segment::default);
-        let found = self.table.segments.par_iter_mut().zip(&mut self.strays_found);
-        found.map(|(segment, strays)| {
-            let own = &mut segment.candidates;
-            own.clear();
-            strays.clear();
-            Found { own, strays }
+        self.table.segments.par_iter_mut().map(|segment| {
+            segment.candidates.clear();
+            &mut segment.candidates
         })
     }
 
@@ -97,42 +86,20 @@ impl PairTable {
         (Pairs::new(self.table.segment_of(chunk) * self.per_segment, packed), law)
     }
 
-    fn collect_strays(&mut self) {
-        let segment_of = |pair: &Pair| pair.later() as usize / self.per_segment;
-        let segments = self.strays_found.len();
-        self.first_strays.clear();
-        self.first_strays.resize(segments + 1, 0);
-        let all = || self.strays_found.iter().flatten();
-        all().for_each(|pair| self.first_strays[segment_of(pair) + 1] += 1);
-        for segment in 0..segments {
-            self.first_strays[segment + 1] += self.first_strays[segment];
-        }
-        let nothing = Pair { i: 0, j: 0, shift: 0 };
-        self.strays.resize(self.first_strays[segments] as usize, nothing);
-        // starts become ends, and then starts again
-        for &pair in self.strays_found.iter().flatten() {
-            let next = &mut self.first_strays[segment_of(&pair)];
-            self.strays[*next as usize] = pair;
-            *next += 1;
-        }
-        self.first_strays.rotate_right(1);
-        self.first_strays[0] = 0;
-    }
-
-    /// Puts all that was found in order; `law` tells the material pair of a pair.
+    /// Puts all that was found in order, with the strays in any order; `law` tells the material pair of a pair.
     pub(super) fn sort(
         &mut self,
         grains: usize,
+        strays: Vec<Vec<Pair>>,
         law: impl Fn(&Pair) -> u32 + Sync,
         with_sorter: impl Fn(&mut dyn FnMut(&mut Sorter)) + Sync,
     ) {
-        self.collect_strays();
         let per_segment = self.per_segment;
-        let (strays, first_strays) = (&self.strays, &self.first_strays);
+        let strays = &Strays::collect(strays, self.table.segments.len(), per_segment);
         (self.table.segments.par_iter_mut().enumerate())
             .zip(&mut self.others)
             .for_each(|((s, segment), others)| {
-                let strays = &strays[first_strays[s] as usize..first_strays[s + 1] as usize];
+                let strays = strays.of_segment(s);
                 let first = s * per_segment;
                 let own = (grains - first).min(per_segment);
                 with_sorter(&mut |sorter| sorter.fill(segment, strays, (first, own), &law));
@@ -208,16 +175,35 @@ impl PairTable {
         }
     }
 
-    /// Gives back what only a search needs.
-    pub(super) fn forget_found(&mut self) {
-        self.strays_found = Vec::new();
-        self.strays = Vec::new();
-        self.first_strays = Vec::new();
-    }
-
     /// Bytes in use.
     pub(super) fn bytes(&self) -> usize {
         self.table.bytes() + self.others.iter().map(set_aside).sum::<usize>()
+    }
+}
+
+impl Strays {
+    fn collect(found: Vec<Vec<Pair>>, segments: usize, per_segment: usize) -> Self {
+        let segment_of = |pair: &Pair| pair.later() as usize / per_segment;
+        let mut first = vec![0; segments + 1];
+        found.iter().flatten().for_each(|pair| first[segment_of(pair) + 1] += 1);
+        for segment in 0..segments {
+            first[segment + 1] += first[segment];
+        }
+        let nothing = Pair { i: 0, j: 0, shift: 0 };
+        let mut pairs = vec![nothing; first[segments] as usize];
+        // starts become ends, and then starts again
+        for pair in found.into_iter().flatten() {
+            let next = &mut first[segment_of(&pair)];
+            pairs[*next as usize] = pair;
+            *next += 1;
+        }
+        first.rotate_right(1);
+        first[0] = 0;
+        Self { pairs, first }
+    }
+
+    fn of_segment(&self, segment: usize) -> &[Pair] {
+        &self.pairs[self.first[segment] as usize..self.first[segment + 1] as usize]
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::cells::Cells;
 use super::packed::{MOST_OF_A_SEGMENT, PackedPair};
-use super::pairs::{Found, PairTable, Sorter};
+use super::pairs::{PairTable, Sorter};
 use super::surroundings::Surroundings;
 use super::table::{LawOrder, NOWHERE, Segment, Table};
 use super::vicinity::Vicinity;
@@ -61,6 +61,8 @@ pub(super) struct Search {
 #[derive(Debug, Default)]
 struct Worker {
     near: Near,
+    /// Pairs whose later grain belongs to another task than the one that found them.
+    strays: Vec<Pair>,
     sorter: Sorter,
     walls: Vec<WallPair>,
     laws: Vec<u32>,
@@ -112,13 +114,20 @@ impl Search {
                 }
                 self.with_worker(|worker| {
                     if finder.cells.is_periodic() {
-                        finder.find::<true>(of, found, &mut worker.near)
+                        finder.find::<true>(of, found, worker)
                     } else {
-                        finder.find::<false>(of, found, &mut worker.near)
+                        finder.find::<false>(of, found, worker)
                     }
                 })
             })
             .reduce(SearchEffort::default, SearchEffort::join);
+        // until the next search memory is worth more; that of the threads stays
+        self.cells = Cells::default();
+        let workers = self
+            .workers
+            .iter_mut()
+            .map(|worker| worker.get_mut().unwrap_or_else(PoisonError::into_inner));
+        let strays = workers.map(|worker| std::mem::take(&mut worker.strays)).collect();
         let law = |p: &Pair| {
             let material = |g: u32| grains.material[g as usize];
             if laws == 1 {
@@ -127,7 +136,7 @@ impl Search {
                 materials.pair(material(p.i), material(p.j))
             }
         };
-        table.sort(grains.len(), law, |work| {
+        table.sort(grains.len(), strays, law, |work| {
             self.with_worker(|worker| work(&mut worker.sorter))
         });
         effort
@@ -168,11 +177,6 @@ impl Search {
         });
         table.cut_by_grain();
     }
-
-    /// Gives its memory back, but for that of the threads: until the next search it is worth more.
-    pub(super) fn forget(&mut self) {
-        self.cells = Cells::default();
-    }
 }
 
 /// What a task finds pairs from.
@@ -199,7 +203,13 @@ fn common(one: &Range<usize>, other: &Range<usize>) -> Range<usize> {
 }
 
 impl Finder<'_> {
-    fn find<const PERIODIC: bool>(&self, of: Range<usize>, found: Found, near: &mut Near) -> SearchEffort {
+    /// Finds the pairs of some grains with others: those whose later grain is one of them, and strays.
+    fn find<const PERIODIC: bool>(
+        &self,
+        of: Range<usize>,
+        found: &mut Vec<PackedPair>,
+        Worker { near, strays, .. }: &mut Worker,
+    ) -> SearchEffort {
         let Self { grains, comm, .. } = *self;
         let rows = grains.position.rows();
         let half = 0.5 * comm.domain().size();
@@ -243,9 +253,9 @@ impl Finder<'_> {
                     };
                     effort.scattered += u64::from(is_own && !of.contains(&(h as usize)));
                     if of.contains(&(pair.later() as usize)) {
-                        found.own.push(PackedPair::new(&pair, of.start as u32));
+                        found.push(PackedPair::new(&pair, of.start as u32));
                     } else {
-                        found.strays.push(pair);
+                        strays.push(pair);
                     }
                 }
             }

@@ -69,6 +69,20 @@ impl Load {
         fits
     }
 
+    /// Mass [kg] and crossings of a grain.
+    pub(super) fn beside(&self) -> [f64; 2] {
+        [self.0[MASS], self.0[CROSSINGS]]
+    }
+
+    /// That of a grain whose force is not known yet.
+    pub(super) fn without_force([mass, crossings]: [f64; 2]) -> Self {
+        // whoever looks at it nevertheless finds no number in tests
+        let unknown = if cfg!(test) { f64::NAN } else { 0.0 };
+        let mut load = Self([unknown; 8]);
+        (load.0[MASS], load.0[CROSSINGS]) = (mass, crossings);
+        load
+    }
+
     /// Takes another force [N] and torque [N m].
     pub(crate) fn put(&mut self, force: DVec3, torque: DVec3) {
         let [_, _, _, mass, _, _, _, crossings] = self.0;

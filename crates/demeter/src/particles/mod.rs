@@ -24,6 +24,7 @@ pub use zone::{Zone, ZonePart, ZoneShape};
 use bytemuck::{Pod, Zeroable};
 use demeter_physics::integrator::gear::Derivatives;
 use glam::{DQuat, DVec3, Vec3};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -63,6 +64,9 @@ pub struct Grains {
     pub orientation: Option<Vec<DQuat>>,
     /// Total force [N] and torque [N m] of the latest step; beside them the mass [kg] and the crossings of periodic sides.
     pub load: Rows<Load>,
+    /// Masses and crossings while the table of loads is put aside ([`Grains::put_loads_aside`]); empty otherwise.
+    #[serde(skip)]
+    beside_loads: Vec<[f64; 2]>,
     /// What a step of velocity Verlet foresees, until it has ended; empty before the first.
     #[serde(skip)]
     pub(crate) half_kicks: HalfKicks,
@@ -178,6 +182,24 @@ impl Grains {
             self.velocity.set_scalar(grain, 1.0 / mass);
             self.angular_velocity.set_scalar(grain, 1.0 / inertia(mass, radius));
         }
+    }
+
+    /// Forgets forces and torques, and gives back the memory of their table, until [`Grains::bring_loads_back`]: for what takes much memory
+    /// while nobody asks for them. Masses and crossings can not be looked at meanwhile.
+    pub(crate) fn put_loads_aside(&mut self) {
+        self.beside_loads = self.load.rows().iter().map(Load::beside).collect();
+        self.load = Rows::default();
+    }
+
+    /// The table of loads again, where it was put aside, without forces and torques.
+    pub(crate) fn bring_loads_back(&mut self) {
+        if self.beside_loads.is_empty() {
+            return;
+        }
+        self.load = Rows::zeros(self.len());
+        let beside = std::mem::take(&mut self.beside_loads);
+        (self.load.rows_mut().par_iter_mut().zip(beside))
+            .for_each(|(load, beside)| *load = Load::without_force(beside));
     }
 
     /// Has room for the half kicks that a step foresees: zeros where none are foreseen yet, which take no memory until they are written.
@@ -356,7 +378,11 @@ impl Grains {
         if let Some(orientation) = &mut self.orientation {
             keep(orientation, count, some.clone());
         }
-        self.load.keep(count, some.clone());
+        if self.beside_loads.is_empty() {
+            self.load.keep(count, some.clone());
+        } else {
+            keep(&mut self.beside_loads, count, some.clone());
+        }
         if !self.half_kicks.0.is_empty() {
             keep(&mut self.half_kicks.0, count, some.clone());
         }
@@ -378,15 +404,16 @@ pub(crate) enum Beyond {
     GivenBack,
 }
 
-/// Sets memory aside for so many in an empty list, with little more: pushed one by one, a list takes up to twice as much.
+/// Sets memory aside for so many in an empty list, with little more: pushed one by one, a list takes up to twice as much. Sizes are
+/// a few dozen for each factor of two, so that what one list leaves suits another.
 pub(crate) fn make_room<T>(list: &mut Vec<T>, count: usize, beyond: Beyond) {
     assert!(list.is_empty());
-    let spare = (count / 32).max(SPARE / size_of::<T>());
-    if beyond == Beyond::GivenBack && list.capacity() > count + 4 * spare {
+    let step = (count.next_power_of_two() / 64).max(SPARE / size_of::<T>()).max(1);
+    if beyond == Beyond::GivenBack && list.capacity() > count + 4 * step {
         *list = Vec::new();
     }
     if list.capacity() < count {
-        list.reserve_exact(count + spare);
+        list.reserve_exact((count + step).next_multiple_of(step));
     }
 }
 

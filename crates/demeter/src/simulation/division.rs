@@ -24,7 +24,7 @@ mod sums;
 mod whole;
 
 use super::misplaced::Uncounted;
-use super::{Places, Simulation, memory};
+use super::{Places, Simulation};
 use crate::comm::together::Together;
 use crate::comm::tree::{Then, turns};
 use crate::comm::{Message, Ranks};
@@ -263,7 +263,6 @@ impl Simulation {
     /// Shares the run with other processes, of which each calls this with the same state; where no force is custom, only that of the first
     /// need hold grains.
     pub fn share(&mut self, ranks: Box<dyn Ranks>) {
-        memory::leave_zeros_out();
         self.division = Some(Box::new(Division {
             ranks: Arc::from(ranks),
             cuts: Vec::new(),

@@ -17,35 +17,35 @@ pub struct MemoryPart {
 /// Gives memory back to the system that a start has needed and freed: the allocator of glibc keeps some tens of megabytes otherwise.
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 #[allow(unsafe_code, reason = "nothing but the allocator can do that")]
-pub(in crate::simulation) fn give_back() {
+pub(crate) fn give_back() {
     // SAFETY: any thread may call it at any time
     unsafe { libc::malloc_trim(0) };
 }
 
 /// Other allocators give memory back by themselves.
 #[cfg(not(all(target_os = "linux", target_env = "gnu")))]
-pub(in crate::simulation) fn give_back() {}
+pub(crate) fn give_back() {}
 
 /// Tables from this size on are had from the system and given back to it [bytes].
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 const TABLE: libc::c_int = 1 << 20;
 
-/// Has the zeros of tables take no memory until something else is written, from now on: the allocator of glibc comes to have tables of
-/// up to 32 MB in its heap otherwise, where it writes their zeros.
+/// Has tables give their memory back when they go, and their zeros take none until something else is written, from now on: the allocator
+/// of glibc comes to have tables of up to 32 MB in its heap otherwise, where it keeps what others lie behind, and writes zeros.
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 #[allow(unsafe_code, reason = "nothing but the allocator can do that")]
-pub(in crate::simulation) fn leave_zeros_out() {
+pub(in crate::simulation) fn have_tables_from_the_system() {
     // SAFETY: any thread may call it at any time
     unsafe { libc::mallopt(libc::M_MMAP_THRESHOLD, TABLE) };
 }
 
-/// Other allocators have the system make zeros.
+/// Other allocators have large tables from the system.
 #[cfg(not(all(target_os = "linux", target_env = "gnu")))]
-pub(in crate::simulation) fn leave_zeros_out() {}
+pub(in crate::simulation) fn have_tables_from_the_system() {}
 
 impl Simulation {
-    /// Memory of the tables that grow with the number of grains and contacts. The program itself, what output and measures need, and
-    /// what a search for candidates takes as long as it lasts come on top.
+    /// Memory of the tables that grow with the number of grains and contacts. The program itself and what output and measures need come on
+    /// top; a search for candidates takes little more than the loads of the grains, which are put aside as long as it lasts.
     pub fn memory(&self) -> Vec<MemoryPart> {
         let candidates = self.neighbours.bytes(self.own_grains().len());
         let mut contacts = [0; 4];

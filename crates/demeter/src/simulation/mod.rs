@@ -9,7 +9,7 @@ mod exchange;
 mod intervention;
 mod jumps;
 mod ledger;
-mod memory;
+pub(crate) mod memory;
 mod misplaced;
 pub(crate) mod profile;
 mod protocol;
@@ -56,7 +56,7 @@ use crate::contacts::step_work::StepWork;
 use crate::contacts::sum::Sums;
 use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTables, Span, Surfaces, laws};
 use crate::materials::Materials;
-use crate::neighbours::{Bounds, Moves, Neighbours, put_in_order};
+use crate::neighbours::{Bounds, FormerPlaces, Moves, Neighbours, put_in_order};
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
 use crate::particles::{Domain, Grains, HigherDerivatives};
 use crate::step::{CouplingState, Motion};
@@ -80,6 +80,15 @@ enum Places {
     HandedOver,
     /// Elsewhere.
     New(Moves),
+}
+
+/// What becomes of forces and torques when candidates are found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Loads {
+    /// They stay.
+    Kept,
+    /// They are found anew afterwards, and take no memory meanwhile.
+    Forgotten,
 }
 
 /// What a simulation is made of.
@@ -189,6 +198,7 @@ pub struct Simulation {
 impl Simulation {
     /// A simulation before its start; the first step, or [`Simulation::start`], finds the first forces.
     pub fn new(mut setup: Setup) -> Self {
+        memory::have_tables_from_the_system();
         let stride = laws::stride(&setup.materials);
         let resists_rolling = laws::resists_rolling(&setup.materials);
         let records_walls = setup.walls.iter().any(Wall::is_recorded);
@@ -373,6 +383,11 @@ impl Simulation {
 
     /// Finds all candidates anew; contacts keep what they remember.
     pub fn find_candidates(&mut self) {
+        self.find_candidates_with(Loads::Kept);
+    }
+
+    /// The same; what acts on grains stays or is forgotten, as is where they were when candidates were found before.
+    pub(crate) fn find_candidates_with(&mut self, loads: Loads) {
         if self.rebuilds == 0 {
             self.divide();
         }
@@ -381,6 +396,10 @@ impl Simulation {
             return self.find_candidates_together();
         }
         self.wrap_grains();
+        if loads == Loads::Forgotten {
+            self.neighbours.former = FormerPlaces::default();
+            self.grains.put_loads_aside();
+        }
         let moves = self.is_out_of_order().then(|| put_in_order(&mut self.grains));
         self.rebuilds += 1;
         let is_moved = moves.is_some();
@@ -426,6 +445,8 @@ impl Simulation {
         let own = self.own_grains();
         let with = (&self.walls[..], &self.materials, &self.comm);
         (self.neighbours).find_of((&own, vicinity.as_ref()), &self.grains, with, beyond_touch);
+        self.grains.bring_loads_back();
+        self.neighbours.note_places(&own, &self.grains);
         // by how much these places are rounded counts, too
         self.measure_travel(&Motion::default());
         self.tables += 1;
