@@ -41,7 +41,7 @@ pub fn results(
     exit: Option<Exit>,
 ) -> Result<(), Failure> {
     let written = write(folder, statuses)?;
-    for problem in &written.results.problems {
+    for problem in written.results.problems.iter().chain(&written.results.missing) {
         note(&format!("warning: {problem}"));
     }
     if arguments.json {
@@ -228,6 +228,7 @@ fn to_json(folder: &SweepFolder, statuses: &[Status], written: &Written, exit: O
         "averages": written.averages.as_ref().map(|_| folder.averages().display().to_string()),
         "plots": plots,
         "problems": results.problems,
+        "missing": results.missing,
         "exit_code": exit.map(|exit| exit as u8),
     })
 }

@@ -46,7 +46,7 @@ pub fn averages(folder: &SweepFolder, results: &Results) -> Option<Results> {
         varied: 0..keys.len(),
         titles,
         asked,
-        problems: Vec::new(),
+        ..Results::default()
     })
 }
 

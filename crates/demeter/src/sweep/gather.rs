@@ -70,6 +70,8 @@ pub struct Results {
     pub asked: Vec<usize>,
     /// What could not be read.
     pub problems: Vec<String>,
+    /// Results that were asked for and of which finished runs have no value.
+    pub missing: Vec<String>,
 }
 
 impl Results {
@@ -150,7 +152,24 @@ pub fn gather(folder: &SweepFolder, statuses: &[Status]) -> Result<Results, Swee
     for row in &mut results.rows {
         row.resize(columns, ResultsCell::Empty);
     }
+    results.missing = missing(&results);
     Ok(results)
+}
+
+/// Tells of which results that were asked for runs have no value.
+fn missing(results: &Results) -> Vec<String> {
+    let is_nan = |cell: &ResultsCell| matches!(cell, ResultsCell::Number(value) if value.is_nan());
+    let told = results.asked.iter().filter_map(|&at| {
+        let count = results.rows.iter().filter(|row| is_nan(&row[at])).count();
+        (count > 0).then(|| {
+            format!(
+                "{count} of {} runs have no value of `{}`: no row of their series lies there, or its cells are empty",
+                results.rows.len(),
+                results.titles[at]
+            )
+        })
+    });
+    told.collect()
 }
 
 /// Reads the results that are asked for, or tells all that is wrong with them.

@@ -218,7 +218,10 @@ fn results_stand_in_one_table_with_units_and_means() {
     let mut varied = varied(&["grains[0].diameter=1 mm,1.5 mm,2 mm"]);
     varied.repeat = Some(2);
     let mut folder = sweep(place.path(), &varied);
-    folder.wishes.results = vec!["max:max speed@fall".to_string(), "computing time".to_string()];
+    let between_two_rows = "mean:max speed@1.4 ms..1.5 ms";
+    folder.wishes.results = ["max:max speed@fall", "computing time", between_two_rows]
+        .map(String::from)
+        .to_vec();
     for index in 0..5 {
         carry_out(&folder, index, false, RunOptions::default(), &mut Nobody(None)).unwrap();
     }
@@ -235,7 +238,14 @@ fn results_stand_in_one_table_with_units_and_means() {
             "computing time [s]"
         ]
     );
-    assert_eq!(results.asked, [5, 6]);
+    assert_eq!(results.asked, [5, 6, 7]);
+    let [missing] = &results.missing[..] else {
+        panic!("{:?}", results.missing)
+    };
+    assert!(
+        missing.starts_with("5 of 6 runs have no value of `mean max speed in 1.4 ms..1.5 ms [m/s]`"),
+        "{missing}"
+    );
     assert!(results.problems.is_empty() && results.rows.len() == 6);
     results.write(&folder.results()).unwrap();
     let read = crate::results::Columns::read(&folder.results()).unwrap();
