@@ -126,6 +126,7 @@ impl Simulation {
         };
         self.check_places(&motion)?;
         self.find_candidates_with(Loads::Forgotten);
+        // before contacts take memory that the search has left in pieces
         memory::give_back();
         self.check_crossings()?;
         self.check_jumps(&motion)?;

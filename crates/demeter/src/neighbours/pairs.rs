@@ -7,6 +7,7 @@
 
 use super::Pair;
 use super::packed::{MOST_OF_A_SEGMENT, PackedPair, Pairs};
+use super::ranges::sums;
 use super::table::{LawOrder, NOWHERE, Segment, Table};
 use crate::particles::set_aside;
 use rayon::prelude::*;
@@ -186,19 +187,15 @@ impl Strays {
         let segment_of = |pair: &Pair| pair.later() as usize / per_segment;
         let mut first = vec![0; segments + 1];
         found.iter().flatten().for_each(|pair| first[segment_of(pair) + 1] += 1);
-        for segment in 0..segments {
-            first[segment + 1] += first[segment];
-        }
+        sums(&mut first);
         let nothing = Pair { i: 0, j: 0, shift: 0 };
-        let mut pairs = vec![nothing; first[segments] as usize];
-        // starts become ends, and then starts again
+        let mut pairs = vec![nothing; found.iter().map(Vec::len).sum()];
+        // starts become ends
         for pair in found.into_iter().flatten() {
-            let next = &mut first[segment_of(&pair)];
+            let next = &mut first[segment_of(&pair) + 1];
             pairs[*next as usize] = pair;
             *next += 1;
         }
-        first.rotate_right(1);
-        first[0] = 0;
         Self { pairs, first }
     }
 

@@ -87,7 +87,7 @@ enum Places {
 pub(crate) enum Loads {
     /// They stay.
     Kept,
-    /// They are found anew afterwards, and take no memory meanwhile.
+    /// They are found anew afterwards, and take no memory meanwhile where no other process shares the run.
     Forgotten,
 }
 
