@@ -121,9 +121,12 @@ pub enum MeshFileError {
     },
     /// A coordinate is not a finite number, or so large that it must be damaged.
     #[error(
-        "triangle {triangle} (counted from 1) of {} has a corner at {corner} m; coordinates must be finite and at most {} m; \
+        "triangle {triangle} (counted from 1) of {} has a corner at ({:?}, {:?}, {:?}) m; coordinates must be finite and at most {} m; \
          the file is damaged, export it again, or correct `unit`, `scale`, `shift`",
         path.display(),
+        corner.x,
+        corner.y,
+        corner.z,
         super::FARTHEST
     )]
     TooFar {

@@ -1,5 +1,5 @@
-//! PLY files, as text and binary of both byte orders (G. Turk, Stanford 1994). Vertices and faces are read, all other
-//! elements and properties are skipped. Strips of triangles are not read.
+//! PLY files, as text and binary of both byte orders (G. Turk, Stanford 1994). Vertices, faces and strips of triangles are read, all
+//! other elements and properties are skipped.
 
 use super::other_kind::without_mark;
 use super::ply_header::{self, Element, Header, Scalar};
@@ -31,7 +31,8 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, MeshFileError>
         check_count(element, &body)?;
         match element.name.as_str() {
             "vertex" => read_vertices(element, &mut body, &mut vertices)?,
-            "face" => read_faces(element, &mut body, (&mut faces, told_vertices(&header)))?,
+            "face" => read_faces(element, &mut body, (&mut faces, told_vertices(&header)), false)?,
+            "tristrips" => read_faces(element, &mut body, (&mut faces, told_vertices(&header)), true)?,
             _ => skip(element, &mut body)?,
         }
     }
@@ -51,6 +52,23 @@ struct Faces {
     corners: Vec<usize>,
     ends: Vec<usize>,
 }
+
+impl Faces {
+    /// Adds the triangles of a strip, of which each has two corners of the one before and turns the other way about them. Two strips
+    /// that were joined have triangles without area between them.
+    fn add_strip(&mut self, strip: &[usize]) {
+        for (k, corners) in strip.windows(3).enumerate() {
+            let &[a, b, c] = corners else { continue };
+            if a != b && b != c && c != a {
+                self.corners.extend(if k % 2 == 0 { [a, b, c] } else { [b, a, c] });
+                self.ends.push(self.corners.len());
+            }
+        }
+    }
+}
+
+/// Ends a strip within a list.
+const END_OF_STRIP: f64 = -1.0;
 
 /// Refuses counts that the rest of the file cannot hold, before memory is taken for them.
 fn check_count(element: &Element, body: &Body<'_>) -> Result<(), MeshFileError> {
@@ -130,11 +148,14 @@ fn read_faces(
     element: &Element,
     body: &mut Body<'_>,
     (faces, vertices): (&mut Faces, usize),
+    are_strips: bool,
 ) -> Result<(), MeshFileError> {
     let named = |p: &ply_header::Property| ["vertex_indices", "vertex_index"].contains(&p.name.as_str());
     let Some(list) = element.properties.iter().position(|p| named(p) && p.count.is_some()) else {
-        return Err(no_property(body.path, ("face", element), "a list `vertex_indices`"));
+        let name = if are_strips { "tristrips" } else { "face" };
+        return Err(no_property(body.path, (name, element), "a list `vertex_indices`"));
     };
+    let mut strip = Vec::new();
     for _ in 0..element.count {
         for (k, property) in element.properties.iter().enumerate() {
             match property.count {
@@ -145,15 +166,24 @@ fn read_faces(
                     let corners = body.list_length(count, property.of)?;
                     for _ in 0..corners {
                         let value = body.scalar(property.of)?;
-                        faces
-                            .corners
-                            .push(index(value, (faces.ends.len() + 1, vertices), body.path)?);
+                        if are_strips && value == END_OF_STRIP {
+                            faces.add_strip(&strip);
+                            strip.clear();
+                            continue;
+                        }
+                        let corner = index(value, (faces.ends.len() + 1, vertices), body.path)?;
+                        if are_strips { &mut strip } else { &mut faces.corners }.push(corner);
                     }
                 }
                 Some(count) => body.skip_list(count, property.of)?,
             }
         }
-        faces.ends.push(faces.corners.len());
+        if are_strips {
+            faces.add_strip(&strip);
+            strip.clear();
+        } else {
+            faces.ends.push(faces.corners.len());
+        }
     }
     Ok(())
 }
