@@ -71,8 +71,12 @@ fn read(path: &Path) -> Result<Columns, Failure> {
 
 /// Warns of rows that the series of a finished run lacks.
 pub fn warn_of_shortfall(run: &Run, series: &Columns) -> Result<(), Failure> {
-    if let Some(problem) = run.shortfall(series)? {
-        note(&format!("warning: `{}`: {problem}", series.path().display()));
+    match run.shortfall(series) {
+        Ok(None) => {}
+        Ok(Some(problem)) => note(&format!("warning: `{}`: {problem}", series.path().display())),
+        // a summary that is damaged takes nothing from the rows
+        Err(error @ ResultsError::Table { .. }) => note(&format!("warning: {error}")),
+        Err(error) => return Err(error.into()),
     }
     Ok(())
 }
@@ -171,7 +175,7 @@ fn other_tables(run: &Path) -> Vec<String> {
 }
 
 /// Rows that are drawn as one line, and what tells them apart.
-type Moment = (Option<String>, std::ops::Range<usize>);
+type Moment = (Option<String>, Vec<usize>);
 
 /// What is drawn of tables.
 struct Drawing<'a> {
@@ -260,7 +264,7 @@ impl Drawing<'_> {
         };
         let mut lines = Vec::new();
         for (moment, rows) in self.moments(table)? {
-            let points = rows.map(|row| (x[row], factor * y[row])).collect();
+            let points = rows.iter().map(|&row| (x[row], factor * y[row])).collect();
             let name = moment.map_or_else(|| label.clone(), |moment| format!("{label}, {moment}"));
             lines.push(Series {
                 look,
@@ -270,17 +274,42 @@ impl Drawing<'_> {
         Ok(lines)
     }
 
-    /// The rows that are drawn as lines of their own. A table that tells a step more than once holds moments.
+    /// The rows that are drawn as lines of their own. A table that tells a step more than once holds moments; where words tell rows of one
+    /// step apart (`grains` and `walls` of a distribution), each word has lines of its own.
     fn moments(&self, table: &Columns) -> Result<Vec<Moment>, Failure> {
         let steps = table.find("step").and_then(Column::numbers).unwrap_or_default();
-        let mut spans: Vec<(f64, std::ops::Range<usize>)> = Vec::new();
-        for (row, step) in steps.iter().enumerate() {
-            match spans.last_mut() {
-                Some((last, range)) if last == step => range.end = row + 1,
-                _ => spans.push((*step, row..row + 1)),
+        let differs = |c: &&Column| (1..steps.len()).any(|r| steps[r] == steps[r - 1] && c.word(r) != c.word(r - 1));
+        let Some(kinds) = table.all().iter().find(differs) else {
+            return self.moments_of(table, (0..table.rows()).collect(), steps);
+        };
+        let mut by_word: Vec<(&str, Vec<usize>)> = Vec::new();
+        for row in 0..table.rows() {
+            let word = kinds.word(row).unwrap_or_default();
+            match by_word.iter_mut().find(|(known, _)| *known == word) {
+                Some((_, rows)) => rows.push(row),
+                None => by_word.push((word, vec![row])),
             }
         }
-        if spans.len() == steps.len() {
+        let mut moments = Vec::new();
+        for (word, rows) in by_word {
+            for (moment, rows) in self.moments_of(table, rows, steps)? {
+                let name = moment.map_or_else(|| word.to_owned(), |moment| format!("{word}, {moment}"));
+                moments.push((Some(name), rows));
+            }
+        }
+        Ok(moments)
+    }
+
+    /// The same of some rows.
+    fn moments_of(&self, table: &Columns, rows: Vec<usize>, steps: &[f64]) -> Result<Vec<Moment>, Failure> {
+        let mut spans: Vec<(f64, Vec<usize>)> = Vec::new();
+        for &row in rows.iter().take_while(|row| **row < steps.len()) {
+            match spans.last_mut() {
+                Some((last, rows)) if *last == steps[row] => rows.push(row),
+                _ => spans.push((steps[row], vec![row])),
+            }
+        }
+        if spans.iter().all(|(_, rows)| rows.len() == 1) {
             if !["last", "all"].contains(&self.arguments.at.as_str()) {
                 let message = format!(
                     "--at is for distributions and profiles: `{}` has one row at a time; `--x-range` shows a part of it",
@@ -288,7 +317,7 @@ impl Drawing<'_> {
                 );
                 return Err(Failure::wrong(message));
             }
-            return Ok(vec![(None, 0..table.rows())]);
+            return Ok(vec![(None, rows)]);
         }
         match self.arguments.at.as_str() {
             "all" => Ok(spans

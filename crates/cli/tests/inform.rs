@@ -431,6 +431,12 @@ fn a_series_that_is_cut_short_is_not_taken_for_whole() {
     place.expect(0, &[&["run", "fall.toml", "--out", "fall"][..], &short].concat());
     let plot = ["plot", "fall", "time", "kinetic energy", "--out", "energy.svg"];
     assert!(!place.expect(0, &plot).err.contains("warning"));
+    // a summary that is damaged takes nothing from the rows
+    let summary = std::fs::read_to_string(place.path("fall/summary.json")).unwrap();
+    place.write("fall/summary.json", &summary[..summary.len() / 2]);
+    let said = place.expect(0, &plot).err;
+    assert!(said.contains("warning: ") && said.contains("summary.json"), "{said}");
+    place.write("fall/summary.json", &summary);
     let series = std::fs::read_to_string(place.path("fall/series.csv")).unwrap();
     let rows: Vec<&str> = series.lines().collect();
     // two rows and a part of a third

@@ -4,6 +4,7 @@
 mod demeter;
 
 use demeter::{FALL, Place};
+use serde_json::{Value, json};
 use std::fs;
 
 /// A place with a small run in the folder `run`.
@@ -124,6 +125,61 @@ fn wrong_conversions_are_refused() {
         assert!(said.err.contains(part), "{arguments:?}: {}", said.err);
         assert!(!place.path("b.csv").exists() && !place.path("b.data").exists());
     }
+}
+
+#[test]
+fn rows_of_one_moment_that_words_tell_apart_are_lines_of_their_own() {
+    let place = Place::new();
+    let rows: String = (0..30)
+        .map(|step| {
+            format!(
+                "{step},{step}e-3,grains,{}\n{step},{step}e-3,walls,{}\n",
+                100 + step,
+                2 * step
+            )
+        })
+        .collect();
+    place.write("forces.csv", &format!("step,time [s],between,contacts\n{rows}"));
+    let draw = [
+        "plot",
+        "forces.csv",
+        "time",
+        "contacts",
+        "--out",
+        "forces.svg",
+        "--json",
+    ];
+    let said: Value = serde_json::from_str(&place.expect(0, &draw).out).unwrap();
+    assert_eq!((&said["lines"], &said["points"]), (&json!(2), &json!(60)), "{said}");
+    let svg = fs::read_to_string(place.path("forces.svg")).unwrap();
+    assert!(
+        svg.contains(">contacts, grains<") && svg.contains(">contacts, walls<"),
+        "{svg}"
+    );
+    // a profile: several rows of a word at one moment
+    let rows: String = (0..30)
+        .flat_map(|step| ["a", "b"].map(|word| format!("{step},{word},1,{step}\n{step},{word},2,3\n")))
+        .collect();
+    place.write("profile.csv", &format!("step,kind,x,y\n{rows}"));
+    let draw = |at: &str| {
+        let said = place.expect(
+            0,
+            &["plot", "profile.csv", "x", "y", "--at", at, "--out", "p.svg", "--json"],
+        );
+        let said: Value = serde_json::from_str(&said.out).unwrap();
+        (said["lines"].clone(), said["points"].clone())
+    };
+    assert_eq!(draw("last"), (json!(2), json!(4)));
+    assert_eq!(draw("7"), (json!(2), json!(4)));
+    assert_eq!(draw("all"), (json!(60), json!(120)));
+    // so many lines have no place in a legend
+    let svg = fs::read_to_string(place.path("p.svg")).unwrap();
+    let named = svg.matches(">y, ").count();
+    assert!(named == 12 && svg.contains(">and 48 between them<"), "{named}");
+    assert!(
+        svg.contains(">y, a, step 0<") && svg.contains(">y, b, step 29<"),
+        "{svg}"
+    );
 }
 
 #[test]

@@ -174,8 +174,10 @@ fn linear_range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let largest = low.abs().max(high.abs());
     let margin = if span > 1e-9 * largest {
         0.04 * span
+    } else if largest > f64::MIN_POSITIVE * 1e10 {
+        0.5 * largest
     } else {
-        0.5 * largest.max(f64::MIN_POSITIVE * 1e10)
+        1.0
     };
     low -= if low == 0.0 && span > 0.0 { 0.0 } else { margin };
     high += if high == 0.0 && span > 0.0 { 0.0 } else { margin };
@@ -238,6 +240,13 @@ mod tests {
         assert_eq!(labels[2..], ["0.001", "0.01", "0.1", "1", "10", "100"]);
         assert!(axis.ticks().next().unwrap().1.power.as_deref() == Some("-5") && axis.minor().count() == 7 * 8);
         assert!(!axis.shows(0.0) && !axis.shows(-1.0) && axis.shows(1.0));
+    }
+
+    #[test]
+    fn values_that_are_all_zero_lie_between_minus_one_and_one() {
+        let axis = Axis::new([0.0, 0.0].into_iter(), AxisSpec::default(), (0.0, 1.0), 6.0);
+        let labels: Vec<&str> = axis.ticks().map(|(_, label)| label.text.as_str()).collect();
+        assert_eq!(labels, ["-1.0", "-0.5", "0.0", "0.5", "1.0"]);
     }
 
     #[test]

@@ -9,7 +9,11 @@ const LETTER: f64 = 7.4;
 /// Height of an entry [pixels].
 const ENTRY: f64 = 22.0;
 
-/// Draws the legend, in the corner where it hides least; none when fewer than two series have names.
+/// Most entries: more would cover the plot.
+const MOST_ENTRIES: usize = 12;
+
+/// Draws the legend, in the corner where it hides least; none when fewer than two series have names. Of very many it names the first ones
+/// and the last.
 pub(super) fn legend(plot: &Plot, on: &mut dyn Canvas, x: &Axis, y: &Axis) {
     let named: Vec<(usize, &Series)> = plot
         .series
@@ -20,15 +24,28 @@ pub(super) fn legend(plot: &Plot, on: &mut dyn Canvas, x: &Axis, y: &Axis) {
     if named.len() < 2 {
         return;
     }
-    let longest = named.iter().map(|(_, s)| s.name.chars().count()).max().unwrap_or(0);
+    let left_out = named.len().saturating_sub(MOST_ENTRIES);
+    let (first, last) = named.split_at(named.len() - 1);
+    let first = &first[..first.len() - left_out];
+    let more = (left_out > 0).then(|| format!("and {left_out} between them"));
+    let names = first.iter().chain(last).map(|(_, s)| &*s.name).chain(more.as_deref());
+    let longest = names.map(|name| name.chars().count()).max().unwrap_or(0);
     let width = 60.0 + LETTER * longest as f64;
-    let height = 12.0 + ENTRY * named.len() as f64;
+    let height = 12.0 + ENTRY * (first.len() + more.iter().len() + last.len()) as f64;
     let Some((left, top)) = place(plot, x, y, (width, height)) else {
         return;
     };
     on.card([left, top, width, height]);
-    for (entry, (place, series)) in named.into_iter().enumerate() {
-        let line = top + 17.0 + ENTRY * entry as f64;
+    let line = |entry: usize| top + 17.0 + ENTRY * entry as f64;
+    if let Some(more) = &more {
+        on.text(
+            (left + 46.0, line(first.len()) + 5.0),
+            &Label::plain(&**more),
+            Letters::new(Anchor::Start),
+        );
+    }
+    let lines = (0..first.len()).chain([first.len() + more.iter().len()]).map(line);
+    for (line, &(place, series)) in lines.zip(first.iter().chain(last)) {
         let width = if series.look == Look::Circles {
             series.look.width()
         } else {
