@@ -116,11 +116,15 @@ impl Driver {
     /// A driver that begins now, or goes on with what an earlier one has told last, where the course has come to that.
     fn new(
         (mut course, is_rate): (VectorCourse, bool),
-        (time, dt): (f64, f64),
+        (step, dt): (u64, f64),
         earlier: Option<Driven>,
     ) -> Result<Self, String> {
-        let now = finite(course(time)?)?;
-        let ahead = if is_rate { now } else { finite(course(time + dt)?)? };
+        let now = finite(course(end_of(step, dt))?)?;
+        let ahead = if is_rate {
+            now
+        } else {
+            finite(course(end_of(step + 1, dt))?)?
+        };
         let has_come_to = |told: &Driven| match is_rate {
             true => told.counted_from == DVec3::ZERO && told.rate == now,
             false => told.place == now - told.counted_from,
@@ -140,19 +144,24 @@ impl Driver {
     }
 
     /// Where the wall stands at the end of a step.
-    fn next(&mut self, time: f64, dt: f64) -> Result<Driven, String> {
+    fn next(&mut self, step: u64, dt: f64) -> Result<Driven, String> {
         if self.is_rate {
-            let rate = finite((self.course)(time)?)?;
+            let rate = finite((self.course)(end_of(step, dt))?)?;
             self.told.place += (self.told.rate + rate) * (0.5 * dt);
             self.told.rate = rate;
         } else {
-            let beyond = finite((self.course)(time + dt)?)?;
+            let beyond = finite((self.course)(end_of(step + 1, dt))?)?;
             self.told.place = self.ahead - self.told.counted_from;
             self.told.rate = (beyond - self.now) / (2.0 * dt);
             (self.now, self.ahead) = (self.ahead, beyond);
         }
         Ok(self.told)
     }
+}
+
+/// When a step ends [s], as [`Simulation::time`] tells it: a course that is asked anew after a restart is asked for the same moments.
+fn end_of(step: u64, dt: f64) -> f64 {
+    step as f64 * dt
 }
 
 fn finite(value: DVec3) -> Result<DVec3, String> {
@@ -222,7 +231,7 @@ impl Simulation {
         let motion = Motions::from(Motion::Driven { axis });
         let earlier = self.walls[wall].driven();
         let earlier = earlier.filter(|_| !self.is_driven(wall) && self.walls[wall].has_motion(motion.clone()));
-        let driver = Driver::new((course, is_rate), (self.time(), self.dt), earlier);
+        let driver = Driver::new((course, is_rate), (self.step, self.dt), earlier);
         let driver = driver.map_err(|reason| CustomMotionError::NoAnswer {
             wall: self.walls[wall].name.clone(),
             reason,
@@ -263,9 +272,8 @@ impl Simulation {
     /// Tells the walls with custom motions where they stand at the end of this step.
     pub(crate) fn drive_walls(&mut self) {
         let Some(customs) = &mut self.customs else { return };
-        let time = self.step as f64 * self.dt;
         for (wall, driver) in &mut customs.drivers {
-            match driver.next(time, self.dt) {
+            match driver.next(self.step, self.dt) {
                 Ok(next) => self.walls[*wall].drive(next),
                 Err(reason) => {
                     let what = format!("motion of wall `{}`", self.walls[*wall].name);
@@ -394,6 +402,34 @@ impl GrainLoads {
                 "its load on grain {} is not finite: force {}, torque {}",
                 moment.grains.id[g], self.force[g], self.torque[g]
             )),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn courses_go_on_from_any_step() {
+        let course = |is_rate| -> (VectorCourse, bool) {
+            let course = |t: f64| Ok(DVec3::new(libm::sin(300.0 * t), t * t, 0.0));
+            (Box::new(course), is_rate)
+        };
+        // of this step many multiples differ from the one before and a step more
+        let dt = 7e-6;
+        for is_rate in [false, true] {
+            let mut whole = Driver::new(course(is_rate), (0, dt), None).unwrap();
+            let mut resumed: Option<Driver> = None;
+            for step in 1..500 {
+                let told = whole.next(step, dt).unwrap();
+                if let Some(mut resumed) = resumed {
+                    assert_eq!(resumed.next(step, dt).unwrap(), told, "step {step}");
+                }
+                let anew = Driver::new(course(is_rate), (step, dt), Some(told)).unwrap();
+                assert_eq!(anew.told, told, "step {step}");
+                resumed = Some(anew);
+            }
         }
     }
 }
