@@ -67,8 +67,8 @@ impl Simulation {
         })
     }
 
-    /// Puts all grains elsewhere [m], by index; places beyond periodic sides are those of their images in the box. Candidates and forces are
-    /// found anew; contacts that last keep what they remember; the change of energy is booked as work of custom forces. The grains may lie in
+    /// Puts all grains elsewhere [m], by index. A place beyond a periodic side is that of its image in the box, and the grain has crossed that
+    /// side, as displacements tell. Candidates and forces are found anew; contacts that last keep what they remember; the change of energy is booked as work of custom forces. The grains may lie in
     /// another order in memory afterwards.
     /// On error the grains are at the new places, and the next step finds the same fault unless they are put elsewhere.
     pub fn set_positions(&mut self, positions: &[DVec3]) -> Result<(), ChangeError> {
@@ -78,9 +78,18 @@ impl Simulation {
         }
         self.change(|sim| {
             let domain = *sim.domain();
-            for (old, new) in sim.grains.position.iter_mut().zip(positions) {
-                *old = domain.brought_back(*new);
+            let mut uncounted = Vec::new();
+            for (grain, new) in positions.iter().enumerate() {
+                let place = domain.brought_back(*new);
+                let boxes = ((*new - place) / domain.size()).round().to_array();
+                let crossed = sim.grains.crossings(grain);
+                let crossings = [0, 1, 2].map(|k| crossed[k].saturating_add(boxes[k] as i32));
+                if !sim.grains.load.rows_mut()[grain].set_crossings(crossings) {
+                    uncounted.push(grain);
+                }
+                sim.grains.position[grain] = place;
             }
+            sim.note_uncounted(&uncounted);
             if sim.is_started() {
                 sim.find_forces_anew()?;
             }

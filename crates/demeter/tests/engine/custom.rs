@@ -368,6 +368,41 @@ fn changes_from_outside_are_booked() {
 }
 
 #[test]
+fn grains_that_are_put_beyond_a_periodic_side_have_crossed_it() {
+    let periodic = [
+        r#"domain={lower="0 0 0 mm",upper="20 20 80 mm",periodic=["x","y"]}"#,
+        r#"measure=[{name="way",kind="displacement"}]"#,
+        r#"wall=[{name="floor",shape="plane",point="0 0 0 mm",normal="+z",material="glass"},{name="plate",shape="plane",point="0 0 79 mm",normal="-z",material="glass"}]"#,
+    ];
+    let mut run = live_with(&periodic, 1, None);
+    steps(&mut run, 100);
+    let unwrapped = |run: &LiveRun| -> Vec<DVec3> {
+        let size = DVec3::new(0.02, 0.02, 0.08);
+        run.with_simulation(|sim| {
+            let grains = sim.grains();
+            let turns = |g: usize| DVec3::from_array(grains.crossings(g).map(f64::from));
+            let mut all: Vec<_> = (0..grains.len())
+                .map(|g| (grains.id[g], grains.position[g] + turns(g) * size))
+                .collect();
+            all.sort_by_key(|(id, _)| *id);
+            all.into_iter().map(|(_, place)| place).collect()
+        })
+    };
+    // beyond both sides, and round the box three times
+    for shift in [DVec3::new(0.007, -0.009, 0.0), DVec3::new(0.0, 0.061, 0.0)] {
+        let before = unwrapped(&run);
+        let moved: Vec<DVec3> = state(&run).2.iter().map(|p| *p + shift).collect();
+        run.change(|sim| sim.set_positions(&moved)).unwrap();
+        for (now, before) in unwrapped(&run).iter().zip(before) {
+            assert!((*now - before - shift).length() < 1e-12, "{now} {before}");
+        }
+    }
+    let far: Vec<DVec3> = state(&run).2.iter().map(|p| *p + DVec3::X * 1e6).collect();
+    let error = run.change(|sim| sim.set_positions(&far)).unwrap_err();
+    assert!(error.to_string().contains("went round the periodic box"), "{error}");
+}
+
+#[test]
 fn a_run_goes_on_from_a_checkpoint_with_its_custom_force_to_the_same_bits() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("run");
