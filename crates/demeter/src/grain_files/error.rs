@@ -1,6 +1,6 @@
 //! What is wrong with a file of grains, and where.
 
-use super::lines::{MAX_FRAME_BYTES, MAX_LINE_BYTES};
+use super::lines::{MAX_EMPTY_LINES, MAX_FRAME_BYTES, MAX_LINE_BYTES};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -50,6 +50,10 @@ pub enum FileProblem {
     FrameTooLarge,
     #[error("is longer than {MAX_LINE_BYTES} bytes, the most that a line may have")]
     LineTooLong,
+    #[error(
+        "is one of {MAX_EMPTY_LINES} empty lines and more, one after the other: nothing that is read has so many; leave them out"
+    )]
+    Empty,
     #[error("is compressed and damaged: {0}")]
     Compressed(String),
     #[error("is not text (byte {position} is not UTF-8); save it as text")]

@@ -8,6 +8,8 @@ use std::io::{BufRead, BufReader, Read};
 pub const MAX_FRAME_BYTES: u64 = 8 << 30;
 /// Longest line [bytes].
 pub const MAX_LINE_BYTES: usize = 1 << 20;
+/// Most empty lines one after the other: no file has more, but for one that was made to be read for very long.
+pub const MAX_EMPTY_LINES: usize = 1 << 20;
 /// Bytes that are read in one piece.
 const PIECE: usize = 1 << 16;
 /// The first bytes of a file compressed with gzip.
@@ -22,6 +24,8 @@ pub(super) struct Lines<'a> {
     number: usize,
     /// Whether that line is still to be taken.
     held: bool,
+    /// Empty lines before the line in memory.
+    empty: usize,
     /// Bytes read before the line in memory.
     position: u64,
     /// Bytes left for this moment.
@@ -43,6 +47,7 @@ impl<'a> Lines<'a> {
             line: Vec::new(),
             number: 0,
             held: false,
+            empty: 0,
             position: 0,
             left: MAX_FRAME_BYTES,
         })
@@ -155,6 +160,14 @@ impl<'a> Lines<'a> {
         };
         if length > 0 {
             self.number = at;
+            self.empty = if self.line.trim_ascii().is_empty() {
+                self.empty + 1
+            } else {
+                0
+            };
+        }
+        if self.empty > MAX_EMPTY_LINES {
+            return Err(FileProblem::Empty.at(at, None));
         }
         Ok(())
     }
@@ -209,6 +222,19 @@ mod tests {
                 .to_string()
                 .contains("compressed and damaged")
         );
+    }
+
+    #[test]
+    fn empty_lines_are_not_read_for_ever() {
+        let all_empty = |count: usize| Lines::new(std::io::repeat(b'\n').take(count as u64)).unwrap();
+        assert_eq!(
+            all_empty(MAX_EMPTY_LINES).skip(u64::MAX).unwrap(),
+            MAX_EMPTY_LINES as u64
+        );
+        let found = all_empty(MAX_EMPTY_LINES + 9).skip(u64::MAX).unwrap_err().to_string();
+        assert!(found.contains("line 1048577: is one of 1048576 empty lines"), "{found}");
+        let halves = ["\n".repeat(MAX_EMPTY_LINES), "\n".repeat(MAX_EMPTY_LINES)].join("a grain");
+        assert_eq!(Lines::of(&halves).skip(u64::MAX).unwrap(), 2 * MAX_EMPTY_LINES as u64);
     }
 
     #[test]
