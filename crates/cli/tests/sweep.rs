@@ -145,22 +145,16 @@ fn nothing_runs_when_any_run_is_wrong() {
         (&["--table", "none.csv"], "none.csv"),
         (&["--resume", "runs"], "cannot be used with"),
         (&["--repeat", "2", "--sbatch", "time=1"], "--slurm"),
+        (&["--repeat", "2", "--slurm", "--sbatch", "comment=a b"], "blanks"),
+        (&["--repeat", "2", "--slurm", "--out", "a\"b"], "path of a log"),
     ] {
         let said = place.expect(2, &[&["sweep", "fall.toml"], arguments].concat());
         assert!(said.err.contains(expected), "{arguments:?}: {}", said.err);
     }
-    assert!(
-        place
-            .expect(2, &["sweep", "--resume", "none"])
-            .err
-            .contains("holds no sweep")
-    );
-    assert!(
-        place
-            .expect(2, &["sweep", "absent.toml", "--repeat", "2"])
-            .err
-            .contains("no such file")
-    );
+    let absent = place.expect(2, &["sweep", "absent.toml", "--repeat", "2"]).err;
+    assert!(absent.contains("no such file"), "{absent}");
+    let none = place.expect(2, &["sweep", "--resume", "none"]).err;
+    assert!(none.contains("holds no sweep"), "{none}");
     assert_eq!(place.names(), ["fall.toml"]);
 }
 

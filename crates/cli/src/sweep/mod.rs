@@ -51,6 +51,7 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Failure> {
 /// Runs what is left to do, or writes the script that does.
 fn run(arguments: &SweepArguments, begun: Begun, interrupt: Interrupt) -> Result<Exit, Failure> {
     let Begun { folder, state } = begun;
+    let script = arguments.slurm.then(|| slurm::script(&folder, arguments)).transpose()?;
     if state == State::New {
         folder.create()?;
     }
@@ -58,8 +59,8 @@ fn run(arguments: &SweepArguments, begun: Begun, interrupt: Interrupt) -> Result
     if state == State::Extended {
         folder.write_state(&folder.statuses())?;
     }
-    if arguments.slurm {
-        return slurm::write(&folder, arguments);
+    if let Some(script) = script {
+        return slurm::write(&folder, arguments, &script);
     }
     let ended = Team::new(&folder, arguments).run(interrupt)?;
     let exit = ended.exit();

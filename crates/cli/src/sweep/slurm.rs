@@ -12,8 +12,8 @@ use serde_json::json;
 /// Number of tasks that Slurm allows in an array unless its administrator says otherwise.
 const USUAL_LIMIT: usize = 1000;
 
-/// Writes `job.sh`.
-pub fn write(folder: &SweepFolder, arguments: &SweepArguments) -> Result<Exit, Failure> {
+/// The text of `job.sh`; an error tells what is wrong with the options or the folder, before anything is written.
+pub fn script(folder: &SweepFolder, arguments: &SweepArguments) -> Result<String, Failure> {
     let (mut options, mut problems) = (Vec::new(), Vec::new());
     for told in &arguments.sbatch {
         match option_line(told) {
@@ -25,10 +25,9 @@ pub fn write(folder: &SweepFolder, arguments: &SweepArguments) -> Result<Exit, F
         return Err(Failure::wrong(problems.join("\n")));
     }
     let root = folder.root();
-    let failed = |what: &str, error: std::io::Error| Failure::io(format!("cannot {what}: {error}"));
     let absolute = std::path::absolute(root).map_err(|error| failed(&format!("find `{}`", root.display()), error))?;
     let program = std::env::current_exe().map_err(|error| failed("find this program", error))?;
-    let script = array_script(&ArrayJob {
+    array_script(&ArrayJob {
         folder: &absolute,
         program: &program,
         runs: folder.plan.runs.len(),
@@ -37,9 +36,17 @@ pub fn write(folder: &SweepFolder, arguments: &SweepArguments) -> Result<Exit, F
         options: &options,
         retry: arguments.retry_failed,
     })
-    .map_err(Failure::wrong)?;
+    .map_err(Failure::wrong)
+}
+
+fn failed(what: &str, error: std::io::Error) -> Failure {
+    Failure::io(format!("cannot {what}: {error}"))
+}
+
+/// Writes `job.sh`.
+pub fn write(folder: &SweepFolder, arguments: &SweepArguments, script: &str) -> Result<Exit, Failure> {
     let path = folder.job_script();
-    let shown = path.display().to_string();
+    let (root, shown) = (folder.root(), path.display().to_string());
     let write = || {
         std::fs::create_dir_all(root.join(LOGS))?;
         write_atomically(&path, script.as_bytes(), Durability::Kill)
