@@ -456,29 +456,44 @@ mod tests {
         }
     }
 
+    /// What a cycle between equal displacements either way loses, over what Mindlin and Deresiewicz (1953) say. `share`: of the displacement
+    /// at which all slips.
+    fn loss_of_a_cycle(fill: f64, share: f64) -> f64 {
+        let mut contact = Sheared::new(fill);
+        let slip = contact.slip();
+        contact.shear_to(share * slip);
+        contact.dissipated = 0.0;
+        contact.shear_to(-share * slip);
+        contact.shear_to(share * slip);
+        // The loop lies between two branches 2 f(x/2), f(u) = 1 - (1 - u)^1.5, x from 0 to 2 share.
+        // Its area is 8 times the integral of f from 0 to the share, less the triangle's 4 share f(share).
+        let left = 1.0 - share;
+        let integral = share - 0.4 * (1.0 - left * left * left.sqrt());
+        let area = 8.0 * integral - 4.0 * share * (1.0 - left * left.sqrt());
+        contact.dissipated / (area * LIMIT * slip)
+    }
+
     #[test]
     fn a_cycle_dissipates_what_mindlin_and_deresiewicz_say() {
-        for fill in [0.51, 0.7, 1.0] {
-            for share in [0.5, 0.8] {
-                let mut contact = Sheared::new(fill);
-                let slip = contact.slip();
-                contact.shear_to(share * slip);
-                contact.dissipated = 0.0;
-                contact.shear_to(-share * slip);
-                contact.shear_to(share * slip);
-                // The loop lies between two branches 2 f(x/2), f(u) = 1 - (1 - u)^1.5, x from 0 to 2 share.
-                // Its area is 8 times the integral of f from 0 to the share, less the triangle's 4 share f(share).
-                let left = 1.0 - share;
-                let integral = share - 0.4 * (1.0 - left * left * left.sqrt());
-                let area = 8.0 * integral - 4.0 * share * (1.0 - left * left.sqrt());
-                let expected = area * LIMIT * slip;
-                let ratio = contact.dissipated / expected;
-                // twelve cells at most: the loop is a polygon
-                assert!(
-                    (ratio - 1.0).abs() < 0.08,
-                    "{ratio} of the loop at {share}, fill {fill}"
-                );
+        // twelve cells at most: the loop is a polygon, and a cycle in which no cell slips has none
+        for (share, allowed) in [
+            (0.9, 0.99..1.035),
+            (0.8, 0.99..1.04),
+            (0.5, 0.93..1.12),
+            (0.3, 0.68..1.45),
+            (0.2, 0.33..1.8),
+            (0.1, -1e-9..1.8),
+        ] {
+            let losses = (51..=100).map(|fill| loss_of_a_cycle(f64::from(fill) / 100.0, share));
+            let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+            for loss in losses {
+                (least, most) = (least.min(loss), most.max(loss));
             }
+            println!("cycles to {share} of full slip lose {least:.3} to {most:.3} of what they should");
+            assert!(
+                allowed.contains(&least) && allowed.contains(&most),
+                "{share}: {least} to {most}"
+            );
         }
     }
 
