@@ -67,6 +67,13 @@ pub struct FeedSpec {
     pub tag: i32,
 }
 
+impl FeedSpec {
+    /// The step with which it ends at its time.
+    pub(super) fn last_step(&self, dt: f64) -> Option<u64> {
+        self.end.until.map(|until| (until / dt).ceil() as u64)
+    }
+}
+
 /// A table `[[removal]]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RemovalSpec {

@@ -6,6 +6,7 @@ mod diagnostics;
 mod differences;
 mod document;
 mod estimates;
+mod feeding;
 mod feeds;
 mod field_files;
 mod field_measures;

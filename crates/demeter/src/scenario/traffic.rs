@@ -4,24 +4,16 @@
 //! number of threads and after a restart.
 
 use super::Scenario;
-use super::feeds::{EXCHANGE_EVERY, FeedRate, FeedSpec, RemovalSpec};
+use super::feeding::{FeedState, Feeding};
+use super::feeds::{EXCHANGE_EVERY, FeedSpec, RemovalSpec};
 use super::followed::{Followed, FollowedState};
 use super::measures::MeasureKind;
 use super::run_error::RunError;
-use crate::insertion::{InsertionProblem, MAX_AT_ONCE, Streaming};
-use crate::measure::{FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, contact_counts, holds};
+use crate::insertion::{InsertionProblem, Streaming};
+use crate::measure::{FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, holds};
 use crate::particles::{Domain, NewGrain, Origins};
 use crate::simulation::{Simulation, Stage};
-use glam::DVec3;
 use serde::{Deserialize, Serialize};
-
-/// Contacts that hold a grain on a pile.
-const CONTACTS_AT_REST: u32 = 3;
-
-/// A feed is told to be behind when this share of what is due waits, ...
-const BEHIND: f64 = 0.05;
-/// ... and so many mean grains.
-const BEHIND_GRAINS: f64 = 10.0;
 
 /// What a restart needs to go on.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -30,19 +22,6 @@ pub(super) struct TrafficState {
     feeds: Vec<FeedState>,
     removals: Vec<RemovalState>,
     followed: FollowedState,
-}
-
-#[derive(Clone, Debug, Serialize, Deserialize)]
-struct FeedState {
-    active: bool,
-    done: bool,
-    /// Step up to which the time was counted.
-    clock: u64,
-    /// Steps during which the feed ran.
-    steps: u64,
-    grains: u64,
-    mass: f64,
-    told_behind: bool,
 }
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -76,15 +55,6 @@ struct Gone {
 impl<'a> Traffic<'a> {
     /// At the start of a run: everything runs until a stage says otherwise.
     pub fn begin(scenario: &'a Scenario, domain: &Domain, origins: Origins) -> Result<Self, RunError> {
-        let feed = |_: &FeedSpec| FeedState {
-            active: true,
-            done: false,
-            clock: 0,
-            steps: 0,
-            grains: 0,
-            mass: 0.0,
-            told_behind: false,
-        };
         let removal = |_: &RemovalSpec| RemovalState {
             active: true,
             gone: vec![(0, 0.0); scenario.materials.len()],
@@ -92,7 +62,7 @@ impl<'a> Traffic<'a> {
         };
         let state = TrafficState {
             origins,
-            feeds: scenario.feeds.iter().map(feed).collect(),
+            feeds: vec![FeedState::NEW; scenario.feeds.len()],
             removals: scenario.removals.iter().map(removal).collect(),
             followed: Followed::begin(scenario).state().clone(),
         };
@@ -129,10 +99,10 @@ impl<'a> Traffic<'a> {
     }
 
     /// Starts and stops what the stage tells.
-    pub fn begin_stage(&mut self, stage: &Stage, step: u64) {
+    pub fn begin_stage(&mut self, stage: &Stage, (step, dt): (u64, f64)) {
         if let Some(running) = &stage.feeds {
             for (k, feed) in self.state.feeds.iter_mut().enumerate() {
-                feed.count_time(step);
+                feed.count_time(step, self.scenario.feeds[k].last_step(dt));
                 feed.active = running.contains(&k);
             }
         }
@@ -307,7 +277,7 @@ impl<'a> Traffic<'a> {
             if !state.active || state.done || !is_due(sim, spec.every) {
                 continue;
             }
-            state.count_time(sim.step);
+            state.count_time(sim.step, spec.last_step(sim.dt));
             let feeding = Feeding { spec, source, sim };
             feeding.feed(state, leaving, &mut come);
             from.resize(come.len(), (batches + k) as u16);
@@ -418,171 +388,4 @@ pub(super) fn sources(scenario: &Scenario, domain: &Domain) -> Result<Vec<Stream
 fn is_due(sim: &Simulation, every: Option<f64>) -> bool {
     let steps = every.map_or(EXCHANGE_EVERY, |seconds| (seconds / sim.dt).round().max(1.0) as u64);
     sim.step.is_multiple_of(steps)
-}
-
-impl FeedState {
-    /// Counts the time up to a step.
-    fn count_time(&mut self, step: u64) {
-        if self.active {
-            self.steps += step.saturating_sub(self.clock);
-        }
-        self.clock = step;
-    }
-}
-
-/// A feed at a moment.
-struct Feeding<'a> {
-    spec: &'a FeedSpec,
-    source: &'a Streaming,
-    sim: &'a Simulation,
-}
-
-impl Feeding<'_> {
-    /// Lets all grains come that are due and find room.
-    fn feed(&self, state: &mut FeedState, leaving: &[usize], come: &mut Vec<NewGrain>) {
-        let sim = self.sim;
-        let end = &self.spec.end;
-        state.done = end.until.is_some_and(|until| sim.time() >= until)
-            || end
-                .level
-                .is_some_and(|(point, normal)| sim.any_of_all(is_piled_beyond(sim, point, normal)));
-        if self.next(state).is_none() {
-            return;
-        }
-        let mut there = self.near_the_inlet(leaving);
-        there.extend(come.iter().map(|grain| (grain.position, grain.radius)));
-        let expected = (self.due(state) / self.source.mean_mass()).min(MAX_AT_ONCE as f64) as u64 + 1;
-        let mut occupied = self.source.occupied(there.into_iter(), sim.largest_reach(), expected);
-        let is_blocked = |place: DVec3, reach: f64| sim.walls.iter().any(|wall| wall.nearest(place, reach).is_some());
-        for _ in 0..MAX_AT_ONCE {
-            let Some(radius) = self.next(state) else { return };
-            let Some(grain) = self
-                .source
-                .grain((state.grains, sim.step), radius, &mut occupied, is_blocked)
-            else {
-                return;
-            };
-            state.grains += 1;
-            state.mass += self.source.mass(radius);
-            come.push(grain);
-        }
-    }
-
-    /// Centres and radii of all grains that stay and may be in the way, which each process tells of its own [m].
-    fn near_the_inlet(&self, leaving: &[usize]) -> Vec<(DVec3, f64)> {
-        let (sim, gap) = (self.sim, self.sim.largest_reach());
-        let vicinity = self.source.vicinity();
-        let is_near = |g: &usize| {
-            leaving.binary_search(g).is_err() && vicinity.may_meet(sim.grains.position[*g], sim.grains.radius(*g), gap)
-        };
-        let near = sim.own_grains().filter(is_near);
-        sim.of_all_segments(near.map(|g| (sim.grains.position[g], sim.grains.radius(g))).collect())
-    }
-
-    /// Radius of the next grain, when one is due [m]. Notes the end of the feed.
-    fn next(&self, state: &mut FeedState) -> Option<f64> {
-        let end = &self.spec.end;
-        state.done |= end.count.is_some_and(|count| state.grains >= count);
-        if state.done {
-            return None;
-        }
-        let radius = self.source.radius(state.grains);
-        let mass = self.source.mass(radius);
-        // the mass that comes is nearest to the one that was asked for
-        state.done = end.mass.is_some_and(|most| state.mass + 0.5 * mass > most);
-        let seconds = state.steps as f64 * self.sim.dt;
-        let is_due = match self.spec.rate {
-            FeedRate::AsRoomAllows => true,
-            FeedRate::Mass(rate) => state.mass + mass <= rate * seconds,
-            FeedRate::Number(rate) => (state.grains + 1) as f64 <= rate * seconds,
-        };
-        (is_due && !state.done).then_some(radius)
-    }
-
-    /// Mass that is due and has not come [kg]; without a rate, the most that finds room.
-    fn due(&self, state: &FeedState) -> f64 {
-        let mean = self.source.mean_mass();
-        let left = |count: u64| count.saturating_sub(state.grains) as f64 * mean;
-        let limits = [
-            self.spec.end.count.map(left),
-            self.spec.end.mass.map(|mass| mass - state.mass),
-        ];
-        let due = match self.spec.rate {
-            FeedRate::AsRoomAllows => self.source.capacity() * mean,
-            _ => state.behind(self.spec, self.source, self.sim.dt),
-        };
-        limits.into_iter().flatten().fold(due, f64::min).max(0.0)
-    }
-
-    /// What a user wants to read of the feed.
-    fn say(&self, state: &mut FeedState) -> Option<String> {
-        let FeedState { grains, mass, .. } = *state;
-        let name = &self.spec.name;
-        if state.done {
-            return Some(format!("feed `{name}` is done: {grains} grains, {mass:.6} kg came"));
-        }
-        let behind = state.far_behind(self.spec, self.source, self.sim.dt)?;
-        if state.told_behind {
-            return None;
-        }
-        state.told_behind = true;
-        Some(format!(
-            "warning: feed `{name}` is behind: {mass:.6} kg of {:.6} kg came, as grains wait for room; a larger inlet, faster \
-             grains or a lower rate let all come",
-            mass + behind
-        ))
-    }
-}
-
-impl FeedState {
-    /// What of a feed found no room until the end of its last stage.
-    fn cut_short(&self, spec: &FeedSpec, source: &Streaming, dt: f64, stage: &str) -> Option<String> {
-        if !self.active || self.done {
-            return None;
-        }
-        let came = match (spec.end.count, spec.end.mass) {
-            _ if spec.rate != FeedRate::AsRoomAllows => {
-                let behind = self.far_behind(spec, source, dt)?;
-                format!("{:.6} kg of {:.6} kg", self.mass, self.mass + behind)
-            }
-            (Some(count), _) if self.grains < count => format!("{} of {count} grains", self.grains),
-            (None, Some(mass)) => format!("{:.6} kg of {mass:.6} kg", self.mass),
-            _ => return None,
-        };
-        Some(format!(
-            "warning: feed `{}` let {came} come until the end of stage `{stage}`: the others found no room; a larger inlet, one \
-             that is free of walls and grains, faster grains or a longer stage let all come",
-            spec.name
-        ))
-    }
-
-    /// What is worth telling of [`Self::behind`].
-    fn far_behind(&self, spec: &FeedSpec, source: &Streaming, dt: f64) -> Option<f64> {
-        let behind = self.behind(spec, source, dt);
-        let is_far = behind > BEHIND * (self.mass + behind) && behind > BEHIND_GRAINS * source.mean_mass();
-        is_far.then_some(behind)
-    }
-
-    /// Mass that is due by the rate and has not come [kg].
-    fn behind(&self, spec: &FeedSpec, source: &Streaming, dt: f64) -> f64 {
-        let seconds = self.steps as f64 * dt;
-        let behind = match spec.rate {
-            _ if self.done => 0.0,
-            FeedRate::AsRoomAllows => 0.0,
-            FeedRate::Mass(rate) => rate * seconds - self.mass,
-            FeedRate::Number(rate) => (rate * seconds - self.grains as f64).floor() * source.mean_mass(),
-        };
-        behind.max(0.0)
-    }
-}
-
-/// Whether an own grain beyond a plane rests on others or on walls.
-fn is_piled_beyond(sim: &Simulation, point: DVec3, normal: DVec3) -> bool {
-    let is_beyond = |g: &usize| (sim.grains.position[*g] - point).dot(normal) > 0.0;
-    let mut beyond = sim.own_grains().filter(is_beyond).peekable();
-    if beyond.peek().is_none() {
-        return false;
-    }
-    let contacts = contact_counts(sim);
-    beyond.any(|g| contacts[g] >= CONTACTS_AT_REST)
 }

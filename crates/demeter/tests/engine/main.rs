@@ -13,6 +13,7 @@ mod custom;
 mod deforming_boxes;
 mod endings;
 mod exchange;
+mod feeds;
 mod fields;
 mod measures;
 mod polydisperse;

@@ -25,7 +25,7 @@ impl Runner<'_> {
 
     /// Tells feeds, removals, the box and walls what a stage has them do.
     pub(super) fn set_up(&mut self, stage: &Stage) -> Result<(), RunError> {
-        self.traffic.begin_stage(stage, self.sim.step);
+        self.traffic.begin_stage(stage, (self.sim.step, self.sim.dt));
         if let Some(plan) = stage.deformation {
             self.sim.deform(plan).map_err(|source| RunError::Deformation {
                 stage: stage.name.clone(),

@@ -1,0 +1,223 @@
+//! How the grains of a feed come: what is due, what finds room, and when it ends.
+
+use super::feeds::{FeedRate, FeedSpec};
+use crate::insertion::{MAX_AT_ONCE, Streaming};
+use crate::measure::contact_counts;
+use crate::particles::NewGrain;
+use crate::simulation::Simulation;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// Contacts that hold a grain on a pile.
+const CONTACTS_AT_REST: u32 = 3;
+
+/// A feed is told to be behind when this share of what is due waits, ...
+const BEHIND: f64 = 0.05;
+/// ... and so many mean grains.
+const BEHIND_GRAINS: f64 = 10.0;
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct FeedState {
+    pub(super) active: bool,
+    pub(super) done: bool,
+    /// Step up to which the time was counted.
+    clock: u64,
+    /// Steps during which the feed ran.
+    steps: u64,
+    pub(super) grains: u64,
+    pub(super) mass: f64,
+    told_behind: bool,
+}
+
+impl FeedState {
+    pub(super) const NEW: Self = Self {
+        active: true,
+        done: false,
+        clock: 0,
+        steps: 0,
+        grains: 0,
+        mass: 0.0,
+        told_behind: false,
+    };
+
+    /// Counts the time up to a step, and no longer than the feed runs.
+    pub(super) fn count_time(&mut self, step: u64, last: Option<u64>) {
+        if self.active && !self.done {
+            let [until, from] = [step, self.clock].map(|step| step.min(last.unwrap_or(u64::MAX)));
+            self.steps += until.saturating_sub(from);
+        }
+        self.clock = step;
+    }
+}
+
+/// A feed at a moment.
+pub(super) struct Feeding<'a> {
+    pub(super) spec: &'a FeedSpec,
+    pub(super) source: &'a Streaming,
+    pub(super) sim: &'a Simulation,
+}
+
+impl Feeding<'_> {
+    /// Lets all grains come that are due and find room, also those that came due before the feed ended at a time.
+    pub(super) fn feed(&self, state: &mut FeedState, leaving: &[usize], come: &mut Vec<NewGrain>) {
+        let (sim, end) = (self.sim, &self.spec.end);
+        let is_over = self.spec.last_step(sim.dt).is_some_and(|last| sim.step >= last);
+        let has_rate = self.spec.rate != FeedRate::AsRoomAllows;
+        state.done = (is_over && !has_rate)
+            || end
+                .level
+                .is_some_and(|(point, normal)| sim.any_of_all(is_piled_beyond(sim, point, normal)));
+        self.let_come(state, leaving, come);
+        state.done |= is_over;
+    }
+
+    fn let_come(&self, state: &mut FeedState, leaving: &[usize], come: &mut Vec<NewGrain>) {
+        let sim = self.sim;
+        if self.next(state).is_none() {
+            return;
+        }
+        let mut there = self.near_the_inlet(leaving);
+        there.extend(come.iter().map(|grain| (grain.position, grain.radius)));
+        let expected = (self.due(state) / self.source.mean_mass()).min(MAX_AT_ONCE as f64) as u64 + 1;
+        let mut occupied = self.source.occupied(there.into_iter(), sim.largest_reach(), expected);
+        let is_blocked = |place: DVec3, reach: f64| sim.walls.iter().any(|wall| wall.nearest(place, reach).is_some());
+        for _ in 0..MAX_AT_ONCE {
+            let Some(radius) = self.next(state) else { return };
+            let Some(grain) = self
+                .source
+                .grain((state.grains, sim.step), radius, &mut occupied, is_blocked)
+            else {
+                return;
+            };
+            state.grains += 1;
+            state.mass += self.source.mass(radius);
+            come.push(grain);
+        }
+    }
+
+    /// Centres and radii of all grains that stay and may be in the way, which each process tells of its own [m].
+    fn near_the_inlet(&self, leaving: &[usize]) -> Vec<(DVec3, f64)> {
+        let (sim, gap) = (self.sim, self.sim.largest_reach());
+        let vicinity = self.source.vicinity();
+        let is_near = |g: &usize| {
+            leaving.binary_search(g).is_err() && vicinity.may_meet(sim.grains.position[*g], sim.grains.radius(*g), gap)
+        };
+        let near = sim.own_grains().filter(is_near);
+        sim.of_all_segments(near.map(|g| (sim.grains.position[g], sim.grains.radius(g))).collect())
+    }
+
+    /// Radius of the next grain, when one is due [m]. Notes the end of the feed.
+    fn next(&self, state: &mut FeedState) -> Option<f64> {
+        let end = &self.spec.end;
+        state.done |= end.count.is_some_and(|count| state.grains >= count);
+        if state.done {
+            return None;
+        }
+        let radius = self.source.radius(state.grains);
+        let mass = self.source.mass(radius);
+        // the mass that comes is nearest to the one that was asked for
+        state.done = end.mass.is_some_and(|most| state.mass + 0.5 * mass > most);
+        let seconds = state.steps as f64 * self.sim.dt;
+        let is_due = match self.spec.rate {
+            FeedRate::AsRoomAllows => true,
+            FeedRate::Mass(rate) => state.mass + mass <= rate * seconds,
+            FeedRate::Number(rate) => (state.grains + 1) as f64 <= rate * seconds,
+        };
+        (is_due && !state.done).then_some(radius)
+    }
+
+    /// Mass that is due and has not come [kg]; without a rate, the most that finds room.
+    fn due(&self, state: &FeedState) -> f64 {
+        let mean = self.source.mean_mass();
+        let left = |count: u64| count.saturating_sub(state.grains) as f64 * mean;
+        let limits = [
+            self.spec.end.count.map(left),
+            self.spec.end.mass.map(|mass| mass - state.mass),
+        ];
+        let due = match self.spec.rate {
+            FeedRate::AsRoomAllows => self.source.capacity() * mean,
+            _ => state.behind(self.spec, self.source, self.sim.dt),
+        };
+        limits.into_iter().flatten().fold(due, f64::min).max(0.0)
+    }
+
+    /// What a user wants to read of the feed.
+    pub(super) fn say(&self, state: &mut FeedState) -> Option<String> {
+        let FeedState { grains, mass, .. } = *state;
+        let name = &self.spec.name;
+        let behind = state.far_behind(self.spec, self.source, self.sim.dt);
+        if state.done {
+            let waiting = behind.map_or_else(String::new, |mass| {
+                format!("; {mass:.6} kg more were due and found no room")
+            });
+            let warning = if behind.is_some() { "warning: " } else { "" };
+            return Some(format!(
+                "{warning}feed `{name}` is done: {grains} grains, {mass:.6} kg came{waiting}"
+            ));
+        }
+        let behind = behind?;
+        if state.told_behind {
+            return None;
+        }
+        state.told_behind = true;
+        Some(format!(
+            "warning: feed `{name}` is behind: {mass:.6} kg of {:.6} kg came, as grains wait for room; a larger inlet, faster \
+             grains or a lower rate let all come",
+            mass + behind
+        ))
+    }
+}
+
+impl FeedState {
+    /// What of a feed found no room until the end of its last stage.
+    pub(super) fn cut_short(&self, spec: &FeedSpec, source: &Streaming, dt: f64, stage: &str) -> Option<String> {
+        if !self.active || self.done {
+            return None;
+        }
+        let came = match (spec.end.count, spec.end.mass) {
+            _ if spec.rate != FeedRate::AsRoomAllows => {
+                let behind = self.far_behind(spec, source, dt)?;
+                format!("{:.6} kg of {:.6} kg", self.mass, self.mass + behind)
+            }
+            (Some(count), _) if self.grains < count => format!("{} of {count} grains", self.grains),
+            (None, Some(mass)) => format!("{:.6} kg of {mass:.6} kg", self.mass),
+            _ => return None,
+        };
+        Some(format!(
+            "warning: feed `{}` let {came} come until the end of stage `{stage}`: the others found no room; a larger inlet, one \
+             that is free of walls and grains, faster grains or a longer stage let all come",
+            spec.name
+        ))
+    }
+
+    /// What is worth telling of [`Self::behind`].
+    fn far_behind(&self, spec: &FeedSpec, source: &Streaming, dt: f64) -> Option<f64> {
+        let behind = self.behind(spec, source, dt);
+        let is_far = behind > BEHIND * (self.mass + behind) && behind > BEHIND_GRAINS * source.mean_mass();
+        is_far.then_some(behind)
+    }
+
+    /// Mass that is due by the rate and has not come [kg]; of a feed that has ended only where a time ended it.
+    pub(super) fn behind(&self, spec: &FeedSpec, source: &Streaming, dt: f64) -> f64 {
+        let seconds = self.steps as f64 * dt;
+        let has_its_time = spec.last_step(dt).is_some_and(|last| self.clock >= last);
+        let behind = match spec.rate {
+            _ if self.done && !has_its_time => 0.0,
+            FeedRate::AsRoomAllows => 0.0,
+            FeedRate::Mass(rate) => rate * seconds - self.mass,
+            FeedRate::Number(rate) => (rate * seconds - self.grains as f64).floor() * source.mean_mass(),
+        };
+        behind.max(0.0)
+    }
+}
+
+/// Whether an own grain beyond a plane rests on others or on walls.
+fn is_piled_beyond(sim: &Simulation, point: DVec3, normal: DVec3) -> bool {
+    let is_beyond = |g: &usize| (sim.grains.position[*g] - point).dot(normal) > 0.0;
+    let mut beyond = sim.own_grains().filter(is_beyond).peekable();
+    if beyond.peek().is_none() {
+        return false;
+    }
+    let contacts = contact_counts(sim);
+    beyond.any(|g| contacts[g] >= CONTACTS_AT_REST)
+}
