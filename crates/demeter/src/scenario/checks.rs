@@ -1,12 +1,12 @@
 //! What can be wrong with a scenario beyond its text: memory, overlaps, motions.
 
 use super::meshes::{MeshOrigin, doubt_unit_of};
-use super::{Diagnostics, Scenario, estimates};
+use super::{Diagnostics, Scenario, estimates, stop_checks};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, Outside};
 use crate::simulation::{
-    ROOM_FOR_BULGES, Stage, StopCondition, TimeScale, TimeStepError, USABLE, WallPartner, largest_reach, with_free_wall,
+    ROOM_FOR_BULGES, TimeScale, TimeStepError, USABLE, WallPartner, largest_reach, with_free_wall,
 };
 use crate::walls::{Motion, Motions, Wall};
 use glam::DVec3;
@@ -287,11 +287,11 @@ pub(super) fn wall_partners(scenario: &Scenario, walls: &[Wall]) -> Vec<WallPart
 }
 
 /// Refuses motions that a wall cannot make before any stage has run, walls that move with one that itself moves with another, and
-/// stages that wait for the end of a motion that has none.
+/// stages that wait for what never comes.
 pub(super) fn check_stage_motions(scenario: &Scenario, faults: &mut Diagnostics) {
     let mut told = std::collections::BTreeSet::new();
     let mut leaders: Vec<Option<usize>> = scenario.walls.iter().map(|wall| wall.motion.leader()).collect();
-    let mut current: Vec<&Motions> = scenario.walls.iter().map(|wall| &wall.motion).collect();
+    let mut known = stop_checks::Known::at_start(scenario);
     let first = (0..leaders.len()).map(|wall| (wall, format!("wall[{wall}].motion")));
     check_leaders(scenario, &leaders, &first.collect::<Vec<_>>(), faults);
     for (stage, path) in scenario.stages.iter().zip(&scenario.stage_paths) {
@@ -304,32 +304,16 @@ pub(super) fn check_stage_motions(scenario: &Scenario, faults: &mut Diagnostics)
             if let (Err(error), true) = (Wall::check_motion(motions), is_new) {
                 faults.push(&path, format!("wall `{name}`: {error}"), None);
             }
-            if let (Some(leader), Some(current)) = (leaders.get_mut(*wall), current.get_mut(*wall)) {
+            if let Some(leader) = leaders.get_mut(*wall) {
                 *leader = motions.leader();
-                *current = motions;
             }
             paths.push((*wall, path));
         }
+        known.begin(stage);
         if is_new {
             check_leaders(scenario, &leaders, &paths, faults);
-            check_motions_end(scenario, stage, path, &current, faults);
+            known.check(stage, path, faults);
         }
-    }
-}
-
-fn check_motions_end(scenario: &Scenario, stage: &Stage, path: &str, current: &[&Motions], faults: &mut Diagnostics) {
-    for condition in &stage.stop {
-        let StopCondition::MotionDone(wall) = condition else {
-            continue;
-        };
-        let Some(why) = current.get(*wall).and_then(|motions| motions.never_ends()) else {
-            continue;
-        };
-        faults.push(
-            &format!("{path}.stop.motion_done"),
-            format!("the motion of wall `{}` never ends: {why}", scenario.walls[*wall].name),
-            Some("end the stage by its `duration` or by another condition".to_string()),
-        );
     }
 }
 

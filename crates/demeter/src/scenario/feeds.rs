@@ -278,8 +278,19 @@ pub(super) fn chosen<'n>(item: &Item<'_>, what: &str, names: impl Iterator<Item 
         );
         return Vec::new();
     }
-    let one = |item: &Item<'_>| index_of(item, what, names.clone());
-    item.items().iter().filter_map(one).collect()
+    let mut indices = Vec::new();
+    for item in item.items() {
+        match index_of(&item, what, names.clone()) {
+            Some(index) if indices.contains(&index) => {
+                item.fault(
+                    format!("`{}` is named twice", item.text()),
+                    Some("name it once".to_string()),
+                );
+            }
+            found => indices.extend(found),
+        }
+    }
+    indices
 }
 
 /// The index of a name.

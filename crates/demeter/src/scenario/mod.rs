@@ -44,6 +44,7 @@ pub mod schema;
 mod settings;
 mod sizes;
 mod stages;
+mod stop_checks;
 mod stray_walls;
 mod tags;
 mod templates;
