@@ -30,11 +30,8 @@ pub fn add_rows(scenario: &Scenario, prepared: &Prepared, report: &WallReport, r
         let triangles = wall.mesh().map_or(0, |mesh| mesh.triangles().len());
         let mut words = format!("mesh of {}{}", things(triangles as u64, "triangle"), source(origin));
         if let Some((lower, upper)) = wall.bounds() {
-            words.push_str(&format!(
-                "; from {} to {} m",
-                vector(lower.to_array()),
-                vector(upper.to_array())
-            ));
+            let [x, y, z] = (upper - lower).to_array().map(number);
+            words.push_str(&format!("; {x} x {y} x {z} m, from {} m on", vector(lower.to_array())));
         }
         rows.add(format!("wall {name}"), words);
         findings(found, triangles)

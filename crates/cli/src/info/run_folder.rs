@@ -64,8 +64,12 @@ pub fn run_folder(path: &Path) -> Result<Info, Failure> {
             rows.add("title", words(&summary["title"]));
             rows.add("ended", words(&summary["stopped_by"]));
             let time = summary["simulated_time"].as_f64().unwrap_or(f64::NAN);
-            let (steps, grains) = (words(&summary["steps"]), words(&summary["grains"]));
-            rows.add("time", format!("{} s in {steps} steps, {grains} grains", number(time)));
+            let [steps, grains] = [("steps", "step"), ("grains", "grain")].map(|(key, one)| {
+                summary[key]
+                    .as_u64()
+                    .map_or_else(|| words(&summary[key]), |n| things(n, one))
+            });
+            rows.add("time", format!("{} s in {steps}, {grains}", number(time)));
             let residual = summary["energies"]["max_residual"].as_f64().unwrap_or(f64::NAN);
             rows.add("energy residual", format!("{residual:.1e} at most"));
         }

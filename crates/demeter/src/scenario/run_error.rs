@@ -132,8 +132,8 @@ pub enum RunError {
     },
     /// Processes that are to share the run do not have the same.
     #[error(
-        "process {rank} differs from process 0: it has {what}. All processes of a run need the same program and the same \
-         files, on every host"
+        "process {rank} differs from process 0: it has {what}. All processes of a run need the same program, the same options and \
+         the same files, on every host"
     )]
     OtherInputs {
         /// Number of the process.

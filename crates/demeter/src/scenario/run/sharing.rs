@@ -36,7 +36,7 @@ impl Inputs {
             return Some("another program of the same version".to_string());
         }
         if self.scenario != other.scenario {
-            return Some("another scenario".to_string());
+            return Some("another scenario, by its file or by what `--set` changes".to_string());
         }
         // files of one scenario: only what is in them can differ
         let files = self.files.iter().zip(&other.files);

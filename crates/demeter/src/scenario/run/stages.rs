@@ -105,7 +105,10 @@ impl Runner<'_> {
             StopCondition::Duration(seconds) => {
                 (elapsed >= steps_in(*seconds, dt)).then(|| format!("its duration of {seconds} s is over"))
             }
-            StopCondition::Steps(steps) => (elapsed >= *steps).then(|| format!("its {steps} steps are done")),
+            StopCondition::Steps(steps) => (elapsed >= *steps).then(|| match steps {
+                1 => "its one step is done".to_owned(),
+                _ => format!("its {steps} steps are done"),
+            }),
             StopCondition::KineticOverElastic(share) => {
                 let looks = elapsed > 0 && elapsed.is_multiple_of(ENERGY_INTERVAL);
                 let energies = looks.then(|| self.sim.energies()).filter(|e| e.elastic != 0.0)?;
