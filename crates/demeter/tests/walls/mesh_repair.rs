@@ -34,6 +34,46 @@ fn inspected(corners: &[[DVec3; 3]]) -> Inspection {
 }
 
 #[test]
+fn the_free_sides_of_a_plate_on_a_floor_are_one_open_end() {
+    let p = [
+        [-10, -10, 0],
+        [0, -10, 0],
+        [10, -10, 0],
+        [10, 10, 0],
+        [0, 10, 0],
+        [-10, 10, 0],
+        [0, -6, 0],
+        [0, 6, 0],
+        [0, -6, 8],
+        [0, 6, 8],
+    ]
+    .map(|[x, y, z]| v(f64::from(x), f64::from(y), f64::from(z)));
+    let floor = [
+        [0, 1, 6],
+        [0, 6, 7],
+        [0, 7, 5],
+        [5, 7, 4],
+        [1, 2, 6],
+        [6, 2, 3],
+        [6, 3, 7],
+        [7, 3, 4],
+    ];
+    let plate = [[6, 7, 9], [6, 9, 8]];
+    // whichever edge is found first
+    for shift in 0..10 {
+        let mut faces = [&floor[..], &plate[..]].concat();
+        faces.rotate_left(shift);
+        let corners: Corners = faces.iter().map(|face| face.map(|k| p[k])).collect();
+        let found = inspected(&corners);
+        let rims: Vec<(f64, bool, bool)> = (found.rims.iter())
+            .map(|rim| (rim.length.round(), rim.is_closed, rim.is_crack()))
+            .collect();
+        assert_eq!(rims, [(80.0, true, false), (28.0, false, false)], "{found:?}");
+        assert!((found.rims[1].area - 96.0).abs() < 1e-9, "{found:?}");
+    }
+}
+
+#[test]
 fn a_good_mesh_is_left_as_it_is() {
     let (triangles, repair) = repaired(&cube(v(3.0, 0.1, 0.7)));
     assert_eq!(triangles, cube(v(3.0, 0.1, 0.7)));

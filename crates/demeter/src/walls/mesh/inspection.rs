@@ -4,6 +4,7 @@ use super::Mesh;
 use super::crossings::{Crossings, crossings, meeting};
 use super::orientation::is_forward;
 use glam::DVec3;
+use std::collections::VecDeque;
 
 /// Area of a boundary over the square of its length below which it is a crack without width: a hundredth of a part in a
 /// million; a rim as wide as a hundredth of its length has 4000 times more.
@@ -22,12 +23,14 @@ pub struct Rim {
     pub centre: DVec3,
     /// A triangle at it, counted from 1.
     pub triangle: usize,
+    /// Whether it ends where it begins: that of a plate that stands on another surface does not.
+    pub is_closed: bool,
 }
 
 impl Rim {
     /// Whether it is a crack without width, as triangles without area leave when they are left out.
     pub fn is_crack(&self) -> bool {
-        self.area <= CRACK * self.length * self.length
+        self.is_closed && self.area <= CRACK * self.length * self.length
     }
 }
 
@@ -120,33 +123,43 @@ impl Mesh {
         }
         at_vertex.sort_unstable();
         let mut used = vec![false; open.len()];
+        let take_at = |used: &mut [bool], vertex: u32| {
+            let from = at_vertex.partition_point(|&(id, _)| id < vertex);
+            let here = at_vertex[from..].iter().take_while(|(id, _)| *id == vertex);
+            let next = here.map(|&(_, k)| k).find(|&k| !used[k])?;
+            used[next] = true;
+            Some(next)
+        };
         let mut rims = Vec::new();
         for start in 0..open.len() {
             if used[start] {
                 continue;
             }
             used[start] = true;
-            let mut line = vec![(start, false)];
-            let mut end = vertices[start][1];
-            while end != vertices[start][0] {
-                let from = at_vertex.partition_point(|&(id, _)| id < end);
-                let here = at_vertex[from..].iter().take_while(|(id, _)| *id == end);
-                let Some(next) = here.map(|&(_, k)| k).find(|&k| !used[k]) else {
-                    break;
-                };
-                used[next] = true;
+            let mut line = VecDeque::from([(start, false)]);
+            let [mut begin, mut end] = vertices[start];
+            while end != begin {
+                let Some(next) = take_at(&mut used, end) else { break };
                 let reversed = vertices[next][0] != end;
                 end = vertices[next][usize::from(!reversed)];
-                line.push((next, reversed));
+                line.push_back((next, reversed));
             }
-            rims.push(self.rim(open, &line));
+            // one that does not close goes on before the edge that it was found by
+            while end != begin {
+                let Some(next) = take_at(&mut used, begin) else { break };
+                let reversed = vertices[next][1] != begin;
+                begin = vertices[next][usize::from(reversed)];
+                line.push_front((next, reversed));
+            }
+            rims.push(self.rim(open, line.make_contiguous(), end == begin));
         }
         rims.sort_by(|a, b| b.length.total_cmp(&a.length).then(a.triangle.cmp(&b.triangle)));
         rims
     }
 
-    fn rim(&self, open: &[(u32, usize)], line: &[(usize, bool)]) -> Rim {
-        let origin = self.ends(open[line[0].0].0, open[line[0].0].1)[0];
+    fn rim(&self, open: &[(u32, usize)], line: &[(usize, bool)], is_closed: bool) -> Rim {
+        let (first, is_reversed) = line[0];
+        let origin = self.ends(open[first].0, open[first].1)[usize::from(is_reversed)];
         let (mut length, mut moment, mut area) = (0.0, DVec3::ZERO, DVec3::ZERO);
         for &(k, reversed) in line {
             let [a, b] = self.ends(open[k].0, open[k].1);
@@ -161,7 +174,8 @@ impl Mesh {
             length,
             area: area.length(),
             centre: origin + moment / length,
-            triangle: open[line[0].0].0 as usize + 1,
+            triangle: open[first].0 as usize + 1,
+            is_closed,
         }
     }
 }
