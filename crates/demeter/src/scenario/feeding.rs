@@ -11,6 +11,9 @@ use serde::{Deserialize, Serialize};
 /// Contacts that hold a grain on a pile.
 const CONTACTS_AT_REST: u32 = 3;
 
+/// Share of its weight that may act on a grain that lies.
+const UNBORNE: f64 = 0.5;
+
 /// A feed is told to be behind when this share of what is due waits, ...
 const BEHIND: f64 = 0.05;
 /// ... and so many mean grains.
@@ -66,7 +69,7 @@ impl Feeding<'_> {
         state.done = (is_over && !has_rate)
             || end
                 .level
-                .is_some_and(|(point, normal)| sim.any_of_all(is_piled_beyond(sim, point, normal)));
+                .is_some_and(|plane| sim.any_of_all(is_piled_beyond(sim, plane, self.spec.stream.velocity)));
         self.let_come(state, leaving, come);
         state.done |= is_over;
     }
@@ -211,10 +214,23 @@ impl FeedState {
     }
 }
 
-/// Whether an own grain beyond a plane rests on others or on walls.
-fn is_piled_beyond(sim: &Simulation, point: DVec3, normal: DVec3) -> bool {
+/// Whether an own grain beyond a plane lies on others or on walls: it has contacts that bear half of its weight at least, and no more than
+/// half of it beside, and is slower than one that has fallen by its radius. So those which meet in flight do not count. Without gravity
+/// it is slower than half of the speed with which grains come.
+fn is_piled_beyond(sim: &Simulation, (point, normal): (DVec3, DVec3), inlet: DVec3) -> bool {
     let is_beyond = |g: &usize| (sim.grains.position[*g] - point).dot(normal) > 0.0;
-    let mut beyond = sim.own_grains().filter(is_beyond).peekable();
+    let gravity = sim.gravity.length();
+    let lies = |g: &usize| {
+        let (grains, speed2) = (&sim.grains, sim.grains.velocity[*g].length_squared());
+        match gravity > 0.0 {
+            true => {
+                speed2 <= 2.0 * gravity * grains.radius(*g)
+                    && grains.force(*g).length() <= UNBORNE * gravity * grains.mass(*g)
+            }
+            false => speed2 <= 0.25 * inlet.length_squared(),
+        }
+    };
+    let mut beyond = sim.own_grains().filter(is_beyond).filter(lies).peekable();
     if beyond.peek().is_none() {
         return false;
     }

@@ -210,3 +210,43 @@ duration = "50 ms"
     let grains = report.summary.grains;
     assert!((120..=210).contains(&grains), "{grains}");
 }
+
+#[test]
+fn grains_that_meet_in_flight_do_not_fill_a_bin() {
+    // a dense rain whose grains meet each other above the plane long before the first lands
+    let text = format!(
+        r#"{HEAD}
+[domain]
+lower = "-11 -11 -1 mm"
+upper = "11 11 120 mm"
+[[wall]]
+name = "bin"
+material = "seed"
+shape = "box"
+lower = "-10 -10 0 mm"
+upper = "10 10 110 mm"
+open = ["+z"]
+[[feed]]
+name = "rain"
+material = "seed"
+diameter = "1.5 mm"
+from = {{ shape = "rectangle", center = "0 0 40 mm", half_u = "9 0 0 mm", half_v = "0 9 0 mm" }}
+velocity = "0 0 -0.3 m/s"
+velocity_deviation = "0.2 m/s"
+number_rate = "20000 1/s"
+level = {{ point = "0 0 6 mm", normal = "z" }}
+[[stage]]
+duration = "40 ms"
+stop = {{ feed_done = "rain" }}
+"#
+    );
+    let place = tempfile::tempdir().unwrap();
+    let report = run_in(&parse(&text), place.path(), 2, &mut watcher());
+    assert_eq!(report.end, RunEnd::Finished);
+    assert!(
+        report.summary.stages[0].ended_by.contains("duration"),
+        "{:?}",
+        report.summary.stages
+    );
+    assert!(report.summary.grains > 500, "{}", report.summary.grains);
+}
