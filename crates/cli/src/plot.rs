@@ -83,7 +83,13 @@ pub fn warn_of_shortfall(run: &Run, series: &Columns) -> Result<(), Failure> {
 
 /// A short name of a run or table.
 fn name_of(path: &Path) -> String {
-    let name = path.file_stem().map_or_else(
+    // the folders of a sweep have values in their names: what is behind their last dot is no ending
+    let name = if path.is_dir() {
+        path.file_name()
+    } else {
+        path.file_stem()
+    };
+    let name = name.map_or_else(
         || path.display().to_string(),
         |name| name.to_string_lossy().into_owned(),
     );

@@ -183,6 +183,27 @@ fn rows_of_one_moment_that_words_tell_apart_are_lines_of_their_own() {
 }
 
 #[test]
+fn runs_of_a_sweep_keep_the_values_in_their_names() {
+    let place = with_run();
+    let names = ["restitution=0.3", "restitution=0.3_gravity=0-0--1.62-m-s-2_seed=1"];
+    fs::create_dir(place.path(names[1])).unwrap();
+    for name in ["series.csv", "run.json", "summary.json"] {
+        fs::copy(place.path("run").join(name), place.path(names[1]).join(name)).unwrap();
+    }
+    fs::rename(place.path("run"), place.path(names[0])).unwrap();
+    place.expect(
+        0,
+        &[
+            "plot", names[0], "time", "contacts", "--with", names[1], "--out", "two.svg",
+        ],
+    );
+    let svg = fs::read_to_string(place.path("two.svg")).unwrap();
+    for name in names {
+        assert!(svg.contains(&format!(">{name}<")), "{name}: {svg}");
+    }
+}
+
+#[test]
 fn columns_are_listed_and_drawn() {
     let place = with_run();
     let said = place.expect(0, &["plot", "run"]);
