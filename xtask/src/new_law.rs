@@ -222,6 +222,20 @@ mod tests {
     }
 
     #[test]
+    fn the_chapter_of_the_book_calls_what_the_templates_call() {
+        let calls = |text: &str| -> Vec<String> {
+            let from = text.find("fn respond(").unwrap();
+            let body: Vec<&str> = text[from..].lines().take_while(|line| line.trim() != "```").collect();
+            let end = body
+                .iter()
+                .position(|line| line.trim_start().starts_with("NormalResponse::"));
+            vec![body[0].trim().to_owned(), body[end.unwrap()].trim().to_owned()]
+        };
+        let book = std::fs::read_to_string(root().join("book/src/adding-a-law.md")).unwrap();
+        assert_eq!(calls(&book), calls(Family::Normal.templates().0));
+    }
+
+    #[test]
     fn a_name_has_one_spelling_for_each_place() {
         let names = Names::new("thornton-ning1998").unwrap();
         assert_eq!(
