@@ -123,7 +123,7 @@ fn hostile_files_are_refused_with_the_reason_and_the_path() {
         ("empty", vec![], "0 bytes"),
         ("short", good[..60].to_vec(), "60 bytes"),
         ("cut short", good[..good.len() - 7].to_vec(), "cut short"),
-        ("one byte too many", long, "header tells of 4 triangles"),
+        ("one byte too many", long, "more lies behind its triangles"),
         ("count of four billion", claims_many, "4294967295 triangles"),
         (
             "cut short with a solid header",

@@ -74,8 +74,9 @@ pub enum MeshFileError {
     /// The count of a binary STL file does not fit its length.
     #[error(
         "{} is a binary STL file of {bytes} bytes whose header tells of {count} triangles, which take {expected} bytes; \
-         the file is cut short or damaged, export it again",
-        path.display()
+         the file is {}, export it again",
+        path.display(),
+        if *expected > *bytes as u64 { "cut short or damaged" } else { "damaged, or more lies behind its triangles" }
     )]
     WrongLength {
         /// The file.
