@@ -25,6 +25,28 @@ pub struct Material {
 }
 
 impl Material {
+    /// Refuses constants that no body has.
+    fn check(&self) -> Result<(), LawError> {
+        let is_positive = |value: f64| value > 0.0 && value.is_finite();
+        let positive = "finite and above 0";
+        let poisson = self.poisson_ratio;
+        let (what, value, allowed) = if !is_positive(self.young_modulus) {
+            ("young_modulus", self.young_modulus, positive)
+        } else if !is_positive(self.density) {
+            ("density", self.density, positive)
+        } else if !(poisson > -1.0 && poisson <= 0.5) {
+            ("poisson_ratio", poisson, "above -1 and at most 0.5")
+        } else {
+            return Ok(());
+        };
+        Err(LawError::Material {
+            name: self.name.clone(),
+            what,
+            value,
+            allowed,
+        })
+    }
+
     /// The elastic constants.
     pub fn elastic(&self) -> Elastic {
         Elastic {
@@ -89,6 +111,7 @@ pub struct Materials {
 impl Materials {
     /// Binds the laws of every pair; `choice(a, b)` is asked once for every pair with `a <= b`.
     pub fn new(list: Vec<Material>, choice: impl Fn(usize, usize) -> PairChoice) -> Result<Self, LawError> {
+        list.iter().try_for_each(Material::check)?;
         let n = list.len();
         let mut laws = Vec::with_capacity(n * n);
         for a in 0..n {

@@ -244,6 +244,26 @@ pub(super) fn check_wall_speeds(
     }
 }
 
+/// Refuses grains at the start that come farther than their radius in a step, as each step does.
+pub(super) fn check_start_speeds(grains: &Grains, dt: f64, faults: &mut Diagnostics) {
+    let way = |g: usize| grains.velocity[g].length() * dt;
+    let Some(g) = (0..grains.len()).find(|&g| way(g) > grains.radius(g)) else {
+        return;
+    };
+    let (speed, radius) = (grains.velocity[g].length(), grains.radius(g));
+    faults.push(
+        "grains",
+        format!(
+            "grain {} at {} starts with {speed:.4e} m/s, {:.4e} m in one time step of {dt:.3e} s and more than its radius of {radius:.4e} m: \
+             it jumps over others",
+            grains.id[g],
+            grains.position[g],
+            way(g)
+        ),
+        Some(format!("let it be slower, or set `simulation.time_step` to less than {:.3e} s", radius / speed)),
+    );
+}
+
 /// All motions that any wall is told in the run.
 pub(super) fn told_motions(scenario: &Scenario) -> impl Iterator<Item = (usize, &Motions)> {
     let at_start = scenario.walls.iter().map(|wall| &wall.motion).enumerate();

@@ -1,8 +1,8 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
 use super::checks::{
-    check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_wall_speeds, wall_partners,
-    with_free_walls,
+    check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_start_speeds, check_wall_speeds,
+    wall_partners, with_free_walls,
 };
 use super::estimates::Fed;
 use super::meshes::{self, MeshOrigin};
@@ -11,7 +11,7 @@ use super::{Diagnostics, Scenario, TimeStep, WallSpec, estimates, periodic_walls
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, NewGrain, Origins, Outside};
-use crate::simulation::{Setup, Skin, TimeScale, Verdict, refusals, shortest_time_scale};
+use crate::simulation::{Setup, Skin, Stage, StopCondition, TimeScale, Verdict, refusals, shortest_time_scale};
 use crate::walls::Wall;
 use demeter_physics::contact::LawError;
 use glam::DVec3;
@@ -101,12 +101,21 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
     check_wall_speeds(scenario, &walls, &meshes, &all, dt, &mut faults);
+    if !scenario.deforms() {
+        check_start_speeds(&grains, dt, &mut faults);
+    }
     stray_walls::check(scenario, &walls, (&all, &domain), dt, &mut warnings);
     super::deformation::check(scenario, &grains, Some(dt), &mut faults);
     if !faults.is_empty() {
         return Err(faults);
     }
     let stage_steps: Vec<u64> = scenario.stages.iter().map(|s| super::run::longest(s, dt)).collect();
+    warnings.extend(
+        scenario
+            .stages
+            .iter()
+            .filter_map(|stage| shorter_than_a_step(stage, dt)),
+    );
     let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
     let end = steps as f64 * dt;
     for (index, tag) in scenario.tags.iter().enumerate().filter(|(_, tag)| tag.at > end) {
@@ -208,6 +217,7 @@ pub(super) fn materials(scenario: &Scenario, faults: &mut Diagnostics) -> Option
         Err(error) => {
             let help = match &error {
                 LawError::Unknown { .. } => Some("`demeter laws` lists all laws".to_string()),
+                LawError::Material { .. } => None,
                 LawError::Parameters { law, .. } => Some(format!("`demeter laws {law}` tells its parameters")),
             };
             faults.push("contact", error.to_string(), help);
@@ -435,4 +445,18 @@ fn time_step(
             (dt, format!("given: {}", words(dt)))
         }
     }
+}
+
+/// What to say of a stage that is to last for less than a step.
+fn shorter_than_a_step(stage: &Stage, dt: f64) -> Option<String> {
+    let duration = |condition: &StopCondition| match condition {
+        StopCondition::Duration(seconds) if *seconds < 0.999 * dt => Some(*seconds),
+        _ => None,
+    };
+    let seconds = stage.stop.iter().find_map(duration)?;
+    Some(format!(
+        "stage `{}` is to last {seconds:.4e} s, less than a time step of {dt:.4e} s: it takes one step; a smaller `simulation.time_step` \
+         ends it in time",
+        stage.name
+    ))
 }

@@ -227,6 +227,7 @@ impl Simulation {
     /// Moves a wall as a function tells, from where it stands, in place of its motions so far. A motion that it is told later
     /// (by [`set_wall_motion`](Self::set_wall_motion), as at the start of a stage) replaces this one.
     pub fn drive_wall(&mut self, wall: usize, motion: CustomMotion) -> Result<(), CustomMotionError> {
+        self.check_wall(wall)?;
         let (course, is_rate, axis) = motion.course();
         let motion = Motions::from(Motion::Driven { axis });
         let earlier = self.walls[wall].driven();

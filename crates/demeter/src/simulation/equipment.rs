@@ -25,6 +25,7 @@ impl Simulation {
     /// Tells a wall other motions, from where it stands. What its drive does at that moment, as when it catches a freely
     /// moving wall, is booked, and that it moves otherwise in the half step in which the latest load still acts.
     pub fn set_wall_motion(&mut self, wall: usize, motions: Motions) -> Result<(), WallError> {
+        self.check_wall(wall)?;
         let leader = (motions.leader()).and_then(|leader| self.walls.get(leader));
         let leader = leader.map_or(Pose::START, |leader| leader.pose());
         let former = &self.walls[wall];
@@ -39,6 +40,15 @@ impl Simulation {
             self.books.drive_walls(now.energy() - energy_before + ahead);
         }
         Ok(())
+    }
+
+    pub(super) fn check_wall(&self, index: usize) -> Result<(), WallError> {
+        let count = self.walls.len();
+        if index < count {
+            Ok(())
+        } else {
+            Err(WallError::NoSuchWall { index, count })
+        }
     }
 
     /// Takes away the walls that are told by `absent`, and puts back the others. What was stored in the contacts of those

@@ -300,9 +300,13 @@ impl Simulation {
     }
 
     /// Takes steps of another length [s] from now on. Time is counted in steps: that of those done changes, too.
-    pub fn set_dt(&mut self, dt: f64) {
+    pub fn set_dt(&mut self, dt: f64) -> Result<(), TimeStepError> {
+        if !(dt > 0.0 && dt.is_finite()) {
+            return Err(TimeStepError::NotPositive { dt });
+        }
         self.near.look_anew();
         self.dt = dt;
+        Ok(())
     }
 
     /// Simulated time [s].

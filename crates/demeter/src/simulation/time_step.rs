@@ -114,6 +114,12 @@ impl TimeScale {
 /// Why there is no automatic time step.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TimeStepError {
+    /// The step is no positive number.
+    #[error("a time step of {dt} s is none; it must be finite and above 0")]
+    NotPositive {
+        /// The step [s].
+        dt: f64,
+    },
     /// There is no contact whose time scale could be asked.
     #[error("an automatic time step needs grains: there is none, so give `time_step` a value such as \"1e-5 s\"")]
     NoGrains,

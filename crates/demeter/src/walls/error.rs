@@ -7,6 +7,14 @@ use thiserror::Error;
 /// Why a wall was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum WallError {
+    /// There is no such wall.
+    #[error("there is no wall {index}: {count} walls are counted from 0")]
+    NoSuchWall {
+        /// The index that was told.
+        index: usize,
+        /// Number of walls.
+        count: usize,
+    },
     /// A number is infinite, not a number, or so large that its square overflows.
     #[error("{field} of the wall is {value}; every coordinate must be finite and at most 1e100 m in magnitude")]
     NotFinite {

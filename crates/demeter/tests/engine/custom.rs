@@ -1,9 +1,12 @@
 //! Custom forces, custom motions of walls, changes from outside, and runs in the hands of a caller.
 
 use demeter::contacts::Fault;
+use demeter::materials::{Material, Materials, PairChoice};
 use demeter::scenario::{LiveRun, Observer, Pause, Progress, RunEnd, RunOptions, Scenario, Until};
 use demeter::simulation::{CustomForce, CustomMotion, ForceMoment, GrainLoads, Simulation};
 use demeter::walls::Motion;
+use demeter_physics::contact::LawChoice;
+use demeter_physics::parameters::Values;
 use glam::DVec3;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -365,6 +368,54 @@ fn changes_from_outside_are_booked() {
     one[0] = one[1];
     let error = run.change(|sim| sim.set_positions(&one)).unwrap_err();
     assert!(error.to_string().contains("overlaps"), "{error}");
+}
+
+#[test]
+fn what_a_program_tells_wrongly_is_refused() {
+    let mut run = live(1);
+    let motion = || CustomMotion::Velocity(Box::new(|_| Ok(DVec3::X)));
+    let absent = run.change(|sim| sim.drive_wall(9, motion())).unwrap_err().to_string();
+    assert!(absent.contains("there is no wall 9: 2 walls"), "{absent}");
+    let absent = run
+        .change(|sim| sim.set_wall_motion(2, Motion::Rest.into()))
+        .unwrap_err();
+    assert!(absent.to_string().contains("there is no wall 2"), "{absent}");
+    for dt in [0.0, -1e-6, f64::NAN, f64::INFINITY] {
+        let refused = run.change(|sim| sim.set_dt(dt)).unwrap_err().to_string();
+        assert!(refused.contains("must be finite and above 0"), "{refused}");
+    }
+    let list = run.with_simulation(|sim| sim.materials.list().to_vec());
+    let bound = |change: &dyn Fn(&mut Material)| {
+        let mut list = list.clone();
+        change(&mut list[0]);
+        // refused before any law is asked
+        let normal = LawChoice {
+            law: "none".to_string(),
+            parameters: Values::default(),
+        };
+        let laws = PairChoice {
+            normal,
+            tangential: None,
+            rolling: None,
+            multi_contact: None,
+        };
+        Materials::new(list, |_, _| laws.clone()).map(drop)
+    };
+    type Change = fn(&mut Material);
+    let wrong: [(Change, &str); 5] = [
+        (|m| m.young_modulus = f64::NAN, "`young_modulus` is NaN"),
+        (|m| m.young_modulus = 0.0, "`young_modulus` is 0"),
+        (|m| m.poisson_ratio = 2.0, "`poisson_ratio` is 2"),
+        (|m| m.poisson_ratio = -1.0, "`poisson_ratio` is -1"),
+        (|m| m.density = -1.0, "`density` is -1"),
+    ];
+    for (change, what) in wrong {
+        let refused = bound(&change).unwrap_err().to_string();
+        assert!(
+            refused.contains("material `glass`") && refused.contains(what),
+            "{refused}"
+        );
+    }
 }
 
 #[test]

@@ -112,6 +112,24 @@ fn the_time_step_follows_springs_and_dampers_of_free_walls() {
 }
 
 #[test]
+fn a_stage_that_is_shorter_than_a_step_is_told() {
+    let text = |duration: &str| {
+        let text = free_plate("\"rest\"", "").replace("motion = \"rest\"", "");
+        text.replace("20 us", duration)
+    };
+    let warns = |duration: &str| {
+        let prepared = prepare(&parse(&text(duration))).unwrap();
+        let dt = prepared.setup.dt;
+        let told = |warning: &String| warning.contains("less than a time step") && warning.contains("takes one step");
+        (dt, prepared.warnings.iter().any(told))
+    };
+    let (dt, is_told) = warns("20 us");
+    assert!(dt < 20e-6 && !is_told, "{dt}");
+    assert!(warns(&format!("{:e} s", 0.5 * dt)).1);
+    assert!(!warns(&format!("{dt:e} s")).1);
+}
+
+#[test]
 fn a_wall_at_no_finite_place_ends_the_run() {
     let unstable = "time_step = \"1 us\"\nallow_unsafe_time_step = true";
     let (report, told, log) = ended(&free_plate(SPRING, unstable).replace("20 us", "2 ms"));

@@ -28,7 +28,7 @@ fn stroke(packing: &Packing, model: Model, and_back: bool) -> Stroke {
     // a whole number of steps to every hundredth of strain
     let hundredth = 0.01 * packing.touch / SPEED;
     let steps = (hundredth / sim.dt()).ceil();
-    sim.set_dt(hundredth / steps);
+    sim.set_dt(hundredth / steps).unwrap();
     let mut run = Stroke {
         forces: [0.0; 3],
         energies: [Energies::default(); 3],

@@ -254,7 +254,7 @@ fn a_pendulum_swings_with_its_period_in_a_run() {
         };
         case.wall(0, shape, Motion::Free(hinge));
         let mut sim = case.simulation();
-        sim.set_dt(1e-4);
+        sim.set_dt(1e-4).unwrap();
         // T = 2 pi sqrt(2 L/(3 g)) (1 + start^2/16 + 11 start^4/3072)
         let period = 2.0
             * std::f64::consts::PI

@@ -136,12 +136,25 @@ pub enum LawError {
         /// Everything that is wrong.
         errors: Vec<ParameterError>,
     },
+    /// A material cannot be.
+    #[error("material `{name}`: `{what}` is {value}; it must be {allowed}")]
+    Material {
+        /// The material.
+        name: String,
+        /// Which of its constants.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it may be.
+        allowed: &'static str,
+    },
 }
 
 impl LawError {
-    /// Name of the law at fault.
+    /// Name of the law at fault, or of the material.
     pub fn law(&self) -> &str {
         match self {
+            Self::Material { name, .. } => name,
             Self::Unknown { name, .. } => name,
             Self::Parameters { law, .. } => law,
         }

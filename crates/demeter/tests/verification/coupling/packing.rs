@@ -155,7 +155,7 @@ impl Packing {
         let speed = 0.1 * (to - self.height).signum();
         let mut sim = self.simulation(model, Motion::Velocity(DVec3::Z * speed));
         let steps = ((to - self.height) / speed / sim.dt()).ceil();
-        sim.set_dt((to - self.height) / speed / steps);
+        sim.set_dt((to - self.height) / speed / steps).unwrap();
         for _ in 0..steps as u64 {
             sim.step().unwrap();
         }

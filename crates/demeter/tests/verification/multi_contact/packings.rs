@@ -57,5 +57,5 @@ pub fn make_unstoppable(sim: &mut Simulation) {
     for g in 0..grains.len() {
         grains.set_size(g, grains.radius(g), 1e25 * grains.mass(g));
     }
-    sim.set_dt(1.0);
+    sim.set_dt(1.0).unwrap();
 }
