@@ -252,6 +252,11 @@ impl<'py> Watcher<'py> {
     }
 }
 
+/// The logger of the module, of Python's `logging`.
+pub fn logger(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    py.import("logging")?.call_method1("getLogger", ("demeter",))
+}
+
 /// What a run says.
 #[derive(Default)]
 pub struct Messages {
@@ -266,7 +271,7 @@ impl Messages {
         if self.list.len() <= from {
             return Ok(());
         }
-        let log = py.import("logging")?.call_method1("getLogger", ("demeter",))?;
+        let log = logger(py)?;
         for text in &self.list[from..] {
             match text.strip_prefix("warning: ") {
                 Some(warning) => log.call_method1("warning", ("%s", warning))?,

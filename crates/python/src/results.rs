@@ -1,6 +1,7 @@
 //! What runs left in their folders, as arrays.
 
 use crate::aside::aside;
+use crate::control::logger;
 use crate::convert::{index, path, vectors};
 use crate::errors::{OrRaise, out_of_range};
 use engine::output::vtp::{Array, PolyData, Values};
@@ -38,7 +39,8 @@ pub fn columns_dict<'py>(py: Python<'py>, columns: &Columns) -> PyResult<Bound<'
     Ok(dict)
 }
 
-/// The series of a run as a dict of columns, titled with their units: ``pandas.DataFrame(demeter.read_series(folder))``.
+/// The series of a run as a dict of columns, titled with their units: ``pandas.DataFrame(demeter.read_series(folder))``. Rows that a
+/// finished run lacks are told as a warning to ``logging``.
 ///
 /// Parameters
 /// ----------
@@ -47,14 +49,21 @@ pub fn columns_dict<'py>(py: Python<'py>, columns: &Columns) -> PyResult<Bound<'
 #[pyfunction]
 pub fn read_series<'py>(py: Python<'py>, folder: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyDict>> {
     let folder = path(folder, "folder")?;
-    let columns = aside(py, || {
+    let (columns, lacking) = aside(py, || {
         if folder.is_file() {
-            Columns::read(&folder)
-        } else {
-            Columns::series_of(&folder)
+            return (Columns::read(&folder), None);
         }
+        let columns = Columns::series_of(&folder);
+        let shortfall = |columns| Run::open(&folder).ok()?.shortfall(columns).ok()?;
+        let lacking = columns.as_ref().ok().and_then(shortfall);
+        (columns, lacking)
     })?;
-    columns_dict(py, &columns.or_raise(py)?)
+    let columns = columns.or_raise(py)?;
+    if let Some(problem) = lacking {
+        let told = format!("`{}`: {problem}", columns.path().display());
+        logger(py)?.call_method1("warning", ("%s", told))?;
+    }
+    columns_dict(py, &columns)
 }
 
 /// The frames of a run: a list of (step, time [s]).

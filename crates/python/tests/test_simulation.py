@@ -434,6 +434,17 @@ def interrupted(bed, tmp_path):
     assert sim.steps == steps + 5
 
 
+def test_rows_that_a_finished_run_lacks_are_told(bed, tmp_path, caplog):
+    folder = tmp_path / "run"
+    demeter.Simulation(bed, out=folder).run()
+    rows = len(demeter.read_series(folder)["step"])
+    assert not caplog.records
+    lines = (folder / "series.csv").read_text().splitlines(keepends=True)
+    (folder / "series.csv").write_text("".join(lines[:6]))
+    assert len(demeter.read_series(folder)["step"]) == 5 < rows
+    assert len(caplog.records) == 1 and "rows are missing" in caplog.text and "series.csv" in caplog.text
+
+
 def test_folders_series_frames_and_resume(bed, tmp_path):
     folder = tmp_path / "run"
     sim = demeter.Simulation(bed, out=folder)
