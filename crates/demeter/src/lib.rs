@@ -7,6 +7,8 @@
 //!     <- measure, output <- results <- report <- compare <- scenario <- calibrate, interchange, render, sweep
 //! ```
 //!
+//! A program that uses it reads a [`scenario::Scenario`] and goes on with a [`scenario::LiveRun`]; `book/src/from-rust.md` holds one.
+//!
 //! The book (`book/src`; `cargo xtask book` makes it) begins with a first run, lists all keys of a scenario, and tells how this works:
 //! contacts over the window of a step (`time-centred.md`), the energy books (`ledger.md`), the same bits everywhere
 //! (`same-bits.md`).

@@ -139,3 +139,12 @@ fn the_units_of_the_book_are_those_that_there_are() {
         assert!(text.contains(&format!("`{prefix}`")), "{prefix}");
     }
 }
+
+#[path = "../../../../book/src/files/sinking.rs"]
+#[allow(clippy::print_stdout, reason = "a program of a user prints")]
+mod sinking;
+
+#[test]
+fn the_program_of_the_chapter_for_rust_works() {
+    sinking::main().unwrap();
+}
