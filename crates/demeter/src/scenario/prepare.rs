@@ -124,6 +124,14 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
             tag.at
         ));
     }
+    for feed in &scenario.feeds {
+        if let Some(every) = feed.every.filter(|every| *every > end) {
+            warnings.push(format!(
+                "feed `{}` lets grains come every {every:.4e} s, and the stages end at {end:.4e} s at the latest: none comes",
+                feed.name
+            ));
+        }
+    }
     let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
     let fed = estimates::fed(scenario, &stages);
     let most = grains.len() as f64 + fed.grains;

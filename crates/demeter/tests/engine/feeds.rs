@@ -102,6 +102,15 @@ fn all_come_that_are_due_before_a_feed_ends() {
         assert_eq!((came, behind), (100.0, 0.0), "{every}: {messages:?}");
         assert!(!messages.iter().any(|m| m.contains("warning")), "{messages:?}");
     }
+    // the first time to come would be after the end
+    let (came, _, messages) = until_20_ms(wide, "every = \"60 ms\"");
+    assert!(
+        came == 0.0
+            && messages
+                .iter()
+                .any(|m| m.contains("the stages end at") && m.contains("none comes")),
+        "{messages:?}"
+    );
     // those that find no room until then are not forgotten
     let narrow = r#"half_u = "0.6 0 0 mm", half_v = "0 0.6 0 mm""#;
     let (came, behind, messages) = until_20_ms(narrow, "");
