@@ -392,7 +392,10 @@ fn cut(points: &mut [(f64, f64)], x: AxisSpec, y: AxisSpec) -> usize {
 
 fn column<'t>(table: &'t Columns, name: &str) -> Result<&'t Column, Failure> {
     table.find(name).ok_or_else(|| {
-        let meant = did_you_mean(name, table.all().iter().map(Column::name));
+        let meant = match Path::new(name).exists() {
+            true => " It is a file or a folder: runs beside the first are named behind `--with`.".to_owned(),
+            false => did_you_mean(name, table.all().iter().map(Column::name)),
+        };
         let file = table.path();
         let folder = file.parent().filter(|_| file.ends_with("series.csv"));
         let path = folder.unwrap_or(file).display();

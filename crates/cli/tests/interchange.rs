@@ -252,6 +252,7 @@ fn columns_are_listed_and_drawn() {
             "Did you mean `kinetic energy`? `demeter plot run` lists them",
         ),
         (&["plot", "run", "time", "stage"], "holds words"),
+        (&["plot", "run", "fall.toml", "time"], "are named behind `--with`"),
         (
             &["plot", "run", "time", "contacts", "--out", "a.gif"],
             "neither .svg nor .png",

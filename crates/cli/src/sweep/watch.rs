@@ -138,7 +138,7 @@ impl<'a> Watch<'a> {
                 bar.set_message(text());
             }
             None if Instant::now() >= self.next_line => {
-                note(&format!("{:3.0} %  {}", 100.0 * self.share(), text()));
+                note(&format!("{:3.0} % of what was left; {}", 100.0 * self.share(), text()));
                 self.next_line = Instant::now() + LINE_INTERVAL;
             }
             None => {}
