@@ -132,6 +132,10 @@ impl Lattice {
         if total > f64::from(MAX_GRAINS) {
             return Err(LatticeError::TooManySites { sites: total });
         }
+        // however long a region is that is too thin
+        if total == 0.0 {
+            return Err(LatticeError::NoSites);
+        }
         Ok((first, cells.map(|n| n as u64)))
     }
 
@@ -147,5 +151,30 @@ impl Lattice {
             })
             .find(|place| space.holds(*place, radius))
             .unwrap_or(site)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::spec::Region;
+    use super::*;
+
+    #[test]
+    fn a_region_that_is_too_thin_has_no_sites_however_long() {
+        let lattice = Lattice {
+            kind: LatticeKind::Bcc,
+            spacing: 0.3,
+            jitter: 0.0,
+            count: None,
+        };
+        let (edges, sites) = cell(lattice.kind);
+        for thin in 0..3 {
+            let mut upper = DVec3::splat(1e12);
+            upper[thin] = 0.1;
+            let lower = DVec3::ZERO;
+            let space = Space::new(&Region::Box { lower, upper }, None).unwrap();
+            let found = lattice.cells(&space, edges * lattice.spacing, sites.len());
+            assert_eq!(found, Err(LatticeError::NoSites));
+        }
     }
 }
