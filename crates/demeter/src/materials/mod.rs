@@ -9,7 +9,11 @@ use demeter_physics::contact::normal::NormalLaw;
 use demeter_physics::contact::rolling::RollingLaw;
 use demeter_physics::contact::tangential::TangentialLaw;
 use demeter_physics::contact::{Elastic, LawChoice, LawError, MaterialPair, PairLaw};
+use demeter_physics::parameters::Range;
 use serde::{Deserialize, Serialize};
+
+/// Poisson's ratio of a stable isotropic solid: `-1 < nu <= 1/2`.
+pub(crate) const POISSON: Range = Range::new(-1.0, false, 0.5, true);
 
 /// A material.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,24 +31,23 @@ pub struct Material {
 impl Material {
     /// Refuses constants that no body has.
     fn check(&self) -> Result<(), LawError> {
-        let is_positive = |value: f64| value > 0.0 && value.is_finite();
-        let positive = "finite and above 0";
-        let poisson = self.poisson_ratio;
-        let (what, value, allowed) = if !is_positive(self.young_modulus) {
-            ("young_modulus", self.young_modulus, positive)
-        } else if !is_positive(self.density) {
-            ("density", self.density, positive)
-        } else if !(poisson > -1.0 && poisson <= 0.5) {
-            ("poisson_ratio", poisson, "above -1 and at most 0.5")
-        } else {
-            return Ok(());
-        };
-        Err(LawError::Material {
-            name: self.name.clone(),
-            what,
-            value,
-            allowed,
-        })
+        let constants = [
+            ("young_modulus", self.young_modulus, Range::POSITIVE),
+            ("poisson_ratio", self.poisson_ratio, POISSON),
+            ("density", self.density, Range::POSITIVE),
+        ];
+        match constants
+            .into_iter()
+            .find(|(_, value, allowed)| !allowed.contains(*value))
+        {
+            None => Ok(()),
+            Some((what, value, allowed)) => Err(LawError::Material {
+                name: self.name.clone(),
+                what,
+                value,
+                allowed,
+            }),
+        }
     }
 
     /// The elastic constants.

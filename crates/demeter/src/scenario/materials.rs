@@ -5,7 +5,7 @@ use super::diagnostics::Diagnostics;
 use super::document::{Value, join};
 use super::quantity::Kind;
 use super::reader::{Item, MAX_LABEL, TableReader, is_label, suggest_or_list};
-use crate::materials::{Material, PairChoice};
+use crate::materials::{Material, POISSON, PairChoice};
 use demeter_physics::contact::{LawChoice, LawInfo, laws as all_laws, multi_contact, normal, rolling, tangential};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::{
@@ -14,9 +14,6 @@ use demeter_physics::parameters::{
 
 /// Most materials: the laws of every pair are kept.
 pub const MAX_MATERIALS: usize = 256;
-
-/// Poisson's ratio of a stable isotropic solid: `-1 < nu <= 1/2`.
-const POISSON: Range = Range::new(-1.0, false, 0.5, true);
 
 /// Contact laws of every pair of materials.
 #[derive(Clone, Debug, PartialEq)]

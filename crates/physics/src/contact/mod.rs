@@ -22,7 +22,7 @@ mod conformance;
 
 use crate::dimension::Dimension;
 use crate::lanes::Lanes;
-use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Values};
+use crate::parameters::{Alternatives, ParameterError, ParameterInfo, Range, Values};
 
 /// Elastic constants of one material.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,7 +137,7 @@ pub enum LawError {
         errors: Vec<ParameterError>,
     },
     /// A material cannot be.
-    #[error("material `{name}`: `{what}` is {value}; it must be {allowed}")]
+    #[error("material `{name}`: `{what}` is {value}; it must be finite and {allowed}")]
     Material {
         /// The material.
         name: String,
@@ -146,7 +146,7 @@ pub enum LawError {
         /// Its value.
         value: f64,
         /// What it may be.
-        allowed: &'static str,
+        allowed: Range,
     },
 }
 

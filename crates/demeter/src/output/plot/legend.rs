@@ -25,46 +25,47 @@ pub(super) fn legend(plot: &Plot, on: &mut dyn Canvas, x: &Axis, y: &Axis) {
         return;
     }
     let left_out = named.len().saturating_sub(MOST_ENTRIES);
-    let (first, last) = named.split_at(named.len() - 1);
-    let first = &first[..first.len() - left_out];
-    let more = (left_out > 0).then(|| format!("and {left_out} between them"));
-    let names = first.iter().chain(last).map(|(_, s)| &*s.name).chain(more.as_deref());
-    let longest = names.map(|name| name.chars().count()).max().unwrap_or(0);
+    let mut entries: Vec<(Option<usize>, &str)> = named.iter().map(|(k, s)| (Some(*k), &*s.name)).collect();
+    let more = format!("and {left_out} between them");
+    if left_out > 0 {
+        let last = entries.len() - 1;
+        entries.splice(last - left_out..last, [(None, &*more)]);
+    }
+    let longest = entries.iter().map(|(_, name)| name.chars().count()).max().unwrap_or(0);
     let width = 60.0 + LETTER * longest as f64;
-    let height = 12.0 + ENTRY * (first.len() + more.iter().len() + last.len()) as f64;
+    let height = 12.0 + ENTRY * entries.len() as f64;
     let Some((left, top)) = place(plot, x, y, (width, height)) else {
         return;
     };
     on.card([left, top, width, height]);
-    let line = |entry: usize| top + 17.0 + ENTRY * entry as f64;
-    if let Some(more) = &more {
-        on.text(
-            (left + 46.0, line(first.len()) + 5.0),
-            &Label::plain(&**more),
-            Letters::new(Anchor::Start),
-        );
-    }
-    let lines = (0..first.len()).chain([first.len() + more.iter().len()]).map(line);
-    for (line, &(place, series)) in lines.zip(first.iter().chain(last)) {
-        let width = if series.look == Look::Circles {
-            series.look.width()
-        } else {
-            2.0
-        };
-        let pen = Pen {
-            colour: colour(series, place),
-            width,
-            look: series.look,
-        };
-        match series.look {
-            Look::Circles => on.circles(&[(left + 24.0, line)], pen),
-            _ => on.lines(&[vec![(left + 10.0, line), (left + 38.0, line)]], pen),
+    for (entry, (series, name)) in entries.into_iter().enumerate() {
+        let line = top + 17.0 + ENTRY * entry as f64;
+        if let Some(place) = series {
+            sample(&plot.series[place], place, (left, line), on);
         }
         on.text(
             (left + 46.0, line + 5.0),
-            &Label::plain(&*series.name),
+            &Label::plain(name),
             Letters::new(Anchor::Start),
         );
+    }
+}
+
+/// Draws a piece of a series beside its name.
+fn sample(series: &Series, place: usize, (left, line): (f64, f64), on: &mut dyn Canvas) {
+    let width = if series.look == Look::Circles {
+        series.look.width()
+    } else {
+        2.0
+    };
+    let pen = Pen {
+        colour: colour(series, place),
+        width,
+        look: series.look,
+    };
+    match series.look {
+        Look::Circles => on.circles(&[(left + 24.0, line)], pen),
+        _ => on.lines(&[vec![(left + 10.0, line), (left + 38.0, line)]], pen),
     }
 }
 
