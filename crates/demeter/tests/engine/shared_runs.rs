@@ -262,6 +262,32 @@ fn grains_far_away_are_those_of_one_process() {
 }
 
 #[test]
+fn a_changed_run_goes_on_with_several_processes_as_with_one() {
+    let place = tempfile::tempdir().unwrap();
+    let scenario = mixer(&[]);
+    let changed = RunOptions {
+        changed: true,
+        ..OPTIONS
+    };
+    let folders = [1, 2, 3].map(|count| (count, place.path().join(count.to_string())));
+    for (count, folder) in &folders {
+        let begun = run(&scenario, folder, OPTIONS, &mut Silent(Some(200))).unwrap();
+        assert_eq!(begun.end, RunEnd::Interrupted);
+        let file = folder.join("scenario.toml");
+        let text = fs::read_to_string(&file).unwrap();
+        let other = text.replace("friction = 0.4", "friction = 0.2");
+        assert_ne!(text, other);
+        fs::write(&file, other).unwrap();
+        for end in on_ranks(*count, |rank| {
+            resume_shared(folder, changed, rank, &mut Silent(None)).unwrap().end
+        }) {
+            assert_eq!(end, RunEnd::Finished);
+        }
+        assert_same(&folders[0].1, folder);
+    }
+}
+
+#[test]
 fn a_run_goes_on_with_other_numbers_of_processes() {
     let place = tempfile::tempdir().unwrap();
     let (one, parts) = (place.path().join("one"), place.path().join("parts"));

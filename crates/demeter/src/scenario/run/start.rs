@@ -9,11 +9,11 @@ use crate::output::RunFolder;
 use crate::scenario::Scenario;
 use crate::scenario::differences::line_differences;
 use crate::scenario::input_files::InputFile;
-use crate::scenario::prepare::prepare;
+use crate::scenario::prepare::{prepare, prepare_to_resume};
 use crate::scenario::report::Report;
 use crate::scenario::run_error::RunError;
 use crate::scenario::run_options::{MOST_THREADS, RunOptions};
-use crate::simulation::StateError;
+use crate::simulation::{Simulation, SimulationState, StateError};
 use std::path::Path;
 
 /// Runs a scenario and writes its results into a folder.
@@ -125,7 +125,13 @@ fn resume_among(
     thread_pool(options.threads)?.install(|| {
         let resumed = state.map(|(state, former)| {
             let mut runner = Runner::resume(&scenario, state, Some(&folder), observer)?;
-            (former.map_or(Ok(()), |former| runner.go_on_otherwise(&former, observer))).map(|()| runner)
+            if let Some(former) = former {
+                runner.go_on_otherwise(&former, observer)?;
+                if ranks.is_some() {
+                    runner.begin_anew()?;
+                }
+            }
+            Ok(runner)
         });
         let mut runner = Runner::among(&scenario, resumed, ranks, &options, observer)?;
         runner.run_to_the_end(folder.root(), observer)
@@ -240,6 +246,18 @@ impl<'a> Runner<'a> {
         options.apply(&mut runner.sim);
         runner.share(ranks, observer)?;
         Ok(runner)
+    }
+
+    /// Goes on from what a checkpoint would hold now, as the others do with which the run is to be shared: whatever else they do not know.
+    fn begin_anew(&mut self) -> Result<(), RunError> {
+        // encoding into memory fails for no value of ours
+        let bytes = postcard::to_stdvec(&self.sim.state()).unwrap_or_default();
+        let unreadable = |_| StateError::Inconsistent("what the first process has");
+        let state: SimulationState<'static> = postcard::from_bytes(&bytes).map_err(unreadable)?;
+        let mut setup = prepare_to_resume(self.scenario, *self.sim.domain())?;
+        setup.dt = state.dt;
+        self.sim = Simulation::resume(setup, state)?;
+        Ok(())
     }
 
     /// What others need to go on with this run, but for what each of them is handed of the grains.
