@@ -1,6 +1,7 @@
 //! Measures of packings whose contacts, forces and volumes are known by hand, and their files through a restart.
 
 use crate::cases::{Case, Laws, law, one_material};
+use crate::exchange::{parse, run_in, series, watcher};
 use demeter::contacts::Coupling;
 use demeter::materials::{Material, Materials};
 use demeter::measure::{
@@ -500,4 +501,49 @@ fn check_files([series, all, strong]: &[String; 3]) {
 /// Title of a bin of 0.02 mN.
 fn bin_title(k: u32) -> String {
     format!("{}e-5", 2 * k).parse::<f64>().unwrap().to_string()
+}
+
+/// Two pairs: one pushes as hard as the other pulls, so that the sum of their forces is 0 and that of the magnitudes is not.
+#[test]
+fn the_fabric_of_sticky_grains_weighs_pulls_like_pushes() {
+    let text = r#"
+[simulation]
+max_overlap = 0.3
+time_step = "1e-7 s"
+[domain]
+lower = "-5 -5 -5 mm"
+upper = "15 15 15 mm"
+[material.g]
+young_modulus = "1 MPa"
+poisson_ratio = 0.25
+density = "2500 kg/m^3"
+[contact]
+normal = { law = "sjkr", cohesion_energy_density = "20000 Pa", alpha = 0.5 }
+[[grains]]
+material = "g"
+source = "list"
+diameter = "1 mm"
+positions = ["0 0 0 mm", "0.99048239 0 0 mm", "5 0 0 mm", "5 0.99799 0 mm"]
+[[measure]]
+name = "all"
+kind = "fabric"
+[[stage]]
+steps = 1
+[output]
+series = "1e-7 s"
+frames = "never"
+picture = false
+report = false
+"#;
+    let place = tempfile::tempdir().unwrap();
+    run_in(&parse(text), place.path(), 1, &mut watcher());
+    let of = |column: &str| series(place.path())[&format!("all {column}")][0];
+    for (column, expected) in [
+        ("force fabric xx", 0.5),
+        ("force fabric yy", 0.5),
+        ("force fabric anisotropy", 0.5),
+        ("strong force share", 0.5),
+    ] {
+        assert!((of(column) - expected).abs() < 1e-3, "{column}: {}", of(column));
+    }
 }
