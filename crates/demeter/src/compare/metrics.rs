@@ -36,7 +36,8 @@ pub struct Pair {
     pub reference: Mean,
 }
 
-/// `Rtop`: the force of the run at the largest compression of the reference over the force of the reference there.
+/// `Rtop`: the force of the run at the largest compression of the reference over the force of the reference there. Where a run goes on
+/// beyond it, the force is that of its loading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TopRatio {
     /// The ratio.
@@ -168,8 +169,14 @@ fn rtop(run: &Strokes, reference: &Strokes) -> Metric<TopRatio> {
     let Some(top) = highest(tops, reference) else {
         return left_out("the reference tells no force");
     };
+    // a run that goes on beyond it unloads there with less than it was loaded with
+    let ends = Phase::ALL.map(|phase| run.top(phase, |level| level.force.is_some()));
+    let turns_there = highest(ends, run).is_none_or(|end| is_at(top, end, run));
     let mut both: Vec<(Mean, Mean)> = Vec::new();
     for (phase, level) in Phase::ALL.into_iter().zip(tops) {
+        if phase == Phase::Unloading && !turns_there && !both.is_empty() {
+            continue;
+        }
         let Some(level) = level.filter(|level| is_at(level, top, reference)) else {
             continue;
         };
@@ -211,7 +218,7 @@ fn highest<'a>(tops: [Option<&'a Level>; 2], reference: &Strokes) -> Option<&'a 
     all.max_by(|a, b| a.position.total_cmp(&b.position))
 }
 
-/// Whether the top of a phase is the top of both.
+/// Whether a level is at the top of both phases.
 fn is_at(level: &Level, top: &Level, reference: &Strokes) -> bool {
     let positions = || {
         Phase::ALL

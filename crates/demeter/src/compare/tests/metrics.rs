@@ -29,6 +29,34 @@ fn the_force_is_compared_with_a_measured_curve() {
     assert!(found.errz_at.is_none() && found.remarks.is_empty());
 }
 
+/// Less in unloading than in loading, but at the turn.
+fn with_a_loop(m: Moment) -> f64 {
+    let missing = if m.loading { 0.0 } else { 20.0 * (TOP - m.strain) };
+    10.0 * m.strain - missing
+}
+
+#[test]
+fn a_run_that_goes_beyond_the_top_of_the_reference_is_told_by_its_loading() {
+    let run = Made {
+        force: with_a_loop,
+        ..Made::default()
+    };
+    let run = run.read(&Reading::default());
+    let ratio = |reference: &str| compare(&run, &measured(reference).unwrap(), NONE).rtop.unwrap().value;
+    // the turn of the reference: 1.5 N in loading, 0.5 N in unloading
+    assert!(near(
+        ratio("strain,loading force [N],unloading force [N]\n0.1,1,0.4\n0.15,3,3\n"),
+        0.5
+    ));
+    // where the run turns, too, both tell it
+    assert!(near(
+        ratio("strain,loading force [N],unloading force [N]\n0.1,1,0.4\n0.2,4,4\n"),
+        0.5
+    ));
+    // a reference that tells unloading alone is held against unloading
+    assert!(near(ratio("strain,unloading force [N]\n0.1,0.4\n0.15,1\n"), 0.5));
+}
+
 #[test]
 fn what_the_run_does_not_reach_is_left_out() {
     let run = Made::default().read(&Reading::default());
