@@ -5,7 +5,7 @@ use crate::errors::{wrong_type, wrong_value};
 use crate::force_state::{Arrays, ForceState};
 use engine::simulation::{CustomForce, ForceMoment, GrainLoads};
 use glam::DVec3;
-use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{PyReadonlyArray2, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::PyTraverseError;
 use pyo3::gc::PyVisit;
 use pyo3::prelude::*;
@@ -187,8 +187,22 @@ pub fn rows(array: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<DVec3>> {
         .collect())
 }
 
+/// Whether entries of an array are masked: NumPy gives what lies behind the mask to whoever does not ask.
+fn is_masked(array: &Bound<'_, PyAny>) -> PyResult<bool> {
+    if array.is_exact_instance_of::<PyUntypedArray>() {
+        return Ok(false);
+    }
+    let masks = array.py().import("numpy.ma")?;
+    masks.call_method1("is_masked", (array,))?.extract()
+}
+
 /// An array of three columns, as it is where it has numbers of 64 bits.
 fn three_columns<'py>(array: &Bound<'py, PyAny>, what: &str) -> PyResult<PyReadonlyArray2<'py, f64>> {
+    if is_masked(array)? {
+        return Err(wrong_value(format!(
+            "`{what}` has masked entries, which are no numbers; fill them, as with `.filled(0)`"
+        )));
+    }
     if let Ok(read) = array.extract::<PyReadonlyArray2<'py, f64>>()
         && read.shape()[1] == 3
     {

@@ -30,9 +30,10 @@ pub struct Live {
 }
 
 impl Live {
-    /// Works on the simulation; arrays keep what they show.
+    /// Works on the simulation; arrays keep what they show, and a run that a fault has ended may go on.
     fn change<T: Send>(&mut self, work: impl FnOnce(&mut EngineSimulation) -> T + Send) -> T {
         self.part();
+        self.run.go_on_after_fault();
         self.run.change(work)
     }
 

@@ -97,6 +97,11 @@ CALLS = {
         ValueError,
         ["velocity", "grain", "NaN", "not finite"],
     ),
+    "masked velocities": (
+        lambda s: setattr(s, "velocities", np.ma.masked_less(np.full((50, 3), -1.0), 0.0)),
+        ValueError,
+        ["`velocities`", "masked", ".filled"],
+    ),
     "a ragged list": (lambda s: setattr(s, "velocities", [[0, 0, 0], [0, 0]]), TypeError, ["`velocities`", "(n, 3)"]),
     "a grain that is not there": (lambda s: s.indices([51]), KeyError, ["no grain 51", "50 with ids from 1 to 50"]),
     "an id that is no list": (lambda s: s.indices(17), TypeError, ["`ids`", "17", "as [17]"]),
@@ -336,6 +341,16 @@ def test_after_a_fault_the_run_says_so_again(bed):
         with pytest.raises(demeter.Fault, match="overlaps"):
             sim.run()
     assert np.isfinite(sim.positions).all() and len(sim.contacts()["i"]) >= 0
+    # and does not step over what its model does not cover
+    steps = sim.steps
+    with pytest.raises(demeter.Fault, match="overlaps"):
+        sim.step(10)
+    assert sim.steps == steps and not sim.finished
+    # until somebody changed it
+    sim.velocities = sim.velocities * 0.5
+    with pytest.raises(demeter.Fault, match="overlaps"):
+        sim.step(10)
+    assert sim.steps > steps
 
 
 def test_arrays_of_before_stay_when_grains_come(bed):

@@ -126,7 +126,7 @@ impl LiveRun {
     }
 
     /// Goes on. At the end of the protocol, and at a fault, what a run leaves behind is written; after a custom force or motion
-    /// failed it is not, for the run may go on.
+    /// failed it is not, for the run may go on. A run that another fault has ended tells it again.
     pub fn advance(&mut self, until: &Until, observer: &mut dyn Observer) -> Result<Pause, RunError> {
         if until.beyond && self.end.is_none() {
             // what a run leaves behind at its end is written before it goes beyond
@@ -143,6 +143,9 @@ impl LiveRun {
     }
 
     fn advance_to(&mut self, until: &Until, observer: &mut dyn Observer) -> Result<Pause, RunError> {
+        if let Some((fault @ RunEnd::Fault(_), _)) = &self.end {
+            return Ok(Pause::End(fault.clone()));
+        }
         let is_done = self.end.is_some();
         let (pause, summary) = self.in_threads(|runner| {
             let pause = runner.advance(until, observer)?;
@@ -162,6 +165,11 @@ impl LiveRun {
             }
         }
         Ok(pause)
+    }
+
+    /// Lets a run that a fault has ended go on, as when what led to it was changed.
+    pub fn go_on_after_fault(&mut self) {
+        self.end.take_if(|(end, _)| matches!(end, RunEnd::Fault(_)));
     }
 
     /// Lets the folder go, so that another run may be written there; this one must not go on within its protocol.
