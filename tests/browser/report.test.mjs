@@ -49,8 +49,8 @@ describe("the 3D view", () => {
         };
         const controls = page.locator(".scene-controls");
         const named = await controls.getByLabel("Colour grains by").locator("option").allTextContents();
-        assert.deepEqual(named.slice(0, 6), ["contact force", "speed", "mean normal stress", "coordination", "radius", "material"]);
-        for (const name of ["speed", "mean normal stress", "coordination", "radius", "material"]) {
+        assert.deepEqual(named.slice(0, 8), ["contact force", "speed", "spin", "mean normal stress", "coordination", "radius", "total force", "material"]);
+        for (const name of ["speed", "spin", "mean normal stress", "coordination", "radius", "total force", "material"]) {
             await controls.getByLabel("Colour grains by").selectOption(name);
             assert.match(await page.locator(".colour-key").textContent(), new RegExp(`^${name}`));
             await changes(`colouring by ${name}`);

@@ -153,10 +153,11 @@ fn a_frame_holds_grains_contacts_and_the_key_of_its_walls() {
     assert_eq!(frame.f32s("position")[3..6], [0.0, 0.0, 1.0]);
     assert_eq!(frame.f32s("radius"), [1.0, 1.0, 2.0]);
     assert_eq!(frame.f32s("speed"), [5.0, 5.0, 5.0]);
+    assert_eq!(frame.f32s("spin"), [10.0, 10.0, 10.0]);
     // grain 1 carries 2 N of grain 2 and 3 N of the wall
     assert_eq!(frame.f32s("contact force"), [0.0, 5.0, 2.0]);
     assert_eq!(frame.f32s("coordination"), [0.0, 2.0, 1.0]);
-    assert_eq!(frame.head["scalars"][5]["names"], serde_json::json!(["glass", "steel"]));
+    assert_eq!(frame.head["scalars"][7]["names"], serde_json::json!(["glass", "steel"]));
     assert_eq!(
         frame.head["contacts"],
         serde_json::json!({ "count": 2, "mean_force": 2.5 })

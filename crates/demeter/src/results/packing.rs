@@ -33,6 +33,8 @@ pub struct PackedGrains {
     pub radius: Vec<f64>,
     /// Speeds [m/s].
     pub speed: Vec<f64>,
+    /// Magnitudes of the angular velocities [rad/s].
+    pub spin: Vec<f64>,
     /// Indices of the materials.
     pub material: Vec<i32>,
     /// Names of the materials.
@@ -43,6 +45,8 @@ pub struct PackedGrains {
     pub tag: Option<Vec<i32>>,
     /// Sum of the magnitudes of the normal forces on the grain [N].
     pub force: Vec<f64>,
+    /// Magnitude of the sum of all forces on the grain [N].
+    pub total_force: Vec<f64>,
     /// Mean normal stress [Pa].
     pub pressure: Vec<f64>,
 }
@@ -176,9 +180,16 @@ impl Packing {
         let mut scalars = vec![
             plain("contact force", "N", force, g.force.clone()),
             plain("speed", "m/s", "", g.speed.clone()),
+            plain("spin", "rad/s", "magnitude of the angular velocity", g.spin.clone()),
             plain("mean normal stress", "Pa", stress, g.pressure.clone()),
             plain("coordination", "", "contacts that act, walls counted", coordination),
             plain("radius", "m", "", g.radius.clone()),
+            plain(
+                "total force",
+                "N",
+                "magnitude of the sum of all forces on the grain",
+                g.total_force.clone(),
+            ),
             Scalar {
                 names: Some(&g.materials),
                 is_label: true,
@@ -200,18 +211,23 @@ fn vectors(numbers: &[f64]) -> impl Iterator<Item = DVec3> {
 }
 
 fn read_grains(table: &mut TableFile) -> Result<PackedGrains, ResultsError> {
-    let velocity = table.floats("velocity", 3)?;
+    let mut magnitudes =
+        |name| -> Result<Vec<f64>, ResultsError> { Ok(vectors(&table.floats(name, 3)?).map(DVec3::length).collect()) };
+    let (speed, spin) = (magnitudes("velocity")?, magnitudes("angular_velocity")?);
+    let total_force = magnitudes("force")?;
     let has_tags = table.names().any(|name| name == "tag");
     Ok(PackedGrains {
         id: table.counts("id")?,
         position: table.points()?,
         radius: table.floats("radius", 1)?,
-        speed: vectors(&velocity).map(DVec3::length).collect(),
+        speed,
+        spin,
         material: table.integers("material")?,
         materials: table.texts(MATERIAL_NAMES).to_vec(),
         coordination: table.counts("coordination")?,
         tag: has_tags.then(|| table.integers("tag")).transpose()?,
         force: table.floats("contact_force", 1)?,
+        total_force,
         pressure: table.floats("mean_normal_stress", 1)?,
     })
 }
@@ -293,6 +309,6 @@ mod tests {
         // a partner beyond the side of a periodic box is drawn where its image is
         packing.grains.position[0].z += 100.0;
         assert_relative_eq!(packing.ends()[0][1].z, 1.9, max_relative = 1e-14);
-        assert_eq!(packing.scalars().len(), 6);
+        assert_eq!(packing.scalars().len(), 8);
     }
 }

@@ -170,7 +170,7 @@ fn texts_of_a_scenario_cannot_become_script() {
     let data = data(&page);
     assert_eq!(data["title"], EVIL);
     assert_eq!(data["packing"]["walls"][0]["name"], wall);
-    assert_eq!(data["packing"]["grains"]["scalars"][5]["names"][0], "<i>&'");
+    assert_eq!(data["packing"]["grains"]["scalars"][7]["names"][0], "<i>&'");
 }
 
 #[test]

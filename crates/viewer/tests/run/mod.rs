@@ -127,6 +127,7 @@ fn grains(step: u64, time: f64) -> PolyData {
             Array::new("material", 1, Values::Int32(vec![0, 0, 1])),
             Array::scalars("radius", [1.0, 1.0, 2.0]),
             vectors("velocity", DVec3::new(3.0, 4.0, 0.0)),
+            vectors("angular_velocity", DVec3::new(0.0, 6.0, 8.0)),
             vectors("force", DVec3::ZERO),
             Array::new("coordination", 1, Values::UInt32(vec![0, 2, 1])),
             Array::scalars("contact_force", [0.0, 5.0, 2.0]),
