@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::readable::word;
 use crate::suggestion::did_you_mean;
 use demeter::output::{AxisSpec, Look, Plot, Series};
-use demeter::results::{Column, Columns, ResultsError, Run};
+use demeter::results::{BIN, Column, Columns, IN_BIN, ResultsError, Run};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -22,7 +22,11 @@ pub fn plot(arguments: &PlotArguments) -> Result<Exit, Failure> {
     };
     let mut tables = Vec::new();
     for path in std::iter::once(&arguments.run).chain(&arguments.with) {
-        tables.push((name_of(path), read(path)?));
+        let table = read(path)?;
+        let asks = |name: &str| table.has_bins() && table.find(name).is_none() && [BIN, IN_BIN].contains(&name);
+        let of_bins = asks(x) || arguments.y.iter().any(|y| asks(signed(y).1));
+        let table = if of_bins { table.bins_as_rows() } else { table };
+        tables.push((name_of(path), table));
     }
     let drawing = Drawing { arguments, x };
     let plot = drawing.plot(&tables)?;
@@ -142,7 +146,13 @@ fn list(arguments: &PlotArguments) -> Result<(), Failure> {
         return answer_json(&json!({ "columns": all, "rows": columns.rows(), "tables": others }));
     }
     let mut rows = Rows::default();
-    for column in columns.all() {
+    // a row for each bin says less than the two columns that they make
+    let shown = if columns.has_bins() {
+        columns.bins_as_rows()
+    } else {
+        columns.clone()
+    };
+    for column in shown.all() {
         let unit = match column.numbers() {
             Some(_) => column.unit(),
             None => "words",
@@ -150,9 +160,10 @@ fn list(arguments: &PlotArguments) -> Result<(), Failure> {
         rows.add(column.name(), unit);
     }
     answer(&rows.lines())?;
-    let numbers = |name: &str| columns.all().iter().find(|c| c.name() == name && c.numbers().is_some());
-    let usual = numbers("time").zip(numbers("kinetic energy"));
-    let mut numeric = columns.all().iter().filter(|column| column.numbers().is_some());
+    let numbers = |name: &str| shown.all().iter().find(|c| c.name() == name && c.numbers().is_some());
+    let of_bins = numbers(BIN).zip(numbers(IN_BIN)).filter(|_| columns.has_bins());
+    let usual = of_bins.or_else(|| numbers("time").zip(numbers("kinetic energy")));
+    let mut numeric = shown.all().iter().filter(|column| column.numbers().is_some());
     if let Some((x, y)) = usual.or_else(|| numeric.next().zip(numeric.next())) {
         let [x, y] = [x, y].map(|column| word(column.name()));
         note(&format!(
@@ -317,11 +328,15 @@ impl Drawing<'_> {
         }
         if spans.iter().all(|(_, rows)| rows.len() == 1) {
             if !["last", "all"].contains(&self.arguments.at.as_str()) {
-                let message = format!(
-                    "--at is for distributions and profiles: `{}` has one row at a time; `--x-range` shows a part of it",
-                    table.path().display()
-                );
-                return Err(Failure::wrong(message));
+                let path = table.path().display();
+                let instead = if table.has_bins() {
+                    format!("`demeter plot {path} {BIN} {}` draws its bins", word(IN_BIN))
+                } else {
+                    "`--x-range` shows a part of it".to_owned()
+                };
+                return Err(Failure::wrong(format!(
+                    "--at is for distributions and profiles: `{path}` has one row at a time; {instead}"
+                )));
             }
             return Ok(vec![(None, rows)]);
         }

@@ -112,13 +112,33 @@ fn movie(
         }
     }
     options.region = region;
+    remove_numbered(&folder, moments.len())?;
     let mut files = Vec::with_capacity(moments.len());
     for (k, moment) in moments.iter().enumerate() {
-        let file = folder.join(format!("{k:05}.png"));
+        let file = folder.join(picture_name(k));
         draw(&LoadedFrame::read(run, moment.step)?, options, &file)?;
         files.push(file);
     }
     Ok(files)
+}
+
+/// Removes the pictures of an earlier, longer film, which would follow those that are drawn now.
+fn remove_numbered(folder: &Path, from: usize) -> Result<(), Failure> {
+    let failed =
+        |error: std::io::Error| Failure::io(format!("cannot clear the folder `{}`: {error}", folder.display()));
+    for entry in std::fs::read_dir(folder).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        let number = path.file_stem().and_then(|stem| stem.to_str()?.parse::<usize>().ok());
+        if number.is_some_and(|k| k >= from && path.file_name() == picture_name(k).file_name()) {
+            std::fs::remove_file(&path).map_err(failed)?;
+        }
+    }
+    Ok(())
+}
+
+/// Name of a picture of a film.
+fn picture_name(k: usize) -> PathBuf {
+    PathBuf::from(format!("{k:05}.png"))
 }
 
 fn draw(frame: &LoadedFrame, options: &PictureOptions, file: &Path) -> Result<(), Failure> {

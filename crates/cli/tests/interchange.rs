@@ -183,6 +183,64 @@ fn rows_of_one_moment_that_words_tell_apart_are_lines_of_their_own() {
 }
 
 #[test]
+fn bins_of_a_distribution_are_drawn_over_their_edges() {
+    let place = Place::new();
+    let rows: String = (0..3)
+        .flat_map(|step| ["grains", "walls"].map(|word| format!("{step},{word},9,{step},5,2,1\n")))
+        .collect();
+    place.write("forces.csv", &format!("step,between,contacts,0,0.25,0.5,above\n{rows}"));
+    let said = place.expect(0, &["plot", "forces.csv"]);
+    let listed: Vec<&str> = said
+        .out
+        .lines()
+        .map(|line| line.trim().split("  ").next().unwrap())
+        .collect();
+    assert_eq!(
+        listed,
+        ["step", "between", "contacts", "above", "bin", "in bin"],
+        "{}",
+        said.out
+    );
+    assert!(
+        said.err.contains("demeter plot forces.csv bin \"in bin\"") || said.err.contains("bin 'in bin'"),
+        "{}",
+        said.err
+    );
+    let draw = |at: &str| {
+        let run = ["plot", "forces.csv", "bin", "in bin", "--at", at];
+        let said = place.expect(0, &[&run[..], &["--points", "--out", "p.svg", "--json"]].concat());
+        let said: Value = serde_json::from_str(&said.out).unwrap();
+        (said["lines"].clone(), said["points"].clone())
+    };
+    assert_eq!(draw("last"), (json!(2), json!(6)));
+    assert_eq!(draw("all"), (json!(6), json!(18)));
+    // what is told at its first row: 0 in the first bin, then 5 and 2
+    place.expect(
+        0,
+        &[
+            "plot",
+            "forces.csv",
+            "bin",
+            "in bin",
+            "--at",
+            "0",
+            "--x-range",
+            "0.1..1",
+            "--log",
+            "y",
+            "--out",
+            "p.svg",
+        ],
+    );
+    let said = place.expect(2, &["plot", "forces.csv", "step", "contacts", "--at", "1"]);
+    assert!(
+        said.err.contains("draws its bins") && said.err.contains("plot forces.csv bin"),
+        "{}",
+        said.err
+    );
+}
+
+#[test]
 fn runs_of_a_sweep_keep_the_values_in_their_names() {
     let place = with_run();
     let names = ["restitution=0.3", "restitution=0.3_gravity=0-0--1.62-m-s-2_seed=1"];
@@ -321,6 +379,16 @@ fn frames_become_pictures() {
         said.err
     );
     assert!(place.path("film/00000.png").exists() && place.path("film/00001.png").exists());
+    // a longer film that was there leaves no pictures behind its own
+    for name in ["film/00099.png", "film/notes.png", "film/99.png"] {
+        fs::write(place.path(name), "").unwrap();
+    }
+    place.expect(
+        0,
+        &["render", "run", "--size", "400x300", "--frame", "all", "--out", "film"],
+    );
+    assert!(!place.path("film/00099.png").exists() && place.path("film/00001.png").exists());
+    assert!(place.path("film/notes.png").exists() && place.path("film/99.png").exists());
     for (arguments, part) in [
         (&["render", "run", "--colour", "sped"][..], "Did you mean `speed`?"),
         (

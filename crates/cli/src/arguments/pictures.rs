@@ -8,7 +8,8 @@ use std::path::PathBuf;
 pub struct PlotArguments {
     /// The folder of a run, or a CSV file that a run wrote (its series, a distribution, a profile)
     pub run: PathBuf,
-    /// Column of the horizontal axis, with or without its unit; all columns are listed when absent
+    /// Column of the horizontal axis, with or without its unit; all columns are listed when absent. Bins of a distribution are two
+    /// columns: `bin`, their lower edges, and `in bin`
     #[arg(requires = "y")]
     pub x: Option<String>,
     /// Columns of the vertical axis; behind `--`, a `-` before one turns its sign round: `-- "-wall top force z"`
@@ -25,7 +26,7 @@ pub struct PlotArguments {
     /// First and last value of the vertical axis
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     pub y_range: Option<String>,
-    /// Which moment of a distribution or profile: `last`, `all`, or a step
+    /// Which moment of the bins of a distribution, or of a profile: `last`, `all`, or a step
     #[arg(long, value_name = "STEP|all|last", default_value = "last")]
     pub at: String,
     /// Draw a circle at each row in place of a line

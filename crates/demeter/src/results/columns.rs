@@ -57,6 +57,21 @@ impl Column {
         }
     }
 
+    /// The cells of some rows.
+    fn taken(&self, some: impl Iterator<Item = usize>) -> Self {
+        let cells = match &self.cells {
+            Cells::Numbers(numbers) => Cells::Numbers(some.map(|row| numbers[row]).collect()),
+            Cells::Words { words, rows } => Cells::Words {
+                words: words.clone(),
+                rows: some.map(|row| rows[row]).collect(),
+            },
+        };
+        Self {
+            title: self.title.clone(),
+            cells,
+        }
+    }
+
     /// The word of a row, where it holds words.
     pub fn word(&self, row: usize) -> Option<&str> {
         match &self.cells {
@@ -65,6 +80,11 @@ impl Column {
         }
     }
 }
+
+/// Column of the lower edges of bins, in [`Columns::bins_as_rows`].
+pub const BIN: &str = "bin";
+/// Column of what bins hold, there.
+pub const IN_BIN: &str = "in bin";
 
 /// What reading on has found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -130,6 +150,47 @@ impl Columns {
     /// All columns, in order.
     pub fn all(&self) -> &[Column] {
         &self.columns
+    }
+
+    /// Columns that are bins of a distribution, as their titles, which are rising numbers, tell: their indices and lower edges.
+    fn bins(&self) -> Vec<(usize, f64)> {
+        let edge = |column: &Column| column.title.parse::<f64>().ok().filter(|_| column.numbers().is_some());
+        let columns = self.columns.iter().enumerate();
+        let bins: Vec<(usize, f64)> = columns.filter_map(|(k, column)| Some((k, edge(column)?))).collect();
+        if bins.is_sorted_by(|a, b| a.1 < b.1) {
+            bins
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// Whether some columns are bins of a distribution.
+    pub fn has_bins(&self) -> bool {
+        !self.bins().is_empty()
+    }
+
+    /// The table with a row for each bin of each row: the columns [`BIN`], its lower edge, and [`IN_BIN`], what the bin holds, stand in
+    /// place of those of the bins.
+    pub fn bins_as_rows(&self) -> Self {
+        let bins = self.bins();
+        let rows = || (0..self.rows).flat_map(|row| std::iter::repeat_n(row, bins.len()));
+        let is_bin = |k: usize| bins.iter().any(|(bin, _)| *bin == k);
+        let kept = self.columns.iter().enumerate().filter(|(k, _)| !is_bin(*k));
+        let mut columns: Vec<Column> = kept.map(|(_, column)| column.taken(rows())).collect();
+        let held = |row: usize, bin: usize| self.columns[bin].numbers().map_or(f64::NAN, |held| held[row]);
+        let of_bins = bins.iter().cycle().zip(rows());
+        let (edges, values) = of_bins.map(|(&(bin, edge), row)| (edge, held(row, bin))).unzip();
+        for (title, numbers) in [(BIN, edges), (IN_BIN, values)] {
+            columns.push(Column {
+                title: title.to_owned(),
+                cells: Cells::Numbers(numbers),
+            });
+        }
+        Self {
+            columns,
+            rows: self.rows * bins.len(),
+            ..self.clone()
+        }
     }
 
     /// Number of rows.

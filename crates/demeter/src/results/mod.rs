@@ -12,7 +12,7 @@ mod poly_head;
 pub(crate) mod rows;
 mod run;
 
-pub use columns::{Cells, Column, Columns, Update};
+pub use columns::{BIN, Cells, Column, Columns, IN_BIN, Update};
 pub use error::ResultsError;
 pub use packing::{PackedContacts, PackedGrains, PackedWall, Packing, Scalar};
 pub use poly_data::TableFile;
