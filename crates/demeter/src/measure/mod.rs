@@ -61,7 +61,7 @@ pub use residence::{MAX_RESIDENCE_BINS, RESIDENCE_COLUMNS, Residence, ResidenceS
 pub use selection::Selection;
 pub use slope::{SLOPE_COLUMNS, Slope};
 pub use sphere_in_box::sphere_in_box;
-pub use told::{FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
+pub use told::{DOMAIN_COLUMNS, FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
 pub use trace::{GrainTrace, TRACE_COLUMNS};
 pub use wear::{WEAR_COLUMNS, wear_values};
 

@@ -41,6 +41,16 @@ pub const FEED_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new("behind", "kg", "mass that is due by the rate and waits for room"),
 ];
 
+/// Columns of a domain that removes what leaves it; their names begin with `domain`.
+pub const DOMAIN_COLUMNS: &[ToldColumn] = &[
+    ToldColumn::new(
+        "lost grains",
+        "",
+        "grains that left the domain and were removed since the start of the run",
+    ),
+    ToldColumn::new("lost mass", "kg", "their mass"),
+];
+
 /// Columns of every removal; their names begin with `removal NAME`. Behind them are those of every material.
 pub const REMOVAL_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new("grains", "", "grains that were removed since the start of the run"),

@@ -3,9 +3,9 @@
 use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
-    BOX_COLUMNS, DISPLACEMENT_COLUMNS, FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures,
-    NEIGHBOUR_COLUMNS, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS, RESIDENCE_COLUMNS,
-    SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WEAR_COLUMNS, WallLoad,
+    BOX_COLUMNS, DISPLACEMENT_COLUMNS, DOMAIN_COLUMNS, FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS,
+    Measures, NEIGHBOUR_COLUMNS, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS,
+    RESIDENCE_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WEAR_COLUMNS, WallLoad,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -307,7 +307,7 @@ fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
 }
 
 /// Columns behind all others, with what their titles begin with.
-const TOLD: [(&str, &[ToldColumn]); 15] = [
+const TOLD: [(&str, &[ToldColumn]); 16] = [
     ("MEASURE", REGION_COLUMNS),
     ("MEASURE MATERIAL", OF_MATERIAL_COLUMNS),
     ("MEASURE", TRACE_COLUMNS),
@@ -321,6 +321,7 @@ const TOLD: [(&str, &[ToldColumn]); 15] = [
     ("feed NAME", FEED_COLUMNS),
     ("removal NAME", REMOVAL_COLUMNS),
     ("removal NAME MATERIAL", OF_MATERIAL_COLUMNS),
+    ("domain", DOMAIN_COLUMNS),
     ("box", BOX_COLUMNS),
     ("wall NAME", WEAR_COLUMNS),
 ];

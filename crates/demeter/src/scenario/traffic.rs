@@ -10,8 +10,8 @@ use super::followed::{Followed, FollowedState};
 use super::measures::MeasureKind;
 use super::run_error::RunError;
 use crate::insertion::{InsertionProblem, Streaming};
-use crate::measure::{FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, holds};
-use crate::particles::{Domain, NewGrain, Origins};
+use crate::measure::{DOMAIN_COLUMNS, FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, holds};
+use crate::particles::{Domain, NewGrain, Origins, Outside};
 use crate::simulation::{Simulation, Stage};
 use serde::{Deserialize, Serialize};
 
@@ -323,6 +323,9 @@ impl<'a> Traffic<'a> {
                 titles.extend(OF_MATERIAL_COLUMNS.iter().map(|c| c.title(&name)));
             }
         }
+        if scenario.domain.outside == Outside::Remove {
+            titles.extend(DOMAIN_COLUMNS.iter().map(|c| c.title("domain")));
+        }
         titles
     }
 
@@ -371,6 +374,10 @@ impl<'a> Traffic<'a> {
             for (grains, mass) in &removal.gone {
                 values.extend([Value::Count(*grains), Value::Number(*mass)]);
             }
+        }
+        if self.scenario.domain.outside == Outside::Remove {
+            let (grains, mass) = sim.books.left_the_domain();
+            values.extend([Value::Count(grains), Value::Number(mass)]);
         }
         values
     }

@@ -1,7 +1,7 @@
 //! What is told before a run begins and at its end: unstable springs, books that do not close, what found no room, what left, and
 //! what cannot be done in the state that a run has come to.
 
-use crate::exchange::{HEAD, parse, run_in, watcher};
+use crate::exchange::{HEAD, last, parse, run_in, series, watcher};
 use demeter::contacts::Fault;
 use demeter::scenario::{LiveRun, Report, RunEnd, RunError, RunOptions, Until, prepare, resume};
 use demeter::simulation::Simulation;
@@ -312,6 +312,11 @@ duration = "40 ms"
     let words = "2 grains, 0.000008 kg left the domain and were removed";
     assert_told(&told, &log, words);
     assert!(report.summary.warnings.iter().any(|text| text.contains(words)));
+    let place = tempfile::tempdir().unwrap();
+    run_in(&parse(&text), place.path(), 1, &mut watcher());
+    let of = |column| last(&series(place.path()), column);
+    assert_eq!(of("domain lost grains"), 2.0);
+    assert!((of("domain lost mass [kg]") / 8.38e-6 - 1.0).abs() < 1e-3);
 }
 
 #[test]
