@@ -427,4 +427,11 @@ fn a_servo_that_is_too_slow_is_told() {
     let faster = ["--set", "wall.lid.motion.servo.max_speed=\"0.5 m/s\""];
     let said = place.expect(0, &[&run[..], &faster].concat()).err;
     assert!(!said.contains("the servo"), "{said}");
+    // a lid that is still on its way
+    let away = ["--set", "wall.lid.point=\"0 0 6 mm\""];
+    let said = place.expect(0, &[&run[..], &away].concat()).err;
+    assert!(
+        said.contains("warning: the servo of wall `lid` has not pressed yet"),
+        "{said}"
+    );
 }

@@ -3,6 +3,7 @@
 use super::Simulation;
 use crate::walls::{Motions, Pose, Wall, WallError};
 use glam::DVec3;
+use std::collections::BTreeMap;
 
 /// A wall that cannot come because a grain is in its way.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -96,6 +97,29 @@ impl Simulation {
                 share,
             }),
         }
+    }
+
+    /// Walls that have moved and stand in fixed grains, by index: the lowest id of these grains, and how many they are, in all processes.
+    pub(crate) fn walls_in_fixed_grains(&self) -> BTreeMap<usize, (u32, u64)> {
+        let grains = &self.grains;
+        let mut mine = Vec::new();
+        for (w, wall) in self
+            .walls
+            .iter()
+            .enumerate()
+            .filter(|(_, wall)| wall.pose() != Pose::START)
+        {
+            let meets = |&g: &usize| {
+                grains.is_fixed(g) && wall.is_present() && wall.nearest(grains.position[g], grains.radius(g)).is_some()
+            };
+            mine.extend(self.own_grains().filter(meets).map(|g| (w, grains.id[g])));
+        }
+        let mut found = BTreeMap::new();
+        for (wall, id) in self.of_all_segments(mine) {
+            let (first, count) = found.entry(wall).or_insert((id, 0));
+            (*first, *count) = (id.min(*first), *count + 1);
+        }
+        found
     }
 
     /// The own grain with the lowest id that a wall would touch, its place, and how far it is in the way as a share of its radius.

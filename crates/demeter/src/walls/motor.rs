@@ -251,8 +251,9 @@ impl Motor {
         }
     }
 
-    /// Of a servo: share of the steps in which it pressed that it spent at its largest speed, and that speed with its unit.
-    pub(super) fn limited(&self) -> Option<(f64, f64, &'static str)> {
+    /// Of a servo: share of the steps in which it pressed that it spent at its largest speed, nothing where it never did; and that
+    /// speed with its unit.
+    pub(super) fn limited(&self) -> Option<(Option<f64>, f64, &'static str)> {
         self.parts.iter().find_map(|part| match &part.drive {
             Drive::Servo { servo, .. } => {
                 let (share, speed) = servo.limited();

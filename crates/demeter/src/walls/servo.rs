@@ -84,9 +84,12 @@ impl Servo {
         }
     }
 
-    /// Share of the steps in which it pressed that it spent at its largest speed, so that it did not hold its target; and that speed.
-    pub(crate) fn limited(&self) -> (f64, f64) {
-        (self.at_limit as f64 / self.pressed.max(1) as f64, self.max_speed)
+    /// Share of the steps in which it pressed that it spent at its largest speed, so that it did not hold its target; nothing where
+    /// it has never pressed with what it is told. And that speed.
+    pub(crate) fn limited(&self) -> (Option<f64>, f64) {
+        let share = self.at_limit as f64 / self.pressed.max(1) as f64;
+        let never = self.pressed == 0 && self.target > 0.0;
+        ((!never).then_some(share), self.max_speed)
     }
 
     /// Speed along the axis for the next step, from the force with which the wall pressed in the last [m/s].
@@ -410,10 +413,10 @@ mod tests {
         let mut servo = Servo::new(1.0, 0.1);
         // on its way to the bed it may be as fast as it can
         (0..500).for_each(|_| assert_eq!(servo.speed(0.0), 0.1));
-        assert_eq!(servo.limited(), (0.0, 0.1));
+        assert_eq!(servo.limited(), (None, 0.1));
         (0..80).for_each(|_| _ = servo.speed(1.05));
-        assert_eq!(servo.limited(), (0.0, 0.1));
+        assert_eq!(servo.limited(), (Some(0.0), 0.1));
         (0..80).for_each(|_| assert_eq!(servo.speed(3.0), -0.1));
-        assert_eq!(servo.limited(), (0.5, 0.1));
+        assert_eq!(servo.limited(), (Some(0.5), 0.1));
     }
 }

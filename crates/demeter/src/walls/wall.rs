@@ -362,8 +362,9 @@ impl Wall {
         self.motor.drive(next);
     }
 
-    /// Share of the steps in which a servo pressed that it spent at its largest speed, and that speed with its unit.
-    pub(crate) fn limited(&self) -> Option<(f64, f64, &'static str)> {
+    /// Share of the steps in which a servo pressed that it spent at its largest speed, nothing where it never did; and that speed with
+    /// its unit.
+    pub(crate) fn limited(&self) -> Option<(Option<f64>, f64, &'static str)> {
         self.motor.limited()
     }
 

@@ -542,3 +542,43 @@ frames = "never"
 picture = false
 report = false
 "#;
+
+#[test]
+fn a_wall_that_went_into_fixed_grains_is_told() {
+    let scene = |fixed: &str, speed: &str| {
+        format!(
+            r#"{HEAD}
+[domain]
+lower = "-20 -20 -20 mm"
+upper = "20 20 20 mm"
+[[grains]]
+material = "seed"
+source = "list"
+positions = ["0 0 5 mm", "4 0 5 mm", "8 0 9 mm"]
+diameter = "2 mm"
+fixed = {fixed}
+[[wall]]
+name = "plate"
+material = "seed"
+shape = "plane"
+point = "0 0 0 mm"
+normal = "z"
+motion = {{ velocity = "0 0 {speed}" }}
+[[stage]]
+name = "a"
+duration = "10 ms"
+"#
+        )
+    };
+    // 4.5 mm: within two of the three
+    let (_, told, log) = ended(&scene("true", "0.45 m/s"));
+    assert_told(
+        &told,
+        &log,
+        "wall `plate` has moved into 2 fixed grains, one of them grain 1",
+    );
+    for (fixed, speed) in [("true", "0.39 m/s"), ("false", "0.01 m/s")] {
+        let (_, told, _) = ended(&scene(fixed, speed));
+        assert!(told.iter().all(|text| !text.contains("fixed grains")), "{told:?}");
+    }
+}

@@ -6,6 +6,7 @@ use crate::output::{StageSummary, wall_summaries};
 use crate::scenario::deformation::reached;
 use crate::scenario::run_error::RunError;
 use crate::simulation::{Stage, StopCondition};
+use crate::walls::Wall;
 use glam::DVec3;
 
 /// Share of its steps that a servo may be at its largest speed.
@@ -61,7 +62,7 @@ impl Runner<'_> {
         for text in self.traffic.end_stage(self.place.stage, dt) {
             self.say(&text, observer)?;
         }
-        for text in self.limited_servos() {
+        for text in self.limited_servos().into_iter().chain(self.walls_in_fixed_grains()) {
             self.say(&text, observer)?;
         }
         self.place.stages_done.push(StageSummary {
@@ -81,20 +82,37 @@ impl Runner<'_> {
         self.begin_stage()
     }
 
-    /// Servos that were at their largest speed for long, in words.
+    /// Servos that do not hold what they are told, in words.
     fn limited_servos(&self) -> Vec<String> {
-        let walls = self.sim.walls.iter();
-        let limited =
-            walls.filter_map(|wall| Some((wall, wall.limited().filter(|(share, ..)| *share > MOST_LIMITED)?)));
-        let told = limited.map(|(wall, (share, speed, unit))| {
+        let in_words = |wall: &Wall| match wall.limited()? {
+            (None, speed, unit) => Some(format!(
+                "warning: the servo of wall `{}` has not pressed yet with what it is told: it is on its way, at \
+                 {speed} {unit} at most; end the stage by `stop.wall_force`, let it last longer, or raise `max_speed`",
+                wall.name
+            )),
+            (Some(share), speed, unit) => (share > MOST_LIMITED).then(|| {
+                format!(
+                    "warning: the servo of wall `{}` was at its largest speed, {speed} {unit}, in {:.0} % of the \
+                     steps since it first pressed: it does not hold what it is told there; raise its `max_speed`",
+                    wall.name,
+                    100.0 * share
+                )
+            }),
+        };
+        let there = self.sim.walls.iter().filter(|wall| wall.is_present());
+        there.filter_map(in_words).collect()
+    }
+
+    /// Walls that went into fixed grains, in words.
+    fn walls_in_fixed_grains(&self) -> Vec<String> {
+        let in_words = |(wall, (id, count)): (usize, (u32, u64))| {
+            let name = &self.sim.walls[wall].name;
             format!(
-                "warning: the servo of wall `{}` was at its largest speed, {speed} {unit}, in {:.0} % of the steps since it first pressed: it \
-                 does not hold what it is told there; raise its `max_speed`",
-                wall.name,
-                100.0 * share
+                "warning: wall `{name}` has moved into {count} fixed grains, one of them grain {id}: walls and fixed \
+                 grains feel nothing of each other; let walls or free grains stand there"
             )
-        });
-        told.collect()
+        };
+        self.sim.walls_in_fixed_grains().into_iter().map(in_words).collect()
     }
 
     /// What ends the stage at this step, in words.
