@@ -1,7 +1,7 @@
 //! What a run will need: memory, time, and room for its frames and its series.
 
 use super::run::labels;
-use super::{FeedRate, FeedSpec, Scenario};
+use super::{FeedRate, Scenario};
 use crate::insertion::SizeSampler;
 use crate::simulation::{Stage, ends_within};
 use crate::walls::Wall;
@@ -51,7 +51,7 @@ pub struct Fed {
 pub(super) fn fed(scenario: &Scenario, stages: &[f64]) -> Fed {
     let mut fed = Fed::default();
     for (index, feed) in scenario.feeds.iter().enumerate() {
-        let grains = expected_of_feed(scenario, feed, time_of_feed(scenario, index, stages));
+        let grains = expected_of_feed(scenario, index, stages);
         if grains.is_finite() {
             fed.grains += grains;
         } else {
@@ -78,8 +78,10 @@ fn time_of_feed(scenario: &Scenario, feed: usize, stages: &[f64]) -> f64 {
     running
 }
 
-/// Number of grains that a feed lets come in some time [s]; infinite where neither its rate nor its ends tell.
-fn expected_of_feed(scenario: &Scenario, feed: &FeedSpec, seconds: f64) -> f64 {
+/// Number of grains that a feed lets come in stages of these lengths [s]; infinite where neither its rate nor its ends tell.
+pub(super) fn expected_of_feed(scenario: &Scenario, index: usize, stages: &[f64]) -> f64 {
+    let feed = &scenario.feeds[index];
+    let seconds = time_of_feed(scenario, index, stages);
     let density = (scenario.materials.get(usize::from(feed.stream.material))).map_or(f64::NAN, |m| m.density);
     let of_mass = |mass: f64| {
         let mean = SizeSampler::new(&feed.stream.diameter).map_or(f64::NAN, |sizes| density * sizes.mean_volume());

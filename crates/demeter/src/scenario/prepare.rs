@@ -124,15 +124,21 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
             tag.at
         ));
     }
-    for feed in &scenario.feeds {
-        if let Some(every) = feed.every.filter(|every| *every > end) {
+    let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
+    for (index, feed) in scenario.feeds.iter().enumerate() {
+        let expected = estimates::expected_of_feed(scenario, index, &stages);
+        if expected < 0.5 {
+            warnings.push(format!(
+                "feed `{}` lets {expected:.2} grains come by its rate, its ends and the time that it runs: mostly none",
+                feed.name
+            ));
+        } else if let Some(every) = feed.every.filter(|every| *every > end) {
             warnings.push(format!(
                 "feed `{}` lets grains come every {every:.4e} s, and the stages end at {end:.4e} s at the latest: none comes",
                 feed.name
             ));
         }
     }
-    let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
     let fed = estimates::fed(scenario, &stages);
     let most = grains.len() as f64 + fed.grains;
     let work = estimates::work(scenario, most, &walls, are_coupled, &stage_steps, dt);

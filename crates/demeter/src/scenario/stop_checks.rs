@@ -1,4 +1,4 @@
-//! Conditions that cannot end the stage which waits for them.
+//! Conditions that cannot end the stage which waits for them, or end it before it has begun.
 
 use super::feeds::FeedEnd;
 use super::{Diagnostics, Scenario};
@@ -43,21 +43,26 @@ impl<'a> Known<'a> {
         }
     }
 
-    /// Refuses conditions of the stage that never hold.
+    /// Refuses conditions of the stage that never hold, or always.
     pub(super) fn check(&self, stage: &Stage, path: &str, faults: &mut Diagnostics) {
         for condition in &stage.stop {
-            if let Some((key, why)) = self.never_holds(condition) {
+            if let Some((key, why)) = self.fault_of(condition) {
                 faults.push(&format!("{path}.stop.{key}"), why, Some(REMEDY.to_string()));
             }
         }
     }
 
-    /// The key of a condition that never holds, and why.
-    fn never_holds(&self, condition: &StopCondition) -> Option<(&'static str, String)> {
+    /// The key of a condition that never holds or always does, and why.
+    fn fault_of(&self, condition: &StopCondition) -> Option<(&'static str, String)> {
         match condition {
             StopCondition::MotionDone(wall) => {
-                let why = self.motions.get(*wall)?.never_ends()?;
+                let motions = self.motions.get(*wall)?;
                 let name = &self.scenario.walls[*wall].name;
+                if motions.is_rest() {
+                    let why = format!("wall `{name}` has no motion in this stage, which would end with its first step");
+                    return Some(("motion_done", why));
+                }
+                let why = motions.never_ends()?;
                 Some(("motion_done", format!("the motion of wall `{name}` never ends: {why}")))
             }
             StopCondition::FeedDone(feed) => {

@@ -52,7 +52,7 @@ pub(super) fn check(
     let reach = reach(grains);
     for (index, wall) in walls.iter().enumerate() {
         let name = &wall.name;
-        let moves = || told_motions(scenario).any(|(w, motions)| w == index && !motions.parts.is_empty());
+        let moves = || told_motions(scenario).any(|(w, motions)| w == index && !motions.is_rest());
         match astray(wall, domain, reach) {
             // one that moves may come in later
             Some(why) if wall.is_present() && !moves() => {
@@ -79,12 +79,12 @@ fn foreseen(
     dt: f64,
 ) -> Option<(f64, String)> {
     let mut wall = wall.clone();
-    let mut rests = scenario.walls[index].motion.parts.is_empty();
+    let mut rests = scenario.walls[index].motion.is_rest();
     let mut time = 0.0;
     for stage in scenario.stages.iter().take(MOST_STAGES) {
         for (_, motions) in stage.motions.iter().filter(|(w, _)| *w == index) {
             wall.set_motion(motions.clone()).ok()?;
-            rests = motions.parts.is_empty();
+            rests = motions.is_rest();
         }
         if let Some(absent) = &stage.absent {
             wall.set_present(!absent.contains(&index));

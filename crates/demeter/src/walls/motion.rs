@@ -165,6 +165,11 @@ impl Motions {
         Self::default()
     }
 
+    /// Whether no part moves the wall.
+    pub fn is_rest(&self) -> bool {
+        self.parts.iter().all(|part| matches!(part.motion, Motion::Rest))
+    }
+
     /// The wall that this one moves with as one body, if any.
     pub fn leader(&self) -> Option<usize> {
         self.parts.iter().find_map(|part| match part.motion {

@@ -111,6 +111,12 @@ fn all_come_that_are_due_before_a_feed_ends() {
                 .any(|m| m.contains("the stages end at") && m.contains("none comes")),
         "{messages:?}"
     );
+    // a mass of less than half of a grain
+    let (came, _, messages) = until_20_ms(wide, "mass = \"1e-7 kg\"");
+    assert!(
+        came == 0.0 && messages.iter().any(|m| m.contains("lets 0.19 grains come")),
+        "{messages:?}"
+    );
     // those that find no room until then are not forgotten
     let narrow = r#"half_u = "0.6 0 0 mm", half_v = "0 0.6 0 mm""#;
     let (came, behind, messages) = until_20_ms(narrow, "");
