@@ -15,6 +15,18 @@ fn templates(place: &Place) -> Vec<String> {
         .collect()
 }
 
+/// Settings of the runs that the head of a template tells, as a shell gives them.
+fn settings_told(template: &str) -> Vec<String> {
+    let told = template.lines().filter_map(|line| line.strip_prefix("#   demeter run"));
+    let settings = told.filter_map(|line| Some(line.split_once("--set ")?.1));
+    settings
+        .map(|text| match text.splitn(3, '"').collect::<Vec<_>>()[..] {
+            [path, value, _] => format!("{path}{value}"),
+            _ => text.split_whitespace().next().unwrap().to_string(),
+        })
+        .collect()
+}
+
 #[test]
 fn every_template_is_written_and_checked() {
     let place = Place::new();
@@ -31,6 +43,9 @@ fn every_template_is_written_and_checked() {
             said.out
         );
         let before = fs::read(place.path(&file)).unwrap();
+        for setting in settings_told(&String::from_utf8_lossy(&before)) {
+            place.expect(0, &["check", &file, "--set", &setting]);
+        }
         let said = place.expect(2, &["new", name]);
         assert!(said.err.contains("exists and is not replaced"), "{}", said.err);
         assert_eq!(fs::read(place.path(&file)).unwrap(), before);

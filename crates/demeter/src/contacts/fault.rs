@@ -10,8 +10,8 @@ pub enum Fault {
     /// Two bodies overlap more than the scenario allows.
     #[error(
         "step {step}: grain {id} at {} overlaps {partner} by {:.5} of the smaller radius; the scenario allows {allowed}. \
-         Cause: the load is higher, the impact faster or the grain softer than foreseen, or it passed through a wall in \
-         one step. Remedy: raise `young_modulus` or `stiffness`, lower the speed, or raise `simulation.max_overlap` \
+         Cause: the load is higher, the impact faster or the grain softer than foreseen, moving walls pinch it, or it passed \
+         through a wall in one step. Remedy: raise `young_modulus` or `stiffness`, lower the speed, or raise `simulation.max_overlap` \
          (which makes the automatic time step smaller)",
         place(.position), overlap_share
     )]

@@ -130,8 +130,6 @@ pub(super) fn check_overlaps(
 ) {
     let allowed = scenario.simulation.max_overlap;
     let places: Vec<(DVec3, f64)> = grains.position.iter().copied().zip(grains.radii()).collect();
-    let advice =
-        || Some("move them apart, or raise `simulation.max_overlap` if the packing is meant to be loaded".into());
     // fixed grains that overlap each other are one rough body
     let may_move = |i: usize, j: usize| !(grains.is_fixed(i) && grains.is_fixed(j));
     if let Some(pair) = first_overlap(&places, Some(domain), may_move) {
@@ -142,7 +140,12 @@ pub(super) fn check_overlaps(
             grains.id[i], grains.position[i], grains.id[j], grains.position[j]
         );
         if share > allowed {
-            faults.push("grains", format!("{words}; {allowed} is allowed"), advice());
+            let advice = "move them apart, or raise `simulation.max_overlap` if the packing is meant to be loaded";
+            faults.push(
+                "grains",
+                format!("{words}; {allowed} is allowed"),
+                Some(advice.to_owned()),
+            );
         } else if share > 1e-9 {
             warnings.push(format!("{words}: they start loaded"));
         }
@@ -153,7 +156,13 @@ pub(super) fn check_overlaps(
             grains.id[g], grains.position[g], walls[wall].name
         );
         if share > allowed {
-            faults.push("grains", format!("{words}; {allowed} is allowed"), advice());
+            let advice = "move them apart, let the grains come by a `[[feed]]`, which keeps them off walls, or raise \
+                          `simulation.max_overlap` if the packing is meant to be loaded";
+            faults.push(
+                "grains",
+                format!("{words}; {allowed} is allowed"),
+                Some(advice.to_owned()),
+            );
         } else if share > 1e-9 {
             warnings.push(format!("{words}: it starts loaded"));
         }

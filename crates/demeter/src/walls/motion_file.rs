@@ -86,8 +86,15 @@ pub enum MotionFileProblem {
 
 type Units = &'static [(&'static str, f64)];
 
-const TIMES: Units = &[("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("min", 60.0)];
-const LENGTHS: Units = &[("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("in", 0.0254)];
+const TIMES: Units = &[("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9), ("min", 60.0)];
+const LENGTHS: Units = &[
+    ("m", 1.0),
+    ("cm", 1e-2),
+    ("mm", 1e-3),
+    ("um", 1e-6),
+    ("nm", 1e-9),
+    ("in", 0.0254),
+];
 const VELOCITIES: Units = &[("m/s", 1.0), ("cm/s", 1e-2), ("mm/s", 1e-3), ("um/s", 1e-6)];
 const ANGLES: Units = &[
     ("rad", 1.0),
@@ -294,6 +301,8 @@ mod tests {
         let rates = parse("time, vx [mm/s], angular velocity [rpm]\n0,1,60\n1,2,0").unwrap();
         assert!(rates.turns && rates.are_rates);
         assert!((rates.rows.values[0][3] - std::f64::consts::TAU).abs() < 1e-15);
+        let fine = parse("time [ns], z [nm]\n0,0\n2,5").unwrap();
+        assert_eq!((fine.rows.times[1], fine.rows.values[1][2]), (2.0 * 1e-9, 5.0 * 1e-9));
     }
 
     #[test]
