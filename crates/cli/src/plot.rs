@@ -25,7 +25,7 @@ pub fn plot(arguments: &PlotArguments) -> Result<Exit, Failure> {
         let table = read(path)?;
         let asks = |name: &str| table.has_bins() && table.find(name).is_none() && [BIN, IN_BIN].contains(&name);
         let of_bins = asks(x) || arguments.y.iter().any(|y| asks(signed(y).1));
-        let table = if of_bins { table.bins_as_rows() } else { table };
+        let table = if of_bins { table.bins_as_rows()? } else { table };
         tables.push((name_of(path), table));
     }
     let drawing = Drawing { arguments, x };
@@ -146,26 +146,30 @@ fn list(arguments: &PlotArguments) -> Result<(), Failure> {
         return answer_json(&json!({ "columns": all, "rows": columns.rows(), "tables": others }));
     }
     let mut rows = Rows::default();
-    // a row for each bin says less than the two columns that they make
-    let shown = if columns.has_bins() {
-        columns.bins_as_rows()
-    } else {
-        columns.clone()
-    };
-    for column in shown.all() {
+    for column in columns.without_bins() {
         let unit = match column.numbers() {
             Some(_) => column.unit(),
             None => "words",
         };
         rows.add(column.name(), unit);
     }
+    if columns.has_bins() {
+        rows.add(BIN, "");
+        rows.add(IN_BIN, "");
+    }
     answer(&rows.lines())?;
-    let numbers = |name: &str| shown.all().iter().find(|c| c.name() == name && c.numbers().is_some());
-    let of_bins = numbers(BIN).zip(numbers(IN_BIN)).filter(|_| columns.has_bins());
+    let numeric = || {
+        columns
+            .without_bins()
+            .filter(|column| column.numbers().is_some())
+            .map(Column::name)
+    };
+    let numbers = |name: &'static str| numeric().any(|known| known == name).then_some(name);
+    let of_bins = columns.has_bins().then_some((BIN, IN_BIN));
     let usual = of_bins.or_else(|| numbers("time").zip(numbers("kinetic energy")));
-    let mut numeric = shown.all().iter().filter(|column| column.numbers().is_some());
-    if let Some((x, y)) = usual.or_else(|| numeric.next().zip(numeric.next())) {
-        let [x, y] = [x, y].map(|column| word(column.name()));
+    let mut first = numeric();
+    if let Some((x, y)) = usual.or_else(|| first.next().zip(first.next())) {
+        let [x, y] = [x, y].map(word);
         note(&format!(
             "draw two with `demeter plot {} {x} {y}`",
             word(arguments.run.display())

@@ -169,14 +169,29 @@ impl Columns {
         !self.bins().is_empty()
     }
 
+    /// The columns that are no bins.
+    pub fn without_bins(&self) -> impl Iterator<Item = &Column> {
+        let bins = self.bins();
+        let columns = self.columns.iter().enumerate();
+        let others = columns.filter(move |(k, _)| !bins.iter().any(|(bin, _)| bin == k));
+        others.map(|(_, column)| column)
+    }
+
     /// The table with a row for each bin of each row: the columns [`BIN`], its lower edge, and [`IN_BIN`], what the bin holds, stand in
     /// place of those of the bins.
-    pub fn bins_as_rows(&self) -> Self {
+    pub fn bins_as_rows(&self) -> Result<Self, ResultsError> {
         let bins = self.bins();
+        let count = self.rows.saturating_mul(bins.len());
+        if count.saturating_mul(self.columns.len() + 2 - bins.len()) > MAX_CELLS {
+            return Err(ResultsError::Table {
+                path: self.path.clone(),
+                problem: format!(
+                    "with a row for each bin it has more than {MAX_CELLS} cells; write fewer rows or bins"
+                ),
+            });
+        }
         let rows = || (0..self.rows).flat_map(|row| std::iter::repeat_n(row, bins.len()));
-        let is_bin = |k: usize| bins.iter().any(|(bin, _)| *bin == k);
-        let kept = self.columns.iter().enumerate().filter(|(k, _)| !is_bin(*k));
-        let mut columns: Vec<Column> = kept.map(|(_, column)| column.taken(rows())).collect();
+        let mut columns: Vec<Column> = self.without_bins().map(|column| column.taken(rows())).collect();
         let held = |row: usize, bin: usize| self.columns[bin].numbers().map_or(f64::NAN, |held| held[row]);
         let of_bins = bins.iter().cycle().zip(rows());
         let (edges, values) = of_bins.map(|(&(bin, edge), row)| (edge, held(row, bin))).unzip();
@@ -186,11 +201,14 @@ impl Columns {
                 cells: Cells::Numbers(numbers),
             });
         }
-        Self {
+        Ok(Self {
+            path: self.path.clone(),
             columns,
-            rows: self.rows * bins.len(),
-            ..self.clone()
-        }
+            rows: count,
+            known: Vec::new(),
+            read_to: Place::default(),
+            tail: Vec::new(),
+        })
     }
 
     /// Number of rows.
