@@ -6,9 +6,6 @@ use std::process::Command;
 use std::sync::OnceLock;
 use std::time::Instant;
 
-/// The Python crate is left out of what needs linking: it is checked on its own.
-const ALL_BUT_PYTHON: [&str; 3] = ["--workspace", "--exclude", "demeter-py"];
-
 /// Features that are checked, too, where the machine has what they need, as `.ci/run` sees to and tells by this variable.
 fn features() -> &'static [&'static str] {
     match std::env::var("DEMETER_MPI").as_deref() {
@@ -80,11 +77,11 @@ fn in_turn(checks: &[Check]) -> Result<Vec<String>, String> {
 /// All tests and the examples in the documentation.
 pub fn test() -> Result<(), String> {
     if answers(&cargo(), &["nextest", "--version"]) {
-        run_cargo(&[&["nextest", "run"], &ALL_BUT_PYTHON[..], features()].concat(), &[])?;
+        run_cargo(&[&["nextest", "run", "--workspace"], features()].concat(), &[])?;
         TESTED.get_or_init(|| ());
-        run_cargo(&[&["test", "--doc"], &ALL_BUT_PYTHON[..], features()].concat(), &[])
+        run_cargo(&[&["test", "--doc", "--workspace"], features()].concat(), &[])
     } else {
-        run_cargo(&[&["test"], &ALL_BUT_PYTHON[..], features()].concat(), &[])?;
+        run_cargo(&[&["test", "--workspace"], features()].concat(), &[])?;
         TESTED.get_or_init(|| ());
         Ok(())
     }
@@ -180,8 +177,8 @@ pub fn verify(filter: Option<&str>) -> Result<(), String> {
         None => "binary(verification)".to_string(),
         Some(part) => format!("binary(verification) & test({part})"),
     };
-    let arguments = [&["nextest", "run", "--release"], &ALL_BUT_PYTHON[..], &["-E", &cases]];
-    run_cargo(&arguments.concat(), &[("DEMETER_FULL", "1")])
+    let arguments = ["nextest", "run", "--release", "--workspace", "-E", &cases];
+    run_cargo(&arguments, &[("DEMETER_FULL", "1")])
 }
 
 #[cfg(test)]

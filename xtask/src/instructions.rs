@@ -48,22 +48,13 @@ pub fn run(accept: bool) -> Result<(), String> {
     compare(&accepted, &compiler, &counts).map(|text| println!("{text}"))
 }
 
-/// Compiles what is counted, and with it the Python module: the wheel that is tested later finds the engine compiled, which the tests compile
-/// with other features of its dependencies.
+/// Compiles what is counted, and with it the Python module: the wheel that is tested later finds it compiled, and the tests the engine.
 pub fn build() -> Result<(), String> {
-    run_cargo(
-        &[
-            "build",
-            "-p",
-            "demeter-benches",
-            "-p",
-            "demeter-py",
-            "--bin",
-            "one_step",
-        ],
-        &[],
-    )
+    run_cargo(&[&["build"], &BUILT_BEFORE[..], &["--bin", "one_step"]].concat(), &[])
 }
+
+/// Packages that are compiled before the tests are.
+const BUILT_BEFORE: [&str; 4] = ["-p", "demeter-benches", "-p", "demeter-py"];
 
 /// The compiler, as its one line tells it.
 fn compiler() -> Result<String, String> {
@@ -182,6 +173,54 @@ mod tests {
         assert_eq!(number_after(told, "Collected :"), Some(123_456.0));
         assert_eq!(number_after("grains 2000 candidates 9", "grains"), Some(2000.0));
         assert_eq!(number_after("nothing", "grains"), None);
+    }
+
+    /// What cargo tells of the packages that some need, one in a line.
+    fn packages(of: &[&str], kinds: &str, shown: &str) -> Vec<String> {
+        let output = Command::new(crate::shell::cargo())
+            .args([
+                "tree", "--locked", "--prefix", "none", "--edges", kinds, "--format", shown,
+            ])
+            .args(of)
+            .current_dir(root())
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let told = String::from_utf8_lossy(&output.stdout);
+        let mut all: Vec<_> = told
+            .lines()
+            .map(|line| line.trim_end_matches(" (*)").to_string())
+            .collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    /// Packages that the engine is compiled with, each with its features, where some are chosen.
+    fn compiled_with(chosen: &[&str]) -> Vec<String> {
+        let of_engine = packages(&["-p", "demeter"], "normal,no-proc-macro", "{p} ");
+        let mut all = packages(chosen, "normal,dev,no-proc-macro", "{p} {f}");
+        all.retain(|line| of_engine.iter().any(|package| line.starts_with(package)));
+        all
+    }
+
+    #[test]
+    fn what_is_counted_and_tested_is_compiled_once() {
+        let counted = compiled_with(&BUILT_BEFORE);
+        assert!(
+            counted.iter().any(|line| line.starts_with("serde_json v1")),
+            "{counted:?}"
+        );
+        for tested in [&["--workspace"][..], &["--workspace", "--features", "demeter-cli/mpi"]] {
+            let tested = compiled_with(tested);
+            let other =
+                |a: &[String], b: &[String]| a.iter().filter(|line| !b.contains(line)).cloned().collect::<Vec<_>>();
+            let differ = [other(&counted, &tested), other(&tested, &counted)];
+            assert!(
+                differ.iter().all(Vec::is_empty),
+                "with other features the engine is compiled twice: let crates/python/Cargo.toml name those of the second: {differ:#?}"
+            );
+        }
     }
 
     #[test]
