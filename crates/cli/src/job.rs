@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::mpi_job::MpiJob;
 use demeter::comm::Ranks;
 use demeter::scenario::{RunError, all_or_none};
+use std::time::Duration;
 #[cfg(feature = "mpi")]
 use std::{cell::RefCell, rc::Rc};
 
@@ -24,6 +25,12 @@ const LAUNCHERS: [(&str, u32); 5] = [
     ("SLURM_STEP_NUM_TASKS", 2),
 ];
 
+/// Environment variables by which they tell a process which of them it is.
+const PLACES: [&str; 4] = ["OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK", "SLURM_PROCID"];
+
+/// Time in which a launcher ends the others once the first has ended with an error.
+const TO_BE_ENDED: Duration = Duration::from_secs(2);
+
 /// What launchers told this process.
 fn launchers() -> impl Iterator<Item = (String, u32)> {
     LAUNCHERS
@@ -36,10 +43,26 @@ fn are_several() -> bool {
     launchers().any(|(told, several)| told.parse::<u32>().is_ok_and(|number| number >= several))
 }
 
+/// Lets the first of several processes tell what is wrong with all before they know of each other. Where no launcher ends the others then,
+/// they tell it, too: the first may have had another command line.
+pub fn let_the_first_speak() {
+    let is_later =
+        |name| std::env::var(name).is_ok_and(|told: String| told.parse::<u32>().is_ok_and(|place| place > 0));
+    if are_several() && PLACES.iter().any(is_later) {
+        std::thread::sleep(TO_BE_ENDED);
+    }
+}
+
+/// What is wrong with all processes, before they know of each other.
+fn wrong_with_all(message: impl Into<String>) -> Failure {
+    let_the_first_speak();
+    Failure::wrong(message)
+}
+
 /// Refuses to be one of several processes that each do the same, where work is not shared.
 pub fn refuse_several() -> Result<(), Failure> {
     if are_several() {
-        return Err(Failure::wrong(
+        return Err(wrong_with_all(
             "a launcher has started several processes, and each would do all of this: only `demeter run` and `demeter resume` \
              share their work. Start it once, without `mpirun`; `demeter sweep` uses all cores by itself, and `--slurm` many hosts",
         ));
@@ -55,7 +78,7 @@ fn tell(reason: &str) {
 }
 
 #[cfg(feature = "mpi")]
-type Mpi = Rc<(MpiJob, std::time::Duration)>;
+type Mpi = Rc<(MpiJob, Duration)>;
 
 #[cfg(feature = "mpi")]
 thread_local! {
@@ -89,16 +112,16 @@ impl Job {
         let seconds = match std::env::var("DEMETER_PATIENCE") {
             Err(_) => PATIENCE,
             Ok(text) => text.parse().ok().filter(|&seconds| seconds > 0).ok_or_else(|| {
-                Failure::wrong(format!(
+                wrong_with_all(format!(
                     "DEMETER_PATIENCE is `{text}`, not a whole number of seconds above 0"
                 ))
             })?,
         };
         let mpi = MpiJob::begin().map_err(|error| Failure::io(error.to_string()))?;
-        let patience = std::time::Duration::from_secs(seconds);
+        let patience = Duration::from_secs(seconds);
         let ranks = mpi.ranks(patience, tell);
         if ranks.count() == 1 && are_several() {
-            return Err(Failure::wrong(
+            return Err(wrong_with_all(
                 "a launcher has started several processes, and MPI knows of one only: each would run all. The launcher must be that of \
                  the MPI that this program was built with; under Slurm `srun --mpi=pmix` (Open MPI) or `srun --mpi=pmi2` (MPICH), of \
                  those that `srun --mpi=list` tells",
@@ -116,7 +139,7 @@ impl Job {
     #[cfg(not(feature = "mpi"))]
     pub fn join() -> Result<Self, Failure> {
         if are_several() {
-            return Err(Failure::wrong(
+            return Err(wrong_with_all(
                 "this program was built without MPI, so that of several processes each would run all; build it with \
                  `cargo build --release -p demeter-cli --features mpi`, or run it without `mpirun`",
             ));

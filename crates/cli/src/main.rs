@@ -96,6 +96,9 @@ fn main() -> ExitCode {
 /// What clap has to say instead of arguments: help, the version, or what is wrong.
 fn refuse(error: &clap::Error) -> Exit {
     let asked_for = matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion);
+    if !asked_for {
+        job::let_the_first_speak();
+    }
     let json = std::env::args_os().any(|argument| argument == "--json");
     if !asked_for && json {
         return Failure::wrong(error.render().to_string().trim_end()).tell(true);

@@ -249,6 +249,13 @@ fn what_is_wrong_is_told_once() {
         "{}",
         wrong_here.err
     );
+    for (unknown, told) in [
+        (["run", "mixer.toml", "--tread", "2"], "unexpected argument"),
+        (["sweep", "mixer.toml", "--repeat", "2"], "share their work"),
+    ] {
+        let said = said(mpirun(&place, &[&unknown[..]; 3]));
+        assert_eq!((said.code, said.err.matches(told).count()), (2, 1), "{}", said.err);
+    }
     let elsewhere = said(mpirun(&place, &[&run("out"), &["run", "missing.toml"]]));
     assert_ne!(elsewhere.code, 0);
     assert!(elsewhere.err.contains("missing.toml"), "{}", elsewhere.err);
