@@ -228,22 +228,27 @@ fn check_tells_of_meshes_that_move_through_one_another() {
     place.write("box.obj", &leaky_box());
     place.write("blade.txt", "corners\n4 10 10 16 10 10 10 10 18\n");
     let turns = r#"{ rotation = { point = "10 10 10 mm", axis = "z", angular_velocity = "10 rad/s" } }"#;
-    for (shift, motion, crosses) in [
-        ("0 0 0 mm", turns, false),
-        ("-7 0 0 mm", turns, true),
-        ("-7 0 0 mm", "\"rest\"", false),
-        ("-7 0 0 mm", r#"{ with = "box" }"#, false),
-        ("30 0 0 mm", turns, false),
+    let box_turns = format!("motion.box = {turns}\n");
+    let both_turn = format!("{box_turns}motion.blade = {{ with = \"box\" }}\n");
+    for (shift, motion, in_stage, crosses) in [
+        ("0 0 0 mm", turns, "", false),
+        ("-7 0 0 mm", turns, "", true),
+        ("-7 0 0 mm", "\"rest\"", "", false),
+        ("-7 0 0 mm", "\"rest\"", &box_turns, true),
+        ("-7 0 0 mm", "\"rest\"", &both_turn, false),
+        ("-7 0 0 mm", r#"{ with = "box" }"#, "", false),
+        ("-7 0 0 mm", r#"{ with = "box" }"#, &box_turns, false),
+        ("30 0 0 mm", turns, "", false),
     ] {
         let blade = format!(
             "[[wall]]\nname = \"blade\"\nmaterial = \"glass\"\nshape = \"mesh\"\nfile = \"blade.txt\"\nunit = \"mm\"\n\
              shift = \"{shift}\"\nmotion = {motion}\n[[stage]]"
         );
         let scenario = OBJ_BOX.replace("\"box.obj\"", "\"box.obj\"\nunit = \"mm\"");
-        place.write("cross.toml", &scenario.replace("[[stage]]", &blade));
+        place.write("cross.toml", &(scenario.replace("[[stage]]", &blade) + in_stage));
         let said = place.expect(0, &["check", "cross.toml"]);
         let told = said.out.contains("`box` passes through `blade`");
-        assert_eq!(told, crosses, "{shift} {motion}: {}", said.out);
+        assert_eq!(told, crosses, "{shift} {motion} {in_stage}: {}", said.out);
         let answer = place.expect(0, &["check", "cross.toml", "--json"]).json();
         let crossings = answer["wall_report"]["crossings"].as_array().unwrap();
         assert_eq!(crossings.len(), usize::from(crosses));

@@ -59,15 +59,16 @@ fn meetings(scenario: &Scenario, prepared: &Prepared) -> Vec<([usize; 2], DVec3)
         .iter()
         .map(|wall| wall.mesh().and_then(|_| wall.bounds()))
         .collect();
-    let body = |wall: usize| scenario.walls[wall].motion.leader().unwrap_or(wall);
-    let motions = |wall: usize| {
-        let wall = body(wall);
-        let told = scenario
-            .stages
-            .iter()
-            .map(move |stage| stage.motions.iter().find(|(index, _)| *index == wall));
-        let later: Vec<_> = told.map(|told| told.map(|(_, motions)| motions)).collect();
-        (&scenario.walls[wall].motion, later)
+    // what is told holds until another motion is
+    let told = |wall: usize, stages: usize| {
+        let mut latest = scenario.stages[..stages].iter().rev().flat_map(|stage| &stage.motions);
+        (latest.find(|(index, _)| *index == wall)).map_or(&scenario.walls[wall].motion, |(_, motions)| motions)
+    };
+    let motions = |wall: usize| -> Vec<_> {
+        let body = |stages| told(wall, stages).leader().unwrap_or(wall);
+        (0..=scenario.stages.len())
+            .map(|stages| told(body(stages), stages))
+            .collect()
     };
     let mut found = Vec::new();
     for (a, first) in boxes.iter().enumerate() {
