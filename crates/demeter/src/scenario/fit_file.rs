@@ -3,7 +3,7 @@
 use super::document::Value;
 use super::impact::{body_a, body_b, sphere_mass};
 use super::materials::{check_known, find_law, materials, parameter_value};
-use super::observed::{Measured, Observable, Observation, Target, Unknown};
+use super::observed::{Measured, Observable, Observation, StandardError, Target, Unknown};
 use super::other_kind::refuse_other_kind;
 use super::quantity::Kind;
 use super::reader::{Context, Item, TableReader, suggest_or_list};
@@ -336,7 +336,7 @@ fn observation(table: TableReader<'_>, materials: &[Material], (a, b): (Body, Pa
             measured.push(Measured {
                 observable,
                 value,
-                error: DEFAULT_ERROR,
+                error: StandardError::Relative(DEFAULT_ERROR),
             });
         }
     }
@@ -374,7 +374,9 @@ pub const DEFAULT_ERROR: f64 = 0.01;
 fn errors(item: &Item<'_>, measured: &mut [Measured]) {
     if !matches!(item.node.value, Value::Table(_)) {
         let error = item.quantity(Kind::Number, Range::POSITIVE_SHARE);
-        measured.iter_mut().for_each(|m| m.error = error);
+        measured
+            .iter_mut()
+            .for_each(|m| m.error = StandardError::Relative(error));
         return;
     }
     let Some(table) = item.table() else {
@@ -383,7 +385,7 @@ fn errors(item: &Item<'_>, measured: &mut [Measured]) {
     for m in measured {
         let kind = Kind::of(m.observable.dimension());
         if let Some(error) = table.optional_quantity(m.observable.name(), kind, Range::POSITIVE) {
-            m.error = error / m.value;
+            m.error = StandardError::Absolute(error);
         }
     }
     table.finish("the errors of what this observation measured");

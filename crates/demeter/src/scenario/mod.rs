@@ -75,7 +75,7 @@ pub use live::{LiveRun, Pause, Until};
 pub use materials::{ContactSpec, MAX_MATERIALS};
 pub use measures::{MAX_MEASURES, MeasureKind, MeasureSpec};
 pub use meshes::{MeshOrigin, MeshSource};
-pub use observed::{Measured, Observable, Observation, Target, Unknown};
+pub use observed::{Measured, Observable, Observation, StandardError, Target, Unknown};
 pub use overrides::{Override, key_of, key_places, key_steps};
 pub use packing_file::{FitTask, Match, PACKING_FIT_REFERENCE, PackingFile, UnknownNumber};
 pub use plain::{Foreign, Plain, faults_with_foreign};

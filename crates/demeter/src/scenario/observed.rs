@@ -52,8 +52,47 @@ pub struct Measured {
     pub observable: Observable,
     /// Its value in SI, positive.
     pub value: f64,
-    /// Its relative error.
-    pub error: f64,
+    /// Its standard error.
+    pub error: StandardError,
+}
+
+/// The standard error of a measured quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StandardError {
+    /// As a share of the quantity, of which logarithms are compared.
+    Relative(f64),
+    /// In SI, whatever the quantity is.
+    Absolute(f64),
+}
+
+impl Measured {
+    /// How far off a value is that a law shows, told by its logarithm, in errors: `ln(x / measured) / relative` or `(x - measured) / absolute`.
+    pub fn deviation(&self, logarithm: f64) -> f64 {
+        match self.error {
+            StandardError::Relative(error) => (logarithm - libm::log(self.value)) / error,
+            StandardError::Absolute(error) => (libm::exp(logarithm) - self.value) / error,
+        }
+    }
+
+    /// Its slope against the logarithm of the value.
+    pub fn weight(&self, logarithm: f64) -> f64 {
+        match self.error {
+            StandardError::Relative(error) => 1.0 / error,
+            StandardError::Absolute(error) => libm::exp(logarithm) / error,
+        }
+    }
+
+    /// The same with a relative error, near what was measured.
+    pub fn as_relative(&self) -> Self {
+        let error = match self.error {
+            StandardError::Relative(error) => error,
+            StandardError::Absolute(error) => error / self.value,
+        };
+        Self {
+            error: StandardError::Relative(error),
+            ..*self
+        }
+    }
 }
 
 /// What can be measured.

@@ -3,7 +3,7 @@
 use super::least_squares::slopes;
 use super::model::{Model, Scene};
 use super::singular::{NOTHING, dot, reduced, singular};
-use crate::scenario::{Measured, Observable, Observation, Unknown};
+use crate::scenario::{Measured, Observable, Observation, StandardError, Unknown};
 
 /// A direction is not felt when no observation changes by more than this share while a parameter changes by a factor e.
 const UNFELT: f64 = 1e-5;
@@ -44,7 +44,7 @@ pub(super) fn identify(
     model: &Model<'_>,
     point: &[f64],
     bounds: &[(f64, f64)],
-    measured: &[(f64, f64)],
+    measured: &[Measured],
 ) -> Option<Identified> {
     let values = |point: &[f64]| model.logarithms(&super::from_logarithms(point)).ok();
     let rows = slopes(values, point, bounds)?;
@@ -57,8 +57,12 @@ pub(super) fn identify(
         unfelt: unfelt.to_vec(),
         errors: Vec::new(),
     };
-    let weighted: Vec<Vec<f64>> = (rows.iter().zip(measured))
-        .map(|(row, (_, error))| row.iter().map(|x| x / error).collect())
+    let weights = values(point)?
+        .into_iter()
+        .zip(measured)
+        .map(|(shown, m)| m.weight(shown));
+    let weighted: Vec<Vec<f64>> = (rows.iter().zip(weights))
+        .map(|(row, weight)| row.iter().map(|x| x * weight).collect())
         .collect();
     let weighted = singular(&weighted, point.len());
     let variance = |k: usize| {
@@ -171,7 +175,7 @@ fn candidates(model: &Model<'_>) -> Vec<(Observation, Advice)> {
             measured: vec![Measured {
                 observable,
                 value: 1.0,
-                error: 1.0,
+                error: StandardError::Relative(1.0),
             }],
             ..first.clone()
         };

@@ -71,7 +71,16 @@ impl Problem<'_> {
         ends
     }
 
-    fn at(&self, point: Vec<f64>) -> Option<Minimum> {
+    /// Where searches end that begin where those of a like problem ended, the best first; these where none has an answer.
+    pub fn minima_from(&self, like: Vec<Minimum>) -> Vec<Minimum> {
+        let starts = like.iter().filter_map(|end| self.at(end.point.clone()));
+        let mut ends: Vec<Minimum> = starts.map(|start| self.descend(start)).collect();
+        ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        if ends.is_empty() { like } else { ends }
+    }
+
+    /// What a point costs, where there is an answer.
+    pub fn at(&self, point: Vec<f64>) -> Option<Minimum> {
         let deviations = (self.deviations)(&point)?;
         let cost = dot(&deviations, &deviations);
         cost.is_finite().then_some(Minimum { point, cost })

@@ -1,8 +1,8 @@
 //! From observations of collisions to the parameters of a law, and what the observations cannot tell.
 //!
 //! Where one impact of a damped spring shows the restitution and one thing more, the closed forms give the parameters.
-//! Everywhere else damped least squares does, on the logarithms of parameters and observations, with the
-//! error-controlled collision as the model. Then the singular values of `d ln(observation)/d ln(parameter)` tell which
+//! Everywhere else damped least squares does, on the logarithms of parameters, with the error-controlled collision as the
+//! model; observations are compared by logarithms where their error is relative, by differences where it is absolute. Then the singular values of `d ln(observation)/d ln(parameter)` tell which
 //! products of powers of the parameters the observations fix; directions along which no observation changes are not
 //! identifiable from them.
 
@@ -18,11 +18,11 @@ pub use identify::{Advice, Combination};
 
 use super::error::CalibrateError;
 use crate::materials::Material;
-use crate::scenario::{FitFile, Observable, Target};
+use crate::scenario::{FitFile, Measured, Observable, Target};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::{Value, Values};
 use identify::{Identified, identify};
-use least_squares::{Deviations, Minimum, Problem};
+use least_squares::{Minimum, Problem};
 use model::Model;
 
 /// A parameter that was sought.
@@ -53,7 +53,7 @@ pub struct Residual {
     pub measured: f64,
     /// What the law shows.
     pub found: f64,
-    /// Difference of their logarithms, over the relative error of the observation.
+    /// How far off the law is, in errors of the observation ([`Measured::deviation`]).
     pub deviation: f64,
 }
 
@@ -96,33 +96,35 @@ impl FitReport {
 /// Finds the parameters of a file.
 pub fn fit(file: &FitFile) -> Result<FitReport, CalibrateError> {
     let model = Model { file };
-    let problem_of = |values: &[f64]| model.logarithms(&from_logarithms(values)).ok();
-    let measured: Vec<(f64, f64)> = (file.observations.iter().flat_map(|o| &o.measured))
-        .map(|m| (libm::log(m.value), m.error))
-        .collect();
-    let deviations = |point: &[f64]| -> Option<Vec<f64>> {
-        let found = problem_of(point)?;
-        Some(
-            found
-                .iter()
-                .zip(&measured)
-                .map(|(x, (value, error))| (x - value) / error)
-                .collect(),
-        )
+    let measured: Vec<Measured> = (file.observations.iter().flat_map(|o| &o.measured)).copied().collect();
+    let deviations_of = |point: &[f64], measured: &[Measured]| -> Option<Vec<f64>> {
+        let found = model.logarithms(&from_logarithms(point)).ok()?;
+        Some(found.iter().zip(measured).map(|(x, m)| m.deviation(*x)).collect())
     };
+    let deviations = |point: &[f64]| deviations_of(point, &measured);
+    // differences tell less of where to go from far away than logarithms do
+    let relative: Vec<Measured> = measured.iter().map(Measured::as_relative).collect();
+    let from_afar = |point: &[f64]| deviations_of(point, &relative);
     let logarithms = |pick: fn(&crate::scenario::Unknown) -> (f64, f64)| -> Vec<(f64, f64)> {
         let bounds = file.unknown.iter().map(pick);
         bounds.map(|(low, high)| (libm::log(low), libm::log(high))).collect()
     };
     let problem = Problem {
-        deviations: &deviations,
+        deviations: &from_afar,
         measured: measured.len(),
         first: logarithms(|u| u.first),
         last: logarithms(|u| u.last),
     };
-    let (method, minima) = search(file, &model, &problem, &deviations)?;
+    let (method, mut minima) = search(file, &model, &problem)?;
+    if measured != relative {
+        minima = Problem {
+            deviations: &deviations,
+            ..problem
+        }
+        .minima_from(minima);
+    }
     let best = &minima[0];
-    let bounds = &problem.last;
+    let bounds = &logarithms(|u| u.last);
     let seen = identify(&model, &best.point, bounds, &measured).ok_or_else(|| {
         let message =
             "the law has no answer beside the parameters that were found: they lie at the edge of what it can do";
@@ -144,13 +146,11 @@ fn search(
     file: &FitFile,
     model: &Model<'_>,
     problem: &Problem<'_>,
-    deviations: Deviations<'_>,
 ) -> Result<(&'static str, Vec<Minimum>), CalibrateError> {
     if let Some(values) = exact::exact(file) {
         let point: Vec<f64> = values.iter().map(|x| libm::log(*x)).collect();
-        if let Some(found) = deviations(&point) {
-            let cost = singular::dot(&found, &found);
-            return Ok(("closed form", vec![Minimum { point, cost }]));
+        if let Some(found) = problem.at(point) {
+            return Ok(("closed form", vec![found]));
         }
     }
     let minima = problem.minima();
@@ -185,7 +185,7 @@ fn told(
         observable: m.observable,
         measured: m.value,
         found: libm::exp(*logarithm),
-        deviation: (logarithm - libm::log(m.value)) / m.error,
+        deviation: m.deviation(*logarithm),
     });
     let residuals = residuals.collect();
     let near = |x: f64, bound: f64| (x - bound).abs() < 1e-6;

@@ -307,6 +307,47 @@ fn errors_weigh_and_come_back() {
 }
 
 #[test]
+fn errors_in_the_unit_of_the_observation_make_means_and_relative_ones_geometric_means() {
+    let observed = |restitution: f64, error: &str| {
+        format!("[[observation]]\nvelocity = \"1 m/s\"\nrestitution = {restitution}\nerror = {error}\n")
+    };
+    let found = |errors: [&str; 2], seen: [f64; 2]| {
+        let observations: Vec<String> = seen.iter().zip(errors).map(|(e, error)| observed(*e, error)).collect();
+        let report = fit(&file(
+            BODIES,
+            "hertz-tsuji",
+            "",
+            "restitution = \"free\"",
+            &observations,
+        ))
+        .unwrap();
+        let [parameter] = &report.parameters[..] else { panic!() };
+        let deviations = [0, 1].map(|k| report.residuals[k].deviation);
+        (parameter.value, parameter.error.unwrap(), deviations)
+    };
+    let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-5;
+    let told = "{ restitution = 0.05 }";
+    let (value, error, deviations) = found([told; 2], [0.1, 0.2]);
+    assert!(
+        near(value, 0.15) && near(error * value, 0.05 / 2f64.sqrt()),
+        "{value} {error}"
+    );
+    assert!(near(deviations[0], 1.0) && near(deviations[1], -1.0), "{deviations:?}");
+    // weights are those of the errors, and a law that does not fit says by how many of them
+    let (value, _, deviations) = found(["{ restitution = 0.01 }", "{ restitution = 0.02 }"], [0.1, 0.5]);
+    assert!(
+        near(value, 0.18) && near(deviations[0], 8.0) && near(deviations[1], -16.0),
+        "{value} {deviations:?}"
+    );
+    let (value, error, deviations) = found(["0.5"; 2], [0.1, 0.2]);
+    assert!(
+        near(value, 0.02f64.sqrt()) && near(error, 0.5 / 2f64.sqrt()),
+        "{value} {error}"
+    );
+    assert!(near(deviations[0], libm::log(2.0)), "{deviations:?}");
+}
+
+#[test]
 fn the_law_is_written_as_a_scenario_reads_it() {
     let normal = "law = \"hertz-tsuji\", restitution = 0.3, contact_end = \"zero-force\"";
     let seen = [seen(BODIES, normal, 1.0, &[Restitution, ContactTime])];
