@@ -32,7 +32,7 @@ impl ContactChunk {
                     tangential: glam::DVec3::ZERO,
                     impact: 0.0,
                     sliding,
-                    way_slid: 0.0,
+                    slid_load: 0.0,
                 });
             }
         }
@@ -59,7 +59,7 @@ impl ContactChunk {
                 tangential: -self.tangential_force(k),
                 impact: lost.normal,
                 sliding: lost.friction,
-                way_slid: lost.way_slid,
+                slid_load: lost.slid_load,
             });
         }
     }

@@ -276,8 +276,8 @@ pub(super) struct Lost {
     pub(super) normal: f64,
     /// By friction [J].
     pub(super) friction: f64,
-    /// Way slid, where it slid as a whole [m].
-    pub(super) way_slid: f64,
+    /// What bore the friction, adhesion included, times the way slid, where it slid as a whole [N m].
+    pub(super) slid_load: f64,
 }
 
 /// A contact slides as a whole under at least this share of what friction bears: forces of the parts of a contact (`mindlin-deresiewicz`)
@@ -324,7 +324,11 @@ impl Answers<'_> {
                 told.normal += normal[lane];
                 told.friction += friction[lane];
                 let slides = force[lane] > 0.0 && force[lane] >= SLIDING * friction_limit(law, load[lane]);
-                told.way_slid = if slides { friction[lane] / force[lane] } else { 0.0 };
+                told.slid_load = if slides {
+                    load[lane] * friction[lane] / force[lane]
+                } else {
+                    0.0
+                };
             }
         }
         if let Some(elastic) = self.elastic.get_mut(places) {

@@ -59,8 +59,8 @@ pub(crate) struct Mark {
     /// Lost by the normal law and by friction [J].
     pub(crate) impact: f64,
     pub(crate) sliding: f64,
-    /// While the contact slides as a whole [m].
-    pub(crate) way_slid: f64,
+    /// What bears the friction times the way slid, while the contact slides as a whole [N m].
+    pub(crate) slid_load: f64,
 }
 
 /// Sums on one element; vectors in the wall frame.
@@ -142,7 +142,7 @@ impl Record {
         sums.shearing += shearing;
         sums.impact += mark.impact;
         sums.sliding += mark.sliding;
-        sums.slid_load += mark.normal_force.max(0.0) * mark.way_slid;
+        sums.slid_load += mark.slid_load;
     }
 
     pub(super) fn pass(&mut self, dt: f64) {

@@ -91,6 +91,33 @@ fn a_grain_that_slides_down_a_mesh_wears_it_as_archard_says() {
     });
 }
 
+/// Without any weight: adhesion alone presses the surfaces together, and the energy that friction took tells load times way.
+#[test]
+fn a_grain_that_sticks_wears_the_floor_as_it_slides() {
+    on_threads(1, || {
+        let (r, friction, speed) = (1e-3, 0.2, 0.2);
+        let rough = law("mindlin-history", &[("friction", friction)]);
+        for normal in ["jkr", "dmt"] {
+            let sticky = law(normal, &[("work_of_adhesion", 0.2), ("alpha", 0.5)]);
+            let mut case = Case::new(one_material(MODULUS, &Laws::of(sticky).friction(rough.clone())));
+            case.max_overlap = 0.3;
+            case.wall(0, strip(12), Motion::Rest);
+            case.walls[0].record(WEAR);
+            // where adhesion and elasticity balance, by DMT
+            let sunk = hertz_overlap(MODULUS, r, 2.0 * PI * r * 0.2);
+            case.grain(r, DVec3::new(2e-3, 1e-3, r - sunk), DVec3::X * speed);
+            let mut sim = case.simulation();
+            cases::advance(&mut sim, 0.1);
+            let [_, sliding, volume] = sim.walls[0].wear();
+            // it slides until it rolls, which takes two sevenths of the energy
+            let lost = mass(r) * speed * speed / 7.0;
+            assert!((sliding / lost - 1.0).abs() < 0.05, "{normal}: {sliding} {lost}");
+            let expected = 2e-12 * sliding / friction;
+            assert!((volume / expected - 1.0).abs() < 1e-2, "{normal}: {volume} {expected}");
+        }
+    });
+}
+
 /// Energies and volume of a grain's oblique impact on a floor, at this friction; the floor wears by sliding only.
 fn impact(friction: f64, tangential: &'static str) -> [f64; 3] {
     let mut values = vec![("friction", friction)];
