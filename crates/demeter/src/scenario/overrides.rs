@@ -127,11 +127,11 @@ pub(super) fn source_text(told: &Override) -> SourceText {
 fn steps(path: &str) -> Vec<Step> {
     let mut steps: Vec<Step> = Vec::new();
     let mut start = 0;
-    let mut quoted = false;
+    let (mut quoted, mut is_open) = (false, false);
     let mut push = |from: usize, to: usize, in_brackets: bool| {
         let text = path[from..to].trim().trim_matches('"').to_string();
         // `grains[0].file`: nothing stands between `]` and `.`
-        let after_bracket = text.is_empty() && from > 0 && path[..from].ends_with(']');
+        let after_bracket = !in_brackets && text.is_empty() && from > 0 && path[..from].ends_with(']');
         if !after_bracket {
             steps.push(Step {
                 text,
@@ -145,11 +145,12 @@ fn steps(path: &str) -> Vec<Step> {
             '"' => quoted = !quoted,
             '.' | '[' if !quoted => {
                 push(start, at, false);
-                start = at + 1;
+                (start, is_open) = (at + 1, c == '[');
             }
             ']' if !quoted => {
-                push(start, at, true);
-                start = at + 1;
+                // one that closes nothing stands for a step without a name
+                push(if is_open { start } else { at }, at, true);
+                (start, is_open) = (at + 1, false);
             }
             _ => {}
         }

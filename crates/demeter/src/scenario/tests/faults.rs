@@ -39,6 +39,22 @@ fn overrides_reach_every_part() {
 }
 
 #[test]
+fn a_bracket_too_many_makes_no_key() {
+    for key in [
+        "stage[0]]",
+        "stage[0]]]",
+        "stage.0]",
+        "stage[[0]",
+        "stage[]",
+        "stage]0[",
+    ] {
+        let faults = parse(settle(), &[&format!("{key}.duration=2 ms")]).unwrap_err();
+        let told = faults.render(false);
+        assert!(told.contains(&format!("`{key}.duration` is not a key")), "{told}");
+    }
+}
+
+#[test]
 fn a_fault_of_an_override_points_at_its_text() {
     let faults = parse(settle(), &["seed=2", "grains[0].diameter=2 s"]).unwrap_err();
     let fault = &faults.list()[0];
