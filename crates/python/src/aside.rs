@@ -14,7 +14,10 @@ pub fn aside<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResu
     // the threads of a pool that outlived its work would be missing in a process that is forked later
     let pool = rayon::ThreadPoolBuilder::new().build();
     let pool = pool.map_err(|error| Error::new_err(format!("no threads can be started: {error}")))?;
-    Ok(py.detach(|| pool.install(work)))
+    let worked = py.detach(|| pool.install(work));
+    // else a Ctrl-C comes in the middle of whatever asks Python next
+    py.check_signals()?;
+    Ok(worked)
 }
 
 /// So often a function whose runs go on looks for Ctrl-C, which only the thread that called it hears.

@@ -120,10 +120,12 @@ impl Limit {
     ) -> PyResult<Self> {
         let step_of = |value: &Bound<'_, PyAny>, name: &str| -> PyResult<u64> {
             let time = quantity(value, name, Dimension::TIME)?;
-            if !time.is_finite() {
-                return Err(wrong_value(format!("`{name}` is {time} s; it must be a finite time")));
+            if !(0.0..f64::INFINITY).contains(&time) {
+                return Err(wrong_value(format!(
+                    "`{name}` is {time} s; it must be a finite time from the beginning of the run on"
+                )));
             }
-            Ok((time / dt - 1e-9).ceil().max(0.0) as u64)
+            Ok((time / dt - 1e-9).ceil() as u64)
         };
         let last = at_most.map(|at_most| step_of(at_most, "at_most")).transpose()?;
         if until.is_callable() {

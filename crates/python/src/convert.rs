@@ -292,7 +292,14 @@ pub fn function<'a, 'py>(value: &'a Bound<'py, PyAny>, name: &str, takes: &str) 
 pub fn path(value: &Bound<'_, PyAny>, name: &str) -> PyResult<PathBuf> {
     let wrong = |_| wrong_type(format!("`{name}` must be a path, not {}", shown(value)));
     let opened = value.py().import("os.path")?.call_method1("expanduser", (value,));
-    opened.map_err(wrong)?.extract().map_err(wrong)
+    let path: PathBuf = opened.map_err(wrong)?.extract().map_err(wrong)?;
+    if path.as_os_str().is_empty() {
+        return Err(wrong_value(format!(
+            "`{name}` is {}; it must be a path, \".\" for the working directory",
+            shown(value)
+        )));
+    }
+    Ok(path)
 }
 
 /// JSON as Python values.

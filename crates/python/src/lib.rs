@@ -15,6 +15,7 @@ mod simulation;
 mod tools;
 mod views;
 
+use numpy::PyArray1;
 use pyo3::prelude::*;
 
 /// Demeter: discrete element method for powders and soft grains.
@@ -27,6 +28,9 @@ use pyo3::prelude::*;
 /// Quantities are texts with units ("2 mm"), or in dicts plain numbers in SI; everything that comes out is SI.
 #[pymodule]
 fn demeter(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    // NumPy is taken up by the first array, and what fails then, as by a Ctrl-C, is a panic
+    module.py().import("numpy")?;
+    PyArray1::<f64>::zeros(module.py(), 0, false);
     module.add("__version__", engine::VERSION)?;
     module.add_class::<scenario::Scenario>()?;
     module.add_class::<simulation::Simulation>()?;

@@ -29,10 +29,37 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 use std::path::PathBuf;
 
+/// The stage of unloading of a comparison, where there is one.
+pub struct Unload(Option<String>);
+
+impl Unload {
+    fn usual() -> Self {
+        Self(Some("release".to_string()))
+    }
+}
+
+impl<'py> FromPyObject<'_, 'py> for Unload {
+    type Error = PyErr;
+
+    fn extract(told: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let name = (!told.is_none()).then(|| text(&told, "unload"));
+        Ok(Self(name.transpose()?))
+    }
+}
+
+fn finite_force(value: Option<&Bound<'_, PyAny>>, name: &str) -> PyResult<Option<f64>> {
+    match optional_quantity(value, name, Dimension::FORCE)? {
+        Some(force) if !force.is_finite() => Err(wrong_value(format!("`{name}` is {force} N; it must be finite"))),
+        force => Ok(force),
+    }
+}
+
 /// Most moments of a collision that are handed out.
 const MOST_MOMENTS: usize = 10_000_000;
 /// Most sizes of a curve.
-const MOST_POINTS: usize = 100_000;
+const MOST_POINTS: usize = 10_000;
+/// So many are searched for before Ctrl-C is heard.
+const POINTS_AT_ONCE: usize = 64;
 
 /// Collides two bodies and tells what became of them: restitution, contact time, largest overlap and force, energies.
 ///
@@ -163,7 +190,10 @@ pub fn sticking<'py>(
         )));
     }
     let radii = log_spaced(first, last, if first == last { 1 } else { points });
-    let found = aside(py, || search(&file, &radii))?.or_raise(py)?;
+    let mut found = Vec::new();
+    for some in radii.chunks(POINTS_AT_ONCE) {
+        found.extend(aside(py, || search(&file, some))?.or_raise(py)?);
+    }
     let speed = |sticking: Sticking| match sticking {
         Sticking::Below(speed) => speed,
         Sticking::Never(_) | Sticking::From { .. } => f64::NAN,
@@ -246,7 +276,7 @@ pub fn fit<'py>(
 /// dict
 ///     As ``demeter compare --json``, and for every run ``forces``: columns ``phase``, ``position``, ``run`` [N], ``reference`` [N].
 #[pyfunction]
-#[pyo3(signature = (runs, reference, *, load=None, unload=Some("release"), discard=None, force=None, threshold=None,
+#[pyo3(signature = (runs, reference, *, load=None, unload=Unload::usual(), discard=None, force=None, threshold=None,
     reference_threshold=None),
     text_signature = "(runs, reference, *, load='squeeze', unload='release', discard=0, force='wall top force z', threshold=None, \
                       reference_threshold=None)")]
@@ -256,7 +286,7 @@ pub fn compare<'py>(
     runs: &Bound<'py, PyAny>,
     reference: &Bound<'py, PyAny>,
     load: Option<&Bound<'py, PyAny>>,
-    unload: Option<&str>,
+    unload: Unload,
     discard: Option<&Bound<'py, PyAny>>,
     force: Option<&Bound<'py, PyAny>>,
     threshold: Option<&Bound<'py, PyAny>>,
@@ -276,14 +306,14 @@ pub fn compare<'py>(
     };
     let reading = Reading {
         load: or(load, "load", "squeeze")?,
-        unload: unload.map(str::to_string),
+        unload: unload.0,
         discard: optional_count(discard, "discard", 0)?.unwrap_or(0),
         force: or(force, "force", "wall top force z")?,
         ..Reading::default()
     };
     let thresholds = Thresholds {
-        run: optional_quantity(threshold, "threshold", Dimension::FORCE)?,
-        reference: optional_quantity(reference_threshold, "reference_threshold", Dimension::FORCE)?.unwrap_or(0.0),
+        run: finite_force(threshold, "threshold")?,
+        reference: finite_force(reference_threshold, "reference_threshold")?.unwrap_or(0.0),
     };
     let place = path(reference, "reference")?;
     let reference = if place.is_dir() {

@@ -1,5 +1,7 @@
 """Two bodies, fits, comparisons and closed forms."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -85,6 +87,28 @@ def test_sticking():
     assert len(demeter.sticking(bodies, "1 um")["velocity"]) == 1
     with pytest.raises(ValueError, match="rise"):
         demeter.sticking(bodies, ("1 um", "0.1 um"))
+    with pytest.raises(ValueError, match="at most 10000"):
+        demeter.sticking(bodies, ("0.1 um", "1 um"), points=10_001)
+
+
+IN_A_NEW_PROCESS = """
+import signal, threading, demeter
+signal.signal(signal.SIGINT, signal.default_int_handler)
+bodies = {bodies!r}
+threading.Timer(0.3, signal.raise_signal, [signal.SIGINT]).start()
+try:
+    demeter.sticking(bodies, ("0.1 um", "1 um"), points=10_000)
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+
+
+def test_ctrl_c_ends_a_search_for_sticking_speeds():
+    """Where it comes before any array was made, too."""
+    bodies = dict(MCC, contact={"normal": {"law": "jkr", "work_of_adhesion": "0.1 N/m"}})
+    program = [sys.executable, "-c", IN_A_NEW_PROCESS.format(bodies=bodies)]
+    done = subprocess.run(program, capture_output=True, text=True, timeout=100)
+    assert done.stdout == "interrupted\n", done.stderr
 
 
 def test_fit():
@@ -149,6 +173,11 @@ def test_compare(bed, tmp_path):
     assert len(told["runs"][0]["forces"]["run"]) > 3
     with pytest.raises(demeter.OutputError):
         demeter.compare(tmp_path / "none", tmp_path / "55")
+    with pytest.raises(demeter.WrongType, match="`unload`.*5"):
+        demeter.compare(tmp_path / "50", tmp_path / "55", unload=5)
+    for threshold in ("threshold", "reference_threshold"):
+        with pytest.raises(demeter.WrongValue, match=f"`{threshold}`.*finite"):
+            demeter.compare(tmp_path / "50", tmp_path / "55", **{threshold: float("nan")})
 
 
 def test_laws():
