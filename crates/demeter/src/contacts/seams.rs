@@ -9,9 +9,10 @@
 //! walls lie in one place. A contact that so ends at one wall goes on at the other with all that it remembers. Where contacts feel each
 //! other neither is done.
 
-use super::wall_contacts::{SAME_SURFACE, geometry};
+use super::wall_contacts::geometry;
 use super::{ContactChunk, Scene, WORD, is_set};
-use crate::walls::{Overlap, SurfaceContact, Wall, are_one, joined};
+use crate::neighbours::WallPair;
+use crate::walls::{Overlap, SAME_SURFACE, SurfaceContact, Wall, are_one, are_still_one, joined};
 use glam::DVec3;
 use std::cell::RefCell;
 use std::ops::Range;
@@ -123,25 +124,63 @@ impl ContactChunk {
         parts.sort_by(|(_, a, _), (_, b, _)| a.distance.total_cmp(&b.distance));
         for n in 1..parts.len() {
             let (k, part, _) = parts[n];
-            parts[n].2 = parts[..n]
-                .iter()
-                .position(|(l, other, of)| of.is_none() && self.j[*l] != self.j[k] && are_one(other, &part, radius));
+            parts[n].2 = parts[..n].iter().position(|(l, other, of)| {
+                of.is_none() && self.j[*l] != self.j[k] && self.go_on_as_one((*l, other), (k, &part), parts, scene)
+            });
         }
         for n in 0..parts.len() {
             let (k, mut part, of) = parts[n];
-            let mut others = parts
-                .iter()
-                .filter(|(.., of)| *of == Some(n))
-                .map(|(_, part, _)| *part)
-                .peekable();
+            let mut others = parts.iter().filter(|(.., of)| *of == Some(n)).peekable();
             if of.is_some() {
                 part.distance = 2.0 * reach;
             } else if others.peek().is_some() {
-                part = joined(part, others, radius, overlaps);
+                let all = std::iter::once(&parts[n]).chain(others.clone());
+                let seen = |which: usize, way| {
+                    let (k, part, _) = all.clone().nth(which)?;
+                    let found = scene.walls[self.j[*k] as usize].contact_with(part.element, centre + way, reach)?;
+                    Some((found.distance, found.normal))
+                };
+                part = joined(part, others.map(|(_, part, _)| *part), (radius, &mut *overlaps), seen);
             } else {
                 continue;
             }
             self.now.geometry[k] = geometry(&part, radius);
+        }
+    }
+
+    /// Whether two contacts of a grain, each with its number, are one: as they were in the step before, where it overlapped with both, else as
+    /// [`are_one`] tells. `parts` are all that are near.
+    fn go_on_as_one(
+        &self,
+        (k, a): (usize, &SurfaceContact),
+        (l, b): (usize, &SurfaceContact),
+        parts: &[Beside],
+        scene: &Scene,
+    ) -> bool {
+        let radius = scene.grains.radius(self.i[k] as usize);
+        let acted = |contact: usize| is_set(&self.engaged, contact);
+        let (unknown, part) = match (acted(k), acted(l)) {
+            (true, true) => return false,
+            (true, false) => (l, b),
+            (false, true) => (k, a),
+            (false, false) => return are_one(a, b, radius),
+        };
+        let pair = WallPair {
+            grain: self.i[unknown],
+            wall: self.j[unknown],
+        };
+        // a contact with another wall that is left may go on here
+        let may_go_on = |old: usize| {
+            acted(old)
+                && self.now.geometry[old].normal.dot(part.normal) > SAME_SURFACE
+                && parts.iter().all(|(near, ..)| *near != old)
+        };
+        let first = self.i.partition_point(|&other| other < pair.grain);
+        let mut own = (first..self.len()).take_while(|&old| self.i[old] == pair.grain);
+        if scene.was_overlapped(&pair, part) && !own.any(may_go_on) {
+            are_still_one(a, b, radius)
+        } else {
+            are_one(a, b, radius)
         }
     }
 

@@ -7,11 +7,14 @@ use super::near_triangles::{NearTriangles, Within};
 use super::rare::begins_empty;
 use super::{ContactChunk, Kept, Scene, is_set};
 use crate::neighbours::WallPair;
-use crate::walls::SurfaceContact;
+use crate::walls::{Before, SAME_SURFACE, SurfaceContact};
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
 use demeter_physics::lanes;
 use glam::DVec3;
+
+/// A grain moves by no more than so many times what its speed tells in a step.
+const ANY_MOTION: f64 = 2.0;
 
 /// Room for the rounding of paths and distances.
 const ROUNDING: f64 = 1.0 + 1e-9;
@@ -22,6 +25,8 @@ pub(super) struct Touched {
     /// Parts of walls, one candidate after the other, and where those of each candidate end.
     parts: Vec<SurfaceContact>,
     ends: Vec<u32>,
+    /// Contacts of the step before that acted: of one candidate.
+    acted: Vec<SurfaceContact>,
     /// Contacts of the step before that were taken up: of one candidate.
     taken: Vec<usize>,
     /// Which of the contacts of the step before were engaged, a bit each.
@@ -93,7 +98,7 @@ impl Touched {
 
     /// Looks at all candidates: at triangles within the window of a step, at other parts where they come into a new table. Those of an
     /// older one stay as they were in the step before.
-    fn look(&mut self, pairs: &[WallPair], reach: Reach, contacts: &Kept, scene: &Scene) {
+    fn look(&mut self, pairs: &[WallPair], reach: Reach, (contacts, engaged): (&Kept, &[u64]), scene: &Scene) {
         self.clear();
         let mut pushed = std::mem::take(&mut self.pushed);
         pushed.clear();
@@ -106,11 +111,15 @@ impl Touched {
                 let points = self.within.next_of(c);
                 if !points.is_empty() {
                     let first = self.parts.len();
-                    wall.contacts_of(
-                        points,
-                        (scene.grains.position[g], scene.grains.radius(g)),
-                        &mut self.parts,
-                    );
+                    let (centre, radius) = (scene.grains.position[g], scene.grains.radius(g));
+                    let acted = contacts.range(c).filter(|&k| is_set(engaged, k));
+                    self.acted.clear();
+                    self.acted.extend(acted.map(|k| contacts.at_wall(k)));
+                    let before = Before {
+                        contacts: &self.acted,
+                        was_overlapped: &|part| scene.was_overlapped(pair, part),
+                    };
+                    wall.contacts_of(points, (centre, radius), &before, &mut self.parts);
                     self.retain_from(first, |part| {
                         let is_pushed = scene.is_pushed_by_another(g, pair.wall as usize, part);
                         pushed.extend(is_pushed.then_some(c));
@@ -219,6 +228,14 @@ impl Scene<'_> {
     }
 }
 
+impl Scene<'_> {
+    /// Whether a grain overlapped with a part of a wall in the step before.
+    pub(super) fn was_overlapped(&self, pair: &WallPair, part: &SurfaceContact) -> bool {
+        let moved = self.rate_at_wall(pair, part).abs() * self.dt;
+        self.grains.radius(pair.grain as usize) - part.distance > ANY_MOTION * moved
+    }
+}
+
 pub(super) fn geometry(part: &SurfaceContact, radius: f64) -> Contact {
     Contact {
         normal: part.normal,
@@ -239,7 +256,7 @@ impl ContactChunk {
         }
         let has_meshes = touched.near.has_meshes;
         if reach.is_new || has_meshes {
-            touched.look(pairs, reach, &self.now, scene);
+            touched.look(pairs, reach, (&self.now, &self.engaged), scene);
             self.touch(pairs, &mut touched, scene);
         }
         if !reach.is_new {
@@ -365,9 +382,6 @@ impl ContactChunk {
         }
     }
 }
-
-/// Cosine of the largest turn of the normal at which a history passes from one wall element to another.
-pub(super) const SAME_SURFACE: f64 = 0.5;
 
 impl Kept {
     /// The part of a wall in a contact.

@@ -30,8 +30,8 @@ mod surface;
 mod wall;
 
 pub use error::WallError;
+pub(crate) use mesh::{Before, Overlap, SAME_SURFACE, TrianglePoint, are_one, are_still_one, joined};
 pub use mesh::{Mesh, MeshError};
-pub(crate) use mesh::{Overlap, TrianglePoint, are_one, joined};
 pub use mesh_file::{MeshFileContent, MeshFileError, MeshFormat, read_mesh};
 pub use motion::{FreeMotion, Freedom, Motion, MotionPart, Motions};
 pub use motion_checks::MAX_PARTS;

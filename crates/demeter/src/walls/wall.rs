@@ -2,7 +2,7 @@
 
 use super::elements;
 use super::error::WallError;
-use super::mesh::{Mesh, TrianglePoint};
+use super::mesh::{Before, Mesh, TrianglePoint};
 use super::motion::Motions;
 use super::motion_checks::check_motions;
 use super::motor::{Driven, FreeStep, Motor};
@@ -174,12 +174,16 @@ impl Wall {
         &self,
         points: &mut [TrianglePoint],
         (centre, radius): (DVec3, f64),
+        before: &Before,
         out: &mut Vec<SurfaceContact>,
     ) {
         if let Surface::Mesh(mesh) = &self.surface {
             let pose = &self.motor.pose;
-            let frame = (|| pose.unplace(self.origin, centre), |normal| pose.turn(normal));
-            mesh.contacts_of((points, radius), frame, out);
+            let frame = (
+                |way| pose.unplace(self.origin, centre + way),
+                |normal| pose.turn(normal),
+            );
+            mesh.contacts_of((points, radius), frame, before, out);
         }
     }
 

@@ -13,6 +13,7 @@ mod mesh;
 mod mesh_files;
 mod mesh_repair;
 mod motion;
+mod one_or_two;
 mod periodic;
 mod refused;
 mod stl;

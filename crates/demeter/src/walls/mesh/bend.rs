@@ -5,11 +5,17 @@
 //! all others are left with it, it is that of this point. In a concave bend it turns from the normal of one side to that of the other without a
 //! jump, and as `p` leads to the nearest point of a convex set, forces along it that follow from its length have a potential: a grain
 //! comes to rest in the bend, and gains no energy on a way around.
+//!
+//! At edges and on round walls `n_i` turns on the way, and that holds for the nearest place only where nothing is overlapped any more. Newton's
+//! method finds it: the same again with the overlaps that are seen from where the way led.
 
 use glam::{DMat3, DVec3};
 
 /// Sines below this are none: of normals so close to each other one is asked.
 const PARALLEL: f64 = 1e-6;
+/// Times that a way out of what is not flat is looked for anew, and the share of it by which the last may change it.
+const MOST_TURNS: usize = 8;
+const FOUND: f64 = 1e-11;
 /// Share of an overlap that rounding may leave.
 const ROUNDING: f64 = 1e-12;
 
@@ -58,6 +64,25 @@ impl WayOut {
                 break;
             };
             out = next;
+        }
+        out
+    }
+
+    /// Out of several overlaps, the largest first, of which `seen` tells how deep one is, by its number, and its normal where a way has led; nothing of
+    /// one that is flat.
+    pub(super) fn curved(overlaps: &mut [Overlap], seen: impl Fn(usize, DVec3) -> Option<(f64, DVec3)>) -> Self {
+        let mut out = Self::of(overlaps);
+        for _ in 0..MOST_TURNS {
+            let way = out.way;
+            for (k, overlap) in overlaps.iter_mut().enumerate() {
+                if let Some((depth, normal)) = seen(k, way) {
+                    (overlap.depth, overlap.normal) = (depth + normal.dot(way), normal);
+                }
+            }
+            out = Self::of(overlaps);
+            if (out.way - way).length() <= FOUND * way.length() {
+                break;
+            }
         }
         out
     }

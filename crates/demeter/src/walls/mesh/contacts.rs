@@ -15,7 +15,8 @@
 //!   shortest way out of all of them ([`bend`](super::bend)). With edges and corners, whose normals turn as the sphere sinks, the places on
 //!   the surface are asked: whether they are as close as those normals make them where the sphere just touches both. That joins the contacts
 //!   of facets that stand for one curved surface, of triangles given twice, and of the two skins of a thin sheet. On a faceted surface the
-//!   force so follows from one overlap and is continuous in size and direction from facet to facet.
+//!   force so follows from one overlap and is continuous in size and direction from facet to facet. Those at edges and corners that are overlapped
+//!   stay as many as they were ([`lasting`](super::lasting)).
 //!
 //! A triangle with a closer point is itself among those within reach: to decide, no others are asked. They are taken from the closest on, since
 //! what has the direction of one that is kept, and is left on the way out of that, need not be judged.
@@ -25,6 +26,7 @@
 
 use super::Mesh;
 use super::bend::{Overlap, WayOut};
+use super::lasting::{Before, Part};
 use super::topology::Junction;
 use crate::walls::SurfaceContact;
 use demeter_physics::geometry::Feature;
@@ -56,6 +58,8 @@ const SAME_PLACE: f64 = 2.0 * (1.0 - SAME_DIRECTION);
 /// apart as may be do at an overlap of three tenths.
 const WIDEST: f64 = 0.85;
 
+/// Share of the radius within which the closest points of triangles are the same point of an edge.
+const SAME_POINT: f64 = 1e-9;
 /// Share of the radius by which a point may be deeper that is left on the way out of a contact.
 const ROUNDING: f64 = 1e-12;
 
@@ -79,10 +83,10 @@ thread_local! {
     static BENDS: RefCell<Bends> = RefCell::default();
 }
 
-/// Contacts beside others that have their direction, told by number; what is found of one and those beside it.
+/// Contacts of a sphere, those that are one with the same number; what is found of those.
 #[derive(Debug, Default)]
 struct Bends {
-    beside: Vec<(usize, SurfaceContact)>,
+    parts: Vec<Part>,
     overlaps: Vec<Overlap>,
 }
 
@@ -104,23 +108,26 @@ impl Mesh {
                 }
                 false
             });
-            self.contacts_of((points, radius), (|| centre, |normal| normal), out);
+            let frame = (|way| centre + way, |normal| normal);
+            self.contacts_of((points, radius), frame, &Before::NOTHING, out);
         });
     }
 
     /// Appends the contacts of a sphere of some radius among the closest points of all triangles within reach, sorted by element. The centre
-    /// is that in the wall frame; the normals of the points are those that `turn` makes of normals there.
+    /// is told in the wall frame, from where a way outside of it has led; the normals of the points and of contacts before are those that `turn` makes of
+    /// normals there.
     pub(crate) fn contacts_of(
         &self,
         (points, radius): (&mut [TrianglePoint], f64),
-        (centre, turn): (impl Fn() -> DVec3, impl Fn(DVec3) -> DVec3),
+        (centre, turn): (impl Fn(DVec3) -> DVec3, impl Fn(DVec3) -> DVec3),
+        before: &Before,
         out: &mut Vec<SurfaceContact>,
     ) {
         let is_on_closer = |point: &TrianglePoint, nearer: &[TrianglePoint]| {
             let triangle = |point: &TrianglePoint| &self.triangles[point.triangle as usize];
             let mut closer = nearer.iter().filter(|other| other.is_closer_than(point)).peekable();
             closer.peek().is_some() && {
-                let place = contact_sphere_triangle(triangle(point), centre()).foot;
+                let place = contact_sphere_triangle(triangle(point), centre(DVec3::ZERO)).foot;
                 closer.any(|other| contact_sphere_triangle(triangle(other), place).distance <= BESIDE * radius)
             }
         };
@@ -129,34 +136,62 @@ impl Mesh {
         };
         points.swap(0, closest);
         let first = out.len();
-        out.extend(self.judge(&points[0], &[], &turn, is_on_closer));
+        out.extend(self.judge(&points[0], &[], &turn, is_on_closer, before));
         if points[1..].iter().all(|point| is_known(point, radius, &out[first..])) {
             return;
         }
         points[1..].sort_unstable_by(|a, b| self.order(a, b));
-        BENDS.with_borrow_mut(|Bends { beside, overlaps }| {
-            beside.clear();
+        BENDS.with_borrow_mut(|Bends { parts, overlaps }| {
+            parts.clear();
             for n in 1..points.len() {
                 if is_known(&points[n], radius, &out[first..]) {
                     continue;
                 }
-                let Some(contact) = self.judge(&points[n], &points[..n], &turn, is_on_closer) else {
+                let Some(contact) = self.judge(&points[n], &points[..n], &turn, is_on_closer, before) else {
                     continue;
                 };
-                let mut known = out[first..].iter().chain(beside.iter().map(|(_, contact)| contact));
+                let mut known = out[first..].iter().chain(parts.iter().map(|(_, contact)| contact));
                 if known.any(|other| other.element == contact.element) {
                     continue;
                 }
                 match out[first..].iter().position(|other| are_one(other, &contact, radius)) {
-                    Some(of) => beside.push((first + of, contact)),
+                    Some(of) => parts.push((of, contact)),
                     None => out.push(contact),
                 }
             }
-            for (of, contact) in out.iter_mut().enumerate().skip(first) {
-                let mut others = beside.iter().filter(|(other, _)| *other == of).peekable();
-                if others.peek().is_some() {
-                    *contact = joined(*contact, others.map(|(_, other)| *other), radius, overlaps);
+            let alone = out.drain(first..).enumerate();
+            parts.extend(alone);
+            parts.sort_unstable_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance).then(a.element.cmp(&b.element)));
+            before.go_on(parts, radius);
+            for n in 0..parts.len() {
+                let (of, closest) = parts[n];
+                if parts[..n].iter().any(|(other, _)| *other == of) {
+                    continue;
                 }
+                let others = parts[n + 1..]
+                    .iter()
+                    .filter(|(other, _)| *other == of)
+                    .map(|(_, other)| *other);
+                if others.clone().next().is_none() {
+                    out.push(closest);
+                    continue;
+                }
+                let all = std::iter::once(closest).chain(others.clone());
+                let contact = joined(closest, others, (radius, overlaps), |k, way| {
+                    let part = all.clone().nth(k).filter(|part| part.is_at_edge)?;
+                    let meets = |point: &&TrianglePoint| {
+                        let apart = part.distance * part.normal - point.distance * point.normal;
+                        apart.length_squared() <= (SAME_POINT * radius).powi(2)
+                    };
+                    let there = points
+                        .iter()
+                        .filter(meets)
+                        .map(|point| &self.triangles[point.triangle as usize]);
+                    let seen = there.map(|triangle| contact_sphere_triangle(triangle, centre(way)));
+                    let seen = seen.min_by(|a, b| a.distance.total_cmp(&b.distance))?;
+                    Some((seen.distance, turn(seen.normal)))
+                });
+                out.push(contact);
             }
         });
         out[first..].sort_unstable_by_key(|contact| contact.element);
@@ -211,6 +246,7 @@ impl Mesh {
         nearer: &[TrianglePoint],
         turn: impl Fn(DVec3) -> DVec3,
         is_on_closer: impl Fn(&TrianglePoint, &[TrianglePoint]) -> bool,
+        before: &Before,
     ) -> Option<SurfaceContact> {
         let mut contact = SurfaceContact {
             normal: point.normal,
@@ -224,7 +260,15 @@ impl Mesh {
             Feature::Vertex(corner) => self.topology.vertex(point.triangle, corner),
         };
         if junction.closer(point, nearer).next().is_some() {
-            return self.beyond_rim(point, &junction, nearer, turn);
+            let lasting = || {
+                let element = self.edges_at(point).find(|&key| before.has(key))?;
+                Some(SurfaceContact {
+                    element,
+                    is_at_edge: true,
+                    ..contact
+                })
+            };
+            return self.beyond_rim(point, &junction, nearer, turn).or_else(lasting);
         }
         if junction.flat {
             let normal = turn(self.triangles[point.triangle as usize].normal());
@@ -238,6 +282,17 @@ impl Mesh {
             contact.is_at_edge = true;
         }
         Some(contact)
+    }
+
+    /// Keys of the edge on which a point of a triangle lies, or of those beside its vertex.
+    fn edges_at(&self, point: &TrianglePoint) -> impl Iterator<Item = u32> {
+        let sides = match point.feature {
+            Feature::Face => [None; 2],
+            Feature::Edge(side) => [Some(side), None],
+            Feature::Vertex(corner) => [Some(corner), Some((corner + 2) % 3)],
+        };
+        let key = |side| self.topology.edge(point.triangle, side).key;
+        sides.into_iter().flatten().map(key)
     }
 
     /// The contact with the plane of a face whose rim is closest, where the sphere stands over a face at the rim, and all that meets there and
@@ -297,7 +352,12 @@ pub(crate) fn are_one(a: &SurfaceContact, b: &SurfaceContact, radius: f64) -> bo
 
 /// Whether two places on a surface, told by directions and distances from the centre of a sphere, are close to each other.
 fn are_close(a: (DVec3, f64), b: (DVec3, f64), radius: f64) -> bool {
-    a.0.dot(b.0) > WIDEST && (a.1 * a.0 - b.1 * b.0).length_squared() < SAME_PLACE * radius * radius
+    are_one_up_to(WIDEST, SAME_PLACE, a, b, radius)
+}
+
+/// The same with a cosine and the square of a distance, as share of that of the radius.
+pub(super) fn are_one_up_to(cosine: f64, place: f64, a: (DVec3, f64), b: (DVec3, f64), radius: f64) -> bool {
+    a.0.dot(b.0) > cosine && (a.1 * a.0 - b.1 * b.0).length_squared() < place * radius * radius
 }
 
 /// Whether a contact of a sphere is known that is one with that of a point, whatever this turns out to be, on whose way out the point is
@@ -317,12 +377,13 @@ fn is_known(point: &TrianglePoint, radius: f64, contacts: &[SurfaceContact]) -> 
     contacts.iter().find_map(compare).unwrap_or(false)
 }
 
-/// The contact of the shortest way out of some that are one, the closest first: this where the sphere does not overlap with it.
+/// The contact of the shortest way out of some that are one, the closest first: this where the sphere does not overlap with it. `seen` tells distance
+/// and normal of one, by its number, from where a way has led, unless it is flat.
 pub(crate) fn joined(
     closest: SurfaceContact,
     others: impl Iterator<Item = SurfaceContact>,
-    radius: f64,
-    overlaps: &mut Vec<Overlap>,
+    (radius, overlaps): (f64, &mut Vec<Overlap>),
+    seen: impl Fn(usize, DVec3) -> Option<(f64, DVec3)>,
 ) -> SurfaceContact {
     if closest.distance >= radius {
         return closest;
@@ -335,7 +396,9 @@ pub(crate) fn joined(
     overlaps.clear();
     overlaps.push(overlap(closest));
     overlaps.extend(others.map(overlap));
-    let out = WayOut::of(overlaps);
+    let out = WayOut::curved(overlaps, |k, way| {
+        seen(k, way).map(|(distance, normal)| (radius - distance, normal))
+    });
     let depth = out.way.length();
     SurfaceContact {
         normal: out.way / depth,

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::walls::{Motion, Shape, Wall};
+use demeter_physics::geometry::contact_sphere_triangle::Triangle;
 use demeter_physics::lanes::{self, Instructions, Kernel, MOST_LANES, Mask, Vector};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
@@ -139,8 +140,25 @@ fn by_the_rule(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
     }
     for (of, contact) in kept.iter_mut().enumerate() {
         let others = beside.iter().filter(|(other, _)| *other == of).map(|(_, c)| *c);
-        let all: Vec<SurfaceContact> = std::iter::once(*contact).chain(others).collect();
-        let (way, holding) = way_out(&all, reach);
+        let mut all: Vec<SurfaceContact> = std::iter::once(*contact).chain(others).collect();
+        let edges: Vec<bool> = all.iter().map(|part| part.is_at_edge).collect();
+        let places: Vec<DVec3> = all.iter().map(|part| centre - part.distance * part.normal).collect();
+        let (mut way, mut holding) = way_out(&all, reach);
+        for _ in 0..8 {
+            // edges are seen again from where the way led
+            for k in (0..all.len()).filter(|&k| edges[k]) {
+                let meets = |t: &&Triangle| contact_sphere_triangle(t, centre).foot.distance(places[k]) < 1e-9 * reach;
+                let seen = mesh
+                    .triangles
+                    .iter()
+                    .filter(meets)
+                    .map(|t| contact_sphere_triangle(t, centre + way));
+                let seen = seen.min_by(|a, b| a.distance.total_cmp(&b.distance)).unwrap();
+                all[k].normal = seen.normal;
+                all[k].distance = seen.distance - seen.normal.dot(way);
+            }
+            (way, holding) = way_out(&all, reach);
+        }
         if all.len() > 1 {
             *contact = SurfaceContact {
                 normal: way.normalize(),
@@ -191,8 +209,8 @@ impl Kernel for Among<'_> {
             }
         }
         let mut contacts = Vec::new();
-        self.wall
-            .contacts_of(&mut points, (self.centre, self.reach), &mut contacts);
+        let (place, before) = ((self.centre, self.reach), Before::NOTHING);
+        self.wall.contacts_of(&mut points, place, &before, &mut contacts);
         contacts
     }
 }
@@ -313,7 +331,7 @@ fn across_a_gap_the_closest_is_the_contact() {
         is_at_edge: false,
     };
     let (closest, other) = (side(0.1, 1.1), side(-0.1, 1.12));
-    let join = |closest| joined(closest, std::iter::once(other), 1.0, &mut Vec::new());
+    let join = |closest| joined(closest, std::iter::once(other), (1.0, &mut Vec::new()), |_, _| None);
     assert_eq!(join(closest), closest);
     // where it is overlapped, all are left on the way out
     let way = join(side(0.1, 0.9));

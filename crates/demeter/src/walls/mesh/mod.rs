@@ -9,6 +9,7 @@ mod bend;
 mod contacts;
 mod crossings;
 mod inspection;
+mod lasting;
 mod orientation;
 mod repair;
 mod topology;
@@ -18,6 +19,7 @@ pub(crate) use bend::Overlap;
 pub(crate) use contacts::{TrianglePoint, are_one, joined};
 pub use crossings::Crossings;
 pub use inspection::{Inspection, Places, Rim};
+pub(crate) use lasting::{Before, SAME_SURFACE, are_still_one};
 pub use repair::{LeftOut, Repair};
 
 use super::hierarchy::Hierarchy;
