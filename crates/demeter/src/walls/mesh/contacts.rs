@@ -137,14 +137,18 @@ impl Mesh {
         points.swap(0, closest);
         let first = out.len();
         out.extend(self.judge(&points[0], &[], &turn, is_on_closer, before));
-        if points[1..].iter().all(|point| is_known(point, radius, &out[first..])) {
+        // what acted by itself before is judged in any case
+        let is_spare = |point: &TrianglePoint, contacts: &[SurfaceContact]| {
+            is_known(point, radius, contacts) && !self.edges_at(point).any(|key| before.has(key))
+        };
+        if points[1..].iter().all(|point| is_spare(point, &out[first..])) {
             return;
         }
         points[1..].sort_unstable_by(|a, b| self.order(a, b));
         BENDS.with_borrow_mut(|Bends { parts, overlaps }| {
             parts.clear();
             for n in 1..points.len() {
-                if is_known(&points[n], radius, &out[first..]) {
+                if is_spare(&points[n], &out[first..]) {
                     continue;
                 }
                 let Some(contact) = self.judge(&points[n], &points[..n], &turn, is_on_closer, before) else {

@@ -3,12 +3,12 @@
 //! Whether two of them are one follows from how close they are ([`are_one`](super::are_one)). Were that asked in every step, a sphere that moves past
 //! that bound while it overlaps with both would be pushed twice from one step to the next, with energy that comes from nowhere: on the corner of a square
 //! hole both edges are overlapped as deeply. So it is asked where an overlap begins, and holds until one ends: two contacts of the step before stay
-//! two, and what was overlapped in the step before without a contact of its own goes on as part of the closest. A contact with an edge goes on at its
+//! two, and what was overlapped in the step before without a contact of its own goes on as part of the one whose way
+//! out leaves the least of it. A contact with an edge goes on at its
 //! end, too, though another edge or a face that begins there is closer.
 
 use super::contacts::are_one_up_to;
 use crate::walls::SurfaceContact;
-use glam::DVec3;
 
 /// Cosine of the angle up to which normals may turn away from each other while contacts are still one.
 const STILL_ONE: f64 = 0.5;
@@ -60,12 +60,18 @@ impl Before<'_> {
             if is_known_or_new || self.contacts.iter().any(|old| goes_on_at(old, &part, parts)) {
                 continue;
             }
-            let apart = |other: &SurfaceContact| (place(other) - place(&part)).length_squared();
+            // what is left of the overlap there on the way out of a contact of the step before
+            let left_of = |other: &SurfaceContact| {
+                let old = self.contacts.iter().find(|old| old.element == other.element);
+                old.map_or(f64::INFINITY, |old| {
+                    radius - part.distance - (radius - old.distance) * old.normal.dot(part.normal)
+                })
+            };
             let may_be_one = |other: &SurfaceContact| {
                 self.has(other.element) && is_at_edge(other, &part) && are_still_one(other, &part, radius)
             };
             let known = parts.iter().filter(|(_, other)| may_be_one(other));
-            if let Some(&(of, _)) = known.min_by(|(_, a), (_, b)| apart(a).total_cmp(&apart(b))) {
+            if let Some(&(of, _)) = known.min_by(|(_, a), (_, b)| left_of(a).total_cmp(&left_of(b))) {
                 parts[n].0 = of;
             }
         }
@@ -85,9 +91,4 @@ fn goes_on_at(old: &SurfaceContact, part: &SurfaceContact, parts: &[Part]) -> bo
 
 fn is_at_edge(a: &SurfaceContact, b: &SurfaceContact) -> bool {
     a.is_at_edge || b.is_at_edge
-}
-
-/// Where a contact is, from the centre.
-fn place(contact: &SurfaceContact) -> DVec3 {
-    contact.distance * contact.normal
 }
