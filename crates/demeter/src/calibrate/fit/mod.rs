@@ -2,9 +2,9 @@
 //!
 //! Where one impact of a damped spring shows the restitution and one thing more, the closed forms give the parameters.
 //! Everywhere else damped least squares does, on the logarithms of parameters, with the error-controlled collision as the
-//! model; observations are compared by logarithms where their error is relative, by differences where it is absolute. Then the singular values of `d ln(observation)/d ln(parameter)` tell which
-//! products of powers of the parameters the observations fix; directions along which no observation changes are not
-//! identifiable from them.
+//! model; observations are compared by logarithms where their error is relative, by differences where it is absolute. Then
+//! the singular values of `d ln(observation)/d ln(parameter)` tell which products of powers of the parameters the
+//! observations fix; directions along which no observation changes are not identifiable from them.
 
 mod exact;
 mod identify;
