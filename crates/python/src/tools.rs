@@ -26,7 +26,7 @@ use engine::materials::law_to_json;
 use engine::scenario::{FitTask, units};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyString, PyTuple};
+use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
 use std::path::PathBuf;
 
 /// The stage of unloading of a comparison, where there is one.
@@ -389,8 +389,8 @@ pub fn laws<'py>(py: Python<'py>, name: Option<&Bound<'py, PyAny>>) -> PyResult<
 ///     Impact speed [m/s].
 /// restitution : float, optional
 ///     Speed after over speed before, in (0, 1].
-/// stiffness : float or str, optional
-///     k [N/m], or K [N/m^1.5].
+/// stiffness : quantity, optional
+///     k, as ``"5 kN/m"``, or K, as ``"1 GN/m^1.5"``.
 /// contact_time, max_overlap, max_force : quantity, optional
 /// contact_end : {"zero-overlap", "zero-force"}
 ///     When the bodies part.
@@ -423,7 +423,7 @@ pub fn damped_spring<'py>(
     let wrong = |error: RestitutionError| CollisionError::new_err(error.to_string());
     let (law, unit) = match text(law, "law")?.as_str() {
         "linear" => (SpringDashpot::Linear, Dimension::STIFFNESS),
-        "hertz" => (SpringDashpot::Hertz, Dimension::NONE),
+        "hertz" => (SpringDashpot::Hertz, Dimension::HERTZ_STIFFNESS),
         other => {
             let message = format!("`law` is \"{other}\"; it must be \"linear\" or \"hertz\"");
             return Err(wrong_value(message));
@@ -507,11 +507,12 @@ pub fn si(value: &Bound<'_, PyAny>) -> PyResult<f64> {
             read.map(|quantity| quantity.value)
                 .map_err(|e| wrong_value(e.to_string()))
         }
-        Err(_) => value.extract().map_err(|_| {
-            wrong_type(format!(
+        Err(_) => match value.extract::<f64>() {
+            Ok(number) if !value.is_instance_of::<PyBool>() => Ok(number),
+            _ => Err(wrong_type(format!(
                 "a quantity is a text with a unit or a number, not {}",
                 shown(value)
-            ))
-        }),
+            ))),
+        },
     }
 }

@@ -62,6 +62,8 @@ def test_the_closed_form_is_what_the_collision_shows():
     )
     for name in ("contact_time", "max_overlap", "max_force"):
         assert spring[name] == pytest.approx(report[name], rel=1e-6)
+    told = demeter.damped_spring("hertz", mass=mass, velocity=1, restitution=0.54, stiffness=f"{spring['stiffness']} N/m^1.5")
+    assert told == spring
     back = demeter.damped_spring(
         "hertz", mass=mass, velocity=1, contact_time=spring["contact_time"], max_overlap=spring["max_overlap"]
     )

@@ -182,6 +182,17 @@ WITHOUT_A_RUN = {
         ValueError,
         ["`restitution`", "high"],
     ),
+    "a linear stiffness of a Hertzian spring": (
+        lambda p: demeter.damped_spring("hertz", mass=1, velocity=1, restitution=0.5, stiffness="1 kN/m"),
+        ValueError,
+        ["`stiffness`", "stiffness of a Hertzian contact", '"1 N/m^1.5"', '"1 kN/m"'],
+    ),
+    "a spring beyond all numbers": (
+        lambda p: demeter.damped_spring("linear", mass=1e300, velocity=1e300, restitution=0.5, stiffness=1e-300),
+        demeter.CollisionError,
+        ["largest overlap [m]", "finite"],
+    ),
+    "a truth for a quantity": (lambda p: demeter.si(True), TypeError, ["True"]),
     "a unit that is not there": (lambda p: demeter.si("2 mmm"), ValueError, ["mmm"]),
     "a quantity that is None": (lambda p: demeter.si(None), TypeError, ["None"]),
     "bodies without a law": (lambda p: demeter.collide({}), None, ["dict"]),

@@ -63,6 +63,15 @@ pub struct ResidenceState {
     bins: Vec<f64>,
 }
 
+impl ResidenceState {
+    /// Sum over the grains inside of their mass times what is told of the step at which each came; 0 of none, where
+    /// [`Iterator::sum`] is -0.
+    fn sum_inside(&self, of: impl Fn(u64) -> f64) -> f64 {
+        let add = |sum, &(_, came, mass): &(u32, u64, f64)| sum + mass * of(came);
+        self.inside.iter().fold(0.0, add)
+    }
+}
+
 impl Residence {
     /// Titles of its columns.
     pub fn titles(&self, name: &str) -> Vec<String> {
@@ -125,10 +134,8 @@ impl Residence {
 
     /// Its values, in the order of [`RESIDENCE_COLUMNS`], after a look.
     pub fn measure(&self, sim: &Simulation, state: &ResidenceState) -> Vec<Value> {
-        let mass: f64 = state.inside.iter().map(|grain| grain.2).sum();
-        let aged: f64 = (state.inside.iter())
-            .map(|grain| grain.2 * (sim.step - grain.1) as f64 * sim.dt)
-            .sum();
+        let mass = state.sum_inside(|_| 1.0);
+        let aged = state.sum_inside(|came| (sim.step - came) as f64 * sim.dt);
         let [mean, deviation, skewness] = moments(state, sim.dt);
         let extreme = |pick: fn(&(u64, u64)) -> u64| {
             let steps = state.extremes.as_ref().map(pick);
@@ -226,7 +233,9 @@ mod tests {
         }
         assert_eq!(residence.distribution(&end), [0.0, 3.0, 1.0, 5.0]);
         assert!(residence.fits(&end));
-        assert!(end.inside.is_empty());
+        assert_eq!(state_then.sum_inside(|_| 1.0), 2.0);
+        let nothing = end.sum_inside(|_| 1.0);
+        assert!(nothing == 0.0 && nothing.is_sign_positive(), "{nothing}");
     }
 
     #[test]

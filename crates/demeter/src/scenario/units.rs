@@ -1,7 +1,7 @@
 //! Units of the scenario: `"23.3 kPa"`, `"2 mm/min"`, `"9.81 m/s^2"`, `"60 rpm"`.
 //!
-//! A quantity is a number, a space and a unit; a unit is a product or quotient of symbols with SI prefixes and integer
-//! powers. Decimal prefixes are put into the exponent of the number before it is read, so that `"9.3 mm"` has the bits
+//! A quantity is a number, a space and a unit; a unit is a product or quotient of symbols with SI prefixes and powers, whole ones or
+//! halves. Decimal prefixes are put into the exponent of the number before it is read, so that `"9.3 mm"` has the bits
 //! of `9.3e-3`.
 
 use demeter_physics::dimension::Dimension;
@@ -159,33 +159,42 @@ pub enum UnitError {
 struct Product {
     multiplier: f64,
     divisor: f64,
-    tens: i32,
-    exponents: [i32; 4],
+    /// Twice the power of ten.
+    half_tens: i32,
+    /// Twice the exponents of kilogram, metre, second and angle.
+    halves: [i32; 4],
 }
 
 impl Product {
     const ONE: Self = Self {
         multiplier: 1.0,
         divisor: 1.0,
-        tens: 0,
-        exponents: [0; 4],
+        half_tens: 0,
+        halves: [0; 4],
     };
 
-    fn times(mut self, unit: &Unit, prefix: i32, power: i32) -> Self {
-        for _ in 0..power.unsigned_abs() {
-            if power > 0 {
-                self.multiplier *= unit.factor;
-            } else {
-                self.divisor *= unit.factor;
-            }
+    /// Times a unit to the power of half of `halves`.
+    fn times(mut self, unit: &Unit, prefix: i32, halves: i32) -> Self {
+        let side = if halves > 0 { &mut self.multiplier } else { &mut self.divisor };
+        for _ in 0..halves.unsigned_abs() / 2 {
+            *side *= unit.factor;
         }
-        let dimension = unit.dimension;
-        self.tens += (unit.tens + prefix) * power;
-        let parts = [dimension.mass, dimension.length, dimension.time, unit.angle];
-        for (sum, part) in self.exponents.iter_mut().zip(parts) {
-            *sum += i32::from(part) * power;
+        if halves % 2 != 0 {
+            *side *= unit.factor.sqrt();
+        }
+        self.half_tens += (unit.tens + prefix) * halves;
+        let [mass, length, time] = unit.dimension.halves();
+        for (sum, of_one) in self.halves.iter_mut().zip([mass, length, time, 2 * unit.angle]) {
+            // those of a unit are whole
+            *sum += i32::from(of_one / 2) * halves;
         }
         self
+    }
+
+    /// The power of ten, and the root of ten where half of one is left.
+    fn tens(&self) -> (i32, f64) {
+        let root = if self.half_tens % 2 == 0 { 1.0 } else { 10.0_f64.sqrt() };
+        (self.half_tens.div_euclid(2), root)
     }
 }
 
@@ -196,24 +205,29 @@ pub fn parse(text: &str) -> Result<Quantity, UnitError> {
     let product = match unit {
         "" => Product::ONE,
         "%" => Product {
-            tens: -2,
+            half_tens: -4,
             ..Product::ONE
         },
         _ => parse_unit(unit)?,
     };
-    let value = decimal(number, product.tens)? * product.multiplier / product.divisor;
+    let (tens, root) = product.tens();
+    let value = decimal(number, tens)? * product.multiplier / product.divisor * root;
     if !value.is_finite() {
         return Err(UnitError::NotFinite(text.to_string()));
     }
-    let form = |_| UnitError::Form {
+    let form = |why| UnitError::Form {
         unit: unit.to_string(),
-        why: "its powers are too high",
+        why,
     };
-    let [mass, length, time, angle] = product.exponents.map(i8::try_from);
+    let [mass, length, time, angle] = product.halves;
+    if angle % 2 != 0 {
+        return Err(form("an angle has whole powers"));
+    }
+    let part = |halves: i32| i8::try_from(halves).map_err(|_| form("its powers are too high"));
     Ok(Quantity {
         value,
-        dimension: Dimension::new(mass.map_err(form)?, length.map_err(form)?, time.map_err(form)?),
-        angle: angle.map_err(form)?,
+        dimension: Dimension::of_halves([part(mass)?, part(length)?, part(time)?]),
+        angle: part(angle / 2)?,
         has_unit: !unit.is_empty(),
     })
 }
@@ -261,7 +275,7 @@ fn decimal(number: &str, tens: i32) -> Result<f64, UnitError> {
     }
 }
 
-/// Reads a unit expression: symbols joined by spaces, `*`, `.` or `/`, with powers and one level of brackets.
+/// Reads a unit expression: symbols joined by spaces, `*`, `·` or `/`, with powers and one level of brackets.
 fn parse_unit(text: &str) -> Result<Product, UnitError> {
     let fail = |why| {
         Err(UnitError::Form {
@@ -304,8 +318,8 @@ fn parse_unit(text: &str) -> Result<Product, UnitError> {
             '(' | ')' => return fail("brackets stand only around what follows a `/`"),
             _ => {
                 let (factor, after) = parse_factor(rest, text)?;
-                if let Some((unit, prefix, power)) = factor {
-                    product = product.times(unit, prefix, sign * power);
+                if let Some((unit, prefix, halves)) = factor {
+                    product = product.times(unit, prefix, sign * halves);
                 }
                 expect_factor = false;
                 rest = after;
@@ -320,7 +334,7 @@ fn parse_unit(text: &str) -> Result<Product, UnitError> {
     Ok(product)
 }
 
-/// A unit with its power of ten from the prefix and its power.
+/// A unit with its power of ten from the prefix and twice its power.
 type Factor = Option<(&'static Unit, i32, i32)>;
 
 /// Reads one symbol with its power: `"s^2 ..."`; `1` stands for itself.
@@ -343,25 +357,25 @@ fn parse_factor<'t>(rest: &'t str, whole: &str) -> Result<(Factor, &'t str), Uni
         symbol: symbol.to_string(),
         suggestion: suggest(symbol),
     })?;
-    let mut power = 1;
-    if let Some((_, value)) = [('²', 2), ('³', 3)].into_iter().find(|(c, _)| after.starts_with(*c)) {
-        power = value;
+    let mut halves = 2;
+    if let Some((_, value)) = [('²', 4), ('³', 6)].into_iter().find(|(c, _)| after.starts_with(*c)) {
+        halves = value;
         after = &after['²'.len_utf8()..];
     } else if let Some(exponent) = after.strip_prefix('^') {
         let end = exponent
             .char_indices()
-            .find(|&(at, c)| !(c.is_ascii_digit() || (at == 0 && c == '-')))
+            .find(|&(at, c)| !(c.is_ascii_digit() || c == '.' || (at == 0 && c == '-')))
             .map_or(exponent.len(), |(at, _)| at);
-        power = exponent[..end]
-            .parse()
-            .ok()
-            .filter(|p| (-9..=9).contains(p) && *p != 0)
-            .ok_or_else(|| fail("a power is a whole number from -9 to 9, as in `m^3`"))?;
+        let power: Option<f64> = exponent[..end].parse().ok().filter(|_| !exponent[..end].ends_with('.'));
+        halves = (power.map(|power| 2.0 * power))
+            .filter(|halves| (1.0..=18.0).contains(&halves.abs()) && halves.fract() == 0.0)
+            .ok_or_else(|| fail("a power is a whole number or a half from -9 to 9, as in `m^3` or `m^1.5`"))?
+            as i32;
         after = &exponent[end..];
     } else if after.starts_with(|c: char| c.is_ascii_digit()) {
         return Err(fail("write powers with `^`, as in `m^3`"));
     }
-    Ok((Some((unit, prefix, power)), after))
+    Ok((Some((unit, prefix, halves)), after))
 }
 
 /// The unit of a symbol and the power of ten of its prefix.

@@ -100,9 +100,9 @@ impl Collision {
             speed: self.speed,
         };
         Ok(Extent {
-            contact_time: unit.contact_time * scale.time(),
-            max_overlap: unit.max_overlap * scale.length(),
-            max_force: unit.max_force * scale.force(),
+            contact_time: positive("contact time [s]", unit.contact_time * scale.time())?,
+            max_overlap: positive("largest overlap [m]", unit.max_overlap * scale.length())?,
+            max_force: positive("largest force [N]", unit.max_force * scale.force())?,
         })
     }
 

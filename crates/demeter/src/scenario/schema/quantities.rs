@@ -35,7 +35,7 @@ fn symbols<'u>(units: impl Iterator<Item = &'u Unit>) -> String {
 /// Pattern of products and quotients of units: two factors or more, or a power.
 fn compound() -> String {
     let symbol = symbols(UNITS.iter());
-    let power = r"(\^-?[1-9]|²|³)";
+    let power = r"(\^-?([1-9](\.[05])?|0?\.5)|²|³)";
     let factor = format!(r"\(?(1|{symbol}{power}?)\)?");
     let joint = r"(\s*[*·/]\s*|\s+)";
     format!("({factor}({joint}{factor})+|{symbol}{power})")

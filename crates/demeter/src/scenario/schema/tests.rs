@@ -230,6 +230,7 @@ fn quantities_are_checked_for_their_units() {
         "+2.5 t/m^3",
         "2.5 g cm^-3",
         "2 lb/(ft in^2)",
+        "2.5 kg m^-1.5/m^1.5",
     ] {
         assert!(with(&density, json!(good)), "{good}");
     }

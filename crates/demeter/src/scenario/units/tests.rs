@@ -106,6 +106,9 @@ fn quantities_of_the_design_read_exactly() {
         ("0.05 J/m^2", 0.05, Dimension::SURFACE_ENERGY),
         ("50 mJ/m^2", 0.05, Dimension::SURFACE_ENERGY),
         ("50 mN/m", 0.05, Dimension::SURFACE_ENERGY),
+        ("2 GN/m^1.5", 2e9, Dimension::HERTZ_STIFFNESS),
+        ("3 kg m^-0.5 s^-2", 3.0, Dimension::HERTZ_STIFFNESS),
+        ("4 m^1.5 m^1.5", 4.0, Dimension::VOLUME),
     ];
     for (text, value, dimension) in cases {
         let read = parse(text).unwrap();
@@ -117,6 +120,20 @@ fn quantities_of_the_design_read_exactly() {
 }
 
 #[test]
+fn half_powers_take_roots_of_prefixes_and_factors() {
+    // 1 mm^-1.5 = 10^4.5 m^-1.5, 1 min^0.5 = sqrt(60) s^0.5
+    for (text, value) in [
+        ("1 N/mm^1.5", 10.0_f64.powf(4.5)),
+        ("1 mm^0.5", 10.0_f64.powf(-1.5)),
+        ("2 min^0.5", 2.0 * 60.0_f64.sqrt()),
+        ("2 s/min^1.5", 2.0 / 60.0_f64.powf(1.5)),
+    ] {
+        let read = parse(text).unwrap().value;
+        assert!((read / value - 1.0).abs() < 1e-15, "{text}: {read}");
+    }
+}
+
+#[test]
 fn faults_say_what_is_wrong() {
     let message = |text: &str| parse(text).unwrap_err().to_string();
     assert_eq!(message("mm"), "`mm` does not begin with a number");
@@ -125,7 +142,7 @@ fn faults_say_what_is_wrong() {
     assert_eq!(message("1e999 m"), "`1e999` is not a finite number");
     assert_eq!(message("2 kp"), "unknown unit `kp`");
     for text in [
-        "1 N/m s", "1 m3", "1 m^", "1 m^2.5", "1 N/", "1 (m s)", "1 N/(m", "1 m)", "1 m$", "1 m//s",
+        "1 N/m s", "1 m3", "1 m^", "1 m^2.3", "1 m^2.", "1 m^9.5", "1 m^0", "1 rad^0.5", "1 N/", "1 (m s)", "1 N/(m", "1 m)", "1 m$", "1 m//s",
     ] {
         assert!(
             matches!(parse(text), Err(UnitError::Form { .. })),
