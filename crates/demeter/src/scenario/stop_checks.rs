@@ -65,6 +65,11 @@ impl<'a> Known<'a> {
                 let why = motions.never_ends()?;
                 Some(("motion_done", format!("the motion of wall `{name}` never ends: {why}")))
             }
+            StopCondition::WallTravel { wall, .. } if self.motions.get(*wall)?.is_rest() => {
+                let name = &self.scenario.walls[*wall].name;
+                let why = format!("wall `{name}` has no motion in this stage, so that it never gets there");
+                Some(("wall_travel", why))
+            }
             StopCondition::FeedDone(feed) => {
                 let spec = self.scenario.feeds.get(*feed)?;
                 let why = match self.feeds[*feed] {
