@@ -8,6 +8,7 @@
 
 #[path = "../cases/mod.rs"]
 mod cases;
+mod hollows;
 mod leak;
 mod mesh;
 mod mesh_files;

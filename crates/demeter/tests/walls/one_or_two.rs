@@ -21,7 +21,7 @@ fn ball(walls: Vec<Shape>, young_modulus: f64, at: DVec3, velocity: DVec3) -> Se
 }
 
 /// Ratio of the energies after and before the impact, and the largest residual of the books on the way.
-fn kept(setup: Setup) -> (f64, f64) {
+pub fn kept(setup: Setup) -> (f64, f64) {
     let mut sim = Simulation::new(setup);
     let before = sim.energies().kinetic;
     let mut largest = 0.0f64;

@@ -9,6 +9,7 @@
 //! At edges and on round walls `n_i` turns on the way, and that holds for the nearest place only where nothing is overlapped any more. Newton's
 //! method finds it: the same again with the overlaps that are seen from where the way led.
 
+use crate::walls::SurfaceContact;
 use glam::{DMat3, DVec3};
 
 /// Sines below this are none: of normals so close to each other one is asked.
@@ -18,6 +19,10 @@ const MOST_TURNS: usize = 8;
 const FOUND: f64 = 1e-11;
 /// Share of an overlap that rounding may leave.
 const ROUNDING: f64 = 1e-12;
+/// The same of a way that is out.
+const LEFT: f64 = 1e-7;
+/// Sine up to which of two overlaps the deeper alone counts: files round, so that triangles of one plane lie in several.
+const SAME_PLANE: f64 = 1e-4;
 
 /// The shortest way out of several overlaps.
 pub(super) struct WayOut {
@@ -37,6 +42,15 @@ pub(crate) struct Overlap {
 }
 
 impl Overlap {
+    /// That of a sphere of some radius [m] at a contact.
+    pub(super) fn of(contact: &SurfaceContact, radius: f64) -> Self {
+        Self {
+            depth: radius - contact.distance,
+            normal: contact.normal,
+            element: contact.element,
+        }
+    }
+
     /// What is left of it on a way [m].
     fn left_on(&self, way: DVec3) -> f64 {
         self.depth - self.normal.dot(way)
@@ -53,14 +67,11 @@ impl WayOut {
         };
         // each turn makes the way longer, so no set of overlaps holds it twice
         for _ in 0..4 * overlaps.len() {
-            let left = overlaps.iter().map(|overlap| overlap.left_on(out.way)).enumerate();
-            let Some((worst, most)) = left.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0))) else {
-                break;
-            };
-            let Some(next) = (most > ROUNDING * out.way.length())
-                .then(|| out.with(worst, overlaps))
-                .flatten()
-            else {
+            let length = out.way.length();
+            let worst = out
+                .left(overlaps, ROUNDING * length)
+                .max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)));
+            let Some(next) = worst.and_then(|(worst, _)| out.with(worst, overlaps)) else {
                 break;
             };
             out = next;
@@ -85,6 +96,19 @@ impl WayOut {
             }
         }
         out
+    }
+
+    /// The numbers of overlaps of which it leaves more than some length [m], with that.
+    fn left(&self, overlaps: &[Overlap], most: f64) -> impl Iterator<Item = (usize, f64)> {
+        let left = overlaps.iter().map(|overlap| overlap.left_on(self.way)).enumerate();
+        left.filter(move |&(k, left)| left > most && !is_behind(k, overlaps))
+    }
+
+    /// Whether it leads out of all, the deepest first, and is no longer than so many times the depth of that.
+    pub(super) fn leads_out_of(&self, overlaps: &[Overlap], most: f64) -> bool {
+        let length = self.way.length();
+        let is_short = overlaps.first().is_none_or(|first| length <= most * first.depth);
+        is_short && self.left(overlaps, LEFT * length).next().is_none()
     }
 
     /// Which overlaps hold it.
@@ -120,6 +144,18 @@ impl WayOut {
         }
         best
     }
+}
+
+/// Whether another overlap of the same plane is deeper, or as deep and comes first.
+fn is_behind(k: usize, overlaps: &[Overlap]) -> bool {
+    let one = overlaps[k];
+    let is_before = |(j, other): (usize, &Overlap)| {
+        let is_deeper = other.depth > one.depth || other.depth == one.depth && j < k;
+        is_deeper
+            && other.normal.dot(one.normal) > 0.0
+            && other.normal.cross(one.normal).length_squared() < SAME_PLANE * SAME_PLANE
+    };
+    overlaps.iter().enumerate().any(is_before)
 }
 
 /// The shortest way with `n . p = d` for up to three overlaps; nothing where one of them would have to pull.

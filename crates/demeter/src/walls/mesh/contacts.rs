@@ -12,7 +12,8 @@
 //! * Where the surface is flat around the edge or vertex the contact is one with the plane, so that nothing is felt on
 //!   a seam, not even in the last digits of the normal.
 //! * Of contacts with faces whose normals are less than [`SAME_DIRECTION`] apart one stays: the deepest, and where others are as deep, the
-//!   shortest way out of all of them ([`bend`](super::bend)). With edges and corners, whose normals turn as the sphere sinks, the places on
+//!   shortest way out of all of them ([`bend`](super::bend)). So are those of faces that others lead to, each so close to the next, as in a
+//!   tube or a cone that a sphere nearly fills, unless there is no way out of all ([`chain`](super::chain)). With edges and corners, whose normals turn as the sphere sinks, the places on
 //!   the surface are asked: whether they are as close as those normals make them where the sphere just touches both. That joins the contacts
 //!   of facets that stand for one curved surface, of triangles given twice, and of the two skins of a thin sheet. On a faceted surface the
 //!   force so follows from one overlap and is continuous in size and direction from facet to facet. Those at edges and corners that are overlapped
@@ -26,6 +27,7 @@
 
 use super::Mesh;
 use super::bend::{Overlap, WayOut};
+use super::chain::Chains;
 use super::lasting::{Before, Part};
 use super::topology::Junction;
 use crate::walls::SurfaceContact;
@@ -39,7 +41,7 @@ use std::cell::RefCell;
 use std::cmp::Ordering;
 
 /// Cosine of the largest angle, 21.6 degrees, between normals of contacts with faces that are one. A cylinder of 17 facets is still smooth.
-const SAME_DIRECTION: f64 = 0.93;
+pub(super) const SAME_DIRECTION: f64 = 0.93;
 /// Share by which the closest points of two triangles may differ in distance and still be the same point.
 const SAME_DISTANCE: f64 = 1e-12;
 
@@ -87,6 +89,7 @@ thread_local! {
 #[derive(Debug, Default)]
 struct Bends {
     parts: Vec<Part>,
+    chains: Chains,
     overlaps: Vec<Overlap>,
 }
 
@@ -138,67 +141,124 @@ impl Mesh {
         let first = out.len();
         out.extend(self.judge(&points[0], &[], &turn, is_on_closer, before));
         // what acted by itself before is judged in any case
-        let is_spare = |point: &TrianglePoint, contacts: &[SurfaceContact]| {
-            is_known(point, radius, contacts) && !self.edges_at(point).any(|key| before.has(key))
+        let spare_with = |point: &TrianglePoint, contacts: &[SurfaceContact]| {
+            is_known(point, radius, contacts).filter(|_| !self.edges_at(point).any(|key| before.has(key)))
         };
-        if points[1..].iter().all(|point| is_spare(point, &out[first..])) {
+        if points[1..]
+            .iter()
+            .all(|point| spare_with(point, &out[first..]).is_some())
+        {
             return;
         }
         points[1..].sort_unstable_by(|a, b| self.order(a, b));
-        BENDS.with_borrow_mut(|Bends { parts, overlaps }| {
-            parts.clear();
-            for n in 1..points.len() {
-                if is_spare(&points[n], &out[first..]) {
-                    continue;
-                }
-                let Some(contact) = self.judge(&points[n], &points[..n], &turn, is_on_closer, before) else {
-                    continue;
-                };
-                let mut known = out[first..].iter().chain(parts.iter().map(|(_, contact)| contact));
-                if known.any(|other| other.element == contact.element) {
-                    continue;
-                }
-                match out[first..].iter().position(|other| are_one(other, &contact, radius)) {
-                    Some(of) => parts.push((of, contact)),
-                    None => out.push(contact),
-                }
-            }
-            let alone = out.drain(first..).enumerate();
-            parts.extend(alone);
-            parts.sort_unstable_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance).then(a.element.cmp(&b.element)));
-            before.go_on(parts, radius);
-            for n in 0..parts.len() {
-                let (of, closest) = parts[n];
-                if parts[..n].iter().any(|(other, _)| *other == of) {
-                    continue;
-                }
-                let others = parts[n + 1..]
-                    .iter()
-                    .filter(|(other, _)| *other == of)
-                    .map(|(_, other)| *other);
-                if others.clone().next().is_none() {
-                    out.push(closest);
-                    continue;
-                }
-                let all = std::iter::once(closest).chain(others.clone());
-                let contact = joined(closest, others, (radius, overlaps), |k, way| {
-                    let part = all.clone().nth(k).filter(|part| part.is_at_edge)?;
-                    let meets = |point: &&TrianglePoint| {
-                        let apart = part.distance * part.normal - point.distance * point.normal;
-                        apart.length_squared() <= (SAME_POINT * radius).powi(2)
+        BENDS.with_borrow_mut(
+            |Bends {
+                 parts,
+                 chains,
+                 overlaps,
+             }| {
+                parts.clear();
+                chains.begin(&out[first..], radius);
+                for n in 1..points.len() {
+                    if let Some(of) = spare_with(&points[n], &out[first..]) {
+                        if points[n].feature == Feature::Face {
+                            chains.lead(of, self.face_at(&points[n]), radius);
+                        }
+                        continue;
+                    }
+                    let Some(contact) = self.judge(&points[n], &points[..n], &turn, is_on_closer, before) else {
+                        continue;
                     };
-                    let there = points
-                        .iter()
-                        .filter(meets)
-                        .map(|point| &self.triangles[point.triangle as usize]);
-                    let seen = there.map(|triangle| contact_sphere_triangle(triangle, centre(way)));
-                    let seen = seen.min_by(|a, b| a.distance.total_cmp(&b.distance))?;
-                    Some((seen.distance, turn(seen.normal)))
+                    let mut known = out[first..].iter().chain(parts.iter().map(|(_, contact)| contact));
+                    if known.any(|other| other.element == contact.element) {
+                        continue;
+                    }
+                    match out[first..].iter().position(|other| are_one(other, &contact, radius)) {
+                        Some(of) => {
+                            parts.push((of, contact));
+                            chains.join(of, &contact, radius);
+                        }
+                        None => {
+                            out.push(contact);
+                            chains.add(&contact, radius);
+                        }
+                    }
+                }
+                let alone = out.drain(first..).enumerate();
+                parts.extend(alone);
+                parts.sort_unstable_by(|(_, a), (_, b)| {
+                    a.distance.total_cmp(&b.distance).then(a.element.cmp(&b.element))
                 });
-                out.push(contact);
-            }
-        });
+                chains.number(parts, (radius, overlaps), |reach, faces| {
+                    self.faces_within(&centre, &turn, reach, faces)
+                });
+                before.go_on(parts, radius);
+                for n in 0..parts.len() {
+                    let (of, closest) = parts[n];
+                    if parts[..n].iter().any(|(other, _)| *other == of) {
+                        continue;
+                    }
+                    let others = parts[n + 1..]
+                        .iter()
+                        .filter(|(other, _)| *other == of)
+                        .map(|(_, other)| *other);
+                    if others.clone().next().is_none() {
+                        out.push(closest);
+                        continue;
+                    }
+                    let all = std::iter::once(closest).chain(others.clone());
+                    let contact = joined(closest, others, (radius, overlaps), |k, way| {
+                        let part = all.clone().nth(k).filter(|part| part.is_at_edge)?;
+                        let meets = |point: &&TrianglePoint| {
+                            let apart = part.distance * part.normal - point.distance * point.normal;
+                            apart.length_squared() <= (SAME_POINT * radius).powi(2)
+                        };
+                        let there = points
+                            .iter()
+                            .filter(meets)
+                            .map(|point| &self.triangles[point.triangle as usize]);
+                        let seen = there.map(|triangle| contact_sphere_triangle(triangle, centre(way)));
+                        let seen = seen.min_by(|a, b| a.distance.total_cmp(&b.distance))?;
+                        Some((seen.distance, turn(seen.normal)))
+                    });
+                    out.push(contact);
+                }
+            },
+        );
         out[first..].sort_unstable_by_key(|contact| contact.element);
+    }
+
+    /// Appends the faces that the centre of a sphere stands over within some distance [m], told as for [`Mesh::contacts_of`].
+    fn faces_within(
+        &self,
+        centre: impl Fn(DVec3) -> DVec3,
+        turn: impl Fn(DVec3) -> DVec3,
+        reach: f64,
+        out: &mut Vec<SurfaceContact>,
+    ) {
+        let centre = centre(DVec3::ZERO);
+        self.hierarchy.any_near(centre, reach, |triangle| {
+            let point = contact_sphere_triangle(&self.triangles[triangle as usize], centre);
+            if point.feature == Feature::Face && point.distance < reach {
+                out.push(self.face_at(&TrianglePoint {
+                    triangle,
+                    feature: point.feature,
+                    normal: turn(point.normal),
+                    distance: point.distance,
+                }));
+            }
+            false
+        });
+    }
+
+    /// The contact with the face of a triangle at its closest point.
+    fn face_at(&self, point: &TrianglePoint) -> SurfaceContact {
+        SurfaceContact {
+            normal: point.normal,
+            distance: point.distance,
+            element: self.topology.patch(point.triangle),
+            is_at_edge: false,
+        }
     }
 
     /// Which of two points is asked first, in whatever order they were found.
@@ -252,12 +312,7 @@ impl Mesh {
         is_on_closer: impl Fn(&TrianglePoint, &[TrianglePoint]) -> bool,
         before: &Before,
     ) -> Option<SurfaceContact> {
-        let mut contact = SurfaceContact {
-            normal: point.normal,
-            distance: point.distance,
-            element: self.topology.patch(point.triangle),
-            is_at_edge: false,
-        };
+        let mut contact = self.face_at(point);
         let junction = match point.feature {
             Feature::Face => return Some(contact),
             Feature::Edge(side) => self.topology.edge(point.triangle, side),
@@ -365,8 +420,8 @@ pub(super) fn are_one_up_to(cosine: f64, place: f64, a: (DVec3, f64), b: (DVec3,
 }
 
 /// Whether a contact of a sphere is known that is one with that of a point, whatever this turns out to be, on whose way out the point is
-/// left, too; it is the first that may be one with it.
-fn is_known(point: &TrianglePoint, radius: f64, contacts: &[SurfaceContact]) -> bool {
+/// left, too; its place among them is told, and it is the first that may be one with it.
+fn is_known(point: &TrianglePoint, radius: f64, contacts: &[SurfaceContact]) -> Option<usize> {
     let compare = |other: &SurfaceContact| {
         let cosine = other.normal.dot(point.normal);
         let is_at_edge = other.is_at_edge || point.feature != Feature::Face;
@@ -378,7 +433,11 @@ fn is_known(point: &TrianglePoint, radius: f64, contacts: &[SurfaceContact]) -> 
         let is_left = radius - point.distance <= left;
         (as_faces || as_edges).then_some(as_faces && (as_edges || !is_at_edge) && is_left)
     };
-    contacts.iter().find_map(compare).unwrap_or(false)
+    let found = contacts
+        .iter()
+        .enumerate()
+        .find_map(|(k, other)| Some((k, compare(other)?)));
+    found.filter(|(_, is_left)| *is_left).map(|(k, _)| k)
 }
 
 /// The contact of the shortest way out of some that are one, the closest first: this where the sphere does not overlap with it. `seen` tells distance
@@ -392,14 +451,9 @@ pub(crate) fn joined(
     if closest.distance >= radius {
         return closest;
     }
-    let overlap = |contact: SurfaceContact| Overlap {
-        depth: radius - contact.distance,
-        normal: contact.normal,
-        element: contact.element,
-    };
     overlaps.clear();
-    overlaps.push(overlap(closest));
-    overlaps.extend(others.map(overlap));
+    overlaps.push(Overlap::of(&closest, radius));
+    overlaps.extend(others.map(|other| Overlap::of(&other, radius)));
     let out = WayOut::curved(overlaps, |k, way| {
         seen(k, way).map(|(distance, normal)| (radius - distance, normal))
     });
@@ -408,7 +462,10 @@ pub(crate) fn joined(
         normal: out.way / depth,
         distance: radius - depth,
         // while it holds in the bend it is one contact, whichever side is deeper
-        element: (out.holding().iter().map(|&k| overlaps[k].element).min()).unwrap_or(closest.element),
+        element: (out.holding().iter().filter(|&&k| overlaps[k].depth > 0.0))
+            .map(|&k| overlaps[k].element)
+            .min()
+            .unwrap_or(closest.element),
         is_at_edge: false,
     }
 }

@@ -3,8 +3,8 @@
 //! Whether two of them are one follows from how close they are ([`are_one`](super::are_one)). Were that asked in every step, a sphere that moves past
 //! that bound while it overlaps with both would be pushed twice from one step to the next, with energy that comes from nowhere: on the corner of a square
 //! hole both edges are overlapped as deeply. So it is asked where an overlap begins, and holds until one ends: two contacts of the step before stay
-//! two, and what was overlapped in the step before without a contact of its own goes on as part of the one whose way
-//! out leaves the least of it. A contact with an edge goes on at its
+//! two, also where faces come to be overlapped that lead from the one to the other, and what was overlapped in the step before without a
+//! contact of its own goes on as part of the one whose way out leaves the least of it. A contact with an edge goes on at its
 //! end, too, though another edge or a face that begins there is closer.
 
 use super::contacts::are_one_up_to;
@@ -45,15 +45,24 @@ impl Before<'_> {
         if self.contacts.is_empty() || parts.len() < 2 {
             return;
         }
-        let mut next = parts.len();
+        let (mut next, mut split) = (parts.len(), Vec::new());
         for n in 1..parts.len() {
             let (of, part) = parts[n];
-            let were_two = |other: &Part| other.0 == of && self.has(other.1.element) && is_at_edge(&other.1, &part);
+            let were_two = |other: &Part| {
+                let are_deep = || (self.was_overlapped)(&part) && (self.was_overlapped)(&other.1);
+                other.0 == of && self.has(other.1.element) && (is_at_edge(&other.1, &part) || are_deep())
+            };
             if self.has(part.element) && parts[..n].iter().any(were_two) {
                 parts[n].0 = next;
+                split.push((next, of));
                 next += 1;
             }
         }
+        // how close they are would have one number
+        let together = |number: usize| {
+            let of = split.iter().find(|(new, _)| *new == number);
+            of.map_or(number, |(_, of)| *of)
+        };
         for n in 0..parts.len() {
             let part = parts[n].1;
             let is_known_or_new = self.has(part.element) || !(self.was_overlapped)(&part);
@@ -67,10 +76,13 @@ impl Before<'_> {
                     radius - part.distance - (radius - old.distance) * old.normal.dot(part.normal)
                 })
             };
-            let may_be_one = |other: &SurfaceContact| {
-                self.has(other.element) && is_at_edge(other, &part) && are_still_one(other, &part, radius)
+            let may_be_one = |(of, other): &Part| match is_at_edge(other, &part) {
+                true => are_still_one(other, &part, radius),
+                false => together(*of) == together(parts[n].0),
             };
-            let known = parts.iter().filter(|(_, other)| may_be_one(other));
+            let known = parts
+                .iter()
+                .filter(|other| self.has(other.1.element) && may_be_one(other));
             if let Some(&(of, _)) = known.min_by(|(_, a), (_, b)| left_of(a).total_cmp(&left_of(b))) {
                 parts[n].0 = of;
             }

@@ -6,6 +6,7 @@
 //! * `repair` makes a mesh as it comes usable, with `orientation`; `inspection` tells what is remarkable, with `crossings`
 
 mod bend;
+mod chain;
 mod contacts;
 mod crossings;
 mod inspection;
