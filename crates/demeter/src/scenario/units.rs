@@ -175,7 +175,11 @@ impl Product {
 
     /// Times a unit to the power of half of `halves`.
     fn times(mut self, unit: &Unit, prefix: i32, halves: i32) -> Self {
-        let side = if halves > 0 { &mut self.multiplier } else { &mut self.divisor };
+        let side = if halves > 0 {
+            &mut self.multiplier
+        } else {
+            &mut self.divisor
+        };
         for _ in 0..halves.unsigned_abs() / 2 {
             *side *= unit.factor;
         }

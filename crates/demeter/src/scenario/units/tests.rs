@@ -142,7 +142,20 @@ fn faults_say_what_is_wrong() {
     assert_eq!(message("1e999 m"), "`1e999` is not a finite number");
     assert_eq!(message("2 kp"), "unknown unit `kp`");
     for text in [
-        "1 N/m s", "1 m3", "1 m^", "1 m^2.3", "1 m^2.", "1 m^9.5", "1 m^0", "1 rad^0.5", "1 N/", "1 (m s)", "1 N/(m", "1 m)", "1 m$", "1 m//s",
+        "1 N/m s",
+        "1 m3",
+        "1 m^",
+        "1 m^2.3",
+        "1 m^2.",
+        "1 m^9.5",
+        "1 m^0",
+        "1 rad^0.5",
+        "1 N/",
+        "1 (m s)",
+        "1 N/(m",
+        "1 m)",
+        "1 m$",
+        "1 m//s",
     ] {
         assert!(
             matches!(parse(text), Err(UnitError::Form { .. })),
