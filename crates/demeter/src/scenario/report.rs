@@ -61,7 +61,8 @@ impl Runner<'_> {
         (residual.is_nan() || residual > LARGEST_RESIDUAL).then(|| {
             format!(
                 "the energy books do not close: the residual reached {residual:.1e} of the energy that passed through; \
-                 a shorter time step usually makes it smaller"
+                 half the time step makes it smaller where the step is the reason; where it does not, please report it with the \
+                 scenario"
             )
         })
     }

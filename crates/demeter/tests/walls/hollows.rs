@@ -147,11 +147,17 @@ fn a_ball_keeps_its_energy_wherever_it_goes() {
                 ("tube", tube(count), 0.8 * ROUND),
                 ("cone", cone(0.0, count), 2e-3),
                 ("blunt cone", cone(3e-3, count), 4e-3),
+                ("cup", cup(count), 0.92 * ROUND),
+                ("cup", cup(count), 0.8 * ROUND),
             ] {
                 for k in 0..12 {
                     let along = f64::from(k) - 5.5;
                     let (at, velocity) = match name {
                         "tube" => (DVec3::new(1e-5 * along, 5e-5, 0.0), DVec3::new(0.1 * along, 0.4, 0.02)),
+                        "cup" => (
+                            DVec3::new(2e-5 * along, 5e-5, ROUND + 0.3e-3),
+                            DVec3::new(0.01 * along, 0.03, -0.6),
+                        ),
                         _ => (
                             DVec3::new(1.5e-4 * along, 7e-4, 18e-3),
                             DVec3::new(0.01 * along, 0.0, -0.6),

@@ -10,7 +10,7 @@
 //! method finds it: the same again with the overlaps that are seen from where the way led.
 
 use crate::walls::SurfaceContact;
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 /// Sines below this are none: of normals so close to each other one is asked.
 const PARALLEL: f64 = 1e-6;
@@ -136,7 +136,7 @@ impl WayOut {
                 continue;
             };
             out.way = way;
-            let is_out = |&k: &usize| overlaps[k].left_on(way) <= ROUNDING * way.length();
+            let is_out = |k: &usize| out.holding().contains(k) || overlaps[*k].left_on(way) <= ROUNDING * way.length();
             let is_shorter = best.as_ref().is_none_or(|best| way.length() < best.way.length());
             if is_shorter && old.iter().all(is_out) {
                 best = Some(out);
@@ -159,32 +159,36 @@ fn is_behind(k: usize, overlaps: &[Overlap]) -> bool {
 }
 
 /// The shortest way with `n . p = d` for up to three overlaps; nothing where one of them would have to pull.
+///
+/// One after the other adds what the way so far leaves of it, at right angles to those before. So an error of rounding grows with one over the sine
+/// between them, where the products of normals have that of its square.
 fn held(overlaps: impl Iterator<Item = Overlap>) -> Option<DVec3> {
-    let mut some = [Overlap::default(); 3];
+    let mut way = DVec3::ZERO;
+    // normals, each with its part at right angles to those before and the square of the length of that
+    let mut held = [(DVec3::ZERO, DVec3::ZERO, 1.0); 3];
     let mut count = 0;
-    for (place, overlap) in some.iter_mut().zip(overlaps) {
-        *place = overlap;
+    for overlap in overlaps {
+        let across = |rest: DVec3, &(_, own, square): &(DVec3, DVec3, f64)| rest - rest.dot(own) / square * own;
+        let own = held[..count].iter().fold(overlap.normal, across);
+        let square = own.length_squared();
+        if square <= PARALLEL * PARALLEL {
+            return None;
+        }
+        way += overlap.left_on(way) / square * own;
+        held[count] = (overlap.normal, own, square);
         count += 1;
     }
-    let ([a, b, c], [u, v, w]) = (some.map(|one| one.depth), some.map(|one| one.normal));
-    match count {
-        1 => Some(a * u),
-        2 => {
-            let cosine = u.dot(v);
-            let squared_sine = u.cross(v).length_squared();
-            let (along_u, along_v) = (a - cosine * b, b - cosine * a);
-            let pushes = squared_sine > PARALLEL * PARALLEL && along_u >= 0.0 && along_v >= 0.0;
-            pushes.then(|| (along_u * u + along_v * v) / squared_sine)
-        }
-        _ => {
-            let normals = DMat3::from_cols(u, v, w);
-            if normals.determinant().abs() <= PARALLEL * PARALLEL {
-                return None;
-            }
-            let way = normals.transpose().inverse() * DVec3::new(a, b, c);
-            (normals.inverse() * way).cmpge(DVec3::ZERO).all().then_some(way)
-        }
-    }
+    // the last pushes alone along its own part, the one before along its own with what is left then
+    let mut rest = way;
+    held[..count]
+        .iter()
+        .rev()
+        .all(|(normal, own, square)| {
+            let push = rest.dot(*own) / square;
+            rest -= push * normal;
+            push >= 0.0
+        })
+        .then_some(way)
 }
 
 #[cfg(test)]
@@ -218,6 +222,38 @@ mod tests {
         let middle = DVec3::Z / libm::cos(10f64.to_radians());
         assert!((out.way - middle).length() < 1e-12, "{}", out.way);
         assert_eq!(out.holding().len(), 2);
+    }
+
+    #[test]
+    fn facets_of_a_pole_are_all_left() {
+        // the tip of a ball of 32 and of 96 facets around, and places beside the planes where two are as deep
+        for count in [32, 96] {
+            let turn = std::f64::consts::TAU / f64::from(count);
+            let normal = |k: u32| {
+                let angle = f64::from(k) * turn;
+                let (sine, cosine) = (libm::sin(0.5 * turn), libm::cos(0.5 * turn));
+                DVec3::new(sine * libm::cos(angle), sine * libm::sin(angle), cosine)
+            };
+            for n in 0..200 {
+                let angle = (f64::from(n % 20) + 0.5) * turn + 1e-6 * f64::from(n / 20);
+                let place = 1e-3 * f64::from(1 + n % 7) * DVec3::new(libm::cos(angle), libm::sin(angle), 0.0);
+                let mut all: Vec<Overlap> = (0..count)
+                    .map(|k| Overlap {
+                        depth: 0.02 - normal(k).dot(place),
+                        normal: normal(k),
+                        element: k,
+                    })
+                    .collect();
+                all.sort_by(|a, b| b.depth.total_cmp(&a.depth));
+                let out = WayOut::of(&all);
+                let most = all.iter().map(|one| one.left_on(out.way)).fold(0.0, f64::max);
+                assert!(
+                    most <= 1e-12 * out.way.length(),
+                    "{count} {n}: {most:e} of {:?}",
+                    out.holding()
+                );
+            }
+        }
     }
 
     #[test]
