@@ -11,6 +11,9 @@ use std::f64::consts::TAU;
 /// Radius of the hollows [m].
 const ROUND: f64 = 5e-3;
 
+/// Radius of the hole in a sheet [m].
+const HOLE: f64 = 2e-3;
+
 /// Rings of corners, each told by its radius and height, joined by `count` facets around.
 fn turned(rings: &[(f64, f64)], count: u32) -> Shape {
     let corner = |(radius, height): (f64, f64), k: u32| {
@@ -74,6 +77,11 @@ fn rounded_corner(count: u32) -> Shape {
     Shape::Mesh {
         triangles: profile.windows(2).flat_map(strip).collect(),
     }
+}
+
+/// A sheet with a hole of `count` edges.
+fn holed(count: u32) -> Shape {
+    turned(&[(HOLE, 0.0), (6.0 * HOLE, 0.0)], count)
 }
 
 fn ball(wall: Shape, restitution: f64, radius: f64, at: DVec3, velocity: DVec3) -> Setup {
@@ -171,5 +179,35 @@ fn a_ball_keeps_its_energy_wherever_it_goes() {
             }
         }
         report("energy of balls that nearly fill hollows of facets", worst);
+    });
+}
+
+#[test]
+fn a_ball_on_the_rim_of_a_hole_touches_it_once() {
+    on_threads(1, || {
+        let (mut worst, mut elastic) = (0.0f64, 0.0f64);
+        for count in [8, 12, 16, 24, 48] {
+            for radius in [2.3e-3, 2.75e-3, 4e-3] {
+                // edges further apart are contacts of their own
+                if HOLE * libm::sin(TAU / f64::from(count)) > 0.37 * radius {
+                    continue;
+                }
+                let above = DVec3::Z * (radius + 0.3e-3);
+                let (ratio, residual) = kept(ball(holed(count), 0.5, radius, above, -0.5 * DVec3::Z));
+                let off = (ratio.sqrt() - 0.5).abs().max(residual);
+                worst = worst.max(off);
+                assert!(off < 1e-3, "{count}, {radius}: {ratio} {residual}");
+                for k in 0..8 {
+                    let beside = f64::from(k) * DVec3::new(3e-5, 1e-5, 0.0);
+                    let velocity = DVec3::new(0.02 * f64::from(k), -0.05, -0.5);
+                    let (ratio, residual) = kept(ball(holed(count), 1.0, radius, above + beside, velocity));
+                    let off = (ratio - 1.0).abs().max(residual);
+                    elastic = elastic.max(off);
+                    assert!(off < 1e-3, "{count}, {radius}, {k}: {ratio} {residual}");
+                }
+            }
+        }
+        report("restitution 0.5 of balls on the rim of a round hole", worst);
+        report("energy of balls on the rim of a round hole", elastic);
     });
 }

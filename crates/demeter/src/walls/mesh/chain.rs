@@ -1,13 +1,14 @@
-//! Which contacts with faces are one since others lead from one to the next.
+//! Which contacts are one since others lead from one to the next.
 //!
 //! A sphere that nearly fills a tube, a cone or a cup of facets overlaps with many of them, each in nearly the direction of the next, the
 //! first and the last in others. Were those far from the deepest contacts of their own, their number would change with what is the deepest,
 //! and the energy with it, and a damped collision be damped by each. The places where a sphere is free of all faces of a hollow are a convex
 //! set; the way to the nearest of them ([`bend`](super::bend)) changes without a jump while faces come and go, as those that begin are left
-//! on it, and those that it leads into count before they are overlapped.
+//! on it, and those that it leads into count before they are overlapped. So it is on the rim of a round hole, of whose edges each is close to the
+//! next.
 
 use super::bend::{Overlap, WayOut};
-use super::contacts::SAME_DIRECTION;
+use super::contacts::{SAME_DIRECTION, are_one};
 use super::lasting::Part;
 use crate::walls::SurfaceContact;
 use glam::DVec3;
@@ -26,9 +27,9 @@ pub(super) struct Chains {
     first: Vec<usize>,
     /// For those the depth of the deepest part [m].
     depth: Vec<f64>,
-    /// Normals of faces, each with the contact that it is a part of.
-    links: Vec<(usize, DVec3)>,
-    /// Faces that are left on the way out of the contact that they are a part of.
+    /// Parts, each with the contact that it is one of.
+    links: Vec<Part>,
+    /// Those that are left on the way out of the contact that they are a part of.
     spare: Vec<Part>,
     /// Faces that a way out may lead into.
     ahead: Vec<SurfaceContact>,
@@ -54,24 +55,16 @@ impl Chains {
         self.join(number, contact, radius);
     }
 
-    /// A part of a contact.
+    /// A part of a contact that is left on the way out of it.
+    pub(super) fn lead(&mut self, of: usize, part: SurfaceContact, radius: f64) {
+        self.join(of, &part, radius);
+        self.spare.push((of, part));
+    }
+
+    /// A part of a contact: has it hang together with all that have parts which are one with it, unless it is not overlapped and both are.
     pub(super) fn join(&mut self, of: usize, part: &SurfaceContact, radius: f64) {
-        if !part.is_at_edge {
-            self.link(of, part.normal, radius - part.distance);
-        }
-    }
-
-    /// A face that is left on the way out of a contact.
-    pub(super) fn lead(&mut self, of: usize, face: SurfaceContact, radius: f64) {
-        self.link(of, face.normal, radius - face.distance);
-        self.spare.push((of, face));
-    }
-
-    /// A face of a contact, its normal and depth [m]: has it hang together with all that have faces of nearly this direction, unless it is not
-    /// overlapped and both are.
-    fn link(&mut self, of: usize, normal: DVec3, depth: f64) {
-        let near = |(_, other): &&(usize, DVec3)| other.dot(normal) > SAME_DIRECTION;
-        for &(other, _) in self.links.iter().filter(near) {
+        let depth = radius - part.distance;
+        for &(other, _) in self.links.iter().filter(|(_, other)| are_one(other, part, radius)) {
             let (one, other) = (self.first[of], self.first[other]);
             let (kept, gone) = (one.min(other), one.max(other));
             if depth <= 0.0 && self.depth[kept].min(self.depth[gone]) > 0.0 {
@@ -82,7 +75,7 @@ impl Chains {
             }
             self.depth[kept] = self.depth[kept].max(self.depth[gone]);
         }
-        self.links.push((of, normal));
+        self.links.push((of, *part));
     }
 
     /// Gives all parts that hang together one number, in place of those of their contacts, where there is a way out of all; the closest come
@@ -100,9 +93,9 @@ impl Chains {
             overlaps.clear();
             let count = parts.len();
             // on the way out of all more may be left of them than on that of one contact
-            for &(of, face) in &self.spare {
-                if self.first[of] == first && parts.iter().all(|(_, part)| part.element != face.element) {
-                    parts.push((of, face));
+            for &(of, spare) in &self.spare {
+                if self.first[of] == first && parts.iter().all(|(_, part)| part.element != spare.element) {
+                    parts.push((of, spare));
                 }
             }
             let is_of = |first_of: &[usize], part: &Part| first_of.get(part.0) == Some(&first);
@@ -150,7 +143,9 @@ impl Chains {
                     let is_near = |normal: DVec3| normal.dot(face.normal) > SAME_DIRECTION;
                     let mut links = self.links.iter().filter(|(of, _)| self.first[*of] == first);
                     let is_new = parts.iter().all(|(_, part)| part.element != face.element);
-                    if is_new && (links.any(|link| is_near(link.1)) || overlaps.iter().any(|one| is_near(one.normal))) {
+                    if is_new
+                        && (links.any(|link| is_near(link.1.normal)) || overlaps.iter().any(|one| is_near(one.normal)))
+                    {
                         overlaps.push(Overlap::of(face, radius));
                         parts.push((first, *face));
                     }

@@ -12,8 +12,8 @@
 //! * Where the surface is flat around the edge or vertex the contact is one with the plane, so that nothing is felt on
 //!   a seam, not even in the last digits of the normal.
 //! * Of contacts with faces whose normals are less than [`SAME_DIRECTION`] apart one stays: the deepest, and where others are as deep, the
-//!   shortest way out of all of them ([`bend`](super::bend)). So are those of faces that others lead to, each so close to the next, as in a
-//!   tube or a cone that a sphere nearly fills, unless there is no way out of all ([`chain`](super::chain)). With edges and corners, whose normals turn as the sphere sinks, the places on
+//!   shortest way out of all of them ([`bend`](super::bend)). So are those that others lead to, each so close to the next, as in a
+//!   tube or a cone that a sphere nearly fills, or on the rim of a round hole, unless there is no way out of all ([`chain`](super::chain)). With edges and corners, whose normals turn as the sphere sinks, the places on
 //!   the surface are asked: whether they are as close as those normals make them where the sphere just touches both. That joins the contacts
 //!   of facets that stand for one curved surface, of triangles given twice, and of the two skins of a thin sheet. On a faceted surface the
 //!   force so follows from one overlap and is continuous in size and direction from facet to facet. Those at edges and corners that are overlapped
@@ -161,8 +161,8 @@ impl Mesh {
                 chains.begin(&out[first..], radius);
                 for n in 1..points.len() {
                     if let Some(of) = spare_with(&points[n], &out[first..]) {
-                        if points[n].feature == Feature::Face {
-                            chains.lead(of, self.face_at(&points[n]), radius);
+                        if let Some(part) = self.judge(&points[n], &points[..n], &turn, is_on_closer, before) {
+                            chains.lead(of, part, radius);
                         }
                         continue;
                     }

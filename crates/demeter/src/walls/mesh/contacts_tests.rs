@@ -22,11 +22,8 @@ fn point(dice: &mut Pcg64, lower: DVec3, upper: DVec3) -> DVec3 {
 fn way_out(all: &[SurfaceContact], radius: f64) -> (DVec3, Vec<usize>) {
     let depth = |k: usize| radius - all[k].distance;
     let mut best = (DVec3::INFINITY, Vec::new());
-    for pick in 1..1_u32 << all.len() {
+    for pick in (1..1_u32 << all.len()).filter(|pick| pick.count_ones() <= 3) {
         let some: Vec<usize> = (0..all.len()).filter(|k| pick >> k & 1 != 0).collect();
-        if some.len() > 3 {
-            continue;
-        }
         // no more unknowns than three: those that are missing push nothing
         let mut products = glam::DMat3::IDENTITY;
         let mut depths = DVec3::ZERO;
@@ -45,6 +42,66 @@ fn way_out(all: &[SurfaceContact], radius: f64) -> (DVec3, Vec<usize>) {
         }
     }
     best
+}
+
+/// Those groups of contacts as one that others lead from one to the next, where there is a way out of all, with the faces that this leads into.
+fn chained(
+    mesh: &Mesh,
+    (centre, reach): (DVec3, f64),
+    mut groups: Vec<Vec<SurfaceContact>>,
+    is_one: impl Fn(&SurfaceContact, &SurfaceContact) -> bool,
+) -> Vec<Vec<SurfaceContact>> {
+    let mut chains: Vec<Vec<Vec<SurfaceContact>>> = Vec::new();
+    while let Some(group) = groups.pop() {
+        let is_linked = |chain: &mut Vec<Vec<SurfaceContact>>| {
+            let mut pairs = chain.iter().flatten().flat_map(|a| group.iter().map(move |b| (a, b)));
+            pairs.any(|(a, b)| is_one(a, b))
+        };
+        let linked: Vec<_> = chains.extract_if(.., is_linked).flatten().collect();
+        chains.push([linked, vec![group]].concat());
+    }
+    let mut out = Vec::new();
+    for chain in chains {
+        let mut all: Vec<SurfaceContact> = chain.concat();
+        let deepest = all.iter().map(|one| reach - one.distance).fold(0.0, f64::max);
+        let mut looked = 0.0;
+        let is_out = chain.len() == 1
+            || loop {
+                let length = way_out(&all, reach).0.length();
+                if length > 6.0 * deepest {
+                    break false;
+                }
+                if length <= looked {
+                    break true;
+                }
+                looked = 1.25 * length;
+                let mut count = 0;
+                while count != all.len() {
+                    count = all.len();
+                    for triangle in 0..mesh.triangles.len() as u32 {
+                        let point = contact_sphere_triangle(&mesh.triangles[triangle as usize], centre);
+                        let element = mesh.topology.patch(triangle);
+                        if point.feature == Feature::Face
+                            && (reach..reach + looked).contains(&point.distance)
+                            && all.iter().all(|one| one.element != element)
+                            && all.iter().any(|one| one.normal.dot(point.normal) > SAME_DIRECTION)
+                        {
+                            all.push(SurfaceContact {
+                                normal: point.normal,
+                                distance: point.distance,
+                                element,
+                                is_at_edge: false,
+                            });
+                        }
+                    }
+                }
+            };
+        match is_out {
+            true => out.push(all),
+            false => out.extend(chain),
+        }
+    }
+    out
 }
 
 /// The rule as it is told in words: every triangle within reach is judged by all triangles that it meets.
@@ -119,28 +176,26 @@ fn by_the_rule(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
         found.push((point.distance, contact));
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.element.cmp(&b.1.element)));
-    let (mut kept, mut beside) = (Vec::<SurfaceContact>::new(), Vec::<(usize, SurfaceContact)>::new());
+    let is_one = |a: &SurfaceContact, b: &SurfaceContact| {
+        let cosine = a.normal.dot(b.normal);
+        let apart = (a.distance * a.normal).distance(b.distance * b.normal);
+        match a.is_at_edge || b.is_at_edge {
+            true => cosine > WIDEST && apart < (2.0 * (1.0 - SAME_DIRECTION)).sqrt() * reach,
+            false => cosine > SAME_DIRECTION,
+        }
+    };
+    let mut groups = Vec::<Vec<SurfaceContact>>::new();
     for (_, contact) in found {
-        let is_same = |other: &SurfaceContact| other.element == contact.element;
-        if kept.iter().chain(beside.iter().map(|(_, c)| c)).any(is_same) {
+        if groups.iter().flatten().any(|other| other.element == contact.element) {
             continue;
         }
-        let is_one = |other: &SurfaceContact| {
-            let cosine = other.normal.dot(contact.normal);
-            let apart = (other.distance * other.normal).distance(contact.distance * contact.normal);
-            match other.is_at_edge || contact.is_at_edge {
-                true => cosine > WIDEST && apart < (2.0 * (1.0 - SAME_DIRECTION)).sqrt() * reach,
-                false => cosine > SAME_DIRECTION,
-            }
-        };
-        match kept.iter().position(is_one) {
-            Some(of) => beside.push((of, contact)),
-            None => kept.push(contact),
+        match groups.iter().position(|group| is_one(&group[0], &contact)) {
+            Some(of) => groups[of].push(contact),
+            None => groups.push(vec![contact]),
         }
     }
-    for (of, contact) in kept.iter_mut().enumerate() {
-        let others = beside.iter().filter(|(other, _)| *other == of).map(|(_, c)| *c);
-        let mut all: Vec<SurfaceContact> = std::iter::once(*contact).chain(others).collect();
+    let mut kept = Vec::new();
+    for mut all in chained(mesh, (centre, reach), groups, is_one) {
         let edges: Vec<bool> = all.iter().map(|part| part.is_at_edge).collect();
         let places: Vec<DVec3> = all.iter().map(|part| centre - part.distance * part.normal).collect();
         let (mut way, mut holding) = way_out(&all, reach);
@@ -159,14 +214,15 @@ fn by_the_rule(mesh: &Mesh, centre: DVec3, reach: f64) -> Vec<SurfaceContact> {
             }
             (way, holding) = way_out(&all, reach);
         }
-        if all.len() > 1 {
-            *contact = SurfaceContact {
+        kept.push(match all[..] {
+            [alone] => alone,
+            _ => SurfaceContact {
                 normal: way.normalize(),
                 distance: reach - way.length(),
                 element: holding.into_iter().map(|k| all[k].element).min().unwrap(),
                 is_at_edge: false,
-            };
-        }
+            },
+        });
     }
     kept.sort_by_key(|contact| contact.element);
     kept
