@@ -13,14 +13,14 @@
 //!   a seam, not even in the last digits of the normal.
 //! * Of contacts with faces whose normals are less than [`SAME_DIRECTION`] apart one stays: the deepest, and where others are as deep, the
 //!   shortest way out of all of them ([`bend`](super::bend)). So are those that others lead to, each so close to the next, as in a
-//!   tube or a cone that a sphere nearly fills, or on the rim of a round hole, unless there is no way out of all ([`chain`](super::chain)). With edges and corners, whose normals turn as the sphere sinks, the places on
-//!   the surface are asked: whether they are as close as those normals make them where the sphere just touches both. That joins the contacts
-//!   of facets that stand for one curved surface, of triangles given twice, and of the two skins of a thin sheet. On a faceted surface the
+//!   tube or a cone that a sphere nearly fills, or on the rim of a round hole, unless there is no way out of all ([`chain`](super::chain)).
+//!   With edges and corners, whose normals turn as the sphere sinks, the places on the surface are asked: whether they are as close as those
+//!   normals make them where the sphere just touches both. That joins the contacts of facets that stand for one curved surface, of triangles given twice, and of the two skins of a thin sheet. On a faceted surface the
 //!   force so follows from one overlap and is continuous in size and direction from facet to facet. Those at edges and corners that are overlapped
 //!   stay as many as they were ([`lasting`](super::lasting)).
 //!
-//! A triangle with a closer point is itself among those within reach: to decide, no others are asked. They are taken from the closest on, since
-//! what has the direction of one that is kept, and is left on the way out of that, need not be judged.
+//! A triangle with a closer point is itself among those within reach: to decide, no others are asked. Where all others have
+//! the direction of the closest and are left on the way out of it, none of them is judged.
 //!
 //! Keys: a face contact has the lowest triangle of its flat patch as key, the same on the whole patch; edges and vertices
 //! have keys of their own above those of the triangles.
@@ -160,15 +160,13 @@ impl Mesh {
                 parts.clear();
                 chains.begin(&out[first..], radius);
                 for n in 1..points.len() {
-                    if let Some(of) = spare_with(&points[n], &out[first..]) {
-                        if let Some(part) = self.judge(&points[n], &points[..n], &turn, is_on_closer, before) {
-                            chains.lead(of, part, radius);
-                        }
-                        continue;
-                    }
                     let Some(contact) = self.judge(&points[n], &points[..n], &turn, is_on_closer, before) else {
                         continue;
                     };
+                    if let Some(of) = spare_with(&points[n], &out[first..]) {
+                        chains.lead(of, contact, radius);
+                        continue;
+                    }
                     let mut known = out[first..].iter().chain(parts.iter().map(|(_, contact)| contact));
                     if known.any(|other| other.element == contact.element) {
                         continue;
