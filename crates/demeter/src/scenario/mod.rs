@@ -14,6 +14,7 @@ mod fit_file;
 mod followed;
 mod grains;
 mod impact;
+mod in_vain;
 mod input_files;
 mod interiors;
 mod live;

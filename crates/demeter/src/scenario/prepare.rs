@@ -7,11 +7,11 @@ use super::checks::{
 use super::estimates::Fed;
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
-use super::{Diagnostics, Scenario, TimeStep, WallSpec, estimates, periodic_walls, stray_walls};
+use super::{Diagnostics, Scenario, TimeStep, WallSpec, estimates, in_vain, periodic_walls, stray_walls};
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, NewGrain, Origins, Outside};
-use crate::simulation::{Setup, Skin, Stage, StopCondition, TimeScale, Verdict, refusals, shortest_time_scale};
+use crate::simulation::{Setup, Skin, TimeScale, Verdict, refusals, shortest_time_scale};
 use crate::walls::Wall;
 use demeter_physics::contact::LawError;
 use glam::DVec3;
@@ -110,35 +110,9 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         return Err(faults);
     }
     let stage_steps: Vec<u64> = scenario.stages.iter().map(|s| super::run::longest(s, dt)).collect();
-    warnings.extend(
-        scenario
-            .stages
-            .iter()
-            .filter_map(|stage| shorter_than_a_step(stage, dt)),
-    );
     let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
-    let end = steps as f64 * dt;
-    for (index, tag) in scenario.tags.iter().enumerate().filter(|(_, tag)| tag.at > end) {
-        warnings.push(format!(
-            "tag[{index}] is given from {} s on, and the stages end at {end:.4e} s at the latest: no grain gets it",
-            tag.at
-        ));
-    }
+    warnings.extend(in_vain::check(scenario, &domain, &stage_steps, dt));
     let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
-    for (index, feed) in scenario.feeds.iter().enumerate() {
-        let expected = estimates::expected_of_feed(scenario, index, &stages);
-        if expected < 0.5 {
-            warnings.push(format!(
-                "feed `{}` lets {expected:.2} grains come by its rate, its ends and the time that it runs: mostly none",
-                feed.name
-            ));
-        } else if let Some(every) = feed.every.filter(|every| *every > end) {
-            warnings.push(format!(
-                "feed `{}` lets grains come every {every:.4e} s, and the stages end at {end:.4e} s at the latest: none comes",
-                feed.name
-            ));
-        }
-    }
     let fed = estimates::fed(scenario, &stages);
     let most = grains.len() as f64 + fed.grains;
     let work = estimates::work(scenario, most, &walls, are_coupled, &stage_steps, dt);
@@ -459,18 +433,4 @@ fn time_step(
             (dt, format!("given: {}", words(dt)))
         }
     }
-}
-
-/// What to say of a stage that is to last for less than a step.
-fn shorter_than_a_step(stage: &Stage, dt: f64) -> Option<String> {
-    let duration = |condition: &StopCondition| match condition {
-        StopCondition::Duration(seconds) if *seconds < 0.999 * dt => Some(*seconds),
-        _ => None,
-    };
-    let seconds = stage.stop.iter().find_map(duration)?;
-    Some(format!(
-        "stage `{}` is to last {seconds:.4e} s, less than a time step of {dt:.4e} s: it takes one step; a smaller `simulation.time_step` \
-         ends it in time",
-        stage.name
-    ))
 }

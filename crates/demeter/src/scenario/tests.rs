@@ -1,4 +1,5 @@
 mod faults;
+mod in_vain;
 mod mesh_units;
 mod reference;
 mod stray_walls;

@@ -1,0 +1,173 @@
+//! What a scenario tells and nothing comes of: no fault, but the user should know before the run.
+
+use super::checks::told_motions;
+use super::feeds::{FeedRate, FeedSpec, RemovalSpec};
+use super::traffic::sources;
+use super::{Scenario, estimates};
+use crate::particles::{Domain, Zone};
+use crate::simulation::{Stage, StopCondition};
+use crate::walls::{Motion, Motions};
+use glam::DVec3;
+
+/// Places of an inlet that are tried.
+const PLACES: u64 = 200;
+
+/// Tells all of it, told how many steps each stage takes at most and the time step [s].
+pub(super) fn check(scenario: &Scenario, domain: &Domain, stage_steps: &[u64], dt: f64) -> Vec<String> {
+    let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
+    let end = steps as f64 * dt;
+    let mut told: Vec<String> = (scenario.stages.iter())
+        .filter_map(|stage| shorter_than_a_step(stage, dt))
+        .collect();
+    for (index, tag) in scenario.tags.iter().enumerate().filter(|(_, tag)| tag.at > end) {
+        told.push(format!(
+            "tag[{index}] is given from {} s on, and the stages end at {end:.4e} s at the latest: no grain gets it",
+            tag.at
+        ));
+    }
+    let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
+    told.extend((0..scenario.feeds.len()).filter_map(|feed| empty_feed(scenario, feed, &stages, end)));
+    told.extend(removed_at_once(scenario, domain));
+    for removal in &scenario.removals {
+        if let Some(every) = removal.every.filter(|every| *every > end) {
+            told.push(format!(
+                "removal `{}` takes grains every {every:.4e} s, and the stages end at {end:.4e} s at the latest: it takes those \
+                 that lie there at the start, and none later",
+                removal.name
+            ));
+        }
+    }
+    told.extend((0..scenario.walls.len()).filter_map(|wall| unmoved(scenario, wall)));
+    told.extend(moved_while_absent(scenario));
+    told
+}
+
+/// A stage that is to last for less than a step.
+fn shorter_than_a_step(stage: &Stage, dt: f64) -> Option<String> {
+    let duration = |condition: &StopCondition| match condition {
+        StopCondition::Duration(seconds) if *seconds < 0.999 * dt => Some(*seconds),
+        _ => None,
+    };
+    let seconds = stage.stop.iter().find_map(duration)?;
+    Some(format!(
+        "stage `{}` is to last {seconds:.4e} s, less than a time step of {dt:.4e} s: it takes one step; a smaller `simulation.time_step` \
+         ends it in time",
+        stage.name
+    ))
+}
+
+/// A feed that lets no grain come, or only some at the start.
+fn empty_feed(scenario: &Scenario, index: usize, stages: &[f64], end: f64) -> Option<String> {
+    let feed = &scenario.feeds[index];
+    let expected = estimates::expected_of_feed(scenario, index, stages);
+    if expected < 0.5 {
+        return Some(format!(
+            "feed `{}` lets {expected:.2} grains come by its rate, its ends and the time that it runs: mostly none",
+            feed.name
+        ));
+    }
+    let every = feed.every.filter(|every| *every > end)?;
+    let outcome = match feed.rate {
+        FeedRate::AsRoomAllows => "some come at the start, and none later",
+        FeedRate::Mass(_) | FeedRate::Number(_) => "none comes",
+    };
+    Some(format!(
+        "feed `{}` lets grains come every {every:.4e} s, and the stages end at {end:.4e} s at the latest: {outcome}",
+        feed.name
+    ))
+}
+
+/// Feeds whose grains come in where a removal takes them.
+fn removed_at_once(scenario: &Scenario, domain: &Domain) -> Vec<String> {
+    let Ok(sources) = sources(scenario, domain) else {
+        return Vec::new();
+    };
+    let mut told = Vec::new();
+    for ((feed, spec), source) in scenario.feeds.iter().enumerate().zip(&sources) {
+        let places = source.places(source.radii()[0], PLACES);
+        for (removal, taking) in scenario.removals.iter().enumerate() {
+            let batches = scenario.grains.len();
+            if !places.is_empty()
+                && takes_all(taking, spec, batches + feed)
+                && places.iter().all(|place| lies_in(&taking.zone, domain, *place))
+                && acts_whenever(scenario, feed, removal)
+            {
+                told.push(format!(
+                    "all grains of feed `{}` come in where removal `{}` takes them: they go when it looks next. Is its `region` right?",
+                    spec.name, taking.name
+                ));
+            }
+        }
+    }
+    told
+}
+
+/// Whether a removal means all grains of a feed, told the number of this source, whatever their sizes and ids are.
+fn takes_all(removal: &RemovalSpec, feed: &FeedSpec, source: usize) -> bool {
+    let selection = &removal.selection;
+    selection
+        .material
+        .is_none_or(|material| material == feed.stream.material)
+        && selection.source.is_none_or(|only| usize::from(only) == source)
+        && selection.tag.is_none_or(|tag| tag == feed.tag)
+        && selection.ids.is_empty()
+        && selection.finer_than.is_none()
+        && selection.coarser_than.is_none()
+}
+
+/// Whether a place lies in a zone for good: not in one that a wall carries.
+fn lies_in(zone: &Zone, domain: &Domain, place: DVec3) -> bool {
+    zone.parts.iter().all(|part| part.wall.is_none()) && zone.holds(domain, place, |_, place| place)
+}
+
+/// Whether a removal acts in every stage in which a feed runs.
+fn acts_whenever(scenario: &Scenario, feed: usize, removal: usize) -> bool {
+    let (mut runs, mut acts) = (true, true);
+    scenario.stages.iter().all(|stage| {
+        runs = stage.feeds.as_ref().map_or(runs, |running| running.contains(&feed));
+        acts = stage.removals.as_ref().map_or(acts, |acting| acting.contains(&removal));
+        acts || !runs
+    })
+}
+
+/// A wall that is to swing by nothing.
+fn unmoved(scenario: &Scenario, wall: usize) -> Option<String> {
+    let is_still = |motion: &Motion| match motion {
+        Motion::Oscillation { amplitude, .. } => *amplitude == DVec3::ZERO,
+        Motion::Rocking { amplitude, .. } => *amplitude == 0.0,
+        _ => false,
+    };
+    let swings_by_nothing = |motions: &Motions| motions.parts.iter().any(|part| is_still(&part.motion));
+    let mut motions = told_motions(scenario).filter(|(of, _)| *of == wall);
+    motions.any(|(_, motions)| swings_by_nothing(motions)).then(|| {
+        format!(
+            "wall `{}` swings with an amplitude of 0, which moves nothing",
+            scenario.walls[wall].name
+        )
+    })
+}
+
+/// Motions that stages tell walls that are absent and do not come back, unless others go with them.
+fn moved_while_absent(scenario: &Scenario) -> Vec<String> {
+    let mut absent: &[usize] = &[];
+    let mut told = Vec::new();
+    for (number, stage) in scenario.stages.iter().enumerate() {
+        absent = stage.absent.as_deref().unwrap_or(absent);
+        let comes_back = |wall: usize| {
+            let later = scenario.stages[number + 1..].iter();
+            later
+                .filter_map(|stage| stage.absent.as_ref())
+                .any(|absent| !absent.contains(&wall))
+        };
+        let leads = |wall: usize| told_motions(scenario).any(|(_, motions)| motions.leader() == Some(wall));
+        for &(wall, ref motions) in &stage.motions {
+            if absent.contains(&wall) && !motions.is_rest() && !comes_back(wall) && !leads(wall) {
+                told.push(format!(
+                    "stage `{}` moves wall `{}`, which is absent from then on: no grain feels it",
+                    stage.name, scenario.walls[wall].name
+                ));
+            }
+        }
+    }
+    told
+}

@@ -1,0 +1,171 @@
+use super::*;
+
+/// A feed into a box with a removal at its floor and a wall, and two stages of 0.1 s.
+struct Told {
+    feed: &'static str,
+    removal: &'static str,
+    motion: &'static str,
+    /// Of the first stage, then of the second.
+    stages: [&'static str; 2],
+}
+
+const NOTHING_IN_VAIN: Told = Told {
+    feed: "center = \"10 10 15 mm\"\nnumber_rate = \"100 1/s\"",
+    removal: "region = { shape = \"box\", upper = \"20 20 3 mm\" }\n",
+    motion: "{ oscillation = { amplitude = \"0 0 1 mm\", frequency = \"10 Hz\" } }",
+    stages: ["", ""],
+};
+
+fn warnings(told: &Told) -> Vec<String> {
+    let Told {
+        feed,
+        removal,
+        motion,
+        stages: [first, second],
+    } = told;
+    let (center, feed) = feed.split_once('\n').unwrap();
+    let text = format!(
+        r#"
+[domain]
+lower = "0 0 0 mm"
+upper = "20 20 20 mm"
+{ONE_GRAIN}
+[[feed]]
+name = "inlet"
+material = "glass"
+diameter = "1 mm"
+from = {{ shape = "disc", {center}, normal = "z", radius = "3 mm" }}
+{feed}
+[[removal]]
+name = "outlet"
+{removal}
+[[wall]]
+name = "plate"
+material = "glass"
+shape = "rectangle"
+center = "10 10 8 mm"
+half_u = "3 0 0 mm"
+half_v = "0 3 0 mm"
+motion = {motion}
+
+[[stage]]
+name = "first"
+duration = "0.1 s"
+{first}
+[[stage]]
+name = "second"
+duration = "0.1 s"
+{second}
+"#
+    );
+    prepare(&parse(&text, &[]).unwrap()).unwrap().warnings
+}
+
+#[test]
+fn what_comes_to_nothing_is_told() {
+    let low = "center = \"10 10 2 mm\"\nnumber_rate = \"100 1/s\"";
+    let lifted = "[stage.motion]\nplate = { velocity = \"0 0 5 mm/s\" }\n";
+    let gone = "absent = [\"plate\"]\n[stage.motion]\nplate = { velocity = \"0 0 5 mm/s\" }\n";
+    let all_go = "all grains of feed `inlet` come in where removal `outlet` takes them";
+    let cases: &[(Told, &[&str])] = &[
+        (NOTHING_IN_VAIN, &[]),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nevery = \"0.3 s\"\ncount = 10",
+                ..NOTHING_IN_VAIN
+            },
+            &["some come at the start, and none later"],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nevery = \"0.3 s\"\nnumber_rate = \"100 1/s\"",
+                ..NOTHING_IN_VAIN
+            },
+            &["the stages end at 2.0000e-1 s at the latest: none comes"],
+        ),
+        (
+            Told {
+                feed: low,
+                ..NOTHING_IN_VAIN
+            },
+            &[all_go],
+        ),
+        // half of the disc
+        (
+            Told {
+                feed: low,
+                removal: "region = { shape = \"box\", upper = \"10 20 3 mm\" }\n",
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        // others than those that come
+        (
+            Told {
+                feed: low,
+                removal: "region = { shape = \"box\", upper = \"20 20 3 mm\" }\ntag = 4\n",
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        // it acts when the feed is over
+        (
+            Told {
+                feed: low,
+                stages: ["removals = []\n", "feeds = []\nremovals = [\"outlet\"]\n"],
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        (
+            Told {
+                feed: low,
+                stages: ["", "removals = []\n"],
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        (
+            Told {
+                removal: "region = { shape = \"box\", upper = \"20 20 3 mm\" }\nevery = \"0.3 s\"\n",
+                ..NOTHING_IN_VAIN
+            },
+            &["removal `outlet` takes grains every 3.0000e-1 s, and the stages end at 2.0000e-1 s"],
+        ),
+        (
+            Told {
+                motion: "{ oscillation = { amplitude = \"0 0 0 mm\", frequency = \"10 Hz\" } }",
+                ..NOTHING_IN_VAIN
+            },
+            &["wall `plate` swings with an amplitude of 0"],
+        ),
+        (
+            Told {
+                stages: ["", gone],
+                ..NOTHING_IN_VAIN
+            },
+            &["stage `second` moves wall `plate`, which is absent from then on"],
+        ),
+        (
+            Told {
+                stages: ["absent = [\"plate\"]\n", lifted],
+                ..NOTHING_IN_VAIN
+            },
+            &["stage `second` moves wall `plate`"],
+        ),
+        // it comes back
+        (
+            Told {
+                stages: [gone, "absent = []\n"],
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+    ];
+    for (number, (told, words)) in cases.iter().enumerate() {
+        let warnings = warnings(told);
+        let all =
+            warnings.len() == words.len() && warnings.iter().zip(*words).all(|(text, words)| text.contains(words));
+        assert!(all, "case {number}: {warnings:?} in place of {words:?}");
+    }
+}
