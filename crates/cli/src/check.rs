@@ -2,11 +2,11 @@
 
 use crate::answer::{Rows, answer, answer_json, note};
 use crate::arguments::CheckArguments;
-use crate::check_walls;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::readable::{bytes, count, number, things, wait};
-use demeter::scenario::{Fed, Prepared, Scenario, WallReport, inspect_walls, prepare};
+use crate::{check_motions, check_walls};
+use demeter::scenario::{Fed, Prepared, Scenario, TimeStep, WallReport, inspect_walls, prepare};
 use serde_json::{Value, json};
 
 /// Most stages that are told.
@@ -56,8 +56,10 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
     );
     if !scenario.walls.is_empty() {
         check_walls::add_rows(scenario, prepared, report, &mut rows);
+        check_motions::add_rows(scenario, prepared, &mut rows);
     }
-    for (stage, steps) in scenario.stages.iter().zip(&prepared.stage_steps).take(MOST_STAGES) {
+    let stages = scenario.stages.iter().zip(&prepared.stage_steps);
+    for (index, (stage, steps)) in stages.enumerate().take(MOST_STAGES) {
         let early = if stage.stop.len() > 1 {
             ", or until a condition ends it"
         } else {
@@ -68,6 +70,9 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
             format!("stage {}", stage.name),
             format!("{}, {time} s{early}", things(*steps, "step")),
         );
+        for words in check_motions::of_stage(scenario, prepared, index) {
+            rows.add("", words);
+        }
     }
     if let Some(more) = scenario.stages.len().checked_sub(MOST_STAGES).filter(|more| *more > 0) {
         rows.add("stages", format!("and {more} more"));
@@ -91,7 +96,28 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
     let told = things(prepared.rows, "row");
     rows.add("series", format!("{told} of about {each}, {all} together"));
     rows.add("run time", format!("{about} {} on one thread", wait(prepared.run_time)));
+    if let Some(longer) = longer_step(scenario, prepared) {
+        let time = wait(prepared.run_time * setup.dt / longer);
+        rows.add(
+            "",
+            format!(
+                "{about} {time} with `simulation.time_step = \"{longer:e} s\"`, nearly the longest that is accepted: \
+                 restitution is less exact then"
+            ),
+        );
+    }
     format!("{} is right\n{}", scenario.name, rows.lines())
+}
+
+/// The longest time step that is accepted, but for what is cut off behind two digits [s]; nothing where none is longer than the one
+/// that was chosen for the user.
+fn longer_step(scenario: &Scenario, prepared: &Prepared) -> Option<f64> {
+    let setup = &prepared.setup;
+    let largest = prepared.time_scale.largest(setup.integrator);
+    let digits = format!("{largest:.9e}");
+    let (mantissa, exponent) = digits.split_once('e')?;
+    let longer = format!("{}e{exponent}", mantissa.get(..3)?).parse().ok()?;
+    (scenario.simulation.time_step == TimeStep::Auto && longer > setup.dt).then_some(longer)
 }
 
 /// How many grains feeds let come.
@@ -130,11 +156,13 @@ fn to_json(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Val
         "fed": prepared.fed.grains,
         "removals": names(&scenario.removals, |removal| &removal.name),
         "walls": walls,
+        "motions": check_motions::to_json(scenario, prepared),
         "wall_report": check_walls::to_json(scenario, prepared, report),
         "stages": stages,
         "steps": prepared.steps,
         "memory": prepared.memory,
         "run_time": prepared.run_time,
+        "longest_time_step": prepared.time_scale.largest(prepared.setup.integrator),
         "frames": prepared.frames,
         "frame_bytes": prepared.frame_bytes,
         "rows": prepared.rows,

@@ -9,6 +9,7 @@ mod arguments;
 mod book;
 mod bug_report;
 mod check;
+mod check_motions;
 mod check_walls;
 mod collide;
 mod compare;

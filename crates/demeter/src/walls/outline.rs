@@ -1,5 +1,6 @@
 //! Extent of a wall: its box, its triangles for a picture, and how far it moved.
 
+use super::Wall;
 use super::pose::Pose;
 use super::surface::Surface;
 use demeter_physics::geometry::contact_sphere_plane::Plane;
@@ -11,6 +12,16 @@ use std::f64::consts::{PI, TAU};
 const AROUND: u32 = 48;
 /// Flat pieces from pole to pole in a picture of a sphere.
 const POLE_TO_POLE: u32 = 24;
+
+impl Wall {
+    /// Distance from an axis, told by a point [m] and its unit vector, to the farthest corner of the box around the wall [m]; `None` for
+    /// infinite walls.
+    pub fn farthest_from(&self, point: DVec3, axis: DVec3) -> Option<f64> {
+        let (lower, upper) = self.bounds()?;
+        let distances = corners(lower, upper).map(|corner| (corner - point).cross(axis).length());
+        Some(distances.into_iter().fold(0.0, f64::max))
+    }
+}
 
 /// A circle about an axis; cylinders, cones and discs lie between such circles.
 struct Ring {
@@ -181,7 +192,8 @@ fn displacement_of_revolution(surface: &Surface, origin: DVec3, since: &Pose, no
         .reduce(f64::max)
 }
 
-fn corners(lower: DVec3, upper: DVec3) -> [DVec3; 8] {
+/// The corners of a box along the axes.
+pub(super) fn corners(lower: DVec3, upper: DVec3) -> [DVec3; 8] {
     std::array::from_fn(|k| {
         DVec3::new(
             if k & 1 == 0 { lower.x } else { upper.x },

@@ -298,9 +298,8 @@ impl Wall {
             return 0.0;
         }
         // it changes along straight lines from place to place
-        let corner = |k: u32| DVec3::from_array([0, 1, 2].map(|axis| [lower, upper][(k >> axis & 1) as usize][axis]));
-        let speeds = (0..8).map(|k| self.velocity_at(corner(k)).length());
-        speeds.fold(0.0, f64::max)
+        let speeds = outline::corners(lower, upper).map(|corner| self.velocity_at(corner).length());
+        speeds.into_iter().fold(0.0, f64::max)
     }
 
     /// Inverse of the mass with which a freely moving wall gives way to a push along a direction at a point [1/kg]:
