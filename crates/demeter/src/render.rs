@@ -51,6 +51,7 @@ pub struct LoadedFrame {
     materials: Vec<Material>,
     contacts: Vec<ContactRecord>,
     walls: Vec<(String, Vec<[DVec3; 3]>)>,
+    tags: Option<Vec<i32>>,
 }
 
 impl LoadedFrame {
@@ -82,6 +83,8 @@ impl LoadedFrame {
             self.grains.velocity.push(velocities[k], 0.0);
             self.grains.angular_velocity.push(spins[k], 0.0);
         }
+        let has_tags = file.names().any(|name| name == "tag");
+        self.tags = has_tags.then(|| file.integers("tag")).transpose()?;
         self.grains.load = Rows::zeros(self.grains.len());
         for (k, mass) in masses.into_iter().enumerate() {
             self.grains.set_size(k, radii[k], mass);
@@ -153,7 +156,7 @@ impl LoadedFrame {
                 triangles: triangles.clone(),
                 force: DVec3::ZERO,
                 torque: DVec3::ZERO,
-                velocity: DVec3::ZERO,
+                velocities: Vec::new(),
                 records: None,
             })
             .collect();
@@ -164,7 +167,7 @@ impl LoadedFrame {
             materials: &self.materials,
             contacts: ContactsAt::List(&self.contacts),
             walls: &walls,
-            tags: None,
+            tags: self.tags.clone(),
             cell: None,
             part: FramePart::default(),
         })

@@ -62,7 +62,7 @@ pub struct RenderArguments {
     /// From where: `corner`, `front`, `back`, `left`, `right`, `top`, `bottom`, or degrees about z and above the horizon
     #[arg(long, value_name = "NAME|A,E", default_value = "corner", allow_hyphen_values = true)]
     pub view: String,
-    /// What the colours tell: `automatic`, `force`, `speed`, `diameter` (or `radius`), `coordination`, `material`, `spin`, `pressure`
+    /// What the colours tell: `automatic`, `force`, `speed`, `diameter` (or `radius`), `coordination`, `material`, `tag`, `spin`, `pressure`
     #[arg(long, visible_alias = "color", value_name = "QUANTITY", default_value = "automatic")]
     pub colour: String,
     /// Value at the end of the colour bar, as "2 m/s"; where most values end when absent

@@ -3,7 +3,7 @@
 use super::contacts_at::{ContactAt, ContactsAt};
 use crate::output::WallSurface;
 use crate::simulation::Simulation;
-use crate::walls::ElementRecord;
+use crate::walls::{ElementRecord, Wall};
 use glam::DVec3;
 
 /// The contacts of [`ContactsAt`], column by column.
@@ -62,20 +62,26 @@ pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
     }
     let walls = (sim.walls.iter()).map(|wall| {
         let (force, torque) = wall.load();
-        let velocity = wall.velocity_at(wall.origin());
         let triangles = wall.triangles(lower, upper);
         let records = wall.element_records();
         let of_triangles = || shared_out(&triangles, &wall.elements_drawn(triangles.len()), &records);
         WallSurface {
             name: &wall.name,
             records: wall.is_recorded().then(of_triangles),
+            velocities: triangles.iter().map(|corners| velocity_of(wall, corners)).collect(),
             triangles,
             force,
             torque,
-            velocity,
         }
     });
     walls.chain(sim.deforms().then(|| box_surface(sim))).collect()
+}
+
+/// Velocity of the surface of a wall in the middle of a triangle of it [m/s].
+fn velocity_of(wall: &Wall, [a, b, c]: &[DVec3; 3]) -> DVec3 {
+    let normal = (*b - *a).cross(*c - *a).normalize_or_zero();
+    let belt = wall.belt();
+    wall.velocity_at((*a + *b + *c) / 3.0) + belt - normal * belt.dot(normal)
 }
 
 /// What was recorded on elements, shared out over the triangles that draw each by their areas, so that what adds up over a wall does.
@@ -115,12 +121,13 @@ fn box_surface(sim: &Simulation) -> WallSurface<'_> {
             triangles.push([corner, corner + u + v, corner + v]);
         }
     }
+    let velocities = vec![DVec3::ZERO; triangles.len()];
     WallSurface {
         name: "periodic box",
         records: None,
         triangles,
         force: DVec3::ZERO,
         torque: DVec3::ZERO,
-        velocity: DVec3::ZERO,
+        velocities,
     }
 }

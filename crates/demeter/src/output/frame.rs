@@ -45,8 +45,8 @@ pub struct WallSurface<'a> {
     pub force: DVec3,
     /// Torque of the grains on it about the origin of its pose [N m].
     pub torque: DVec3,
-    /// Velocity of its origin [m/s].
-    pub velocity: DVec3,
+    /// Velocity of the surface in the middle of every triangle, that of a belt included [m/s].
+    pub velocities: Vec<DVec3>,
     /// What was recorded on the element that every triangle draws; `None` where nothing is recorded.
     pub records: Option<Vec<ElementRecord>>,
 }

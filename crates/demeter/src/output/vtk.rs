@@ -5,7 +5,7 @@
 //! |---|---|---|
 //! | `grains` | a point at the centre of a grain | `id`, `material`, `radius` and `diameter` [m], `mass` [kg], `velocity` [m/s], `angular_velocity` [1/s], `force` [N], `torque` [N m], `coordination` (contacts that act, walls counted), `contact_force` [N] (sum of the magnitudes of their normal forces), `mean_normal_stress` [Pa] (from them, compression positive), `orientation` (quaternion x, y, z, w) where it is followed, `tag` where grains have tags |
 //! | `contacts` | a point at the contact, of those that act: their normal force is not 0 | `id_i`, `id_j` (0: wall), `wall` (-1: none), `element`, `normal` (towards i), `overlap` [m], `normal_force`, `tangential_force` and their vector sum `force` [N], all on i, rounded to single precision, `normal_force_magnitude`, `force_magnitude` [N], `rolling_torque` [N m] |
-//! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s]; where a wall records loads or wear, of the element (triangle of a mesh, face of a box, else all of the wall) `mean_force` [N], `pressure` and `shear_stress` [Pa], means since the last frame; what adds up is shared out over the triangles of an element; `impact_energy` and `sliding_energy` [J], `worn_volume` [m^3] and `wear_depth` [m] since the start |
+//! | `walls` | a triangle of the surface | `wall` (index), `force` [N] and `torque` [N m] of the grains on the whole wall, `velocity` [m/s] of the surface in the middle of the triangle; where a wall records loads or wear, of the element (triangle of a mesh, face of a box, else all of the wall) `mean_force` [N], `pressure` and `shear_stress` [Pa], means since the last frame; what adds up is shared out over the triangles of an element; `impact_energy` and `sliding_energy` [J], `worn_volume` [m^3] and `wear_depth` [m] since the start |
 //!
 //! Every file carries `TimeValue` [s] and `step`; `grains` the names of the materials and, where there is a domain, `box` (its lower corner
 //! and three edges [m], as they are at that moment) and `box_periodic`; `walls` the names of
@@ -225,11 +225,12 @@ fn walls<'a>(frame: &'a Frame, records: &'a Option<Vec<ElementRecord>>) -> NewPo
     };
     let vectors =
         |name, value: fn(&WallSurface) -> DVec3| NewArray::vectors(name, cells().map(move |(_, wall, _)| value(wall)));
+    let velocities = || walls.iter().flat_map(|wall| wall.velocities.iter().copied());
     let mut cell_data = vec![
         NewArray::integers("wall", cells().map(|(index, _, _)| index)),
         vectors("force", |wall| wall.force),
         vectors("torque", |wall| wall.torque),
-        vectors("velocity", |wall| wall.velocity),
+        NewArray::vectors("velocity", velocities()),
     ];
     if let Some(records) = records {
         let scalars = |name, value: fn(&ElementRecord) -> f64| NewArray::scalars(name, records.iter().map(value));

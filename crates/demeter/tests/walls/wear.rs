@@ -323,6 +323,33 @@ fn stress_is_weight_over_area() {
 }
 
 #[test]
+fn the_velocity_of_a_surface_is_told_triangle_by_triangle() {
+    let middle = |[a, b, c]: &[DVec3; 3]| (*a + *b + *c) / 3.0;
+    let turning = Motion::Rotation {
+        point: DVec3::X,
+        axis: DVec3::Z,
+        angular_velocity: 2.0,
+    };
+    let turns = |triangle: &[DVec3; 3]| 2.0 * DVec3::Z.cross(middle(triangle) - DVec3::X);
+    let drawn = |motion: Motion| {
+        let mut case = Case::new(one_material(MODULUS, &Laws::hertz(0.3)));
+        case.wall(0, strip(2), motion);
+        case.grain(1e-3, DVec3::Z, DVec3::ZERO);
+        let mut sim = case.simulation();
+        cases::advance(&mut sim, 0.01);
+        let drawn = wall_surfaces(&sim).remove(0);
+        assert_eq!(drawn.velocities.len(), drawn.triangles.len());
+        drawn.triangles.into_iter().zip(drawn.velocities)
+    };
+    for (triangle, velocity) in drawn(turning) {
+        assert!((velocity - turns(&triangle)).length() < 1e-12, "{velocity}");
+    }
+    for (_, velocity) in drawn(Motion::Belt(DVec3::new(1.0, 0.0, 1.0))) {
+        assert_eq!(velocity, DVec3::X);
+    }
+}
+
+#[test]
 fn coupled_contacts_are_recorded_once() {
     on_threads(1, || {
         let laws = Laws::hertz(0.5).friction(coulomb(0.3)).multi_contact("half-space", &[]);

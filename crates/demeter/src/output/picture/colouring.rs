@@ -5,8 +5,9 @@ use crate::comm::together::Together;
 use crate::output::frame::Frame;
 use crate::output::ticks::{round_up, si_prefix};
 use crate::particles::Rows;
+use std::collections::BTreeSet;
 
-/// Colours of materials (Okabe and Ito, 2008): told apart by the colour-blind too.
+/// Colours of materials and tags (Okabe and Ito, 2008): told apart by the colour-blind too.
 const CATEGORIES: [[u8; 3]; 8] = [
     [0, 114, 178],
     [230, 159, 0],
@@ -37,6 +38,8 @@ pub enum ColourBy {
     Coordination,
     /// Material.
     Material,
+    /// Tag; 0 where none was given.
+    Tag,
     /// Angular speed [1/s].
     Spin,
     /// Mean normal stress of the contacts of a grain over its volume, compression positive [Pa].
@@ -47,7 +50,7 @@ impl ColourBy {
     /// Unit of the values, empty where they have none; nothing for what has no values, or where it is not known before.
     pub fn unit(self) -> Option<&'static str> {
         match self {
-            Self::Automatic | Self::Material => None,
+            Self::Automatic | Self::Material | Self::Tag => None,
             Self::ContactForce => Some("N"),
             Self::Speed => Some("m/s"),
             Self::Diameter => Some("m"),
@@ -58,7 +61,7 @@ impl ColourBy {
     }
 
     /// What can be told on the command line, by name.
-    pub const NAMED: [(&'static str, Self); 9] = [
+    pub const NAMED: [(&'static str, Self); 10] = [
         ("automatic", Self::Automatic),
         ("force", Self::ContactForce),
         ("speed", Self::Speed),
@@ -66,6 +69,7 @@ impl ColourBy {
         ("radius", Self::Diameter),
         ("coordination", Self::Coordination),
         ("material", Self::Material),
+        ("tag", Self::Tag),
         ("spin", Self::Spin),
         ("pressure", Self::Pressure),
     ];
@@ -132,6 +136,7 @@ impl Colouring {
             ColourBy::Spin => Self::by_value("spin", unit, &lengths(&g.angular_velocity), high, all),
             ColourBy::Pressure => Self::by_value("pressure", unit, &frame.mean_normal_stress(), high, all),
             ColourBy::Material => Self::by_material(frame),
+            ColourBy::Tag => Self::by_tag(frame),
         }
     }
 
@@ -143,6 +148,23 @@ impl Colouring {
             colours: materials_of_grains.iter().map(|&m| colour(usize::from(m))).collect(),
             label: "material".to_owned(),
             legend: Legend::Names(materials.map(|(k, m)| (m.name.clone(), colour(k))).collect()),
+            end: None,
+        }
+    }
+
+    /// A tag has the same colour in every frame; told are those that grains have.
+    fn by_tag(frame: &Frame) -> Self {
+        let colour = |tag: i32| CATEGORIES[tag.rem_euclid(CATEGORIES.len() as i32) as usize];
+        let tags = match &frame.tags {
+            Some(tags) => tags.clone(),
+            None => vec![0; frame.own().len()],
+        };
+        let own: BTreeSet<i32> = tags.iter().copied().collect();
+        let all: BTreeSet<i32> = frame.part.together.joined(own.into_iter()).collect();
+        Self {
+            colours: tags.into_iter().map(colour).collect(),
+            label: "tag".to_owned(),
+            legend: Legend::Names(all.into_iter().map(|tag| (tag.to_string(), colour(tag))).collect()),
             end: None,
         }
     }

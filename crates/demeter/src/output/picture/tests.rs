@@ -48,6 +48,16 @@ fn contact(id_i: u32, id_j: u32, force: f32) -> ContactRecord {
 }
 
 fn picture(grains: &Grains, contacts: &[ContactRecord], walls: &[WallSurface], colour: ColourBy) -> Image {
+    tagged_picture(None, grains, contacts, walls, colour)
+}
+
+fn tagged_picture(
+    tags: Option<Vec<i32>>,
+    grains: &Grains,
+    contacts: &[ContactRecord],
+    walls: &[WallSurface],
+    colour: ColourBy,
+) -> Image {
     let frame = Frame {
         step: 3,
         time: 0.25,
@@ -55,7 +65,7 @@ fn picture(grains: &Grains, contacts: &[ContactRecord], walls: &[WallSurface], c
         materials: &materials(),
         contacts: ContactsAt::List(contacts),
         walls,
-        tags: None,
+        tags,
         cell: None,
         part: FramePart::default(),
     };
@@ -113,6 +123,17 @@ fn every_quantity_can_be_drawn_and_looks_different() {
 }
 
 #[test]
+fn grains_are_drawn_by_their_tags() {
+    let grains = grains(12);
+    let of = |tags: Option<Vec<i32>>| tagged_picture(tags, &grains, &[], &[], ColourBy::Tag);
+    let alternating = of(Some((0..12).map(|k| k % 2).collect()));
+    assert!(of(None) == of(Some(vec![0; 12])));
+    assert!(alternating != of(None) && alternating != of(Some(vec![1; 12])));
+    // tags may be any whole numbers
+    of(Some([i32::MIN, -1, i32::MAX].repeat(4)));
+}
+
+#[test]
 fn no_grain_no_wall_is_a_picture_too() {
     let image = picture(&Grains::default(), &[], &[], ColourBy::Automatic);
     assert_eq!((image.width(), image.height()), (600, 450));
@@ -128,7 +149,7 @@ fn a_wall_alone_is_drawn_as_its_rim() {
         triangles: vec![[a, b, c], [a, c, d]],
         force: DVec3::ZERO,
         torque: DVec3::ZERO,
-        velocity: DVec3::ZERO,
+        velocities: Vec::new(),
         records: None,
     };
     let count = drawn(&picture(&Grains::default(), &[], &[wall], ColourBy::Automatic));
@@ -271,7 +292,7 @@ fn walls_are_cut_like_grains() {
         triangles: vec![[a, b, c], [a, c, d]],
         force: DVec3::ZERO,
         torque: DVec3::ZERO,
-        velocity: DVec3::ZERO,
+        velocities: Vec::new(),
         records: None,
     };
     let whole = drawn(&cut_picture(&[], &[wall()], &[])) as f64;
