@@ -5,7 +5,7 @@ use crate::arguments::LawsArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::suggestion::did_you_mean;
-use demeter::materials::{law_example, law_to_json, written_value};
+use demeter::materials::{called_elsewhere, law_example, law_to_json, written_value};
 use demeter_physics::contact::{LawInfo, laws as all_laws};
 use demeter_physics::parameters::{ParameterInfo, ParameterKind, Presence};
 use serde_json::{Value, json};
@@ -22,8 +22,11 @@ pub fn laws(arguments: &LawsArguments) -> Result<Exit, Failure> {
     };
     let found: Vec<&LawInfo> = all_laws().filter(|law| law.name == name).collect();
     if found.is_empty() {
-        let hint = did_you_mean(name, all_laws().map(|law| law.name));
-        let message = format!("there is no law `{name}`.{hint} `demeter laws` lists all.");
+        let hint = match called_elsewhere(name) {
+            Some(here) => format!(": {here}."),
+            None => format!(".{}", did_you_mean(name, all_laws().map(|law| law.name))),
+        };
+        let message = format!("there is no law `{name}`{hint} `demeter laws` lists all.");
         return Err(Failure::wrong(message));
     }
     if arguments.json {

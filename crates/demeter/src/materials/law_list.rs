@@ -17,6 +17,24 @@ pub fn written_value(parameter: &ParameterInfo, value: f64) -> String {
     }
 }
 
+/// What a law is called here that other programs and textbooks call by this name, as a sentence.
+pub fn called_elsewhere(name: &str) -> Option<String> {
+    let plain = name.to_lowercase().replace(['_', ' ', '/'], "-");
+    let here = match plain.as_str() {
+        "hertz" | "hertzian" => "the normal law `hertz-tsuji`",
+        "hertz-mindlin" | "hertz-mindlin-no-slip" | "hertz-history" => {
+            "the normal law `hertz-tsuji` with the tangential law `mindlin-history`"
+        }
+        "hooke" | "hooke-history" | "spring-dashpot" | "linear-spring-dashpot" => {
+            "the normal law `linear`, with the tangential law `linear-history` where friction has a spring"
+        }
+        "mindlin" => "the tangential law `mindlin-history`",
+        "cdt" => "the rolling law `constant-torque`",
+        _ => return None,
+    };
+    Some(format!("here that is {here}"))
+}
+
 /// A line of a scenario that chooses the law.
 pub fn law_example(law: &LawInfo) -> String {
     let shown = law.parameters.iter().filter(|p| p.in_example());

@@ -2,7 +2,7 @@
 
 mod law_list;
 
-pub use law_list::{law_example, law_key, law_to_json, written_value};
+pub use law_list::{called_elsewhere, law_example, law_key, law_to_json, written_value};
 
 use demeter_physics::contact::multi_contact::{Independent, MultiContactLaw};
 use demeter_physics::contact::normal::NormalLaw;

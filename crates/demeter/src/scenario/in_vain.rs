@@ -4,16 +4,17 @@ use super::checks::told_motions;
 use super::feeds::{FeedRate, FeedSpec, RemovalSpec};
 use super::traffic::sources;
 use super::{Scenario, estimates};
+use crate::insertion::Streaming;
 use crate::particles::{Domain, Zone};
 use crate::simulation::{Stage, StopCondition};
-use crate::walls::{Motion, Motions};
+use crate::walls::{Motion, Motions, Wall};
 use glam::DVec3;
 
 /// Places of an inlet that are tried.
 const PLACES: u64 = 200;
 
 /// Tells all of it, told how many steps each stage takes at most and the time step [s].
-pub(super) fn check(scenario: &Scenario, domain: &Domain, stage_steps: &[u64], dt: f64) -> Vec<String> {
+pub(super) fn check(scenario: &Scenario, walls: &[Wall], domain: &Domain, stage_steps: &[u64], dt: f64) -> Vec<String> {
     let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
     let end = steps as f64 * dt;
     let mut told: Vec<String> = (scenario.stages.iter())
@@ -27,7 +28,9 @@ pub(super) fn check(scenario: &Scenario, domain: &Domain, stage_steps: &[u64], d
     }
     let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
     told.extend((0..scenario.feeds.len()).filter_map(|feed| empty_feed(scenario, feed, &stages, end)));
-    told.extend(removed_at_once(scenario, domain));
+    let sources = sources(scenario, domain).unwrap_or_default();
+    told.extend(blocked(scenario, &sources, walls));
+    told.extend(removed_at_once(scenario, &sources, domain));
     for removal in &scenario.removals {
         if let Some(every) = removal.every.filter(|every| *every > end) {
             told.push(format!(
@@ -77,13 +80,39 @@ fn empty_feed(scenario: &Scenario, index: usize, stages: &[f64], end: f64) -> Op
     ))
 }
 
-/// Feeds whose grains come in where a removal takes them.
-fn removed_at_once(scenario: &Scenario, domain: &Domain) -> Vec<String> {
-    let Ok(sources) = sources(scenario, domain) else {
-        return Vec::new();
+/// Feeds hardly any of whose grains finds room, as walls that rest throughout the run are in the way.
+fn blocked(scenario: &Scenario, sources: &[Streaming], walls: &[Wall]) -> Vec<String> {
+    let moves = |index: usize| told_motions(scenario).any(|(wall, motions)| wall == index && !motions.is_rest());
+    let may_go = |index: usize| {
+        let mut absent = scenario.stages.iter().filter_map(|stage| stage.absent.as_ref());
+        absent.any(|absent| absent.contains(&index))
     };
+    let stay: Vec<&Wall> = (walls.iter().enumerate())
+        .filter(|(index, wall)| wall.is_present() && !moves(*index) && !may_go(*index))
+        .map(|(_, wall)| wall)
+        .collect();
     let mut told = Vec::new();
-    for ((feed, spec), source) in scenario.feeds.iter().enumerate().zip(&sources) {
+    for (feed, source) in scenario.feeds.iter().zip(sources) {
+        let smallest = source.radii()[0];
+        let places = source.places(smallest, PLACES);
+        let in_the_way = |place: &DVec3| stay.iter().find(|wall| wall.nearest(*place, smallest).is_some());
+        let walls: Option<Vec<_>> = places.iter().map(in_the_way).collect();
+        if let Some(first) = walls.as_ref().and_then(|walls| walls.first()) {
+            told.push(format!(
+                "feed `{}` lets no grain come, or hardly any: walls, as `{}`, are in the way at all {} places of its inlet that were tried",
+                feed.name,
+                first.name,
+                places.len()
+            ));
+        }
+    }
+    told
+}
+
+/// Feeds whose grains come in where a removal takes them.
+fn removed_at_once(scenario: &Scenario, sources: &[Streaming], domain: &Domain) -> Vec<String> {
+    let mut told = Vec::new();
+    for ((feed, spec), source) in scenario.feeds.iter().enumerate().zip(sources) {
         let places = source.places(source.radii()[0], PLACES);
         for (removal, taking) in scenario.removals.iter().enumerate() {
             let batches = scenario.grains.len();

@@ -5,7 +5,7 @@ use super::diagnostics::Diagnostics;
 use super::document::{Value, join};
 use super::quantity::Kind;
 use super::reader::{Item, MAX_LABEL, TableReader, is_label, suggest_or_list};
-use crate::materials::{Material, POISSON, PairChoice};
+use crate::materials::{Material, POISSON, PairChoice, called_elsewhere};
 use demeter_physics::contact::{LawChoice, LawInfo, laws as all_laws, multi_contact, normal, rolling, tangential};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::{
@@ -408,7 +408,7 @@ pub(super) fn find_law<'l>(item: &Item<'_>, name: &str, family: &str, known: &'l
         let other = FAMILIES.iter().find(|(_, laws)| laws.iter().any(|l| l.name == name));
         let help = match other {
             Some((other, _)) => Some(format!("`{name}` is a {other} law")),
-            None => suggest_or_list(name, known.iter().map(|l| l.name)),
+            None => called_elsewhere(name).or_else(|| suggest_or_list(name, known.iter().map(|l| l.name))),
         };
         item.fault(format!("unknown {family} law `{name}`"), help);
     }

@@ -100,6 +100,9 @@ pub(super) fn check(
         if let Some(repairs) = repairs(&origin.repair) {
             warnings.push(format!("wall `{}`: {repairs}", spec.name));
         }
+        if let Some(small) = smaller_than_a_grain(wall, grains) {
+            warnings.push(format!("wall `{}`: {small}", spec.name));
+        }
         let Some(source) = &origin.source else { continue };
         if source.twisted > 0 {
             warnings.push(format!(
@@ -119,6 +122,18 @@ pub(super) fn check(
             warnings.push(format!("{}: {doubt}", mesh.path));
         }
     }
+}
+
+/// What to say of a mesh that is smaller than the largest grain in every direction: a part that grains meet is larger in one at least.
+fn smaller_than_a_grain(wall: &Wall, grains: &Grains) -> Option<String> {
+    let (lower, upper) = wall.bounds()?;
+    let diameter = 2.0 * grains.radii().fold(0.0, f64::max);
+    let [x, y, z] = (upper - lower).to_array();
+    (x.max(y).max(z) < diameter).then(|| {
+        format!(
+            "the mesh is {x:.4e} x {y:.4e} x {z:.4e} m, smaller than the largest grain of {diameter:.4e} m: is its `unit` or `scale` right?"
+        )
+    })
 }
 
 /// Why the unit of a wall's mesh is to be doubted, where nobody told it.

@@ -75,12 +75,25 @@ impl Kind {
         }
     }
 
+    /// How a number that lacks its unit is written with one.
+    fn with_unit(self, number: &str) -> String {
+        match self {
+            // which of these was meant nobody knows
+            Self::Physical(d) if [Dimension::LENGTH, Dimension::PRESSURE, Dimension::TIME].contains(&d) => {
+                self.example()
+            }
+            Self::Physical(d) => format!("\"{number} {}\"", d.unit()),
+            _ => self.example(),
+        }
+    }
+
     /// How it is written.
     pub fn example(self) -> String {
         match self {
             Self::Physical(d) if d == Dimension::LENGTH => "\"2 mm\"".to_string(),
             Self::Physical(d) if d == Dimension::PRESSURE => "\"5 MPa\"".to_string(),
             Self::Physical(d) if d == Dimension::TIME => "\"10 ms\"".to_string(),
+            Self::Physical(d) if d == Dimension::DENSITY => "\"2500 kg/m^3\"".to_string(),
             Self::Physical(d) => format!("\"1 {}\"", d.unit()),
             Self::Angle => "\"30 deg\"".to_string(),
             Self::AngularVelocity => "\"60 rpm\" or \"2 rad/s\"".to_string(),
@@ -153,7 +166,7 @@ impl Item<'_> {
                     self.name,
                     kind.expected()
                 );
-                self.fault(message, Some(format!("write it as {}", kind.example())));
+                self.fault(message, Some(format!("write it as {}", kind.with_unit(&written))));
                 None
             }
         }
@@ -196,6 +209,7 @@ impl Item<'_> {
             Kind::Physical(d) if d == Dimension::FREQUENCY && quantity.dimension == d => {
                 Some("a frequency counts cycles: write it in Hz".to_string())
             }
+            _ if !quantity.has_unit => Some(format!("write it as {}", kind.with_unit(text.trim()))),
             _ => Some(format!("write it as {}", kind.example())),
         };
         self.fault(message, help);

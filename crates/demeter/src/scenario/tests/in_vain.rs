@@ -90,6 +90,31 @@ fn what_comes_to_nothing_is_told() {
             },
             &[all_go],
         ),
+        // the plate, 6 mm wide, is as wide as the disc, which it lies in
+        (
+            Told {
+                feed: "center = \"10 10 8 mm\"\nnumber_rate = \"100 1/s\"",
+                motion: "\"rest\"",
+                ..NOTHING_IN_VAIN
+            },
+            &["feed `inlet` lets no grain come, or hardly any: walls, as `plate`"],
+        ),
+        // half of the disc is free, or the plate moves out of the way
+        (
+            Told {
+                feed: "center = \"13 10 8 mm\"\nnumber_rate = \"100 1/s\"",
+                motion: "\"rest\"",
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 8 mm\"\nnumber_rate = \"100 1/s\"",
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
         // half of the disc
         (
             Told {

@@ -73,6 +73,22 @@ fn regions_and_inlets_of_meshes_in_millimetres_are_doubted() {
 }
 
 #[test]
+fn a_mesh_smaller_than_a_grain_is_doubted_whoever_told_its_unit() {
+    let warnings = |unit: &str| {
+        prepared(&format!(
+            "[[wall]]\nname = \"drum\"\nmaterial = \"glass\"\nshape = \"mesh\"\nfile = \"box.obj\"\nunit = \"{unit}\"\n"
+        ))
+        .unwrap()
+    };
+    let told = warnings("um").join("\n");
+    assert!(
+        told.contains("wall `drum`: the mesh is 4.0000e-5 x 3.0000e-5 x 5.0000e-5 m, smaller than the largest grain of 2.0000e-3 m"),
+        "{told}"
+    );
+    assert_eq!(warnings("mm"), Vec::<String>::new());
+}
+
+#[test]
 fn a_turning_mesh_in_millimetres_is_told_beside_its_speed() {
     let drum = |unit: &str| {
         prepared(&format!(
