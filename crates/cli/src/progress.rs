@@ -20,6 +20,8 @@ pub struct Watch {
     bar: Option<ProgressBar>,
     speed: Speed,
     next_line: f64,
+    /// Whether it was told that the run ends: processes that share it ask several times until all have heard.
+    end_is_told: bool,
 }
 
 impl Watch {
@@ -30,6 +32,7 @@ impl Watch {
             bar: std::io::stderr().is_terminal().then(bar),
             speed: Speed::default(),
             next_line: LINE_INTERVAL,
+            end_is_told: false,
         }
     }
 
@@ -70,7 +73,9 @@ impl Observer for Watch {
         if !self.interrupt.is_asked() {
             return true;
         }
-        self.message("interrupted: writing a checkpoint; interrupt again to end at once");
+        if !std::mem::replace(&mut self.end_is_told, true) {
+            self.message("interrupted: writing a checkpoint; interrupt again to end at once");
+        }
         false
     }
 

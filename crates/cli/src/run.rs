@@ -163,6 +163,15 @@ fn to_json(report: &Report, exit: Exit) -> Result<Value, Failure> {
     Ok(value)
 }
 
+/// Who did the work.
+fn workers(threads: usize, processes: usize) -> String {
+    let threads = things(threads as u64, "thread");
+    match processes {
+        0 | 1 => threads,
+        many => format!("{threads} of each of {many} processes"),
+    }
+}
+
 fn to_text(report: &Report) -> String {
     let summary = &report.summary;
     let folder = report.folder.display();
@@ -236,7 +245,7 @@ fn to_text(report: &Report) -> String {
         format!(
             "{} particle-steps/s on {}, {} of computing",
             count(summary.particle_steps_per_second as u64),
-            things(summary.threads as u64, "thread"),
+            workers(summary.threads, summary.processes),
             wait(summary.wall_clock_time)
         ),
     );

@@ -89,6 +89,9 @@ fn two_and_three_processes_give_the_bits_of_one() {
         let said = said(mpirun(&place, &vec![&run(out)[..]; count]));
         assert_eq!(said.code, 0, "{}\n{}", said.out, said.err);
         assert_eq!(said.out.matches("energy residual").count(), 1, "{}", said.out);
+        assert_eq!(place.summary(out)["processes"], count);
+        let workers = format!("on 1 thread of each of {count} processes");
+        assert!(said.out.contains(&workers), "{}", said.out);
         assert!(
             said.err.contains(&format!("shared by {count} processes")),
             "{}",
@@ -116,6 +119,10 @@ fn a_run_that_is_asked_to_end_goes_on_with_other_processes() {
         assert!(asked.success());
         shared.wait().unwrap();
     }
+    let told = shared.wait_with_output().unwrap();
+    let told = String::from_utf8_lossy(&told.stderr);
+    // not at all where the launcher was gone by then
+    assert!(told.matches("interrupt again").count() <= 1, "{told}");
     assert!(place.path("parts/checkpoint.latest").exists());
     place.expect(0, &["resume", "parts", "--threads", "1"]);
     assert_same(&place.results("one"), &place.results("parts"));

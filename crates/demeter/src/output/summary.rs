@@ -40,8 +40,10 @@ pub struct Summary {
     pub wall_clock_time: f64,
     /// Grains times steps over the wall-clock time [1/s].
     pub particle_steps_per_second: f64,
-    /// Number of threads.
+    /// Number of threads, of each process.
     pub threads: usize,
+    /// Number of processes that shared the run.
+    pub processes: usize,
     /// The stages that ran, in order.
     pub stages: Vec<StageSummary>,
     /// Energies at the end [J]. A fault leaves a step that is not complete: what was dissipated and worked in it is not counted.

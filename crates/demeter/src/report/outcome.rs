@@ -140,10 +140,14 @@ impl Outcome {
             String::new(),
         );
         let threads = self.figure("threads").map(|n| {
-            if n == 1.0 {
+            let threads = if n == 1.0 {
                 "on 1 thread".to_string()
             } else {
                 format!("on {} threads", whole(n))
+            };
+            match self.figure("processes").filter(|count| *count > 1.0) {
+                Some(count) => format!("{threads} of each of {} processes", whole(count)),
+                None => threads,
             }
         });
         add(

@@ -185,6 +185,7 @@ impl Runner<'_> {
             wall_clock_time: self.place.wall_clock,
             particle_steps_per_second: speed,
             threads: rayon::current_num_threads(),
+            processes: self.sim.processes(),
             stages: self.place.stages_done.clone(),
             warnings: [
                 self.place.warnings.clone(),

@@ -283,6 +283,11 @@ impl Simulation {
         }));
     }
 
+    /// Number of processes that share the run, this one among them.
+    pub fn processes(&self) -> usize {
+        self.division.as_ref().map_or(1, |division| division.ranks.count())
+    }
+
     /// Why every process does the work of all, though the run is shared; `None` where each does a part.
     pub fn shares_nothing(&self) -> Option<&'static str> {
         self.has_custom_force().then_some("custom forces")
