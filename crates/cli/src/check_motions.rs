@@ -9,6 +9,8 @@ use std::f64::consts::TAU;
 
 /// Most walls that are told one by one.
 const MOST_WALLS: usize = 20;
+/// What stands for the others.
+const MORE: &str = "and more; `--json` tells all";
 
 /// Adds the motions from the start on as rows.
 pub fn add_rows(scenario: &Scenario, prepared: &Prepared, rows: &mut Rows) {
@@ -18,18 +20,22 @@ pub fn add_rows(scenario: &Scenario, prepared: &Prepared, rows: &mut Rows) {
         rows.add(format!("motion {}", spec.name), words(scenario, wall, &spec.motion));
     }
     if moving.next().is_some() {
-        rows.add("motions", "and more; `--json` tells all");
+        rows.add("motions", MORE);
     }
 }
 
 /// What a stage tells walls to do, a line for each.
 pub fn of_stage(scenario: &Scenario, prepared: &Prepared, stage: usize) -> Vec<String> {
-    let told = scenario.stages[stage].motions.iter();
+    let told = &scenario.stages[stage].motions;
     let line = |(wall, motions): &(usize, Motions)| {
         let name = &scenario.walls[*wall].name;
         format!("`{name}` {}", words(scenario, &prepared.setup.walls[*wall], motions))
     };
-    told.map(line).collect()
+    let mut lines: Vec<String> = told.iter().take(MOST_WALLS).map(line).collect();
+    if told.len() > MOST_WALLS {
+        lines.push(MORE.to_string());
+    }
+    lines
 }
 
 /// All motions, those at the start and those of stages.

@@ -225,12 +225,14 @@ fn walls<'a>(frame: &'a Frame, records: &'a Option<Vec<ElementRecord>>) -> NewPo
     };
     let vectors =
         |name, value: fn(&WallSurface) -> DVec3| NewArray::vectors(name, cells().map(move |(_, wall, _)| value(wall)));
-    let velocities = || walls.iter().flat_map(|wall| wall.velocities.iter().copied());
     let mut cell_data = vec![
         NewArray::integers("wall", cells().map(|(index, _, _)| index)),
         vectors("force", |wall| wall.force),
         vectors("torque", |wall| wall.torque),
-        NewArray::vectors("velocity", velocities()),
+        NewArray::vectors(
+            "velocity",
+            walls.iter().flat_map(|wall| wall.velocities.iter().copied()),
+        ),
     ];
     if let Some(records) = records {
         let scalars = |name, value: fn(&ElementRecord) -> f64| NewArray::scalars(name, records.iter().map(value));
