@@ -13,10 +13,13 @@ use glam::DVec3;
 /// Places of an inlet that are tried.
 const PLACES: u64 = 200;
 
-/// Tells all of it, told how many steps each stage takes at most and the time step [s].
-pub(super) fn check(scenario: &Scenario, walls: &[Wall], domain: &Domain, stage_steps: &[u64], dt: f64) -> Vec<String> {
-    let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
-    let end = steps as f64 * dt;
+/// Tells all of it, told how long each stage and all of them last at most, and the time step [s].
+pub(super) fn check(
+    scenario: &Scenario,
+    (walls, domain): (&[Wall], &Domain),
+    (stages, end): (&[f64], f64),
+    dt: f64,
+) -> Vec<String> {
     let mut told: Vec<String> = (scenario.stages.iter())
         .filter_map(|stage| shorter_than_a_step(stage, dt))
         .collect();
@@ -26,8 +29,7 @@ pub(super) fn check(scenario: &Scenario, walls: &[Wall], domain: &Domain, stage_
             tag.at
         ));
     }
-    let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
-    told.extend((0..scenario.feeds.len()).filter_map(|feed| empty_feed(scenario, feed, &stages, end)));
+    told.extend((0..scenario.feeds.len()).filter_map(|feed| empty_feed(scenario, feed, stages, end)));
     let sources = sources(scenario, domain).unwrap_or_default();
     told.extend(blocked(scenario, &sources, walls));
     told.extend(removed_at_once(scenario, &sources, domain));

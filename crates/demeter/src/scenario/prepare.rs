@@ -111,8 +111,9 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     }
     let stage_steps: Vec<u64> = scenario.stages.iter().map(|s| super::run::longest(s, dt)).collect();
     let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
-    warnings.extend(in_vain::check(scenario, &walls, &domain, &stage_steps, dt));
     let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
+    let lasting = (stages.as_slice(), steps as f64 * dt);
+    warnings.extend(in_vain::check(scenario, (&walls, &domain), lasting, dt));
     let fed = estimates::fed(scenario, &stages);
     let most = grains.len() as f64 + fed.grains;
     let work = estimates::work(scenario, most, &walls, are_coupled, &stage_steps, dt);
