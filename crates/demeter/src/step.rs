@@ -86,6 +86,7 @@ impl Simulation {
         self.find_contacts(&motion, wall_speed)?;
         self.took(self.phase_of_contacts());
         self.sum_up_work()?;
+        self.gather_impacts();
         self.took(Phase::Ranks);
         self.awaits_kick = self.may_await_kick();
         if !self.awaits_kick {
@@ -208,6 +209,7 @@ impl Simulation {
             stride: self.contacts.stride,
             resists_rolling: self.resists_rolling,
             records_walls: self.records_walls,
+            tells_impacts: self.watches_impacts(),
             instructions: self.instructions,
             bulge: &[],
         };

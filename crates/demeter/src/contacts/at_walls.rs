@@ -1,5 +1,6 @@
 //! What contacts with walls do, several contacts at a time: to the grains, and to the walls.
 
+use super::impacts;
 use super::kinematics::{Motion, Sight, Source, Turning, note_engaged, places_in_turn, put_listed, shift};
 use super::meetings::next_lane;
 use super::respond::Lost;
@@ -72,6 +73,25 @@ struct AtWalls<'a> {
     j: &'a [u32],
     /// Which of them acted in the step before, a bit each, and then in this one; `None` where all act.
     engaged: Option<&'a mut [u64]>,
+}
+
+impl<'a> AtWalls<'a> {
+    /// Of contacts with their grains and walls, and which of them acted.
+    fn of(
+        (contacts, i, j): (&'a [Contact], &'a [u32], &'a [u32]),
+        engaged: Option<&'a mut [u64]>,
+        law: u32,
+        scene: &'a Scene<'a>,
+    ) -> Self {
+        Self {
+            scene,
+            law,
+            contacts,
+            i,
+            j,
+            engaged,
+        }
+    }
 }
 
 impl AtWalls<'_> {
@@ -221,19 +241,13 @@ impl ContactChunk {
             self.losses.resize(self.len(), Lost::default());
         }
         let mut engaged = std::mem::take(&mut self.engaged);
+        let before = scene.tells_impacts.then(|| engaged.clone());
+        let law = self.law;
         let mut felt = std::mem::take(&mut self.felt);
         let (i, j, shift) = self.take_bodies();
         let contacts = std::mem::take(&mut self.now.geometry);
         felt.clear();
         felt.resize(scene.walls.len(), Load::default());
-        let source = AtWalls {
-            scene,
-            law: self.law,
-            contacts: &contacts,
-            i: &i,
-            j: &j,
-            engaged: (!scene.is_coupled()).then_some(&mut engaged),
-        };
         let mut sink = AddAtWalls {
             adder,
             scene,
@@ -241,7 +255,14 @@ impl ContactChunk {
             j: &j,
             felt: &mut felt,
         };
-        let too_deep = self.evaluate(&mut sink, scene, source);
+        let known = (&contacts[..], &i[..], &j[..]);
+        let noted = (!scene.is_coupled()).then_some(&mut engaged[..]);
+        let too_deep = self.evaluate(&mut sink, scene, AtWalls::of(known, noted, law, scene));
+        if let Some(before) = before {
+            let begun = impacts::begun(&before, &engaged);
+            let source = AtWalls::of(known, Some(&mut engaged), law, scene);
+            impacts::tell(source, &begun, (&i, &j), true, scene, &mut self.impacts);
+        }
         (self.i, self.j, self.shift) = (i, j, shift);
         self.now.geometry = contacts;
         self.engaged = engaged;

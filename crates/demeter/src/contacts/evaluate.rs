@@ -1,7 +1,7 @@
 //! The laws of all contacts of a chunk: those between grains, which meet now or whose geometry is known, and those with walls.
 
+use super::impacts;
 use super::kinematics::{Approach, Known, Source};
-use super::meetings::Meeting;
 use super::respond::{Answers, Respond};
 use super::sum::{Across, AddAtOnce, Adder, Sink};
 use super::together::ask;
@@ -16,15 +16,15 @@ impl ContactChunk {
     pub(crate) fn meet_pairs(&mut self, scene: &Scene, adder: &mut Adder) {
         let mut engaged = std::mem::take(&mut self.engaged);
         engaged.resize(self.len().div_ceil(WORD), 0);
+        let before = scene.tells_impacts.then(|| engaged.clone());
         let (i, j, shift) = self.take_bodies();
-        let approach = Approach {
-            meeting: Meeting::new(scene),
-            i: &i,
-            j: &j,
-            shift: &shift,
-            engaged: &mut engaged,
-        };
-        let too_deep = self.collect(adder, (&i, &j, &shift), scene, approach);
+        let bodies = (&i[..], &j[..], &shift[..]);
+        let too_deep = self.collect(adder, bodies, scene, Approach::of(bodies, &mut engaged, scene));
+        if let Some(before) = before {
+            let begun = impacts::begun(&before, &engaged);
+            let approach = Approach::of(bodies, &mut engaged, scene);
+            impacts::tell(approach, &begun, (&i, &j), false, scene, &mut self.impacts);
+        }
         (self.i, self.j, self.shift) = (i, j, shift);
         self.engaged = engaged;
         if let Some((k, overlap)) = too_deep {

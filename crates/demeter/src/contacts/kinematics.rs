@@ -1,5 +1,6 @@
 //! How the bodies of contacts move against each other, several contacts at a time.
 
+use super::Scene;
 use super::evaluate::WORD;
 use super::meetings::{Lot, Meeting};
 use crate::particles::Grains;
@@ -212,6 +213,23 @@ pub(super) struct Approach<'a> {
     pub(super) shift: &'a [u8],
     /// Which of them acted in the step before, a bit each, and then in this one.
     pub(super) engaged: &'a mut [u64],
+}
+
+impl<'a> Approach<'a> {
+    /// Of the grains of pairs and the codes of their shifts, and which of them acted.
+    pub(super) fn of(
+        (i, j, shift): (&'a [u32], &'a [u32], &'a [u8]),
+        engaged: &'a mut [u64],
+        scene: &'a Scene<'a>,
+    ) -> Self {
+        Self {
+            meeting: Meeting::new(scene),
+            i,
+            j,
+            shift,
+            engaged,
+        }
+    }
 }
 
 impl Source for Approach<'_> {

@@ -15,6 +15,7 @@ mod carried;
 pub mod coupling;
 mod evaluate;
 mod fault;
+mod impacts;
 mod kinematics;
 pub mod laws;
 mod leaving;
@@ -42,6 +43,7 @@ pub use at_walls::Surfaces;
 pub use carried::{CarriedContact, ContactKey};
 pub use coupling::Coupling;
 pub use fault::Fault;
+pub(crate) use impacts::{Impact, Struck};
 pub(crate) use leaving::{PairsAndWalls, grains_in};
 pub use narrow::Scene;
 pub(crate) use near::Approach;
@@ -279,6 +281,9 @@ pub struct ContactChunk {
     felt: Vec<Load>,
     #[serde(skip)]
     pub(crate) marks: Vec<Mark>,
+    /// Contacts that began in this step, where somebody asks.
+    #[serde(skip)]
+    pub(crate) impacts: Vec<Impact>,
     /// The fault with the lowest id, if any.
     #[serde(skip)]
     pub fault: Option<Box<Fault>>,
@@ -303,6 +308,7 @@ impl ContactChunk {
         self.tally = Tally::default();
         self.wall_load.clear();
         self.marks.clear();
+        self.impacts.clear();
         self.fault = None;
         self.across = [DVec3::ZERO; 3];
     }

@@ -57,6 +57,8 @@ pub struct Scene<'a> {
     pub resists_rolling: bool,
     /// Whether some wall records what contacts do to it.
     pub records_walls: bool,
+    /// Whether contacts that begin are told.
+    pub(crate) tells_impacts: bool,
     /// Instructions to use.
     pub instructions: Instructions,
     /// How far the surface of every grain may bulge towards others [m]; empty where contacts are independent.
@@ -287,6 +289,7 @@ impl ContactChunk {
         self.fault = None;
         self.tally = Tally::default();
         self.marks.clear();
+        self.impacts.clear();
         self.wall_load.clear();
         self.wall_load.resize(walls, (DVec3::ZERO, DVec3::ZERO));
     }

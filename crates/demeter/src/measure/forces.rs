@@ -147,7 +147,7 @@ impl ForceDistribution {
 }
 
 /// A number to [`EDGE_DIGITS`] digits.
-fn rounded(x: f64) -> f64 {
+pub(super) fn rounded(x: f64) -> f64 {
     format!("{x:.*e}", EDGE_DIGITS - 1).parse().unwrap_or(x)
 }
 

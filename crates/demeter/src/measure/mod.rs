@@ -8,6 +8,7 @@
 
 mod angles;
 mod chains;
+mod collisions;
 mod contacts_at;
 mod cylinder_profile;
 mod deforming_box;
@@ -37,6 +38,8 @@ mod wear;
 pub use crate::simulation::Energies;
 pub use angles::{ContactAngles, MAX_ANGLES, Rose};
 pub use chains::{ChainLink, ChainLinks, ForceChains};
+pub(crate) use collisions::hear_impacts;
+pub use collisions::{COLLISION_COLUMNS, CollisionState, Collisions, Counted, EnergyBins, MAX_ENERGY_BINS};
 pub(crate) use contacts_at::{ContactAt, SomeContacts};
 pub use contacts_at::{ContactsAt, contact_records};
 pub use cylinder_profile::{Along, CylinderProfile, Ring};
@@ -74,8 +77,13 @@ use told_first::acting;
 
 /// Whether a grain lies in a zone, whose parts go with walls.
 pub(crate) fn holds(sim: &Simulation, zone: &Zone, grain: usize) -> bool {
+    holds_place(sim, zone, sim.grains.position[grain])
+}
+
+/// Whether a place lies in a zone, whose parts go with walls.
+fn holds_place(sim: &Simulation, zone: &Zone, place: DVec3) -> bool {
     let brought_back = |wall: usize, p: DVec3| sim.walls.get(wall).map_or(p, |wall| wall.brought_back(p));
-    zone.holds(sim.domain(), sim.grains.position[grain], brought_back)
+    zone.holds(sim.domain(), place, brought_back)
 }
 
 /// Number of contacts of every grain that act, those with walls counted; of own grains alone, where processes share the run.

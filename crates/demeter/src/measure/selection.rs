@@ -22,14 +22,17 @@ pub struct Selection {
 impl Selection {
     /// Whether a grain is meant.
     pub fn holds(&self, grains: &Grains, origins: &Origins, grain: usize) -> bool {
-        let id = grains.id[grain];
-        self.material.is_none_or(|material| grains.material[grain] == material)
+        let diameter = 2.0 * grains.radius(grain);
+        self.holds_one(grains.id[grain], grains.material[grain], diameter, origins)
+    }
+
+    /// The same of a grain that may not be there any more, told its material and diameter [m].
+    pub(super) fn holds_one(&self, id: u32, of: u16, diameter: f64, origins: &Origins) -> bool {
+        self.material.is_none_or(|material| of == material)
             && (self.ids.is_empty() || self.ids.binary_search(&id).is_ok())
             && self.source.is_none_or(|source| origins.of(id) == Some(source))
             && self.tag.is_none_or(|tag| origins.tag(id) == tag)
-            && self.finer_than.is_none_or(|most| 2.0 * grains.radius(grain) < most)
-            && self
-                .coarser_than
-                .is_none_or(|least| 2.0 * grains.radius(grain) >= least)
+            && self.finer_than.is_none_or(|most| diameter < most)
+            && self.coarser_than.is_none_or(|least| diameter >= least)
     }
 }

@@ -23,7 +23,7 @@ pub(crate) const COLUMNS: [&str; 9] = [
 pub(crate) const ABOVE: &str = "above";
 
 /// The two kinds of contacts, in the column `between`.
-const BETWEEN: [&str; 2] = ["grains", "walls"];
+pub(super) const BETWEEN: [&str; 2] = ["grains", "walls"];
 
 /// Writes a distribution: at every moment a row of the contacts between grains, and one of those with walls.
 ///

@@ -3,8 +3,8 @@
 use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
-    BOX_COLUMNS, DISPLACEMENT_COLUMNS, DOMAIN_COLUMNS, FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS,
-    Measures, NEIGHBOUR_COLUMNS, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS,
+    BOX_COLUMNS, COLLISION_COLUMNS, DISPLACEMENT_COLUMNS, DOMAIN_COLUMNS, FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS,
+    MIXING_COLUMNS, Measures, NEIGHBOUR_COLUMNS, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS,
     RESIDENCE_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WEAR_COLUMNS, WallLoad,
 };
 use std::fmt::Write as _;
@@ -307,7 +307,7 @@ fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
 }
 
 /// Columns behind all others, with what their titles begin with.
-const TOLD: [(&str, &[ToldColumn]); 16] = [
+const TOLD: [(&str, &[ToldColumn]); 17] = [
     ("MEASURE", REGION_COLUMNS),
     ("MEASURE MATERIAL", OF_MATERIAL_COLUMNS),
     ("MEASURE", TRACE_COLUMNS),
@@ -318,6 +318,7 @@ const TOLD: [(&str, &[ToldColumn]); 16] = [
     ("MEASURE", RESIDENCE_COLUMNS),
     ("MEASURE", DISPLACEMENT_COLUMNS),
     ("MEASURE", NEIGHBOUR_COLUMNS),
+    ("MEASURE", COLLISION_COLUMNS),
     ("feed NAME", FEED_COLUMNS),
     ("removal NAME", REMOVAL_COLUMNS),
     ("removal NAME MATERIAL", OF_MATERIAL_COLUMNS),

@@ -1,11 +1,12 @@
 //! Tables that grow with every row of the series: residence times, roses of contact angles, and paths of grains.
 
+use super::distribution::{ABOVE, BETWEEN};
 use super::error::OutputError;
 use super::rows::RowFile;
 use super::series::{number, stage_name};
 use super::vtk_file::{NewArray, NewPolyData};
 use super::vtp::Cells;
-use crate::measure::{Measures, PathPoint, Ring, Rose};
+use crate::measure::{Counted, EnergyBins, Measures, PathPoint, Ring, Rose};
 use glam::DVec3;
 use std::path::Path;
 
@@ -60,13 +61,39 @@ impl MomentTable {
 pub fn residence_titles(width: f64, bins: u32) -> Vec<String> {
     let edges = (0..bins).map(|k| (width * f64::from(k)).to_string());
     let title = std::iter::once("mass left [kg]".to_owned());
-    title.chain(edges).chain(std::iter::once("above".to_owned())).collect()
+    title.chain(edges).chain(std::iter::once(ABOVE.to_owned())).collect()
 }
 
 /// The row of a distribution of residence times.
 pub fn residence_row(bins: &[f64]) -> Vec<String> {
     let all = bins.iter().sum();
     std::iter::once(&all).chain(bins).map(|mass| number(*mass)).collect()
+}
+
+/// Titles of a distribution of collisions by energy.
+pub fn collision_titles(bins: &EnergyBins) -> Vec<String> {
+    let fixed = [
+        "between",
+        "collisions",
+        "normal energy [J]",
+        "tangential energy [J]",
+        "below",
+    ]
+    .map(str::to_owned);
+    let edges = bins.edges()[..bins.edges().len() - 1].iter();
+    let title = fixed.into_iter().chain(edges.map(|edge| number(*edge)));
+    title.chain(std::iter::once(ABOVE.to_owned())).collect()
+}
+
+/// The rows of a distribution of collisions: those between grains, and those with walls.
+pub fn collision_rows(kinds: &[Counted; 2]) -> [Vec<String>; 2] {
+    [0, 1].map(|k| {
+        let counted = &kinds[k];
+        let mut cells = vec![BETWEEN[k].to_owned(), counted.count.to_string()];
+        cells.extend(counted.energies.map(number));
+        cells.extend(counted.bins.iter().map(u64::to_string));
+        cells
+    })
 }
 
 /// Titles of a rose with bins that begin at angles [deg].

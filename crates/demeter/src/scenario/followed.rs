@@ -2,9 +2,10 @@
 
 use super::Scenario;
 use super::measures::MeasureKind;
+use crate::contacts::Impact;
 use crate::measure::{
-    Displacement, DisplacementState, Field, FieldSums, FieldValues, FlowState, LOOK_EVERY, MassFlow, Residence,
-    ResidenceState, Value,
+    CollisionState, Collisions, Counted, Displacement, DisplacementState, Field, FieldSums, FieldValues, FlowState,
+    LOOK_EVERY, MassFlow, Residence, ResidenceState, Value, hear_impacts,
 };
 use crate::particles::Origins;
 use crate::simulation::{Simulation, ends_at};
@@ -17,6 +18,9 @@ pub(super) struct FollowedState {
     residences: Vec<ResidenceState>,
     displacements: Vec<DisplacementState>,
     fields: Vec<FieldSums>,
+    collisions: Vec<CollisionState>,
+    /// Contacts that began since the latest look.
+    impacts: Vec<Impact>,
 }
 
 /// Measures that remember, and what.
@@ -25,6 +29,7 @@ pub(super) struct Followed<'a> {
     residences: Vec<&'a Residence>,
     displacements: Vec<&'a Displacement>,
     fields: Vec<&'a Field>,
+    collisions: Vec<&'a Collisions>,
     state: FollowedState,
 }
 
@@ -48,6 +53,8 @@ impl<'a> Followed<'a> {
             residences: vec![ResidenceState::default(); followed.residences.len()],
             displacements: vec![DisplacementState::default(); followed.displacements.len()],
             fields: vec![FieldSums::default(); followed.fields.len()],
+            collisions: vec![CollisionState::default(); followed.collisions.len()],
+            impacts: Vec::new(),
         };
         followed
     }
@@ -59,12 +66,14 @@ impl<'a> Followed<'a> {
             && state.residences.len() == followed.residences.len()
             && state.displacements.len() == followed.displacements.len()
             && state.fields.len() == followed.fields.len()
+            && state.collisions.len() == followed.collisions.len()
             && followed
                 .residences
                 .iter()
                 .zip(&state.residences)
                 .all(|(m, s)| m.fits(s))
-            && followed.fields.iter().zip(&state.fields).all(|(m, s)| m.fits(s));
+            && followed.fields.iter().zip(&state.fields).all(|(m, s)| m.fits(s))
+            && (followed.collisions.iter().zip(&state.collisions)).all(|(m, s)| m.fits(s));
         followed.state = state;
         fits.then_some(followed)
     }
@@ -87,6 +96,10 @@ impl<'a> Followed<'a> {
                 MeasureKind::Field(field) => Some(field),
                 _ => None,
             }),
+            collisions: picked(scenario, |kind| match kind {
+                MeasureKind::Collisions(collisions) => Some(collisions),
+                _ => None,
+            }),
             state: FollowedState::default(),
         }
     }
@@ -98,7 +111,20 @@ impl<'a> Followed<'a> {
 
     /// Whether anything is looked at after this step.
     pub fn is_due(&self, sim: &Simulation) -> bool {
-        self.looks_at_grains() && sim.step.is_multiple_of(LOOK_EVERY) || self.needs_contacts(sim)
+        (self.looks_at_grains() || self.hears_impacts()) && sim.step.is_multiple_of(LOOK_EVERY)
+            || self.needs_contacts(sim)
+    }
+
+    /// Whether contacts that begin are asked for.
+    pub fn hears_impacts(&self) -> bool {
+        !self.collisions.is_empty()
+    }
+
+    /// Keeps which contacts began so far, for the next look. Each process calls this.
+    pub fn hear_impacts(&mut self, sim: &mut Simulation) {
+        if self.hears_impacts() {
+            hear_impacts(sim, &mut self.state.impacts);
+        }
     }
 
     /// Whether any measure follows grains.
@@ -112,7 +138,7 @@ impl<'a> Followed<'a> {
     }
 
     /// Looks after every step at what is due.
-    pub fn watch(&mut self, sim: &Simulation, origins: &Origins) {
+    pub fn watch(&mut self, sim: &mut Simulation, origins: &Origins) {
         if sim.step.is_multiple_of(LOOK_EVERY) {
             self.look(sim, origins);
         }
@@ -123,8 +149,14 @@ impl<'a> Followed<'a> {
         }
     }
 
-    /// Looks where grains are.
-    pub fn look(&mut self, sim: &Simulation, origins: &Origins) {
+    /// Looks where grains are, and which contacts began.
+    pub fn look(&mut self, sim: &mut Simulation, origins: &Origins) {
+        self.hear_impacts(sim);
+        let sim = &*sim;
+        let impacts = std::mem::take(&mut self.state.impacts);
+        for (collisions, state) in self.collisions.iter().zip(&mut self.state.collisions) {
+            collisions.count(&impacts, sim, origins, state);
+        }
         for (flow, state) in self.flows.iter().zip(&mut self.state.flows) {
             flow.look(sim, origins, state);
         }
@@ -141,6 +173,7 @@ impl<'a> Followed<'a> {
         let flows = self.flows.iter().zip(&mut self.state.flows);
         let residences = self.residences.iter().zip(&self.state.residences);
         let displacements = self.displacements.iter().zip(&self.state.displacements);
+        let collisions = self.collisions.iter().zip(&self.state.collisions);
         FollowedValues {
             flows: flows.map(|(m, s)| m.measure(sim, s)).collect::<Vec<_>>().into_iter(),
             residences: residences
@@ -150,6 +183,15 @@ impl<'a> Followed<'a> {
             displacements: (displacements.map(|(m, s)| m.measure(sim, origins, s)))
                 .collect::<Vec<_>>()
                 .into_iter(),
+            collisions: (collisions.map(|(m, s)| m.measure(s))).collect::<Vec<_>>().into_iter(),
+        }
+    }
+
+    /// Collisions between grains and with walls by bins of energy; `index` counts the measures of collisions.
+    pub fn collision_distribution(&self, index: usize) -> [Counted; 2] {
+        match (self.collisions.get(index), self.state.collisions.get(index)) {
+            (Some(collisions), Some(state)) => collisions.distribution(state),
+            _ => Default::default(),
         }
     }
 
@@ -173,4 +215,5 @@ pub(super) struct FollowedValues {
     pub flows: std::vec::IntoIter<Vec<Value>>,
     pub residences: std::vec::IntoIter<Vec<Value>>,
     pub displacements: std::vec::IntoIter<Vec<Value>>,
+    pub collisions: std::vec::IntoIter<Vec<Value>>,
 }

@@ -1,5 +1,6 @@
 //! Tables `[[measure]]`: what is measured beside what every run measures.
 
+use super::collisions::collisions;
 use super::document::join;
 use super::field_measures::{contact_angles, displacement, fabric, field, force_chains, paths, residence};
 use super::quantity::Kind;
@@ -7,7 +8,7 @@ use super::reader::{Item, TableReader};
 use super::region_measures::{cylinder_profile, mass_flow, mixing, neighbour_mixing, profile, slope};
 use super::zones::{Named, region, selection};
 use crate::measure::{
-    BinsError, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceChains,
+    BinsError, Collisions, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceChains,
     ForceDistribution, GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence, Slope,
 };
 use demeter_physics::dimension::Dimension;
@@ -64,6 +65,8 @@ pub enum MeasureKind {
     NeighbourMixing(NeighbourMixing),
     /// A file of its own.
     CylinderProfile(CylinderProfile),
+    /// Columns of the series, and a file of its own.
+    Collisions(Collisions),
 }
 
 /// The contact networks of a list of measures, with their names.
@@ -92,7 +95,7 @@ pub(super) fn profiles(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, 
 
 const FORCE: Kind = Kind::Physical(Dimension::FORCE);
 
-const KINDS: [&str; 17] = [
+const KINDS: [&str; 18] = [
     "contact-network",
     "force-distribution",
     "region-count",
@@ -110,6 +113,7 @@ const KINDS: [&str; 17] = [
     "force-chains",
     "neighbour-mixing",
     "cylinder-profile",
+    "collisions",
 ];
 
 pub(super) fn measures(root: &TableReader<'_>, named: &Named<'_>) -> Vec<MeasureSpec> {
@@ -198,6 +202,7 @@ fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
         "paths" => Some(MeasureKind::Paths(paths(&table, named))),
         "force-chains" => Some(MeasureKind::ForceChains(force_chains(&table, named))),
         "neighbour-mixing" => Some(MeasureKind::NeighbourMixing(neighbour_mixing(&table, named))),
+        "collisions" => Some(MeasureKind::Collisions(collisions(&table, named))),
         _ => Some(MeasureKind::CylinderProfile(cylinder_profile(&table, named))),
     };
     table.finish(&format!("a measure of kind `{}`", KINDS[index]));

@@ -1,6 +1,7 @@
 #![doc = include_str!("reference.md")]
 
 mod checks;
+mod collisions;
 mod deformation;
 mod diagnostics;
 mod differences;

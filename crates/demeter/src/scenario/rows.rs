@@ -4,12 +4,13 @@ use super::measures::{MeasureKind, MeasureSpec, distributions, networks, profile
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{
-    ContactAngles, ContactNetwork, CylinderProfile, ForceDistribution, Measures, Moment, Paths, Profile, WEAR_COLUMNS,
-    box_titles, box_values, measure, wear_values,
+    ContactAngles, ContactNetwork, CylinderProfile, EnergyBins, ForceDistribution, Measures, Moment, Paths, Profile,
+    WEAR_COLUMNS, box_titles, box_values, measure, wear_values,
 };
 use crate::output::{
-    DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesTable, SeriesWriter, path_row,
-    path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows, rose_titles,
+    DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesTable, SeriesWriter, collision_rows,
+    collision_titles, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows,
+    rose_titles,
 };
 use crate::simulation::Simulation;
 use std::path::PathBuf;
@@ -34,6 +35,8 @@ enum Series {
 enum Told<'a> {
     /// Residence times of the measure of this number among those, in bins of this width [s] and so many.
     Residence(usize, (f64, u32)),
+    /// Collisions of the measure of this number among those, by their energies.
+    Collisions(usize, &'a EnergyBins),
     Angles(&'a ContactAngles),
     Paths(&'a Paths),
     Rings(&'a CylinderProfile),
@@ -43,7 +46,7 @@ impl Told<'_> {
     /// The table of a measure.
     fn file(&self, measure: &str, folder: &RunFolder) -> PathBuf {
         match self {
-            Self::Residence(..) | Self::Angles(_) => folder.distribution(measure),
+            Self::Residence(..) | Self::Collisions(..) | Self::Angles(_) => folder.distribution(measure),
             Self::Rings(_) => folder.profile(measure),
             Self::Paths(_) => folder.path_table(measure),
         }
@@ -53,6 +56,7 @@ impl Told<'_> {
         let origins = traffic.origins();
         match self {
             Self::Residence(index, _) => vec![residence_row(&traffic.residence_distribution(*index))],
+            Self::Collisions(index, _) => collision_rows(&traffic.collision_distribution(*index)).to_vec(),
             Self::Angles(angles) => rose_rows(&angles.measure(sim, origins)).to_vec(),
             Self::Rings(profile) => {
                 let rings = profile.measure(sim, origins);
@@ -248,12 +252,16 @@ fn tell<F, T>(
 
 /// Measures that have a table of their own, with their names.
 fn told_in_tables(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, Told<'_>)> {
-    let mut residences = 0;
+    let (mut residences, mut collisions) = (0, 0);
     measures.iter().filter_map(move |measure| {
         let told = match &measure.kind {
             MeasureKind::Residence(residence) => {
                 residences += 1;
                 Told::Residence(residences - 1, residence.bins?)
+            }
+            MeasureKind::Collisions(counted) => {
+                collisions += 1;
+                Told::Collisions(collisions - 1, counted.bins.as_ref()?)
             }
             MeasureKind::ContactAngles(angles) => Told::Angles(angles),
             MeasureKind::CylinderProfile(profile) => Told::Rings(profile),
@@ -276,6 +284,10 @@ fn tables<'a>(
             Told::Residence(_, (width, bins)) => {
                 folder.make_distributions()?;
                 residence_titles(*width, *bins)
+            }
+            Told::Collisions(_, bins) => {
+                folder.make_distributions()?;
+                collision_titles(bins)
             }
             Told::Angles(angles) => {
                 folder.make_distributions()?;

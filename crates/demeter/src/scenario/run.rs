@@ -266,7 +266,7 @@ impl<'a> Runner<'a> {
 
     fn new(
         scenario: &'a Scenario,
-        (sim, traffic): (Simulation, Traffic<'a>),
+        (mut sim, traffic): (Simulation, Traffic<'a>),
         place: Place,
         (rows, files): (Rows<'a>, Option<Files<'a>>),
     ) -> Self {
@@ -275,6 +275,9 @@ impl<'a> Runner<'a> {
             .iter()
             .map(|s| longest(s, sim.dt))
             .fold(0, u64::saturating_add);
+        if traffic.hears_impacts() {
+            sim.watch_impacts();
+        }
         Self {
             scenario,
             stray_walls: StrayWalls::of(&sim.walls, sim.domain(), &sim.grains),

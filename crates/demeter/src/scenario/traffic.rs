@@ -10,7 +10,9 @@ use super::followed::{Followed, FollowedState};
 use super::measures::MeasureKind;
 use super::run_error::RunError;
 use crate::insertion::{InsertionProblem, Streaming};
-use crate::measure::{DOMAIN_COLUMNS, FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, holds};
+use crate::measure::{
+    Counted, DOMAIN_COLUMNS, FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, holds,
+};
 use crate::particles::{Domain, NewGrain, Origins, Outside};
 use crate::simulation::{Simulation, Stage};
 use serde::{Deserialize, Serialize};
@@ -150,6 +152,16 @@ impl<'a> Traffic<'a> {
         }
     }
 
+    /// Whether contacts that begin are asked for.
+    pub fn hears_impacts(&self) -> bool {
+        self.followed.hears_impacts()
+    }
+
+    /// Takes over from the simulation what its own state does not hold. Each process calls this before the state is told.
+    pub fn hear_impacts(&mut self, sim: &mut Simulation) {
+        self.followed.hear_impacts(sim);
+    }
+
     /// Whether grains are looked at after the latest step.
     pub fn looks(&self, sim: &Simulation) -> bool {
         self.followed.is_due(sim) || self.is_due(sim)
@@ -166,7 +178,7 @@ impl<'a> Traffic<'a> {
     }
 
     /// The first process looks at what is followed. Each calls this.
-    fn look(&mut self, sim: &Simulation) {
+    fn look(&mut self, sim: &mut Simulation) {
         self.followed.look(sim, &self.state.origins);
     }
 
@@ -189,6 +201,11 @@ impl<'a> Traffic<'a> {
     /// Mass that left a region by bins of residence time; `index` counts the measures of residence.
     pub fn residence_distribution(&self, index: usize) -> Vec<f64> {
         self.followed.residence_distribution(index)
+    }
+
+    /// Collisions between grains and with walls by bins of energy; `index` counts the measures of collisions.
+    pub fn collision_distribution(&self, index: usize) -> [Counted; 2] {
+        self.followed.collision_distribution(index)
     }
 
     /// The fields of a measure, `index` counts those; means begin anew.
@@ -301,6 +318,7 @@ impl<'a> Traffic<'a> {
                 MeasureKind::Residence(residence) => titles.extend(residence.titles(&measure.name)),
                 MeasureKind::Displacement(displacement) => titles.extend(displacement.titles(&measure.name)),
                 MeasureKind::NeighbourMixing(mixing) => titles.extend(mixing.titles(&measure.name)),
+                MeasureKind::Collisions(collisions) => titles.extend(collisions.titles(&measure.name)),
                 MeasureKind::ContactNetwork(_)
                 | MeasureKind::ForceDistribution(_)
                 | MeasureKind::Profile(_)
@@ -330,7 +348,7 @@ impl<'a> Traffic<'a> {
     }
 
     /// Values of a row, in the order of the titles.
-    pub fn values(&mut self, sim: &Simulation) -> Vec<Value> {
+    pub fn values(&mut self, sim: &mut Simulation) -> Vec<Value> {
         self.look(sim);
         let mut values = Vec::new();
         let origins = &self.state.origins;
@@ -342,6 +360,7 @@ impl<'a> Traffic<'a> {
                 MeasureKind::MassFlow(_) => values.extend(followed.flows.next().into_iter().flatten()),
                 MeasureKind::Residence(_) => values.extend(followed.residences.next().into_iter().flatten()),
                 MeasureKind::Displacement(_) => values.extend(followed.displacements.next().into_iter().flatten()),
+                MeasureKind::Collisions(_) => values.extend(followed.collisions.next().into_iter().flatten()),
                 MeasureKind::Fabric(fabric) => values.extend(fabric.measure(sim, origins)),
                 MeasureKind::NeighbourMixing(mixing) => values.extend(mixing.measure(sim, origins)),
                 MeasureKind::Mixing(mixing) => values.extend(mixing.measure(sim, origins)),

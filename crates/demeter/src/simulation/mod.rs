@@ -6,6 +6,7 @@ mod deforming_box;
 pub(crate) mod division;
 mod equipment;
 mod exchange;
+mod impacts;
 mod intervention;
 mod jumps;
 mod ledger;
@@ -54,7 +55,7 @@ pub(crate) use time_step::largest_reach;
 use crate::comm::Single;
 use crate::contacts::step_work::StepWork;
 use crate::contacts::sum::Sums;
-use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, NearTables, Span, Surfaces, laws};
+use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, Impact, NearTables, Span, Surfaces, laws};
 use crate::materials::Materials;
 use crate::neighbours::{Bounds, FormerPlaces, Moves, Neighbours, put_in_order};
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
@@ -166,6 +167,8 @@ pub struct Simulation {
     pub(crate) resists_rolling: bool,
     /// Whether some wall records what contacts do to it.
     pub(crate) records_walls: bool,
+    /// Contacts that began and were not asked for yet; `None` where nobody asks.
+    impacts: Option<Vec<Impact>>,
     pub(crate) instructions: Instructions,
     /// `None` where no force and no motion is custom.
     customs: Option<Box<custom::Customs>>,
@@ -257,6 +260,7 @@ impl Simulation {
             deforming: None,
             resists_rolling,
             records_walls,
+            impacts: None,
             instructions: Instructions::widest(),
             customs: None,
             profile: None,

@@ -116,6 +116,7 @@ fn threads_and_restarts_keep_the_bytes_of_all_that_is_told() {
         "paths/tracers.vtp",
         "distributions/rose.csv",
         "distributions/stay.csv",
+        "distributions/hits.csv",
         "profiles/rings.csv",
     ] {
         assert!(told.contains_key(Path::new(name)), "{name}");
@@ -154,6 +155,10 @@ fn threads_and_restarts_keep_the_bytes_of_all_that_is_told() {
     let mass = table(&folder("one").join("distributions/stay.csv"));
     let (all, above) = (last(&mass, "mass left [kg]"), last(&mass, "above"));
     assert!((all - count("stay mass left [kg]")).abs() < 1e-15 && above <= all);
+    let hits = table(&folder("one").join("distributions/hits.csv"));
+    let (all, in_bucket) = (count("hits collisions"), count("hits-in-bucket collisions"));
+    assert!(all > 100.0 && in_bucket > 0.0 && in_bucket < all, "{all} {in_bucket}");
+    assert_eq!(last(&hits, "collisions"), count("hits wall collisions"));
     let paths = last_step(&table(&folder("one").join("paths/tracers.csv")))["id"].clone();
     assert!(
         (1..=5).contains(&paths.len()) && paths.windows(2).all(|w| w[0] < w[1]),

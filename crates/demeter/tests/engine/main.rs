@@ -9,6 +9,7 @@
 mod book;
 #[path = "../cases/mod.rs"]
 mod cases;
+mod collisions;
 mod custom;
 mod deforming_boxes;
 mod endings;

@@ -104,6 +104,7 @@ impl<'a> Runner<'a> {
             Some(root) => self.save_checkpoint(&root),
             None if self.sim.is_first_process() => Ok(()),
             None => {
+                self.traffic.hear_impacts(&mut self.sim);
                 checkpoint::pass(&self.sim.state());
                 Ok(())
             }
@@ -125,6 +126,7 @@ impl<'a> Runner<'a> {
     /// Writes a checkpoint into a folder.
     pub(in crate::scenario) fn save_checkpoint(&mut self, root: &Path) -> Result<(), RunError> {
         self.sim.took(Phase::Other);
+        self.traffic.hear_impacts(&mut self.sim);
         let simulation = self.sim.state();
         let header = Header {
             engine_version: crate::VERSION.to_string(),
