@@ -163,6 +163,11 @@ type Refused = (String, Option<String>);
 
 /// The node below another, made when it is a key that was not there.
 fn descend<'a>(node: &'a mut Node, step: &Step, source: usize) -> Result<&'a mut Node, Refused> {
+    if let (Value::String(text), true) = (&node.value, step.in_brackets)
+        && let Some(parts) = components(text, &node.span)
+    {
+        node.value = Value::Array(parts);
+    }
     let kind = node.value.kind();
     match &mut node.value {
         Value::Array(items) => {
@@ -192,6 +197,18 @@ fn descend<'a>(node: &'a mut Node, step: &Step, source: usize) -> Result<&'a mut
         }
         _ => Err((format!("`{}` cannot be set below {kind}", step.text), None)),
     }
+}
+
+/// The three components of a vector in one text, each with the unit of all.
+fn components(text: &str, span: &Span) -> Option<Vec<Node>> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let (numbers, unit) = words.split_at_checked(3)?;
+    let are_numbers = numbers.iter().all(|word| word.parse::<f64>().is_ok());
+    let component = |number: &&str| Node {
+        value: Value::String(format!("{number} {}", unit.join(" "))),
+        span: span.clone(),
+    };
+    (are_numbers && !unit.is_empty()).then(|| numbers.iter().map(component).collect())
 }
 
 /// Index of an element told by its number from 0 or by its `name`.

@@ -237,14 +237,14 @@ impl Item<'_> {
     }
 
     fn vector_fault(&self, kind: Kind, found: &str) {
-        let part = match kind {
-            Kind::Physical(d) => format!("\"1 {}\"", d.unit()),
-            Kind::AngularVelocity => "\"1 rad/s\"".to_string(),
-            _ => "1".to_string(),
+        let vector = match kind {
+            Kind::Physical(d) => format!("\"0 0 1 {}\"", d.unit()),
+            Kind::AngularVelocity => "\"0 0 1 rad/s\"".to_string(),
+            _ => "[0, 0, 1]".to_string(),
         };
         self.fault(
             format!("`{}` must be a vector of three components, {found}", self.name),
-            Some(format!("write it as [{part}, {part}, {part}]")),
+            Some(format!("write it as {vector}")),
         );
     }
 

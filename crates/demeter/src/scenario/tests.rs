@@ -34,6 +34,23 @@ fn settle() -> &'static str {
 }
 
 #[test]
+fn a_component_of_a_vector_is_changed_by_its_number() {
+    let gravity = |overrides: &[&str]| parse(settle(), overrides).unwrap().simulation.gravity;
+    assert_eq!(gravity(&[]), dvec3(0.0, 0.0, -9.81));
+    assert_eq!(gravity(&["simulation.gravity[0]=2 m/s^2"]), dvec3(2.0, 0.0, -9.81));
+    let all = ["simulation.gravity[2]=\"-1 m/s^2\"", "simulation.gravity[1]=50 cm/s^2"];
+    assert_eq!(gravity(&all), dvec3(0.0, 0.5, -1.0));
+    let refused = |told: &str| parse(settle(), &[told]).unwrap_err().render(false);
+    let text = refused("simulation.gravity[3]=1 m/s^2");
+    assert!(
+        text.contains("there is no element 3") && text.contains("from 0 to 2"),
+        "{text}"
+    );
+    let text = refused("title[0]=a");
+    assert!(text.contains("cannot be set below"), "{text}");
+}
+
+#[test]
 fn walls_and_motions_are_read_as_told() {
     let scenario = read_good("every_wall.toml");
     let shape = |name: &str| {
