@@ -155,8 +155,13 @@ fn check_all(folder: &mut SweepFolder) -> Result<(), Failure> {
         Ok(checked) => checked,
         Err(faults) => return Err(wrong(&folder.plan, faults)),
     };
-    for (warning, runs) in &checked.warnings {
-        note(&format!("warning: {warning} (runs: {})", of_runs(&folder.plan, runs)));
+    for warning in &checked.warnings {
+        let numbers = match warning.numbers_differ {
+            true => "; the numbers are those of the first",
+            false => "",
+        };
+        let runs = of_runs(&folder.plan, &warning.runs);
+        note(&format!("warning: {} (runs: {runs}{numbers})", warning.text));
     }
     folder.plan.files = checked.files;
     for (run, estimate) in folder.plan.runs.iter_mut().zip(checked.estimates) {

@@ -16,10 +16,21 @@ const MOST_FAULTS: usize = 100;
 pub struct Checked {
     /// What each run will need.
     pub estimates: Vec<Estimate>,
-    /// What the user should know, each with the runs that it is about.
-    pub warnings: Vec<(String, Vec<usize>)>,
+    /// What the user should know.
+    pub warnings: Vec<SweepWarning>,
     /// Files that the scenarios name, each once.
     pub files: Vec<InputFile>,
+}
+
+/// A warning, and the runs that it is about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepWarning {
+    /// What the first of the runs tells.
+    pub text: String,
+    /// Whether others tell the same with other numbers.
+    pub numbers_differ: bool,
+    /// The runs.
+    pub runs: Vec<usize>,
 }
 
 /// A fault, and the runs that have it.
@@ -77,7 +88,7 @@ pub fn check(plan: &Plan, threads: usize, colour: bool) -> Result<Result<Checked
     let pool = thread_pool(Some(threads))?;
     let mut checked = Checked::default();
     let mut faults = SweepFaults::default();
-    let mut warned: HashMap<String, usize> = HashMap::new();
+    let mut warned: HashMap<(String, usize), usize> = HashMap::new();
     let indices: Vec<usize> = (0..plan.runs.len()).collect();
     for chunk in indices.chunks(AT_ONCE) {
         let found: Vec<_> = pool.install(|| chunk.par_iter().map(|&run| check_one(plan, run)).collect());
@@ -90,13 +101,7 @@ pub fn check(plan: &Plan, threads: usize, colour: bool) -> Result<Result<Checked
                             checked.files.push(file);
                         }
                     }
-                    for warning in warnings {
-                        let at = *warned.entry(warning.clone()).or_insert(checked.warnings.len());
-                        match checked.warnings.get_mut(at) {
-                            Some((_, runs)) => runs.push(run),
-                            None => checked.warnings.push((warning, vec![run])),
-                        }
-                    }
+                    add_warnings(run, warnings, &mut checked.warnings, &mut warned);
                 }
                 Err(found) => faults.add(run, &found, colour),
             }
@@ -107,6 +112,44 @@ pub fn check(plan: &Plan, threads: usize, colour: bool) -> Result<Result<Checked
     } else {
         Err(faults)
     })
+}
+
+/// Adds the warnings of a run to those that differ from them in numbers alone; what a run tells several times stays as many warnings. `known`
+/// tells where each stands, by its words and how often the run had told these.
+fn add_warnings(
+    run: usize,
+    told: Vec<String>,
+    warnings: &mut Vec<SweepWarning>,
+    known: &mut HashMap<(String, usize), usize>,
+) {
+    let mut often: HashMap<String, usize> = HashMap::new();
+    for text in told {
+        let words = without_numbers(&text);
+        let count = often.entry(words.clone()).or_default();
+        *count += 1;
+        let at = *known.entry((words, *count)).or_insert(warnings.len());
+        match warnings.get_mut(at) {
+            Some(same) => {
+                same.numbers_differ |= same.text != text;
+                same.runs.push(run);
+            }
+            None => warnings.push(SweepWarning {
+                text,
+                numbers_differ: false,
+                runs: vec![run],
+            }),
+        }
+    }
+}
+
+/// A text with `#` in place of words that are numbers, or quotients of two.
+fn without_numbers(text: &str) -> String {
+    let is_number = |word: &str| {
+        let word = word.trim_matches(|c: char| "(),:;[]".contains(c));
+        word.split('/').all(|part| part.parse::<f64>().is_ok())
+    };
+    let words = text.split(' ').map(|word| if is_number(word) { "#" } else { word });
+    words.collect::<Vec<_>>().join(" ")
 }
 
 fn check_one(plan: &Plan, run: usize) -> Result<(Estimate, Vec<String>, Vec<InputFile>), Box<Diagnostics>> {
@@ -120,4 +163,32 @@ fn check_one(plan: &Plan, run: usize) -> Result<(Estimate, Vec<String>, Vec<Inpu
         simulated: prepared.steps as f64 * prepared.setup.dt,
     };
     Ok((estimate, prepared.warnings, scenario.input_files()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn warnings_that_differ_in_numbers_are_one() {
+        let (mut warnings, mut known) = (Vec::new(), HashMap::new());
+        let long = |dt: &str, share: &str| {
+            format!("the time step is long: {dt} s, {share} of what `a1` bears ({dt}); shorten it")
+        };
+        let of_grain = |id: u32| format!("grain {id} is fast");
+        let mut add = |run, told: &[String]| add_warnings(run, told.to_vec(), &mut warnings, &mut known);
+        add(0, &[long("1.2e-5", "1/40"), of_grain(3), of_grain(4)]);
+        add(1, &[long("2e-5", "1/24")]);
+        add(2, &[of_grain(3)]);
+        add(
+            3,
+            &["the time step is long: 1 s, 1/40 of what `a2` bears (1); shorten it".to_string()],
+        );
+        let told: Vec<(bool, &[usize])> = (warnings.iter()).map(|w| (w.numbers_differ, &w.runs[..])).collect();
+        assert_eq!(
+            told,
+            [(true, &[0, 1][..]), (false, &[0, 2]), (false, &[0]), (false, &[3])]
+        );
+        assert_eq!(warnings[0].text, long("1.2e-5", "1/40"));
+    }
 }

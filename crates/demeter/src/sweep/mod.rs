@@ -27,7 +27,7 @@ mod value;
 mod tests;
 
 pub use average::averages;
-pub use check::{Checked, SweepFault, SweepFaults, check};
+pub use check::{Checked, SweepFault, SweepFaults, SweepWarning, check};
 pub use design::{Axis, Varied};
 pub use error::SweepError;
 pub use folder::{End, Held, Outcome, Status, SweepFolder};
