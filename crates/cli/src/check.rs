@@ -33,6 +33,22 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
     let mut rows = Rows::default();
     rows.add("title", scenario.title.as_str());
     rows.add("time step", prepared.time_step_reason.as_str());
+    if let Some(borne) = &prepared.fastest_impact {
+        let gravity = setup.gravity.length();
+        let fall = match gravity > 0.0 {
+            true => format!(", as from a fall of {} m,", number(borne.height(gravity))),
+            false => String::new(),
+        };
+        let overlap = number(setup.max_overlap);
+        rows.add(
+            "impacts",
+            format!(
+                "{} m/s head-on{fall} overlap {} by {overlap} r, the most that is allowed",
+                number(borne.speed),
+                borne.bodies
+            ),
+        );
+    }
     let batches = things(scenario.grains.len() as u64, "batch").replace("batchs", "batches");
     rows.add("grains", format!("{} in {batches}", count(setup.grains.len() as u64)));
     if !scenario.feeds.is_empty() {
@@ -162,6 +178,7 @@ fn to_json(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Val
         "steps": prepared.steps,
         "memory": prepared.memory,
         "run_time": prepared.run_time,
+        "fastest_impact": prepared.fastest_impact.as_ref().map(|borne| borne.speed),
         "longest_time_step": prepared.time_scale.largest(prepared.setup.integrator),
         "frames": prepared.frames,
         "frame_bytes": prepared.frame_bytes,

@@ -16,6 +16,12 @@ fn check_tells_how_the_run_would_be() {
     assert!(answer["memory"].as_u64().unwrap() > 0 && answer["run_time"].as_f64().unwrap() > 0.0);
     assert!(answer["time_step_reason"].as_str().unwrap().starts_with("automatic"));
     let told = place.expect(0, &["check", "fall.toml"]).out;
+    let borne = answer["fastest_impact"].as_f64().unwrap();
+    let fall = "m/s head-on, as from a fall of ";
+    assert!(
+        borne > 0.1 && told.contains(fall) && told.contains("the most that is allowed"),
+        "{told}"
+    );
     let longer = told
         .split("time_step = \"")
         .nth(1)

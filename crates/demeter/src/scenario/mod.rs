@@ -15,6 +15,7 @@ mod fit_file;
 mod followed;
 mod grains;
 mod impact;
+mod impact_speeds;
 mod in_vain;
 mod input_files;
 mod interiors;

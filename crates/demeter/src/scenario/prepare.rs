@@ -11,7 +11,7 @@ use super::{Diagnostics, Scenario, TimeStep, WallSpec, estimates, in_vain, perio
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, NewGrain, Origins, Outside};
-use crate::simulation::{Setup, Skin, TimeScale, Verdict, refusals, shortest_time_scale};
+use crate::simulation::{FastestImpact, Setup, Skin, TimeScale, Verdict, refusals, shortest_time_scale};
 use crate::walls::Wall;
 use demeter_physics::contact::LawError;
 use glam::DVec3;
@@ -34,6 +34,8 @@ pub struct Prepared {
     pub to_come: Grains,
     /// Shortest time scale of the laws in use.
     pub time_scale: TimeScale,
+    /// The head-on impact that the softest contact bears; nothing where that cannot be told.
+    pub fastest_impact: Option<FastestImpact>,
     /// The time step in words: its value, its share of the shortest time scale, and where that comes from.
     pub time_step_reason: String,
     /// What the user should know, though it is no fault.
@@ -101,6 +103,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         return Err(faults);
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
+    let fastest_impact = super::impact_speeds::check(scenario, (&all, &walls), &materials, &mut warnings);
     check_wall_speeds(scenario, &walls, &meshes, &all, dt, &mut faults);
     if !scenario.deforms() {
         check_start_speeds(&grains, dt, &mut faults);
@@ -129,6 +132,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         origins,
         to_come,
         time_scale: scale,
+        fastest_impact,
         time_step_reason: reason,
         warnings,
         meshes,

@@ -157,14 +157,14 @@ impl WallPartner {
 
 /// What a grain touches.
 #[derive(Clone, Copy)]
-enum Partner {
+pub(super) enum Partner {
     Grain(Representative),
     Wall { mass: f64 },
 }
 
 /// A grain as far as time scales go.
 #[derive(Clone, Copy)]
-struct Representative {
+pub(super) struct Representative {
     radius: f64,
     mass: f64,
     inertia: f64,
@@ -262,7 +262,7 @@ pub fn refusals(grains: &Grains, walls: &[WallPartner], materials: &Materials) -
 }
 
 /// Visits contacts between all materials in use, of grains of extreme sizes and masses, and with the walls.
-fn each_contact(
+pub(super) fn each_contact(
     grains: &Grains,
     walls: &[WallPartner],
     materials: &Materials,
@@ -290,7 +290,7 @@ fn each_contact(
 }
 
 /// Effective radius and mass.
-fn pair_size(one: Representative, other: Partner) -> PairSize {
+pub(super) fn pair_size(one: Representative, other: Partner) -> PairSize {
     let (radius, mass) = match other {
         Partner::Grain(other) => (other.radius, other.mass),
         Partner::Wall { mass } => (f64::INFINITY, mass),
@@ -325,26 +325,17 @@ fn of_contact(
     let law = materials.law(materials.pair(a, b));
     let size = pair_size(one, other);
     let rolling = |g: Representative| 1.0 / (g.inertia + g.mass * g.radius * g.radius);
-    let (smaller, rolling_of_other, turning_of_other) = match other {
-        Partner::Grain(other) => (one.radius.min(other.radius), rolling(other), 1.0 / other.inertia),
-        Partner::Wall { .. } => (one.radius, 0.0, 0.0),
+    let (rolling_of_other, turning_of_other) = match other {
+        Partner::Grain(other) => (rolling(other), 1.0 / other.inertia),
+        Partner::Wall { .. } => (0.0, 0.0),
     };
-    let overlap = max_overlap * smaller;
+    let overlap = max_overlap * smaller_radius(one, other);
     let inertia = Inertia {
         rolling: 1.0 / (rolling(one) + rolling_of_other),
         turning: 1.0 / (1.0 / one.inertia + turning_of_other),
     };
     let (time, what, springs) = time_scale(law, size, inertia, overlap);
-    let name = |m: u16| materials.list()[m as usize].name.as_str();
-    let bodies = match other {
-        Partner::Grain(_) if a == b => format!("two grains of `{}`", name(a)),
-        Partner::Grain(_) => format!("a grain of `{}` and one of `{}`", name(a), name(b)),
-        Partner::Wall { mass } if mass.is_finite() => {
-            let (grain, wall) = (name(a), name(b));
-            format!("a grain of `{grain}` and a wall of `{wall}` that gives way as {mass:.3e} kg do")
-        }
-        Partner::Wall { .. } => format!("a grain of `{}` and a wall of `{}`", name(a), name(b)),
-    };
+    let bodies = in_words(materials, (a, b), other);
     TimeScale {
         time,
         origin: format!("{what} of {bodies} at an overlap of {max_overlap} r"),
@@ -352,6 +343,28 @@ fn of_contact(
             step: springs.step,
             origin: format!("{} between {bodies}", springs.origin),
         },
+    }
+}
+
+/// The smaller radius of two grains, or that of a grain at a wall [m].
+pub(super) fn smaller_radius(one: Representative, other: Partner) -> f64 {
+    match other {
+        Partner::Grain(other) => one.radius.min(other.radius),
+        Partner::Wall { .. } => one.radius,
+    }
+}
+
+/// Two bodies of materials in words.
+pub(super) fn in_words(materials: &Materials, (a, b): (u16, u16), other: Partner) -> String {
+    let name = |m: u16| materials.list()[m as usize].name.as_str();
+    match other {
+        Partner::Grain(_) if a == b => format!("two grains of `{}`", name(a)),
+        Partner::Grain(_) => format!("a grain of `{}` and one of `{}`", name(a), name(b)),
+        Partner::Wall { mass } if mass.is_finite() => {
+            let (grain, wall) = (name(a), name(b));
+            format!("a grain of `{grain}` and a wall of `{wall}` that gives way as {mass:.3e} kg do")
+        }
+        Partner::Wall { .. } => format!("a grain of `{}` and a wall of `{}`", name(a), name(b)),
     }
 }
 
