@@ -9,7 +9,7 @@ use crate::job::Job;
 use crate::profile;
 use crate::progress::Watch;
 use crate::readable::{count, number, things, vector, wait};
-use demeter::output::RunFolder;
+use demeter::output::{RunFolder, StageSummary};
 use demeter::scenario::{Report, RunEnd, RunError, RunOptions, Scenario};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -221,6 +221,9 @@ fn to_text(report: &Report) -> String {
             });
             rows.add("", format!("force on {}", loads.collect::<Vec<_>>().join(", ")));
         }
+        if let Some(powers) = mean_powers(stage) {
+            rows.add("", powers);
+        }
     }
     if let Some(more) = summary.stages.len().checked_sub(MOST_STAGES).filter(|more| *more > 0) {
         rows.add("stages", format!("and {more} more in summary.json"));
@@ -251,6 +254,22 @@ fn to_text(report: &Report) -> String {
     );
     let profile = summary.profile.as_ref().map(profile::to_text).unwrap_or_default();
     format!("{head}\n{}{profile}", rows.lines())
+}
+
+/// Mean power of the walls that did work in a stage, in words.
+fn mean_powers(stage: &StageSummary) -> Option<String> {
+    let at_work = || stage.walls.iter().filter(|(_, wall)| wall.work != 0.0);
+    match at_work().count() {
+        0 => None,
+        count if count > MOST_STAGE_WALLS => {
+            let all: f64 = at_work().map(|(_, wall)| wall.mean_power).sum();
+            Some(format!("mean power of {count} walls together {} W", number(all)))
+        }
+        _ => {
+            let powers = at_work().map(|(name, wall)| format!("`{name}` {} W", number(wall.mean_power)));
+            Some(format!("mean power of {}", powers.collect::<Vec<_>>().join(", ")))
+        }
+    }
 }
 
 #[cfg(test)]

@@ -174,6 +174,7 @@ class _Wall(TypedDict):
     displacement: _Floats
     velocity: _Floats
     angular_velocity: _Floats
+    work: float
     present: bool
 
 class _Contacts(TypedDict):
@@ -321,7 +322,7 @@ class Simulation:
         """All contacts that act: lengths [m], forces [N] and torques [N m], of shape (c,) or (c, 3); without copies."""
     @property
     def walls(self) -> dict[str, _Wall]:
-        """The walls by name: force [N], torque [N m], position and displacement [m], velocities [m/s], [rad/s], (3,)."""
+        """The walls by name: force [N], torque [N m], position and displacement [m], velocities [m/s], [rad/s], (3,); their work on the grains [J]."""
     def energies(self) -> dict[str, float]:
         """The energy ledger [J]."""
     @property

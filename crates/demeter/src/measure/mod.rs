@@ -105,6 +105,8 @@ pub struct WallLoad {
     pub torque: DVec3,
     /// Rate of the work of the wall on the grains [W].
     pub power: f64,
+    /// Work of the wall on the grains since the start of the run [J].
+    pub work: f64,
     /// Displacement of the wall since the start of the run [m].
     pub displacement: DVec3,
     /// Number of contacts with grains that act.
@@ -245,6 +247,7 @@ fn wall_loads(sim: &Simulation, contacts: &[u32]) -> Vec<WallLoad> {
             force,
             torque,
             power: wall.power(),
+            work: wall.work().work,
             displacement: wall.displacement(),
             contacts: contacts.get(k).copied().unwrap_or(0),
         }

@@ -227,6 +227,12 @@ pub const WALL_COLUMNS: &[Column<WallLoad>] = {
         column("power", "W", "rate of the work of the wall on the grains", |w| {
             Number(w.power)
         }),
+        column(
+            "work",
+            "J",
+            "work of the wall on the grains since the start of the run",
+            |w| Number(w.work),
+        ),
         column("displacement x", "m", "displacement since the start of the run", |w| {
             Number(w.displacement.x)
         }),

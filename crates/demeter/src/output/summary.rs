@@ -4,6 +4,7 @@ use super::error::OutputError;
 use super::folder::RunFolder;
 use crate::measure::{Energies, Measures};
 use crate::simulation::ProfileReport;
+use crate::walls::WallWork;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -97,25 +98,45 @@ pub struct WallSummary {
     pub displacement: [f64; 3],
     /// Contacts with grains.
     pub contacts: u32,
+    /// Mean force of the grains on it over the stage or the run [N].
+    pub mean_force: [f64; 3],
+    /// Mean torque about the origin of its pose [N m].
+    pub mean_torque: [f64; 3],
+    /// Mean power of the wall on the grains [W].
+    pub mean_power: f64,
+    /// Work of the wall on the grains in that time [J].
+    pub work: f64,
 }
 
-/// What a row of measures tells of every wall.
-pub fn wall_summaries(row: &Measures, wall_names: &[String]) -> BTreeMap<String, WallSummary> {
-    let walls = wall_names.iter().zip(&row.walls).map(|(name, load)| {
-        let wall = WallSummary {
-            force: load.force.to_array(),
-            torque: load.torque.to_array(),
-            displacement: load.displacement.to_array(),
-            contacts: load.contacts,
-        };
-        (name.clone(), wall)
-    });
+/// What a row of measures tells of every wall, and what passed between it and the grains in a time [s] before that.
+pub fn wall_summaries(
+    row: &Measures,
+    wall_names: &[String],
+    (works, seconds): (&[WallWork], f64),
+) -> BTreeMap<String, WallSummary> {
+    let walls = wall_names
+        .iter()
+        .zip(&row.walls)
+        .zip(works)
+        .map(|((name, load), done)| {
+            let wall = WallSummary {
+                force: load.force.to_array(),
+                torque: load.torque.to_array(),
+                displacement: load.displacement.to_array(),
+                contacts: load.contacts,
+                mean_force: (done.impulse / seconds).to_array(),
+                mean_torque: (done.turning / seconds).to_array(),
+                mean_power: done.work / seconds,
+                work: done.work,
+            };
+            (name.clone(), wall)
+        });
     walls.collect()
 }
 
 impl Summary {
-    /// Takes over what is measured at the end.
-    pub fn set_measures(&mut self, last: &Measures, max_residual: f64, wall_names: &[String]) {
+    /// Takes over what is measured at the end, and what passed between walls and grains since the start.
+    pub fn set_measures(&mut self, last: &Measures, max_residual: f64, wall_names: &[String], works: &[WallWork]) {
         self.grains = last.grains as u64;
         self.contacts = last.contacts as u64;
         self.steps = last.step;
@@ -124,7 +145,7 @@ impl Summary {
             ledger: last.energies,
             max_residual,
         };
-        self.walls = wall_summaries(last, wall_names);
+        self.walls = wall_summaries(last, wall_names, (works, last.time));
     }
 
     /// Writes the summary into the folder of the run, whole or not at all.
@@ -159,6 +180,7 @@ mod tests {
         };
         let last = Measures {
             step: 12,
+            time: 2.0,
             walls: vec![WallLoad {
                 force: DVec3::new(0.0, 0.0, 6.7),
                 ..WallLoad::default()
@@ -171,7 +193,9 @@ mod tests {
             },
             ..Measures::default()
         };
-        summary.set_measures(&last, 2e-5, &["top".to_owned()]);
+        let mut done = WallWork::default();
+        done.work = 3.0;
+        summary.set_measures(&last, 2e-5, &["top".to_owned()], &[done]);
         summary.write(&folder).unwrap();
         let bytes = std::fs::read(folder.summary()).unwrap();
         let read: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
@@ -181,6 +205,7 @@ mod tests {
         assert_eq!(read["time_step"], 1.0 / 3.0);
         assert_eq!(read["stages"][0]["name"], "settle");
         assert_eq!(read["walls"]["top"]["force"][2], 6.7);
+        assert_eq!(read["walls"]["top"]["mean_power"], 1.5);
         assert_eq!(read["energies"]["elastic"], 0.1);
         assert_eq!(read["energies"]["max_residual"], 2e-5);
         assert!(read["energies"]["wall_work"].is_null());

@@ -197,6 +197,9 @@ impl Outcome {
         if names.len() > MOST_STAGE_WALLS {
             names.clear();
         }
+        let power = |stage: &Value, name: &str| stage["walls"][name]["mean_power"].as_f64().unwrap_or(0.0);
+        let works = |name: &&&String| stages.iter().any(|stage| power(stage, name) != 0.0);
+        let working: Vec<&&String> = names.iter().filter(works).collect();
         let seconds = |stage: &Value, key: &str| number(stage[key].as_f64().unwrap_or(f64::NAN));
         let row = |stage: &&Value| {
             let steps = stage["last_step"]
@@ -214,6 +217,7 @@ impl Outcome {
                     .iter()
                     .map(|name| magnitude(&stage["walls"][name.as_str()]["force"])),
             );
+            cells.extend(working.iter().map(|name| number(power(stage, name))));
             cells.push(stage["ended_by"].as_str().unwrap_or_default().to_string());
             cells
         };
@@ -221,9 +225,10 @@ impl Outcome {
         if stages.len() > MOST_ROWS {
             rows.push(vec![format!("{} more in summary.json", stages.len() - MOST_ROWS)]);
         }
-        let forces: Vec<String> = names.iter().map(|name| format!("force on {name} [N]")).collect();
+        let mut loads: Vec<String> = names.iter().map(|name| format!("force on {name} [N]")).collect();
+        loads.extend(working.iter().map(|name| format!("mean power of {name} [W]")));
         let mut titles = vec!["stage", "from [s]", "to [s]", "steps"];
-        titles.extend(forces.iter().map(String::as_str));
+        titles.extend(loads.iter().map(String::as_str));
         titles.push("ended because");
         html.table("Stages that ended", &titles, &rows);
     }

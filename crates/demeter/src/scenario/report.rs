@@ -197,7 +197,7 @@ impl Runner<'_> {
         };
         let names: Vec<String> = self.sim.walls.iter().map(|w| w.name.clone()).collect();
         let max_residual = larger(self.place.max_residual, now.energies.residual.abs());
-        summary.set_measures(&now, max_residual, &names);
+        summary.set_measures(&now, max_residual, &names, &self.works());
         summary
     }
 }

@@ -21,6 +21,7 @@ use crate::measure::Measures;
 use crate::output::{FrameWriter, OutputError, RunFolder, SeriesLabels, StageSummary, Summary};
 use crate::particles::Domain;
 use crate::simulation::{Cadence, Setup, Simulation, SimulationState, Stage, StopCondition, ends_at};
+use crate::walls::WallWork;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 pub use sharing::all_or_none;
@@ -76,6 +77,8 @@ pub(super) struct Place {
     stage_step: u64,
     /// Displacements of the walls when the stage began [m].
     stage_displacement: Vec<DVec3>,
+    /// What walls had done until then.
+    stage_work: Vec<WallWork>,
     last_row: Option<u64>,
     last_frame: Option<u64>,
     pub(super) max_residual: f64,
@@ -172,6 +175,7 @@ impl<'a> Runner<'a> {
             stage: 0,
             stage_step: 0,
             stage_displacement: Vec::new(),
+            stage_work: Vec::new(),
             last_row: None,
             last_frame: None,
             max_residual: 0.0,

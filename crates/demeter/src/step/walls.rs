@@ -32,7 +32,7 @@ impl Simulation {
         }
     }
 
-    /// Tells all walls their loads; freely moving ones complete their step. What is recorded counts for `dt` [s].
+    /// Tells all walls their loads; freely moving ones complete their step. What they do and what is recorded counts for `dt` [s].
     pub(super) fn load_walls(&mut self, dt: f64) {
         for (index, wall) in self.walls.iter_mut().enumerate() {
             let (force, torque) = self.work.walls[index];
@@ -58,6 +58,7 @@ impl Simulation {
                 self.free_walls.dissipated += step.dissipated;
                 self.free_walls.kinetic += step.kinetic;
             }
+            wall.add_work(dt);
         }
     }
 

@@ -28,6 +28,7 @@ mod servo;
 mod shape;
 mod surface;
 mod wall;
+mod work;
 
 pub use error::WallError;
 pub(crate) use mesh::{Before, Overlap, SAME_SURFACE, TrianglePoint, are_one, are_still_one, joined};
@@ -47,3 +48,4 @@ pub use repeated::{Drift, FARTHEST};
 pub(crate) use servo::Servo;
 pub use shape::{Shape, Side};
 pub use wall::{SurfaceContact, Wall, WallState};
+pub use work::WallWork;

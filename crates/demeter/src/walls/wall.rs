@@ -13,6 +13,7 @@ use super::record::{ElementRecord, Mark, Record, Recording};
 use super::repeated::{self, Drift, Repeated};
 use super::shape::Shape;
 use super::surface::Surface;
+use super::work::WallWork;
 use crate::particles::Domain;
 use demeter_physics::geometry::contact_sphere_triangle::ClosestPoints;
 use demeter_physics::lanes::{Index, Lanes};
@@ -48,9 +49,10 @@ pub struct Wall {
     repeated: [bool; 3],
     /// Centroid of the shape in the wall frame.
     origin: DVec3,
-    motor: Motor,
-    force: DVec3,
-    torque: DVec3,
+    pub(super) motor: Motor,
+    pub(super) force: DVec3,
+    pub(super) torque: DVec3,
+    pub(super) work: WallWork,
     is_present: bool,
     record: Option<Record>,
 }
@@ -61,6 +63,7 @@ pub struct WallState {
     motor: Motor,
     force: DVec3,
     torque: DVec3,
+    work: WallWork,
     is_present: bool,
     record: Option<Record>,
 }
@@ -82,6 +85,7 @@ impl Wall {
             motor,
             force,
             torque,
+            work: WallWork::default(),
             is_present: true,
             record: None,
         })
@@ -350,6 +354,7 @@ impl Wall {
         let load = self.motor.load();
         self.motor = Motor::new(check_motions(motion.into())?, self.motor.pose, leader, self.origin);
         self.motor.bear(load);
+        self.go_on_working();
         Ok(())
     }
 
@@ -424,16 +429,6 @@ impl Wall {
     /// Whether all motions of the wall have stopped for good, or tables have come to their ends.
     pub fn motion_is_done(&self) -> bool {
         self.motor.is_done()
-    }
-
-    /// Rate of the work of the wall on the grains [W]; of a belt, of its whole load.
-    pub fn power(&self) -> f64 {
-        -(self.force.dot(self.motor.velocity + self.motor.belt) + self.torque.dot(self.motor.angular_velocity))
-    }
-
-    /// Force of the grains on the wall [N] and their torque about its [`origin`](Self::origin) [N m].
-    pub fn load(&self) -> (DVec3, DVec3) {
-        (self.force, self.torque)
     }
 
     /// Where a point that goes with the wall was at the start [m].
@@ -515,6 +510,7 @@ impl Wall {
             motor: self.motor.clone(),
             force: self.force,
             torque: self.torque,
+            work: self.work,
             is_present: self.is_present,
             record: self.record.clone(),
         }
@@ -527,7 +523,7 @@ impl Wall {
             return false;
         }
         self.motor = state.motor.clone();
-        (self.force, self.torque) = (state.force, state.torque);
+        (self.force, self.torque, self.work) = (state.force, state.torque, state.work);
         self.is_present = state.is_present;
         self.record.clone_from(&state.record);
         true

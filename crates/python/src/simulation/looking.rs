@@ -25,6 +25,7 @@ pub(super) fn walls_dict<'py>(py: Python<'py>, run: &LiveRun) -> PyResult<Bound<
             ] {
                 one.set_item(name, vector(py, value.to_array()))?;
             }
+            one.set_item("work", wall.work().work)?;
             one.set_item("present", wall.is_present())?;
             all.set_item(&wall.name, one)?;
         }

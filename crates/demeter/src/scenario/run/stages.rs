@@ -6,7 +6,7 @@ use crate::output::{StageSummary, wall_summaries};
 use crate::scenario::deformation::reached;
 use crate::scenario::run_error::RunError;
 use crate::simulation::{Stage, StopCondition};
-use crate::walls::Wall;
+use crate::walls::{Wall, WallWork};
 use glam::DVec3;
 
 /// Share of its steps that a servo may be at its largest speed.
@@ -16,6 +16,7 @@ impl Runner<'_> {
     pub(super) fn begin_stage(&mut self) -> Result<(), RunError> {
         self.place.stage_step = self.sim.step;
         self.place.stage_displacement = self.sim.walls.iter().map(|w| w.displacement()).collect();
+        self.place.stage_work = self.works();
         let Some(stage) = self.scenario.stages.get(self.place.stage) else {
             return Ok(());
         };
@@ -65,6 +66,10 @@ impl Runner<'_> {
         for text in self.limited_servos().into_iter().chain(self.walls_in_fixed_grains()) {
             self.say(&text, observer)?;
         }
+        let works: Vec<WallWork> = (self.works().iter().zip(&self.place.stage_work))
+            .map(|(now, before)| now.since(before))
+            .collect();
+        let seconds = (self.sim.step - start) as f64 * dt;
         self.place.stages_done.push(StageSummary {
             name: name.clone(),
             first_step: start,
@@ -75,11 +80,16 @@ impl Runner<'_> {
             walls: self
                 .latest
                 .as_ref()
-                .map(|row| wall_summaries(row, &labels(self.scenario).walls))
+                .map(|row| wall_summaries(row, &labels(self.scenario).walls, (&works, seconds)))
                 .unwrap_or_default(),
         });
         self.place.stage += 1;
         self.begin_stage()
+    }
+
+    /// What every wall has done since the start of the run.
+    pub(in crate::scenario) fn works(&self) -> Vec<WallWork> {
+        self.sim.walls.iter().map(|wall| *wall.work()).collect()
     }
 
     /// Servos that do not hold what they are told, in words.

@@ -1,0 +1,68 @@
+//! What the grains do to a wall, and the wall to them.
+
+use super::Wall;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// Sums over time of what passed between a wall and the grains; a force acts from half a step before its moment to half a step after it, as in
+/// the energy books.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct WallWork {
+    /// Force of the grains on the wall, by time [N s].
+    pub impulse: DVec3,
+    /// Torque of the grains on it about its origin, by time [N m s].
+    pub turning: DVec3,
+    /// Work of the wall on the grains [J].
+    pub work: f64,
+    /// What acts now: force [N], torque [N m], power [W].
+    latest: (DVec3, DVec3, f64),
+}
+
+impl WallWork {
+    /// What was done since another moment.
+    #[must_use]
+    pub fn since(&self, before: &Self) -> Self {
+        Self {
+            impulse: self.impulse - before.impulse,
+            turning: self.turning - before.turning,
+            work: self.work - before.work,
+            latest: self.latest,
+        }
+    }
+
+    fn add(&mut self, (force, torque, power): (DVec3, DVec3, f64), dt: f64) {
+        let (former_force, former_torque, former_power) = self.latest;
+        self.impulse += (former_force + force) * (0.5 * dt);
+        self.turning += (former_torque + torque) * (0.5 * dt);
+        self.work += (former_power + power) * (0.5 * dt);
+        self.latest = (force, torque, power);
+    }
+}
+
+impl Wall {
+    /// What passed between the wall and the grains since the start of the run.
+    pub fn work(&self) -> &WallWork {
+        &self.work
+    }
+
+    /// Rate of the work of the wall on the grains [W]; of a belt, of its whole load.
+    pub fn power(&self) -> f64 {
+        -(self.force.dot(self.motor.velocity + self.motor.belt) + self.torque.dot(self.motor.angular_velocity))
+    }
+
+    /// Force of the grains on the wall [N] and their torque about its [`origin`](Self::origin) [N m].
+    pub fn load(&self) -> (DVec3, DVec3) {
+        (self.force, self.torque)
+    }
+
+    /// What acts does so with the velocity of another motion from now on.
+    pub(super) fn go_on_working(&mut self) {
+        self.work.latest.2 = self.power();
+    }
+
+    /// Adds what its load did in the latest step of `dt` [s].
+    pub(crate) fn add_work(&mut self, dt: f64) {
+        let now = (self.force, self.torque, self.power());
+        self.work.add(now, dt);
+    }
+}

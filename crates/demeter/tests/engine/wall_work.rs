@@ -1,0 +1,119 @@
+//! What passes between walls and grains, over stages and the run.
+
+use demeter::results::Columns;
+use demeter::scenario::{Observer, Progress, RunOptions, Scenario, run};
+use serde_json::Value;
+use std::f64::consts::TAU;
+use std::path::Path;
+
+struct Silent;
+
+impl Observer for Silent {
+    fn progress(&mut self, _: &Progress) -> bool {
+        true
+    }
+
+    fn message(&mut self, _: &str) {}
+}
+
+/// Grains that are pressed together by a plate, and then stirred by a drum that turns while the plate is away.
+const PRESSED_AND_TURNED: &str = r#"
+title = "pressed and turned"
+[simulation]
+gravity = "0 0 -9.81 m/s^2"
+max_overlap = 0.3
+[material.seed]
+young_modulus = "1 MPa"
+poisson_ratio = 0.3
+density = "2000 kg/m^3"
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.3 }
+tangential = { law = "mindlin-history", friction = 0.5 }
+[[grains]]
+material = "seed"
+source = "random"
+region = { shape = "cylinder", start = "0 -5 0 mm", end = "0 5 0 mm", radius = "11 mm" }
+diameter = "2 mm"
+count = 150
+[[wall]]
+name = "drum"
+material = "seed"
+shape = "cylinder"
+start = "0 -5 0 mm"
+end = "0 5 0 mm"
+radius = "12 mm"
+[[wall]]
+name = "front"
+material = "seed"
+shape = "plane"
+point = "0 -5 0 mm"
+normal = "y"
+[[wall]]
+name = "plate"
+material = "seed"
+shape = "plane"
+point = "0 5 0 mm"
+normal = "-y"
+[[stage]]
+name = "press"
+duration = "20 ms"
+motion.plate = { velocity = "0 -0.1 0 m/s" }
+[[stage]]
+name = "turn"
+duration = "50 ms"
+motion.plate = "rest"
+motion.drum = { rotation = { point = "0 0 0 mm", axis = "y", angular_velocity = "2 rad/s" } }
+"#;
+
+fn vector(value: &Value) -> [f64; 3] {
+    [0, 1, 2].map(|k| value[k].as_f64().unwrap())
+}
+
+#[test]
+fn works_of_walls_add_up_to_the_books_and_forces_to_the_momentum() {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("run");
+    let scenario = match Scenario::parse(PRESSED_AND_TURNED, "case", Path::new(""), &[]) {
+        Ok(scenario) => scenario,
+        Err(faults) => panic!("{}", faults.render(false)),
+    };
+    run(&scenario, &folder, RunOptions::default(), &mut Silent).unwrap();
+    let summary: Value = serde_json::from_slice(&std::fs::read(folder.join("summary.json")).unwrap()).unwrap();
+    let names = ["drum", "front", "plate"];
+    let of = |walls: &Value, key: &str| -> f64 { names.iter().map(|name| walls[name][key].as_f64().unwrap()).sum() };
+    let all = of(&summary["walls"], "work");
+    let booked = summary["energies"]["wall_work"].as_f64().unwrap();
+    assert!(all > 1e-6 && (all / booked - 1.0).abs() < 1e-9, "{all} {booked}");
+    let stages = summary["stages"].as_array().unwrap();
+    let of_stages: f64 = stages.iter().map(|stage| of(&stage["walls"], "work")).sum();
+    assert!((all / of_stages - 1.0).abs() < 1e-12, "{all} {of_stages}");
+    // each at its time
+    let work = |stage: usize, wall: &str| stages[stage]["walls"][wall]["work"].as_f64().unwrap();
+    assert!(work(0, "plate") > 0.0 && work(1, "drum") > 0.0);
+    assert_eq!([work(0, "front"), work(1, "front"), work(0, "drum")], [0.0; 3]);
+
+    let turned = &stages[1]["walls"]["drum"];
+    let seconds = stages[1]["end"].as_f64().unwrap() - stages[1]["start"].as_f64().unwrap();
+    let power = turned["mean_power"].as_f64().unwrap();
+    let [_, torque, _] = vector(&turned["mean_torque"]);
+    assert!((power * seconds / work(1, "drum") - 1.0).abs() < 1e-9);
+    // but for the half step in which the drum began to turn
+    assert!((-2.0 * torque / power - 1.0).abs() < 1e-2, "{torque} {power}");
+
+    // what the grains got from gravity and did not keep they gave to the walls
+    let series = Columns::series_of(&folder).unwrap();
+    let at_end = |title: &str| *series.numbers(title).unwrap().last().unwrap();
+    let end = summary["simulated_time"].as_f64().unwrap();
+    let mass = 150.0 * 2000.0 * TAU / 12.0 * 2e-3_f64.powi(3);
+    for (axis, gravity) in [("x", 0.0), ("y", 0.0), ("z", -9.81)] {
+        let k = usize::from(axis.as_bytes()[0] - b'x');
+        let given: f64 = (names.iter())
+            .map(|name| end * vector(&summary["walls"][name]["mean_force"])[k])
+            .sum();
+        let kept = at_end(&format!("momentum {axis}"));
+        let missing = mass * gravity * end - kept - given;
+        assert!(missing.abs() < 1e-9 * mass * 9.81 * end, "{axis}: {missing}");
+    }
+    let last = at_end("wall plate work");
+    assert_eq!(last, summary["walls"]["plate"]["work"].as_f64().unwrap());
+}
