@@ -221,7 +221,7 @@ impl Scenario {
     /// Returns
     /// -------
     /// dict
-    ///     ``time_step`` [s] and ``time_step_reason``, ``grains``, ``materials``, ``walls``, ``stages``, ``steps``,
+    ///     ``time_step`` [s] and ``time_step_reason``, ``fastest_impact`` that is borne [m/s], ``grains``, ``materials``, ``walls``, ``stages``, ``steps``,
     ///     ``memory`` [bytes], ``run_time`` on one thread [s], ``warnings``.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let scenario = &self.read;
@@ -231,6 +231,7 @@ impl Scenario {
             "title": scenario.title,
             "time_step": prepared.setup.dt,
             "time_step_reason": prepared.time_step_reason,
+            "fastest_impact": prepared.fastest_impact.as_ref().map(|borne| borne.speed),
             "grains": prepared.setup.grains.len(),
             "materials": scenario.materials.iter().map(|m| m.name.clone()).collect::<Vec<_>>(),
             "walls": scenario.walls.iter().map(|w| w.name.clone()).collect::<Vec<_>>(),

@@ -194,12 +194,10 @@ impl Outcome {
             .collect();
         names.sort();
         names.dedup();
+        let powers = power_columns(&stages, &names);
         if names.len() > MOST_STAGE_WALLS {
             names.clear();
         }
-        let power = |stage: &Value, name: &str| stage["walls"][name]["mean_power"].as_f64().unwrap_or(0.0);
-        let works = |name: &&&String| stages.iter().any(|stage| power(stage, name) != 0.0);
-        let working: Vec<&&String> = names.iter().filter(works).collect();
         let seconds = |stage: &Value, key: &str| number(stage[key].as_f64().unwrap_or(f64::NAN));
         let row = |stage: &&Value| {
             let steps = stage["last_step"]
@@ -217,7 +215,8 @@ impl Outcome {
                     .iter()
                     .map(|name| magnitude(&stage["walls"][name.as_str()]["force"])),
             );
-            cells.extend(working.iter().map(|name| number(power(stage, name))));
+            let together = |of: &[&String]| of.iter().map(|name| mean_power(stage, name)).sum();
+            cells.extend(powers.iter().map(|(_, of)| number(together(of))));
             cells.push(stage["ended_by"].as_str().unwrap_or_default().to_string());
             cells
         };
@@ -226,12 +225,28 @@ impl Outcome {
             rows.push(vec![format!("{} more in summary.json", stages.len() - MOST_ROWS)]);
         }
         let mut loads: Vec<String> = names.iter().map(|name| format!("force on {name} [N]")).collect();
-        loads.extend(working.iter().map(|name| format!("mean power of {name} [W]")));
+        loads.extend(powers.iter().map(|(title, _)| title.clone()));
         let mut titles = vec!["stage", "from [s]", "to [s]", "steps"];
         titles.extend(loads.iter().map(String::as_str));
         titles.push("ended because");
         html.table("Stages that ended", &titles, &rows);
     }
+}
+
+/// Mean power of a wall in a stage [W]; 0 where none is told.
+fn mean_power(stage: &Value, wall: &str) -> f64 {
+    stage["walls"][wall]["mean_power"].as_f64().unwrap_or(0.0)
+}
+
+/// Titles of the columns of mean powers, and the walls of each: one for every wall that did work, or one for all.
+fn power_columns<'a>(stages: &[&Value], walls: &[&'a String]) -> Vec<(String, Vec<&'a String>)> {
+    let works = |name: &&&String| stages.iter().any(|stage| mean_power(stage, name) != 0.0);
+    let working: Vec<&String> = walls.iter().filter(works).copied().collect();
+    if working.len() > MOST_STAGE_WALLS {
+        return vec![(format!("mean power of {} walls [W]", working.len()), working)];
+    }
+    let column = |name| (format!("mean power of {name} [W]"), vec![name]);
+    working.into_iter().map(column).collect()
 }
 
 /// The length of a vector.
@@ -300,6 +315,26 @@ pub(super) fn walls(series: &Columns, html: &mut Html) {
 mod tests {
     use super::*;
     use serde_json::json;
+
+    #[test]
+    fn powers_are_told_wall_by_wall_or_together() {
+        let turned = |count: usize| {
+            let walls = (0..count).map(|k| (format!("w{k}"), json!({ "mean_power": 0.5 * k as f64 })));
+            json!({ "walls": walls.collect::<serde_json::Map<_, _>>() })
+        };
+        let told = |stages: &[&Value], count: usize| {
+            let names: Vec<String> = (0..count).map(|k| format!("w{k}")).collect();
+            let columns = power_columns(stages, &names.iter().collect::<Vec<_>>());
+            let titles_and_counts = columns.into_iter().map(|(title, walls)| (title, walls.len()));
+            titles_and_counts.collect::<Vec<_>>()
+        };
+        assert_eq!(told(&[&json!({}), &turned(1)], 1), []);
+        let title = |wall: &str| (format!("mean power of {wall} [W]"), 1);
+        assert_eq!(told(&[&json!({}), &turned(3)], 3), [title("w1"), title("w2")]);
+        let many = MOST_STAGE_WALLS + 2;
+        let together = (format!("mean power of {} walls [W]", many - 1), many - 1);
+        assert_eq!(told(&[&turned(many)], many), [together]);
+    }
 
     #[test]
     fn the_end_is_told_by_summary_or_log() {
