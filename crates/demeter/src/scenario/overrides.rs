@@ -174,6 +174,10 @@ fn descend<'a>(node: &'a mut Node, step: &Step, source: usize) -> Result<&'a mut
             let index = position(items, &step.text)?;
             Ok(&mut items[index])
         }
+        Value::Table(entries) if step.in_brackets && entries.is_empty() => Err((
+            format!("there is nothing yet of which `{}` could be an element", step.text),
+            Some("tell the whole value".to_string()),
+        )),
         Value::Table(entries) if !step.in_brackets => {
             let index = match entries.iter().position(|e| e.key == step.text) {
                 Some(index) => index,

@@ -46,6 +46,11 @@ fn a_component_of_a_vector_is_changed_by_its_number() {
         text.contains("there is no element 3") && text.contains("from 0 to 2"),
         "{text}"
     );
+    let text = refused("grains[0].velocity[1]=3 m/s");
+    assert!(
+        text.contains("nothing yet of which `1`") && text.contains("the whole value"),
+        "{text}"
+    );
     let text = refused("title[0]=a");
     assert!(text.contains("cannot be set below"), "{text}");
 }
