@@ -61,12 +61,13 @@ impl Struck {
 pub(super) fn begun(before: &[u64], now: &[u64]) -> Vec<usize> {
     let words = now.iter().enumerate();
     let new = words.map(|(k, word)| (k * WORD, word & !before.get(k).copied().unwrap_or(0)));
-    new.flat_map(|(first, bits)| {
-        (0..WORD)
-            .filter(move |bit| bits >> bit & 1 != 0)
-            .map(move |bit| first + bit)
-    })
-    .collect()
+    new.filter(|(_, bits)| *bits != 0)
+        .flat_map(|(first, bits)| {
+            (0..WORD)
+                .filter(move |bit| bits >> bit & 1 != 0)
+                .map(move |bit| first + bit)
+        })
+        .collect()
 }
 
 /// Tells of contacts that begin. A source that notes which contacts act finds what it has noted before.

@@ -1,13 +1,12 @@
 //! How many contacts begin, and with what energy.
 //!
 //! A collision is a contact that begins: bodies that stay in touch while they roll or slide do not collide. Its energy is that of the
-//! relative motion along the normal with the effective mass, `m v_n^2 / 2`, at most which it can spend there; that of the motion in the
-//! contact plane, `m v_t^2 / 2` of the surfaces, is told apart. Contacts of the first moment and those of grains that come in contact do
-//! not count as long as they last. Where bodies that attract each other begin to feel so across a gap the collision begins.
+//! relative motion along the normal with the effective mass, `m v_n^2 / 2`; that of the motion in the contact plane, `m v_t^2 / 2` of the
+//! surfaces, is told apart. Contacts of the first moment do not count as long as they last. Where bodies that attract each other begin to feel so across a gap the collision begins.
 
 use super::forces::rounded;
 use super::{Selection, ToldColumn, Value, holds_place};
-use crate::contacts::Impact;
+use crate::contacts::{Impact, Struck};
 use crate::particles::{Origins, Zone};
 use crate::simulation::Simulation;
 use serde::{Deserialize, Serialize};
@@ -139,7 +138,7 @@ impl Collisions {
     /// Whether one of the bodies is a grain that is meant, and the other what it is to meet.
     fn concerns(&self, impact: &Impact, origins: &Origins) -> bool {
         let [one, other] = &impact.bodies;
-        let is_meant = |grain: &crate::contacts::Struck, partner: &crate::contacts::Struck| {
+        let is_meant = |grain: &Struck, partner: &Struck| {
             self.partner.is_none_or(|material| partner.material == material)
                 && self
                     .selection
