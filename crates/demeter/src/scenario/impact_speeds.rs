@@ -16,12 +16,14 @@ pub(super) fn check(
 ) -> Option<FastestImpact> {
     let allowed = scenario.simulation.max_overlap;
     let borne = fastest_impact(grains, &wall_partners(scenario, walls), materials, allowed)?;
-    let started = (0..grains.len()).map(|g| (grains.velocity[g].length(), format!("grain {}", grains.id[g])));
+    let speeds = (0..grains.len()).map(|g| (grains.velocity[g].length(), g));
+    let started =
+        (speeds.max_by(|a, b| a.0.total_cmp(&b.0))).map(|(speed, g)| (speed, format!("grain {}", grains.id[g])));
     let fed = scenario.feeds.iter().map(|feed| {
         let speed = feed.stream.velocity.length();
         (speed, format!("feed `{}`", feed.name))
     });
-    let fastest = started.chain(fed).max_by(|a, b| a.0.total_cmp(&b.0));
+    let fastest = started.into_iter().chain(fed).max_by(|a, b| a.0.total_cmp(&b.0));
     if let Some((speed, what)) = fastest.filter(|(speed, _)| *speed > borne.speed) {
         warnings.push(format!(
             "{what} begins with {speed:.3} m/s, and a head-on impact of {:.3} m/s overlaps {} by {allowed} of the smaller radius, which would stop \

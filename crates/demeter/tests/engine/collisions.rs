@@ -1,26 +1,10 @@
 //! Contacts that begin, counted with their energies.
 
+use super::silent::{Silent, parsed};
 use demeter::results::Columns;
-use demeter::scenario::{Observer, Progress, RunOptions, Scenario, run};
+use demeter::scenario::{RunOptions, Scenario, run};
 use std::f64::consts::PI;
 use std::path::Path;
-
-struct Silent;
-
-impl Observer for Silent {
-    fn progress(&mut self, _: &Progress) -> bool {
-        true
-    }
-
-    fn message(&mut self, _: &str) {}
-}
-
-fn parsed(text: &str, place: &Path) -> Scenario {
-    match Scenario::parse(text, "case", place, &[]) {
-        Ok(scenario) => scenario,
-        Err(faults) => panic!("{}", faults.render(false)),
-    }
-}
 
 /// Runs a scenario and looks at what it left.
 fn after<T>(text: &str, look: impl FnOnce(&Path) -> T) -> T {

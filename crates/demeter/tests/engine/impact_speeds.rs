@@ -1,18 +1,9 @@
 //! How fast grains may meet, told before the run.
 
+use super::silent::{Silent, parsed};
 use demeter::contacts::Fault;
-use demeter::scenario::{Observer, Prepared, Progress, RunEnd, RunOptions, Scenario, prepare, run};
+use demeter::scenario::{Prepared, RunEnd, RunOptions, Scenario, prepare, run};
 use std::path::Path;
-
-struct Silent;
-
-impl Observer for Silent {
-    fn progress(&mut self, _: &Progress) -> bool {
-        true
-    }
-
-    fn message(&mut self, _: &str) {}
-}
 
 /// A grain and a smaller one that meet head-on, told the law and the speed. Of the pairs of such grains it is the one that bears least.
 fn meeting(law: &str, speed: f64) -> Scenario {
@@ -45,10 +36,7 @@ duration = "5 ms"
 "#,
         -speed
     );
-    match Scenario::parse(&text, "case", Path::new(""), &[]) {
-        Ok(scenario) => scenario,
-        Err(faults) => panic!("{}", faults.render(false)),
-    }
+    parsed(&text, Path::new(""))
 }
 
 fn prepared(scenario: &Scenario) -> Prepared {

@@ -25,6 +25,7 @@ mod restart;
 mod scenarios;
 mod shafts;
 mod shared_runs;
+mod silent;
 mod slices;
 mod wall_work;
 mod work_counters;

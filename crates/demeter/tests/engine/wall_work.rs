@@ -1,20 +1,11 @@
 //! What passes between walls and grains, over stages and the run.
 
+use super::silent::{Silent, parsed};
 use demeter::results::Columns;
-use demeter::scenario::{Observer, Progress, RunOptions, Scenario, run};
+use demeter::scenario::{RunOptions, run};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::path::Path;
-
-struct Silent;
-
-impl Observer for Silent {
-    fn progress(&mut self, _: &Progress) -> bool {
-        true
-    }
-
-    fn message(&mut self, _: &str) {}
-}
 
 /// Grains that are pressed together by a plate, and then stirred by a drum that turns while the plate is away.
 const PRESSED_AND_TURNED: &str = r#"
@@ -73,10 +64,7 @@ fn vector(value: &Value) -> [f64; 3] {
 fn works_of_walls_add_up_to_the_books_and_forces_to_the_momentum() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("run");
-    let scenario = match Scenario::parse(PRESSED_AND_TURNED, "case", Path::new(""), &[]) {
-        Ok(scenario) => scenario,
-        Err(faults) => panic!("{}", faults.render(false)),
-    };
+    let scenario = parsed(PRESSED_AND_TURNED, Path::new(""));
     run(&scenario, &folder, RunOptions::default(), &mut Silent).unwrap();
     let summary: Value = serde_json::from_slice(&std::fs::read(folder.join("summary.json")).unwrap()).unwrap();
     let names = ["drum", "front", "plate"];
