@@ -9,6 +9,8 @@
 //! * [`wide_laws`]: the same bits for several contacts at a time as for one
 //! * [`multi_contact`]: bounds, symmetry, dimensions of multi-contact laws, what they depend on
 //! * [`coupled_contacts`]: their exact forces in symmetric packings
+//!
+//! `DEMETER_LAW=NAME` asks the laws of this name alone.
 
 pub(crate) mod cases;
 mod collisions;
@@ -21,3 +23,15 @@ mod planar_energy;
 mod planar_laws;
 mod registry;
 mod wide_laws;
+
+use super::LawInfo;
+
+/// Those of a family's laws that are tested.
+fn tested(laws: &'static [LawInfo]) -> impl Iterator<Item = &'static LawInfo> {
+    let alone = std::env::var("DEMETER_LAW").ok();
+    if let Some(name) = &alone {
+        assert!(super::laws().any(|info| info.name == name), "no law is called `{name}`");
+    }
+    laws.iter()
+        .filter(move |info| alone.as_ref().is_none_or(|name| name == info.name))
+}

@@ -1,6 +1,7 @@
 //! Friction and rolling laws seen as one kind: a load in the contact plane that answers a rate of deformation.
 
 use super::cases::{PAIRS, Random, SIZES, Units, values};
+use super::tested;
 use crate::contact::normal::HertzTsuji;
 use crate::contact::normal::{Normal, NormalInput};
 use crate::contact::rolling::{Rolling, RollingInput, RollingLaw, RollingVisitor};
@@ -297,7 +298,7 @@ pub fn load_and_rate(case: &PlanarCase) -> (Dimension, Dimension) {
 pub fn planar_cases(replaced: &[(&str, f64)]) -> Vec<PlanarCase> {
     use crate::contact::{rolling, tangential};
     let mut cases = Vec::new();
-    for info in tangential::LAWS.iter().chain(rolling::LAWS) {
+    for info in tested(tangential::LAWS).chain(tested(rolling::LAWS)) {
         for pair in PAIRS {
             let law = PlanarLaw::build(info, &values(info, replaced), &pair);
             cases.extend(SIZES.map(|size| PlanarCase { info, law, pair, size }));

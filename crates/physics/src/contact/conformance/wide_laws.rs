@@ -2,6 +2,7 @@
 
 use super::cases::{NormalCase, PAIRS, Random, SIZES, variants};
 use super::planar::{PlanarCase, PlanarInput, PlanarLaw, planar_cases};
+use super::tested;
 use crate::contact::lane_by_lane::{MOST_HISTORY, vector_of};
 use crate::contact::normal::{self, Normal, NormalInput, NormalLaw, NormalVisitor};
 use crate::contact::rolling::{Rolling, RollingInput, RollingVisitor};
@@ -339,7 +340,7 @@ fn on_large_stack(test: impl FnOnce() + Send + 'static) {
 #[test]
 fn normal_laws_give_every_lane_the_bits_of_one_contact() {
     on_large_stack(|| {
-        for info in normal::LAWS {
+        for info in tested(normal::LAWS) {
             for (seed, values) in variants(info).into_iter().enumerate() {
                 compare_normal(info, &values, seed as u64);
             }
