@@ -106,7 +106,7 @@ fn run(setup: Setup, steps: u64) -> Changes {
 }
 
 fn keeps_energy(integrator: Integrator, name: &str, laws: &Laws) {
-    let steps = if full() { 100_000 } else { 40_000 };
+    let steps = if full() { 100_000 } else { 20_000 };
     let mut met = 0;
     for fraction in [0.1, 0.4] {
         for periodic in [true, false] {
