@@ -4,13 +4,17 @@ use super::*;
 use crate::scenario::{Scenario, TEMPLATES};
 use jsonschema::Validator;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 fn project() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-fn validator(of: FileKind) -> Validator {
-    jsonschema::draft7::new(&schema(of)).unwrap()
+/// The validator of a kind of file, which takes longer to make than to read most files.
+fn validator(of: FileKind) -> &'static Validator {
+    static MADE: [OnceLock<Validator>; FileKind::ALL.len()] = [const { OnceLock::new() }; FileKind::ALL.len()];
+    let index = FileKind::ALL.iter().position(|kind| *kind == of).unwrap();
+    MADE[index].get_or_init(|| jsonschema::draft7::new(&schema(of)).unwrap())
 }
 
 fn read(path: &Path) -> Value {
