@@ -334,11 +334,7 @@ pub fn run<K: Kernel>(instructions: Instructions, kernel: K) -> K::Output {
     match instructions {
         #[cfg(target_arch = "x86_64")]
         Instructions::Avx512 if x86::has_avx512() => x86::run_avx512(kernel),
-        #[cfg(target_arch = "x86_64")]
-        Instructions::Avx2 if std::arch::is_x86_feature_detected!("avx2") => x86::run_avx2(kernel),
-        #[cfg(target_arch = "aarch64")]
-        Instructions::Neon => kernel.run::<neon::F64x2>(),
-        _ => kernel.run::<f64>(),
+        _ => run_on_narrower(instructions, kernel),
     }
 }
 
@@ -349,6 +345,18 @@ pub fn run_on_two<K: Kernel>(instructions: Instructions, kernel: K) -> K::Output
     match instructions {
         #[cfg(target_arch = "x86_64")]
         Instructions::Avx512 if x86::has_avx512() => x86::run_two_avx512(kernel),
-        _ => run(instructions, kernel),
+        _ => run_on_narrower(instructions, kernel),
+    }
+}
+
+/// The same on registers narrower than those of AVX-512.
+#[inline]
+fn run_on_narrower<K: Kernel>(instructions: Instructions, kernel: K) -> K::Output {
+    match instructions {
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx2 if std::arch::is_x86_feature_detected!("avx2") => x86::run_avx2(kernel),
+        #[cfg(target_arch = "aarch64")]
+        Instructions::Neon => kernel.run::<neon::F64x2>(),
+        _ => kernel.run::<f64>(),
     }
 }
