@@ -3,7 +3,7 @@
 use crate::answer::Rows;
 use crate::readable::{number, vector};
 use demeter::scenario::{Prepared, Scenario};
-use demeter::walls::{Freedom, Motion, MotionPart, Motions, Wall};
+use demeter::walls::{BodyMotion, Freedom, Motion, MotionPart, Motions, Wall};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
@@ -69,6 +69,30 @@ fn words(scenario: &Scenario, wall: &Wall, motions: &Motions) -> String {
     }
 }
 
+/// A rigid body: its mass, and along and about what it is free.
+fn of_body(wall: &Wall, body: &BodyMotion) -> String {
+    let along = |free: [bool; 3]| {
+        let named: Vec<&str> = ["x", "y", "z"]
+            .into_iter()
+            .zip(free)
+            .filter_map(|(axis, free)| free.then_some(axis))
+            .collect();
+        match named.as_slice() {
+            [] => "none".to_string(),
+            [_, _, _] => "any axis".to_string(),
+            named => named.join(" and "),
+        }
+    };
+    let mass = wall
+        .body_mass(body)
+        .map_or_else(String::new, |mass| format!(" of {} kg", number(mass)));
+    format!(
+        "is a body{mass} that moves along {} and turns about {}",
+        along(body.slides),
+        along(body.turns)
+    )
+}
+
 fn of_part(scenario: &Scenario, wall: &Wall, MotionPart { motion, pace }: &MotionPart) -> String {
     let about = |axis: [f64; 3], point: [f64; 3]| format!("about {} through {} m", vector(axis), vector(point));
     let mut words = match motion {
@@ -130,6 +154,7 @@ fn of_part(scenario: &Scenario, wall: &Wall, MotionPart { motion, pace }: &Motio
             Freedom::Slide { axis } => format!("moves freely along {}", vector(axis.to_array())),
             Freedom::Hinge { point, axis, .. } => format!("turns freely {}", about(axis.to_array(), point.to_array())),
         },
+        Motion::Body(body) => of_body(wall, body),
         Motion::With(leader) => format!("goes with `{}`", scenario.walls[*leader].name),
         Motion::Driven { .. } => "is moved from outside".to_string(),
     };

@@ -69,6 +69,7 @@ impl Simulation {
         self.move_walls();
         // after the grains: a load that is no number came from one of them
         self.check_walls()?;
+        self.check_bodies()?;
         self.took(Phase::Walls);
         self.check_places(&motion)?;
         self.check_jumps(&motion)?;

@@ -183,6 +183,22 @@ pub enum Fault {
         /// What is not finite: `"place"`, `"velocity"`.
         quantity: Cow<'static, str>,
     },
+    /// A wall that moves as a rigid body comes to another wall.
+    #[error(
+        "step {step}: the body `{body}` comes to wall `{wall}` at {}. A body feels grains, not walls, and would go through it. \
+         Remedy: keep it away (more grains below it, `slides` or `turns` that hold it), or end the stage earlier with `stop`",
+        place(.position)
+    )]
+    BodyAtWall {
+        /// Step.
+        step: u64,
+        /// Name of the body, or of a wall that moves with it.
+        body: String,
+        /// Name of the wall.
+        wall: String,
+        /// Where [m].
+        position: DVec3,
+    },
 }
 
 fn place(p: &DVec3) -> String {
@@ -201,7 +217,7 @@ impl Fault {
             | Self::Jump { id, .. }
             | Self::CannotGoOn { id, .. }
             | Self::NotFinite { id, .. } => *id,
-            Self::Custom { .. } | Self::WallNotFinite { .. } => 0,
+            Self::Custom { .. } | Self::WallNotFinite { .. } | Self::BodyAtWall { .. } => 0,
         }
     }
 }

@@ -17,6 +17,7 @@ mod fabric;
 mod field;
 mod flow;
 mod forces;
+mod free_walls;
 mod images;
 mod mixing;
 mod neighbour_mixing;
@@ -53,6 +54,8 @@ pub use field::{
 };
 pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
 pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
+pub use free_walls::FREE_WALL_COLUMNS;
+pub(crate) use free_walls::free_wall_values;
 pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing, MixingSpace};
 pub use neighbour_mixing::{MAX_NEAREST, NEIGHBOUR_COLUMNS, NeighbourMixing};
 pub use network::{ContactNetwork, NetworkMeasures};

@@ -4,8 +4,9 @@ use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
     BOX_COLUMNS, COLLISION_COLUMNS, DISPLACEMENT_COLUMNS, DOMAIN_COLUMNS, FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS,
-    MIXING_COLUMNS, Measures, NEIGHBOUR_COLUMNS, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS,
-    RESIDENCE_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WEAR_COLUMNS, WallLoad,
+    FREE_WALL_COLUMNS, MIXING_COLUMNS, Measures, NEIGHBOUR_COLUMNS, NetworkMeasures, OF_MATERIAL_COLUMNS,
+    REGION_COLUMNS, REMOVAL_COLUMNS, RESIDENCE_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WEAR_COLUMNS,
+    WallLoad,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -313,7 +314,7 @@ fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
 }
 
 /// Columns behind all others, with what their titles begin with.
-const TOLD: [(&str, &[ToldColumn]); 17] = [
+const TOLD: [(&str, &[ToldColumn]); 18] = [
     ("MEASURE", REGION_COLUMNS),
     ("MEASURE MATERIAL", OF_MATERIAL_COLUMNS),
     ("MEASURE", TRACE_COLUMNS),
@@ -331,6 +332,7 @@ const TOLD: [(&str, &[ToldColumn]); 17] = [
     ("domain", DOMAIN_COLUMNS),
     ("box", BOX_COLUMNS),
     ("wall NAME", WEAR_COLUMNS),
+    ("wall NAME", FREE_WALL_COLUMNS),
 ];
 
 /// The table of all columns in Markdown, for the book.

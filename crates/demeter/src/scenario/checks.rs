@@ -297,19 +297,23 @@ pub(super) fn wall_partners(scenario: &Scenario, walls: &[Wall]) -> Vec<WallPart
     let told: Vec<(usize, &Motions)> = told_motions(scenario).collect();
     let mut partners: Vec<WallPartner> = walls.iter().map(WallPartner::of).collect();
     for (index, motions) in &told {
-        let Some(Motion::Free(free)) = motions.parts.first().map(|part| &part.motion) else {
+        if !motions.is_free() {
             continue;
-        };
+        }
         // what moves with a free wall gives way as it does
         let follows = |k: usize| {
             told.iter()
                 .any(|(wall, motions)| *wall == k && motions.leader() == Some(*index))
         };
         for (_, wall) in walls.iter().enumerate().filter(|(k, _)| k == index || follows(*k)) {
-            partners.push(WallPartner {
-                material: wall.material,
-                mass: free.least_mass(wall.bounds()),
-            });
+            // what is wrong with motions is told elsewhere
+            let least = walls
+                .get(*index)
+                .map(|leader| leader.least_mass_with(motions, wall.bounds()));
+            if let Some(Ok(mass)) = least {
+                let material = wall.material;
+                partners.push(WallPartner { material, mass });
+            }
         }
     }
     partners
@@ -424,6 +428,11 @@ fn largest_speed(motions: &Motions, bounds: Option<(DVec3, DVec3)>) -> Option<f6
         Motion::TorqueServo {
             point, axis, max_speed, ..
         } => max_speed * reach(*point, *axis),
+        Motion::Body(body) => {
+            let spin = body.angular_velocity.length();
+            let reach = bounds.map_or(0.0, |(lower, upper)| (upper - lower).length());
+            body.velocity.length() + spin * reach
+        }
         Motion::Rest | Motion::Free(_) | Motion::With(_) | Motion::Driven { .. } => 0.0,
     };
     let sum: f64 = motions.parts.iter().map(|part| speed(&part.motion)).sum();

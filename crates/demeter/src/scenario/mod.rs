@@ -1,5 +1,6 @@
 #![doc = include_str!("reference.md")]
 
+mod bodies;
 mod checks;
 mod collisions;
 mod deformation;

@@ -6,12 +6,12 @@ use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::walls::index_of_name;
 use crate::walls::{
-    AtEnd, FreeMotion, Freedom, Interpolation, MAX_PARTS, Motion, MotionPart, MotionTable, Motions, Pace,
-    read_motion_file,
+    AtEnd, BodyMass, BodyMotion, FreeMotion, Freedom, Interpolation, MAX_PARTS, MassProperties, Motion, MotionPart,
+    MotionTable, Motions, Pace, read_motion_file,
 };
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ pub(super) struct Frame<'a> {
     pub gravity: DVec3,
 }
 
-const KINDS: [&str; 11] = [
+const KINDS: [&str; 12] = [
     "velocity",
     "belt",
     "rotation",
@@ -37,8 +37,11 @@ const KINDS: [&str; 11] = [
     "torque_servo",
     "free",
     "hinge",
+    "body",
     "with",
 ];
+
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 const LENGTH: Kind = Kind::Physical(Dimension::LENGTH);
 const VELOCITY: Kind = Kind::Physical(Dimension::VELOCITY);
@@ -109,6 +112,7 @@ fn motion(table: &TableReader<'_>, item: &Item<'_>, frame: &Frame<'_>) -> Option
             "torque_servo" => told.table().map(torque_servo),
             "free" => told.table().map(|t| free(t, frame)),
             "hinge" => told.table().map(|t| hinge(t, frame)),
+            "body" => told.table().map(|t| body(t, frame)),
             _ => {
                 let names = frame.names.iter().map(String::as_str);
                 Some(Motion::With(index_of_name(&told, &told.text(), names)))
@@ -301,6 +305,81 @@ fn hinge(table: TableReader<'_>, frame: &Frame<'_>) -> Motion {
     };
     table.finish("a hinge");
     Motion::Free(motion)
+}
+
+fn body(table: TableReader<'_>, frame: &Frame<'_>) -> Motion {
+    let (slides, turns) = (axes(&table, "slides"), axes(&table, "turns"));
+    let motion = BodyMotion {
+        mass: body_mass(&table, turns != [false; 3]),
+        gravity: frame.gravity,
+        velocity: table.vector_or_zero("velocity", VELOCITY),
+        angular_velocity: table.vector_or_zero("angular_velocity", Kind::AngularVelocity),
+        slides,
+        turns,
+    };
+    for (key, told, free) in [
+        ("velocity", motion.velocity, slides),
+        ("angular_velocity", motion.angular_velocity, turns),
+    ] {
+        if let Some(axis) = (0..3).find(|&axis| told[axis] != 0.0 && !free[axis]) {
+            let held = if key == "velocity" { "slides" } else { "turns" };
+            let message = format!(
+                "`{key}` has a component along {}, which `{held}` does not name",
+                AXES[axis]
+            );
+            table.fault_at(key, message);
+        }
+    }
+    table.finish("a body");
+    Motion::Body(motion)
+}
+
+/// Mass, centre of mass and moments of a body, or its density; moments are not asked of one that does not turn.
+fn body_mass(table: &TableReader<'_>, turns: bool) -> BodyMass {
+    let density = Kind::Physical(Dimension::DENSITY);
+    if let Some(density) = table.optional_quantity("density", density, Range::POSITIVE) {
+        for key in ["mass", "center_of_mass", "inertia", "products"] {
+            if table.optional(key).is_some() {
+                table.fault_at(key, format!("`{key}` follows from `density`; tell one of them"));
+            }
+        }
+        return BodyMass::Density(density);
+    }
+    let inertia = Kind::Physical(Dimension::new(1, 2, 0));
+    let meaning = "the mass of the body, or in place of all moments the `density` of a closed mesh";
+    let mass = table.quantity("mass", Kind::Physical(Dimension::MASS), Range::POSITIVE, meaning);
+    let center = table.point("center_of_mass", "the centre of mass of the body");
+    let meaning = "the moments of inertia about x, y and z through the centre of mass, as \"1e-5 1e-5 2e-5 kg m^2\"";
+    let moments = if turns || table.has("inertia") {
+        table
+            .required("inertia", meaning)
+            .map_or(DVec3::NAN, |item| item.vector(inertia))
+    } else {
+        DVec3::ZERO
+    };
+    let products = table.vector_or_zero("products", inertia);
+    let [xy, xz, yz] = products.to_array();
+    BodyMass::Told(MassProperties {
+        mass,
+        center,
+        inertia: DMat3::from_cols(
+            DVec3::new(moments.x, xy, xz),
+            DVec3::new(xy, moments.y, yz),
+            DVec3::new(xz, yz, moments.z),
+        ),
+    })
+}
+
+/// Which axes a list names; all of them where there is none.
+fn axes(table: &TableReader<'_>, key: &str) -> [bool; 3] {
+    let Some(item) = table.optional(key) else {
+        return [true; 3];
+    };
+    let mut named = [false; 3];
+    for index in item.items().iter().filter_map(|axis| axis.choice(&AXES)) {
+        named[index] = true;
+    }
+    named
 }
 
 fn motion_table(table: TableReader<'_>, item: &Item<'_>, frame: &Frame<'_>) -> Option<Motion> {

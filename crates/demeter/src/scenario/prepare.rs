@@ -105,6 +105,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
     let fastest_impact = super::impact_speeds::check(scenario, (&all, &walls), &materials, &mut warnings);
     check_wall_speeds(scenario, &walls, &meshes, &all, dt, &mut faults);
+    super::bodies::check(scenario, &walls, dt, &mut faults);
     if !scenario.deforms() {
         check_start_speeds(&grains, dt, &mut faults);
     }

@@ -1,11 +1,12 @@
 //! What a run writes row by row: the series, and a distribution for every measure that asks for one.
 
+use super::checks::told_motions;
 use super::measures::{MeasureKind, MeasureSpec, distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{
-    ContactAngles, ContactNetwork, CylinderProfile, EnergyBins, ForceDistribution, Measures, Moment, Paths, Profile,
-    WEAR_COLUMNS, box_titles, box_values, measure, wear_values,
+    ContactAngles, ContactNetwork, CylinderProfile, EnergyBins, FREE_WALL_COLUMNS, ForceDistribution, Measures, Moment,
+    Paths, Profile, ToldColumn, WEAR_COLUMNS, box_titles, box_values, free_wall_values, measure, wear_values,
 };
 use crate::output::{
     DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesTable, SeriesWriter, collision_rows,
@@ -13,6 +14,7 @@ use crate::output::{
     rose_titles,
 };
 use crate::simulation::Simulation;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// All files of rows, open at their ends. Without files what they tell is measured, too, where another process writes it.
@@ -186,6 +188,9 @@ impl<'a> Rows<'a> {
         row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
         row.told = traffic.values(sim);
         row.told.extend(wear_values(sim));
+        row.told.extend(free_wall_values(
+            free_walls(self.scenario).into_iter().map(|wall| &sim.walls[wall]),
+        ));
         if self.scenario.deforms() {
             row.told.extend(box_values(sim, row.energies.boundary_work));
         }
@@ -312,6 +317,7 @@ fn tables<'a>(
 pub(super) fn told_titles(scenario: &Scenario) -> Vec<String> {
     let mut titles = Traffic::titles(scenario);
     titles.extend(wear_titles(scenario));
+    titles.extend(free_wall_titles(scenario));
     if scenario.deforms() {
         titles.extend(box_titles());
     }
@@ -321,8 +327,24 @@ pub(super) fn told_titles(scenario: &Scenario) -> Vec<String> {
 /// Titles of the columns of walls that record their wear.
 fn wear_titles(scenario: &Scenario) -> impl Iterator<Item = String> {
     let worn = scenario.walls.iter().filter(|wall| wall.recording.wear.is_some());
-    worn.flat_map(|wall| {
-        let name = format!("wall {}", wall.name);
-        WEAR_COLUMNS.iter().map(move |column| column.title(&name))
-    })
+    worn.flat_map(|wall| wall_titles(&wall.name, WEAR_COLUMNS))
+}
+
+/// Titles of the columns of walls that move freely.
+fn free_wall_titles(scenario: &Scenario) -> impl Iterator<Item = String> {
+    let free = free_walls(scenario).into_iter();
+    free.flat_map(|wall| wall_titles(&scenario.walls[wall].name, FREE_WALL_COLUMNS))
+}
+
+fn wall_titles(wall: &str, columns: &'static [ToldColumn]) -> impl Iterator<Item = String> + use<> {
+    let name = format!("wall {wall}");
+    columns.iter().map(move |column| column.title(&name))
+}
+
+/// Walls that move freely in some stage, by index.
+fn free_walls(scenario: &Scenario) -> BTreeSet<usize> {
+    let free = told_motions(scenario).filter(|(_, motions)| motions.is_free());
+    free.map(|(wall, _)| wall)
+        .filter(|&wall| wall < scenario.walls.len())
+        .collect()
 }

@@ -1,9 +1,11 @@
-//! Walls that grains do not meet any more: those that lie outside of the domain, or have moved too far along a periodic one.
+//! Walls that grains do not meet any more: those that lie outside of the domain, or have moved too far along a periodic one or to a side of
+//! it across which they are not felt.
 
 use super::Scenario;
 use super::checks::told_motions;
 use crate::particles::{Domain, Grains};
 use crate::walls::{FARTHEST, Wall};
+use glam::DVec3;
 
 /// Moments of a stage at which it is foreseen where walls are.
 const MOMENTS: u32 = 64;
@@ -25,6 +27,13 @@ fn astray(wall: &Wall, domain: &Domain, reach: f64) -> Option<String> {
             moved[axis], size[axis]
         ));
     }
+    if let Some(axis) = (0..3).find(|&k| domain.periodic[k] && is_cut_off(wall, domain, reach, k)) {
+        return Some(format!(
+            "comes within a grain's radius of the periodic sides along {}, across which it is not felt, as it turns: grains reach through it \
+             there. Make the box longer, keep the body away from its sides, or let it slide alone, with `turns = []`",
+            AXES[axis]
+        ));
+    }
     let (lower, upper) = wall.rough_bounds()?;
     let is_beyond =
         |k: usize| !wall.is_repeated(k) && (upper[k] < domain.lower[k] - reach || lower[k] > domain.upper[k] + reach);
@@ -34,6 +43,14 @@ fn astray(wall: &Wall, domain: &Domain, reach: f64) -> Option<String> {
          grain feels it there",
         lower[axis], upper[axis], AXES[axis], domain.lower[axis], domain.upper[axis]
     ))
+}
+
+/// Whether a rigid body reaches to a side of the domain across which grains do not feel it.
+fn is_cut_off(wall: &Wall, domain: &Domain, reach: f64, axis: usize) -> bool {
+    let is_near = |(lower, upper): (DVec3, DVec3)| {
+        lower[axis] < domain.lower[axis] + reach || upper[axis] > domain.upper[axis] - reach
+    };
+    wall.is_body() && !wall.is_repeated(axis) && wall.bounds().is_some_and(is_near)
 }
 
 /// How far grains reach beyond the sides of the domain [m].

@@ -2,7 +2,7 @@
 
 use crate::contacts::Fault;
 use crate::simulation::Simulation;
-use crate::walls::FreeStep;
+use crate::walls::{FreeStep, STEPS_BETWEEN_LOOKS, meeting};
 
 impl Simulation {
     /// Moves all walls by one step; those that move with others after these.
@@ -28,6 +28,23 @@ impl Simulation {
                 step: self.step,
                 wall: wall.name.clone(),
                 quantity: quantity.into(),
+            }),
+        }
+    }
+
+    /// A rigid body that comes to another wall ends the run.
+    pub(super) fn check_bodies(&self) -> Result<(), Fault> {
+        if !self.step.is_multiple_of(STEPS_BETWEEN_LOOKS) {
+            return Ok(());
+        }
+        let name = |wall: usize| self.walls[wall].name.clone();
+        match meeting(&self.walls, self.dt) {
+            None => Ok(()),
+            Some(meeting) => Err(Fault::BodyAtWall {
+                step: self.step,
+                body: name(meeting.body),
+                wall: name(meeting.wall),
+                position: meeting.place,
             }),
         }
     }

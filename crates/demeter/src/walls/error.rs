@@ -84,9 +84,30 @@ pub enum WallError {
     },
     /// A free motion behind others.
     #[error(
-        "a motion that is free is not the first of those that add up; tell `free` or `hinge` first: the others are carried by it"
+        "a motion that is free is not the first of those that add up; tell `free`, `hinge` or `body` first: the others are carried by it"
     )]
     FreeNotFirst,
+    /// A body that may neither move nor turn.
+    #[error(
+        "the body may move along no axis and turn about none; leave its motion out, or free it in `slides` or `turns`"
+    )]
+    BodyHeld,
+    /// No mass that is nowhere negative has such moments of inertia.
+    #[error(
+        "no body has these moments of inertia: about three axes none is larger than the sum of the others, and products are small \
+         beside them; tell those about the centre of mass, in `products` the elements beside the diagonal of the tensor"
+    )]
+    Inertia,
+    /// The density of a wall that encloses nothing.
+    #[error(
+        "a `density` needs a closed mesh, or a sphere with `side = \"outside\"`; tell `mass`, `center_of_mass` and `inertia` of other shapes"
+    )]
+    NotSolid,
+    /// A closed mesh around no volume.
+    #[error(
+        "the mesh is closed but encloses no volume, so a `density` gives it no mass; look at it in a viewer, or tell `mass`"
+    )]
+    NoVolume,
     /// A wall that moves with another one and has motions of its own.
     #[error("a wall that moves `with` another has no other motion; tell that one to the wall it moves with")]
     WithOthers,

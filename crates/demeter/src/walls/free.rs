@@ -40,6 +40,10 @@ impl FreeBody {
         }
     }
 
+    pub(super) fn motion(&self) -> &FreeMotion {
+        &self.motion
+    }
+
     /// First half of a step.
     pub(super) fn advance(&mut self, dt: f64) {
         let m = self.motion;

@@ -4,12 +4,16 @@
 //! in which it was described, and a [`Pose`] carries it through the world. [`Wall::contacts`] is what the engine asks for
 //! each grain; [`Wall::advance`] moves the wall by one step.
 
+mod body;
 mod elements;
 mod error;
 mod free;
+mod giving_way;
 mod hierarchy;
 pub mod leak;
 mod limits;
+mod mass;
+mod meeting;
 pub mod mesh;
 mod mesh_file;
 mod motion;
@@ -30,7 +34,10 @@ mod surface;
 mod wall;
 mod work;
 
+pub use body::BodyMotion;
 pub use error::WallError;
+pub use mass::{BodyMass, MassProperties};
+pub(crate) use meeting::{STEPS_BETWEEN_LOOKS, meeting};
 pub(crate) use mesh::{Before, Overlap, SAME_SURFACE, TrianglePoint, are_one, are_still_one, joined};
 pub use mesh::{Mesh, MeshError};
 pub use mesh_file::{MeshFileContent, MeshFileError, MeshFormat, read_mesh};

@@ -7,6 +7,7 @@
 //! own axis is a planetary mixer; translation and rotation along one axis are a screw; oscillation before rotation is a
 //! vibrating drum whose axis shakes, too. The velocity of every point is the exact derivative of its place.
 
+use super::body::BodyMotion;
 use super::motion_table::MotionTable;
 use super::pace::Pace;
 use glam::DVec3;
@@ -79,6 +80,8 @@ pub enum Motion {
     },
     /// Moves freely along or about an axis, under the load of the grains and its own weight.
     Free(FreeMotion),
+    /// Moves as a rigid body, under the load of the grains and its own weight.
+    Body(BodyMotion),
     /// Moves as one body with another wall, told by its index.
     With(usize),
     /// Stands where [`Wall::drive`](super::Wall::drive) puts it before every step, and rests when nobody does.
@@ -170,6 +173,14 @@ impl Motions {
         self.parts.iter().all(|part| matches!(part.motion, Motion::Rest))
     }
 
+    /// Whether it moves freely: such a motion is always the first.
+    pub fn is_free(&self) -> bool {
+        matches!(
+            self.parts.first().map(|part| &part.motion),
+            Some(Motion::Free(_) | Motion::Body(_))
+        )
+    }
+
     /// The wall that this one moves with as one body, if any.
     pub fn leader(&self) -> Option<usize> {
         self.parts.iter().find_map(|part| match part.motion {
@@ -182,7 +193,7 @@ impl Motions {
     pub fn never_ends(&self) -> Option<&'static str> {
         self.parts.iter().find_map(|part| match &part.motion {
             Motion::Servo { .. } | Motion::TorqueServo { .. } => Some("its servo follows the load for ever"),
-            Motion::Free(_) => Some("it moves as its load lets it, for ever"),
+            Motion::Free(_) | Motion::Body(_) => Some("it moves as its load lets it, for ever"),
             Motion::With(_) => Some("it moves with another wall, whose motion may be named"),
             Motion::Driven { .. } => Some("it is moved from outside, by whoever knows when to end"),
             Motion::Table(table) if table.comes_to_rest() => None,

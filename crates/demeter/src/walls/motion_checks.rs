@@ -1,7 +1,9 @@
 //! What motions are refused.
 
+use super::body::BodyMotion;
 use super::error::WallError;
 use super::limits::{finite, in_range, not_negative, positive, unit};
+use super::mass::BodyMass;
 use super::motion::{FreeMotion, Freedom, Motion, MotionPart, Motions};
 use super::pace::Pace;
 
@@ -15,7 +17,7 @@ pub(super) fn check_motions(motions: Motions) -> Result<Motions, WallError> {
         return Err(WallError::Parts { count });
     }
     for (place, part) in motions.parts.iter().enumerate() {
-        if matches!(part.motion, Motion::Free(_)) && place > 0 {
+        if matches!(part.motion, Motion::Free(_) | Motion::Body(_)) && place > 0 {
             return Err(WallError::FreeNotFirst);
         }
         if matches!(part.motion, Motion::With(_)) && count > 1 {
@@ -39,7 +41,12 @@ fn check_pace(pace: Pace, motion: &Motion) -> Result<Pace, WallError> {
     }
     let is_prescribed = !matches!(
         motion,
-        Motion::Servo { .. } | Motion::TorqueServo { .. } | Motion::Free(_) | Motion::With(_) | Motion::Driven { .. }
+        Motion::Servo { .. }
+            | Motion::TorqueServo { .. }
+            | Motion::Free(_)
+            | Motion::Body(_)
+            | Motion::With(_)
+            | Motion::Driven { .. }
     );
     if !is_prescribed {
         return Err(WallError::PaceOfForce);
@@ -117,7 +124,32 @@ fn check_motion(motion: Motion) -> Result<Motion, WallError> {
             max_speed: positive("max_speed of the servo", max_speed)?,
         },
         Motion::Free(free) => Motion::Free(check_free(free)?),
+        Motion::Body(body) => Motion::Body(check_body(body)?),
     })
+}
+
+fn check_body(body: BodyMotion) -> Result<BodyMotion, WallError> {
+    let turns = body.turns.contains(&true);
+    if !turns && !body.slides.contains(&true) {
+        return Err(WallError::BodyHeld);
+    }
+    match body.mass {
+        BodyMass::Density(density) => drop(positive("the density", density)?),
+        BodyMass::Told(told) => {
+            positive("the mass", told.mass)?;
+            finite("the centre of mass", told.center)?;
+            for moments in [told.inertia.x_axis, told.inertia.y_axis, told.inertia.z_axis] {
+                finite("the inertia", moments)?;
+            }
+            if turns && !told.are_possible() {
+                return Err(WallError::Inertia);
+            }
+        }
+    }
+    finite("the acceleration of gravity", body.gravity)?;
+    finite("the velocity at the start", body.velocity)?;
+    finite("the angular velocity at the start", body.angular_velocity)?;
+    Ok(body)
 }
 
 fn check_free(free: FreeMotion) -> Result<FreeMotion, WallError> {

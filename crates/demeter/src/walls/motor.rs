@@ -1,10 +1,14 @@
 //! Moves a wall: evaluates its motions at the time of its own clock.
 
+use super::body::RigidBody;
+use super::error::WallError;
 use super::free::FreeBody;
-use super::motion::{FreeMotion, Freedom, Motion, MotionPart, Motions};
+use super::motion::{Freedom, Motion, MotionPart, Motions};
+use super::motion_checks::check_motions;
 use super::movement::{Carried, Movement};
 use super::pose::Pose;
 use super::servo::Servo;
+use super::surface::Surface;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -45,6 +49,8 @@ enum Drive {
     Servo { servo: Servo, way: f64, speed: f64 },
     /// The load itself.
     Free(FreeBody),
+    /// Likewise, as a rigid body.
+    Body(Box<RigidBody>),
     /// Somebody who tells place and rate before every step.
     Driver {
         told: Driven,
@@ -71,17 +77,18 @@ struct Part {
 }
 
 impl Part {
-    fn new(told: MotionPart) -> Self {
+    fn new(told: MotionPart, body: Option<&RigidBody>) -> Self {
         let servo = |target, max_speed| Drive::Servo {
             servo: Servo::new(target, max_speed),
             way: 0.0,
             speed: 0.0,
         };
-        let drive = match told.motion {
-            Motion::Servo { force, max_speed, .. } => servo(force, max_speed),
-            Motion::TorqueServo { torque, max_speed, .. } => servo(torque, max_speed),
-            Motion::Free(free) => Drive::Free(FreeBody::new(free)),
-            Motion::Driven { .. } => Drive::Driver {
+        let drive = match (&told.motion, body) {
+            (Motion::Body(_), Some(body)) => Drive::Body(Box::new(*body)),
+            (Motion::Servo { force, max_speed, .. }, _) => servo(*force, *max_speed),
+            (Motion::TorqueServo { torque, max_speed, .. }, _) => servo(*torque, *max_speed),
+            (Motion::Free(free), _) => Drive::Free(FreeBody::new(*free)),
+            (Motion::Driven { .. }, _) => Drive::Driver {
                 told: Driven::default(),
                 is_fresh: false,
             },
@@ -98,6 +105,7 @@ impl Part {
             }
             Drive::Servo { way, speed, .. } => (*way, *speed),
             Drive::Free(body) => (body.coordinate, body.speed),
+            Drive::Body(body) => return Movement::of_body(body),
             Drive::Driver { told, .. } => return self.driven(told),
         };
         match self.joint() {
@@ -171,11 +179,12 @@ pub(super) struct Motor {
 }
 
 impl Motor {
-    /// Begins motions at a pose. `origin` is the wall's origin in the wall frame; `leader` where the wall stands that this
-    /// one moves with, if any.
-    pub(super) fn new(motions: Motions, pose: Pose, leader: Pose, origin: DVec3) -> Self {
+    /// Begins motions at a pose. `body` is the rigid body that they make of the wall, if they do; `origin` the wall's origin in the wall
+    /// frame; `leader` where the wall stands that this one moves with, if any.
+    pub(super) fn new(motions: Motions, body: Option<&RigidBody>, pose: Pose, leader: Pose, origin: DVec3) -> Self {
+        let parts = motions.parts.into_iter().map(|part| Part::new(part, body));
         let mut motor = Motor {
-            parts: motions.parts.into_iter().map(Part::new).collect(),
+            parts: parts.collect(),
             clock: Clock::default(),
             began: pose,
             leader_began: leader,
@@ -189,6 +198,21 @@ impl Motor {
         motor
     }
 
+    /// Begins motions of a surface, where it stands at the first pose, as [`new`](Self::new) does; tells what is wrong with them.
+    pub(super) fn begun(
+        motions: Motions,
+        surface: &Surface,
+        (pose, leader): (Pose, Pose),
+        origin: DVec3,
+    ) -> Result<Self, WallError> {
+        let motions = check_motions(motions)?;
+        let body = match motions.parts.first().map(|part| &part.motion) {
+            Some(Motion::Body(body)) => Some(RigidBody::new(body, body.mass.of(surface, origin, &pose)?)),
+            _ => None,
+        };
+        Ok(Motor::new(motions, body.as_ref(), pose, leader, origin))
+    }
+
     /// The wall that this one moves with, if any.
     #[inline]
     pub(super) fn leader(&self) -> Option<usize> {
@@ -198,19 +222,41 @@ impl Motor {
         }
     }
 
-    /// How the wall moves freely, if it does.
-    pub(super) fn free_motion(&self) -> Option<&FreeMotion> {
-        match &self.parts.first()?.told.motion {
-            Motion::Free(free) => Some(free),
+    /// What moves the first part: a free motion is always that.
+    #[inline]
+    fn first_drive(&self) -> Option<&Drive> {
+        self.parts.first().map(|part| &part.drive)
+    }
+
+    /// Whether the wall moves freely.
+    #[inline]
+    pub(super) fn is_free(&self) -> bool {
+        matches!(self.first_drive(), Some(Drive::Free(_) | Drive::Body(_)))
+    }
+
+    /// The rigid body that the wall is, if it is one.
+    pub(super) fn body(&self) -> Option<&RigidBody> {
+        match self.first_drive() {
+            Some(Drive::Body(body)) => Some(body),
             _ => None,
+        }
+    }
+
+    /// Least mass with which it gives way within bounds [kg]; infinite of a wall that does not move freely.
+    pub(super) fn least_mass(&self, bounds: Option<(DVec3, DVec3)>) -> f64 {
+        match self.first_drive() {
+            Some(Drive::Free(body)) => body.motion().least_mass(bounds),
+            Some(Drive::Body(body)) => body.least_mass(bounds),
+            _ => f64::INFINITY,
         }
     }
 
     /// See [`FreeBody::inverse_mass`]; 0 of a wall that does not move freely.
     #[inline]
     pub(super) fn inverse_mass(&self, point: DVec3, direction: DVec3) -> f64 {
-        match self.parts.first().map(|part| &part.drive) {
+        match self.first_drive() {
             Some(Drive::Free(body)) => body.inverse_mass(point, direction),
+            Some(Drive::Body(body)) => body.inverse_mass(point, direction),
             _ => 0.0,
         }
     }
@@ -226,6 +272,7 @@ impl Motor {
                     *way += *speed * dt;
                 }
                 Drive::Free(body) => body.advance(dt),
+                Drive::Body(body) => body.advance(dt),
                 Drive::Driver { told, is_fresh } => {
                     if !std::mem::take(is_fresh) {
                         told.rate = DVec3::ZERO;
@@ -289,20 +336,30 @@ impl Motor {
 
     /// Completes the step of a freely moving wall; tells what it did.
     pub(super) fn settle(&mut self, origin: DVec3) -> Option<FreeStep> {
-        // a free motion is always the first
-        let effort = match self.parts.first()?.drive {
-            Drive::Free(_) => self.effort(0, origin),
+        let effort = self.is_free().then(|| self.effort(0, origin))?;
+        let (force, torque) = self.load;
+        let place = origin + self.pose.translation;
+        let step = match &mut self.parts.first_mut()?.drive {
+            Drive::Free(body) => {
+                let power = effort * body.speed;
+                body.settle(effort);
+                FreeStep {
+                    power,
+                    dissipated: body.dissipated(),
+                    kinetic: body.kinetic(),
+                }
+            }
+            Drive::Body(body) => {
+                let load = (force, torque + (place - body.center()).cross(force));
+                let power = body.power(load);
+                body.settle(load);
+                FreeStep {
+                    power,
+                    dissipated: 0.0,
+                    kinetic: body.kinetic(),
+                }
+            }
             _ => return None,
-        };
-        let Drive::Free(body) = &mut self.parts.first_mut()?.drive else {
-            return None;
-        };
-        let predicted = body.speed;
-        body.settle(effort);
-        let step = FreeStep {
-            power: effort * predicted,
-            dissipated: body.dissipated(),
-            kinetic: body.kinetic(),
         };
         self.evaluate(origin);
         Some(step)
@@ -310,8 +367,9 @@ impl Motor {
 
     /// Energy of a freely moving wall [J].
     pub(super) fn energy(&self) -> f64 {
-        match self.parts.first().map(|part| &part.drive) {
+        match self.first_drive() {
             Some(Drive::Free(body)) => body.energy(),
+            Some(Drive::Body(body)) => body.energy(),
             _ => 0.0,
         }
     }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 const ORIGIN: DVec3 = DVec3::new(0.5, -0.25, 2.0);
 
 fn begin(motions: impl Into<Motions>) -> Motor {
-    Motor::new(motions.into(), Pose::START, Pose::START, ORIGIN)
+    Motor::new(motions.into(), None, Pose::START, Pose::START, ORIGIN)
 }
 
 fn run(motions: impl Into<Motions>, dt: f64, steps: u32) -> Motor {
@@ -182,7 +182,7 @@ fn a_new_motion_starts_where_the_last_one_ended() {
         frequency: 1.0,
         phase: 1.0,
     };
-    motor = Motor::new(swing.into(), there, Pose::START, ORIGIN);
+    motor = Motor::new(swing.into(), None, there, Pose::START, ORIGIN);
     assert_eq!(motor.pose, there);
     assert!((motor.velocity - DVec3::Z * (TAU * 1f64.cos())).length() < 1e-14);
     motor.advance(1.0, ORIGIN);
@@ -193,7 +193,7 @@ fn a_new_motion_starts_where_the_last_one_ended() {
 fn a_wall_that_moves_with_another_is_one_body_with_it() {
     let its_origin = DVec3::new(-1.0, 0.3, 0.2);
     let motions = all(&[Motion::Velocity(DVec3::X), rotation(DVec3::ONE, DVec3::Y, 2.0)]);
-    let mut leader = Motor::new(motions, Pose::START, Pose::START, its_origin);
+    let mut leader = Motor::new(motions, None, Pose::START, Pose::START, its_origin);
     for _ in 0..100 {
         leader.advance(1e-3, its_origin);
     }
@@ -201,7 +201,7 @@ fn a_wall_that_moves_with_another_is_one_body_with_it() {
         translation: DVec3::new(0.2, 0.1, 0.0),
         rotation: rotation_about(DVec3::Z, 0.4),
     };
-    let mut follower = Motor::new(Motion::With(0).into(), began, leader.pose, ORIGIN);
+    let mut follower = Motor::new(Motion::With(0).into(), None, began, leader.pose, ORIGIN);
     let apart =
         |leader: &Motor, follower: &Motor, x: DVec3| leader.pose.unplace(its_origin, follower.pose.place(ORIGIN, x));
     follower.follow(&leader, its_origin, ORIGIN);

@@ -1,11 +1,12 @@
 //! One motion of a wall at one moment, as a rigid movement with its velocity.
 
+use super::body::RigidBody;
 use super::motion::Motion;
 use super::pose::{Pose, rotation_about};
 use glam::{DQuat, DVec3};
 use std::f64::consts::TAU;
 
-/// A turn about an axis, and a shift after it; and their rates.
+/// A turn about a point, and a shift after it; and their rates.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Movement {
     pub(super) turn: Option<Turn>,
@@ -15,13 +16,24 @@ pub(super) struct Movement {
     pub(super) belt: DVec3,
 }
 
-/// A turn about an axis.
+/// A turn about a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turn {
     pub(super) point: DVec3,
-    pub(super) axis: DVec3,
-    pub(super) angle: f64,
-    pub(super) rate: f64,
+    /// `None` where it has not turned.
+    pub(super) rotation: Option<DQuat>,
+    /// Angular velocity [1/s].
+    pub(super) spin: DVec3,
+}
+
+impl Turn {
+    fn about(point: DVec3, axis: DVec3, angle: f64, rate: f64) -> Self {
+        Self {
+            point,
+            rotation: (angle != 0.0).then(|| rotation_about(axis, angle)),
+            spin: axis * rate,
+        }
+    }
 }
 
 /// A wall on its way: where it stands and how it moves.
@@ -41,6 +53,7 @@ impl Movement {
             | Motion::Servo { .. }
             | Motion::TorqueServo { .. }
             | Motion::Free(_)
+            | Motion::Body(_)
             | Motion::With(_)
             | Motion::Driven { .. } => Self::default(),
             Motion::Velocity(velocity) => Self::along(*velocity, time, rate),
@@ -75,12 +88,8 @@ impl Movement {
                 let ([x, y, z, angle], [vx, vy, vz, turning]) = table.at(time);
                 let mut movement = Self::along(DVec3::new(x, y, z), 1.0, 0.0);
                 movement.velocity = DVec3::new(vx, vy, vz) * rate;
-                movement.turn = table.axis().map(|(point, axis)| Turn {
-                    point,
-                    axis,
-                    angle,
-                    rate: turning * rate,
-                });
+                let about = |(point, axis)| Turn::about(point, axis, angle, turning * rate);
+                movement.turn = table.axis().map(about);
                 movement
             }
         }
@@ -98,21 +107,29 @@ impl Movement {
     /// By an angle about an axis.
     pub(super) fn about(point: DVec3, axis: DVec3, angle: f64, rate: f64) -> Self {
         Self {
-            turn: Some(Turn {
-                point,
-                axis,
-                angle,
-                rate,
-            }),
+            turn: Some(Turn::about(point, axis, angle, rate)),
             ..Self::default()
+        }
+    }
+
+    /// As a rigid body has moved.
+    pub(super) fn of_body(body: &RigidBody) -> Self {
+        Self {
+            turn: Some(Turn {
+                point: body.first_center(),
+                rotation: (body.rotation != DQuat::IDENTITY).then_some(body.rotation),
+                spin: body.spin,
+            }),
+            shift: body.way,
+            velocity: body.velocity,
+            belt: DVec3::ZERO,
         }
     }
 
     /// Carries a wall, with what it has done so far. `origin`: that of the wall in its own frame.
     pub(super) fn carry(&self, wall: &mut Carried, origin: DVec3) {
         if let Some(turn) = &self.turn {
-            if turn.angle != 0.0 {
-                let turned = rotation_about(turn.axis, turn.angle);
+            if let Some(turned) = turn.rotation {
                 let arm = origin + wall.pose.translation - turn.point;
                 wall.pose.rotation = turned * wall.pose.rotation;
                 wall.pose.translation += turned * arm - arm;
@@ -120,9 +137,8 @@ impl Movement {
                 wall.angular_velocity = turned * wall.angular_velocity;
                 wall.belt = turned * wall.belt;
             }
-            let spin = turn.axis * turn.rate;
-            wall.angular_velocity += spin;
-            wall.velocity += spin.cross(origin + wall.pose.translation - turn.point);
+            wall.angular_velocity += turn.spin;
+            wall.velocity += turn.spin.cross(origin + wall.pose.translation - turn.point);
         }
         wall.pose.translation += self.shift;
         wall.velocity += self.velocity;
@@ -131,8 +147,9 @@ impl Movement {
 
     /// Carries an axis: a point of it and its direction.
     pub(super) fn carry_axis(&self, (mut point, mut direction): (DVec3, DVec3)) -> (DVec3, DVec3) {
-        if let Some(turn) = &self.turn {
-            let turned: DQuat = rotation_about(turn.axis, turn.angle);
+        if let Some(turn) = &self.turn
+            && let Some(turned) = turn.rotation
+        {
             point = turn.point + turned * (point - turn.point);
             direction = turned * direction;
         }

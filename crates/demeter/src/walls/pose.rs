@@ -65,6 +65,20 @@ impl Pose {
         origin + turned::<L>(self.rotation.conjugate(), from_origin)
     }
 
+    /// Axis of the rotation times its angle [rad], half a turn at most.
+    pub fn turning(&self) -> DVec3 {
+        let rotation = if self.rotation.w < 0.0 {
+            -self.rotation
+        } else {
+            self.rotation
+        };
+        let axis = DVec3::new(rotation.x, rotation.y, rotation.z);
+        match axis.length() {
+            0.0 => DVec3::ZERO,
+            sine => axis * (2.0 * libm::atan2(sine, rotation.w) / sine),
+        }
+    }
+
     /// World direction of a direction of the wall frame.
     #[inline]
     pub fn turn(&self, direction: DVec3) -> DVec3 {
@@ -128,5 +142,13 @@ mod tests {
     fn rotation_is_right_handed() {
         let quarter = rotation_about(DVec3::Z, std::f64::consts::FRAC_PI_2);
         assert!((quarter * DVec3::X - DVec3::Y).length() < 1e-15);
+        let turning = |angle: f64| {
+            let rotation = rotation_about(DVec3::NEG_Y, angle);
+            let translation = DVec3::ZERO;
+            (Pose { translation, rotation }).turning()
+        };
+        assert!((turning(0.3) - DVec3::NEG_Y * 0.3).length() < 1e-15 && turning(0.0) == DVec3::ZERO);
+        // more than half a turn is less the other way round
+        assert!((turning(4.0) - DVec3::Y * (std::f64::consts::TAU - 4.0)).length() < 1e-14);
     }
 }

@@ -75,6 +75,14 @@ impl Motion {
                 Freedom::Slide { axis: way } => shifted(way),
                 Freedom::Hinge { axis: about, .. } => turned(about),
             },
+            Motion::Body(body) => {
+                let others = [0, 1, 2].into_iter().filter(|&other| other != axis);
+                match (body.slides[axis], others.into_iter().any(|other| body.turns[other])) {
+                    (_, true) => Drift::Turns,
+                    (true, false) => Drift::Along,
+                    (false, false) => Drift::None,
+                }
+            }
             Motion::Driven { axis: None } => Drift::Along,
             Motion::Driven { axis: Some((_, about)) } => turned(about),
         }

@@ -2,6 +2,7 @@
 
 use super::elements;
 use super::error::WallError;
+use super::meeting::Corners;
 use super::mesh::{Before, Mesh, TrianglePoint};
 use super::motion::Motions;
 use super::motion_checks::check_motions;
@@ -47,8 +48,10 @@ pub struct Wall {
     as_told: Option<Box<Surface>>,
     /// Axes along which it is repeated.
     repeated: [bool; 3],
+    /// Corners of what is drawn of it.
+    pub(super) corners: Corners,
     /// Centroid of the shape in the wall frame.
-    origin: DVec3,
+    pub(super) origin: DVec3,
     pub(super) motor: Motor,
     pub(super) force: DVec3,
     pub(super) torque: DVec3,
@@ -73,13 +76,14 @@ impl Wall {
     pub fn new(name: &str, material: u16, shape: Shape, motion: impl Into<Motions>) -> Result<Self, WallError> {
         let surface = Surface::new(shape)?;
         let origin = surface.centroid();
-        let motor = Motor::new(check_motions(motion.into())?, Pose::START, Pose::START, origin);
+        let motor = Motor::begun(motion.into(), &surface, (Pose::START, Pose::START), origin)?;
         let (force, torque) = (DVec3::ZERO, DVec3::ZERO);
         Ok(Wall {
             name: name.to_owned(),
             material,
             surface,
             as_told: None,
+            corners: Corners::default(),
             repeated: [false; 3],
             origin,
             motor,
@@ -111,7 +115,7 @@ impl Wall {
     }
 
     /// The surface as it was described.
-    fn described(&self) -> &Surface {
+    pub(super) fn described(&self) -> &Surface {
         self.as_told.as_deref().unwrap_or(&self.surface)
     }
 
@@ -280,12 +284,6 @@ impl Wall {
         self.motor.velocity
     }
 
-    /// Whether the wall moves freely.
-    #[inline]
-    pub(crate) fn is_free(&self) -> bool {
-        self.motor.free_motion().is_some()
-    }
-
     /// Velocity of the wall, as a rigid body, at a point of the world [m/s].
     #[inline]
     pub fn velocity_at(&self, point: DVec3) -> DVec3 {
@@ -304,21 +302,6 @@ impl Wall {
         // it changes along straight lines from place to place
         let speeds = outline::corners(lower, upper).map(|corner| self.velocity_at(corner).length());
         speeds.into_iter().fold(0.0, f64::max)
-    }
-
-    /// Inverse of the mass with which a freely moving wall gives way to a push along a direction at a point [1/kg]:
-    /// `(a.n)^2/m` of one that slides along `a`, `(a.(r x n))^2/I` of one that turns about a hinge; 0 of all others. A wall that
-    /// moves with another one gives way as that one does.
-    #[inline]
-    pub fn inverse_mass_at(&self, point: DVec3, direction: DVec3) -> f64 {
-        self.motor.inverse_mass(point, direction)
-    }
-
-    /// Least mass with which the wall gives way to a push anywhere [kg]; infinite where it does not move freely.
-    pub fn least_mass(&self) -> f64 {
-        self.motor
-            .free_motion()
-            .map_or(f64::INFINITY, |free| free.least_mass(self.bounds()))
     }
 
     /// Angular velocity of the wall [1/s].
@@ -352,7 +335,7 @@ impl Wall {
     /// Starts other motions from where the wall stands; `leader` is where the wall stands that this one moves with, if any.
     pub fn set_motion_behind(&mut self, motion: impl Into<Motions>, leader: Pose) -> Result<(), WallError> {
         let load = self.motor.load();
-        self.motor = Motor::new(check_motions(motion.into())?, self.motor.pose, leader, self.origin);
+        self.motor = Motor::begun(motion.into(), self.described(), (self.motor.pose, leader), self.origin)?;
         self.motor.bear(load);
         self.go_on_working();
         Ok(())
@@ -418,12 +401,6 @@ impl Wall {
     /// Completes a step when its load is known; tells what the wall did when it moves freely.
     pub fn settle(&mut self) -> Option<FreeStep> {
         self.motor.settle(self.origin)
-    }
-
-    /// Kinetic energy of a freely moving wall, with that of its weight and spring, 0 where it stood when the motion was told,
-    /// but for a speed that it was given [J].
-    pub fn energy(&self) -> f64 {
-        self.motor.energy()
     }
 
     /// Whether all motions of the wall have stopped for good, or tables have come to their ends.

@@ -1,12 +1,12 @@
 //! Small beds of many grains that use every feature that has a memory: friction, rolling springs, meshes, servo,
 //! periodic sides, removal.
 
-use super::{Case, G, Laws, law, one_material};
+use super::{Case, G, Laws, brick, law, one_material};
 use demeter::contacts::Coupling;
 use demeter::insertion::{Amount, Insertion, Region, SizeDistribution, Source, insert};
 use demeter::particles::{Domain, Outside};
 use demeter::simulation::Setup;
-use demeter::walls::{Motion, Shape};
+use demeter::walls::{BodyMass, BodyMotion, Motion, Shape};
 use demeter_physics::DVec3;
 use demeter_physics::integrator::Integrator;
 use std::f64::consts::TAU;
@@ -274,16 +274,27 @@ fn shear(count: u32) -> Setup {
     case.setup()
 }
 
-/// A cloud that flies apart; what leaves the domain is removed.
+/// A cloud that flies apart, below a cube that floats above it; what leaves the domain is removed.
 fn removal(count: u32) -> Setup {
     let laws = Laws::hertz(0.7).friction(mindlin());
     let mut case = Case::new(one_material(5e6, &laws));
     let a = edge(count, 0.4);
     fill(&mut case, DVec3::ZERO, DVec3::splat(a), count, 0.8);
     case.plane(0, DVec3::ZERO, DVec3::Z);
+    let half = 0.2 * a;
+    let floating = BodyMotion {
+        mass: BodyMass::Density(500.0),
+        gravity: DVec3::ZERO,
+        velocity: DVec3::ZERO,
+        angular_velocity: DVec3::new(5.0, 10.0, -3.0),
+        slides: [true; 3],
+        turns: [true; 3],
+    };
+    let triangles = brick(DVec3::new(0.5, 0.5, 1.4) * a, DVec3::splat(half));
+    case.wall(0, Shape::Mesh { triangles }, Motion::Body(floating));
     case.domain = Domain {
         lower: DVec3::splat(-0.1 * a),
-        upper: DVec3::splat(1.1 * a),
+        upper: DVec3::new(1.1, 1.1, 1.3) * a,
         periodic: [false; 3],
         outside: Outside::Remove,
     };

@@ -93,6 +93,22 @@ impl Laws {
     }
 }
 
+/// Triangles of a brick, told by its centre and half of its edges.
+pub fn brick(center: DVec3, half: DVec3) -> Vec<[DVec3; 3]> {
+    let side = |bit: usize| if bit > 0 { 1.0 } else { -1.0 };
+    let corner = |k: usize| center + half * DVec3::new(side(k & 1), side(k & 2), side(k & 4));
+    let faces = [
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+    ];
+    let halves = faces.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    halves.map(|corners| corners.map(corner)).collect()
+}
+
 pub fn material(young_modulus: f64) -> Material {
     Material {
         name: format!("material of {young_modulus} Pa"),

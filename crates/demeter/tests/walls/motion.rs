@@ -1,5 +1,6 @@
 //! Equipment in motion: mixers, flaps, presses, shear cells, covers that vanish; what they do, and that the books close.
 
+mod bodies;
 mod giving_way;
 
 use crate::cases::beds::bed;

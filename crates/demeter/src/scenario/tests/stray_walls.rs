@@ -95,3 +95,32 @@ fn a_wall_that_leaves_is_told_once_and_again_when_it_left_again() {
         "{news:?}"
     );
 }
+
+/// A body that turns is felt on its side of a periodic box alone; one that slides also across it.
+#[test]
+fn a_body_that_comes_to_a_periodic_side_is_told() {
+    let news = |turns: &str| {
+        let body = format!(
+            "{{ body = {{ mass = \"1 g\", center_of_mass = \"10 10 2 mm\", inertia = \"1e-9 1e-9 2e-9 kg m^2\", {turns} \
+             velocity = \"1 0 0 m/s\", slides = [\"x\"] }} }}"
+        );
+        let setup = prepare(&parse(&plate(10.0, 3.0, 2.0, &body), &[]).unwrap())
+            .unwrap()
+            .setup;
+        let (mut walls, domain, grains) = (setup.walls, setup.domain, setup.grains);
+        let mut stray = StrayWalls::of(&walls, &domain, &grains);
+        let mut news = Vec::new();
+        // by 8 mm
+        for _ in 0..8 {
+            walls.iter_mut().for_each(|wall: &mut Wall| wall.advance(1e-3));
+            news.extend(stray.news(&walls, &domain, &grains));
+        }
+        news
+    };
+    assert_eq!(news("turns = [],"), Vec::<String>::new());
+    let told = news("");
+    assert!(
+        told.len() == 1 && told[0].contains("a grain's radius of the periodic sides along x"),
+        "{told:?}"
+    );
+}
