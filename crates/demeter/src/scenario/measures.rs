@@ -9,7 +9,8 @@ use super::region_measures::{cylinder_profile, mass_flow, mixing, neighbour_mixi
 use super::zones::{Named, region, selection};
 use crate::measure::{
     BinsError, Collisions, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceChains,
-    ForceDistribution, GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence, Slope,
+    ForceDistribution, GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence,
+    Selection, Slope,
 };
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
@@ -67,6 +68,31 @@ pub enum MeasureKind {
     CylinderProfile(CylinderProfile),
     /// Columns of the series, and a file of its own.
     Collisions(Collisions),
+}
+
+impl MeasureKind {
+    /// Which grains it is about, where it is about some alone.
+    pub(super) fn selection(&self) -> Option<&Selection> {
+        Some(match self {
+            Self::ContactNetwork(_) | Self::ForceDistribution(_) => return None,
+            Self::RegionCount(count) => &count.selection,
+            Self::GrainTrace(trace) => &trace.selection,
+            Self::MassFlow(flow) => &flow.selection,
+            Self::Mixing(mixing) => &mixing.selection,
+            Self::Slope(slope) => &slope.selection,
+            Self::Profile(profile) => &profile.selection,
+            Self::Field(field) => &field.selection,
+            Self::Fabric(fabric) => &fabric.selection,
+            Self::ContactAngles(angles) => &angles.selection,
+            Self::Residence(residence) => &residence.selection,
+            Self::Displacement(displacement) => &displacement.selection,
+            Self::Paths(paths) => &paths.selection,
+            Self::ForceChains(chains) => &chains.selection,
+            Self::NeighbourMixing(mixing) => &mixing.selection,
+            Self::CylinderProfile(profile) => &profile.selection,
+            Self::Collisions(collisions) => &collisions.selection,
+        })
+    }
 }
 
 /// The contact networks of a list of measures, with their names.

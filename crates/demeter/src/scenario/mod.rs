@@ -45,6 +45,7 @@ mod run;
 mod run_error;
 mod run_options;
 pub mod schema;
+mod selections;
 mod settings;
 mod sizes;
 mod stages;

@@ -2,6 +2,7 @@ mod faults;
 mod in_vain;
 mod mesh_units;
 mod reference;
+mod selections;
 mod stray_walls;
 
 use super::*;
