@@ -65,17 +65,7 @@ fn inlets() -> [Inlet; 5] {
 
 /// The triangles of a cube from -0.2 to 0.2; the third and fourth are its upper face.
 fn cube() -> Vec<[DVec3; 3]> {
-    let corner = |k: usize| DVec3::from_array([0, 1, 2].map(|bit| if k >> bit & 1 == 1 { 0.2 } else { -0.2 }));
-    let faces = [
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-    ];
-    let cut = |[a, b, c, d]: [usize; 4]| [[a, b, c], [a, c, d]];
-    faces.into_iter().flat_map(cut).map(|t| t.map(corner)).collect()
+    crate::particles::boxed(DVec3::splat(-0.2), DVec3::splat(0.2))
 }
 
 /// Lets grains come until one finds no room.

@@ -265,12 +265,12 @@ fn side(a: &Corner, b: &Corner, p: Corner) -> i64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use glam::dvec3;
 
     /// Triangles of a box, each face cut along a diagonal.
-    fn boxed(lower: DVec3, upper: DVec3) -> Vec<[DVec3; 3]> {
+    pub(crate) fn boxed(lower: DVec3, upper: DVec3) -> Vec<[DVec3; 3]> {
         let corner = |k: usize| {
             let pick = |bit: usize, axis: usize| if k >> bit & 1 == 1 { upper[axis] } else { lower[axis] };
             dvec3(pick(0, 0), pick(1, 1), pick(2, 2))

@@ -12,6 +12,8 @@ mod zone;
 
 pub use by_id::ById;
 pub use domain::{Domain, Outside};
+#[cfg(test)]
+pub(crate) use interior::tests::boxed;
 pub use interior::{Interior, InteriorError};
 pub(crate) use load::HalfKick;
 use load::HalfKicks;

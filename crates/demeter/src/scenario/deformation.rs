@@ -1,5 +1,6 @@
 //! Tables `[domain.deform]` and `[stage.deform]`: how a periodic box deforms.
 
+use super::AXES;
 use super::quantity::Kind;
 use super::reader::TableReader;
 use super::{Diagnostics, Scenario};
@@ -10,8 +11,6 @@ use demeter_physics::dimension::Dimension;
 use demeter_physics::integrator::Integrator;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Reads the table `deform` of another, if it is there.
 pub(super) fn deformation(above: &TableReader<'_>) -> Option<Deformation> {

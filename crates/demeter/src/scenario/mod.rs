@@ -113,6 +113,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// Names of the coordinate axes.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// All keys of a scenario, with their meaning.
 pub const REFERENCE: &str = include_str!("reference.md");
 

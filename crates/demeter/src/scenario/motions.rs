@@ -1,5 +1,6 @@
 //! Motions of walls, as `[[wall]]` and `[[stage]]` tell them.
 
+use super::AXES;
 use super::document::Value;
 use super::grains::existing_file;
 use super::quantity::Kind;
@@ -40,8 +41,6 @@ const KINDS: [&str; 12] = [
     "body",
     "with",
 ];
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 const LENGTH: Kind = Kind::Physical(Dimension::LENGTH);
 const VELOCITY: Kind = Kind::Physical(Dimension::VELOCITY);

@@ -1,11 +1,10 @@
 //! Walls in a domain with periodic sides: which are felt across them, and what to tell of those that are not.
 
+use super::AXES;
 use super::Scenario;
 use super::checks::told_motions;
 use crate::particles::{Domain, Grains};
 use crate::walls::{Drift, Wall, WallError};
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// How every wall may move along the axes in the whole run.
 pub(super) fn drifts(scenario: &Scenario) -> Vec<[Drift; 3]> {

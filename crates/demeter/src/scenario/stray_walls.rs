@@ -1,6 +1,7 @@
 //! Walls that grains do not meet any more: those that lie outside of the domain, or have moved too far along a periodic one or to a side of
 //! it across which they are not felt.
 
+use super::AXES;
 use super::Scenario;
 use super::checks::told_motions;
 use crate::particles::{Domain, Grains};
@@ -11,8 +12,6 @@ use glam::DVec3;
 const MOMENTS: u32 = 64;
 /// Most stages that are foreseen.
 const MOST_STAGES: usize = 100;
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Why grains do not meet a wall, if they do not; `reach`: how far they reach beyond the sides of the domain [m].
 fn astray(wall: &Wall, domain: &Domain, reach: f64) -> Option<String> {

@@ -53,7 +53,7 @@ impl MassProperties {
     /// negative. There is room for what a user rounds off.
     pub(super) fn are_possible(&self) -> bool {
         let moments = second_moments(&self.inertia);
-        let scale = 1e-3 * (moments.x_axis.x + moments.y_axis.y + moments.z_axis.z);
+        let scale = 1e-3 * trace(&moments);
         let m = moments + DMat3::from_diagonal(DVec3::splat(scale));
         // all leading minors of a positive matrix are positive
         let minors = [
@@ -67,8 +67,7 @@ impl MassProperties {
 
 /// `tr(M)/2 - M`: integrals of `x_i x_j dm` of a tensor of inertia.
 fn second_moments(inertia: &DMat3) -> DMat3 {
-    let trace = inertia.x_axis.x + inertia.y_axis.y + inertia.z_axis.z;
-    DMat3::from_diagonal(DVec3::splat(0.5 * trace)) - *inertia
+    DMat3::from_diagonal(DVec3::splat(0.5 * trace(inertia))) - *inertia
 }
 
 /// Mass, centre and inertia of what a surface encloses, in the wall frame.
@@ -133,22 +132,8 @@ fn square(v: DVec3) -> DMat3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::particles::boxed;
     use crate::walls::shape::Shape;
-
-    /// Triangles of a brick between two corners.
-    fn brick(lower: DVec3, upper: DVec3) -> Vec<[DVec3; 3]> {
-        let corner = |k: usize| DVec3::select(glam::BVec3::new(k & 1 > 0, k & 2 > 0, k & 4 > 0), upper, lower);
-        let faces = [
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-        ];
-        let halves = faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]);
-        halves.map(|ids| ids.map(corner)).collect()
-    }
 
     fn near(found: DMat3, exact: DMat3) -> bool {
         let differs = |k: usize| (found.col(k) - exact.col(k)).length();
@@ -166,7 +151,7 @@ mod tests {
             moment(size.x, size.z),
             moment(size.x, size.y),
         ));
-        let outside = brick(lower, upper);
+        let outside = boxed(lower, upper);
         let inside: Vec<[DVec3; 3]> = outside.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
         for triangles in [outside, inside] {
             let surface = Surface::new(Shape::Mesh { triangles }).unwrap();
@@ -193,7 +178,7 @@ mod tests {
     #[test]
     fn what_encloses_nothing_has_no_density() {
         let of = |shape| BodyMass::Density(1.0).of(&Surface::new(shape).unwrap(), DVec3::ZERO, &Pose::START);
-        let mut open = brick(DVec3::ZERO, DVec3::ONE);
+        let mut open = boxed(DVec3::ZERO, DVec3::ONE);
         open.pop();
         assert!(matches!(of(Shape::Mesh { triangles: open }), Err(WallError::Mesh(_))));
         let sphere = |side| Shape::Sphere {
