@@ -8,7 +8,7 @@ use super::respond::Respond;
 use super::sum::Sink;
 use demeter_physics::contact::PairLaw;
 use demeter_physics::contact::normal::{Normal, NormalLaw, NormalVisitor};
-use demeter_physics::contact::rolling::RollingResponse;
+use demeter_physics::contact::rolling::{Rolling, RollingLaw, RollingResponse, RollingVisitor};
 use demeter_physics::contact::tangential::{Tangential, TangentialLaw, TangentialResponse, TangentialVisitor};
 use demeter_physics::lanes::{self, Instructions, Lanes, Vector};
 
@@ -70,26 +70,52 @@ impl Laws for &PairLaw {
     fn roll<L: Lanes>(self, ask: Roll<L>) -> RollingResponse<L> {
         match &self.rolling {
             Some(law) => law.visit(ask),
-            None => RollingResponse {
-                torque: L::Vector::null(),
-                dissipated: L::splat(0.0),
-            },
+            None => ().roll(ask),
         }
     }
 }
 
-/// A normal law and friction, without resistance to rolling.
-struct Both<'a, N, T>(&'a N, &'a T);
+/// What resists rolling: a law, or nothing.
+trait Resists: Copy {
+    /// Whether anything does.
+    const ROLLS: bool;
+    /// Resistance to rolling; no torque where there is none.
+    fn roll<L: Lanes>(self, ask: Roll<L>) -> RollingResponse<L>;
+}
 
-impl<N, T> Clone for Both<'_, N, T> {
+impl Resists for () {
+    const ROLLS: bool = false;
+
+    #[inline(always)]
+    fn roll<L: Lanes>(self, _ask: Roll<L>) -> RollingResponse<L> {
+        RollingResponse {
+            torque: L::Vector::null(),
+            dissipated: L::splat(0.0),
+        }
+    }
+}
+
+impl<R: Rolling> Resists for &R {
+    const ROLLS: bool = true;
+
+    #[inline(always)]
+    fn roll<L: Lanes>(self, ask: Roll<L>) -> RollingResponse<L> {
+        RollingVisitor::visit(ask, self)
+    }
+}
+
+/// A normal law, friction, and what resists rolling.
+struct Bound<'a, N, T, R>(&'a N, &'a T, R);
+
+impl<N, T, R: Copy> Clone for Bound<'_, N, T, R> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<N, T> Copy for Both<'_, N, T> {}
+impl<N, T, R: Copy> Copy for Bound<'_, N, T, R> {}
 
-impl<N: Normal, T: Tangential> Laws for Both<'_, N, T> {
+impl<N: Normal, T: Tangential, R: Resists> Laws for Bound<'_, N, T, R> {
     #[inline(always)]
     fn rubs(self) -> bool {
         true
@@ -97,7 +123,7 @@ impl<N: Normal, T: Tangential> Laws for Both<'_, N, T> {
 
     #[inline(always)]
     fn rolls(self) -> bool {
-        false
+        R::ROLLS
     }
 
     #[inline(always)]
@@ -121,11 +147,8 @@ impl<N: Normal, T: Tangential> Laws for Both<'_, N, T> {
     }
 
     #[inline(always)]
-    fn roll<L: Lanes>(self, _ask: Roll<L>) -> RollingResponse<L> {
-        RollingResponse {
-            torque: L::Vector::null(),
-            dissipated: L::splat(0.0),
-        }
+    fn roll<L: Lanes>(self, ask: Roll<L>) -> RollingResponse<L> {
+        self.2.roll(ask)
     }
 }
 
@@ -148,13 +171,20 @@ pub(super) fn ask<S: Source, K: Sink>(
 ) -> (Tally, Option<(usize, f64)>) {
     let law = respond.law;
     use NormalLaw::{HertzTsuji, Linear};
+    use RollingLaw::{ConstantTorque, Epsd};
     use TangentialLaw::{Coulomb, LinearHistory, MindlinHistory};
-    if S::TOGETHER && law.rolling.is_none() {
-        match (&law.normal, &law.tangential) {
-            (HertzTsuji(n), Some(MindlinHistory(t))) => return run(instructions, respond.with(Both(n, t))),
-            (HertzTsuji(n), Some(Coulomb(t))) => return run(instructions, respond.with(Both(n, t))),
-            (Linear(n), Some(LinearHistory(t))) => return run(instructions, respond.with(Both(n, t))),
-            (Linear(n), Some(Coulomb(t))) => return run(instructions, respond.with(Both(n, t))),
+    if S::TOGETHER {
+        match (&law.normal, &law.tangential, &law.rolling) {
+            (HertzTsuji(n), Some(MindlinHistory(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
+            (HertzTsuji(n), Some(Coulomb(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
+            (Linear(n), Some(LinearHistory(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
+            (Linear(n), Some(Coulomb(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
+            (HertzTsuji(n), Some(MindlinHistory(t)), Some(Epsd(r))) if S::ARE_MANY => {
+                return lanes::run(instructions, respond.with(Bound(n, t, r)));
+            }
+            (HertzTsuji(n), Some(MindlinHistory(t)), Some(ConstantTorque(r))) if S::ARE_MANY => {
+                return lanes::run(instructions, respond.with(Bound(n, t, r)));
+            }
             _ => {}
         }
     }
