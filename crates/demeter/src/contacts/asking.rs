@@ -104,6 +104,14 @@ impl Lot<'_> {
         (self.k + L::COUNT) * self.stride <= self.values.len()
     }
 
+    /// Where in a row the four values begin that hold those which are left over behind fours, if a row has four: they go back to
+    /// some before them, and are followed by those of other laws where there are fewer.
+    #[inline(always)]
+    fn left_over(&self, length: usize) -> Option<usize> {
+        let last = self.stride.checked_sub(4)?;
+        Some((self.first + length.saturating_sub(4)).min(last))
+    }
+
     /// What the contacts remember, as lanes: values by fours as they are, also of contacts that do not act, whose answers do not
     /// count. The values left over repeat, there, those of a contact that acts: so that no law that notes a value takes them
     /// for new.
@@ -117,6 +125,18 @@ impl Lot<'_> {
                 let columns = L::strided(self.values, first + value, self.stride);
                 lanes[value..value + 4].copy_from_slice(&columns);
                 value += 4;
+            }
+            if value < length
+                && let Some(place) = self.left_over(length)
+            {
+                let columns = L::strided(self.values, self.stride * self.k + place, self.stride);
+                let is_acting = L::Mask::of_bits(self.acting);
+                let acts = first + self.stride * self.acting.trailing_zeros() as usize;
+                while value < length {
+                    let repeated = L::splat(self.values[acts + value]);
+                    lanes[value] = L::select(is_acting, columns[self.first + value - place], repeated);
+                    value += 1;
+                }
             }
         }
         while value < length {
@@ -155,6 +175,19 @@ impl Lot<'_> {
                 ];
                 L::put_strided(columns, self.values, first + value, self.stride);
                 value += 4;
+            }
+            if value < length
+                && let Some(place) = self.left_over(length)
+            {
+                let start = self.stride * self.k + place;
+                let mut columns = L::strided(self.values, start, self.stride);
+                let mut own = place.max(self.first);
+                while own < (self.first + length).min(place + 4) {
+                    columns[own - place] = lanes[own - self.first].keep(is_acting);
+                    own += 1;
+                }
+                L::put_strided(columns, self.values, start, self.stride);
+                return;
             }
         }
         while value < length {
