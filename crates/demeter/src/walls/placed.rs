@@ -38,7 +38,7 @@ const ON_AXIS: f64 = 1e-3;
 /// The square of a smaller length may vanish.
 const LEAST_LENGTH: f64 = 1e-140;
 
-/// How near to its rim a plate is left to the wall, as a share of its size: there it is not a matter of rounding what is touched.
+/// Nearer to its rim than this, as a share of its size, rounding would tell whether a face of a plate or its rim is touched.
 const AT_RIM: f64 = 1e-9;
 
 impl PlacedPart {
