@@ -4,9 +4,7 @@ use super::pose::Pose;
 use super::shape::Side;
 use super::surface::Surface;
 use demeter_physics::geometry::contact_sphere_cylinder::Cylinder;
-use demeter_physics::geometry::contact_sphere_disc::Disc;
 use demeter_physics::geometry::contact_sphere_plane::Plane;
-use demeter_physics::geometry::contact_sphere_rectangle::Rectangle;
 use demeter_physics::lanes::{Lanes, Mask, Vector};
 use glam::DVec3;
 
@@ -17,9 +15,6 @@ pub(crate) enum PlacedPart {
     Plane(Plane, (DVec3, DVec3)),
     /// A cylinder with grains on one side, which lies so far along the direction from the axis.
     Cylinder(Cylinder, f64),
-    /// A plate without thickness, of which grains are on either side.
-    Disc(Disc),
-    Rectangle(Rectangle),
 }
 
 /// The closest point of a part, one grain per lane.
@@ -37,9 +32,6 @@ const ON_AXIS: f64 = 1e-3;
 
 /// The square of a smaller length may vanish.
 const LEAST_LENGTH: f64 = 1e-140;
-
-/// Nearer to its rim than this, as a share of its size, rounding would tell whether a face of a plate or its rim is touched.
-const AT_RIM: f64 = 1e-9;
 
 impl PlacedPart {
     /// Places an element of a surface; `None` of those to which grains are held one by one.
@@ -73,16 +65,6 @@ impl PlacedPart {
                 };
                 Some(Self::Cylinder(placed, outward))
             }
-            Surface::Disc(disc) => Some(Self::Disc(Disc {
-                center: pose.place(origin, disc.center),
-                normal: pose.turn(disc.normal),
-                ..*disc
-            })),
-            Surface::Rectangle(plate) => Some(Self::Rectangle(Rectangle {
-                center: pose.place(origin, plate.center),
-                axes: plate.axes.map(|axis| pose.turn(axis)),
-                ..*plate
-            })),
             _ => None,
         }
     }
@@ -93,8 +75,6 @@ impl PlacedPart {
         match self {
             Self::Plane(plane, ends) => of_plane(plane, *ends, centre),
             Self::Cylinder(cylinder, outward) => of_cylinder(cylinder, *outward, centre),
-            Self::Disc(disc) => of_disc(disc, centre),
-            Self::Rectangle(plate) => of_rectangle(plate, centre),
         }
     }
 }
@@ -142,48 +122,6 @@ fn of_cylinder<L: Lanes>(cylinder: &Cylinder, outward: f64, centre: L::Vector) -
     }
 }
 
-/// As [`contact_sphere_disc`] finds it off the rim.
-///
-/// [`contact_sphere_disc`]: demeter_physics::geometry::contact_sphere_disc
-#[inline(always)]
-fn of_disc<L: Lanes>(disc: &Disc, centre: L::Vector) -> Closest<L> {
-    let normal = splat::<L>(disc.normal);
-    let from_centre = centre - splat::<L>(disc.center);
-    let height = from_centre.inner(normal);
-    let beside = (from_centre - normal * height).square();
-    let inner = disc.radius * (1.0 - AT_RIM);
-    of_plate(normal, height, L::splat(inner * inner).ge(beside).bits())
-}
-
-/// As [`contact_sphere_rectangle`] finds it off the edges.
-///
-/// [`contact_sphere_rectangle`]: demeter_physics::geometry::contact_sphere_rectangle
-#[inline(always)]
-fn of_rectangle<L: Lanes>(plate: &Rectangle, centre: L::Vector) -> Closest<L> {
-    let normal = splat::<L>(plate.normal());
-    let from_centre = centre - splat::<L>(plate.center);
-    let mut told = u32::MAX;
-    let mut axis = 0;
-    while axis < 2 {
-        let along = from_centre.inner(splat::<L>(plate.axes[axis])).abs();
-        told &= L::splat(plate.half[axis] * (1.0 - AT_RIM)).ge(along).bits();
-        axis += 1;
-    }
-    of_plate(normal, from_centre.inner(normal), told)
-}
-
-/// Beside a plate, at a height above it, on the side where the grain is.
-#[inline(always)]
-fn of_plate<L: Lanes>(normal: L::Vector, height: L, told: u32) -> Closest<L> {
-    let above = height.ge(L::splat(0.0));
-    let facing = L::select(above, L::splat(1.0), L::splat(-1.0));
-    Closest {
-        normal: normal * facing,
-        distance: height.abs(),
-        told,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::{Motion, Shape, Wall};
@@ -206,16 +144,6 @@ mod tests {
             upper: DVec3::splat(0.7),
             open: [false, false, false, false, false, true],
         };
-        let disc = Shape::Disc {
-            center: DVec3::new(0.1, 0.0, -0.1),
-            normal: DVec3::new(0.6, 0.0, 0.8),
-            radius: 0.9,
-        };
-        let plate = Shape::Rectangle {
-            center: DVec3::new(0.1, 0.0, -0.1),
-            half_u: DVec3::new(0.8, 0.0, -0.6) * 0.9,
-            half_v: DVec3::new(0.0, 0.7, 0.0),
-        };
         let turning = Motion::Rotation {
             point: DVec3::new(0.3, 0.1, 0.0),
             axis: DVec3::new(0.0, 0.6, 0.8),
@@ -224,9 +152,7 @@ mod tests {
         for (shape, motion) in [
             (cylinder(Side::Inside), turning.clone()),
             (cylinder(Side::Outside), turning.clone()),
-            (plane, turning.clone()),
-            (disc, turning.clone()),
-            (plate, turning),
+            (plane, turning),
             (open, Motion::Rest),
         ] {
             let mut wall = Wall::new("wall", 0, shape, motion).unwrap();
