@@ -179,6 +179,7 @@ pub(super) fn ask<S: Source, K: Sink>(
             (HertzTsuji(n), Some(Coulomb(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
             (Linear(n), Some(LinearHistory(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
             (Linear(n), Some(Coulomb(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
+            // a register at a time: two were not measured with three laws
             (HertzTsuji(n), Some(MindlinHistory(t)), Some(Epsd(r))) if S::ARE_MANY => {
                 return lanes::run(instructions, respond.with(Bound(n, t, r)));
             }
