@@ -96,14 +96,12 @@ impl Kernel for LookAgain<'_> {
                     part = self.place(which);
                 }
                 let Some(placed) = &part.1 else { continue };
-                let found = placed.closest::<L>(L::Vector::new(x, y, z));
+                let found = placed.closest::<L>(L::Vector::new(x, y, z), radius + self.window);
                 let mask = L::Mask::of_bits(found.told & same);
                 normal = found.normal.or(mask, normal);
                 distance = L::select(mask, found.distance, distance);
                 told |= found.told & same;
             }
-            // what was left behind is not told either
-            told &= (distance + radius + self.window).ge(L::splat(0.0)).bits();
             let [nx, ny, nz] = normal.components();
             let rows = L::rows([nx, ny, nz, radius - distance]);
             let levers = distance.to_array();

@@ -8,7 +8,7 @@ use super::motion::Motions;
 use super::motion_checks::check_motions;
 use super::motor::{Driven, FreeStep, Motor};
 use super::outline;
-use super::placed::PlacedPart;
+use super::placed::{Closest, PlacedPart};
 use super::pose::Pose;
 use super::record::{ElementRecord, Mark, Record, Recording};
 use super::repeated::{self, Drift, Repeated};
@@ -196,9 +196,25 @@ impl Wall {
     }
 
     /// The contact with an element, however far away, where a grain has no more than one with each: `None` of meshes, on which contacts
-    /// pass from one to the next. What a grain has left behind (see [`Wall::contacts`]) is as far away as to do nothing.
+    /// pass from one to the next. What a grain has left behind (see [`Wall::contacts`]) is as far away as to do nothing. It has the bits that
+    /// the [placed part](Self::placed_part) tells, where it does: which of the two is asked depends on when candidates were found.
     #[inline]
     pub(crate) fn contact_with(&self, element: u32, centre: DVec3, reach: f64) -> Option<SurfaceContact> {
+        let placed = self.placed_part(element).map(|part| part.closest::<f64>(centre, reach));
+        match placed {
+            Some(Closest { normal, distance, told }) if told & 1 != 0 => Some(SurfaceContact {
+                normal,
+                distance,
+                element,
+                is_at_edge: false,
+            }),
+            _ => self.in_its_frame(element, centre, reach),
+        }
+    }
+
+    /// The contact with an element, found in the frame of the wall.
+    #[inline]
+    pub(super) fn in_its_frame(&self, element: u32, centre: DVec3, reach: f64) -> Option<SurfaceContact> {
         let pose = &self.motor.pose;
         let mut contact = (self.surface).contact_with(element, pose.unplace(self.origin, centre), reach)?;
         contact.normal = pose.turn(contact.normal);

@@ -6,7 +6,7 @@ use demeter::contacts::Coupling;
 use demeter::insertion::{Amount, Insertion, Region, SizeDistribution, Source, insert};
 use demeter::particles::{Domain, Outside};
 use demeter::simulation::Setup;
-use demeter::walls::{BodyMass, BodyMotion, Motion, Shape};
+use demeter::walls::{BodyMass, BodyMotion, Motion, Shape, Side};
 use demeter_physics::DVec3;
 use demeter_physics::integrator::Integrator;
 use std::f64::consts::TAU;
@@ -20,7 +20,7 @@ pub const BEDS: [&str; 13] = [
     "drum",
     "servo",
     "shear",
-    "oscillating floor",
+    "moving walls",
     "removal",
     "squeezing",
     "cohesive",
@@ -51,7 +51,7 @@ pub fn bed(name: &str, count: u32) -> Setup {
         "drum" => drum(count),
         "servo" => servo(count),
         "shear" => shear(count),
-        "oscillating floor" => oscillating_floor(count),
+        "moving walls" => moving_walls(count),
         "removal" => removal(count),
         "squeezing" => squeezing(count),
         "cohesive" => cohesive(count),
@@ -233,20 +233,68 @@ fn cohesive(count: u32) -> Setup {
     case.setup()
 }
 
-fn oscillating_floor(count: u32) -> Setup {
+/// A cloud flies apart in a box, a tube and over a tilted floor that shake, each otherwise, and under a bar and plates that turn: no wall
+/// rests, and none stands at the origin.
+fn moving_walls(count: u32) -> Setup {
     let laws = Laws::hertz(0.6).friction(mindlin()).rolling("epsd", 0.05);
-    let (mut case, a) = boxed(count, &laws, [false, false, false, false, true, true]);
-    let floor = Shape::Plane {
-        point: DVec3::ZERO,
-        normal: DVec3::Z,
-    };
-    let motion = Motion::Oscillation {
-        amplitude: DVec3::new(0.1 * RADIUS, 0.0, 0.5 * RADIUS),
-        frequency: 30.0,
+    let mut case = Case::new(one_material(5e6, &laws));
+    let a = edge(count, 0.25);
+    fill(&mut case, DVec3::ZERO, DVec3::splat(a), count, 0.8);
+    let shaken = |x: f64, y: f64, z: f64, frequency| Motion::Oscillation {
+        amplitude: DVec3::new(x, y, z) * RADIUS,
+        frequency,
         phase: 0.4,
     };
-    case.wall(0, floor, motion);
-    case.domain.upper.z = 1.0 + a;
+    let turned = |point: DVec3, axis: DVec3, angular_velocity| Motion::Rotation {
+        point: point * a,
+        axis: axis.normalize(),
+        angular_velocity,
+    };
+    let floor = Shape::Plane {
+        point: DVec3::new(0.5, 0.5, -0.15) * a,
+        normal: DVec3::new(0.2, -0.1, 1.0).normalize(),
+    };
+    case.wall(0, floor, shaken(0.1, 0.0, 0.5, 30.0));
+    let walls = Shape::Box {
+        lower: DVec3::new(-0.1, -0.1, -1.0) * a,
+        upper: DVec3::new(1.1, 1.1, 3.0) * a,
+        open: [false, false, false, false, true, false],
+    };
+    case.wall(0, walls, shaken(0.2, 0.1, 0.3, 20.0));
+    let cylinder = |[start, end]: [DVec3; 2], radius, side| Shape::Cylinder {
+        start: start * a,
+        end: end * a,
+        radius: radius * a,
+        side,
+    };
+    let ends = [DVec3::new(0.5, 0.5, -1.0), DVec3::new(0.5, 0.5, 3.0)];
+    case.wall(0, cylinder(ends, 0.75, Side::Inside), shaken(0.2, 0.2, 0.0, 25.0));
+    let ends = [DVec3::new(0.5, 0.1, 1.12), DVec3::new(0.5, 0.9, 1.12)];
+    let turning = turned(ends[0], DVec3::new(0.1, 1.0, 0.1), 40.0);
+    case.wall(0, cylinder(ends, 0.1, Side::Outside), turning);
+    let disc = Shape::Disc {
+        center: DVec3::new(0.2, 0.5, 1.1) * a,
+        normal: DVec3::new(0.3, 0.1, 1.0).normalize(),
+        radius: 0.2 * a,
+    };
+    case.wall(
+        0,
+        disc,
+        turned(DVec3::new(0.2, 0.5, 1.1), DVec3::new(0.1, 0.2, 1.0), 60.0),
+    );
+    let plate = Shape::Rectangle {
+        center: DVec3::new(0.8, 0.5, 1.1) * a,
+        half_u: DVec3::new(0.15, 0.0, -0.05) * a,
+        half_v: DVec3::new(0.0, 0.3, 0.0) * a,
+    };
+    case.wall(
+        0,
+        plate,
+        turned(DVec3::new(0.8, 0.5, 1.15), DVec3::new(0.3, 1.0, 0.0), 30.0),
+    );
+    case.gravity = DVec3::new(0.0, 0.0, -G);
+    case.skin = 0.2 * RADIUS;
+    case.max_overlap = 0.4;
     case.setup()
 }
 

@@ -89,7 +89,7 @@ fn shuffle(integrator: Integrator) {
 /// servo answers to that force, so its bed follows only to rounding; and positions in a periodic box are rounded after
 /// a shift. Where contacts feel each other, the mixing of forces follows sums over the table, and the search reaches as far
 /// as the surfaces bulged when it was made. Everything else keeps its bits.
-const EXACT: [&str; 5] = ["settling", "drum", "oscillating floor", "removal", "squeezing"];
+const EXACT: [&str; 5] = ["settling", "drum", "moving walls", "removal", "squeezing"];
 
 #[test]
 fn the_skin_changes_nothing() {
