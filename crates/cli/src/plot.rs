@@ -154,7 +154,7 @@ fn list(arguments: &PlotArguments) -> Result<(), Failure> {
         rows.add(column.name(), unit);
     }
     if columns.has_bins() {
-        rows.add(BIN, "");
+        rows.add(BIN, columns.unit_of_bins());
         rows.add(IN_BIN, "");
     }
     answer(&rows.lines())?;

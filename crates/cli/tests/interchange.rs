@@ -188,8 +188,16 @@ fn bins_of_a_distribution_are_drawn_over_their_edges() {
     let rows: String = (0..3)
         .flat_map(|step| ["grains", "walls"].map(|word| format!("{step},{word},9,{step},5,2,1\n")))
         .collect();
-    place.write("forces.csv", &format!("step,between,contacts,0,0.25,0.5,above\n{rows}"));
+    place.write(
+        "forces.csv",
+        &format!("step,between,contacts,0 [N],0.25 [N],0.5 [N],above\n{rows}"),
+    );
     let said = place.expect(0, &["plot", "forces.csv"]);
+    assert!(
+        said.out.lines().any(|line| line.split_whitespace().eq(["bin", "N"])),
+        "{}",
+        said.out
+    );
     let listed: Vec<&str> = said
         .out
         .lines()

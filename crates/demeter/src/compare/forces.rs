@@ -3,7 +3,7 @@
 use super::error::CompareError;
 use crate::output::distribution::{ABOVE, COLUMNS};
 use crate::results::ResultsError;
-use crate::results::rows::Table;
+use crate::results::rows::{Table, column_name};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -252,16 +252,16 @@ fn bins(table: &Table) -> Result<Bins, ResultsError> {
     if !begins || header.last().is_none_or(|last| last != ABOVE) {
         let columns = COLUMNS.join(",");
         return Err(refuse(format!(
-            "not a force distribution: its columns must be `{columns}`, lower edges of bins in N, `{ABOVE}`"
+            "not a force distribution: its columns must be `{columns}`, lower edges of bins as `0.001 [N]`, `{ABOVE}`"
         )));
     }
     let titles = &header[COLUMNS.len()..header.len() - 1];
     let mut edges = Vec::with_capacity(titles.len() + 1);
     for title in titles {
-        let edge = title.parse().map_err(|_| {
+        let edge = column_name(title).parse().map_err(|_| {
             let shown: String = title.chars().take(40).collect();
             refuse(format!(
-                "the column `{shown}` should be titled by the lower edge of its bin in N"
+                "the column `{shown}` should be titled by the lower edge of its bin, as `0.001 [N]`"
             ))
         })?;
         edges.push(edge);

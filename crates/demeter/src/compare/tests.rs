@@ -55,7 +55,7 @@ impl Made {
     fn texts(&self) -> (String, String) {
         let mut series = SERIES.to_string();
         let mut forces =
-            "step,time [s],stage,stage time [s],strain,grains,between,contacts,sum [N],0,0.001,0.002,0.003,above\n"
+            "step,time [s],stage,stage time [s],strain,grains,between,contacts,sum [N],0 [N],0.001 [N],0.002 [N],0.003 [N],above\n"
                 .to_string();
         let mut step = 0;
         let mut add = |stage: &str, stage_time: f64, m: Moment| {

@@ -4,6 +4,7 @@ use super::error::OutputError;
 use super::rows::RowFile;
 use super::series::{number, stage_name};
 use crate::measure::{ForceDistribution, ForceHistogram, Measures};
+use std::fmt::Display;
 use std::path::Path;
 
 /// Columns in front of those of the bins.
@@ -29,7 +30,7 @@ pub(super) const BETWEEN: [&str; 2] = ["grains", "walls"];
 ///
 /// The columns are `step`, `time [s]`, `stage`, `stage time [s]`, `strain` (empty without a gauge), `grains` (their
 /// number), `between` (`grains` or `walls`), `contacts` (those that act), `sum [N]` (of their normal forces), one column
-/// per bin, titled by its lower edge in N, with the number of contacts in it, and `above`, with the number of those
+/// per bin, titled by its lower edge as `0.001 [N]`, with the number of contacts in it, and `above`, with the number of those
 /// behind the last bin.
 #[derive(Debug)]
 pub struct DistributionWriter {
@@ -96,9 +97,14 @@ impl DistributionWriter {
 fn header(bins: &ForceDistribution) -> Vec<String> {
     let edges = bins.edges();
     let mut titles: Vec<String> = COLUMNS.iter().map(ToString::to_string).collect();
-    titles.extend(edges[..edges.len() - 1].iter().map(f64::to_string));
+    titles.extend(edges[..edges.len() - 1].iter().map(|edge| bin_title(edge, "N")));
     titles.push(ABOVE.to_owned());
     titles
+}
+
+/// Title of the column of a bin: its lower edge.
+pub(super) fn bin_title(edge: impl Display, unit: &str) -> String {
+    format!("{edge} [{unit}]")
 }
 
 #[cfg(test)]
@@ -138,7 +144,7 @@ mod tests {
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(
             lines[0],
-            "step,time [s],stage,stage time [s],strain,grains,between,contacts,sum [N],0,0.0005,above"
+            "step,time [s],stage,stage time [s],strain,grains,between,contacts,sum [N],0 [N],0.0005 [N],above"
         );
         let sum = 1e-4 + 2e-4 + 0.25;
         assert_eq!(

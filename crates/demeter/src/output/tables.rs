@@ -1,6 +1,6 @@
 //! Tables that grow with every row of the series: residence times, roses of contact angles, and paths of grains.
 
-use super::distribution::{ABOVE, BETWEEN};
+use super::distribution::{ABOVE, BETWEEN, bin_title};
 use super::error::OutputError;
 use super::rows::RowFile;
 use super::series::{number, stage_name};
@@ -59,7 +59,7 @@ impl MomentTable {
 
 /// Titles of a distribution of residence times with bins of a width [s].
 pub fn residence_titles(width: f64, bins: u32) -> Vec<String> {
-    let edges = (0..bins).map(|k| (width * f64::from(k)).to_string());
+    let edges = (0..bins).map(|k| bin_title(width * f64::from(k), "s"));
     let title = std::iter::once("mass left [kg]".to_owned());
     title.chain(edges).chain(std::iter::once(ABOVE.to_owned())).collect()
 }
@@ -81,7 +81,7 @@ pub fn collision_titles(bins: &EnergyBins) -> Vec<String> {
     ]
     .map(str::to_owned);
     let edges = bins.edges()[..bins.edges().len() - 1].iter();
-    let title = fixed.into_iter().chain(edges.map(|edge| number(*edge)));
+    let title = fixed.into_iter().chain(edges.map(|edge| bin_title(number(*edge), "J")));
     title.chain(std::iter::once(ABOVE.to_owned())).collect()
 }
 
@@ -99,7 +99,8 @@ pub fn collision_rows(kinds: &[Counted; 2]) -> [Vec<String>; 2] {
 /// Titles of a rose with bins that begin at angles [deg].
 pub fn rose_titles(edges: &[f64]) -> Vec<String> {
     let fixed = ["of", "contacts", "direction [deg]", "anisotropy"].map(str::to_owned);
-    fixed.into_iter().chain(edges.iter().map(f64::to_string)).collect()
+    let edges = edges.iter().map(|edge| bin_title(edge, "deg"));
+    fixed.into_iter().chain(edges).collect()
 }
 
 /// The rows of a rose: shares of contacts, and mean normal forces [N].

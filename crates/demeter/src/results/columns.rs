@@ -152,9 +152,9 @@ impl Columns {
         &self.columns
     }
 
-    /// Columns that are bins of a distribution, as their titles, which are rising numbers, tell: their indices and lower edges.
+    /// Columns that are bins of a distribution, as their names, which are rising numbers, tell: their indices and lower edges.
     fn bins(&self) -> Vec<(usize, f64)> {
-        let edge = |column: &Column| column.title.parse::<f64>().ok().filter(|_| column.numbers().is_some());
+        let edge = |column: &Column| column.name().parse::<f64>().ok().filter(|_| column.numbers().is_some());
         let columns = self.columns.iter().enumerate();
         let bins: Vec<(usize, f64)> = columns.filter_map(|(k, column)| Some((k, edge(column)?))).collect();
         if bins.is_sorted_by(|a, b| a.1 < b.1) {
@@ -167,6 +167,11 @@ impl Columns {
     /// Whether some columns are bins of a distribution.
     pub fn has_bins(&self) -> bool {
         !self.bins().is_empty()
+    }
+
+    /// Unit of the lower edges of bins; empty where there are none.
+    pub fn unit_of_bins(&self) -> &str {
+        self.bins().first().map_or("", |(bin, _)| self.columns[*bin].unit())
     }
 
     /// The columns that are no bins.
@@ -195,9 +200,13 @@ impl Columns {
         let held = |row: usize, bin: usize| self.columns[bin].numbers().map_or(f64::NAN, |held| held[row]);
         let of_bins = bins.iter().cycle().zip(rows());
         let (edges, values) = of_bins.map(|(&(bin, edge), row)| (edge, held(row, bin))).unzip();
-        for (title, numbers) in [(BIN, edges), (IN_BIN, values)] {
+        let bin = match self.unit_of_bins() {
+            "" => BIN.to_owned(),
+            unit => format!("{BIN} [{unit}]"),
+        };
+        for (title, numbers) in [(bin, edges), (IN_BIN.to_owned(), values)] {
             columns.push(Column {
-                title: title.to_owned(),
+                title,
                 cells: Cells::Numbers(numbers),
             });
         }

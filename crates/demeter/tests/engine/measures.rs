@@ -500,7 +500,7 @@ fn check_files([series, all, strong]: &[String; 3]) {
 
 /// Title of a bin of 0.02 mN.
 fn bin_title(k: u32) -> String {
-    format!("{}e-5", 2 * k).parse::<f64>().unwrap().to_string()
+    format!("{} [N]", format!("{}e-5", 2 * k).parse::<f64>().unwrap())
 }
 
 /// Two pairs: one pushes as hard as the other pulls, so that the sum of their forces is 0 and that of the magnitudes is not.
