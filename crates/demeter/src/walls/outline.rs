@@ -55,29 +55,26 @@ impl Ring {
     }
 }
 
-/// Circles that span a surface of revolution; a disc has one, a sphere none.
-fn rings(surface: &Surface) -> Vec<Ring> {
+/// Circles that span a surface of revolution; a disc has one, a sphere none. No memory is taken: steps ask.
+fn rings(surface: &Surface) -> impl Iterator<Item = Ring> {
     let ring = |start: DVec3, axis: DVec3, along: f64, radius| Ring {
         center: start + axis * along,
         axis,
         radius,
     };
-    match surface {
-        Surface::Cylinder(c) => {
-            vec![
-                ring(c.start, c.axis, 0.0, c.radius),
-                ring(c.start, c.axis, c.length, c.radius),
-            ]
-        }
-        Surface::Cone(c) => {
-            vec![
-                ring(c.start, c.axis, 0.0, c.start_radius),
-                ring(c.start, c.axis, c.length, c.end_radius),
-            ]
-        }
-        Surface::Disc(d) => vec![ring(d.center, d.normal, 0.0, d.radius)],
-        _ => Vec::new(),
-    }
+    let all = match surface {
+        Surface::Cylinder(c) => [
+            Some(ring(c.start, c.axis, 0.0, c.radius)),
+            Some(ring(c.start, c.axis, c.length, c.radius)),
+        ],
+        Surface::Cone(c) => [
+            Some(ring(c.start, c.axis, 0.0, c.start_radius)),
+            Some(ring(c.start, c.axis, c.length, c.end_radius)),
+        ],
+        Surface::Disc(d) => [Some(ring(d.center, d.normal, 0.0, d.radius)), None],
+        _ => [None, None],
+    };
+    all.into_iter().flatten()
 }
 
 /// Smallest box around a placed surface; `None` when it is infinite. The faces of a box go on beyond closed ones, but
@@ -113,9 +110,7 @@ pub(super) fn bounds(surface: &Surface, origin: DVec3, pose: &Pose) -> Option<(D
             Some(around(corners.map(|corner| pose.place(origin, corner))))
         }
         Surface::Cylinder(_) | Surface::Cone(_) | Surface::Disc(_) => {
-            let boxes = rings(surface)
-                .into_iter()
-                .map(|ring| ring.placed(origin, pose).bounds());
+            let boxes = rings(surface).map(|ring| ring.placed(origin, pose).bounds());
             Some(around(boxes.flat_map(|(lower, upper)| [lower, upper])))
         }
     }
@@ -183,7 +178,6 @@ fn displacement_of_revolution(surface: &Surface, origin: DVec3, since: &Pose, no
         );
     }
     rings(surface)
-        .iter()
         .map(|ring| {
             let (before, after) = (ring.placed(origin, since), ring.placed(origin, now));
             // The shortest turn from one axis to the other moves a point of the circle by at most radius times chord.
@@ -222,8 +216,10 @@ pub(super) fn triangles(surface: &Surface, origin: DVec3, pose: &Pose, lower: DV
             .map(place)
             .collect(),
         Surface::Cylinder(_) | Surface::Cone(_) => {
-            let rings = rings(surface);
-            ribbon(&rings[0], &rings[1]).into_iter().map(place).collect()
+            let mut rings = rings(surface);
+            let ends = rings.next().zip(rings.next());
+            let side = ends.map_or_else(Vec::new, |(start, end)| ribbon(&start, &end));
+            side.into_iter().map(place).collect()
         }
         Surface::Disc(disc) => {
             let hub = Ring {
@@ -231,11 +227,7 @@ pub(super) fn triangles(surface: &Surface, origin: DVec3, pose: &Pose, lower: DV
                 axis: disc.normal,
                 radius: 0.0,
             };
-            rings(surface)
-                .iter()
-                .flat_map(|rim| ribbon(&hub, rim))
-                .map(place)
-                .collect()
+            rings(surface).flat_map(|rim| ribbon(&hub, &rim)).map(place).collect()
         }
         Surface::Shell(shell) => {
             let ring = |k: u32| {
