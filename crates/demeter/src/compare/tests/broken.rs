@@ -143,7 +143,7 @@ fn distributions_that_do_not_fit_are_refused() {
     assert!(refused(&cut, "forces.csv", None).contains("of which the series has a row"));
     let unordered = |text: String| text.replacen("0.001", "0.005", 1);
     assert!(refused(&unordered, "forces.csv", None).contains("do not ascend"));
-    let title = |text: String| text.replacen(",0.001,", ",weak,", 1);
+    let title = |text: String| text.replacen(",0.001 [N],", ",weak,", 1);
     assert!(refused(&title, "forces.csv", None).contains("the column `weak`"));
     let between = |text: String| text.replace("walls", "wall");
     assert!(refused(&between, "forces.csv", None).contains("`wall` is not `grains` or `walls`"));
