@@ -140,23 +140,15 @@ impl Lot<'_> {
             }
         }
         while value < length {
-            lanes[value] = L::load(&self.values_of_all(value, L::COUNT));
+            lanes[value] = L::load(&one_value(
+                self.values,
+                (first + value, self.stride),
+                self.acting,
+                L::COUNT,
+            ));
             value += 1;
         }
         lanes
-    }
-
-    /// One value of all contacts; those that do not act repeat that of one that does.
-    #[inline(never)]
-    fn values_of_all(&self, value: usize, count: usize) -> [f64; MOST_LANES] {
-        let first = self.stride * self.k + self.first + value;
-        let mut all = [self.values[first + self.stride * self.acting.trailing_zeros() as usize]; MOST_LANES];
-        for (lane, one) in all.iter_mut().enumerate().take(count) {
-            if self.acting >> lane & 1 != 0 {
-                *one = self.values[first + self.stride * lane];
-            }
-        }
-        all
     }
 
     /// Puts back what the contacts remember that act; the others remember nothing.
@@ -191,19 +183,35 @@ impl Lot<'_> {
             }
         }
         while value < length {
-            self.put_value(value, &lanes[value].to_array());
+            put_one_value(
+                self.values,
+                (first + value, self.stride),
+                self.acting,
+                &lanes[value].to_array(),
+            );
             value += 1;
         }
     }
+}
 
-    /// Puts back one value of the contacts that act.
-    #[inline(never)]
-    fn put_value(&mut self, value: usize, numbers: &[f64; MOST_LANES]) {
-        let first = self.stride * self.k + self.first + value;
-        let mut acting = self.acting;
-        while let Some(lane) = next_lane(&mut acting) {
-            self.values[first + self.stride * lane] = numbers[lane];
+/// One value of some contacts, told where that of the first lies and how far apart they are; those that do not act repeat that of one that
+/// does.
+#[inline(never)]
+fn one_value(values: &[f64], (first, stride): (usize, usize), acting: u32, count: usize) -> [f64; MOST_LANES] {
+    let mut all = [values[first + stride * acting.trailing_zeros() as usize]; MOST_LANES];
+    for (lane, one) in all.iter_mut().enumerate().take(count) {
+        if acting >> lane & 1 != 0 {
+            *one = values[first + stride * lane];
         }
+    }
+    all
+}
+
+/// Puts back one value of the contacts that act.
+#[inline(never)]
+fn put_one_value(values: &mut [f64], (first, stride): (usize, usize), mut acting: u32, numbers: &[f64; MOST_LANES]) {
+    while let Some(lane) = next_lane(&mut acting) {
+        values[first + stride * lane] = numbers[lane];
     }
 }
 

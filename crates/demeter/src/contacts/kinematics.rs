@@ -59,7 +59,10 @@ fn put_last<T: Copy>(numbers: &[T; MOST_LANES], to: &mut [T], k: usize) {
 pub(super) fn put_listed<L: Lanes>(list: &[u32], k: usize, index: &mut Index) {
     match list.get(k..k + L::COUNT) {
         Some(all) => index[..L::COUNT].copy_from_slice(all),
-        None => *index = last_listed(list, k),
+        None => {
+            let last = last_listed(list, k);
+            index[..L::COUNT].copy_from_slice(&last[..L::COUNT]);
+        }
     }
 }
 

@@ -165,14 +165,8 @@ impl<'a> Meeting<'a> {
         let mut acting = (bulged + half_window).gt(L::splat(0.0)) & L::Mask::of_bits(here);
         let mut acts = acting.bits();
         if self.scene.max_reach > 0.0 && acts != here {
-            let (bulged, rate) = (bulged.to_array(), rate.to_array());
-            let mut apart = here & !acts;
-            while apart != 0 {
-                let lane = apart.trailing_zeros() as usize;
-                let bodies = (lot.first[lane], lot.second[lane]);
-                acts |= u32::from(self.attract(bodies, bulged[lane], rate[lane])) << lane;
-                apart &= apart - 1;
-            }
+            let bodies = [lot.first, lot.second].map(first_of::<L>);
+            acts |= attracted(self.scene, here & !acts, &bodies, [bulged.to_array(), rate.to_array()]);
             acting = L::Mask::of_bits(acts);
         }
         let allowed = L::select(ri.lt(rj), ri, rj) * self.scene.max_overlap;
@@ -190,15 +184,31 @@ impl<'a> Meeting<'a> {
             too_deep: (!allowed.ge(overlap)).bits() & acts,
         }
     }
+}
 
-    /// Whether a law that attracts across a gap acts on two grains that do not touch.
-    fn attract(&self, (i, j): (u32, u32), overlap: f64, rate: f64) -> bool {
-        let (grains, materials) = (self.scene.grains, self.scene.materials);
-        let (i, j) = (i as usize, j as usize);
-        let size = || self.scene.size_of_pair(i, j);
-        let law = materials.pair(grains.material[i], grains.material[j]);
-        self.scene.acts(law, size, overlap, rate)
+/// The indices of the lanes, in an array of their own.
+#[inline(always)]
+fn first_of<L: Lanes>(index: Index) -> Index {
+    let (mut first, mut lane) = ([0; MOST_LANES], 0);
+    while lane < L::COUNT {
+        first[lane] = index[lane];
+        lane += 1;
     }
+    first
+}
+
+/// On which of some pairs that do not touch a law acts that attracts across a gap; told overlaps and rates. What the loop over contacts
+/// keeps in registers is given as copies: a reference to it would put it into memory for good.
+#[inline(never)]
+fn attracted(scene: &Scene, mut apart: u32, bodies: &[Index; 2], [overlap, rate]: [[f64; MOST_LANES]; 2]) -> u32 {
+    let (grains, materials) = (scene.grains, scene.materials);
+    let mut acts = 0;
+    while let Some(lane) = next_lane(&mut apart) {
+        let [i, j] = bodies.map(|of| of[lane] as usize);
+        let law = materials.pair(grains.material[i], grains.material[j]);
+        acts |= u32::from(scene.acts(law, || scene.size_of_pair(i, j), overlap[lane], rate[lane])) << lane;
+    }
+    acts
 }
 
 /// Bits of the lanes below a number.

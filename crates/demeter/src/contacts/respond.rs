@@ -97,14 +97,18 @@ const ROLLING: usize = 3;
 
 /// Has contacts that acted before forget what they did, and books what their springs still held.
 #[inline(never)]
-fn end(answers: &mut Answers, k: usize, mut ended: u32, law: &PairLaw, booked: &mut Tally) {
+fn end(
+    (history, stride, losses): (&mut [f64], usize, &mut [Lost]),
+    (k, mut ended): (usize, u32),
+    (law, booked): (&PairLaw, &mut Tally),
+) {
     while let Some(lane) = next_lane(&mut ended) {
-        let first = (k + lane) * answers.stride;
-        let history = &mut answers.history[first..first + answers.stride];
+        let first = (k + lane) * stride;
+        let history = &mut history[first..first + stride];
         // a zero with a sign is forgotten, too: whether one is left must not depend on which contacts are asked together
         if history.iter().any(|&value| value.to_bits() != 0) {
             booked.book_end(history, law);
-            if let Some(lost) = answers.losses.get_mut(k + lane) {
+            if let Some(lost) = losses.get_mut(k + lane) {
                 lost.friction += spring_energies(law, history).0;
             }
             history.fill(0.0);
@@ -146,7 +150,8 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
             } = source.look::<L>(k, here);
             // these are rare; which lanes act is not, and cannot be foretold: nothing branches on that
             if ended != 0 {
-                end(&mut answers, k, ended, law, &mut booked);
+                let remembered = (&mut *answers.history, answers.stride, &mut *answers.losses);
+                end(remembered, (k, ended), (law, &mut booked));
             }
             if acts == 0 {
                 answers.silence::<L>(k, count);

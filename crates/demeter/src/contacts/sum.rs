@@ -19,6 +19,13 @@ use std::ops::Range;
 use std::time::{Duration, Instant};
 
 impl Load {
+    #[inline(always)]
+    fn of<E: Eight>(numbers: E) -> Self {
+        let mut load = Self::default();
+        numbers.store(&mut load.0);
+        load
+    }
+
     /// Adds what a contact does to its first body (0), or takes away what stands for its second (1), on which it does the opposite.
     #[inline(always)]
     pub(super) fn add_side<E: Eight>(&mut self, load: E, side: usize) {
@@ -122,21 +129,14 @@ impl Adder<'_> {
     }
 
     /// Adds what a contact does to one of its bodies, which may be the work of others.
-    #[inline(always)]
-    fn add<E: Eight>(&mut self, grain: u32, side: usize, load: E) {
-        if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
-            sum.add_side(load, side);
-        } else if self.own.contains(&grain) {
-            let mut row = Load::default();
-            load.store(&mut row.0);
-            self.stray(grain, side, &row);
-        }
-    }
-
     #[inline(never)]
-    fn stray(&mut self, grain: u32, side: usize, load: &Load) {
-        let task = self.first_grains.partition_point(|&first| first <= grain as usize);
-        self.strays[task].push(grain, side, load);
+    fn add(&mut self, grain: u32, side: usize, load: &Load) {
+        if let Some(sum) = self.sums.get_mut(grain.wrapping_sub(self.first_grain) as usize) {
+            sum.add_side(<f64 as Lanes>::Eight::load(&load.0), side);
+        } else if self.own.contains(&grain) {
+            let task = self.first_grains.partition_point(|&first| first <= grain as usize);
+            self.strays[task].push(grain, side, load);
+        }
     }
 }
 
@@ -200,9 +200,14 @@ impl Sink for AddAtOnce<'_, '_> {
                 lane += 1;
             }
         } else {
-            for lane in 0..i.len() {
-                self.adder.add(i[lane], 0, first.as_ref()[lane]);
-                self.adder.add(j[lane], 1, second.as_ref()[lane]);
+            // lanes are counted to a number known beforehand, so that what they hold stays in registers
+            let mut lane = 0;
+            while lane < L::COUNT {
+                if lane < i.len() {
+                    self.adder.add(i[lane], 0, &Load::of(first.as_ref()[lane]));
+                    self.adder.add(j[lane], 1, &Load::of(second.as_ref()[lane]));
+                }
+                lane += 1;
             }
         }
         if let Some(across) = &mut self.across {

@@ -1,6 +1,6 @@
 //! Four lanes of AVX2.
 
-use super::{at, by, check, check_rows, one, put, row, whole};
+use super::{at, by, check, check_rows, one, put, put_row, row, whole};
 use crate::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Quad, Two, Vector3, with_zero};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -161,6 +161,24 @@ impl Lanes for F64x4 {
     }
 
     #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        // SAFETY: see the top of the module
+        Self(unsafe { _mm256_max_pd(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        // SAFETY: see the top of the module
+        Self(unsafe { _mm256_min_pd(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn keep(self, mask: Mask4) -> Self {
+        // SAFETY: see the top of the module
+        Self(unsafe { _mm256_and_pd(self.0, mask.0) })
+    }
+
+    #[inline(always)]
     fn gather(values: &[f64], p: &Places) -> Self {
         let p = &by::<4, _>(p)[0];
         check(values, p, 1);
@@ -232,6 +250,19 @@ impl Lanes for F64x4 {
             ]
         });
         [Self(a), Self(b), Self(c), Self(d)]
+    }
+
+    #[inline(always)]
+    fn put_strided([a, b, c, d]: [Self; 4], values: &mut [f64], start: usize, stride: usize) {
+        let values = &mut values[start..start + 3 * stride + 4];
+        let rows = transposed([a.0, b.0, c.0, d.0]);
+        // SAFETY: there is room for all these rows
+        unsafe {
+            put_row(values, 0, rows[0]);
+            put_row(values, stride, rows[1]);
+            put_row(values, 2 * stride, rows[2]);
+            put_row(values, 3 * stride, rows[3]);
+        }
     }
 
     #[inline(always)]

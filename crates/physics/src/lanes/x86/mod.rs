@@ -117,6 +117,16 @@ unsafe fn row(values: &[f64], start: usize) -> __m256d {
     unsafe { _mm256_loadu_pd(values.as_ptr().add(start)) }
 }
 
+/// Puts four numbers.
+///
+/// # Safety
+/// There must be room for them.
+#[inline(always)]
+unsafe fn put_row(values: &mut [f64], start: usize, row: __m256d) {
+    // SAFETY: as the caller promises
+    unsafe { _mm256_storeu_pd(values.as_mut_ptr().add(start), row) }
+}
+
 /// One number.
 ///
 /// # Safety
