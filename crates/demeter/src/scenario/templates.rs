@@ -18,6 +18,11 @@ pub const TEMPLATES: &[(&str, &str, &str)] = &[
         include_str!("templates/drum.toml"),
     ),
     (
+        "mill",
+        "balls hit each other and the shell of a ball mill",
+        include_str!("templates/mill.toml"),
+    ),
+    (
         "heap",
         "a tube is lifted off a heap: the angle of repose",
         include_str!("templates/heap.toml"),
