@@ -87,7 +87,7 @@ impl PlacedPart {
         }
     }
 
-    /// The closest points to some centres of spheres that reach so far.
+    /// The closest points to some centres of spheres that reach so far [m].
     #[inline(always)]
     pub(crate) fn closest<L: Lanes>(&self, centre: L::Vector, reach: L) -> Closest<L> {
         match self {
