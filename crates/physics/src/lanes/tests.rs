@@ -246,6 +246,36 @@ impl Kernel for BeyondPlaces<'_> {
     }
 }
 
+/// Takes rows of four at a distance, or puts them, where there are so many numbers.
+struct BeyondRows {
+    numbers: usize,
+    puts: bool,
+}
+
+impl BeyondRows {
+    const START: usize = 2;
+    const STRIDE: usize = 5;
+
+    /// Numbers that are enough for so many lanes.
+    fn enough(lanes: usize) -> usize {
+        Self::START + Self::STRIDE * (lanes - 1) + 4
+    }
+}
+
+impl Kernel for BeyondRows {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let mut numbers = vec![0.0; self.numbers];
+        if self.puts {
+            L::put_strided([L::splat(1.0); 4], &mut numbers, Self::START, Self::STRIDE);
+        } else {
+            let _ = L::strided(&numbers, Self::START, Self::STRIDE);
+        }
+    }
+}
+
 /// How many lanes there are.
 struct Count;
 
@@ -283,6 +313,28 @@ fn rows_that_are_not_there_are_never_read() {
                     std::panic::catch_unwind(|| run_on_two(instructions, BeyondPlaces(places, &numbers.0, &numbers.1)));
                 assert!(read.is_err(), "two of {name}, lane {lane}");
             }
+        }
+    }
+}
+
+#[test]
+fn rows_at_a_distance_that_are_not_there_are_neither_read_nor_put() {
+    for instructions in Instructions::available() {
+        let one = BeyondRows::enough(run(instructions, Count));
+        let two = BeyondRows::enough(run_on_two(instructions, Count));
+        for puts in [false, true] {
+            let ends = |missing: usize| {
+                let of = |enough: usize| BeyondRows {
+                    numbers: enough - missing,
+                    puts,
+                };
+                [
+                    std::panic::catch_unwind(|| run(instructions, of(one))).is_err(),
+                    std::panic::catch_unwind(|| run_on_two(instructions, of(two))).is_err(),
+                ]
+            };
+            assert_eq!(ends(0), [false; 2], "{} {puts}", instructions.name());
+            assert_eq!(ends(1), [true; 2], "{} {puts}", instructions.name());
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Four lanes of AVX2.
 
-use super::{at, by, check, check_rows, one, put, put_row, row, whole};
+use super::{at, by, check, check_rows, one, put, put_row, row, stretch, whole};
 use crate::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Quad, Two, Vector3, with_zero};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -239,7 +239,7 @@ impl Lanes for F64x4 {
 
     #[inline(always)]
     fn strided(values: &[f64], start: usize, stride: usize) -> [Self; 4] {
-        let values = &values[start..start + 3 * stride + 4];
+        let values = &values[stretch(values.len(), 4, start, stride)];
         // SAFETY: all these rows are there
         let [a, b, c, d] = transposed(unsafe {
             [
@@ -254,7 +254,8 @@ impl Lanes for F64x4 {
 
     #[inline(always)]
     fn put_strided([a, b, c, d]: [Self; 4], values: &mut [f64], start: usize, stride: usize) {
-        let values = &mut values[start..start + 3 * stride + 4];
+        let stretch = stretch(values.len(), 4, start, stride);
+        let values = &mut values[stretch];
         let rows = transposed([a.0, b.0, c.0, d.0]);
         // SAFETY: there is room for all these rows
         unsafe {

@@ -1,7 +1,7 @@
 //! Eight lanes of AVX-512.
 
 use super::avx2::F64x4;
-use super::{at, by, check, check_rows, one, one_by_one, put, row, whole};
+use super::{at, by, check, check_rows, one, one_by_one, put, row, stretch, whole};
 use crate::lanes::{Eight, Index, Lanes, MOST_LANES, Mask, Places, Vector3, with_zero};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -180,7 +180,7 @@ impl Lanes for F64x8 {
 
     #[inline(always)]
     fn strided(values: &[f64], start: usize, stride: usize) -> [Self; 4] {
-        let values = &values[start..start + 7 * stride + 4];
+        let values = &values[stretch(values.len(), 8, start, stride)];
         // SAFETY: all these rows are there
         eight_rows(unsafe {
             [

@@ -43,6 +43,7 @@ use super::{Kernel, MOST_LANES};
 use avx2::F64x4;
 use avx512::F64x8;
 use std::arch::x86_64::*;
+use std::ops::Range;
 use two_avx512::F64x16;
 
 /// Whether this processor has AVX-512 as all servers do: also for registers of 128 and 256 bits, for bits, bytes and words.
@@ -98,6 +99,14 @@ fn check<const N: usize>(values: &[f64], places: &[usize; N], width: usize) {
         lane += 1;
     }
     assert!(values.len() >= width && last <= values.len() - width);
+}
+
+/// The numbers of rows of four at a distance, all of which must be among `count` numbers.
+#[inline(always)]
+fn stretch(count: usize, rows: usize, start: usize, stride: usize) -> Range<usize> {
+    // a longer distance could come round to a place among them
+    assert!(stride <= count);
+    start..start + (rows - 1) * stride + 4
 }
 
 /// Has what lies at a place fetched into the caches.
