@@ -79,13 +79,13 @@ impl Span {
     }
 }
 
-/// Some contacts from `k` on, one per lane; which of them act; and where the values of one of their laws lie.
+/// Some contacts, one per lane; which of them act; and where the values of one of their laws lie.
 pub(super) struct Lot<'a> {
-    pub(super) k: usize,
     pub(super) acting: u32,
     pub(super) span: Span,
     pub(super) integrator: Integrator,
-    pub(super) values: &'a mut [f64],
+    /// What their laws remember, a row of `stride` values each.
+    pub(super) rows: &'a mut [f64],
     pub(super) stride: usize,
     pub(super) first: usize,
 }
@@ -94,14 +94,14 @@ impl Lot<'_> {
     /// What one contact remembers.
     #[inline(always)]
     fn memory(&mut self, lane: usize, length: usize) -> &mut [f64] {
-        let first = (self.k + lane) * self.stride + self.first;
-        &mut self.values[first..first + length]
+        let first = lane * self.stride + self.first;
+        &mut self.rows[first..first + length]
     }
 
-    /// Whether there are as many contacts from `k` on as lanes.
+    /// Whether there are as many contacts as lanes.
     #[inline(always)]
     fn is_whole<L: Lanes>(&self) -> bool {
-        (self.k + L::COUNT) * self.stride <= self.values.len()
+        L::COUNT * self.stride <= self.rows.len()
     }
 
     /// Where in a row the four values begin that hold those which are left over behind fours, if a row has four: they go back to
@@ -118,22 +118,21 @@ impl Lot<'_> {
     #[inline(always)]
     fn recall<L: Lanes, const MOST: usize>(&self, length: usize) -> [L; MOST] {
         let mut lanes = [L::splat(0.0); MOST];
-        let first = self.stride * self.k + self.first;
         let mut value = 0;
         if self.is_whole::<L>() {
             while value + 4 <= length {
-                let columns = L::strided(self.values, first + value, self.stride);
+                let columns = L::strided(self.rows, self.first + value, self.stride);
                 lanes[value..value + 4].copy_from_slice(&columns);
                 value += 4;
             }
             if value < length
                 && let Some(place) = self.left_over(length)
             {
-                let columns = L::strided(self.values, self.stride * self.k + place, self.stride);
+                let columns = L::strided(self.rows, place, self.stride);
                 let is_acting = L::Mask::of_bits(self.acting);
-                let acts = first + self.stride * self.acting.trailing_zeros() as usize;
+                let acts = self.first + self.stride * self.acting.trailing_zeros() as usize;
                 while value < length {
-                    let repeated = L::splat(self.values[acts + value]);
+                    let repeated = L::splat(self.rows[acts + value]);
                     lanes[value] = L::select(is_acting, columns[self.first + value - place], repeated);
                     value += 1;
                 }
@@ -141,8 +140,8 @@ impl Lot<'_> {
         }
         while value < length {
             lanes[value] = L::load(&one_value(
-                self.values,
-                (first + value, self.stride),
+                self.rows,
+                (self.first + value, self.stride),
                 self.acting,
                 L::COUNT,
             ));
@@ -154,7 +153,6 @@ impl Lot<'_> {
     /// Puts back what the contacts remember that act; the others remember nothing.
     #[inline(always)]
     fn remember<L: Lanes>(&mut self, lanes: &[L], length: usize) {
-        let first = self.stride * self.k + self.first;
         let is_acting = L::Mask::of_bits(self.acting);
         let mut value = 0;
         if self.is_whole::<L>() {
@@ -165,27 +163,26 @@ impl Lot<'_> {
                     lanes[value + 2].keep(is_acting),
                     lanes[value + 3].keep(is_acting),
                 ];
-                L::put_strided(columns, self.values, first + value, self.stride);
+                L::put_strided(columns, self.rows, self.first + value, self.stride);
                 value += 4;
             }
             if value < length
                 && let Some(place) = self.left_over(length)
             {
-                let start = self.stride * self.k + place;
-                let mut columns = L::strided(self.values, start, self.stride);
+                let mut columns = L::strided(self.rows, place, self.stride);
                 let mut own = place.max(self.first);
                 while own < (self.first + length).min(place + 4) {
                     columns[own - place] = lanes[own - self.first].keep(is_acting);
                     own += 1;
                 }
-                L::put_strided(columns, self.values, start, self.stride);
+                L::put_strided(columns, self.rows, place, self.stride);
                 return;
             }
         }
         while value < length {
             put_one_value(
-                self.values,
-                (first + value, self.stride),
+                self.rows,
+                (self.first + value, self.stride),
                 self.acting,
                 &lanes[value].to_array(),
             );

@@ -129,7 +129,7 @@ impl AtWalls<'_> {
 }
 
 impl Source for AtWalls<'_> {
-    /// Few contacts are with walls, and what is compiled as one takes long to compile.
+    /// Few contacts are with walls, and each that is compiled as one takes long to compile.
     const TOGETHER: bool = false;
 
     #[inline(always)]

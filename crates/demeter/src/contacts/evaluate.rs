@@ -1,7 +1,7 @@
 //! The laws of all contacts of a chunk: those between grains, which meet now or whose geometry is known, and those with walls.
 
 use super::impacts;
-use super::kinematics::{Approach, Known, Source};
+use super::kinematics::{Approach, ByLanes, Ends, Known, Source};
 use super::respond::{Answers, Respond};
 use super::sum::{Across, AddAtOnce, Adder, Sink};
 use super::together::ask;
@@ -19,10 +19,11 @@ impl ContactChunk {
         let before = scene.tells_impacts.then(|| engaged.clone());
         let (i, j, shift) = self.take_bodies();
         let bodies = (&i[..], &j[..], &shift[..]);
-        let too_deep = self.collect(adder, bodies, scene, Approach::of(bodies, &mut engaged, scene));
+        let ends = Ends::of(bodies);
+        let too_deep = self.collect(adder, bodies, scene, Approach::of(bodies, &ends, &mut engaged, scene));
         if let Some(before) = before {
             let begun = impacts::begun(&before, &engaged);
-            let approach = Approach::of(bodies, &mut engaged, scene);
+            let approach = Approach::of(bodies, &ends, &mut engaged, scene);
             impacts::tell(approach, &begun, (&i, &j), false, scene, &mut self.impacts);
         }
         (self.i, self.j, self.shift) = (i, j, shift);
@@ -36,14 +37,17 @@ impl ContactChunk {
     pub(crate) fn evaluate_pairs(&mut self, scene: &Scene, adder: &mut Adder) {
         let (i, j, shift) = self.take_bodies();
         let geometry = std::mem::take(&mut self.now.geometry);
+        let bodies = (&i[..], &j[..], &shift[..]);
+        let ends = Ends::of(bodies);
+        let shifts = ByLanes::of(&shift, &ends.shift);
         let known = Known {
             contacts: &geometry,
             grains: scene.grains,
             i: &i,
             j: &j,
-            shifts: (scene.is_deforming()).then_some((&shift, scene.comm.shift_velocities())),
+            shifts: (scene.is_deforming()).then_some((shifts, scene.comm.shift_velocities())),
         };
-        self.collect(adder, (&i, &j, &shift), scene, known);
+        self.collect(adder, bodies, scene, known);
         (self.i, self.j, self.shift) = (i, j, shift);
         self.now.geometry = geometry;
     }

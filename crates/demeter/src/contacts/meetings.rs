@@ -10,44 +10,64 @@ use demeter_physics::lanes::{Index, Kernel, Lanes, MOST_LANES, Mask, Vector};
 use glam::DVec3;
 
 /// Pairs of grains, one per lane.
-pub(super) struct Lot {
-    pub(super) first: Index,
-    pub(super) second: Index,
-    /// Codes of the shifts across periodic sides, and whether any pair has one.
-    pub(super) shift: Index,
-    pub(super) is_shifted: bool,
+pub(super) struct Lot<'a> {
+    pub(super) first: &'a [u32],
+    pub(super) second: &'a [u32],
+    /// Codes of the shifts across periodic sides; empty where there are none.
+    pub(super) shift: &'a [u8],
 }
 
-impl Lot {
+impl Lot<'_> {
+    /// Whether any pair is shifted.
     #[inline(always)]
-    pub(super) fn empty() -> Self {
-        Self {
-            first: [0; MOST_LANES],
-            second: [0; MOST_LANES],
-            shift: [0; MOST_LANES],
-            is_shifted: false,
+    fn is_shifted(&self) -> bool {
+        let (mut differing, mut lane) = (0, 0);
+        while lane < self.shift.len() {
+            differing |= self.shift[lane] ^ Single::UNSHIFTED;
+            lane += 1;
         }
+        differing != 0
     }
 
+    /// The shifts of the pairs in a table of all shifts, if any pair is shifted.
+    #[inline(always)]
+    pub(super) fn shifts<L: Lanes>(&self, table: &[[f64; 4]]) -> Option<L::Vector> {
+        if !self.is_shifted() {
+            return None;
+        }
+        let (mut index, mut lane) = ([0; MOST_LANES], 0);
+        while lane < L::COUNT {
+            index[lane] = u32::from(self.shift[lane]);
+            lane += 1;
+        }
+        let [[x, y, z, _]] = L::fetch([table], &index);
+        Some(L::Vector::new(x, y, z))
+    }
+}
+
+/// Pairs that are put together one by one.
+#[derive(Default)]
+pub(super) struct PickedPairs {
+    first: Index,
+    second: Index,
+    shift: [u8; MOST_LANES],
+}
+
+impl PickedPairs {
     #[inline(always)]
     pub(super) fn put(&mut self, lane: usize, pair: &Pair) {
         self.first[lane] = pair.i;
         self.second[lane] = pair.j;
-        self.shift[lane] = u32::from(pair.shift);
-        self.is_shifted = pair.shift != Single::UNSHIFTED || (lane > 0 && self.is_shifted);
+        self.shift[lane] = pair.shift;
     }
 
-    /// Puts the codes of the shifts of pairs.
     #[inline(always)]
-    pub(super) fn put_shifts<L: Lanes>(&mut self, codes: &[u8], k: usize) {
-        let (mut differing, mut lane) = (0, 0);
-        while lane < L::COUNT {
-            let code = codes[(k + lane).min(codes.len() - 1)];
-            self.shift[lane] = u32::from(code);
-            differing |= code ^ Single::UNSHIFTED;
-            lane += 1;
+    pub(super) fn lot<L: Lanes>(&self) -> Lot<'_> {
+        Lot {
+            first: &self.first[..L::COUNT],
+            second: &self.second[..L::COUNT],
+            shift: &self.shift[..L::COUNT],
         }
-        self.is_shifted = differing != 0;
     }
 }
 
@@ -108,17 +128,16 @@ impl<'a> Meeting<'a> {
     /// Difference of the positions of some pairs, and their radii.
     #[inline(always)]
     pub(super) fn apart<L: Lanes>(&self, lot: &Lot) -> (L::Vector, L, L) {
-        let [first] = L::fetch([self.tables[0]], &lot.first);
-        let [second] = L::fetch([self.tables[0]], &lot.second);
+        let [first] = L::fetch([self.tables[0]], lot.first);
+        let [second] = L::fetch([self.tables[0]], lot.second);
         self.difference(first, second, lot)
     }
 
     #[inline(always)]
     fn difference<L: Lanes>(&self, [xi, yi, zi, ri]: [L; 4], [xj, yj, zj, rj]: [L; 4], lot: &Lot) -> (L::Vector, L, L) {
         let mut apart = L::Vector::new(xi - xj, yi - yj, zi - zj);
-        if lot.is_shifted {
-            let [[x, y, z, _]] = L::fetch([self.shifts], &lot.shift);
-            apart = apart + L::Vector::new(x, y, z);
+        if let Some(shifts) = lot.shifts::<L>(self.shifts) {
+            apart = apart + shifts;
         }
         (apart, ri, rj)
     }
@@ -126,8 +145,8 @@ impl<'a> Meeting<'a> {
     /// Velocity of the first of some pairs against the second, where the box keeps its shape [m/s].
     #[inline(always)]
     pub(super) fn velocity<L: Lanes>(&self, lot: &Lot) -> L::Vector {
-        let [[vx, vy, vz, _]] = L::fetch([self.tables[1]], &lot.first);
-        let [[ux, uy, uz, _]] = L::fetch([self.tables[1]], &lot.second);
+        let [[vx, vy, vz, _]] = L::fetch([self.tables[1]], lot.first);
+        let [[ux, uy, uz, _]] = L::fetch([self.tables[1]], lot.second);
         L::Vector::new(vx - ux, vy - uy, vz - uz)
     }
 
@@ -137,27 +156,22 @@ impl<'a> Meeting<'a> {
         if !self.scene.is_coupled() {
             return L::splat(0.0);
         }
-        let mut bulges = [0.0; MOST_LANES];
-        let mut lane = 0;
-        while lane < L::COUNT {
-            bulges[lane] = self.scene.bulge(lot.first[lane] as usize) + self.scene.bulge(lot.second[lane] as usize);
-            lane += 1;
-        }
-        L::load(&bulges)
+        L::load(&bulges(self.scene, lot.first, lot.second))
     }
 
     /// How some pairs meet; those that are not `here` do not act.
     #[inline(always)]
     pub(super) fn meet<L: Lanes>(&self, lot: &Lot, here: u32) -> Met<L> {
-        let [place_i, [vx, vy, vz, inverse_mass], spin_i] = L::fetch(self.tables, &lot.first);
-        let [place_j, [ux, uy, uz, other_mass], spin_j] = L::fetch(self.tables, &lot.second);
+        let [place_i, [vx, vy, vz, inverse_mass], spin_i] = L::fetch(self.tables, lot.first);
+        let [place_j, [ux, uy, uz, other_mass], spin_j] = L::fetch(self.tables, lot.second);
         let (apart, ri, rj) = self.difference(place_i, place_j, lot);
         let [x, y, z, overlap, lever_i, lever_j] = contact_sphere_sphere_wide::<L>(apart, ri, rj, self.normals);
         let normal = L::Vector::new(x, y, z);
         let mut velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
-        if lot.is_shifted && !self.shift_velocities.is_empty() {
-            let [[x, y, z, _]] = L::fetch([self.shift_velocities], &lot.shift);
-            velocity = velocity + L::Vector::new(x, y, z);
+        if !self.shift_velocities.is_empty()
+            && let Some(shifts) = lot.shifts::<L>(self.shift_velocities)
+        {
+            velocity = velocity + shifts;
         }
         let rate = -velocity.inner(normal);
         let bulged = overlap + self.bulges::<L>(lot);
@@ -165,11 +179,15 @@ impl<'a> Meeting<'a> {
         let mut acting = (bulged + half_window).gt(L::splat(0.0)) & L::Mask::of_bits(here);
         let mut acts = acting.bits();
         if self.scene.max_reach > 0.0 && acts != here {
-            let bodies = [lot.first, lot.second].map(first_of::<L>);
-            acts |= attracted(self.scene, here & !acts, &bodies, [bulged.to_array(), rate.to_array()]);
+            acts |= attracted(
+                self.scene,
+                here & !acts,
+                [lot.first, lot.second],
+                [bulged.to_array(), rate.to_array()],
+            );
             acting = L::Mask::of_bits(acts);
         }
-        let allowed = L::select(ri.lt(rj), ri, rj) * self.scene.max_overlap;
+        let allowed = ri.min(rj) * self.scene.max_overlap;
         Met {
             normal,
             overlap,
@@ -186,21 +204,20 @@ impl<'a> Meeting<'a> {
     }
 }
 
-/// The indices of the lanes, in an array of their own.
-#[inline(always)]
-fn first_of<L: Lanes>(index: Index) -> Index {
-    let (mut first, mut lane) = ([0; MOST_LANES], 0);
-    while lane < L::COUNT {
-        first[lane] = index[lane];
-        lane += 1;
+/// How far the surfaces of both grains of some pairs may bulge [m].
+#[inline(never)]
+fn bulges(scene: &Scene, first: &[u32], second: &[u32]) -> [f64; MOST_LANES] {
+    let mut bulges = [0.0; MOST_LANES];
+    for (bulge, (&i, &j)) in bulges.iter_mut().zip(first.iter().zip(second)) {
+        *bulge = scene.bulge(i as usize) + scene.bulge(j as usize);
     }
-    first
+    bulges
 }
 
 /// On which of some pairs that do not touch a law acts that attracts across a gap; told overlaps and rates. What the loop over contacts
 /// keeps in registers is given as copies: a reference to it would put it into memory for good.
 #[inline(never)]
-fn attracted(scene: &Scene, mut apart: u32, bodies: &[Index; 2], [overlap, rate]: [[f64; MOST_LANES]; 2]) -> u32 {
+fn attracted(scene: &Scene, mut apart: u32, bodies: [&[u32]; 2], [overlap, rate]: [[f64; MOST_LANES]; 2]) -> u32 {
     let (grains, materials) = (scene.grains, scene.materials);
     let mut acts = 0;
     while let Some(lane) = next_lane(&mut apart) {
@@ -278,14 +295,14 @@ impl Kernel for FindPairs<'_> {
         };
         find.run::<L>();
         let meeting = Meeting::new(scene);
-        let mut lot = Lot::empty();
+        let mut picked = PickedPairs::default();
         for n in (0..near.len()).step_by(L::COUNT) {
             let mut lane = 0;
             while lane < L::COUNT {
-                lot.put(lane, &pairs.get(usize::from(near[(n + lane).min(near.len() - 1)])));
+                picked.put(lane, &pairs.get(usize::from(near[(n + lane).min(near.len() - 1)])));
                 lane += 1;
             }
-            let met = meeting.meet::<L>(&lot, lanes_below((near.len() - n).min(L::COUNT)));
+            let met = meeting.meet::<L>(&picked.lot::<L>(), lanes_below((near.len() - n).min(L::COUNT)));
             let mut bits = met.acts;
             if met.too_deep != 0 && too_deep.is_none() {
                 let before = bits & ((1 << met.too_deep.trailing_zeros()) - 1);

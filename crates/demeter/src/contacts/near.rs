@@ -10,7 +10,7 @@
 //! itself, uses up the reach. Pairs that move together need no reach, however fast they are.
 
 use super::Scene;
-use super::meetings::{Lot, Meeting, lanes_below};
+use super::meetings::{Meeting, PickedPairs, lanes_below};
 use crate::comm::parts::{InParts, Listed, Part};
 use crate::neighbours::Pairs;
 use demeter_physics::lanes::{Kernel, Lanes, Mask, Vector};
@@ -281,13 +281,14 @@ impl Kernel for FindNear<'_> {
         let count = pairs.len();
         near.resize(count + L::COUNT, 0);
         let mut found = 0;
-        let mut lot = Lot::empty();
+        let mut picked = PickedPairs::default();
         for c in (0..count).step_by(L::COUNT) {
             let mut lane = 0;
             while lane < L::COUNT {
-                lot.put(lane, &pairs.get((c + lane).min(count - 1)));
+                picked.put(lane, &pairs.get((c + lane).min(count - 1)));
                 lane += 1;
             }
+            let lot = picked.lot::<L>();
             let (apart, ri, rj) = meeting.apart::<L>(&lot);
             let reach = ri + rj + meeting.bulges::<L>(&lot) + sought.reach;
             let mut square = apart.square();

@@ -13,7 +13,8 @@ use demeter_physics::contact::PairLaw;
 use demeter_physics::contact::rolling::RollingInput;
 use demeter_physics::contact::tangential::{TangentialInput, TangentialResponse};
 use demeter_physics::integrator::Integrator;
-use demeter_physics::lanes::{Kernel, Lanes, Vector};
+use demeter_physics::lanes::{Kernel, Lanes, MOST_LANES, Vector};
+use std::ops::Range;
 
 /// What the contacts of a chunk know, and what comes out of a step.
 pub(super) struct Answers<'a> {
@@ -116,6 +117,14 @@ fn end(
     }
 }
 
+/// Notes the first contact with too much overlap.
+#[cold]
+#[inline(never)]
+fn note_first(too_deep: &mut Option<(usize, f64)>, k: usize, deep: u32, overlaps: [f64; MOST_LANES]) {
+    let lane = deep.trailing_zeros() as usize;
+    too_deep.get_or_insert((k + lane, overlaps[lane]));
+}
+
 impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
     /// What was lost, and the first contact with too much overlap.
     type Output = (Tally, Option<(usize, f64)>);
@@ -139,7 +148,8 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
         let mut too_deep = None;
         let nothing = L::Vector::null();
         for k in (0..count).step_by(L::COUNT) {
-            let here = lanes_below((count - k).min(L::COUNT));
+            let until = (k + L::COUNT).min(count);
+            let here = lanes_below(until - k);
             let Sight {
                 motion,
                 turning,
@@ -154,20 +164,19 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 end(remembered, (k, ended), (law, &mut booked));
             }
             if acts == 0 {
-                answers.silence::<L>(k, count);
+                answers.silence::<L>(k..until);
                 sink.put_nothing::<L>(k);
                 continue;
             }
-            if deep != 0 && too_deep.is_none() {
-                let lane = deep.trailing_zeros() as usize;
-                too_deep = Some((k + lane, motion.overlap.to_array()[lane]));
+            if deep != 0 {
+                note_first(&mut too_deep, k, deep, motion.overlap.to_array());
             }
+            let rows = k * answers.stride..until * answers.stride;
             let mut lot = Lot {
-                k,
                 acting: acts,
                 span,
                 integrator,
-                values: &mut *answers.history,
+                rows: &mut answers.history[rows],
                 stride: answers.stride,
                 first: 0,
             };
@@ -244,7 +253,7 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 answers.torques.put_lanes::<L>(k, rolling_torque);
             }
             store_some_singles(force, answers.normal_force, k);
-            answers.tell::<L>(k, count, &pressed, &rubbed, acting, law);
+            answers.tell::<L>(k..until, &pressed, &rubbed, acting, law);
             let tangential = rubbed.force.or(acting, nothing);
             answers.tangential.put_lanes::<L>(k, tangential);
             let arm = motion.normal.outer(tangential);
@@ -293,24 +302,22 @@ const SLIDING: f64 = 0.99;
 const GENTLE: f64 = 1e-3;
 
 impl Answers<'_> {
-    /// Lets the contacts from `k` on have no force.
+    /// Lets some contacts have no force.
     #[inline(always)]
-    fn silence<L: Lanes>(&mut self, k: usize, count: usize) {
-        let places = k..(k + L::COUNT).min(count);
+    fn silence<L: Lanes>(&mut self, places: Range<usize>) {
         self.normal_force[places.clone()].fill(0.0);
-        self.tangential.put_lanes::<L>(k, L::Vector::null());
-        self.torques.put_lanes::<L>(k, L::Vector::null());
+        self.tangential.put_lanes::<L>(places.start, L::Vector::null());
+        self.torques.put_lanes::<L>(places.start, L::Vector::null());
         if let Some(elastic) = self.elastic.get_mut(places) {
             elastic.fill(0.0);
         }
     }
 
-    /// Tells what is asked beside forces of the contacts from `k` on.
+    /// Tells what is asked beside forces of some contacts.
     #[inline(always)]
     fn tell<L: Lanes>(
         &mut self,
-        k: usize,
-        count: usize,
+        places: Range<usize>,
         pressed: &Pressed<L>,
         rubbed: &TangentialResponse<L>,
         acting: L::Mask,
@@ -319,26 +326,33 @@ impl Answers<'_> {
         if self.losses.is_empty() && self.elastic.is_empty() {
             return;
         }
-        let places = k..(k + L::COUNT).min(count);
-        if let Some(losses) = self.losses.get_mut(places.clone()) {
-            let normal = (pressed.viscous + pressed.lost).keep(acting).to_array();
-            let friction = rubbed.dissipated.keep(acting).to_array();
-            let force = rubbed.force.square().sqrt().keep(acting).to_array();
-            let load = pressed.friction_load.to_array();
-            for (lane, told) in losses.iter_mut().enumerate() {
-                told.normal += normal[lane];
-                told.friction += friction[lane];
-                let slides = force[lane] > 0.0 && force[lane] >= SLIDING * friction_limit(law, load[lane]);
-                told.slid_load = if slides {
-                    load[lane] * friction[lane] / force[lane]
-                } else {
-                    0.0
-                };
-            }
+        if !self.losses.is_empty() {
+            let lost = [
+                (pressed.viscous + pressed.lost).keep(acting).to_array(),
+                rubbed.dissipated.keep(acting).to_array(),
+                rubbed.force.square().sqrt().keep(acting).to_array(),
+                pressed.friction_load.to_array(),
+            ];
+            tell_losses(&mut self.losses[places.clone()], &lost, law);
         }
         if let Some(elastic) = self.elastic.get_mut(places) {
             let all = pressed.elastic.keep(acting).to_array();
             elastic.copy_from_slice(&all[..elastic.len()]);
         }
+    }
+}
+
+/// Tells what contacts lose, told what by their normal laws and by friction, and their tangential forces and what bears them.
+#[inline(never)]
+fn tell_losses(losses: &mut [Lost], [normal, friction, force, load]: &[[f64; MOST_LANES]; 4], law: &PairLaw) {
+    for (lane, told) in losses.iter_mut().enumerate() {
+        told.normal += normal[lane];
+        told.friction += friction[lane];
+        let slides = force[lane] > 0.0 && force[lane] >= SLIDING * friction_limit(law, load[lane]);
+        told.slid_load = if slides {
+            load[lane] * friction[lane] / force[lane]
+        } else {
+            0.0
+        };
     }
 }

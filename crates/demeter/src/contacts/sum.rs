@@ -170,36 +170,20 @@ impl Across<'_> {
     }
 }
 
-/// How far the furthest of some grains lies behind one; very far if any lies before it.
-#[inline(always)]
-fn furthest(grains: &[u32], first: u32) -> u32 {
-    let (mut furthest, mut k) = (0, 0);
-    while k < grains.len() {
-        furthest = grains[k].wrapping_sub(first).max(furthest);
-        k += 1;
-    }
-    furthest
-}
-
 impl Sink for AddAtOnce<'_, '_> {
     #[inline(always)]
     fn put<L: Lanes>(&mut self, k: usize, loads: &Loads<L>) {
-        let end = (k + L::COUNT).min(self.i.len());
-        let (i, j) = (&self.i[k..end], &self.j[k..end]);
         let first = L::side_by_side(loads.force, loads.first_torque);
         let second = L::side_by_side(loads.force, loads.second_torque);
-        let first_grain = self.adder.first_grain;
-        if i.len() == L::COUNT
-            && (furthest(i, first_grain).max(furthest(j, first_grain)) as usize) < self.adder.sums.len()
-        {
-            let sums = &mut *self.adder.sums;
-            let mut lane = 0;
-            while lane < L::COUNT {
-                sums[(i[lane] - first_grain) as usize].add_side(first.as_ref()[lane], 0);
-                sums[(j[lane] - first_grain) as usize].add_side(second.as_ref()[lane], 1);
-                lane += 1;
-            }
-        } else {
+        let whole = k..k + L::COUNT;
+        let Adder { sums, first_grain, .. } = &mut *self.adder;
+        let is_added = match (self.i.get(whole.clone()), self.j.get(whole)) {
+            (Some(i), Some(j)) => lanes::add_to_both::<L, _>(sums, *first_grain, [i, j], [&first, &second]),
+            _ => false,
+        };
+        let end = (k + L::COUNT).min(self.i.len());
+        if !is_added {
+            let (i, j) = (&self.i[k..end], &self.j[k..end]);
             // lanes are counted to a number known beforehand, so that what they hold stays in registers
             let mut lane = 0;
             while lane < L::COUNT {

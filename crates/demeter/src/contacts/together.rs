@@ -173,9 +173,11 @@ pub(super) fn ask<S: Source, K: Sink>(
     use NormalLaw::{HertzTsuji, Linear};
     use RollingLaw::{ConstantTorque, Epsd};
     use TangentialLaw::{Coulomb, LinearHistory, MindlinHistory};
+    if let (HertzTsuji(n), Some(MindlinHistory(t)), None) = (&law.normal, &law.tangential, &law.rolling) {
+        return run(instructions, respond.with(Bound(n, t, ())));
+    }
     if S::TOGETHER {
         match (&law.normal, &law.tangential, &law.rolling) {
-            (HertzTsuji(n), Some(MindlinHistory(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
             (HertzTsuji(n), Some(Coulomb(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
             (Linear(n), Some(LinearHistory(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
             (Linear(n), Some(Coulomb(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),

@@ -110,6 +110,13 @@ impl Load {
     }
 }
 
+impl AsMut<[f64; 8]> for Load {
+    #[inline(always)]
+    fn as_mut(&mut self) -> &mut [f64; 8] {
+        &mut self.0
+    }
+}
+
 /// By how much a half kick that a step foresees changes velocity [m/s] and, behind it, angular velocity [1/s].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]

@@ -11,6 +11,7 @@ mod cube_root;
 mod neon;
 mod quad;
 mod scalar;
+mod sums;
 #[cfg(test)]
 mod tests;
 mod vector;
@@ -19,6 +20,7 @@ mod x86;
 
 pub use cube_root::{cube_root, rough_cube_root};
 pub use quad::{Eight, Four, Quad, Two};
+pub use sums::add_to_both;
 pub use vector::{Vector, Vector3};
 
 use std::fmt::Debug;
@@ -108,9 +110,9 @@ pub trait Lanes:
     /// Two vectors per lane as rows of eight numbers, with 0 behind each of them.
     fn side_by_side(first: Self::Vector, second: Self::Vector) -> Self::Eights;
 
-    /// The columns of rows of some tables, one row per lane, the same in each.
+    /// The columns of rows of some tables, one row per lane, the same in each: there must be as many indices as lanes.
     #[inline(always)]
-    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &Index) -> [[Self; 4]; N] {
+    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &[u32]) -> [[Self; 4]; N] {
         let mut columns = [[Self::splat(0.0); 4]; N];
         let mut table = 0;
         while table < N {

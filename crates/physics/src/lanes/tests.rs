@@ -42,7 +42,7 @@ impl Kernel for Everything<'_> {
             };
             let fetched = {
                 let back = L::rows([a, b, b - a, a + 2.0]);
-                let index = std::array::from_fn(|lane| (lane % L::COUNT) as u32);
+                let index: Index = std::array::from_fn(|lane| (lane % L::COUNT) as u32);
                 let [first, [x, y, z, w]] = L::fetch([back.as_ref(), back.as_ref()], &index);
                 let mut put = vec![0.0; 7 * L::COUNT];
                 L::put_strided([w, z, y, x], &mut put, 1, 6);

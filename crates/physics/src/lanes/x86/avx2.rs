@@ -1,7 +1,7 @@
 //! Four lanes of AVX2.
 
-use super::{at, by, check, check_rows, one, put, put_row, row, stretch, whole};
-use crate::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Quad, Two, Vector3, with_zero};
+use super::{at, by, check, check_rows, first, one, one_by_one, put, put_row, row, stretch, whole};
+use crate::lanes::{Lanes, MOST_LANES, Mask, Places, Quad, Two, Vector3, with_zero};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -214,7 +214,8 @@ impl Lanes for F64x4 {
     }
 
     #[inline(always)]
-    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &Index) -> [[Self; 4]; N] {
+    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &[u32]) -> [[Self; 4]; N] {
+        let index = one_by_one::<4>(first(index));
         let most = index[0].max(index[1]).max(index[2].max(index[3]));
         check_rows(&tables, most);
         let mut columns = [[Self::splat(0.0); 4]; N];

@@ -1,8 +1,8 @@
 //! Eight lanes of AVX-512.
 
 use super::avx2::F64x4;
-use super::{at, by, check, check_rows, one, one_by_one, put, row, stretch, whole};
-use crate::lanes::{Eight, Index, Lanes, MOST_LANES, Mask, Places, Vector3, with_zero};
+use super::{at, by, check, check_rows, first, one, one_by_one, put, row, stretch, whole};
+use crate::lanes::{Eight, Lanes, MOST_LANES, Mask, Places, Vector3, with_zero};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -171,8 +171,8 @@ impl Lanes for F64x8 {
     }
 
     #[inline(always)]
-    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &Index) -> [[Self; 4]; N] {
-        let index = &by(index)[0];
+    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &[u32]) -> [[Self; 4]; N] {
+        let index = first(index);
         check_rows(&tables, largest_of_eight(index));
         // SAFETY: all these rows are there
         unsafe { fetched(tables, index) }

@@ -163,13 +163,19 @@ fn check_rows<const N: usize>(tables: &[&[[f64; 4]]; N], index: u32) {
     }
 }
 
+/// The first of some indices, of which there must be as many.
+#[inline(always)]
+fn first<const N: usize>(index: &[u32]) -> &[u32; N] {
+    &index.as_chunks().0[0]
+}
+
 /// Indices read one after the other: the compiler would read all at once, and each that is taken out of a register takes two turns
 /// where registers are shuffled, which the kernels need most.
 #[inline(always)]
-fn one_by_one(index: &[u32; 8]) -> [u32; 8] {
-    let mut separate = [0; 8];
+fn one_by_one<const N: usize>(index: &[u32; N]) -> [u32; N] {
+    let mut separate = [0; N];
     let mut lane = 0;
-    while lane < 8 {
+    while lane < N {
         // SAFETY: a reference can be read
         separate[lane] = unsafe { std::ptr::read_volatile(&raw const index[lane]) };
         lane += 1;

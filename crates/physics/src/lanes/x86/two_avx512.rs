@@ -2,8 +2,8 @@
 
 use super::avx2::F64x4;
 use super::avx512::{F64x8, Mask8, columns_from, columns_of, fetched, gathered, largest_of_eight};
-use super::{by, check_rows};
-use crate::lanes::{Index, Lanes, MOST_LANES, Mask, Places, Vector, Vector3};
+use super::{by, check_rows, first};
+use crate::lanes::{Lanes, MOST_LANES, Mask, Places, Vector, Vector3};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// Sixteen lanes of AVX-512.
@@ -186,12 +186,12 @@ impl Lanes for F64x16 {
     }
 
     #[inline(always)]
-    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &Index) -> [[Self; 4]; N] {
-        let index = by(index);
-        let most = largest_of_eight(&index[0]).max(largest_of_eight(&index[1]));
+    fn fetch<const N: usize>(tables: [&[[f64; 4]]; N], index: &[u32]) -> [[Self; 4]; N] {
+        let (lower, upper) = (first(index), first(&index[8..]));
+        let most = largest_of_eight(lower).max(largest_of_eight(upper));
         check_rows(&tables, most);
         // SAFETY: all these rows are there
-        let (one, other) = unsafe { (fetched(tables, &index[0]), fetched(tables, &index[1])) };
+        let (one, other) = unsafe { (fetched(tables, lower), fetched(tables, upper)) };
         let mut columns = [[Self::splat(0.0); 4]; N];
         let mut table = 0;
         while table < N {
