@@ -28,40 +28,51 @@ pub fn build_demeter() -> Result<(), String> {
 /// A check of a merge, and what it is called where its time is told.
 type Check = (&'static str, fn() -> Result<(), String>);
 
-/// What must hold before a merge, one after the other. The quick checks come first.
-const CHECKS: [Check; 6] = [
-    ("format", || format(true)),
-    ("layers", layers),
-    ("clippy", clippy),
-    ("documentation", documentation),
-    ("pages for browsers", web::check_where_possible),
-    ("tests", test),
-];
-
-/// What must hold, too, and needs the program that the tests have built. Each row leaves a processor to the other, which it does not
-/// wait for: the second compiles nothing.
-const CHECKS_BESIDE: [[Check; 2]; 2] = [
-    [
-        ("instructions of one step", || instructions::run(false)),
-        ("Python", python::test),
+/// What must hold before a merge, row by row. Rows of one block run beside each other, which leave a processor to each other: all but the first
+/// compile nothing.
+const CHECKS: [&[&[Check]]; 3] = [
+    &[
+        &[("clippy", clippy), ("documentation", documentation)],
+        &[
+            ("format", || format(true)),
+            ("layers", layers),
+            ("pages for browsers", web::check_where_possible),
+        ],
     ],
-    [("book", book::check), ("browser", browser::test_where_possible)],
+    &[&[("tests", test)]],
+    // these need the program that the tests have built
+    &[
+        &[
+            ("instructions of one step", || instructions::run(false)),
+            ("Python", python::test),
+        ],
+        &[("book", book::check), ("browser", browser::test_where_possible)],
+    ],
 ];
 
 /// All checks of a merge, and how long each took.
 pub fn ci() -> Result<(), String> {
     // they come through the network while others work; what fails here is told by the check that needs them
     std::thread::spawn(python::with_packages);
-    let mut taken = in_turn(&CHECKS)?;
-    let rows = std::thread::scope(|scope| {
-        let begun = CHECKS_BESIDE.each_ref().map(|row| scope.spawn(|| in_turn(row)));
-        begun.map(|row| row.join().unwrap_or_else(|_| Err("a check panicked".to_string())))
-    });
-    for row in rows {
-        taken.extend(row?);
+    let mut taken = Vec::new();
+    for block in CHECKS {
+        for row in beside(block) {
+            taken.extend(row?);
+        }
     }
     println!("==> all checks passed\n{}", taken.join("\n"));
     Ok(())
+}
+
+/// Makes rows of checks beside each other, and waits for all.
+fn beside(rows: &[&[Check]]) -> Vec<Result<Vec<String>, String>> {
+    std::thread::scope(|scope| {
+        let begun: Vec<_> = rows.iter().map(|row| scope.spawn(|| in_turn(row))).collect();
+        let ended = begun.into_iter().map(std::thread::ScopedJoinHandle::join);
+        ended
+            .map(|row| row.unwrap_or_else(|_| Err("a check panicked".to_string())))
+            .collect()
+    })
 }
 
 /// Makes checks one after the other, as far as they hold; tells how long each took.
