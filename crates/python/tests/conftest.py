@@ -1,7 +1,8 @@
-"""A small bed that all tests share."""
+"""What tests share: a small bed, and whether two runs of it are the same."""
 
 import copy
 
+import numpy as np
 import pytest
 
 BED = {
@@ -48,3 +49,7 @@ BED = {
 @pytest.fixture
 def bed():
     return copy.deepcopy(BED)
+
+
+def same(one, other):
+    return np.array_equal(one.positions, other.positions) and np.array_equal(one.ids, other.ids)
