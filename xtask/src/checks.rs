@@ -28,8 +28,8 @@ pub fn build_demeter() -> Result<(), String> {
 /// A check of a merge, and what it is called where its time is told.
 type Check = (&'static str, fn() -> Result<(), String>);
 
-/// What must hold before a merge, row by row. Rows of one block run beside each other, which leave a processor to each other: all but the first
-/// compile nothing.
+/// What must hold before a merge: one block after the other, whose rows are made beside each other. Only the first row of a block compiles
+/// anything, so that one never waits for another.
 const CHECKS: [&[&[Check]]; 3] = [
     &[
         &[("clippy", clippy), ("documentation", documentation)],
