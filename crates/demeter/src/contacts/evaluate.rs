@@ -1,7 +1,8 @@
 //! The laws of all contacts of a chunk: those between grains, which meet now or whose geometry is known, and those with walls.
 
+use super::bodies::{Bodies, Ends, Lists};
 use super::impacts;
-use super::kinematics::{Approach, ByLanes, Ends, Known, Source};
+use super::kinematics::{Approach, Known, Source};
 use super::respond::{Answers, Respond};
 use super::sum::{Across, AddAtOnce, Adder, Sink};
 use super::together::ask;
@@ -18,12 +19,13 @@ impl ContactChunk {
         engaged.resize(self.len().div_ceil(WORD), 0);
         let before = scene.tells_impacts.then(|| engaged.clone());
         let (i, j, shift) = self.take_bodies();
-        let bodies = (&i[..], &j[..], &shift[..]);
-        let ends = Ends::of(bodies);
-        let too_deep = self.collect(adder, bodies, scene, Approach::of(bodies, &ends, &mut engaged, scene));
+        let lists = (&i[..], &j[..], &shift[..]);
+        let ends = Ends::of(lists);
+        let approach = Approach::of(Bodies::of(lists, &ends), &mut engaged, scene);
+        let too_deep = self.collect(adder, lists, scene, approach);
         if let Some(before) = before {
             let begun = impacts::begun(&before, &engaged);
-            let approach = Approach::of(bodies, &ends, &mut engaged, scene);
+            let approach = Approach::of(Bodies::of(lists, &ends), &mut engaged, scene);
             impacts::tell(approach, &begun, (&i, &j), false, scene, &mut self.impacts);
         }
         (self.i, self.j, self.shift) = (i, j, shift);
@@ -37,17 +39,15 @@ impl ContactChunk {
     pub(crate) fn evaluate_pairs(&mut self, scene: &Scene, adder: &mut Adder) {
         let (i, j, shift) = self.take_bodies();
         let geometry = std::mem::take(&mut self.now.geometry);
-        let bodies = (&i[..], &j[..], &shift[..]);
-        let ends = Ends::of(bodies);
-        let shifts = ByLanes::of(&shift, &ends.shift);
+        let lists = (&i[..], &j[..], &shift[..]);
+        let ends = Ends::of(lists);
         let known = Known {
             contacts: &geometry,
             grains: scene.grains,
-            i: &i,
-            j: &j,
-            shifts: (scene.is_deforming()).then_some((shifts, scene.comm.shift_velocities())),
+            bodies: Bodies::of(lists, &ends),
+            shift_velocities: (scene.is_deforming()).then_some(scene.comm.shift_velocities()),
         };
-        self.collect(adder, bodies, scene, known);
+        self.collect(adder, lists, scene, known);
         (self.i, self.j, self.shift) = (i, j, shift);
         self.now.geometry = geometry;
     }
@@ -62,7 +62,7 @@ impl ContactChunk {
     fn collect(
         &mut self,
         adder: &mut Adder,
-        (i, j, shift): (&[u32], &[u32], &[u8]),
+        (i, j, shift): Lists,
         scene: &Scene,
         source: impl Source,
     ) -> Option<(usize, f64)> {

@@ -1,8 +1,9 @@
 //! How the bodies of contacts move against each other, several contacts at a time.
 
 use super::Scene;
+use super::bodies::Bodies;
 use super::evaluate::WORD;
-use super::meetings::{Lot, Meeting};
+use super::meetings::Meeting;
 use crate::particles::Grains;
 use demeter_physics::contact::PairSize;
 use demeter_physics::geometry::contact_sphere_sphere::Contact;
@@ -66,48 +67,11 @@ pub(super) fn put_listed<L: Lanes>(list: &[u32], k: usize, index: &mut Index) {
     }
 }
 
+/// What is listed from a place on; beyond the end the last.
 #[cold]
 #[inline(never)]
-fn last_listed(list: &[u32], k: usize) -> Index {
+pub(super) fn last_listed<T: Copy>(list: &[T], k: usize) -> [T; MOST_LANES] {
     std::array::from_fn(|lane| list[(k + lane).min(list.len() - 1)])
-}
-
-/// What is listed for contacts, to be had for as many at a time as there are lanes; those beyond the end repeat the last.
-#[derive(Clone, Copy)]
-pub(super) struct ByLanes<'a, T> {
-    all: &'a [T],
-    end: &'a [T; MOST_LANES],
-}
-
-/// The end of a list, from a multiple of the most lanes on.
-fn end_of<T: Copy + Default>(all: &[T]) -> [T; MOST_LANES] {
-    let Some(&last) = all.last() else {
-        return [T::default(); MOST_LANES];
-    };
-    let rest = &all[(all.len() - 1) / MOST_LANES * MOST_LANES..];
-    let mut end = [last; MOST_LANES];
-    end[..rest.len()].copy_from_slice(rest);
-    end
-}
-
-impl<'a, T: Copy> ByLanes<'a, T> {
-    /// Of a list and its end.
-    pub(super) fn of(all: &'a [T], end: &'a [T; MOST_LANES]) -> Self {
-        Self { all, end }
-    }
-
-    /// Those of the lanes from contact `k` on, where they lie.
-    #[inline(always)]
-    pub(super) fn from<L: Lanes>(self, k: usize) -> &'a [T] {
-        match self.all.get(k..k + L::COUNT) {
-            Some(all) => all,
-            None => &self.end[k % MOST_LANES..][..L::COUNT],
-        }
-    }
-
-    fn is_empty(&self) -> bool {
-        self.all.is_empty()
-    }
 }
 
 /// Places of the lanes from contact `k` on, `width` numbers each; lanes beyond the end repeat the last contact.
@@ -247,45 +211,17 @@ pub(super) fn note_engaged(engaged: &mut [u64], k: usize, here: u32, acts: u32) 
 /// Pairs of grains of which some act.
 pub(super) struct Approach<'a> {
     meeting: Meeting<'a>,
-    /// Grains of the pairs.
-    i: ByLanes<'a, u32>,
-    j: ByLanes<'a, u32>,
-    /// Codes of their shifts across periodic sides; empty where there are none.
-    shift: ByLanes<'a, u8>,
+    bodies: Bodies<'a>,
     /// Which of them acted in the step before, a bit each, and then in this one.
     engaged: &'a mut [u64],
 }
 
-/// The ends of the lists of grains of pairs and of the codes of their shifts.
-pub(super) struct Ends {
-    i: Index,
-    j: Index,
-    pub(super) shift: [u8; MOST_LANES],
-}
-
-impl Ends {
-    pub(super) fn of((i, j, shift): (&[u32], &[u32], &[u8])) -> Self {
-        Self {
-            i: end_of(i),
-            j: end_of(j),
-            shift: end_of(shift),
-        }
-    }
-}
-
 impl<'a> Approach<'a> {
-    /// Of the grains of pairs and the codes of their shifts, the ends of these lists, and which of the pairs acted.
-    pub(super) fn of(
-        (i, j, shift): (&'a [u32], &'a [u32], &'a [u8]),
-        ends: &'a Ends,
-        engaged: &'a mut [u64],
-        scene: &'a Scene<'a>,
-    ) -> Self {
+    /// Of pairs, and which of them acted.
+    pub(super) fn of(bodies: Bodies<'a>, engaged: &'a mut [u64], scene: &'a Scene<'a>) -> Self {
         Self {
             meeting: Meeting::new(scene),
-            i: ByLanes::of(i, &ends.i),
-            j: ByLanes::of(j, &ends.j),
-            shift: ByLanes::of(shift, &ends.shift),
+            bodies,
             engaged,
         }
     }
@@ -296,16 +232,7 @@ impl Source for Approach<'_> {
 
     #[inline(always)]
     fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L> {
-        let lot = Lot {
-            first: self.i.from::<L>(k),
-            second: self.j.from::<L>(k),
-            shift: if self.shift.is_empty() {
-                &[]
-            } else {
-                self.shift.from::<L>(k)
-            },
-        };
-        let met = self.meeting.meet::<L>(&lot, here);
+        let met = self.meeting.meet::<L>(&self.bodies.lot::<L>(k), here);
         let ended = note_engaged(self.engaged, k, here, met.acts);
         Sight {
             motion: Motion {
@@ -331,10 +258,9 @@ impl Source for Approach<'_> {
 pub(super) struct Known<'a> {
     pub(super) contacts: &'a [Contact],
     pub(super) grains: &'a Grains,
-    pub(super) i: &'a [u32],
-    pub(super) j: &'a [u32],
-    /// Where the box deforms, codes of the shifts of the contacts, and the velocities of all shifts.
-    pub(super) shifts: Option<(ByLanes<'a, u8>, &'a [[f64; 4]])>,
+    pub(super) bodies: Bodies<'a>,
+    /// Velocities of all shifts across periodic sides, where the box deforms [m/s].
+    pub(super) shift_velocities: Option<&'a [[f64; 4]]>,
 }
 
 impl Source for Known<'_> {
@@ -342,26 +268,19 @@ impl Source for Known<'_> {
     fn look<L: Lanes>(&mut self, k: usize, here: u32) -> Sight<L> {
         let contacts = Contact::numbers(self.contacts);
         let mut places = places_in_turn::<L>(self.contacts.len(), k, Contact::NUMBERS);
-        let [mut first, mut second] = [[0; MOST_LANES]; 2];
-        put_listed::<L>(self.i, k, &mut first);
-        put_listed::<L>(self.j, k, &mut second);
+        let lot = self.bodies.lot::<L>(k);
         let [nx, ny, nz, overlap] = L::columns(contacts, &places);
         shift::<L>(&mut places, 2);
         let [_, _, lever_i, lever_j] = L::columns(contacts, &places);
         let tables = self.grains.tables();
-        let [[_, _, _, ri], [vx, vy, vz, inverse_mass], spin] = L::fetch(tables, &first);
-        let [[_, _, _, rj], [ux, uy, uz, other_mass], other_spin] = L::fetch(tables, &second);
+        let [[_, _, _, ri], [vx, vy, vz, inverse_mass], spin] = L::fetch(tables, lot.first);
+        let [[_, _, _, rj], [ux, uy, uz, other_mass], other_spin] = L::fetch(tables, lot.second);
         let normal = L::Vector::new(nx, ny, nz);
         let mut velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
-        if let Some((codes, velocities)) = &self.shifts {
-            let lot = Lot {
-                first: &first,
-                second: &second,
-                shift: codes.from::<L>(k),
-            };
-            if let Some(shifts) = lot.shifts::<L>(velocities) {
-                velocity = velocity + shifts;
-            }
+        if let Some(velocities) = self.shift_velocities
+            && let Some(shifts) = lot.shifts::<L>(velocities)
+        {
+            velocity = velocity + shifts;
         }
         let inverse_masses = [inverse_mass, other_mass];
         Sight {
@@ -400,41 +319,4 @@ pub(super) fn shift<L: Lanes>(places: &mut Places, by: usize) {
 fn about_contact<L: Lanes>(inverse_mass: L, inverse_inertia: L, lever: L) -> L {
     let product = inverse_mass * inverse_inertia;
     (product / (inverse_mass + lever * lever * inverse_inertia)).keep(product.gt(L::splat(0.0)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use demeter_physics::lanes::{Instructions, Kernel, run, run_on_two};
-
-    /// Reads a list lane by lane.
-    struct Read<'a>(ByLanes<'a, u32>);
-
-    impl Kernel for Read<'_> {
-        type Output = Vec<u32>;
-
-        #[inline(always)]
-        fn run<L: Lanes>(self) -> Vec<u32> {
-            let lots = (0..self.0.all.len()).step_by(L::COUNT);
-            lots.flat_map(|k| self.0.from::<L>(k).to_vec()).collect()
-        }
-    }
-
-    #[test]
-    fn lanes_beyond_the_end_repeat_the_last() {
-        for count in 0..70 {
-            let list: Vec<u32> = (0..count).map(|k| 7 * k + 1).collect();
-            let end = end_of(&list);
-            for instructions in Instructions::available() {
-                let by_lanes = ByLanes::of(&list, &end);
-                for found in [
-                    run(instructions, Read(by_lanes)),
-                    run_on_two(instructions, Read(by_lanes)),
-                ] {
-                    assert_eq!(found[..list.len()], list[..]);
-                    assert!(found[list.len()..].iter().all(|last| Some(last) == list.last()));
-                }
-            }
-        }
-    }
 }

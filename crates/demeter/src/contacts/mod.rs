@@ -11,6 +11,7 @@
 
 mod asking;
 mod at_walls;
+mod bodies;
 mod carried;
 pub mod coupling;
 mod evaluate;

@@ -6,6 +6,7 @@ use super::{Eight, Lanes};
 /// Adds what each lane has for its first body to the row of that, and takes what it has for its second body from the row of that one: lane
 /// after lane, so that rows which several lanes name are summed up in their order. The first row is that of the body `from`. Tells
 /// whether there are as many bodies as lanes and all of their rows; else nothing is done.
+#[must_use]
 #[inline(always)]
 pub fn add_to_both<L: Lanes, R: AsMut<[f64; 8]>>(
     rows: &mut [R],
