@@ -19,8 +19,8 @@ use crate::simulation::{Counts, Loads, Phase, Simulation};
 use demeter_physics::integrator::Integrator;
 use std::ops::Range;
 
-/// Grains handled by one task.
-const GRAINS_PER_TASK: usize = 1024;
+/// Grains handled by one task that does little for each: to wake another thread for fewer takes longer than to do them.
+pub(crate) const GRAINS_PER_TASK: usize = 1024;
 
 /// Grains that a part has at least.
 const LEAST_GRAINS_OF_A_PART: usize = 400;
@@ -34,6 +34,11 @@ impl Simulation {
     /// Advances the run by so many time steps, or up to one that fails. The bits are those of as many calls of [`step`](Self::step), in
     /// less time: the kick that ends a step and the drift that begins the next take one pass.
     pub fn steps(&mut self, count: u64) -> Result<(), Fault> {
+        if rayon::current_thread_index().is_none() && self.division.is_none() && self.takes_many_threads() {
+            // a thread outside the pool would hand over one phase of a step after the other, and sleep until each is done. Processes that
+            // share a run wait for each other, which the threads of a pool must not
+            return rayon::scope(|_| self.steps(count));
+        }
         for _ in 0..count {
             self.step_on()?;
         }
@@ -45,8 +50,7 @@ impl Simulation {
     pub(crate) fn step_on(&mut self) -> Result<(), Fault> {
         self.start()?;
         self.divide();
-        // small runs are the work of one thread
-        if self.coupling.is_some() || parts(self.own_grains().len()) > 1 {
+        if self.takes_many_threads() {
             self.awake.keep();
         }
         self.step += 1;
@@ -101,6 +105,11 @@ impl Simulation {
         self.took(Phase::Books);
         self.count_work();
         self.custom_failure()
+    }
+
+    /// Whether there is work for more than one thread in every step.
+    fn takes_many_threads(&self) -> bool {
+        self.coupling.is_some() || parts(self.own_grains().len()) > 1
     }
 
     /// Ends the latest step: whoever looks at velocities, forces or torques between two calls of [`step_on`](Self::step_on) calls this

@@ -17,17 +17,15 @@ use super::{Fault, Simulation};
 use crate::comm::{Carry, Deforming, Rates, ShearAxes};
 use crate::particles::Domain;
 use crate::simulation::division::heard_grains;
-use crate::step::Motion;
+use crate::step::{GRAINS_PER_TASK, Motion};
 use crate::walls::Servo;
 use glam::{DMat3, DVec3, Vec3Swizzles};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// Of the drives, how many drive lengths: each direction, and all together. The shear comes behind.
 const LENGTHS: usize = DRIVES - 1;
-
-/// Grains handled by one task.
-const GRAINS_PER_TASK: usize = 1024;
 
 /// What rounding may take from a bound of the relative motion.
 const SLACK: f64 = 1.001;
@@ -262,11 +260,13 @@ impl Simulation {
         let deforming = self.comm.deforming()?;
         let (middle, gradient, grains) = (deforming.middle, deforming.gradient(&deforming.now()), &self.grains);
         let beyond = |g: usize| grains.velocity[g] - gradient * (grains.position[g] - middle);
-        let of_segments: Vec<[f64; 4]> = (self.own_pieces().into_par_iter())
+        let of_segments: Vec<[f64; 4]> = self
+            .in_pieces()
             .map(|some| some.map(|g| momentum(grains.mass(g), beyond(g))).fold([0.0; 4], plus))
             .collect();
         let drift = mean_velocity(self.total(&of_segments));
-        let of_segments: Vec<[f64; 2]> = (self.own_pieces().into_par_iter())
+        let of_segments: Vec<[f64; 2]> = self
+            .in_pieces()
             .map(|some| {
                 some.fold([0.0, 0.0], |[kinetic, most], g| {
                     let speed2 = (beyond(g) - drift).length_squared();
@@ -280,6 +280,11 @@ impl Simulation {
         Some((kinetic, speed2.sqrt()))
     }
 
+    /// Own grains, segment by segment, on all threads.
+    fn in_pieces(&self) -> impl IndexedParallelIterator<Item = Range<usize>> {
+        (self.own_pieces().into_par_iter()).with_min_len(self.pieces_per_task())
+    }
+
     /// Stress of the motion beyond the affine flow, and of the contacts [Pa].
     ///
     /// The first counts no motion of all grains together: the flow is the same about whichever point it is told, and a frame in which
@@ -291,7 +296,8 @@ impl Simulation {
         let grains = &self.grains;
         let (middle, gradient) = (deforming.middle, deforming.gradient(&deforming.now()));
         let (positions, velocities, loads) = (grains.position.rows(), grains.velocity.rows(), grains.load.rows());
-        let of_segments: Vec<[f64; 16]> = (self.own_pieces().into_par_iter())
+        let of_segments: Vec<[f64; 16]> = self
+            .in_pieces()
             .map(|some| {
                 let (mut motion, mut contacts) = ([DVec3::ZERO; 2], [DVec3::ZERO; 2]);
                 let mut moved = [0.0; 4];
@@ -415,7 +421,7 @@ impl Simulation {
     /// velocities for `ahead` [s] beyond the middle of the step.
     fn push_along(&mut self, deforming: &Deforming, rates: &Rates, ahead: f64, change: DMat3) {
         let (middle, gradient, half) = (deforming.middle, deforming.gradient(rates), 0.5 * self.dt);
-        let (own, n) = (self.own_grains(), self.grains_per_piece());
+        let (own, n, least) = (self.own_grains(), self.grains_per_piece(), self.pieces_per_task());
         let grains = &mut self.grains;
         let of_segments: Vec<[f64; 2]> = (
             grains.position.rows()[own.clone()].par_chunks(n),
@@ -423,6 +429,7 @@ impl Simulation {
             grains.load.rows()[own].par_chunks(n),
         )
             .into_par_iter()
+            .with_min_len(least)
             .map(|(position, velocity, load)| {
                 let (mut gained, mut work) = (0.0, 0.0);
                 for ((position, velocity), load) in position.iter().zip(velocity).zip(load) {

@@ -31,7 +31,7 @@ use crate::comm::{Message, Ranks};
 use crate::contacts::{Contacts, NearTables};
 use crate::neighbours::{Moves, Neighbours, SearchEffort};
 use crate::particles::spread::NUMBERS_OF_A_SPREAD;
-use crate::step::CouplingState;
+use crate::step::{CouplingState, GRAINS_PER_TASK};
 use handing::rank_in;
 use near::SizesOfAll;
 pub use report::{Sharing, SharingReport};
@@ -326,6 +326,11 @@ impl Simulation {
             0 => self.grains.len().max(1),
             count => count,
         }
+    }
+
+    /// Segments of a task that does little for each grain.
+    pub(crate) fn pieces_per_task(&self) -> usize {
+        GRAINS_PER_TASK.div_ceil(self.grains_per_piece())
     }
 
     /// Own grains, segment by segment.

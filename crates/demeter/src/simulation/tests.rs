@@ -6,6 +6,8 @@ use crate::particles::{MOST_CROSSINGS, NewGrain, Outside};
 use crate::walls::{Motion, Shape};
 use demeter_physics::contact::LawChoice;
 use demeter_physics::parameters::Value;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Grains per edge of the lattice.
 const EDGE: u32 = 12;
@@ -247,6 +249,26 @@ fn parts_of_several_threads_change_no_bit() {
         assert!(found == grains, "{threads} threads");
         assert_eq!(format!("{found_books:?}"), format!("{books:?}"));
     }
+}
+
+/// Notes whether it is asked within the pool.
+struct Where(Arc<AtomicBool>);
+
+impl CustomForce for Where {
+    fn loads(&mut self, _: &ForceMoment, _: &mut GrainLoads) -> Result<(), String> {
+        let is_within = rayon::current_thread_index().is_some();
+        self.0.store(is_within, Ordering::Relaxed);
+        Ok(())
+    }
+}
+
+#[test]
+fn a_step_for_many_threads_is_handed_over_to_the_pool_as_a_whole() {
+    let is_within = Arc::new(AtomicBool::new(false));
+    let mut sim = Simulation::new(lattice(0.5, 0.1, Skin::Tuned(0.05)));
+    sim.add_force(Box::new(Where(Arc::clone(&is_within))));
+    sim.step().unwrap();
+    assert_eq!(is_within.load(Ordering::Relaxed), rayon::current_num_threads() > 1);
 }
 
 #[test]

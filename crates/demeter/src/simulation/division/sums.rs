@@ -36,7 +36,9 @@ impl Simulation {
             })];
         }
         let first = some.start;
-        let mut sums: Vec<T> = some.into_par_iter().map(|s| of(self.segment(s))).collect();
+        let mut sums: Vec<T> = (some.into_par_iter().with_min_len(self.pieces_per_task()))
+            .map(|s| of(self.segment(s)))
+            .collect();
         add_up(&mut sums, first, count);
         sums
     }
