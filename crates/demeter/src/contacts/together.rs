@@ -10,7 +10,11 @@ use demeter_physics::contact::PairLaw;
 use demeter_physics::contact::normal::{Normal, NormalLaw, NormalVisitor};
 use demeter_physics::contact::rolling::{Rolling, RollingLaw, RollingResponse, RollingVisitor};
 use demeter_physics::contact::tangential::{Tangential, TangentialLaw, TangentialResponse, TangentialVisitor};
-use demeter_physics::lanes::{self, Instructions, Lanes, Vector};
+use demeter_physics::lanes::{Instructions, Lanes, Vector};
+#[cfg(not(test))]
+use demeter_physics::lanes::{run, run_on_two};
+#[cfg(test)]
+use portably::{run, run_on_two};
 
 /// The laws of a material pair, as contacts ask them.
 pub(super) trait Laws: Copy {
@@ -153,14 +157,14 @@ impl<N: Normal, T: Tangential, R: Resists> Laws for Bound<'_, N, T, R> {
 }
 
 /// Asks laws that run together.
-fn run<S: Source, K: Sink, W: Laws>(
+fn run_bound<S: Source, K: Sink, W: Laws>(
     instructions: Instructions,
     respond: Respond<S, K, W>,
 ) -> (Tally, Option<(usize, f64)>) {
     if S::ARE_MANY {
-        lanes::run_on_two(instructions, respond)
+        run_on_two(instructions, respond)
     } else {
-        lanes::run(instructions, respond)
+        run(instructions, respond)
     }
 }
 
@@ -174,22 +178,34 @@ pub(super) fn ask<S: Source, K: Sink>(
     use RollingLaw::{ConstantTorque, Epsd};
     use TangentialLaw::{Coulomb, LinearHistory, MindlinHistory};
     if let (HertzTsuji(n), Some(MindlinHistory(t)), None) = (&law.normal, &law.tangential, &law.rolling) {
-        return run(instructions, respond.with(Bound(n, t, ())));
+        return run_bound(instructions, respond.with(Bound(n, t, ())));
     }
     if S::TOGETHER {
         match (&law.normal, &law.tangential, &law.rolling) {
-            (HertzTsuji(n), Some(Coulomb(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
-            (Linear(n), Some(LinearHistory(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
-            (Linear(n), Some(Coulomb(t)), None) => return run(instructions, respond.with(Bound(n, t, ()))),
+            (HertzTsuji(n), Some(Coulomb(t)), None) => return run_bound(instructions, respond.with(Bound(n, t, ()))),
+            (Linear(n), Some(LinearHistory(t)), None) => return run_bound(instructions, respond.with(Bound(n, t, ()))),
+            (Linear(n), Some(Coulomb(t)), None) => return run_bound(instructions, respond.with(Bound(n, t, ()))),
             // a register at a time: two were not measured with three laws
             (HertzTsuji(n), Some(MindlinHistory(t)), Some(Epsd(r))) if S::ARE_MANY => {
-                return lanes::run(instructions, respond.with(Bound(n, t, r)));
+                return run(instructions, respond.with(Bound(n, t, r)));
             }
             (HertzTsuji(n), Some(MindlinHistory(t)), Some(ConstantTorque(r))) if S::ARE_MANY => {
-                return lanes::run(instructions, respond.with(Bound(n, t, r)));
+                return run(instructions, respond.with(Bound(n, t, r)));
             }
             _ => {}
         }
     }
-    lanes::run(instructions, respond.with(law))
+    run(instructions, respond.with(law))
+}
+
+/// Tests within the crate ask laws portably: all laws for all instructions take minutes to compile. `tests/invariants` and the conformance
+/// tests of the laws have the same bits from all instructions.
+#[cfg(test)]
+mod portably {
+    pub use demeter_physics::lanes::{Instructions, Kernel};
+    pub use run as run_on_two;
+
+    pub fn run<K: Kernel>(_: Instructions, kernel: K) -> K::Output {
+        kernel.run::<f64>()
+    }
 }
