@@ -24,7 +24,7 @@ export function launch({ webgl = true } = {}) {
 
 /** A page that remembers what went wrong on it: messages of errors, requests to a network, dialogs; `init` is run in it first. */
 export async function open(browser, address, { init, ...options } = {}) {
-    const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, ...options });
+    const page = await browser.newPage({ viewport: { width: 1200, height: 720 }, ...options });
     if (init) {
         await page.addInitScript(init);
     }
@@ -59,10 +59,24 @@ export function settled(page) {
     );
 }
 
+/** Run first in a page, lets it believe that a GPU draws: it then draws no more pixels than those of the screen. */
+export function withGpu() {
+    const { getParameter } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.getParameter = function (name) {
+        const UNMASKED_RENDERER_WEBGL = 0x9246;
+        return name === UNMASKED_RENDERER_WEBGL ? "a GPU" : getParameter.call(this, name);
+    };
+}
+
+/** The page of a browser that compares pictures. */
+const comparing = new WeakMap();
+
 /** How many different colours a picture has, and how much of it differs from another of the same size. */
 export async function compare(browser, a, b = a) {
-    const page = await browser.newPage();
-    const result = await page.evaluate(
+    if (!comparing.has(browser)) {
+        comparing.set(browser, await browser.newPage());
+    }
+    return comparing.get(browser).evaluate(
         async (pictures) => {
             const pixels = [];
             for (const picture of pictures) {
@@ -81,8 +95,6 @@ export async function compare(browser, a, b = a) {
         },
         [a.toString("base64"), b.toString("base64")],
     );
-    await page.close();
-    return result;
 }
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");

@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { join, resolve } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { accessibility, compare, keep, launch, listen, open, settled, tabStops } from "./browser.mjs";
+import { accessibility, compare, keep, launch, listen, open, settled, tabStops, withGpu } from "./browser.mjs";
 
 const EVIL = "</script><script>alert(1)</script><img src=x onerror=alert(1)>";
 const address = (variable) => {
@@ -35,7 +35,7 @@ const range = (plot) => plot.evaluate((element) => element.dataset.range.split("
 
 describe("the 3D view", () => {
     test("shows the packing, and every control changes it", async () => {
-        const { page, faults, picture } = await report();
+        const { page, faults, picture } = await report({ init: `(${withGpu})()` });
         const first = await picture();
         const { colours } = await compare(browser, first);
         assert.ok(colours > 200, `the view has ${colours} colours`);

@@ -10,7 +10,7 @@ import { dirname, join, resolve } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { inflateRawSync } from "node:zlib";
-import { accessibility, compare, keep, launch, listen, open, settled, tabStops } from "./browser.mjs";
+import { accessibility, compare, keep, launch, listen, open, settled, tabStops, withGpu } from "./browser.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const PATIENCE = { timeout: 60_000 };
@@ -118,7 +118,7 @@ describe("the timeline", () => {
 
 describe("the picture", () => {
     test("changes with colours, chains, walls and the clip plane", async () => {
-        const { page, faults, picture, count, reaches } = await viewer(finished());
+        const { page, faults, picture, count, reaches } = await viewer(finished(), { init: `(${withGpu})()` });
         await page.keyboard.press("End");
         await reaches(await count());
         let last = await picture();
@@ -172,9 +172,9 @@ describe("the picture", () => {
             await page.close();
             return { pictures, ...seen };
         };
-        // counts what is drawn, and lets the page believe that a GPU draws, but `slow`: that every picture takes 0.2 s
+        // counts what is drawn, and lets the page believe that every picture takes 0.2 s where it is `slow`
         const watch = (slow) => {
-            const { drawElements, getParameter, fenceSync } = WebGL2RenderingContext.prototype;
+            const { drawElements, fenceSync } = WebGL2RenderingContext.prototype;
             window.triangles = [];
             window.shares = new Set();
             WebGL2RenderingContext.prototype.drawElements = function (mode, count, ...rest) {
@@ -191,13 +191,9 @@ describe("the picture", () => {
             WebGL2RenderingContext.prototype.getSyncParameter = function (sync, name) {
                 return slow && performance.now() - begun.get(sync) < 200 ? this.UNSIGNALED : this.SIGNALED;
             };
-            const UNMASKED_RENDERER_WEBGL = 0x9246;
-            WebGL2RenderingContext.prototype.getParameter = function (name) {
-                return name === UNMASKED_RENDERER_WEBGL ? "a GPU" : getParameter.call(this, name);
-            };
         };
-        const quick = await looks(`(${watch})(false)`);
-        const slow = await looks(`(${watch})(true)`);
+        const quick = await looks(`(${withGpu})(); (${watch})(false)`);
+        const slow = await looks(`(${withGpu})(); (${watch})(true)`);
         for (const [k, picture] of quick.pictures.entries()) {
             assert.equal((await compare(browser, picture, slow.pictures[k])).different, 0, `picture ${k}`);
         }

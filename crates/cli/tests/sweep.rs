@@ -378,7 +378,7 @@ const LONG: [&str; 8] = [
     "--jobs",
     "2",
     "--set",
-    "stage[0].steps=30000",
+    "stage[0].steps=20000",
 ];
 const RUNS: [&str; 3] = [
     "runs/fall-sweep/friction=0.1",

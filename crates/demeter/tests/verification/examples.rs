@@ -126,7 +126,7 @@ fn templates_close_their_books_and_restart() {
         let overrides: Vec<String> = match *name {
             _ if full() => vec![],
             "collide" => vec![],
-            "settle" => vec!["stage[0].duration=\"40 ms\"".into()],
+            "settle" => vec!["stage[0].duration=\"20 ms\"".into()],
             // its strokes are nested, and end by their way: one of them, three times as fast
             "uniaxial-compression" => vec![
                 "stage[0].duration=\"20 ms\"".into(),
@@ -137,7 +137,7 @@ fn templates_close_their_books_and_restart() {
             ],
             _ => {
                 let stages = text.matches("\n[[stage]]\n").count();
-                let short = |k: usize| format!("stage[{k}].duration=\"{} ms\"", 12 / stages);
+                let short = |k: usize| format!("stage[{k}].duration=\"{} ms\"", 8 / stages);
                 (0..stages).map(short).collect()
             }
         };
