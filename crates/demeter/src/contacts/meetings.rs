@@ -5,7 +5,7 @@ use super::kinematics::Turning;
 use super::near::{FindNear, Sought};
 use crate::comm::Single;
 use crate::neighbours::{Pair, Pairs};
-use demeter_physics::geometry::contact_sphere_sphere::{Contact, Normals, contact_sphere_sphere_wide};
+use demeter_physics::geometry::contact_sphere_sphere::{Contact, Normals, Touch, contact_sphere_sphere_wide};
 use demeter_physics::lanes::{Index, Kernel, Lanes, MOST_LANES, Mask, Vector};
 use glam::DVec3;
 
@@ -165,15 +165,18 @@ impl<'a> Meeting<'a> {
         let [place_i, [vx, vy, vz, inverse_mass], spin_i] = L::fetch(self.tables, lot.first);
         let [place_j, [ux, uy, uz, other_mass], spin_j] = L::fetch(self.tables, lot.second);
         let (apart, ri, rj) = self.difference(place_i, place_j, lot);
-        let [x, y, z, overlap, lever_i, lever_j] = contact_sphere_sphere_wide::<L>(apart, ri, rj, self.normals);
-        let normal = L::Vector::new(x, y, z);
         let mut velocity = L::Vector::new(vx - ux, vy - uy, vz - uz);
         if !self.shift_velocities.is_empty()
             && let Some(shifts) = lot.shifts::<L>(self.shift_velocities)
         {
             velocity = velocity + shifts;
         }
-        let rate = -velocity.inner(normal);
+        let Touch {
+            normal,
+            overlap,
+            levers,
+            rate,
+        } = contact_sphere_sphere_wide::<L>(apart, velocity, [ri, rj], self.normals);
         let bulged = overlap + self.bulges::<L>(lot);
         let half_window = rate.abs() * (0.5 * self.scene.dt);
         let mut acting = (bulged + half_window).gt(L::splat(0.0)) & L::Mask::of_bits(here);
@@ -191,7 +194,7 @@ impl<'a> Meeting<'a> {
         Met {
             normal,
             overlap,
-            levers: [lever_i, lever_j],
+            levers,
             radii: [ri, rj],
             velocity,
             inverse_masses: [inverse_mass, other_mass],

@@ -13,7 +13,7 @@ use demeter_physics::contact::PairLaw;
 use demeter_physics::contact::rolling::RollingInput;
 use demeter_physics::contact::tangential::{TangentialInput, TangentialResponse};
 use demeter_physics::integrator::Integrator;
-use demeter_physics::lanes::{Kernel, Lanes, MOST_LANES, Vector};
+use demeter_physics::lanes::{Kernel, Lanes, MOST_LANES, Mask, Vector};
 use std::ops::Range;
 
 /// What the contacts of a chunk know, and what comes out of a step.
@@ -181,8 +181,15 @@ impl<S: Source, K: Sink, W: Laws> Kernel for Respond<'_, S, K, W> {
                 first: 0,
             };
             // lanes that do not act look like a gentle contact at rest: no law takes the longer way of one that begins or ends
+            let gentle = motion.size.radius * GENTLE;
+            // which lanes overlap is known before which act, and mostly they are the same
+            let overlaps = motion.overlap.gt(L::splat(0.0)) & L::Mask::of_bits(here);
+            let mut overlap = L::select(overlaps, motion.overlap, gentle);
+            if overlaps.bits() != acts {
+                overlap = L::select(acting, motion.overlap, gentle);
+            }
             let motion = Motion {
-                overlap: L::select(acting, motion.overlap, motion.size.radius * GENTLE),
+                overlap,
                 rate: motion.rate.keep(acting),
                 ..motion
             };

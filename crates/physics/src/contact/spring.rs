@@ -84,10 +84,12 @@ impl<L: Lanes> Carried<L> {
 #[inline(always)]
 pub fn carry_along<L: Lanes>(history: &[L], normal: L::Vector, spin_angle: L) -> Carried<L> {
     let vector = L::Vector::new(history[0], history[1], history[2]);
-    let flat = vector - normal * vector.inner(normal);
+    let (along, square) = (vector.inner(normal), vector.square());
+    let flat = vector - normal * along;
     let turned = flat + normal.outer(flat) * spin_angle;
-    let length2 = turned.square();
-    let factor = (vector.square() / length2).sqrt();
+    // that of the turned vector, which it need not wait for: its two parts are perpendicular, and in the contact plane
+    let length2 = (square - along * along) * (spin_angle * spin_angle + 1.0);
+    let factor = (square / length2).sqrt();
     Carried {
         turned,
         factor: L::select(length2.gt(L::splat(0.0)), factor, L::splat(1.0)),

@@ -84,32 +84,47 @@ impl HertzSpring {
         contact_radius(size, overlap) * self.modulus(size).0
     }
 
-    /// A power of the overlap.
+    /// A power of the overlap, as a root, which takes long, and what it is to be multiplied by.
     #[inline(always)]
-    fn power<L: Lanes>(&self, power: Power, size: PairSize<L>, overlap: L) -> L {
+    fn power<L: Lanes>(&self, power: Power, size: PairSize<L>, overlap: L) -> (L, L) {
+        let radius = contact_radius(size, overlap);
+        let (modulus, root) = self.modulus(size);
         match power {
-            Power::Force => self.secant(size, overlap) * overlap,
-            Power::Secant => self.secant(size, overlap),
-            Power::Damping => (size.mass * contact_radius(size, overlap)).sqrt() * self.modulus(size).1,
+            Power::Force => (radius, modulus * overlap),
+            Power::Secant => (radius, modulus),
+            Power::Damping => ((size.mass * radius).sqrt(), root),
         }
+    }
+
+    /// A power of the overlap times the overlap.
+    #[inline(always)]
+    fn times_overlap<L: Lanes>(&self, power: Power, size: PairSize<L>, overlap: L) -> L {
+        let (root, rest) = self.power(power, size, overlap);
+        root * rest * overlap
     }
 
     /// Mean of a power of the overlap over the part of the window in which the bodies overlap.
     #[inline(always)]
     pub fn mean<L: Lanes>(&self, power: Power, input: &NormalInput<L>) -> L {
+        self.mean_times(power, input, L::splat(1.0))
+    }
+
+    /// The same, times a factor.
+    #[inline(always)]
+    pub fn mean_times<L: Lanes>(&self, power: Power, input: &NormalInput<L>, factor: L) -> L {
         let overlap = input.overlap.max(L::splat(0.0));
-        // the inverse of the radius is that which tangential laws take, too: 1/d = R/a^2
-        let inverse = L::splat(1.0) / contact_radius(input.size, overlap);
-        let share = input.half_window * (input.size.radius * inverse * inverse);
+        let share = input.half_window / overlap;
         let exponent = power.exponent();
         // f + f'' h^2/6
         let bend = exponent * (exponent - 1.0) / 6.0;
-        let smooth = self.power(power, input.size, overlap) * (share * share * bend + 1.0);
+        let (root, rest) = self.power(power, input.size, overlap);
+        let smooth = root * (rest * factor * (share * share * bend + 1.0));
         let smooth = smooth.keep(input.overlap.gt(L::splat(0.0)));
         let near_end = near_end(input);
         if near_end.any() {
             let [upper, lower] = window(input);
-            let rise = self.power(power, input.size, upper) * upper - self.power(power, input.size, lower) * lower;
+            let rise =
+                (self.times_overlap(power, input.size, upper) - self.times_overlap(power, input.size, lower)) * factor;
             let change = rise * (1.0 / (exponent + 1.0));
             L::select(near_end, mean_of_change(input, change), smooth)
         } else {

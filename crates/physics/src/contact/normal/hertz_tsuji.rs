@@ -1,7 +1,9 @@
 #![doc = include_str!("hertz_tsuji.md")]
 
 use super::hertz_spring::{HertzSpring, Power};
-use super::spring_dashpot::{Damping, ENDS, Observed, check_end, contact_end, exactly_one_damping, unit_duration};
+use super::spring_dashpot::{
+    Damping, Dashpot, ENDS, Observed, check_end, contact_end, exactly_one_damping, unit_duration,
+};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
 use crate::dimension::Dimension;
@@ -90,8 +92,10 @@ impl Normal for HertzTsuji {
 
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
-        let unit = self.spring.mean(Power::Damping, input);
-        let damping = self.damping.dashpot(input, unit, history) * CRITICAL_ALPHA;
+        let damping = match self.damping.dashpot(input, CRITICAL_ALPHA, history) {
+            Dashpot::Units(number) => self.spring.mean_times(Power::Damping, input, number),
+            Dashpot::Known(coefficient) => coefficient,
+        };
         let response = NormalResponse::spring_dashpot(input, self.spring.mean(Power::Force, input), damping);
         response.ending_at(self.end)
     }

@@ -1,6 +1,8 @@
 #![doc = include_str!("linear.md")]
 
-use super::spring_dashpot::{Damping, ENDS, Observed, check_end, contact_end, exactly_one_damping, unit_duration};
+use super::spring_dashpot::{
+    Damping, Dashpot, ENDS, Observed, check_end, contact_end, exactly_one_damping, unit_duration,
+};
 use super::window::{contact_share, mean_overlap};
 use super::{Normal, NormalInput, NormalResponse};
 use crate::contact::{MaterialPair, PairSize};
@@ -110,8 +112,10 @@ impl Normal for Linear {
     #[inline(always)]
     fn respond_wide<L: Lanes>(&self, input: &NormalInput<L>, history: &mut [L]) -> NormalResponse<L> {
         let k = self.k(input.size);
-        let unit = (k * input.size.mass).sqrt();
-        let damping = self.damping.dashpot(input, unit, history) * 2.0;
+        let damping = match self.damping.dashpot(input, 2.0, history) {
+            Dashpot::Units(number) => (k * input.size.mass).sqrt() * number,
+            Dashpot::Known(coefficient) => coefficient,
+        };
         let response = NormalResponse::spring_dashpot(input, k * mean_overlap(input), damping * contact_share(input));
         response.ending_at(self.end)
     }

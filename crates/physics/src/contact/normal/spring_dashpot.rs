@@ -32,6 +32,14 @@ pub(super) enum Damping {
     Profile(Restitution, ContactEnd),
 }
 
+/// Coefficient of a dashpot.
+pub(super) enum Dashpot<L> {
+    /// In units of `sqrt(k m)`.
+    Units(L),
+    /// [N s/m].
+    Known(L),
+}
+
 impl Damping {
     /// The damping that realises a restitution.
     pub fn of(restitution: Restitution, end: ContactEnd) -> Self {
@@ -50,13 +58,12 @@ impl Damping {
         }
     }
 
-    /// Half the coefficient of the linear spring's dashpot, `g sqrt(k m) = gamma m` [N s/m]; of the Hertzian one, the share
-    /// `1/sqrt(5)`. `unit` is `sqrt(k m)`.
+    /// Coefficient of the dashpot, `scale g sqrt(k m) = scale gamma m`: `scale` is 2 for the linear spring, `sqrt(5)` for that of Hertz.
     #[inline(always)]
-    pub fn dashpot<L: Lanes>(&self, input: &NormalInput<L>, unit: L, memory: &mut [L]) -> L {
+    pub fn dashpot<L: Lanes>(&self, input: &NormalInput<L>, scale: f64, memory: &mut [L]) -> Dashpot<L> {
         match self {
-            Self::Ratio(ratio) => unit * *ratio,
-            Self::Rate(rate) => input.size.mass * *rate,
+            Self::Ratio(ratio) => Dashpot::Units(L::splat(ratio * scale)),
+            Self::Rate(rate) => Dashpot::Known(input.size.mass * (rate * scale)),
             Self::Profile(restitution, end) => {
                 if some_new(memory[0]) {
                     let rate = input.rate;
@@ -64,7 +71,7 @@ impl Damping {
                         1.0 + ratio_of(restitution.at(rate.as_slice()[lane].abs()), *end)
                     });
                 }
-                unit * (memory[0] - 1.0)
+                Dashpot::Units((memory[0] - 1.0) * scale)
             }
         }
     }
