@@ -149,3 +149,22 @@ pub fn advance_spring<L: Lanes>(
         dissipated: work - (energy_of(next, input.compliance) - before),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use glam::DVec3;
+
+    #[test]
+    fn a_load_that_turns_keeps_its_length_and_lies_in_the_plane() {
+        let normal = DVec3::new(2.0, -1.0, 2.0) / 3.0;
+        for (load, spin_angle) in [(DVec3::new(1.0, 2.0, 0.1), 0.02), (DVec3::new(-3.0, 1.0, 2.0), -0.4)] {
+            let carried = carry_along::<f64>(&[load.x, load.y, load.z, 1.0], normal, spin_angle);
+            let now = carried.turned * carried.factor;
+            assert_relative_eq!(now.length(), load.length(), max_relative = 1e-14);
+            assert_relative_eq!(now.dot(normal), 0.0, epsilon = 1e-14);
+        }
+        assert_eq!(carry_along::<f64>(&[0.0; 4], normal, 0.1).factor, 1.0);
+    }
+}

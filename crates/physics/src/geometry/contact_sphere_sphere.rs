@@ -106,3 +106,22 @@ pub fn contact_sphere_sphere_wide<L: Lanes>(
         rate,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn quotients_and_the_inverse_tell_the_same() {
+        let velocity = DVec3::new(0.3, -0.2, 0.7);
+        for separation in [DVec3::new(1e-3, -2e-3, 5e-4), DVec3::new(0.0, 0.0, -3e-9), DVec3::ZERO] {
+            let [exact, inverse] = [Normals::Quotients, Normals::Inverse]
+                .map(|normals| contact_sphere_sphere_wide::<f64>(separation, velocity, [2e-3, 1e-3], normals));
+            assert_relative_eq!(inverse.normal.distance(exact.normal), 0.0, epsilon = 1e-15);
+            assert_relative_eq!(inverse.rate, exact.rate, max_relative = 1e-14);
+            assert_relative_eq!(exact.rate, -velocity.dot(exact.normal), max_relative = 1e-15);
+            assert_eq!((inverse.overlap, inverse.levers), (exact.overlap, exact.levers));
+        }
+    }
+}
