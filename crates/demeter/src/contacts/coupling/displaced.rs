@@ -97,14 +97,17 @@ impl ContactChunk {
         if converge {
             let Scratch {
                 undisplaced,
+                pulled,
                 lagging,
                 mixing,
                 ..
             } = &mut *self.coupling;
             undisplaced.clear();
             undisplaced.extend(self.now.geometry.iter().map(|contact| contact.overlap));
-            lagging.clear();
-            lagging.resize(self.now.len(), false);
+            for flags in [pulled, lagging] {
+                flags.clear();
+                flags.resize(self.now.len(), false);
+            }
             mixing.forget();
         }
     }
@@ -146,6 +149,7 @@ impl ContactChunk {
     /// How far a contact's force is from the one tried, as a share of the largest force on its grains.
     fn deviation_share(&mut self, k: usize, at: ChunkPlace, scale: Scale<'_>) -> f64 {
         let coupling = &mut self.coupling;
+        coupling.pulled[k] |= coupling.answer[k] < 0.0;
         if coupling.lagging[k] {
             coupling.answer[k] = coupling.trial[k];
         }
@@ -201,12 +205,14 @@ impl ContactChunk {
     }
 
     /// Lets the contacts that are worst of all displace with their force of the step before if they flip between a pull and none:
-    /// where a force begins with a jump, the coupled equation may have no solution. Tells how many there were.
+    /// where a force begins with a jump, the coupled equation may have no solution. Forces tried may pull where a law never
+    /// does, as they are mixed. Tells how many there were.
     pub(crate) fn let_jumps_lag(&mut self, at: ChunkPlace, worst: f64, changes: &Changes) -> u64 {
         let mut found = 0;
         for k in 0..self.len() {
             let pulls = self.coupling.answer[k].min(self.coupling.trial[k]) < 0.0;
-            if self.coupling.share[k] != worst || !pulls {
+            let flips = pulls && self.coupling.pulled[k];
+            if self.coupling.share[k] != worst || !flips {
                 continue;
             }
             found += 1;

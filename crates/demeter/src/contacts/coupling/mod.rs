@@ -133,6 +133,8 @@ pub(crate) struct Scratch {
     /// Overlaps of the spheres, and of the displaced surfaces [m].
     undisplaced: Vec<f64>,
     overlap: Vec<f64>,
+    /// Whether the law has answered with a pull in this solution.
+    pulled: Vec<bool>,
     /// Whether the displacements by a contact follow from its force of the step before after all.
     lagging: Vec<bool>,
     /// Whether the displaced surfaces do not meet.

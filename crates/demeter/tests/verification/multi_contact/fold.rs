@@ -152,6 +152,23 @@ fn the_fold_is_where_it_must_be() {
     }
 }
 
+/// Forces are mixed in search of a solution and may pull then; a law that never does has no jump that could excuse it.
+#[test]
+fn no_state_beyond_the_fold_is_taken_for_a_solution() {
+    for regular in REGULAR {
+        for gamma in [1.0, 1.125] {
+            let fold = regular.fold(gamma);
+            for thousandths in 1..=40 {
+                let q = (1.0 + 1e-3 * f64::from(thousandths)) * fold;
+                let mut case = (regular.build)(case(Model::HalfSpace(gamma), 0.5), q);
+                case.coupling = EXACT;
+                let fault = case.simulation().start().unwrap_err();
+                assert_told(&fault, &regular, q);
+            }
+        }
+    }
+}
+
 /// A packing that begins this near to the fold goes on as it began.
 fn stays(mut sim: Simulation, regular: &Regular) {
     let began: Vec<f64> = found(&sim).iter().map(|contact| contact.elastic).collect();
