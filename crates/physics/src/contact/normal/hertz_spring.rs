@@ -84,14 +84,14 @@ impl HertzSpring {
         contact_radius(size, overlap) * self.modulus(size).0
     }
 
-    /// A power of the overlap, and what it is to be multiplied by: of the dashpot the root, which takes long, and all else.
+    /// A power of the overlap, and what it is to be multiplied by: the root, which takes long, and all else.
     #[inline(always)]
     fn power<L: Lanes>(&self, power: Power, size: PairSize<L>, overlap: L) -> (L, L) {
         let radius = contact_radius(size, overlap);
         let (modulus, root) = self.modulus(size);
         match power {
-            Power::Force => (radius * modulus * overlap, L::splat(1.0)),
-            Power::Secant => (radius * modulus, L::splat(1.0)),
+            Power::Force => (radius, modulus * overlap),
+            Power::Secant => (radius, modulus),
             Power::Damping => ((size.mass * radius).sqrt(), root),
         }
     }
