@@ -90,10 +90,17 @@ impl Simulation {
         let wall_speed = self.wall_speed();
         self.find_contacts(&motion, wall_speed)?;
         self.took(self.phase_of_contacts());
-        self.sum_up_work()?;
+        let too_deep = self.sum_up_work();
         self.gather_impacts();
         self.took(Phase::Ranks);
-        self.awaits_kick = self.may_await_kick();
+        self.awaits_kick = self.may_await_kick() && too_deep.is_ok();
+        let ended = self.end_step();
+        too_deep.and(ended)
+    }
+
+    /// All that comes behind the forces of a step; also of one in which an overlap is too deep, so that the ledger closes where a run
+    /// stops.
+    fn end_step(&mut self) -> Result<(), Fault> {
         if !self.awaits_kick {
             self.sum_and_correct(Moment::Step)?;
         }
