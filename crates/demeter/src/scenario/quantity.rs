@@ -266,29 +266,20 @@ impl Item<'_> {
         parts
     }
 
-    /// A unit vector: three plain numbers of any length, or an axis: `"x"`, `"-z"`.
+    /// A unit vector: three plain numbers of any length, also in one text, or an axis: `"x"`, `"-z"`.
     pub fn direction(&self) -> DVec3 {
         self.seeks(|| Sought::Direction);
-        if let Value::String(text) = &self.node.value {
-            let (sign, axis) = match text.strip_prefix('-') {
-                Some(axis) => (-1.0, axis),
-                None => (1.0, text.strip_prefix('+').unwrap_or(text)),
-            };
-            return match axis {
-                "x" => DVec3::X * sign,
-                "y" => DVec3::Y * sign,
-                "z" => DVec3::Z * sign,
-                _ => {
-                    let help = "write an axis, \"x\" or \"-z\", or three numbers, [0, 0, 1]";
-                    self.fault(
-                        format!("`{}`: `{text}` is not a direction", self.name),
-                        Some(help.to_string()),
-                    );
-                    DVec3::NAN
-                }
-            };
-        }
-        let vector = self.vector(Kind::Number);
+        let vector = match &self.node.value {
+            Value::String(text) => axis(text).or_else(|| three_numbers(text)).unwrap_or_else(|| {
+                let help = "write an axis, \"x\" or \"-z\", or three numbers, [0, 0, 1]";
+                self.fault(
+                    format!("`{}`: `{text}` is not a direction", self.name),
+                    Some(help.to_string()),
+                );
+                DVec3::NAN
+            }),
+            _ => self.vector(Kind::Number),
+        };
         // scaled by the largest part first: its square might be beyond what a double holds
         let largest = vector.abs().max_element();
         if vector == DVec3::ZERO {
@@ -301,6 +292,30 @@ impl Item<'_> {
         let scaled = vector / largest;
         scaled / scaled.length()
     }
+}
+
+/// An axis, `z` or `-x`.
+fn axis(text: &str) -> Option<DVec3> {
+    let (sign, axis) = match text.strip_prefix('-') {
+        Some(axis) => (-1.0, axis),
+        None => (1.0, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let axis = match axis {
+        "x" => DVec3::X,
+        "y" => DVec3::Y,
+        "z" => DVec3::Z,
+        _ => return None,
+    };
+    Some(axis * sign)
+}
+
+/// Three plain numbers in one text.
+fn three_numbers(text: &str) -> Option<DVec3> {
+    let numbers: Vec<f64> = text
+        .split_whitespace()
+        .map(|word| word.parse().ok())
+        .collect::<Option<_>>()?;
+    (numbers.len() == 3 && numbers.iter().all(|number| number.is_finite())).then(|| DVec3::from_slice(&numbers))
 }
 
 /// Getters by key; a missing key that must be there is a fault.

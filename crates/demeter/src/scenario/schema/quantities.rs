@@ -129,9 +129,10 @@ pub(super) fn vector(kind: Kind) -> Value {
 /// An axis, or three plain numbers of any length.
 pub(super) fn direction() -> Value {
     json!({
-        "description": "direction: an axis, as \"-z\", or three plain numbers, as [0, 0, 1]",
+        "description": "direction: an axis, as \"-z\", or three plain numbers, as [0, 0, 1] or \"0 0 1\"",
         "anyOf": [
             { "enum": ["x", "y", "z", "-x", "-y", "-z", "+x", "+y", "+z"] },
+            { "type": "string", "pattern": format!(r"^\s*{NUMBER}\s+{NUMBER}\s+{NUMBER}\s*$") },
             { "type": "array", "items": quantity(Kind::Number), "minItems": 3, "maxItems": 3 },
         ],
     })
