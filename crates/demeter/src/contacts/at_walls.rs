@@ -241,7 +241,8 @@ impl ContactChunk {
             self.losses.resize(self.len(), Lost::default());
         }
         let mut engaged = std::mem::take(&mut self.engaged);
-        let before = scene.tells_impacts.then(|| engaged.clone());
+        let before = (scene.tells_impacts && !scene.is_coupled()).then(|| engaged.clone());
+        let mut begun = self.beginning(scene);
         let law = self.law;
         let mut felt = std::mem::take(&mut self.felt);
         let (i, j, shift) = self.take_bodies();
@@ -259,8 +260,11 @@ impl ContactChunk {
         let noted = (!scene.is_coupled()).then_some(&mut engaged[..]);
         let too_deep = self.evaluate(&mut sink, scene, AtWalls::of(known, noted, law, scene));
         if let Some(before) = before {
-            let begun = impacts::begun(&before, &engaged);
-            let source = AtWalls::of(known, Some(&mut engaged), law, scene);
+            begun = impacts::begun(&before, &engaged);
+        }
+        if !begun.is_empty() {
+            let noted = (!scene.is_coupled()).then_some(&mut engaged[..]);
+            let source = AtWalls::of(known, noted, law, scene);
             impacts::tell(source, &begun, (&i, &j), true, scene, &mut self.impacts);
         }
         (self.i, self.j, self.shift) = (i, j, shift);

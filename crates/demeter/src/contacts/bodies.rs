@@ -56,6 +56,7 @@ impl Ends {
 }
 
 /// The bodies of contacts between grains.
+#[derive(Clone, Copy)]
 pub(super) struct Bodies<'a> {
     i: ByLanes<'a, u32>,
     j: ByLanes<'a, u32>,

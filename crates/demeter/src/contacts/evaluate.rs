@@ -47,6 +47,8 @@ impl ContactChunk {
             bodies: Bodies::of(lists, &ends),
             shift_velocities: (scene.is_deforming()).then_some(scene.comm.shift_velocities()),
         };
+        let begun = self.beginning(scene);
+        impacts::tell(known, &begun, (&i, &j), false, scene, &mut self.impacts);
         self.collect(adder, lists, scene, known);
         (self.i, self.j, self.shift) = (i, j, shift);
         self.now.geometry = geometry;

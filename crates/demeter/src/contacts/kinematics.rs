@@ -255,6 +255,7 @@ impl Source for Approach<'_> {
 }
 
 /// Pairs of grains whose geometry is known: all of them act.
+#[derive(Clone, Copy)]
 pub(super) struct Known<'a> {
     pub(super) contacts: &'a [Contact],
     pub(super) grains: &'a Grains,

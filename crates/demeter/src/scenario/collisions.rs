@@ -1,27 +1,14 @@
 //! The measure of collisions: its table `[[measure]]`.
 
-use super::measures::{MeasureKind, MeasureSpec};
+use super::materials::material_index;
 use super::quantity::Kind;
 use super::reader::TableReader;
 use super::zones::{Named, region, selection};
-use super::{Diagnostics, materials::material_index};
 use crate::measure::{Collisions, EnergyBins, MAX_ENERGY_BINS};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 
 const ENERGY: Kind = Kind::Physical(Dimension::ENERGY);
-
-/// Refuses to count collisions where contacts feel each other.
-pub(super) fn check(measures: &[MeasureSpec], are_coupled: bool, faults: &mut Diagnostics) {
-    let counts = |measure: &MeasureSpec| matches!(measure.kind, MeasureKind::Collisions(_));
-    if let (Some(k), true) = (measures.iter().position(counts), are_coupled) {
-        faults.push(
-            &format!("measure[{k}].kind"),
-            "collisions are not counted where contacts feel each other (`multi_contact`)".to_string(),
-            Some("leave the measure out, or the law `multi_contact`".to_string()),
-        );
-    }
-}
 
 /// Collisions.
 pub(super) fn collisions(table: &TableReader<'_>, named: &Named<'_>) -> Collisions {

@@ -72,7 +72,6 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     check_stage_motions(scenario, &mut faults);
     let are_coupled = materials.as_ref().is_some_and(Materials::are_coupled);
     check_memory(scenario, &walls, are_coupled, &mut faults);
-    super::collisions::check(&scenario.measures, are_coupled, &mut faults);
     if !faults.is_empty() {
         return Err(faults);
     }

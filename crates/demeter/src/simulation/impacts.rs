@@ -5,7 +5,7 @@ use crate::contacts::Impact;
 
 impl Simulation {
     /// Keeps every contact that begins from now on, until it is taken. Contacts of the first moment do not count, as nobody knows how they
-    /// began; where contacts feel each other none is told.
+    /// began.
     pub(crate) fn watch_impacts(&mut self) {
         self.impacts.get_or_insert_default();
     }

@@ -358,7 +358,7 @@ impl Simulation {
             stride,
             resists_rolling: self.resists_rolling,
             records_walls: self.records_walls,
-            tells_impacts: false,
+            tells_impacts: self.watches_impacts(),
             instructions: self.instructions,
             bulge: &state.memory.bulge,
         })

@@ -132,7 +132,8 @@ fn contacts_pass_from_wall_to_wall_as_with_one_process() {
 fn every_measure_is_that_of_one_process() {
     let place = tempfile::tempdir().unwrap();
     let gear = "simulation.integrator=\"gear\"";
-    for (name, changes) in [("steps", &[][..]), ("gear", &[gear][..])] {
+    let coupled = "contact.multi_contact={law=\"half-space\"}";
+    for (name, changes) in [("steps", &[][..]), ("gear", &[gear][..]), ("coupled", &[coupled][..])] {
         let [one, two, parts] = ["one", "two", "parts"].map(|of| place.path().join(format!("{of} {name}")));
         let scenario = scenario("measured.toml", changes);
         let report = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();

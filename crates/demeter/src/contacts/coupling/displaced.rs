@@ -275,6 +275,16 @@ impl ContactChunk {
         }
     }
 
+    /// Contacts whose displaced surfaces meet now and did not in the step before, where somebody asks.
+    pub(crate) fn beginning(&self, scene: &Scene) -> Vec<usize> {
+        if !(scene.tells_impacts && scene.is_coupled()) {
+            return Vec::new();
+        }
+        let (before, asleep) = (&self.now.coupling, &self.coupling.asleep);
+        let begins = |&k: &usize| !asleep[k] && !before[k].meets;
+        (0..self.len()).filter(begins).collect()
+    }
+
     /// Remembers the elastic forces for the displacements to come, and books what the displacements put into the stored
     /// energy.
     ///
@@ -287,6 +297,7 @@ impl ContactChunk {
             coupled.displacement = self.coupling.delivered[k].of_both();
             self.tally.multi_contact += 0.5 * (earlier.elastic * coupled.sum() - force * earlier.sum());
             coupled.go_on(&earlier, force, scene.step == 0);
+            coupled.meets = !self.coupling.asleep[k];
             if self.coupling.asleep[k] {
                 self.forget_contact(k, scene);
             }

@@ -66,6 +66,8 @@ pub struct Coupled {
     pub lever_trend: f64,
     /// Outward displacement of the surfaces of both bodies by their other contacts [m].
     pub displacement: [f64; 2],
+    /// Whether the displaced surfaces met, or felt each other across a gap, in the latest step.
+    pub meets: bool,
 }
 
 impl Coupled {
