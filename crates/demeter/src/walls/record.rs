@@ -4,7 +4,8 @@
 //! force `N` and the tangential force `T` of a contact:
 //!
 //! * loads: `F dt`, `N dt` and `T dt` are summed; over the time since the last frame and the area they are the mean force, the
-//!   *pressure*, and the *shear stress* (the magnitude of the mean of `T` over the area: what changes its direction cancels)
+//!   *pressure*, and the *shear stress* (the magnitude of the mean of `T` over the area, in the frame of the wall: what changes its
+//!   direction cancels)
 //! * *impact energy* `E`: what the normal law lost, in dashpots and by plastic work or tear-off
 //! * *sliding energy* `W`: what friction lost, with what its spring still held when the contact ended
 //! * *slid load* `sum N ds`: the normal force times the way slid, `ds = dW/|T|`, while `|T|` is all that friction bears: what a contact
@@ -63,12 +64,13 @@ pub(crate) struct Mark {
     pub(crate) slid_load: f64,
 }
 
-/// Sums on one element; vectors in the wall frame.
+/// Sums on one element.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct Sums {
     /// Force on the element times time since the last frame [N s].
     impulse: DVec3,
     pressing: f64,
+    /// In the frame of the wall, so that what drags at a turning liner from the same side adds up.
     shearing: DVec3,
     /// Energies since the start [J].
     impact: f64,
@@ -136,10 +138,9 @@ impl Record {
         let Some(sums) = self.elements.get_mut(mark.element as usize) else {
             return;
         };
-        let shearing = turn(mark.tangential) * dt;
-        sums.impulse += shearing - turn(mark.normal) * (mark.normal_force * dt);
+        sums.impulse += (mark.tangential - mark.normal * mark.normal_force) * dt;
         sums.pressing += mark.normal_force * dt;
-        sums.shearing += shearing;
+        sums.shearing += turn(mark.tangential) * dt;
         sums.impact += mark.impact;
         sums.sliding += mark.sliding;
         sums.slid_load += mark.slid_load;
@@ -162,8 +163,8 @@ impl Record {
         }
     }
 
-    /// What was recorded on an element of an area [m^2]; `turn` turns a direction of the wall frame into the world.
-    pub(super) fn of(&self, element: usize, area: f64, turn: impl Fn(DVec3) -> DVec3) -> ElementRecord {
+    /// What was recorded on an element of an area [m^2].
+    pub(super) fn of(&self, element: usize, area: f64) -> ElementRecord {
         let Some(sums) = self.elements.get(element) else {
             return ElementRecord::default();
         };
@@ -171,7 +172,7 @@ impl Record {
         let wear = self.recording.wear.unwrap_or_default();
         let worn_volume = wear.sliding * sums.slid_load + wear.impact * sums.impact;
         ElementRecord {
-            force: turn(sums.impulse) * share,
+            force: sums.impulse * share,
             pressure: sums.pressing * share / area,
             shear_stress: sums.shearing.length() * share / area,
             impact_energy: sums.impact,
@@ -185,7 +186,7 @@ impl Record {
     pub(super) fn totals(&self) -> [f64; 3] {
         let mut totals = [0.0; 3];
         for element in 0..self.len() {
-            let of = self.of(element, f64::INFINITY, |v| v);
+            let of = self.of(element, f64::INFINITY);
             for (total, part) in totals
                 .iter_mut()
                 .zip([of.impact_energy, of.sliding_energy, of.worn_volume])

@@ -572,7 +572,7 @@ impl Wall {
     /// What was recorded on every element; nothing where nothing is recorded.
     pub fn element_records(&self) -> Vec<ElementRecord> {
         let Some(record) = &self.record else { return Vec::new() };
-        let of = |k| record.of(k, elements::area(self.described(), k), |v| self.motor.pose.turn(v));
+        let of = |k| record.of(k, elements::area(self.described(), k));
         (0..record.len()).map(of).collect()
     }
 

@@ -6,7 +6,7 @@ use crate::cases::{Case, G, Laws, hertz_overlap, law, mass, on_threads, one_mate
 use demeter::contacts::Coupling;
 use demeter::measure::{contact_records, wall_surfaces};
 use demeter::simulation::Simulation;
-use demeter::walls::{ElementRecord, Motion, MotionPart, Motions, Pace, Recording, Shape, WearCoefficients};
+use demeter::walls::{ElementRecord, Motion, MotionPart, Motions, Pace, Recording, Shape, Side, WearCoefficients};
 use demeter_physics::DVec3;
 use demeter_physics::integrator::Integrator;
 use std::f64::consts::PI;
@@ -319,6 +319,39 @@ fn stress_is_weight_over_area() {
         }
         sim.walls[0].begin_interval();
         assert_eq!(sim.walls[0].element_records()[2].force, DVec3::ZERO);
+    });
+}
+
+/// The mean was taken in the frame of the wall: over half a turn 2/pi of the weight, and across.
+#[test]
+fn the_mean_force_on_a_drum_that_turns_is_that_in_the_world() {
+    on_threads(1, || {
+        let mut case = Case::new(one_material(MODULUS, &Laws::hertz(0.3)));
+        case.gravity = DVec3::Z * -G;
+        let drum = Shape::Cylinder {
+            start: DVec3::Y * -0.01,
+            end: DVec3::Y * 0.01,
+            radius: 5e-3,
+            side: Side::Inside,
+        };
+        let turning = Motion::Rotation {
+            point: DVec3::ZERO,
+            axis: DVec3::Y,
+            angular_velocity: 50.0 * PI,
+        };
+        case.wall(0, drum, turning);
+        case.walls[0].record(Recording {
+            stress: true,
+            wear: None,
+        });
+        let (r, weight) = (1e-3, mass(1e-3) * G);
+        case.grain(r, DVec3::Z * (r - 5e-3), DVec3::ZERO);
+        let mut sim = case.simulation();
+        cases::advance(&mut sim, 0.02);
+        sim.walls[0].begin_interval();
+        cases::advance(&mut sim, 0.02);
+        let found = sim.walls[0].element_records()[0].force;
+        assert!((found + DVec3::Z * weight).length() < 0.01 * weight, "{found} {weight}");
     });
 }
 
