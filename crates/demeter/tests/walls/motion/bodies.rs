@@ -114,18 +114,18 @@ fn scenario_with_brick(center: DVec3, half: DVec3, rest: &str) -> String {
 #[test]
 fn a_brick_that_falls_on_a_bed_rests_on_it() {
     let half = DVec3::new(4e-3, 3e-3, 1.5e-3);
-    let text = scenario_with_brick(DVec3::new(1e-3, 0.0, 26e-3), half, "[[stage]]\nduration = \"0.3 s\"\n");
+    let text = scenario_with_brick(DVec3::new(1e-3, 0.0, 26e-3), half, "[[stage]]\nduration = \"0.5 s\"\n");
     let deep = VESSEL.replace("0 0 11 mm", "0 0 20 mm");
     let series = series_of(&format!("{deep}{text}"));
     assert_books_close("a brick", &series);
     let weight = 4000.0 * 8.0 * half.element_product() * G;
-    let force = &series["wall brick force z [N]"];
-    let tail = &force[force.len() - 50..];
-    let mean = tail.iter().sum::<f64>() / 50.0;
-    // it still rocks a little, differently with other roundings: 2.2 % were seen
-    assert!((mean / weight - 1.0).abs() < 0.05, "{mean} {weight}");
-    let sideways = series["wall brick force x [N]"].last().unwrap().abs();
-    assert!(sideways < 0.02 * weight, "{sideways}");
+    // at 0.3 s it may still rock, differently with other roundings
+    let mean = |axis: &str| {
+        let force = &series[&format!("wall brick force {axis} [N]")];
+        force[force.len() - 50..].iter().sum::<f64>() / 50.0
+    };
+    assert!((mean("z") / weight - 1.0).abs() < 0.02, "{} {weight}", mean("z"));
+    assert!(mean("x").abs() < 0.02 * weight, "{}", mean("x"));
     let energy = series["free wall energy [J]"].last().unwrap();
     assert!(*energy < 0.0, "{energy}");
     // it falls freely at first, and lies askew in the end
