@@ -75,8 +75,9 @@ impl Simulation {
         self.check_walls()?;
         self.check_bodies()?;
         self.took(Phase::Walls);
-        self.check_places(&motion)?;
+        // before those that left the domain are taken out: they may have passed a wall
         self.check_jumps(&motion)?;
+        self.check_places(&motion)?;
         if let Some(skin) = self.next_skin(&motion) {
             self.skin = self.skin_that_fits(skin)?;
             self.find_candidates_with(Loads::Forgotten);

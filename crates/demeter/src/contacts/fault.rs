@@ -9,11 +9,8 @@ use std::borrow::Cow;
 pub enum Fault {
     /// Two bodies overlap more than the scenario allows.
     #[error(
-        "step {step}: grain {id} at {} overlaps {partner} by {:.5} of the smaller radius; the scenario allows {allowed}. \
-         Cause: the load is higher, the impact faster or the grain softer than foreseen, moving walls pinch it, or it passed \
-         through a wall in one step. Remedy: raise `young_modulus` or `stiffness`, lower the speed, or raise `simulation.max_overlap` \
-         (which makes the automatic time step smaller)",
-        place(.position), overlap_share
+        "step {step}: grain {id} at {} overlaps {partner} by {:.5} of the smaller radius; the scenario allows {allowed}. {}",
+        place(.position), overlap_share, why_so_deep(.partner, *.overlap_share)
     )]
     Overlap {
         /// Step.
@@ -220,4 +217,23 @@ impl Fault {
             Self::Custom { .. } | Self::WallNotFinite { .. } | Self::BodyAtWall { .. } => 0,
         }
     }
+}
+
+/// What it means that a grain overlaps a wall by more than its radius.
+pub(crate) const SOLID_BEHIND: &str = "its centre is behind the wall, where planes, boxes and round walls are solid";
+
+/// What is not solid behind its surface.
+pub(crate) const TWO_SIDES: &str = "take rectangles, discs, a mesh or `side = \"both\"`, which have two sides";
+
+fn why_so_deep(partner: &str, overlap_share: f64) -> String {
+    if partner.starts_with("wall ") && overlap_share > 1.0 {
+        return format!(
+            "Cause: {SOLID_BEHIND}: it came round an open end, or passed through in one step. Remedy: close the end, {TWO_SIDES}, or \
+             lower the speed"
+        );
+    }
+    "Cause: the load is higher, the impact faster or the grain softer than foreseen, moving walls pinch it, or it passed \
+     through a wall in one step. Remedy: raise `young_modulus` or `stiffness`, lower the speed, or raise `simulation.max_overlap` \
+     (which makes the automatic time step smaller)"
+        .into()
 }

@@ -44,6 +44,7 @@ pub use at_walls::Surfaces;
 pub use carried::{CarriedContact, ContactKey};
 pub use coupling::Coupling;
 pub use fault::Fault;
+pub(crate) use fault::{SOLID_BEHIND, TWO_SIDES};
 pub(crate) use impacts::{Impact, Struck};
 pub(crate) use leaving::{PairsAndWalls, grains_in};
 pub use narrow::Scene;

@@ -2,6 +2,7 @@
 
 use super::meshes::{MeshOrigin, doubt_unit_of};
 use super::{Diagnostics, Scenario, estimates, stop_checks};
+use crate::contacts::{SOLID_BEHIND, TWO_SIDES};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, Outside};
@@ -156,13 +157,14 @@ pub(super) fn check_overlaps(
             grains.id[g], grains.position[g], walls[wall].name
         );
         if share > allowed {
-            let advice = "move them apart, let the grains come by a `[[feed]]`, which keeps them off walls, or raise \
-                          `simulation.max_overlap` if the packing is meant to be loaded";
-            faults.push(
-                "grains",
-                format!("{words}; {allowed} is allowed"),
-                Some(advice.to_owned()),
-            );
+            let advice = if share > 1.0 {
+                format!("{SOLID_BEHIND}: move it, or {TWO_SIDES}")
+            } else {
+                "move them apart, let the grains come by a `[[feed]]`, which keeps them off walls, or raise \
+                 `simulation.max_overlap` if the packing is meant to be loaded"
+                    .into()
+            };
+            faults.push("grains", format!("{words}; {allowed} is allowed"), Some(advice));
         } else if share > 1e-9 {
             warnings.push(format!("{words}: it starts loaded"));
         }
@@ -259,15 +261,31 @@ pub(super) fn check_start_speeds(grains: &Grains, dt: f64, faults: &mut Diagnost
     let Some(g) = (0..grains.len()).find(|&g| way(g) > grains.radius(g)) else {
         return;
     };
+    let what = format!("grain {} at {} starts", grains.id[g], grains.position[g]);
     let (speed, radius) = (grains.velocity[g].length(), grains.radius(g));
+    refuse_jump("grains", &what, (speed, radius), dt, faults);
+}
+
+/// The same of grains that feeds bring, told two of each feed.
+pub(super) fn check_feed_speeds(scenario: &Scenario, to_come: &Grains, dt: f64, faults: &mut Diagnostics) {
+    for (k, feed) in scenario.feeds.iter().enumerate() {
+        let speed = feed.stream.velocity.length();
+        let radii = to_come.radii().skip(2 * k).take(2);
+        let smallest = radii.fold(f64::INFINITY, f64::min);
+        if speed * dt > smallest {
+            let what = format!("a grain of feed `{}` starts", feed.name);
+            refuse_jump(&format!("feed[{k}].velocity"), &what, (speed, smallest), dt, faults);
+        }
+    }
+}
+
+fn refuse_jump(path: &str, what: &str, (speed, radius): (f64, f64), dt: f64, faults: &mut Diagnostics) {
     faults.push(
-        "grains",
+        path,
         format!(
-            "grain {} at {} starts with {speed:.4e} m/s, {:.4e} m in one time step of {dt:.3e} s and more than its radius of {radius:.4e} m: \
+            "{what} with {speed:.4e} m/s, {:.4e} m in one time step of {dt:.3e} s and more than its radius of {radius:.4e} m: \
              it jumps over others",
-            grains.id[g],
-            grains.position[g],
-            way(g)
+            speed * dt
         ),
         Some(format!("let it be slower, or set `simulation.time_step` to less than {:.3e} s", radius / speed)),
     );

@@ -1,8 +1,8 @@
 //! From a scenario to a simulation: everything that can be wrong before step 0 is told here.
 
 use super::checks::{
-    check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_start_speeds, check_wall_speeds,
-    wall_partners, with_free_walls,
+    check_feed_speeds, check_memory, check_overlaps, check_periodic_size, check_stage_motions, check_start_speeds,
+    check_wall_speeds, wall_partners, with_free_walls,
 };
 use super::estimates::Fed;
 use super::meshes::{self, MeshOrigin};
@@ -108,6 +108,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::bodies::check(scenario, &walls, dt, &mut faults);
     if !scenario.deforms() {
         check_start_speeds(&grains, dt, &mut faults);
+        check_feed_speeds(scenario, &to_come, dt, &mut faults);
     }
     stray_walls::check(scenario, &walls, (&all, &domain), dt, &mut warnings);
     super::deformation::check(scenario, &grains, Some(dt), &mut faults);

@@ -3,7 +3,7 @@
 use crate::cases::beds::{bed_with, fill};
 use crate::cases::{Case, Laws, on_threads, one_material};
 use demeter::contacts::Fault;
-use demeter::particles::Outside;
+use demeter::particles::{Domain, Outside};
 use demeter::simulation::Simulation;
 use demeter::walls::{Motion, Shape};
 use demeter_physics::DVec3;
@@ -71,12 +71,47 @@ fn a_grain_that_would_jump_over_another_ends_the_run() {
     assert!(matches!(fault, Fault::Overlap { .. }), "{fault}");
 }
 
+/// It was removed as one that left the domain, through a closed floor.
+#[test]
+fn a_grain_that_jumps_out_of_the_domain_ends_the_run() {
+    let mut case = Case::new(one_material(1e8, &Laws::hertz(0.9)));
+    case.domain = Domain {
+        lower: DVec3::splat(-5e-3),
+        upper: DVec3::splat(5e-3),
+        periodic: [false; 3],
+        outside: Outside::Remove,
+    };
+    let floor = Shape::Plane {
+        point: DVec3::ZERO,
+        normal: DVec3::Z,
+    };
+    case.wall(0, floor, Motion::Rest);
+    case.grain(1e-3, DVec3::Z * 2e-3, DVec3::ZERO);
+    let mut setup = case.setup();
+    setup.gravity = DVec3::Z * (-0.02 / (setup.dt * setup.dt));
+    let fault = first_fault(&mut Simulation::new(setup), 10, "through the floor");
+    assert!(matches!(fault, Fault::Jump { step: 1, id: 1, .. }), "{fault}");
+}
+
 #[test]
 fn a_fault_tells_its_cause_and_a_remedy() {
     let mut case = Case::new(one_material(1e8, &Laws::hertz(0.9)));
     case.grain(1e-3, DVec3::new(0.0, 0.0, 0.99), DVec3::new(0.0, 0.0, 50.0));
     let text = first_fault(&mut case.simulation(), 1_000_000, "").to_string();
     for part in ["step ", "grain 1", "Cause:", "Remedy:", "outside = \"remove\""] {
+        assert!(text.contains(part), "`{part}` is missing: {text}");
+    }
+    // softer or slower grains would not help one that comes beside a box
+    let mut case = Case::new(one_material(1e8, &Laws::hertz(0.9)));
+    let shape = Shape::Box {
+        lower: DVec3::ZERO,
+        upper: DVec3::splat(0.5),
+        open: [false, false, false, false, false, true],
+    };
+    case.wall(0, shape, Motion::Rest);
+    case.grain(1e-3, DVec3::new(0.6, 0.2, 0.502), DVec3::Z * -1.0);
+    let text = first_fault(&mut case.simulation(), 1_000_000, "beside").to_string();
+    for part in ["centre is behind the wall", "take rectangles"] {
         assert!(text.contains(part), "`{part}` is missing: {text}");
     }
 }
