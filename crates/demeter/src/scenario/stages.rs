@@ -306,12 +306,7 @@ pub(super) fn wall_of(table: &TableReader<'_>, walls: &[WallSpec]) -> usize {
 }
 
 fn wall_named(item: &Item<'_>, walls: &[WallSpec]) -> usize {
-    let name = item.text();
-    if name.is_empty() {
-        0
-    } else {
-        wall_index(item, &name, walls)
-    }
+    index_of(item, "wall", walls.iter().map(|w| w.name.as_str())).unwrap_or(0)
 }
 
 /// Number of stages when unrolled.

@@ -1,11 +1,12 @@
 //! Regions and selections: where grains are counted or removed, and which of them.
 
 use super::document::Value;
+use super::feeds::index_of;
 use super::grains::{Surroundings, axis_ends};
 use super::interiors::closed_mesh;
 use super::materials::material_index;
 use super::quantity::Kind;
-use super::reader::{Item, TableReader, suggest_or_list};
+use super::reader::{Item, TableReader};
 use super::walls::{WallSpec, cone_radii, wall_index};
 use crate::measure::Selection;
 use crate::particles::{Zone, ZonePart, ZoneShape};
@@ -130,12 +131,7 @@ pub(super) fn selection(table: &TableReader<'_>, named: &Named<'_>) -> Selection
         .optional("material")
         .map(|i| material_index(&i, named.around.materials));
     let source = table.optional("batch").map(|item| {
-        let name = item.text();
-        let index = named.sources.iter().position(|source| *source == name);
-        if index.is_none() && !name.is_empty() {
-            let help = suggest_or_list(&name, named.sources.iter().copied());
-            item.fault(format!("there is no batch or feed named `{name}`"), help);
-        }
+        let index = index_of(&item, "batch or feed", named.sources.iter().copied());
         index.unwrap_or(0) as u16
     });
     let mut ids: Vec<u32> = table.optional("ids").map_or_else(Vec::new, |item| {
