@@ -51,9 +51,7 @@ pub(super) fn shape(spec: &WallSpec) -> Result<(Shape, Option<MeshOrigin>), (&'s
             let (unit, unit_is_told) = match (&file.unit, file.scale, content.told_unit) {
                 (Some(unit), ..) => (format!("{unit}, as told"), true),
                 (None, Some(scale), _) => (format!("{scale} m, as `scale` tells"), true),
-                (None, None, Some((unit, _))) => {
-                    (format!("{}, as the file tells", unit.trim_matches(['[', ']'])), true)
-                }
+                (None, None, Some((unit, _))) => (format!("{unit}, as the file tells"), true),
                 (None, None, None) => ("m, for no `unit` is told".to_string(), false),
             };
             let source = MeshSource {

@@ -84,14 +84,16 @@ pub enum MotionFileProblem {
     TooFewRows { rows: usize },
 }
 
-type Units = &'static [(&'static str, f64)];
+pub(super) type Units = &'static [(&'static str, f64)];
 
 const TIMES: Units = &[("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9), ("min", 60.0)];
-const LENGTHS: Units = &[
+pub(super) const LENGTHS: Units = &[
     ("m", 1.0),
     ("cm", 1e-2),
     ("mm", 1e-3),
     ("um", 1e-6),
+    ("\u{b5}m", 1e-6),
+    ("\u{3bc}m", 1e-6),
     ("nm", 1e-9),
     ("in", 0.0254),
 ];
@@ -202,17 +204,27 @@ fn shown(text: &str) -> String {
     text.chars().take(SHOWN).collect()
 }
 
+/// A title, `z [mm]`: the name, and the unit in brackets where there is one.
+pub(super) fn name_and_unit(title: &str) -> (&str, Option<&str>) {
+    match title.split_once(['[', '(']) {
+        Some((name, rest)) => (name.trim(), Some(rest.trim_end_matches([']', ')']).trim())),
+        None => (title.trim(), None),
+    }
+}
+
+/// Names of units, for a message.
+pub(super) fn names(units: Units) -> String {
+    units.iter().map(|unit| unit.0).collect::<Vec<_>>().join(", ")
+}
+
 fn columns(titles: &str, separator: char) -> Result<Vec<Column>, (Option<String>, MotionFileProblem)> {
     let mut columns: Vec<Column> = Vec::new();
     for title in titles
         .split(separator)
         .map(|title| title.trim().trim_matches('"').trim())
     {
-        let (name, unit) = match title.find(['[', '(']) {
-            Some(at) => (&title[..at], Some(title[at + 1..].trim_end_matches([']', ')']).trim())),
-            None => (title, None),
-        };
-        let name = name.trim().to_ascii_lowercase();
+        let (name, unit) = name_and_unit(title);
+        let name = name.to_ascii_lowercase();
         if name.parse::<f64>().is_ok() {
             return Err((None, MotionFileProblem::NumberForTitle { found: shown(title) }));
         }
@@ -225,7 +237,7 @@ fn columns(titles: &str, separator: char) -> Result<Vec<Column>, (Option<String>
                 let found = units.iter().find(|(known, _)| *known == unit);
                 let refuse = || MotionFileProblem::UnknownUnit {
                     unit: shown(unit),
-                    allowed: units.iter().map(|u| u.0).collect::<Vec<_>>().join(", "),
+                    allowed: names(units),
                 };
                 found.ok_or_else(|| (Some(shown(title)), refuse()))?.1
             }

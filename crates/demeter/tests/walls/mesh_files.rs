@@ -221,15 +221,35 @@ fn every_format_gives_the_same_triangles_whatever_its_name() {
 fn the_unit_that_a_list_names_holds_unless_the_scenario_tells_one() {
     let text = list("a[mm] b[mm] c[mm]\n");
     let content = read("walls.txt", text.as_bytes()).unwrap();
-    assert_eq!(content.told_unit, Some(("[mm]", 1e-3)));
+    assert_eq!(content.told_unit, Some(("mm", 1e-3)));
     assert_eq!(
         content.triangles[1][2],
         DVec3::from_array(VERTICES[1].map(f64::from)) * 1e-3
     );
-    assert_eq!(
-        read("walls.txt", list("a[mm] b[m]\n").as_bytes()).unwrap().told_unit,
-        None
-    );
+    for header in [
+        "x1 [in],y1 [in],z1 [in]",
+        "x1 [in] y1 (in) z1 [in]",
+        "# x1 [in]; y1 [ in ]",
+        "\"x1 [in]\",y1 [in],",
+    ] {
+        let content = read("walls.txt", list(&format!("{header}\n")).as_bytes()).unwrap();
+        assert_eq!(content.told_unit, Some(("in", 0.0254)), "{header}");
+    }
+    for (header, part) in [
+        (
+            "x1[furlong] y1[furlong]",
+            "walls.txt:1: unit `furlong` is not known here; allowed: m, cm, mm",
+        ),
+        ("x1[kg],y1[kg]", "unit `kg` is not known"),
+        ("a[mm] b[m]", "name `mm` for some columns and `m` for others"),
+        ("a [mm],b,c", "name `mm` for some columns and no unit for others"),
+        ("a,b (mm),c", "name no unit for some columns and `mm` for others"),
+    ] {
+        let found = read("walls.txt", list(&format!("{header}\n")).as_bytes())
+            .unwrap_err()
+            .to_string();
+        assert!(found.contains(part), "expected {part}, found {found}");
+    }
     assert_eq!(read("walls.txt", list("").as_bytes()).unwrap().triangles, pyramid());
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("walls.txt");

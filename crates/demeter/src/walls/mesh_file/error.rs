@@ -150,6 +150,37 @@ pub enum MeshFileError {
         /// What is there.
         found: String,
     },
+    /// The header of a list of triangles names what is no unit of length that is known.
+    #[error(
+        "{}:{line}: unit `{unit}` is not known here; allowed: {allowed}; correct the titles, or leave units out of them and tell `unit`",
+        path.display()
+    )]
+    UnknownUnit {
+        /// The file.
+        path: PathBuf,
+        /// The line, counted from 1.
+        line: usize,
+        /// The unit as written.
+        unit: String,
+        /// Units that are known.
+        allowed: String,
+    },
+    /// The columns of a list of triangles do not have the same unit.
+    #[error(
+        "{}:{line}: the titles name {first} for some columns and {other} for others; name the same unit in all nine, or leave units \
+         out of them and tell `unit`",
+        path.display()
+    )]
+    MixedUnits {
+        /// The file.
+        path: PathBuf,
+        /// The line, counted from 1.
+        line: usize,
+        /// The unit of the first column.
+        first: String,
+        /// The unit of another.
+        other: String,
+    },
     /// A file ends too early.
     #[error("{} ends before {expected}; the file is cut short, export it again", path.display())]
     CutShort {

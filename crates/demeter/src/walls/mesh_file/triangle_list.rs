@@ -1,20 +1,11 @@
 //! Lists of triangles: nine numbers per line, the three corners of a triangle, after one header line or none. So are the
 //! walls of the benchmark of Dosta et al., Computer Physics Communications 296 (2024) 109066.
 
-use super::text::{Line, Lines, number};
+use super::super::motion_file::{LENGTHS, name_and_unit, names};
+use super::text::{Line, Lines, number, shown};
 use super::{Content, MeshFileError, MeshFormat};
 use glam::DVec3;
 use std::path::Path;
-
-/// Length units that a header may name in brackets, and their size [m].
-const UNITS: [(&str, f64); 6] = [
-    ("[m]", 1.0),
-    ("[mm]", 1e-3),
-    ("[cm]", 1e-2),
-    ("[um]", 1e-6),
-    ("[µm]", 1e-6),
-    ("[in]", 0.0254),
-];
 
 /// Whether a text begins as a list of triangles does: its first or second line holds nine numbers.
 pub(super) fn looks_like_one(bytes: &[u8]) -> bool {
@@ -31,7 +22,9 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, MeshFileError>
     while let Some(line) = lines.next() {
         match corners(&line) {
             Some(triangle) => triangles.push(triangle),
-            None if is_first && words(&line).all(|word| number(word).is_none()) => told_unit = unit(&line),
+            None if is_first && words(&line).all(|word| number(word).is_none()) => {
+                told_unit = unit(path, &line)?;
+            }
             None => return Err(lines.syntax(&line, "nine numbers, the three corners of a triangle")),
         }
         is_first = false;
@@ -58,12 +51,42 @@ fn corners(line: &Line<'_>) -> Option<[DVec3; 3]> {
 }
 
 /// The unit that all columns of a header name.
-fn unit(line: &Line<'_>) -> Option<(&'static str, f64)> {
-    let named = |word: &[u8]| {
-        let text = std::str::from_utf8(word).ok()?;
-        UNITS.into_iter().find(|(name, _)| text.ends_with(name))
+fn unit(path: &Path, line: &Line<'_>) -> Result<Option<(&'static str, f64)>, MeshFileError> {
+    let text = String::from_utf8_lossy(line.text);
+    // where blanks separate, a unit belongs to the name before it
+    let (text, separators): (_, &[char]) = match [',', ';', '\t'].into_iter().find(|c| text.contains(*c)) {
+        Some(_) => (text.into_owned(), &[',', ';', '\t']),
+        None => (text.replace(" [", "[").replace(" (", "("), &[' ']),
     };
-    let mut units = words(line).map(named);
-    let first = units.next()??;
-    units.all(|unit| unit == Some(first)).then_some(first)
+    let titles = text
+        .trim_start_matches('#')
+        .split(separators)
+        .map(|title| title.trim().trim_matches('"'));
+    let mut units = Vec::new();
+    for title in titles.filter(|title| !title.is_empty()) {
+        let told = name_and_unit(title).1.map(|unit| {
+            let known = LENGTHS.iter().find(|(name, _)| *name == unit).copied();
+            known.ok_or_else(|| MeshFileError::UnknownUnit {
+                path: path.to_owned(),
+                line: line.number,
+                unit: shown(unit.as_bytes()),
+                allowed: names(LENGTHS),
+            })
+        });
+        units.push(told.transpose()?);
+    }
+    let first = units.first().copied().flatten();
+    match units.iter().find(|unit| **unit != first) {
+        None => Ok(first),
+        Some(other) => {
+            let name =
+                |unit: Option<(&str, f64)>| unit.map_or_else(|| "no unit".to_owned(), |(name, _)| format!("`{name}`"));
+            Err(MeshFileError::MixedUnits {
+                path: path.to_owned(),
+                line: line.number,
+                first: name(first),
+                other: name(*other),
+            })
+        }
+    }
 }
