@@ -169,12 +169,6 @@ fn parse_header(header: &str, separator: Separator, context: &Context) -> Result
             return Err(FileProblem::NoHeader { found: shown(cell) });
         }
         let column = parse_column(cell, &context.options, &mut extras)?;
-        if let Some(other) = columns.iter().find(|c| c.quantity.is_same(column.quantity)) {
-            return Err(FileProblem::TwiceColumn {
-                name: column.name,
-                other: other.name.clone(),
-            });
-        }
         if columns.len() == MOST_COLUMNS {
             let found = format!("{MOST_COLUMNS} columns and more");
             return Err(FileProblem::Expected {
@@ -182,14 +176,26 @@ fn parse_header(header: &str, separator: Separator, context: &Context) -> Result
                 expected: "a header of fewer",
             });
         }
-        columns.push(column);
+        add_column(&mut columns, column)?;
     }
     check_complete(&columns, context.options.diameter.is_some())?;
     Ok(Header { columns, extras })
 }
 
-/// Checks that no quantity is told in part.
-fn check_complete(columns: &[Column], sized: bool) -> Result<(), FileProblem> {
+/// Adds a column, unless another tells the same.
+pub(super) fn add_column(columns: &mut Vec<Column>, column: Column) -> Result<(), FileProblem> {
+    if let Some(other) = columns.iter().find(|c| c.quantity.is_same(column.quantity)) {
+        return Err(FileProblem::TwiceColumn {
+            name: shown(&column.name),
+            other: shown(&other.name),
+        });
+    }
+    columns.push(column);
+    Ok(())
+}
+
+/// Checks that no quantity is told in part. Sizes may be missing where they are told otherwise.
+pub(super) fn check_complete(columns: &[Column], sized: bool) -> Result<(), FileProblem> {
     let has = |quantity| columns.iter().any(|c: &Column| c.quantity.is_same(quantity));
     let group = |of: fn(usize) -> Quantity| (0..3).any(|k| has(of(k)));
     let moves = group(Quantity::Velocity);

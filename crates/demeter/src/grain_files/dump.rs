@@ -1,6 +1,7 @@
 //! LAMMPS and LIGGGHTS dumps as text (<https://docs.lammps.org/dump.html>): one moment after the other, each with its box
 //! and the names of its columns.
 
+use super::columns::{add_column, check_complete};
 use super::error::{FileProblem, Located};
 use super::lines::Lines;
 use super::numbers::{not_allowed, number, shown};
@@ -281,18 +282,38 @@ fn columns(told: &str, units: &FileUnits, extras: &mut Vec<(String, String)>) ->
             extras.push((shown(name), String::new()));
             (Quantity::Extra(extras.len() - 1), 1.0)
         });
-        // The same told in another way, as `x` and `xs`, or `radius` and `diameter`: the first counts.
-        if columns.iter().any(|c| c.quantity.is_same(quantity)) {
+        // Of places told in several ways, as `x` and `xs`, the first counts; many dumps of LIGGGHTS tell the type twice.
+        let allowed = match quantity {
+            Quantity::Type => true,
+            Quantity::Position(_) | Quantity::ScaledPosition(_) => columns.iter().all(|c| c.name != name),
+            _ => false,
+        };
+        if allowed && columns.iter().any(|c| c.quantity.is_same(quantity)) {
             quantity = Quantity::Skipped;
         }
-        columns.push(Column::new(name, quantity, factor));
+        add_column(&mut columns, Column::new(name, quantity, factor))?;
     }
-    for (k, name) in ["x", "y", "z"].into_iter().enumerate() {
-        if !columns.iter().any(|c| c.quantity.is_same(Quantity::Position(k))) {
-            return Err(FileProblem::MissingColumn { name });
-        }
-    }
+    // sizes that are missing are asked for behind the rows
+    check_complete(&columns, true).map_err(in_words_of_dumps)?;
     Ok(columns)
+}
+
+/// The name of a missing column as dumps have it.
+fn in_words_of_dumps(problem: FileProblem) -> FileProblem {
+    match problem {
+        FileProblem::MissingColumn { name } => FileProblem::MissingColumn {
+            name: match name {
+                "wx" => "omegax",
+                "wy" => "omegay",
+                "wz" => "omegaz",
+                "tx" => "tqx",
+                "ty" => "tqy",
+                "tz" => "tqz",
+                _ => name,
+            },
+        },
+        other => other,
+    }
 }
 
 #[cfg(test)]

@@ -88,6 +88,15 @@ fn shares_of_a_box_of_any_edges_become_places() {
 }
 
 #[test]
+fn places_may_be_told_in_several_ways_and_types_twice() {
+    let text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 10\n0 10\n0 10\n\
+        ITEM: ATOMS type type x y z xu yu zu xs radius\n2 2 1 2 3 11 2 3 0.1 1\n";
+    let table = parse(text).unwrap();
+    assert_eq!(table.positions, [DVec3::new(1.0, 2.0, 3.0)]);
+    assert_eq!(table.types, Some(vec![TypeOfGrain::Number(2)]));
+}
+
+#[test]
 fn wrong_dumps_are_refused_with_place_and_remedy() {
     let head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n";
     for (text, part) in [
@@ -118,6 +127,26 @@ fn wrong_dumps_are_refused_with_place_and_remedy() {
         (
             format!("{head}ITEM: ATOMS id x y radius\n1 0 0 1\n"),
             "line 9: column `z` is missing",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y z radius vx q vz\n"),
+            "line 9: column `vy` is missing",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y z radius omegax omegaz\n"),
+            "line 9: column `omegay` is missing",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y z radius vx vx vz\n"),
+            "line 9: `vx` is told twice",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x x y z radius\n"),
+            "line 9: `x` is told twice",
+        ),
+        (
+            format!("{head}ITEM: ATOMS id x y z diameter radius\n"),
+            "line 9: `radius` is told twice (also as `diameter`)",
         ),
         (
             format!("{head}ITEM: ATOMS id x y z\n1 0 0 0\n2 0 0 0\n"),

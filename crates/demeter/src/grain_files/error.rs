@@ -71,7 +71,7 @@ pub enum FileProblem {
     #[error("`{name}` is told twice (also as `{other}`); keep one of them")]
     TwiceColumn { name: String, other: String },
     #[error(
-        "column `{name}` is missing; needed are x, y, z and diameter (or radius), and of vx, vy, vz or wx, wy, wz all or none"
+        "column `{name}` is missing; needed are x, y, z and diameter (or radius), and of the components of a velocity, an angular velocity, a force or a torque all or none"
     )]
     MissingColumn { name: &'static str },
     #[error("unit `{unit}` is not known here; allowed: {allowed}")]

@@ -2,6 +2,7 @@
 //! `Origin`, `pbc`), the time and the names of the columns (`Properties`), and one line per grain; one moment after the
 //! other. Numbers are taken as SI.
 
+use super::columns::add_column;
 use super::error::{FileProblem, Located};
 use super::lines::Lines;
 use super::numbers::{LARGEST, not_allowed, number, shown};
@@ -198,15 +199,16 @@ fn columns(told: &str, units: &FileUnits, extras: &mut Vec<(String, String)>) ->
                     (Quantity::Extra(extras.len() - 1), 1.0)
                 }
             };
-            // Names of materials come before their numbers.
-            if columns.iter().any(|c| c.quantity.is_same(quantity)) {
+            // Names of materials come with their numbers, and the first of both counts.
+            if quantity == Quantity::Type && columns.iter().any(|c| c.quantity == quantity) {
                 quantity = Quantity::Skipped;
             }
-            columns.push(Column {
+            let column = Column {
                 name: column_name,
                 quantity,
                 factor,
-            });
+            };
+            add_column(&mut columns, column)?;
         }
     }
     match (0..3).all(|k| columns.iter().any(|c| c.quantity == Quantity::Position(k))) {

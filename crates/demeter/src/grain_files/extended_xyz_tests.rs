@@ -67,6 +67,18 @@ fn wrong_files_are_refused_with_place_and_remedy() {
         ("1\nProperties=pos:R:99999999999\n0 0 0\n", "stands where Properties"),
         ("1\nProperties=radius:R:1\n1\n", "column `pos` is missing"),
         (
+            "1\nProperties=pos:R:3:pos:R:3:radius:R:1\n0 0 0 1 1 1 1\n",
+            "line 2: `pos_1` is told twice",
+        ),
+        (
+            "1\nProperties=pos:R:3:radius:R:1:radius:R:1\n0 0 0 1 2\n",
+            "line 2: `radius` is told twice",
+        ),
+        (
+            "1\nProperties=pos:R:3:radius:R:1:diameter:R:1\n0 0 0 1 2\n",
+            "line 2: `diameter` is told twice (also as `radius`)",
+        ),
+        (
             "1\nLattice=\"1 2\" Properties=pos:R:3:radius:R:1\n0 0 0 1\n",
             "line 2: `1 2` stands where Lattice",
         ),
