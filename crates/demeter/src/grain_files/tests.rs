@@ -239,6 +239,9 @@ fn columns_are_chosen_by_name() {
     let mut writer = GrainWriter::new(Vec::new(), Format::Columns, options(&["x", "speed"])).unwrap();
     let found = writer.write(&table).unwrap_err().to_string();
     assert!(found.contains("no column `speed`; there are id, x, y, z"), "{found}");
+    let mut writer = GrainWriter::new(Vec::new(), Format::Columns, options(&["id", "id", "x"])).unwrap();
+    let found = writer.write(&table).unwrap_err().to_string();
+    assert!(found.contains("`id` is asked for twice"), "{found}");
     assert!(
         GrainWriter::new(Vec::new(), Format::Yade, options(&["x"]))
             .unwrap_err()

@@ -86,10 +86,15 @@ pub(super) fn chosen(
         name: name.clone(),
         known: column_names(table),
     };
-    asked
-        .iter()
-        .map(|name| find(name).ok_or_else(|| unknown(name)))
-        .collect()
+    let mut columns: Vec<Column> = Vec::with_capacity(asked.len());
+    for name in asked {
+        let column = find(name).ok_or_else(|| unknown(name))?;
+        if columns.contains(&column) {
+            return Err(WriteError::TwiceColumn { name: name.clone() });
+        }
+        columns.push(column);
+    }
+    Ok(columns)
 }
 
 /// The value of a grain in a column.

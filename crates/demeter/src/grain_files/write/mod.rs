@@ -44,6 +44,12 @@ pub enum WriteError {
         /// Those there are.
         known: Vec<String>,
     },
+    /// A column that is asked for again.
+    #[error("the column `{name}` is asked for twice; name it once")]
+    TwiceColumn {
+        /// The name.
+        name: String,
+    },
     /// The columns of the format are fixed.
     #[error("the columns of {format} are fixed; leave `--columns` out, or write csv, xyz or a dump")]
     FixedColumns {
