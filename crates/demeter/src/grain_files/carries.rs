@@ -2,6 +2,7 @@
 
 use super::format::Format;
 use super::table::{GrainTable, TypeOfGrain};
+use super::write::words;
 
 /// What is lost when a table is written in a format, and what was taken in place of what is missing; in words.
 pub fn losses(table: &GrainTable, format: Format) -> Vec<String> {
@@ -52,6 +53,9 @@ pub fn losses(table: &GrainTable, format: Format) -> Vec<String> {
     if data || dump || format == Yade {
         lost.extend(named_types(table, format));
     }
+    if format == ExtendedXyz {
+        lost.extend(renamed_types(table));
+    }
     lost.extend(taken(table, format));
     lost
 }
@@ -67,12 +71,30 @@ fn named_types(table: &GrainTable, format: Format) -> Option<String> {
     let base = table.largest_number();
     let from = if format == Format::Yade { 0 } else { 1 };
     let numbers = (base + from..).zip(&table.type_names);
-    let list: Vec<String> = numbers
-        .take(20)
-        .map(|(number, name)| format!("{number} = {name}"))
-        .collect();
-    let more = if table.type_names.len() > 20 { ", ..." } else { "" };
-    named.then(|| format!("names of materials: {format} has numbers, {}{more}", list.join(", ")))
+    let list = some_of(numbers.map(|(number, name)| format!("{number} = {name}")));
+    named.then(|| format!("names of materials: {format} has numbers, {list}"))
+}
+
+/// The names that lost their blanks.
+fn renamed_types(table: &GrainTable) -> Option<String> {
+    table.types.as_ref()?;
+    let words = words(&table.type_names);
+    let renamed = table.type_names.iter().zip(&words).filter(|(name, word)| name != word);
+    let list = some_of(renamed.map(|(name, word)| format!("`{name}` becomes `{word}`")));
+    (!list.is_empty()).then(|| {
+        format!(
+            "names of materials: {} has no blanks in them, {list}",
+            Format::ExtendedXyz
+        )
+    })
+}
+
+/// The first of a list.
+fn some_of(mut items: impl Iterator<Item = String>) -> String {
+    const MOST: usize = 20;
+    let list: Vec<String> = items.by_ref().take(MOST).collect();
+    let more = if items.next().is_some() { ", ..." } else { "" };
+    format!("{}{more}", list.join(", "))
 }
 
 /// What a format needs and the table does not tell.

@@ -282,6 +282,23 @@ fn losses_are_told() {
 }
 
 #[test]
+fn names_of_materials_stay_different_without_blanks() {
+    let table = GrainTable {
+        type_names: ["a b", "a_b", "a\tb"].map(str::to_owned).to_vec(),
+        types: Some((0..3).map(TypeOfGrain::Name).collect()),
+        ..table(3, 1.0)
+    };
+    let text = written(&[&table], Format::ExtendedXyz, WriteOptions::default());
+    let back = read_back(&text, Format::ExtendedXyz);
+    assert_eq!(back.type_names, ["a_b_2", "a_b", "a_b_3"]);
+    assert_eq!(back.types, table.types);
+    assert_eq!(
+        losses(&table, Format::ExtendedXyz),
+        ["names of materials: xyz has no blanks in them, `a b` becomes `a_b_2`, `a\tb` becomes `a_b_3`"]
+    );
+}
+
+#[test]
 fn a_data_file_has_a_type_for_a_material_of_walls_alone() {
     let table = GrainTable {
         types: Some(vec![TypeOfGrain::Name(0); 2]),

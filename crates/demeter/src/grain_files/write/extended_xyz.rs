@@ -4,6 +4,7 @@ use super::super::rows::Quantity;
 use super::super::table::{GrainTable, TypeOfGrain};
 use super::WriteError;
 use super::columns::{Column, chosen, rows};
+use std::collections::BTreeSet;
 use std::io::Write;
 
 const DEFAULT: [&str; 19] = [
@@ -38,10 +39,15 @@ pub(super) fn write(out: &mut impl Write, table: &GrainTable, asked: Option<&[St
         write!(out, " Timestep={step}")?;
     }
     writeln!(out)?;
-    match table.type_names.iter().any(|name| name.contains(char::is_whitespace)) {
-        true => rows(out, &without_blanks(table), &columns, " "),
-        false => rows(out, table, &columns, " "),
+    let words = words(&table.type_names);
+    if words == table.type_names {
+        return rows(out, table, &columns, " ");
     }
+    let renamed = GrainTable {
+        type_names: words,
+        ..table.clone()
+    };
+    rows(out, &renamed, &columns, " ")
 }
 
 /// Whether some grain has a material with a name.
@@ -50,15 +56,24 @@ fn named(table: &GrainTable) -> bool {
     table.types.iter().flatten().any(is_name)
 }
 
-fn without_blanks(table: &GrainTable) -> GrainTable {
-    let names = table
-        .type_names
-        .iter()
-        .map(|name| name.replace(char::is_whitespace, "_"));
-    GrainTable {
-        type_names: names.collect(),
-        ..table.clone()
-    }
+/// Names of materials without blanks, which this format cannot hold in a word; different ones stay different.
+pub(in super::super) fn words(names: &[String]) -> Vec<String> {
+    let has_blanks = |name: &str| name.contains(char::is_whitespace);
+    let mut taken: BTreeSet<String> = names.iter().filter(|name| !has_blanks(name)).cloned().collect();
+    let mut word = |name: &String| {
+        if !has_blanks(name) {
+            return name.clone();
+        }
+        let joined = name.replace(char::is_whitespace, "_");
+        let mut word = joined.clone();
+        let mut number = 2;
+        while !taken.insert(word.clone()) {
+            word = format!("{joined}_{number}");
+            number += 1;
+        }
+        word
+    };
+    names.iter().map(&mut word).collect()
 }
 
 /// `NAME:KIND:COUNT:...` of the columns; three components that follow each other are one property.

@@ -7,6 +7,7 @@ mod lammps_data;
 mod yade;
 
 pub use columns::column_names;
+pub(super) use extended_xyz::words;
 
 use super::format::Format;
 use super::table::{Cell, GrainTable};
