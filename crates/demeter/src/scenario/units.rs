@@ -341,14 +341,17 @@ fn parse_unit(text: &str) -> Result<Product, UnitError> {
 /// A unit with its power of ten from the prefix and twice its power.
 type Factor = Option<(&'static Unit, i32, i32)>;
 
-/// Reads one symbol with its power: `"s^2 ..."`; `1` stands for itself.
+/// Reads one symbol with its power: `"s^2 ..."`; `1` is the numerator of `1/s`.
 fn parse_factor<'t>(rest: &'t str, whole: &str) -> Result<(Factor, &'t str), UnitError> {
     let fail = |why| UnitError::Form {
         unit: whole.to_string(),
         why,
     };
     if let Some(after) = rest.strip_prefix('1') {
-        return Ok((None, after));
+        if rest.len() == whole.len() && after.trim_start().starts_with('/') {
+            return Ok((None, after));
+        }
+        return Err(fail("a `1` stands only at the start and right before `/`, as in `1/s`"));
     }
     let end = rest
         .find(|c: char| !(c.is_alphabetic() || c == '°'))

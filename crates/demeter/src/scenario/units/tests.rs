@@ -93,6 +93,7 @@ fn quantities_of_the_design_read_exactly() {
         ("1e-5 s", 1e-5, Dimension::TIME),
         ("1.5e3 N s/m", 1500.0, Dimension::DAMPING),
         ("3 1/s", 3.0, Dimension::FREQUENCY),
+        ("3 1 / s", 3.0, Dimension::FREQUENCY),
         ("2 N/(m s)", 2.0, Dimension::new(1, 0, -3)),
         ("5mm", 5e-3, Dimension::LENGTH),
         ("2 cm^2", 2e-4, Dimension::AREA),
@@ -156,6 +157,11 @@ fn faults_say_what_is_wrong() {
         "1 m)",
         "1 m$",
         "1 m//s",
+        "3 1 mm",
+        "3 1",
+        "3 mm 1",
+        "3 m/1",
+        "3 m 1/s",
     ] {
         assert!(
             matches!(parse(text), Err(UnitError::Form { .. })),
