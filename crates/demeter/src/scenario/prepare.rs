@@ -115,7 +115,18 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    let stage_steps: Vec<u64> = scenario.stages.iter().map(|s| super::run::longest(s, dt)).collect();
+    let longest = scenario.stages.iter().map(|s| super::run::longest(s, dt));
+    let all_steps: f64 = longest.clone().sum();
+    if all_steps >= u64::MAX as f64 {
+        let message = format!(
+            "the run takes {all_steps:.4e} steps, and at most {} are counted; the time step is {reason}",
+            u64::MAX
+        );
+        let help = "make the stages shorter or the time step longer".to_string();
+        faults.push("stage", message, Some(help));
+        return Err(faults);
+    }
+    let stage_steps: Vec<u64> = longest.map(|steps| steps as u64).collect();
     let steps = stage_steps.iter().copied().fold(0, u64::saturating_add);
     let stages: Vec<f64> = stage_steps.iter().map(|&steps| steps as f64 * dt).collect();
     let lasting = (stages.as_slice(), steps as f64 * dt);

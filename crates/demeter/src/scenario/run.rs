@@ -109,19 +109,23 @@ impl<'a> RunState<'a> {
     }
 }
 
-/// Steps that a stage takes when no other condition ends it.
-pub(super) fn longest(stage: &Stage, dt: f64) -> u64 {
+/// Steps that a stage takes when no other condition ends it; they may be more than a run can count.
+pub(super) fn longest(stage: &Stage, dt: f64) -> f64 {
     let limits = stage.stop.iter().filter_map(|stop| match stop {
-        StopCondition::Duration(seconds) => Some(steps_in(*seconds, dt)),
-        StopCondition::Steps(steps) => Some(*steps),
+        StopCondition::Duration(seconds) => Some(whole_steps(*seconds, dt)),
+        StopCondition::Steps(steps) => Some(*steps as f64),
         _ => None,
     });
-    limits.min().unwrap_or(0)
+    limits.reduce(f64::min).unwrap_or(0.0)
+}
+
+fn whole_steps(seconds: f64, dt: f64) -> f64 {
+    (seconds / dt).round().max(1.0)
 }
 
 /// Whole steps nearest to a time, at least one.
 pub(super) fn steps_in(seconds: f64, dt: f64) -> u64 {
-    (seconds / dt).round().max(1.0) as u64
+    whole_steps(seconds, dt) as u64
 }
 
 pub(super) struct Runner<'a> {
@@ -277,7 +281,7 @@ impl<'a> Runner<'a> {
         let steps = scenario
             .stages
             .iter()
-            .map(|s| longest(s, sim.dt))
+            .map(|s| longest(s, sim.dt) as u64)
             .fold(0, u64::saturating_add);
         if traffic.hears_impacts() {
             sim.watch_impacts();

@@ -110,7 +110,7 @@ fn foreseen(
         if !wall.is_foreseeable() || (ends_any_time && !rests) {
             return None;
         }
-        let duration = super::run::longest(stage, dt) as f64 * dt;
+        let duration = super::run::longest(stage, dt) * dt;
         for _ in 0..MOMENTS {
             wall.advance(duration / f64::from(MOMENTS));
             time += duration / f64::from(MOMENTS);

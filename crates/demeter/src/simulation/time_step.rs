@@ -102,12 +102,16 @@ impl TimeScale {
     }
 
     fn if_usable(self) -> Result<Self, TimeStepError> {
-        if self.time > 0.0 && self.time.is_finite() {
-            Ok(self)
-        } else {
-            let Self { time, origin, .. } = self;
-            Err(TimeStepError::Unusable { time, origin })
+        let dt = self.automatic();
+        if self.time.is_finite() && dt > 0.0 && dt.is_normal() {
+            return Ok(self);
         }
+        let Self { time, origin, springs } = self;
+        if springs.step < SAFE_SHARE * time {
+            let Bearable { step, origin } = springs;
+            return Err(TimeStepError::NothingBorne { step, origin });
+        }
+        Err(TimeStepError::Unusable { time, origin })
     }
 }
 
@@ -132,6 +136,17 @@ pub enum TimeStepError {
         /// The time scale [s].
         time: f64,
         /// Where it comes from.
+        origin: String,
+    },
+    /// The time step that springs bear is not a usable number.
+    #[error(
+        "{origin} bear a time step of {step} s at most, which is no usable number: check the moduli, stiffnesses, masses and radii of \
+         these bodies"
+    )]
+    NothingBorne {
+        /// The time step [s].
+        step: f64,
+        /// Which springs.
         origin: String,
     },
 }
