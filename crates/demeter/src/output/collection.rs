@@ -1,7 +1,7 @@
 //! Collections (`.pvd`): which file belongs to which time.
 
 use super::error::OutputError;
-use super::folder::{RunFolder, names_in};
+use super::folder::{RunFolder, STEP_DIGITS, names_in};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
@@ -65,7 +65,7 @@ impl Collection {
 
     /// Name of the file of a step, from the folder of the collection. The digits keep names sorted by step.
     pub fn file(&self, step: u64) -> String {
-        format!("{}{}_{step:010}{}", self.below, self.kind, self.ending)
+        format!("{}{}_{step:0STEP_DIGITS$}{}", self.below, self.kind, self.ending)
     }
 
     /// Adds a file, in place of one of the same step.

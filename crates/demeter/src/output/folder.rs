@@ -22,6 +22,9 @@ const FILES: [&str; 9] = [
     "report.html",
 ];
 
+/// Digits of a step in the name of a file, at least: they keep names sorted.
+pub(super) const STEP_DIGITS: usize = 10;
+
 /// The folder of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RunFolder {
@@ -59,26 +62,21 @@ impl RunFolder {
         Ok(())
     }
 
-    /// Removes what an earlier run left, by name.
-    pub(super) fn remove_run(&self) -> Result<(), OutputError> {
-        let checkpoints = [checkpoint::LATEST, checkpoint::PREVIOUS];
-        for name in FILES.iter().chain(&checkpoints) {
-            let path = self.root.join(name);
+    /// Removes what an earlier run left, by name: the files that every run has, its frames, and these with names of their own, with the
+    /// files that a collection among them numbers.
+    pub(super) fn remove_run(&self, named: &[PathBuf]) -> Result<(), OutputError> {
+        let of_all = FILES.iter().chain(&[checkpoint::LATEST, checkpoint::PREVIOUS]);
+        for path in of_all.map(|name| self.root.join(name)).chain(named.iter().cloned()) {
             remove_if_there(&part_path(&path))?;
             remove_if_there(&path)?;
         }
-        for (sub, ours) in [
-            (self.frames(), is_frame as fn(&str) -> bool),
-            (self.plots(), is_plot),
-            (self.pictures(), is_picture),
-            (self.distributions(), is_table),
-            (self.profiles(), is_table),
-            (self.fields(), is_field),
-            (self.paths(), is_path),
-            (self.chains(), is_chain),
-        ] {
-            for name in names_in(&sub)?.into_iter().filter(|name| ours(name)) {
-                remove_if_there(&sub.join(name))?;
+        remove_from(&self.frames(), is_frame)?;
+        for collection in named.iter().filter(|path| path.extension().is_some_and(|e| e == "pvd")) {
+            if let (Some(folder), Some(stem)) = (collection.parent(), collection.file_stem()) {
+                let stem = stem.to_string_lossy();
+                remove_from(folder, |name| {
+                    [".vti", ".vtp"].iter().any(|ending| is_numbered(name, &stem, ending))
+                })?;
             }
         }
         // made by those runs only that measure them; they stay when they hold other files
@@ -276,11 +274,17 @@ impl RunFolder {
 }
 
 pub(super) fn is_frame(name: &str) -> bool {
+    ["grains", "contacts", "walls"]
+        .iter()
+        .any(|kind| is_numbered(name, kind, ".vtp"))
+}
+
+/// Whether a name is that of a step in a collection, or of a file that is to become it.
+fn is_numbered(name: &str, kind: &str, ending: &str) -> bool {
     let name = name.strip_suffix(".part").unwrap_or(name);
-    name.ends_with(".vtp")
-        && ["grains_", "contacts_", "walls_"]
-            .iter()
-            .any(|start| name.starts_with(start))
+    let number = name.strip_prefix(kind).and_then(|rest| rest.strip_prefix('_'));
+    let digits = number.and_then(|rest| rest.strip_suffix(ending)).unwrap_or_default();
+    digits.len() >= STEP_DIGITS && digits.bytes().all(|digit| digit.is_ascii_digit())
 }
 
 /// A name that is a file name everywhere: letters and digits in lower case, all else as hyphens.
@@ -293,32 +297,9 @@ fn file_stem(name: &str) -> String {
     if cut.is_empty() { "unnamed".to_string() } else { cut }
 }
 
-fn is_picture(name: &str) -> bool {
-    let name = name.strip_suffix(".part").unwrap_or(name);
-    name.ends_with(".png") && name.starts_with(|c: char| c.is_ascii_digit())
-}
-
-fn is_plot(name: &str) -> bool {
-    name.strip_suffix(".part").unwrap_or(name).ends_with(".svg")
-}
-
-fn is_field(name: &str) -> bool {
-    let name = name.strip_suffix(".part").unwrap_or(name);
-    [".vti", ".pvd", ".csv"].iter().any(|ending| name.ends_with(ending))
-}
-
-fn is_chain(name: &str) -> bool {
-    let name = name.strip_suffix(".part").unwrap_or(name);
-    name.ends_with(".vtp") || name.ends_with(".pvd")
-}
-
-fn is_path(name: &str) -> bool {
-    let name = name.strip_suffix(".part").unwrap_or(name);
-    name.ends_with(".vtp") || name.ends_with(".csv")
-}
-
-fn is_table(name: &str) -> bool {
-    name.ends_with(".csv")
+fn remove_from(folder: &Path, is_ours: impl Fn(&str) -> bool) -> Result<(), OutputError> {
+    let names = names_in(folder)?.into_iter().filter(|name| is_ours(name));
+    names.map(|name| remove_if_there(&folder.join(name))).collect()
 }
 
 fn remove_if_there(path: &Path) -> Result<(), OutputError> {
@@ -368,16 +349,40 @@ mod tests {
         fs::write(folder.distribution("forces"), b"step\n").unwrap();
         folder.make_profiles().unwrap();
         fs::write(folder.profile("slices"), b"step\n").unwrap();
-        fs::write(place.path().join("notes.txt"), "mine").unwrap();
+        folder.make_fields().unwrap();
+        folder.make_chains().unwrap();
+        let numbered = folder.fields().join("flow_0000000012.vti");
+        let others = [
+            place.path().join("notes.txt"),
+            folder.profile("mine"),
+            folder.fields().join("flow_of_mine.vti"),
+            folder.chains().join("flow_0000000012.vtp"),
+            folder.frames().join("grains_of_mine.vtp"),
+            folder.plots().join("mine.svg"),
+            folder.pictures().join("2024.png"),
+        ];
+        for path in others.iter().chain([&numbered]) {
+            fs::write(path, "mine").unwrap();
+        }
         let error = RunFolder::create(place.path(), false).unwrap_err();
         assert!(matches!(error, OutputError::HoldsARun { .. }));
         assert!(folder.series().exists());
 
-        RunFolder::create(place.path(), true).unwrap();
+        let named = |folder: &RunFolder, _| {
+            vec![
+                folder.distribution("forces"),
+                folder.profile("slices"),
+                folder.field_collection("flow"),
+            ]
+        };
+        RunFolder::reserve(place.path(), true, named).unwrap();
         assert!(!folder.series().exists());
         assert!(!folder.frames().join("grains_0000000001.vtp").exists());
-        assert!(!folder.distributions().exists() && !folder.profiles().exists());
-        assert_eq!(fs::read(place.path().join("notes.txt")).unwrap(), b"mine");
+        assert!(!folder.distributions().exists() && !folder.profile("slices").exists());
+        assert!(!numbered.exists());
+        for path in others {
+            assert_eq!(fs::read(&path).unwrap(), b"mine", "{}", path.display());
+        }
     }
 
     #[test]

@@ -34,14 +34,19 @@ pub struct RunLock {
 impl RunFolder {
     /// Makes the folder of a new run and leaves it to whoever comes next; [`RunFolder::reserve`] keeps it.
     pub fn create(root: &Path, overwrite: bool) -> Result<Self, OutputError> {
-        Self::reserve(root, overwrite).map(|(folder, _)| folder)
+        Self::reserve(root, overwrite, |_, _| Vec::new()).map(|(folder, _)| folder)
     }
 
     /// Makes the folder of a new run and reserves it. Of several that ask for it at the same moment one gets it.
     ///
     /// A folder that is not empty is refused, unless `overwrite` is set or a run ended there before its first checkpoint: then the
-    /// files of an earlier run, known by their names, are removed. Other files are never touched.
-    pub fn reserve(root: &Path, overwrite: bool) -> Result<(Self, RunLock), OutputError> {
+    /// files of an earlier run, known by their names, are removed. Other files are never touched. `named` tells the files whose names
+    /// follow from a scenario; it hears whether a run was in the folder.
+    pub fn reserve(
+        root: &Path,
+        overwrite: bool,
+        named: impl Fn(&Self, bool) -> Vec<PathBuf>,
+    ) -> Result<(Self, RunLock), OutputError> {
         if root.exists() && !root.is_dir() {
             return Err(OutputError::NotAFolder { path: root.to_owned() });
         }
@@ -61,19 +66,24 @@ impl RunFolder {
                 folder: root.to_owned(),
             });
         }
+        let was_a_run = is_ours(&lock.read().map_err(OutputError::io("read", &folder.marker()))?);
+        let named = named(&folder, was_a_run);
         // first of all: whoever finds what a kill from here on leaves knows that it is ours
         lock.mark().map_err(OutputError::io("write", &folder.marker()))?;
-        folder.remove_run()?;
+        folder.remove_run(&named)?;
         folder.make_folders()?;
         Ok((folder, lock))
     }
 
     /// Makes and reserves the folder of a new run under this name, or, where it is taken, under the next free one of
     /// `NAME-2`, `NAME-3`, ...
-    pub fn reserve_numbered(root: &Path) -> Result<(Self, RunLock), OutputError> {
+    pub fn reserve_numbered(
+        root: &Path,
+        named: impl Fn(&Self, bool) -> Vec<PathBuf>,
+    ) -> Result<(Self, RunLock), OutputError> {
         let mut number = 1;
         loop {
-            match Self::reserve(&numbered(root, number), false) {
+            match Self::reserve(&numbered(root, number), false, &named) {
                 Err(error) if error.is_taken() && number < u32::MAX => number += 1,
                 reserved => return reserved,
             }
@@ -211,6 +221,11 @@ mod tests {
     use std::sync::Barrier;
     use std::thread;
 
+    /// No files with names of their own.
+    fn none(_: &RunFolder, _: bool) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
     /// What several get that ask at the same moment.
     fn race<T: Send>(count: usize, ask: impl Fn() -> T + Sync) -> Vec<T> {
         let (start, ask) = (Barrier::new(count), &ask);
@@ -230,7 +245,7 @@ mod tests {
         let root = place.path().join("run");
         for overwrite in [false, true, true] {
             // all answers are kept to the end of the race, and the lock with them
-            let answers = race(6, || RunFolder::reserve(&root, overwrite));
+            let answers = race(6, || RunFolder::reserve(&root, overwrite, none));
             assert_eq!(answers.iter().filter(|answer| answer.is_ok()).count(), 1, "{answers:?}");
             for refused in answers.iter().filter_map(|answer| answer.as_ref().err()) {
                 assert!(matches!(refused, OutputError::InUse { .. }), "{refused}");
@@ -238,7 +253,7 @@ mod tests {
             assert!(RunFolder::find(&root).unwrap().is_locked());
         }
         fs::write(RunFolder::at(&root).summary(), "{}").unwrap();
-        let refused = RunFolder::reserve(&root, false).unwrap_err();
+        let refused = RunFolder::reserve(&root, false, none).unwrap_err();
         assert!(matches!(refused, OutputError::HoldsARun { .. }), "{refused}");
     }
 
@@ -246,7 +261,7 @@ mod tests {
     fn who_asked_for_no_folder_takes_the_next() {
         let place = tempfile::tempdir().unwrap();
         let root = place.path().join("run");
-        let answers = race(4, || RunFolder::reserve_numbered(&root).unwrap());
+        let answers = race(4, || RunFolder::reserve_numbered(&root, none).unwrap());
         let mut names: Vec<_> = answers.iter().map(|(folder, _)| folder.root().to_owned()).collect();
         names.sort();
         names.dedup();
@@ -258,7 +273,7 @@ mod tests {
     fn a_run_that_was_killed_before_it_began_is_in_nobodys_way() {
         let place = tempfile::tempdir().unwrap();
         fs::write(place.path().join(MARKER), "").unwrap();
-        let (folder, _lock) = RunFolder::reserve(place.path(), false).unwrap();
+        let (folder, _lock) = RunFolder::reserve(place.path(), false, none).unwrap();
         let text = fs::read_to_string(folder.marker()).unwrap();
         assert!(text.contains(crate::VERSION), "{text}");
     }
@@ -298,7 +313,7 @@ mod tests {
         for (path, text) in later {
             begin();
             fs::write(&path, text).unwrap();
-            let refused = RunFolder::reserve(&root, false).unwrap_err();
+            let refused = RunFolder::reserve(&root, false, none).unwrap_err();
             assert!(matches!(refused, OutputError::HoldsARun { .. }), "{refused}");
             assert_eq!(fs::read_to_string(&path).unwrap(), text);
             assert!(folder.scenario().exists());
@@ -307,13 +322,13 @@ mod tests {
         // a marker of something else protects what is there
         begin();
         fs::write(folder.marker(), "{}").unwrap();
-        let refused = RunFolder::reserve(&root, false).unwrap_err();
+        let refused = RunFolder::reserve(&root, false, none).unwrap_err();
         assert!(matches!(refused, OutputError::HoldsARun { .. }), "{refused}");
         assert!(folder.scenario().exists());
         // also where it is alone
         let alone = tempfile::tempdir().unwrap();
         fs::write(alone.path().join(MARKER), "{}").unwrap();
-        assert!(RunFolder::reserve(alone.path(), false).is_err());
+        assert!(RunFolder::reserve(alone.path(), false, none).is_err());
     }
 
     #[test]

@@ -76,7 +76,7 @@ impl LiveRun {
         options.check()?;
         let threads = thread_pool(options.threads)?;
         let folder_and_lock = |scenario: &Scenario, root: &Path| -> Result<_, RunError> {
-            let (folder, lock) = options.reserve(root)?;
+            let (folder, lock) = options.reserve(root, scenario)?;
             folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
             Ok((folder, lock))
         };
@@ -233,7 +233,11 @@ impl LiveRun {
             (None, None) => return Err(RunError::NoFolder),
             (Some(root), None) => {
                 let folder;
-                (folder, _new_lock) = RunFolder::reserve(root, overwrite)?;
+                let options = RunOptions {
+                    overwrite,
+                    ..RunOptions::default()
+                };
+                (folder, _new_lock) = options.reserve(root, self.scenario())?;
                 folder.write(&folder.scenario(), self.scenario().to_resolved_toml().as_bytes())?;
                 folder
             }

@@ -25,6 +25,7 @@ mod materials;
 mod measures;
 mod meshes;
 mod motions;
+mod named_files;
 mod observed;
 mod other_code;
 mod other_kind;

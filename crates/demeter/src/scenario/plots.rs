@@ -28,10 +28,13 @@ pub(super) fn check(scenario: &Scenario, faults: &mut Diagnostics) {
     }
 }
 
+/// The plot that every run has.
+pub(super) const ENERGIES: &str = "energies";
+
 /// Writes the plots: energies over time, and those that the scenario asks for.
 pub(super) fn write(folder: &RunFolder, asked: &[PlotSpec]) -> Result<(), OutputError> {
     let energies = PlotSpec {
-        name: "energies".to_string(),
+        name: ENERGIES.to_string(),
         x: "time".to_string(),
         y: [
             "kinetic energy",

@@ -1,5 +1,7 @@
 //! How a run is carried out.
 
+use super::Scenario;
+use super::named_files::named_files;
 use crate::output::{OutputError, RunFolder, RunLock};
 use crate::simulation::Simulation;
 use demeter_physics::lanes::{Instructions, NoSuchInstructions};
@@ -33,10 +35,11 @@ impl RunOptions {
     }
 
     /// Makes the folder of a new run and reserves it.
-    pub(super) fn reserve(&self, folder: &Path) -> Result<(RunFolder, RunLock), OutputError> {
+    pub(super) fn reserve(&self, folder: &Path, scenario: &Scenario) -> Result<(RunFolder, RunLock), OutputError> {
+        let named = |folder: &RunFolder, was_a_run| named_files(scenario, folder, was_a_run);
         match self.numbered {
-            true => RunFolder::reserve_numbered(folder),
-            false => RunFolder::reserve(folder, self.overwrite),
+            true => RunFolder::reserve_numbered(folder, named),
+            false => RunFolder::reserve(folder, self.overwrite, named),
         }
     }
 

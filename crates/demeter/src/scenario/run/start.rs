@@ -55,7 +55,7 @@ fn run_among(
     }
     thread_pool(options.threads)?.install(|| {
         let create = || -> Result<_, RunError> {
-            let (folder, lock) = options.reserve(folder)?;
+            let (folder, lock) = options.reserve(folder, scenario)?;
             folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
             Ok((folder, lock))
         };
