@@ -186,6 +186,7 @@ impl From<RunError> for Failure {
             | RunError::ScenarioChanged { .. }
             | RunError::OtherMaterials { .. }
             | RunError::OtherLaws { .. }
+            | RunError::OtherStages { .. }
             | RunError::BeyondLaws(_)
             | RunError::OtherProcess { .. }
             | RunError::OtherInputs { .. }

@@ -4,7 +4,7 @@
 
 mod demeter;
 
-use demeter::{FALL, Place, interrupted};
+use demeter::{FALL, Place, interrupted, signal};
 use std::fs;
 
 /// Nobody takes a run for one of the scenario in its folder that is none from its beginning on.
@@ -220,4 +220,86 @@ series = "1 s"
     let kinetic = rows[0].iter().position(|title| title == "kinetic energy [J]").unwrap();
     let last: f64 = rows.last().unwrap()[kinetic].parse().unwrap();
     assert!(last > 0.0, "they do not feel each other");
+}
+
+/// The last line that tells an end of a stage, and the stages of the summary with their steps.
+fn stages_of(place: &Place) -> Vec<(String, u64, u64)> {
+    let summary: serde_json::Value =
+        serde_json::from_slice(&fs::read(place.path("cut/summary.json")).unwrap()).unwrap();
+    let stages = summary["stages"].as_array().unwrap();
+    let one = |stage: &serde_json::Value| {
+        let step = |key: &str| stage[key].as_u64().unwrap();
+        (
+            stage["name"].as_str().unwrap().to_owned(),
+            step("first_step"),
+            step("last_step"),
+        )
+    };
+    stages.iter().map(one).collect()
+}
+
+#[test]
+fn the_stage_is_found_by_its_name_where_others_come_and_go() {
+    let place = Place::new();
+    let start = FALL.find("[[stage]]").unwrap();
+    let end = FALL.find("[output]").unwrap();
+    let stage = |name: &str, steps: u32| format!("[[stage]]\nname = \"{name}\"\nsteps = {steps}\n");
+    let whole = |stages: &str| [&FALL[..start], stages, &FALL[end..]].concat();
+    let stages = [stage("one", 20), stage("two", 4000), stage("three", 30)].concat();
+    place.write("fall.toml", &whole(&stages));
+    // in the second stage
+    for _ in 0..10 {
+        let mut child = place.start_until(
+            &["run", "fall.toml", "--out", "cut", "--overwrite"],
+            "cut/pictures/01-one.png",
+        );
+        if signal(&mut child, "INT").code() == Some(130) {
+            break;
+        }
+    }
+    let at_first = fs::read_to_string(place.path("cut/scenario.toml")).unwrap();
+    let told = |stages: &str| {
+        let from = at_first.find("[[stage]]").unwrap();
+        let rest = at_first[from..]
+            .find("\n[output]")
+            .map_or("", |at| &at_first[from + at..]);
+        place.write("cut/scenario.toml", &[&at_first[..from], stages, rest].concat());
+    };
+    told(&[stage("one", 20), stage("three", 30)].concat());
+    let said = place.expect(2, &["resume", "cut", "--changed"]).err;
+    let needed = [
+        "the run is in stage `two`",
+        "no stage of this name now: it has `one`, `three`",
+    ];
+    assert!(needed.iter().all(|part| said.contains(part)), "{said}");
+    // one is gone in front, which moves the others forwards; another comes in front, which moves them back
+    for stages in [
+        [stage("two", 4000), stage("three", 30)].concat(),
+        [
+            stage("zero", 10),
+            stage("one", 20),
+            stage("two", 4000),
+            stage("three", 30),
+        ]
+        .concat(),
+    ] {
+        let kept = tempfile::tempdir().unwrap();
+        for name in [
+            "checkpoint.latest",
+            "series.csv",
+            "grains.pvd",
+            "contacts.pvd",
+            "walls.pvd",
+        ] {
+            fs::copy(place.path("cut").join(name), kept.path().join(name)).unwrap();
+        }
+        told(&stages);
+        place.expect(0, &["resume", "cut", "--changed"]);
+        let expected = [("one", 0, 20), ("two", 20, 4020), ("three", 4020, 4050)];
+        assert_eq!(stages_of(&place), expected.map(|(name, a, b)| (name.to_owned(), a, b)));
+        for entry in fs::read_dir(kept.path()).unwrap() {
+            let path = entry.unwrap().path();
+            fs::copy(&path, place.path("cut").join(path.file_name().unwrap())).unwrap();
+        }
+    }
 }

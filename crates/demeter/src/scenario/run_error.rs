@@ -60,6 +60,22 @@ pub enum RunError {
         /// Names when the run began.
         was: String,
     },
+    /// The scenario in the folder has no stage of the name of that which the run is in.
+    #[error(
+        "{} stage `{stage}`, and `{}` has no stage of this name now: it has {stages}. Stages before and behind may change; keep this \
+         one with its name, and shorten it where it is to end at once",
+        if *is_over { "the run has just ended" } else { "the run is in" }, file.display()
+    )]
+    OtherStages {
+        /// The scenario in the folder.
+        file: PathBuf,
+        /// The stage that the run is in, or that was its last.
+        stage: String,
+        /// Whether the run has ended that one.
+        is_over: bool,
+        /// The stages that there are.
+        stages: String,
+    },
     /// The scenario in the folder tells laws for which contacts remember something else.
     #[error(
         "what contacts of {pair} remember in the checkpoint is that of {was}, and the scenario tells {is} now: a run goes on with other \

@@ -8,10 +8,13 @@ use crate::scenario::prepare::{materials, prepare_to_resume, time_scale, to_come
 use crate::scenario::run_error::RunError;
 use crate::simulation::{Deformation, Simulation, Stage, Verdict};
 use crate::walls::Motions;
+use std::path::Path;
 
 /// The scenario that a run followed until it was changed.
 pub(in crate::scenario) struct Former {
     scenario: Scenario,
+    /// The stage of it that the run is in, or their number behind the last.
+    stage: usize,
     materials: Materials,
     /// What was there under its laws, its gravity and with its walls [J].
     present: f64,
@@ -32,9 +35,29 @@ impl Former {
             .present();
         Ok(Self {
             scenario,
+            stage: state.place.stage,
             materials: former,
             present,
         })
+    }
+
+    /// Where the run is in the stages of the changed scenario: in that of the same name, or, behind its last one, behind that.
+    pub(in crate::scenario) fn stage_in(&self, is: &Scenario, file: &Path) -> Result<usize, RunError> {
+        let was = &self.scenario.stages;
+        let is_over = self.stage >= was.len();
+        let Some(there) = was.get(self.stage).or(was.last()) else {
+            return Ok(self.stage);
+        };
+        let Some(found) = is.stages.iter().position(|stage| stage.name == there.name) else {
+            let stages: Vec<String> = is.stages.iter().map(|stage| format!("`{}`", stage.name)).collect();
+            return Err(RunError::OtherStages {
+                file: file.to_owned(),
+                stage: there.name.clone(),
+                is_over,
+                stages: stages.join(", "),
+            });
+        };
+        Ok(found + usize::from(is_over))
     }
 }
 
@@ -143,10 +166,10 @@ impl Runner<'_> {
             }
         }
         self.sim.book_change_since(former.present);
-        let is_over = self.place.stage >= was.stages.len();
-        let stage = self.place.stage.min(was.stages.len().saturating_sub(1));
+        let is_over = former.stage >= was.stages.len();
+        let [stage, was_stage] = [self.place.stage, former.stage].map(|stage| stage.saturating_sub(is_over.into()));
         if let Some(told) = self.scenario.stages.get(stage) {
-            let was = InForce::in_stage(was, stage);
+            let was = InForce::in_stage(was, was_stage);
             self.set_up(&InForce::in_stage(self.scenario, stage).instead_of(&was, told))?;
         }
         if is_over { self.begin_stage() } else { Ok(()) }

@@ -184,7 +184,9 @@ pub(in crate::scenario) fn read_run(
             format!("from step {step} on {difference} (grains, box and time step are those of the checkpoint)");
         place.warnings.push(warning.clone());
         place.scenario = text;
-        former = Some(Former::of(followed, &restored.value, &scenario)?);
+        let followed = Former::of(followed, &restored.value, &scenario)?;
+        restored.value.place.stage = followed.stage_in(&scenario, &file)?;
+        former = Some(followed);
         restored.warnings.push(warning);
     }
     for warning in &restored.warnings {
