@@ -315,6 +315,28 @@ fn no_file_that_is_gone_is_begun_anew_in_silence() {
     }
 }
 
+/// The end of a file went with a full disk or an editor, in the middle of a moment.
+#[test]
+fn rows_that_are_gone_from_the_end_of_a_moment_are_told() {
+    let place = Place::new();
+    place.write("fall.toml", &format!("{FALL}{MEASURES}"));
+    let run = ["run", "fall.toml", "--out", "cut", "--overwrite"];
+    interrupt(&place, &run, "cut", "INT");
+    let tables = BESIDE_THE_SERIES.iter().filter(|name| name.ends_with(".csv"));
+    for (k, name) in tables.clone().enumerate() {
+        let path = place.path("cut").join(name);
+        let text = fs::read_to_string(&path).unwrap();
+        let last = text.trim_end().rfind('\n').unwrap() + 1;
+        // a whole row, or the end of it
+        fs::write(path, &text[..if k % 2 == 0 { last } else { text.len() - 15 }]).unwrap();
+    }
+    let said = place.expect(0, &["resume", "cut"]);
+    for name in tables {
+        let told = format!("warning: `cut/{name}` lacks ");
+        assert!(said.err.contains(&told), "{told}: {}", said.err);
+    }
+}
+
 #[test]
 fn a_run_goes_on_without_its_rows_where_that_is_wanted() {
     let place = interrupted();

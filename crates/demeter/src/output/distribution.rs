@@ -57,9 +57,9 @@ impl DistributionWriter {
         Self { file, bins, stages }
     }
 
-    /// What it lacks of the rows up to the last one that was written, as a warning.
-    pub(crate) fn lacks(&self, last_row: u64) -> Option<String> {
-        self.file.lacks(last_row)
+    /// The file.
+    pub(crate) fn rows(&self) -> &RowFile {
+        &self.file
     }
 
     /// Writes both rows of a moment; they are in the file when this returns.

@@ -83,6 +83,11 @@ impl FieldWriter {
         Ok((writer, warnings))
     }
 
+    /// The table, where there is one.
+    pub(crate) fn rows(&self) -> Option<&RowFile> {
+        self.table.as_ref()
+    }
+
     /// Writes the fields of a moment.
     pub fn write(&mut self, (step, time): (u64, f64), moment: Moment, fields: &FieldValues) -> Result<(), OutputError> {
         let path = self.collection.file_path(step);

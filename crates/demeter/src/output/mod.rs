@@ -35,6 +35,7 @@ pub use frame::{ContactRecord, Frame, FrameBox, WallSurface};
 pub use plot::{AxisSpec, Look, Plot, Series, Sheet};
 pub use profile::ProfileWriter;
 pub use reservation::RunLock;
+pub(crate) use rows::{RowFile, WrittenFiles};
 pub use series::{
     COLUMNS, Column, NETWORK_COLUMNS, SeriesLabels, SeriesTable, SeriesValues, SeriesWriter, WALL_COLUMNS,
 };

@@ -1,6 +1,9 @@
 //! A CSV file that grows by rows, each of which begins with the step that it belongs to.
 
 use super::error::OutputError;
+use super::folder::RunFolder;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -10,7 +13,7 @@ const STEP_LENGTH: usize = 32;
 
 /// A file of rows, open at its end.
 #[derive(Debug)]
-pub(super) struct RowFile {
+pub(crate) struct RowFile {
     path: PathBuf,
     file: File,
     length: u64,
@@ -70,13 +73,20 @@ impl RowFile {
         })
     }
 
-    /// What the file lacks of the rows from the start of the run to the last one that was written, as a warning.
-    pub fn lacks(&self, last: u64) -> Option<String> {
-        let problem = match self.kept {
-            Some((0, found)) if found >= last => return None,
-            Some((0, found)) => format!("lacks the rows behind step {found}, up to that of step {last}"),
-            Some((first, _)) => format!("begins at step {first}, not at the start of the run"),
-            None => format!("holds no rows up to step {last} any more"),
+    /// What the file lacks of the bytes that were written into it, as a warning; told the last moment, where each has rows, also which rows
+    /// from the start of the run on.
+    fn lacks(&self, last: Option<u64>, written: u64) -> Option<String> {
+        let problem = match (self.kept, last) {
+            (Some((0, found)), Some(last)) if found < last => {
+                format!("lacks the rows behind step {found}, up to that of step {last}")
+            }
+            (Some((first @ 1.., _)), Some(_)) => format!("begins at step {first}, not at the start of the run"),
+            (None, Some(last)) => format!("holds no rows up to step {last} any more"),
+            _ if self.length < written => {
+                let lost = written - self.length;
+                format!("lacks {lost} of the {written} bytes that the run wrote into it up to its checkpoint")
+            }
+            _ => return None,
         };
         let path = self.path.display();
         Some(format!(
@@ -103,6 +113,34 @@ impl RowFile {
         self.length += bytes.len() as u64;
         Ok(())
     }
+}
+
+/// The files that a run wrote until a checkpoint, by their names from its folder on, with the bytes of those that hold rows.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct WrittenFiles(BTreeMap<String, u64>);
+
+impl WrittenFiles {
+    /// Files of rows as they are now, and others.
+    pub fn of<'a>(folder: &RunFolder, rows: impl Iterator<Item = &'a RowFile>, others: &[PathBuf]) -> Self {
+        let rows = rows.map(|file| (name_in(folder, &file.path), file.length));
+        let others = others.iter().map(|path| (name_in(folder, path), 0));
+        Self(others.chain(rows).collect())
+    }
+
+    /// Whether a file is one of them.
+    pub fn knows(&self, folder: &RunFolder, path: &Path) -> bool {
+        self.0.contains_key(&name_in(folder, path))
+    }
+
+    /// What a file that goes on lacks, as a warning; `last` is the last moment, where each has rows there.
+    pub fn lacks(&self, folder: &RunFolder, file: &RowFile, last: Option<u64>) -> Option<String> {
+        file.lacks(last, *self.0.get(&name_in(folder, &file.path))?)
+    }
+}
+
+fn name_in(folder: &RunFolder, path: &Path) -> String {
+    let name = path.strip_prefix(folder.root()).unwrap_or(path);
+    name.to_string_lossy().into_owned()
 }
 
 fn encode<R: AsRef<[String]>>(rows: &[R], path: &Path) -> Result<Vec<u8>, OutputError> {

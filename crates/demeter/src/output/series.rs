@@ -482,9 +482,9 @@ impl SeriesWriter {
         Ok(Self { file, labels })
     }
 
-    /// What the series lacks of the rows up to the last one that was written, as a warning.
-    pub(crate) fn lacks(&self, last_row: u64) -> Option<String> {
-        self.file.lacks(last_row)
+    /// The file.
+    pub(crate) fn rows(&self) -> &RowFile {
+        &self.file
     }
 
     /// Writes a row; it is in the file when this returns.

@@ -35,9 +35,9 @@ impl MomentTable {
         Ok(Self { file, stages })
     }
 
-    /// What it lacks of the rows up to the last one that was written, as a warning, where every moment has some.
-    pub(crate) fn lacks(&self, last_row: u64) -> Option<String> {
-        self.file.lacks(last_row)
+    /// The file.
+    pub(crate) fn rows(&self) -> &RowFile {
+        &self.file
     }
 
     /// Adds rows of a moment.

@@ -4,7 +4,7 @@ use super::measures::MeasureKind;
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{Field, ForceChains, Moment};
-use crate::output::{ChainWriter, FieldWriter, OutputError, RunFolder, tell_chains};
+use crate::output::{ChainWriter, FieldWriter, OutputError, RowFile, RunFolder, tell_chains};
 use crate::simulation::Simulation;
 use std::path::PathBuf;
 
@@ -59,6 +59,11 @@ impl<'a> FieldFiles<'a> {
             }
         }
         Ok((Self { fields, chains }, warnings))
+    }
+
+    /// The tables of fields that are open.
+    pub fn tables(&self) -> impl Iterator<Item = &RowFile> {
+        self.fields.iter().filter_map(FieldWriter::rows)
     }
 
     /// Writes all fields and chains of a moment; means begin anew.

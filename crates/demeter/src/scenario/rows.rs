@@ -9,9 +9,9 @@ use crate::measure::{
     Paths, Profile, ToldColumn, WEAR_COLUMNS, box_titles, box_values, free_wall_values, measure, wear_values,
 };
 use crate::output::{
-    DistributionWriter, MomentTable, OutputError, ProfileWriter, RunFolder, SeriesTable, SeriesWriter, collision_rows,
-    collision_titles, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles, rose_rows,
-    rose_titles,
+    DistributionWriter, MomentTable, OutputError, ProfileWriter, RowFile, RunFolder, SeriesTable, SeriesWriter,
+    collision_rows, collision_titles, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles,
+    rose_rows, rose_titles,
 };
 use crate::simulation::Simulation;
 use std::collections::BTreeSet;
@@ -116,40 +116,36 @@ impl<'a> Rows<'a> {
             .collect()
     }
 
-    /// Goes on with all files after a step, told that of the last row, and tells what they lack, as warnings.
-    pub fn resume(
-        scenario: &'a Scenario,
-        folder: &RunFolder,
-        step: u64,
-        last_row: Option<u64>,
-    ) -> Result<(Self, Vec<String>), OutputError> {
+    /// Goes on with all files after a step.
+    pub fn resume(scenario: &'a Scenario, folder: &RunFolder, step: u64) -> Result<Self, OutputError> {
         let series = SeriesWriter::resume(&folder.series(), labels(scenario), step)?;
-        let of_series = last_row.and_then(|last| series.lacks(last));
-        let rows = Self::with(
+        Self::with(
             scenario,
             folder,
             (series, Some(step)),
             |name, bins, stages| DistributionWriter::resume(&folder.distribution(name), bins, stages, step),
             |name, stages| ProfileWriter::resume(&folder.profile(name), stages, step),
-        )?;
-        let of_others = last_row.map(|last| rows.lack(last)).unwrap_or_default();
-        Ok((rows, of_series.into_iter().chain(of_others).collect()))
+        )
     }
 
-    /// What the files beside the series lack of the rows up to the last one.
-    fn lack(&self, last_row: u64) -> Vec<String> {
+    /// All files that are open, and whether every moment has rows there.
+    pub fn open_files(&self) -> impl Iterator<Item = (&RowFile, bool)> {
+        let series = match &self.series {
+            Series::File(writer) => Some(writer.rows()),
+            Series::Memory(_) => None,
+        };
         let bins = self
             .distributions
             .iter()
-            .filter_map(|(_, file)| file.as_ref()?.lacks(last_row));
-        let slices = self
-            .profiles
-            .iter()
-            .filter_map(|(_, file)| file.as_ref()?.lacks(last_row));
+            .filter_map(|(_, file)| Some(file.as_ref()?.rows()));
+        let slices = self.profiles.iter().filter_map(|(_, file)| Some(file.as_ref()?.rows()));
+        let of_all = series.into_iter().chain(bins).chain(slices).map(|file| (file, true));
         // paths tell nothing as long as none of their grains is there
-        let tables = self.tables.iter().filter(|(told, _)| !matches!(told, Told::Paths(_)));
-        let tables = tables.filter_map(|(_, file)| file.as_ref()?.lacks(last_row));
-        bins.chain(slices).chain(tables).collect()
+        let tables = self.tables.iter().filter_map(|(told, file)| {
+            let every_moment = !matches!(told, Told::Paths(_));
+            Some((file.as_ref()?.rows(), every_moment))
+        });
+        of_all.chain(tables)
     }
 
     fn with(

@@ -18,7 +18,7 @@ use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::contacts::Fault;
 use crate::measure::Measures;
-use crate::output::{FrameWriter, OutputError, RunFolder, SeriesLabels, StageSummary, Summary};
+use crate::output::{FrameWriter, OutputError, RunFolder, SeriesLabels, StageSummary, Summary, WrittenFiles};
 use crate::particles::Domain;
 use crate::simulation::{Cadence, Setup, Simulation, SimulationState, Stage, StopCondition, ends_at};
 use crate::walls::WallWork;
@@ -81,6 +81,8 @@ pub(super) struct Place {
     stage_work: Vec<WallWork>,
     last_row: Option<u64>,
     last_frame: Option<u64>,
+    /// What is in the folder of the checkpoint.
+    written: WrittenFiles,
     pub(super) max_residual: f64,
     pub(super) stages_done: Vec<StageSummary>,
     /// Seconds of computing so far.
@@ -182,6 +184,7 @@ impl<'a> Runner<'a> {
             stage_work: Vec::new(),
             last_row: None,
             last_frame: None,
+            written: WrittenFiles::default(),
             max_residual: 0.0,
             stages_done: Vec::new(),
             wall_clock: 0.0,
@@ -236,17 +239,18 @@ impl<'a> Runner<'a> {
         let mut told = vec![format!("going on from step {step}, time {:.4e} s", sim.time())];
         folder.map_or(Ok(()), |folder| check_files(scenario, folder, &state.place))?;
         let rows = match folder {
-            Some(folder) => {
-                let (rows, lacks) = Rows::resume(scenario, folder, step, state.place.last_row)?;
-                told.extend(lacks);
-                rows
-            }
+            Some(folder) => Rows::resume(scenario, folder, step)?,
             None => Rows::in_memory(scenario),
         };
         let mut files = |folder: &RunFolder| -> Result<Files, RunError> {
             let (frames, of_frames) = FrameWriter::open(folder, Some(step))?;
             let (fields, of_fields) = FieldFiles::open(scenario, folder, Some(step))?;
+            let Place { written, last_row, .. } = &state.place;
+            let lacks =
+                |(file, every_moment): (_, bool)| written.lacks(folder, file, last_row.filter(|_| every_moment));
+            told.extend(rows.open_files().filter_map(lacks));
             told.extend(of_frames.into_iter().chain(of_fields));
+            told.extend(fields.tables().map(|file| (file, false)).filter_map(lacks));
             Ok(Files {
                 frames,
                 fields,
@@ -535,15 +539,29 @@ impl<'a> Runner<'a> {
     }
 }
 
+impl Files<'_> {
+    /// All that was written so far, with the rows.
+    fn written(&self, scenario: &Scenario, rows: &Rows<'_>) -> WrittenFiles {
+        let of_rows = rows.open_files().map(|(file, _)| file).chain(self.fields.tables());
+        WrittenFiles::of(&self.folder, of_rows, &of_frames(scenario, &self.folder))
+    }
+}
+
+/// The files that every frame changes.
+fn of_frames(scenario: &Scenario, folder: &RunFolder) -> Vec<PathBuf> {
+    [FrameWriter::files(folder), FieldFiles::files(scenario, folder)].concat()
+}
+
 /// Refuses to go on where a file is gone that the run wrote into: it would be begun anew, as if nothing had been before.
 fn check_files(scenario: &Scenario, folder: &RunFolder, place: &Place) -> Result<(), OutputError> {
-    let of_frames = [FrameWriter::files(folder), FieldFiles::files(scenario, folder)].concat();
     let written = [
         (Rows::files(scenario, folder), place.last_row),
-        (of_frames, place.last_frame),
+        (of_frames(scenario, folder), place.last_frame),
     ];
     let gone = |(files, last): (Vec<PathBuf>, Option<u64>)| {
-        let gone = files.into_iter().filter(|file| !file.exists());
+        let gone = files
+            .into_iter()
+            .filter(|file| place.written.knows(folder, file) && !file.exists());
         last.map_or_else(Vec::new, |step| gone.map(|file| (file, step)).collect())
     };
     let files: Vec<(PathBuf, u64)> = written.into_iter().flat_map(gone).collect();

@@ -3,7 +3,7 @@
 use super::{Files, RunState, Runner, labels};
 use crate::checkpoint::{self, Header};
 use crate::measure::{ContactsAt, Moment, wall_surfaces};
-use crate::output::{Frame, FrameBox, FramePart, SeriesTable, tell_frame};
+use crate::output::{Frame, FrameBox, FramePart, SeriesTable, WrittenFiles, tell_frame};
 use crate::scenario::field_files;
 use crate::scenario::run_error::RunError;
 use crate::simulation::{Phase, Simulation, SimulationState};
@@ -137,10 +137,14 @@ impl<'a> Runner<'a> {
             contacts: simulation.contact_count() as u64,
         };
         let mut state = self.state_with(simulation);
-        if (self.files.as_ref()).is_none_or(|files| files.folder.root() != root) {
-            // the rows and frames so far stay where they are
-            state.place.last_row = None;
-            state.place.last_frame = None;
+        match self.files.as_ref().filter(|files| files.folder.root() == root) {
+            Some(files) => state.place.written = files.written(self.scenario, &self.rows),
+            None => {
+                // the rows and frames so far stay where they are
+                state.place.last_row = None;
+                state.place.last_frame = None;
+                state.place.written = WrittenFiles::default();
+            }
         }
         checkpoint::write_latest(root, &header, &state)?;
         self.sim.took(Phase::Output);
