@@ -177,6 +177,7 @@ impl From<RunError> for Failure {
                     | OutputError::NotAFolder { .. }
                     | OutputError::NotARun { .. }
                     | OutputError::OtherSeries { .. }
+                    | OutputError::OtherColumns { .. }
                     | OutputError::FilesGone { .. }
             ),
             RunError::Checkpoint(ref checkpoint) => matches!(checkpoint, CheckpointError::Missing { .. }),

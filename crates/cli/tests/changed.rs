@@ -4,7 +4,7 @@
 
 mod demeter;
 
-use demeter::{FALL, Place, interrupted, signal};
+use demeter::{FALL, Place, interrupt, interrupted, signal};
 use std::fs;
 
 /// Nobody takes a run for one of the scenario in its folder that is none from its beginning on.
@@ -302,4 +302,42 @@ fn the_stage_is_found_by_its_name_where_others_come_and_go() {
             fs::copy(&path, place.path("cut").join(path.file_name().unwrap())).unwrap();
         }
     }
+}
+
+#[test]
+fn measures_are_added_where_no_file_has_other_columns_for_them() {
+    let place = Place::new();
+    let recording = FALL.replace("name = \"box\"\n", "name = \"box\"\nstress = true\n");
+    place.write("fall.toml", &recording);
+    interrupt(
+        &place,
+        &["run", "fall.toml", "--out", "cut", "--overwrite"],
+        "cut",
+        "INT",
+    );
+    let text = fs::read_to_string(place.path("cut/scenario.toml")).unwrap();
+    let within = "lower = \"0 0 0 mm\"\nupper = \"12 12 14 mm\"\n";
+    let counted = format!(
+        "{text}\n[[measure]]\nname = \"low\"\nkind = \"region-count\"\nregion = {{ shape = \"box\", {} }}\n",
+        within.trim_end().replace('\n', ", ")
+    );
+    place.write("cut/scenario.toml", &counted);
+    let said = place.expect(2, &["resume", "cut", "--changed"]).err;
+    for part in [
+        "`cut/series.csv` has other columns",
+        "it lacks `low grains`",
+        "measures and what walls record as they were",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+
+    // a file of its own begins here, and a wall records nothing any more
+    let text = text.replace("stress = true\n", "");
+    let slices =
+        format!("{text}\n[[measure]]\nname = \"slices\"\nkind = \"profile\"\n{within}axis = \"z\"\nslices = 4\n");
+    place.write("cut/scenario.toml", &slices);
+    place.expect(0, &["resume", "cut", "--changed"]);
+    let rows = fs::read_to_string(place.path("cut/profiles/slices.csv")).unwrap();
+    let first: u64 = rows.lines().nth(1).unwrap().split(',').next().unwrap().parse().unwrap();
+    assert!(first > 0 && rows.lines().count() > 4, "{rows}");
 }

@@ -282,7 +282,9 @@ fn no_file_that_is_gone_is_begun_anew_in_silence() {
     fs::write(path("profiles/slices.csv"), "a,b\n1,2\n").unwrap();
     let said = place.expect(2, &["resume", "cut"]);
     assert!(
-        said.err.contains("slices.csv` does not continue this run") && said.err.contains("empty file"),
+        said.err
+            .contains("slices.csv` has other columns than the scenario tells: it lacks `step`")
+            && said.err.contains("empty file"),
         "{}",
         said.err
     );

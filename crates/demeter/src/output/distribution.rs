@@ -193,6 +193,6 @@ mod tests {
         }
         let finer = ForceDistribution::new(0.0, 1e-3, 0.25e-3).unwrap();
         let error = DistributionWriter::resume(&path, &finer, stages(), 3).unwrap_err();
-        assert!(matches!(error, OutputError::OtherSeries { .. }), "{error}");
+        assert!(matches!(error, OutputError::OtherColumns { .. }), "{error}");
     }
 }

@@ -78,6 +78,21 @@ pub enum OutputError {
         /// What differs.
         problem: String,
     },
+    /// A file of rows has other columns than the scenario asks for.
+    #[error(
+        "`{}` has other columns than the scenario tells: {}. A file keeps its columns: put it back as the run wrote it, or, where the \
+        scenario was changed, leave walls, feeds, removals, measures and what walls record as they were. To go on without its rows \
+        so far, put an empty file in its place.",
+        path.display(), other_titles(lacks, others)
+    )]
+    OtherColumns {
+        /// The file.
+        path: PathBuf,
+        /// Titles that it lacks.
+        lacks: Vec<String>,
+        /// Titles that it has beside those of the scenario.
+        others: Vec<String>,
+    },
     /// Files of a run that goes on are gone.
     #[error(
         "{}. Put the {} back, or begin the run anew in another folder. To go on without what is lost, put an empty file in its place.",
@@ -146,6 +161,29 @@ impl OutputError {
 
 fn hint_of(source: &io::Error) -> String {
     hint(source).map_or_else(String::new, |hint| format!(" {hint}"))
+}
+
+/// Titles told of each kind, at most.
+const TITLES: usize = 3;
+
+/// Which columns differ.
+fn other_titles(lacks: &[String], others: &[String]) -> String {
+    let list = |what: &str, titles: &[String]| {
+        let told: Vec<String> = titles.iter().take(TITLES).map(|title| format!("`{title}`")).collect();
+        let more = match titles.len().saturating_sub(TITLES) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        (!titles.is_empty()).then(|| format!("{what} {}{more}", told.join(", ")))
+    };
+    let told: Vec<String> = [list("it lacks", lacks), list("it has", others)]
+        .into_iter()
+        .flatten()
+        .collect();
+    match told.is_empty() {
+        true => "they have another order".to_owned(),
+        false => told.join("; "),
+    }
 }
 
 /// Which files are not there, and what they held.

@@ -11,6 +11,9 @@ use std::path::{Path, PathBuf};
 /// Bytes of a row that are looked at to find its step: more than the digits of the largest one.
 const STEP_LENGTH: usize = 32;
 
+/// Longest header that is read to tell what differs [bytes].
+const LONGEST_HEADER: u64 = 1 << 20;
+
 /// A file of rows, open at its end.
 #[derive(Debug)]
 pub(crate) struct RowFile {
@@ -58,7 +61,7 @@ impl RowFile {
             problem,
         };
         if found != expected {
-            return Err(other("its header has other columns".to_owned()));
+            return Err(other_columns(path, header, &found, reader).map_err(io)?);
         }
         let (bytes, kept) = rows_up_to(&mut reader, step).map_err(io)?.map_err(other)?;
         let length = expected.len() as u64 + bytes;
@@ -136,6 +139,29 @@ impl WrittenFiles {
     pub fn lacks(&self, folder: &RunFolder, file: &RowFile, last: Option<u64>) -> Option<String> {
         file.lacks(last, *self.0.get(&name_in(folder, &file.path))?)
     }
+}
+
+/// The error of a file that begins with another header than its own, told how it begins and what reads on.
+fn other_columns(path: &Path, header: &[String], begin: &[u8], rest: impl BufRead) -> io::Result<OutputError> {
+    let mut line = Vec::new();
+    begin.chain(rest.take(LONGEST_HEADER)).read_until(b'\n', &mut line)?;
+    let record = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .from_reader(&*line)
+        .records()
+        .next();
+    let found: Vec<String> = record
+        .and_then(Result::ok)
+        .map(|record| record.iter().map(str::to_owned).collect())
+        .unwrap_or_default();
+    let without = |all: &[String], others: &[String]| -> Vec<String> {
+        all.iter().filter(|title| !others.contains(title)).cloned().collect()
+    };
+    Ok(OutputError::OtherColumns {
+        path: path.to_owned(),
+        lacks: without(header, &found),
+        others: without(&found, header),
+    })
 }
 
 fn name_in(folder: &RunFolder, path: &Path) -> String {

@@ -126,10 +126,11 @@ pub enum RunError {
         /// What is in the way.
         source: Box<WallInTheWay>,
     },
-    /// The checkpoint holds other feeds, removals or flows than the scenario tells.
+    /// The checkpoint holds other feeds, removals or measures that remember than the scenario tells.
     #[error(
-        "the checkpoint holds other feeds, removals or flows through gates than the scenario tells: it belongs to another \
-         scenario"
+        "the checkpoint holds other feeds, removals or measures that remember what happened (mass-flow, residence, displacement, field, \
+         collisions) than the scenario tells: a run goes on with as many of them as it began with, and with the bins and cells that these \
+         had. Profiles, force distributions, paths and force chains may be added"
     )]
     OtherTraffic,
     /// Another process that shares the run failed, and tells why.

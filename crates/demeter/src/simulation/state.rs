@@ -69,6 +69,15 @@ pub enum StateError {
          the laws that it began with"
     )]
     Coupling,
+    /// A wall that records loads or wear has another shape than it had.
+    #[error(
+        "the checkpoint holds loads or wear on other elements than wall `{wall}` has: while a wall records them (`stress`, `wear`) its \
+         shape stays as it was when the run began"
+    )]
+    OtherElements {
+        /// The wall.
+        wall: String,
+    },
     /// Arrays of the checkpoint contradict each other.
     #[error("the checkpoint contradicts itself ({0}): it was not written by this engine")]
     Inconsistent(&'static str),
@@ -174,7 +183,9 @@ impl Simulation {
         });
         for (wall, state) in sim.walls.iter_mut().zip(&state.walls) {
             if !wall.restore(state) {
-                return Err(StateError::Inconsistent("the record of a wall"));
+                return Err(StateError::OtherElements {
+                    wall: wall.name.clone(),
+                });
             }
         }
         sim.started = state.started;

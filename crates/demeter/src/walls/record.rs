@@ -129,6 +129,16 @@ impl Record {
         }
     }
 
+    /// Takes over what was recorded before; tells whether it was on as many elements.
+    pub(super) fn go_on_from(&mut self, saved: &Self) -> bool {
+        let fits = self.len() == saved.len();
+        if fits {
+            self.time = saved.time;
+            self.elements.clone_from(&saved.elements);
+        }
+        fits
+    }
+
     pub(super) fn len(&self) -> usize {
         self.elements.len()
     }

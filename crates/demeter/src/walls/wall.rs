@@ -509,16 +509,17 @@ impl Wall {
         }
     }
 
-    /// Continues from a checkpoint; tells whether its record fits this wall, as it does unless a file was tampered with.
+    /// Continues from a checkpoint; tells whether its record fits this wall. What the scenario has recorded now may be something else: sums
+    /// that were recorded go on, and others begin.
     pub fn restore(&mut self, state: &WallState) -> bool {
-        let told = |record: &Option<Record>| record.as_ref().map(|r| (r.len(), r.recording));
-        if told(&state.record) != told(&self.record) {
+        if let (Some(record), Some(saved)) = (&mut self.record, &state.record)
+            && !record.go_on_from(saved)
+        {
             return false;
         }
         self.motor = state.motor.clone();
         (self.force, self.torque, self.work) = (state.force, state.torque, state.work);
         self.is_present = state.is_present;
-        self.record.clone_from(&state.record);
         true
     }
 

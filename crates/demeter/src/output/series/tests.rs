@@ -114,7 +114,7 @@ fn a_series_of_other_walls_is_refused() {
     let mut other = labels();
     other.walls[0] = "bottom".to_owned();
     let error = SeriesWriter::resume(&path, other, 0).unwrap_err();
-    assert!(matches!(error, OutputError::OtherSeries { .. }));
+    assert!(matches!(error, OutputError::OtherColumns { .. }));
     let mut series = SeriesWriter::resume(&path, labels(), 0).unwrap();
     let error = series.write(&Measures::default()).unwrap_err();
     assert!(matches!(
