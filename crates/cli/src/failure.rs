@@ -175,6 +175,7 @@ impl From<RunError> for Failure {
                     | OutputError::InUse { .. }
                     | OutputError::HoldsOtherFiles { .. }
                     | OutputError::NotAFolder { .. }
+                    | OutputError::LinkToNowhere { .. }
                     | OutputError::NotARun { .. }
                     | OutputError::OtherSeries { .. }
                     | OutputError::OtherColumns { .. }

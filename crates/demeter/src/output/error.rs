@@ -55,6 +55,16 @@ pub enum OutputError {
         /// The file.
         path: PathBuf,
     },
+    /// The name is that of a link which leads to nothing that is there.
+    #[error(
+        "`{}` is a link that leads nowhere{}, a folder is needed for the results. Make what it leads to, remove the link, or choose \
+         another name.",
+        link.display(), its_target(link)
+    )]
+    LinkToNowhere {
+        /// The link.
+        link: PathBuf,
+    },
     /// The folder is no run.
     #[error(
         "`{}` is not the folder of a Demeter run: {}. Name the folder that `demeter run` wrote{}.",
@@ -194,6 +204,12 @@ fn are_gone(files: &[(PathBuf, u64)]) -> String {
     };
     let told: Vec<String> = files.iter().map(one).collect();
     told.join(";\n")
+}
+
+/// Where a link leads to.
+fn its_target(link: &Path) -> String {
+    let target = std::fs::read_link(link);
+    target.map_or_else(|_| String::new(), |target| format!(" (to `{}`)", target.display()))
 }
 
 /// Why a path is no run.

@@ -423,4 +423,25 @@ mod tests {
         let error = RunFolder::create(&place.path().join("thesis.tex"), true).unwrap_err();
         assert!(matches!(error, OutputError::NotAFolder { .. }));
     }
+    #[cfg(unix)]
+    #[test]
+    fn a_link_that_leads_nowhere_is_told() {
+        let place = tempfile::tempdir().unwrap();
+        let (dangling, looping) = (place.path().join("a"), place.path().join("b"));
+        std::os::unix::fs::symlink("gone", &dangling).unwrap();
+        std::os::unix::fs::symlink("b", &looping).unwrap();
+        for (root, link) in [
+            (dangling.clone(), "a` is"),
+            (looping, "b` is"),
+            (dangling.join("run"), "a` is"),
+        ] {
+            let text = RunFolder::create(&root, true).unwrap_err().to_string();
+            assert!(
+                text.contains(link) && text.contains("a link that leads nowhere (to `"),
+                "{text}"
+            );
+        }
+        std::fs::create_dir(place.path().join("gone")).unwrap();
+        RunFolder::create(&dangling.join("run"), false).unwrap();
+    }
 }

@@ -47,6 +47,9 @@ impl RunFolder {
         overwrite: bool,
         named: impl Fn(&Self, bool) -> Vec<PathBuf>,
     ) -> Result<(Self, RunLock), OutputError> {
+        if let Some(link) = root.ancestors().find(|path| path.is_symlink() && !path.exists()) {
+            return Err(OutputError::LinkToNowhere { link: link.to_owned() });
+        }
         if root.exists() && !root.is_dir() {
             return Err(OutputError::NotAFolder { path: root.to_owned() });
         }
