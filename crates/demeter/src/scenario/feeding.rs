@@ -1,6 +1,6 @@
 //! How the grains of a feed come: what is due, what finds room, and when it ends.
 
-use super::feeds::{FeedRate, FeedSpec};
+use super::feeds::{FeedRate, FeedSpec, exchange_steps};
 use crate::insertion::{MAX_AT_ONCE, Streaming};
 use crate::measure::contact_counts;
 use crate::particles::NewGrain;
@@ -186,9 +186,18 @@ impl FeedState {
             (None, Some(mass)) => format!("{:.6} kg of {mass:.6} kg", self.mass),
             _ => return None,
         };
+        let interval = exchange_steps(spec.every, dt);
+        let why = match self.steps < interval && !self.told_behind {
+            true => format!(
+                "the time of the others had not come, as grains come every {:.4e} s; a shorter `every` or a longer stage lets all come",
+                interval as f64 * dt
+            ),
+            false => "the others found no room; a larger inlet, one that is free of walls and grains, faster grains or a longer stage \
+                      let all come"
+                .to_owned(),
+        };
         Some(format!(
-            "warning: feed `{}` let {came} come until the end of stage `{stage}`: the others found no room; a larger inlet, one \
-             that is free of walls and grains, faster grains or a longer stage let all come",
+            "warning: feed `{}` let {came} come until the end of stage `{stage}`: {why}",
             spec.name
         ))
     }

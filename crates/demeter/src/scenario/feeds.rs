@@ -21,6 +21,12 @@ use std::sync::Arc;
 pub const MAX_FEEDS: usize = 1000;
 /// Steps between two times at which grains come and go, when nothing is told.
 pub const EXCHANGE_EVERY: u64 = 100;
+
+/// Steps between two times at which grains come or go.
+pub(super) fn exchange_steps(every: Option<f64>, dt: f64) -> u64 {
+    every.map_or(EXCHANGE_EVERY, |seconds| (seconds / dt).round().max(1.0) as u64)
+}
+
 /// Most grains that one feed may let come.
 const MAX_COUNT: i64 = (u32::MAX / 2) as i64;
 /// Longest name; it is a part of titles of columns.

@@ -5,7 +5,7 @@
 
 use super::Scenario;
 use super::feeding::{FeedState, Feeding};
-use super::feeds::{EXCHANGE_EVERY, FeedSpec, RemovalSpec};
+use super::feeds::{FeedSpec, RemovalSpec, exchange_steps};
 use super::followed::{Followed, FollowedState};
 use super::measures::MeasureKind;
 use super::run_error::RunError;
@@ -412,6 +412,5 @@ pub(super) fn sources(scenario: &Scenario, domain: &Domain) -> Result<Vec<Stream
 
 /// Whether grains come or go between the latest step and the next.
 fn is_due(sim: &Simulation, every: Option<f64>) -> bool {
-    let steps = every.map_or(EXCHANGE_EVERY, |seconds| (seconds / sim.dt).round().max(1.0) as u64);
-    sim.step.is_multiple_of(steps)
+    sim.step.is_multiple_of(exchange_steps(every, sim.dt))
 }

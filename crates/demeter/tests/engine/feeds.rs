@@ -130,6 +130,37 @@ fn all_come_that_are_due_before_a_feed_ends() {
 }
 
 #[test]
+fn grains_whose_time_has_not_come_are_not_told_to_lack_room() {
+    let text = format!(
+        r#"{HEAD}
+[domain]
+lower = "-20 -20 -20 mm"
+upper = "20 20 100 mm"
+[[feed]]
+name = "rare"
+material = "seed"
+diameter = "1 mm"
+from = {{ shape = "rectangle", center = "0 0 0 mm", half_u = "18 0 0 mm", half_v = "0 18 0 mm" }}
+number_rate = "5000 1/s"
+every = "1 h"
+[[stage]]
+duration = "20 ms"
+[[stage]]
+feeds = ["rare"]
+duration = "1 ms"
+"#
+    );
+    let place = tempfile::tempdir().unwrap();
+    let mut watcher = watcher();
+    run_in(&parse(&text), place.path(), 1, &mut watcher);
+    let told = |part: &str| watcher.messages.iter().any(|message| message.contains(part));
+    assert!(told(
+        "the time of the others had not come, as grains come every 3.6000e3 s"
+    ));
+    assert!(!told("found no room"), "{:?}", watcher.messages);
+}
+
+#[test]
 fn a_feed_without_room_waits_and_says_so() {
     let text = format!(
         r#"{HEAD}
