@@ -11,7 +11,7 @@ use super::lines::Lines;
 use super::numbers::shown;
 use super::read::{Context, Notes, ReadOptions};
 use super::rows::{Column, MOST_COLUMNS, Quantity, Rows};
-use super::table::GrainTable;
+use super::table::{GrainTable, TAG};
 use super::units::FileUnits;
 
 /// Names of columns; the first of a quantity is the one that messages use.
@@ -41,9 +41,8 @@ pub(super) const COLUMNS: [(&str, Quantity); 22] = [
 ];
 
 /// Columns of the frames of a run that are no quantity of a packing; `demeter convert` writes them.
-const OF_FRAMES: [&str; 6] = [
+const OF_FRAMES: [&str; 5] = [
     "coordination",
-    "tag",
     "orientation_x",
     "orientation_y",
     "orientation_z",
@@ -226,12 +225,10 @@ fn parse_column(cell: &str, options: &ReadOptions, extras: &mut Vec<(String, Str
     };
     let name = name.to_lowercase();
     let Some((_, quantity)) = COLUMNS.iter().find(|(known, _)| *known == name) else {
-        if options.extra_columns && !name.is_empty() {
-            extras.push((
-                name.replace(char::is_whitespace, "_"),
-                unit.unwrap_or_default().to_owned(),
-            ));
-            return Ok(Column::new(&name, Quantity::Extra(extras.len() - 1), 1.0));
+        if name == TAG || (options.extra_columns && !name.is_empty()) {
+            let told = name.replace(char::is_whitespace, "_");
+            let quantity = Quantity::extra(&told, unit.unwrap_or_default(), options, extras);
+            return Ok(Column::new(&name, quantity, 1.0));
         }
         if OF_FRAMES.contains(&name.as_str()) {
             return Ok(Column::new(&name, Quantity::Skipped, 1.0));

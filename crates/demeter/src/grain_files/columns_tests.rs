@@ -75,7 +75,7 @@ fn units_that_are_told_hold_for_titles_that_name_none() {
 
 #[test]
 fn columns_of_the_frames_of_a_run_are_read_over() {
-    let table = parse("x,y,z,diameter,coordination,tag,orientation_x\n1,2,3,4,5,6,7\n").unwrap();
+    let table = parse("x,y,z,diameter,coordination,orientation_x\n1,2,3,4,5,7\n").unwrap();
     assert_eq!((table.len(), table.extras.len()), (1, 0));
 }
 
@@ -96,6 +96,15 @@ fn wrong_tables_are_refused_with_place_and_remedy() {
         ("x y diameter\n1 2 3", "column `z` is missing"),
         ("x y z\n1 2 3", "column `diameter` is missing"),
         ("x y z diameter vx vz\n", "column `vy` is missing"),
+        ("x y z diameter tag tag\n", "`tag` is told twice"),
+        (
+            "x y z diameter tag\n1 2 3 4 7\n1 2 3 4 1.5\n",
+            "line 3, column `tag`: `1.5` is not allowed; tags are whole numbers from -2147483648",
+        ),
+        (
+            "x y z diameter tag\n1 2 3 4 1e30\n",
+            "column `tag`: `1e30` is not allowed",
+        ),
         ("x y z x diameter\n", "`x` is told twice"),
         ("x y z radius diameter\n", "`diameter` is told twice (also as `radius`)"),
         (

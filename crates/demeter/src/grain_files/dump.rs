@@ -5,7 +5,7 @@ use super::columns::{add_column, check_complete};
 use super::error::{FileProblem, Located};
 use super::lines::Lines;
 use super::numbers::{not_allowed, number, shown};
-use super::read::{Context, Notes};
+use super::read::{Context, Notes, ReadOptions};
 use super::rows::{Column, MOST_COLUMNS, Quantity, Rows};
 use super::table::{Cell, GrainTable};
 use super::units::FileUnits;
@@ -70,7 +70,8 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
     let units = context.units(head.units.as_deref(), notes)?;
     let cell = head.bounds.map(|bounds| cell(&bounds, &units)).transpose()?;
     let mut extras = Vec::new();
-    let columns = columns(&head.columns, &units, &mut extras).map_err(|problem| problem.at(at, None))?;
+    let columns =
+        columns(&head.columns, &units, &context.options, &mut extras).map_err(|problem| problem.at(at, None))?;
     notes.add_extras(&extras);
     let expected = head.atoms.unwrap_or(0);
     let mut rows = Rows::new(&columns, &extras);
@@ -274,14 +275,16 @@ fn quantity(name: &str, units: &FileUnits) -> Option<(Quantity, f64)> {
     })
 }
 
-fn columns(told: &str, units: &FileUnits, extras: &mut Vec<(String, String)>) -> Result<Vec<Column>, FileProblem> {
+fn columns(
+    told: &str,
+    units: &FileUnits,
+    options: &ReadOptions,
+    extras: &mut Vec<(String, String)>,
+) -> Result<Vec<Column>, FileProblem> {
     let mut columns: Vec<Column> = Vec::new();
     for name in told.split_whitespace().take(MOST_COLUMNS) {
         let found = quantity(name, units);
-        let (mut quantity, factor) = found.unwrap_or_else(|| {
-            extras.push((shown(name), String::new()));
-            (Quantity::Extra(extras.len() - 1), 1.0)
-        });
+        let (mut quantity, factor) = found.unwrap_or_else(|| (Quantity::extra(&shown(name), "", options, extras), 1.0));
         // Of places told in several ways, as `x` and `xs`, the first counts; many dumps of LIGGGHTS tell the type twice.
         let allowed = match quantity {
             Quantity::Type => true,

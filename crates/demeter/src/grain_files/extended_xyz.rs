@@ -6,7 +6,7 @@ use super::columns::add_column;
 use super::error::{FileProblem, Located};
 use super::lines::Lines;
 use super::numbers::{LARGEST, not_allowed, number, shown};
-use super::read::{Context, Notes};
+use super::read::{Context, Notes, ReadOptions};
 use super::rows::{Column, MOST_COLUMNS, Quantity, Rows};
 use super::table::{Cell, GrainTable};
 use super::units::FileUnits;
@@ -41,7 +41,7 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
     let cell = cell(&value, &units, notes).map_err(|problem| problem.at(at, None))?;
     let mut extras = Vec::new();
     let properties = value(&["Properties"]).unwrap_or(PLAIN);
-    let columns = columns(properties, &units, &mut extras).map_err(|problem| problem.at(at, None))?;
+    let columns = columns(properties, &units, &context.options, &mut extras).map_err(|problem| problem.at(at, None))?;
     notes.add_extras(&extras);
     let mut rows = Rows::new(&columns, &extras);
     for found in 0..count {
@@ -169,7 +169,12 @@ fn cell<'k>(
 }
 
 /// Reads `NAME:KIND:COUNT:NAME:KIND:COUNT...`.
-fn columns(told: &str, units: &FileUnits, extras: &mut Vec<(String, String)>) -> Result<Vec<Column>, FileProblem> {
+fn columns(
+    told: &str,
+    units: &FileUnits,
+    options: &ReadOptions,
+    extras: &mut Vec<(String, String)>,
+) -> Result<Vec<Column>, FileProblem> {
     let malformed = || FileProblem::Expected {
         found: shown(told),
         expected: "Properties=NAME:KIND:COUNT:..., as `pos:R:3:radius:R:1`,",
@@ -194,10 +199,7 @@ fn columns(told: &str, units: &FileUnits, extras: &mut Vec<(String, String)>) ->
             let (mut quantity, factor) = match quantity(name, count, k, units) {
                 Some(found) => found,
                 None if kind == "S" || kind == "L" => (Quantity::Skipped, 1.0),
-                None => {
-                    extras.push((column_name.clone(), String::new()));
-                    (Quantity::Extra(extras.len() - 1), 1.0)
-                }
+                None => (Quantity::extra(&column_name, "", options, extras), 1.0),
             };
             // Names of materials come with their numbers, and the first of both counts.
             if quantity == Quantity::Type && columns.iter().any(|c| c.quantity == quantity) {

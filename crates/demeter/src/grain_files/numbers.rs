@@ -40,6 +40,19 @@ pub(super) fn whole(text: &str) -> Result<u32, FileProblem> {
     }
 }
 
+/// Reads a tag, which may be written as `7.0`.
+pub(super) fn tag(text: &str) -> Result<i32, FileProblem> {
+    let value = number(text).unwrap_or(f64::NAN);
+    if value.fract() == 0.0 && (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&value) {
+        Ok(value as i32)
+    } else {
+        Err(not_allowed(
+            text,
+            "tags are whole numbers from -2147483648 to 2147483647",
+        ))
+    }
+}
+
 pub(crate) fn not_allowed(text: &str, allowed: &'static str) -> FileProblem {
     FileProblem::NotAllowed {
         text: shown(text),

@@ -21,7 +21,7 @@ pub struct ReadOptions {
     pub diameter: Option<f64>,
     /// Atom style of a data file, in place of the one that it names.
     pub style: Option<String>,
-    /// Whether columns of CSV that are no quantity of grains are taken, too.
+    /// Whether columns that are no quantity of grains are taken as they are; else there are none in CSV, and tags are those of grains.
     pub extra_columns: bool,
 }
 

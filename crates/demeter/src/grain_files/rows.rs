@@ -1,8 +1,9 @@
 //! Rows of values, each of which is one grain: what all formats share.
 
 use super::error::{FileProblem, Located};
-use super::numbers::{check_ids, density, diameter, not_allowed, number, shown, whole};
-use super::table::{Cell, Extra, GrainTable, TypeOfGrain};
+use super::numbers::{check_ids, density, diameter, not_allowed, number, shown, tag, whole};
+use super::read::ReadOptions;
+use super::table::{Cell, Extra, GrainTable, TAG, TypeOfGrain};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -31,6 +32,8 @@ pub(super) enum Quantity {
     Torque(usize),
     /// Index into [`GrainTable::extras`].
     Extra(usize),
+    /// The same, of a column of tags that grains of a run take over.
+    Tag(usize),
     /// Times that a grain went through a periodic side; read and dropped.
     Image,
     /// Not looked at.
@@ -38,6 +41,17 @@ pub(super) enum Quantity {
 }
 
 impl Quantity {
+    /// A column that is no quantity of a packing, which gets a place among the `extras`.
+    pub fn extra(name: &str, unit: &str, options: &ReadOptions, extras: &mut Vec<(String, String)>) -> Self {
+        extras.push((name.to_owned(), unit.to_owned()));
+        let index = extras.len() - 1;
+        if name == TAG && !options.extra_columns {
+            Self::Tag(index)
+        } else {
+            Self::Extra(index)
+        }
+    }
+
     /// Whether both tell the same.
     pub fn is_same(self, other: Self) -> bool {
         let axis = |quantity| match quantity {
@@ -46,7 +60,10 @@ impl Quantity {
         };
         let dropped = matches!(self, Self::Image | Self::Skipped);
         (self == other && !dropped)
-            || matches!((self, other), (Self::Size { .. }, Self::Size { .. }))
+            || matches!(
+                (self, other),
+                (Self::Size { .. }, Self::Size { .. }) | (Self::Tag(_), Self::Tag(_))
+            )
             || (axis(self).is_some() && axis(self) == axis(other))
     }
 }
@@ -182,6 +199,7 @@ impl<'a> Rows<'a> {
                     .map_err(|_| FileProblem::NotANumber { text: shown(text) })?;
                 table.extras[index].values.push(value);
             }
+            Quantity::Tag(index) => table.extras[index].values.push(f64::from(tag(text)?)),
             Quantity::Image => {
                 (text.parse::<i64>()).map_err(|_| not_allowed(text, "image flags are whole numbers"))?;
             }

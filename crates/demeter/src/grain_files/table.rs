@@ -2,6 +2,9 @@
 
 use glam::DVec3;
 
+/// Name of the column of tags.
+pub(super) const TAG: &str = "tag";
+
 /// Grains of one moment, in SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GrainTable {
@@ -197,6 +200,13 @@ impl GrainTable {
         if used {
             self.type_names.extend_from_slice(names);
         }
+    }
+
+    /// Tags of the grains, when they were read as those of a run.
+    pub fn tags(&self) -> Option<Vec<i32>> {
+        let tags = self.extras.iter().find(|extra| extra.name == TAG)?;
+        // exact: checked when they were read
+        Some(tags.values.iter().map(|tag| *tag as i32).collect())
     }
 
     /// Mass of a grain [kg], when the file tells densities.

@@ -59,7 +59,11 @@ pub(super) fn insert_file(insertion: &Insertion, materials: &[Material]) -> Resu
             angular_velocity: moving(&table.angular_velocities),
         });
     }
-    Ok(Inserted { grains, ids: table.ids })
+    Ok(Inserted {
+        grains,
+        tags: table.tags(),
+        ids: table.ids,
+    })
 }
 
 fn check_settings(density: Option<f64>, scale: f64, shift: DVec3) -> Result<(), InsertionProblem> {

@@ -43,7 +43,7 @@ fn from_file(path: &Path) -> Insertion {
         velocity: DVec3::ZERO,
         velocity_deviation: 0.0,
         angular_velocity: DVec3::ZERO,
-        tag: 0,
+        tag: None,
         seed: 1,
     }
 }
@@ -55,6 +55,22 @@ fn insert_text(text: &[u8], change: impl Fn(&mut Insertion)) -> Result<Inserted,
     let mut description = from_file(&path);
     change(&mut description);
     insert(&description, &materials(), &[], None)
+}
+
+#[test]
+fn tags_of_a_file_are_those_of_its_grains() {
+    let tags = |text: &str| insert_text(text.as_bytes(), |_| {}).unwrap().tags;
+    assert_eq!(tags("x,y,z,diameter,tag\n0,0,0,1,7.0\n2,0,0,1,-3\n"), Some(vec![7, -3]));
+    assert_eq!(tags("x,y,z,diameter\n0,0,0,1\n"), None);
+    assert_eq!(
+        tags("1\nProperties=pos:R:3:radius:R:1:tag:I:1\n0 0 0 1 5\n"),
+        Some(vec![5])
+    );
+    let dump = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n";
+    assert_eq!(
+        tags(&format!("{dump}ITEM: ATOMS x y z radius tag\n0 0 0 1 6\n")),
+        Some(vec![6])
+    );
 }
 
 #[test]

@@ -49,6 +49,8 @@ pub struct Inserted {
     pub grains: Vec<NewGrain>,
     /// Their ids, as many, when the file tells them.
     pub ids: Option<Vec<u32>>,
+    /// Their tags, as many, when the file tells them.
+    pub tags: Option<Vec<i32>>,
 }
 
 /// An insertion that cannot be made.
@@ -228,6 +230,7 @@ fn grains_at(insertion: &Insertion, materials: &[Material], places: &[SizedPlace
     Inserted {
         grains: grains.collect(),
         ids: None,
+        tags: None,
     }
 }
 

@@ -192,8 +192,8 @@ pub struct Insertion {
     pub velocity_deviation: f64,
     /// Angular velocity of every grain [1/s].
     pub angular_velocity: DVec3,
-    /// Tag of every grain.
-    pub tag: i32,
+    /// Tag of every grain; when absent that which the file tells, else 0.
+    pub tag: Option<i32>,
     /// Whether the grains stay where they are, whatever acts on them: a rough floor. They start at rest.
     pub fixed: bool,
     /// Seed of this batch.

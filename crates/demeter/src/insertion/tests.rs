@@ -23,7 +23,7 @@ fn insertion(source: Source) -> Insertion {
         velocity: DVec3::ZERO,
         velocity_deviation: 0.0,
         angular_velocity: DVec3::ZERO,
-        tag: 0,
+        tag: None,
         seed: 42,
     }
 }

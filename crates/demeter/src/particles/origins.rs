@@ -58,6 +58,11 @@ impl Origins {
         self.tags.get(&id).copied().unwrap_or(0)
     }
 
+    /// Whether any grain carries another tag than 0.
+    pub fn have_tags(&self) -> bool {
+        !self.tags.is_empty()
+    }
+
     /// Gives a grain a tag in place of the one that it had.
     pub fn set_tag(&mut self, id: u32, tag: i32) {
         if tag == 0 {

@@ -82,7 +82,7 @@ fn insertion(table: TableReader<'_>, index: usize, around: &Surroundings<'_>) ->
             .optional_quantity("velocity_deviation", velocity, Range::NOT_NEGATIVE)
             .unwrap_or(0.0),
         angular_velocity: table.vector_or_zero("angular_velocity", Kind::AngularVelocity),
-        tag: table.optional("tag").map_or(0, |i| tag_value(&i)),
+        tag: table.optional("tag").map(|i| tag_value(&i)),
         fixed,
         seed: match table.optional("seed") {
             Some(item) => item.integer(0, i64::MAX) as u64,

@@ -314,8 +314,9 @@ fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
             next_id = next_id.max(id.saturating_add(1));
             grains.push(id, &grain);
             origins.add(id, k as u16, 0);
-            if insertion.tag != 0 {
-                origins.set_tag(id, insertion.tag);
+            let of_file = || inserted.tags.as_ref().map(|tags| tags[n]);
+            if let Some(tag) = insertion.tag.or_else(of_file) {
+                origins.set_tag(id, tag);
             }
             if !is_last {
                 occupied.push((grain.position, grain.radius));

@@ -4,6 +4,7 @@ mod mesh_units;
 mod reference;
 mod selections;
 mod stray_walls;
+mod tags_of_files;
 
 use super::*;
 use crate::insertion::{Amount, Basis, LatticeKind, Region, SizeDistribution, Source};

@@ -41,6 +41,8 @@ pub(super) struct Traffic<'a> {
     sources: Vec<Streaming>,
     followed: Followed<'a>,
     state: TrafficState,
+    /// Whether there were tags, as those of a file, when this began or went on.
+    began_with_tags: bool,
 }
 
 /// A grain that goes.
@@ -88,6 +90,7 @@ impl<'a> Traffic<'a> {
             })?,
             scenario,
             followed,
+            began_with_tags: state.origins.have_tags(),
             state,
         })
     }
@@ -192,8 +195,12 @@ impl<'a> Traffic<'a> {
     /// The tags of all grains, by index, when any grain of the run may have one.
     pub fn tags(&self, ids: &[u32]) -> Option<Vec<i32>> {
         let scenario = self.scenario;
-        let any = !scenario.tags.is_empty()
-            || scenario.grains.iter().any(|batch| batch.tag != 0)
+        let any = self.began_with_tags
+            || !scenario.tags.is_empty()
+            || scenario
+                .grains
+                .iter()
+                .any(|batch| batch.tag.is_some_and(|tag| tag != 0))
             || scenario.feeds.iter().any(|feed| feed.tag != 0);
         any.then(|| ids.iter().map(|id| self.state.origins.tag(*id)).collect())
     }

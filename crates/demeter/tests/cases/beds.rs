@@ -85,7 +85,7 @@ pub fn fill(case: &mut Case, lower: DVec3, upper: DVec3, count: u32, speed: f64)
         velocity: DVec3::ZERO,
         velocity_deviation: speed,
         angular_velocity: DVec3::new(3.0, -2.0, 1.0),
-        tag: 0,
+        tag: None,
         fixed: false,
         seed: 7,
     };

@@ -312,7 +312,7 @@ fn cloud(count: u32) -> Simulation {
         velocity: DVec3::ZERO,
         velocity_deviation: 0.5,
         angular_velocity: DVec3::ZERO,
-        tag: 0,
+        tag: None,
         fixed: false,
         seed: 3,
     };

@@ -49,7 +49,7 @@ fn is_told(table: &GrainTable, quantity: Quantity) -> bool {
         Quantity::AngularVelocity(_) => table.angular_velocities.is_some(),
         Quantity::Force(_) => table.forces.is_some(),
         Quantity::Torque(_) => table.torques.is_some(),
-        Quantity::Extra(k) => k < table.extras.len(),
+        Quantity::Extra(k) | Quantity::Tag(k) => k < table.extras.len(),
         _ => true,
     }
 }
@@ -117,7 +117,7 @@ pub(super) fn value<'t>(table: &'t GrainTable, numbers: &[u32], column: &Column,
         Quantity::AngularVelocity(axis) => part(&table.angular_velocities, axis),
         Quantity::Force(axis) => part(&table.forces, axis),
         Quantity::Torque(axis) => part(&table.torques, axis),
-        Quantity::Extra(k) => Value::Number(table.extras[k].values[grain]),
+        Quantity::Extra(k) | Quantity::Tag(k) => Value::Number(table.extras[k].values[grain]),
         Quantity::Image | Quantity::Skipped => Value::Whole(0),
     }
 }

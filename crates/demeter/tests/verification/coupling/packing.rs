@@ -96,7 +96,7 @@ fn loose(count: u32) -> Packing {
         velocity: DVec3::ZERO,
         velocity_deviation: 0.0,
         angular_velocity: DVec3::ZERO,
-        tag: 0,
+        tag: None,
         fixed: false,
         seed: 11,
     };
