@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::plot::write as write_plot;
 use crate::readable::number;
 use crate::table::{Cell, check_outputs, write_csv};
-use demeter::calibrate::{CurvePoint, contact_curve as trace};
+use demeter::calibrate::{ContactCurve, CurvePoint, Extremes, contact_curve as trace};
 use demeter::output::{Plot, Series};
 use demeter::scenario::ImpactFile;
 use serde_json::{Value, json};
@@ -18,21 +18,20 @@ pub fn contact_curve(arguments: &CurveArguments) -> Result<Exit, Failure> {
     let file = ImpactFile::read(&arguments.file, &arguments.set)?;
     let curve = trace(&file)?;
     if let Some(path) = &arguments.csv {
-        let rows = curve.iter().map(|p| {
+        let rows = curve.points.iter().map(|p| {
             let [overlap, force, stored] = [p.overlap, p.force, p.stored].map(Cell::Number);
             vec![Cell::Word(p.branch.name()), overlap, force, stored]
         });
         write_csv(path, &["branch", "overlap [m]", "force [N]", "stored energy [J]"], rows)?;
     }
     if let Some(path) = &arguments.plot {
-        write_plot(&plot(&file, &curve), path)?;
+        write_plot(&plot(&file, &curve.points), path)?;
     }
     if arguments.json {
-        let rows: Vec<Value> = curve
-            .iter()
+        let rows: Vec<Value> = (curve.points.iter())
             .map(|p| json!({ "branch": p.branch.name(), "overlap": p.overlap, "force": p.force, "stored": p.stored }))
             .collect();
-        answer_json(&json!({ "curve": rows, "extremes": extremes(&curve) }))?;
+        answer_json(&json!({ "curve": rows, "extremes": extremes(&curve.extremes) }))?;
     } else {
         answer(&to_text(&file, &curve))?;
     }
@@ -58,21 +57,20 @@ fn plot(file: &ImpactFile, curve: &[CurvePoint]) -> Plot {
     }
 }
 
-/// The deepest point, the strongest pull and the end.
-fn extremes(curve: &[CurvePoint]) -> Value {
-    let by = |key: fn(&CurvePoint) -> f64| curve.iter().max_by(|a, b| key(a).total_cmp(&key(b)));
+fn extremes(found: &Extremes) -> Value {
+    let pull = found.largest_pull;
     json!({
-        "max_overlap": by(|p| p.overlap).map(|p| p.overlap),
-        "max_force": by(|p| p.force).map(|p| p.force),
-        "largest_pull": by(|p| -p.force).map(|p| p.force.min(0.0)),
-        "overlap_at_largest_pull": by(|p| -p.force).filter(|p| p.force < 0.0).map(|p| p.overlap),
-        "end_of_contact": curve.last().map(|p| p.overlap),
+        "max_overlap": found.max_overlap,
+        "max_force": found.max_force,
+        "largest_pull": pull.map_or(0.0, |(force, _)| force),
+        "overlap_at_largest_pull": pull.map(|(_, overlap)| overlap),
+        "end_of_contact": found.end_of_contact,
     })
 }
 
-fn to_text(file: &ImpactFile, curve: &[CurvePoint]) -> String {
+fn to_text(file: &ImpactFile, curve: &ContactCurve) -> String {
     let mut rows = Rows::default();
-    for branch in branches(curve) {
+    for branch in branches(&curve.points) {
         let (Some(first), Some(last)) = (branch.first(), branch.last()) else {
             continue;
         };
@@ -87,15 +85,21 @@ fn to_text(file: &ImpactFile, curve: &[CurvePoint]) -> String {
             ),
         );
     }
-    let extremes = extremes(curve);
-    let told = |key: &str| extremes[key].as_f64().map(number);
-    if let (Some(pull), Some(overlap)) = (told("largest_pull"), told("overlap_at_largest_pull")) {
+    if let Some((pull, overlap)) = curve.extremes.largest_pull {
+        let (pull, overlap) = (number(pull), number(overlap));
         rows.add("largest pull", format!("{pull} N at an overlap of {overlap} m"));
+    }
+    if let Some(cut) = curve.cut_at() {
+        let (end, cut) = (number(curve.extremes.end_of_contact), number(cut));
+        rows.add(
+            "end of contact",
+            format!("at an overlap of {end} m; the curve is drawn to {cut} m only"),
+        );
     }
     let law = file.choice().normal.law;
     format!(
         "`{law}`, quasi-static\n{}`--csv FILE` writes all {} rows, `--plot FILE.svg` draws them.\n",
         rows.lines(),
-        curve.len()
+        curve.points.len()
     )
 }

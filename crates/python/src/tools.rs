@@ -126,7 +126,7 @@ pub fn contact_curve<'py>(
     set: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let file = Source::of(bodies)?.impact(py, &overrides(set)?)?;
-    let curve = aside(py, || trace(&file))?.or_raise(py)?;
+    let curve = aside(py, || trace(&file))?.or_raise(py)?.points;
     let dict = PyDict::new(py);
     dict.set_item(
         "branch",

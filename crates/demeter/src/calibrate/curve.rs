@@ -2,11 +2,12 @@
 //! pressed again and pulled apart.
 
 use super::error::CalibrateError;
+use super::pull::{Pull, largest_pull, press};
 use crate::scenario::{CurveDepth, ImpactFile};
 use demeter_physics::collision::ode::locate;
 use demeter_physics::collision::{HeadOn, Tolerance};
 use demeter_physics::contact::PairSize;
-use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor};
+use demeter_physics::contact::normal::{Normal, NormalVisitor};
 
 /// What is done to the bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +50,36 @@ pub struct CurvePoint {
     pub stored: f64,
 }
 
+/// What stands out on the way, whatever rows were drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremes {
+    /// Deepest overlap [m].
+    pub max_overlap: f64,
+    /// Largest force [N].
+    pub max_force: f64,
+    /// Force of the largest pull, negative [N], and its overlap [m]; absent where the bodies never pull.
+    pub largest_pull: Option<(f64, f64)>,
+    /// Overlap at which contact ends on the way out [m]; negative across a gap.
+    pub end_of_contact: f64,
+}
+
+/// A curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactCurve {
+    /// Its rows. They may end before the contact does: a long attraction is not drawn to its end.
+    pub points: Vec<CurvePoint>,
+    /// What stands out.
+    pub extremes: Extremes,
+}
+
+impl ContactCurve {
+    /// The overlap at which the rows end, where contact goes on [m].
+    pub fn cut_at(&self) -> Option<f64> {
+        let last = self.points.last()?.overlap;
+        (last > self.extremes.end_of_contact).then_some(last)
+    }
+}
+
 /// Depth of a curve when the file tells neither a depth nor a velocity, as share of the effective radius.
 const DEFAULT_DEPTH: f64 = 0.01;
 
@@ -56,7 +87,7 @@ const DEFAULT_DEPTH: f64 = 0.01;
 const DEEPEST: f64 = 1.0;
 
 /// The curve of the law between the bodies of a file.
-pub fn contact_curve(file: &ImpactFile) -> Result<Vec<CurvePoint>, CalibrateError> {
+pub fn contact_curve(file: &ImpactFile) -> Result<ContactCurve, CalibrateError> {
     let law = file.law()?;
     let size = file.size();
     let depth = match (file.curve.depth, file.impact.velocity) {
@@ -85,11 +116,6 @@ pub fn contact_curve(file: &ImpactFile) -> Result<Vec<CurvePoint>, CalibrateErro
         )));
     }
     Ok(law.normal.visit(Trace { size, depth, file }))
-}
-
-/// Force and history after a straight move.
-fn press<L: Normal>(law: &L, size: PairSize, history: &mut [f64], overlap: f64, rate: f64) -> f64 {
-    law.respond(&NormalInput::at(size, overlap, rate), history).elastic
 }
 
 /// Overlap at which the first loading reaches a force [N].
@@ -128,7 +154,7 @@ struct Trace<'a> {
 }
 
 impl NormalVisitor for Trace<'_> {
-    type Output = Vec<CurvePoint>;
+    type Output = ContactCurve;
 
     fn visit<L: Normal>(self, law: &L) -> Self::Output {
         let Self { size, depth, file } = self;
@@ -139,20 +165,38 @@ impl NormalVisitor for Trace<'_> {
             points: spec.points,
             history: vec![0.0; L::HISTORY.len()],
             rows: Vec::new(),
+            pull: None,
         };
-        let reach = shown_reach(law.reach(size, &pen.history), size, depth);
+        let reach = law.reach(size, &pen.history);
         if reach > 0.0 {
-            pen.draw(Branch::Approach, -reach, 0.0);
+            pen.follow((-reach, 0.0));
+            pen.draw(Branch::Approach, -shown_reach(reach, size, depth), 0.0);
         }
+        pen.follow((0.0, depth));
         pen.draw(Branch::Load, 0.0, depth);
         if spec.reload {
             let to = spec.unload_to.unwrap_or_else(|| pen.overlap_at_half_force(depth));
-            pen.draw(Branch::Unload, depth, to.clamp(pen.end(depth), depth));
-            pen.draw(Branch::Reload, to.clamp(pen.end(depth), depth), depth);
+            let to = to.clamp(pen.end(depth), depth);
+            pen.follow((depth, to));
+            pen.draw(Branch::Unload, depth, to);
+            let to = to.clamp(pen.end(depth), depth);
+            pen.follow((to, depth));
+            pen.draw(Branch::Reload, to, depth);
         }
-        let end = pen.end(depth);
-        pen.draw(Branch::PullOff, depth, end);
-        pen.rows
+        let end_of_contact = -law.reach(size, &pen.history);
+        pen.follow((depth, end_of_contact));
+        pen.draw(Branch::PullOff, depth, pen.end(depth));
+        let largest = |key: fn(&CurvePoint) -> f64| pen.rows.iter().map(key).fold(f64::NEG_INFINITY, f64::max);
+        let extremes = Extremes {
+            max_overlap: depth,
+            max_force: largest(|point| point.force),
+            largest_pull: (pen.pull.filter(|pull| pull.force > 0.0)).map(|pull| (-pull.force, pull.overlap)),
+            end_of_contact,
+        };
+        ContactCurve {
+            points: pen.rows,
+            extremes,
+        }
     }
 }
 
@@ -168,6 +212,8 @@ struct Pen<'a, L> {
     points: usize,
     history: Vec<f64>,
     rows: Vec<CurvePoint>,
+    /// The largest pull on the ways that were followed.
+    pull: Option<Pull>,
 }
 
 impl<L: Normal> Pen<'_, L> {
@@ -191,7 +237,15 @@ impl<L: Normal> Pen<'_, L> {
         }
     }
 
-    /// Overlap at which contact ends on the way out.
+    /// Looks for the largest pull on the way that is drawn next, also where it is not drawn.
+    fn follow(&mut self, way: (f64, f64)) {
+        let pull = largest_pull(self.law, self.size, &self.history, way);
+        if self.pull.is_none_or(|known| pull.force > known.force) {
+            self.pull = Some(pull);
+        }
+    }
+
+    /// Overlap at which drawing ends on the way out.
     fn end(&self, depth: f64) -> f64 {
         let reach = self.law.reach(self.size, &self.history);
         -shown_reach(reach, self.size, depth).min(reach)

@@ -17,12 +17,13 @@ pub mod fit;
 mod flight;
 mod json;
 pub mod packing;
+mod pull;
 mod sticking;
 
 #[cfg(test)]
 mod tests;
 
 pub use collide::{CollideReport, Engine, Moment, collide};
-pub use curve::{Branch, CurvePoint, contact_curve};
+pub use curve::{Branch, ContactCurve, CurvePoint, Extremes, contact_curve};
 pub use error::CalibrateError;
 pub use sticking::{StickingPoint, log_spaced, sticking};

@@ -172,7 +172,9 @@ fn gross_sliding_and_spin() {
 
 #[test]
 fn curves_follow_the_law() {
-    let curve = contact_curve(&file(&["curve={max_overlap = \"8 um\", points = 9}"])).unwrap();
+    let curve = contact_curve(&file(&["curve={max_overlap = \"8 um\", points = 9}"]))
+        .unwrap()
+        .points;
     let names: Vec<&str> = curve
         .chunk_by(|a, b| a.branch == b.branch)
         .map(|rows| rows[0].branch.name())
@@ -190,11 +192,13 @@ fn curves_follow_the_law() {
     assert_relative_eq!(curve[8].overlap, 8e-6);
     // unloaded to half of the largest force
     assert_relative_eq!(curve[17].force, 0.5 * curve[8].force, max_relative = 1e-12);
-    let forced = contact_curve(&file(&["curve={max_force = \"5 N\", points = 2, reload = false}"])).unwrap();
+    let forced = contact_curve(&file(&["curve={max_force = \"5 N\", points = 2, reload = false}"]))
+        .unwrap()
+        .points;
     assert_eq!(forced.len(), 4);
     assert_relative_eq!(forced[1].force, 5.0, max_relative = 1e-12);
     // as deep as the impact goes
-    let automatic = contact_curve(&file(&[])).unwrap();
+    let automatic = contact_curve(&file(&[])).unwrap().points;
     assert_relative_eq!(automatic[199].overlap, 17.60955505e-6, max_relative = 1e-9);
     for (told, words) in [
         ("max_force = \"1e9 N\"", "`max_force` is 1000000000 N"),
@@ -213,6 +217,71 @@ fn curves_follow_the_law() {
     }
 }
 
+/// The curve of a law between a grain of 5 mm, of 0.1 GPa, and a wall.
+fn curve_on_a_wall(normal: &str, curve: &str) -> ContactCurve {
+    let text = format!(
+        "plain_numbers = \"SI\"\n[material.a]\nyoung_modulus = 1e8\npoisson_ratio = 0.3\ndensity = 2500\n\
+         [a]\nmaterial = \"a\"\nradius = 0.005\n[b]\nmaterial = \"a\"\nwall = true\n\
+         [contact]\nnormal = {{ {normal} }}\n[curve]\n{curve}\n"
+    );
+    match ImpactFile::parse(&text, "wall.toml", &[]) {
+        Ok(file) => contact_curve(&file).unwrap(),
+        Err(faults) => panic!("{}", faults.render(false)),
+    }
+}
+
+#[test]
+fn the_largest_pull_is_that_of_the_law_whatever_rows_are_drawn() {
+    let k = 4.0 / 3.0 * 1e8 / (2.0 * 0.91) * 0.005f64.sqrt();
+    let area = 2.0 * std::f64::consts::PI * 0.005;
+    let (k1, k2, kc, depth) = (1e3, 2e3, 500.0, 1e-4);
+    let (dent, cohesion) = ((1.0 - k1 / k2) * depth, area * 1e5);
+    let luding = format!(
+        "law = \"luding\", loading_stiffness = {k1}, unloading_stiffness = {k2}, unloading = \"constant\", \
+         plastic_depth = 0.1, adhesion_stiffness = {kc}, damping = 0"
+    );
+    let laws = [
+        // it is largest right behind first touch, a place without a width
+        ("law = \"dmt\", work_of_adhesion = 0.5", area * 0.5, 0.0),
+        ("law = \"jkr\", work_of_adhesion = 0.5", 0.75 * area * 0.5, f64::NAN),
+        (
+            "law = \"sjkr\", cohesion_energy_density = 1e5",
+            4.0 * cohesion.powi(3) / (27.0 * k * k),
+            (2.0 * cohesion / (3.0 * k)).powi(2),
+        ),
+        (&luding, kc * k2 * dent / (k2 + kc), k2 * dent / (k2 + kc)),
+    ];
+    for (normal, force, place) in laws {
+        for rows in ["points = 2", "points = 20\nreload = false", "points = 200"] {
+            let found = curve_on_a_wall(normal, &format!("max_overlap = {depth}\n{rows}"));
+            let (pull, overlap) = found.extremes.largest_pull.unwrap();
+            assert_relative_eq!(pull, -force, max_relative = 1e-9);
+            if place.is_finite() {
+                assert_relative_eq!(overlap, place, max_relative = 1e-6);
+            }
+        }
+    }
+    let hertz = curve_on_a_wall("law = \"hertz-tsuji\", alpha = 0", "max_overlap = 1e-4");
+    assert_eq!(hertz.extremes.largest_pull, None);
+}
+
+#[test]
+fn contact_ends_where_the_law_ends_and_not_where_the_rows_do() {
+    let tomas = "law = \"tomas\", loading = \"elastic\", adhesion_force = 1e-3, kappa_a = 0.7, \
+                 separation = 1e-6, alpha = 0";
+    let dmt = "law = \"dmt\", work_of_adhesion = 0.5, separation = 1e-6, cutoff = 1e-4";
+    let luding = "law = \"luding\", loading_stiffness = 1e3, unloading_stiffness = 2e3, plastic_depth = 0.1, \
+                  adhesion_stiffness = 0, damping = 0, attraction_force = 1e-3, attraction_range = 1e-3";
+    for (normal, end, deep) in [(tomas, -1e-4, 1e-4), (dmt, -1e-4, 1e-4), (luding, -1e-3, 1e-3)] {
+        let cut = curve_on_a_wall(normal, "max_overlap = 2e-5");
+        assert_relative_eq!(cut.extremes.end_of_contact, end, max_relative = 1e-12);
+        assert_relative_eq!(cut.cut_at().unwrap(), -4e-5, max_relative = 1e-12);
+        let whole = curve_on_a_wall(normal, &format!("max_overlap = {deep}"));
+        assert_relative_eq!(whole.extremes.end_of_contact, end, max_relative = 1e-12);
+        assert_eq!(whole.cut_at(), None);
+    }
+}
+
 #[test]
 fn what_cannot_be_done_is_told() {
     let text = MCC.replace("velocity = \"1 m/s\"", "");
@@ -220,7 +289,7 @@ fn what_cannot_be_done_is_told() {
     let message = collide(&file, Engine::Reference, 0).unwrap_err().to_string();
     assert!(message.contains("`velocity` is missing"), "{message}");
     // without a velocity a curve goes to a hundredth of the radius
-    let curve = contact_curve(&file).unwrap();
+    let curve = contact_curve(&file).unwrap().points;
     assert_relative_eq!(curve[199].overlap, 0.01 * 2.5e-3, max_relative = 1e-12);
 }
 

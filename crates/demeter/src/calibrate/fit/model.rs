@@ -1,11 +1,12 @@
 //! What a law with given parameters would show where something was measured.
 
 use crate::calibrate::CalibrateError;
+use crate::calibrate::pull::{largest_pull, press};
 use crate::materials::Material;
 use crate::scenario::{Body, FitFile, Observable, Observation, Partner, Target, pair_size};
 use demeter_physics::collision::ode::locate;
 use demeter_physics::collision::{Collision, HeadOn, Outcome, Tolerance, sticking_speed_of};
-use demeter_physics::contact::normal::{Normal, NormalInput, NormalLaw, NormalVisitor};
+use demeter_physics::contact::normal::{Normal, NormalLaw, NormalVisitor};
 use demeter_physics::contact::{MaterialPair, PairSize};
 
 /// Integration of a trial; a contact that creeps apart for longer is given up.
@@ -152,28 +153,21 @@ struct PullOff(PairSize, Option<f64>);
 
 /// Overlap of a mere touch, over the effective radius.
 const TOUCH: f64 = 1e-12;
-/// Places at which the pull is looked at before the largest is searched for.
-const PLACES: usize = 400;
-/// Halvings, nearly, of the search for the largest pull.
-const GOLDEN_STEPS: usize = 60;
-
 impl NormalVisitor for PullOff {
     type Output = f64;
 
     fn visit<L: Normal>(self, law: &L) -> f64 {
         let Self(size, preload) = self;
-        let press = |history: &mut [f64], overlap: f64, rate: f64| {
-            law.respond(&NormalInput::at(size, overlap, rate), history).elastic
-        };
+        let load = |history: &mut [f64], overlap: f64| press(law, size, history, overlap, f64::MIN_POSITIVE);
         let touched = || {
             let mut history = vec![0.0; L::HISTORY.len()];
-            press(&mut history, TOUCH * size.radius, f64::MIN_POSITIVE);
+            load(&mut history, TOUCH * size.radius);
             history
         };
         let depth = match preload {
             None => TOUCH * size.radius,
             Some(force) => {
-                let excess = |overlap: f64| press(&mut touched(), overlap, f64::MIN_POSITIVE) - force;
+                let excess = |overlap: f64| load(&mut touched(), overlap) - force;
                 if excess(size.radius) > 0.0 {
                     locate(&excess, (0.0, -force), (size.radius, excess(size.radius)))
                 } else {
@@ -182,26 +176,9 @@ impl NormalVisitor for PullOff {
             }
         };
         let mut loaded = touched();
-        press(&mut loaded, depth, f64::MIN_POSITIVE);
+        load(&mut loaded, depth);
         // a law without adhesion ends at zero; one with a dent ends before; one with a tail far beyond
         let end = -law.reach(size, &loaded);
-        let pull = |share: f64| {
-            let overlap = depth - (depth - end) * share * share;
-            -press(&mut loaded.clone(), overlap, -f64::MIN_POSITIVE)
-        };
-        let share = |k: usize| k as f64 / PLACES as f64;
-        let best = (1..PLACES).max_by(|&a, &b| pull(share(a)).total_cmp(&pull(share(b))));
-        let best = best.unwrap_or(1);
-        let ratio = 0.5 * (5f64.sqrt() - 1.0);
-        let (mut lower, mut upper) = (share(best - 1), share(best + 1));
-        for _ in 0..GOLDEN_STEPS {
-            let (left, right) = (upper - ratio * (upper - lower), lower + ratio * (upper - lower));
-            if pull(left) > pull(right) {
-                upper = right;
-            } else {
-                lower = left;
-            }
-        }
-        pull(share(best)).max(pull(0.5 * (lower + upper)))
+        largest_pull(law, size, &loaded, (depth, end)).force
     }
 }
