@@ -9,6 +9,9 @@ pub const MAX_BINS: usize = 100_000;
 /// Digits to which the edges of bins are rounded, so that `6 x 0.5 mN` is 0.003 and not 0.0030000000000000005.
 const EDGE_DIGITS: usize = 12;
 
+/// Share of a bin by which rounding may miss the upper end.
+const AT_THE_END: f64 = 1e-6;
+
 /// Why no bins can be made.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum BinsError {
@@ -29,6 +32,23 @@ pub enum BinsError {
         lower: f64,
         /// Upper end of the last bin [N].
         upper: f64,
+    },
+    /// No bin ends at the upper end.
+    #[error(
+        "bins of {bin} N from {lower} N do not end at {upper} N, but at {before} N and {after} N: give one of these, or a width \
+         that divides the distance"
+    )]
+    NotWhole {
+        /// Lower end of the first bin [N].
+        lower: f64,
+        /// Upper end of the last bin [N].
+        upper: f64,
+        /// Width [N].
+        bin: f64,
+        /// Where a bin ends next to it, but for the lower end [N].
+        before: f64,
+        /// Where the bin behind that one ends [N].
+        after: f64,
     },
     /// Too many.
     #[error(
@@ -77,8 +97,7 @@ pub struct ForceHistogram {
 }
 
 impl ForceDistribution {
-    /// Bins of a width from `lower` to `upper` [N]; the last one reaches beyond `upper` when the width does not divide
-    /// the distance. Edges are rounded to 12 digits.
+    /// Bins of a width from `lower` to `upper` [N], which the width must divide. Edges are rounded to 12 digits.
     pub fn new(lower: f64, upper: f64, bin: f64) -> Result<Self, BinsError> {
         if !(lower.is_finite() && upper.is_finite() && bin.is_finite() && bin > 0.0) {
             return Err(BinsError::NotFinite { lower, upper, bin });
@@ -86,8 +105,8 @@ impl ForceDistribution {
         if upper <= lower {
             return Err(BinsError::Reversed { lower, upper });
         }
-        // a share of a bin left over by rounding makes no bin
-        let count = ((upper - lower) / bin - 1e-9).ceil().max(1.0);
+        let bins = (upper - lower) / bin;
+        let count = bins.round().max(1.0);
         if count > MAX_BINS as f64 {
             return Err(BinsError::TooMany {
                 count,
@@ -96,12 +115,21 @@ impl ForceDistribution {
                 bin,
             });
         }
-        let edges: Vec<f64> = (0..=count as u32)
-            .map(|k| rounded(lower + f64::from(k) * bin))
-            .collect();
+        let edge = |k: f64| rounded(lower + k * bin);
+        let edges: Vec<f64> = (0..=count as u32).map(|k| edge(f64::from(k))).collect();
         if edges.windows(2).any(|pair| pair[0] >= pair[1]) || edges.iter().any(|e| !e.is_finite()) {
             let largest = lower.abs().max(upper.abs());
             return Err(BinsError::TooNarrow { largest, bin });
+        }
+        if (bins - count).abs() > AT_THE_END {
+            let whole = bins.floor().max(1.0);
+            return Err(BinsError::NotWhole {
+                lower,
+                upper,
+                bin,
+                before: edge(whole),
+                after: edge(whole + 1.0),
+            });
         }
         Ok(Self { edges })
     }
@@ -179,11 +207,28 @@ mod tests {
     }
 
     #[test]
-    fn bins_may_begin_below_zero_and_need_not_divide_the_range() {
-        let bins = ForceDistribution::new(-1e-3, 1.5e-3, 1e-3).unwrap();
+    fn bins_may_begin_below_zero() {
+        let bins = ForceDistribution::new(-1e-3, 2e-3, 1e-3).unwrap();
         assert_eq!(bins.edges(), [-1e-3, 0.0, 1e-3, 2e-3]);
         assert_eq!(bins.count([-1e-3, -1e-4, 1.9e-3]).counts, [2, 0, 1]);
-        assert_eq!(ForceDistribution::new(0.0, 1.0, 5.0).unwrap().edges(), [0.0, 5.0]);
+    }
+
+    #[test]
+    fn the_last_bin_ends_at_the_upper_end() {
+        let refused = |lower, upper, bin| ForceDistribution::new(lower, upper, bin).unwrap_err();
+        for (upper, ends) in [
+            (1.0, "0.9 N and 1.2 N"),
+            (1e-9, "0.3 N and 0.6 N"),
+            (0.29, "0.3 N and 0.6 N"),
+        ] {
+            let told = refused(0.0, upper, 0.3).to_string();
+            assert!(told.contains(ends), "{told}");
+        }
+        // far from zero and narrow: the quotient is off by rounding
+        for (lower, upper, bin, count) in [(1000.0, 1001.0, 1e-5, 100_000), (0.1, 0.7, 0.2, 3), (0.0, 1.0, 0.1, 10)] {
+            let bins = ForceDistribution::new(lower, upper, bin).unwrap();
+            assert_eq!((bins.edges().len(), bins.edges()[count]), (count + 1, upper));
+        }
     }
 
     #[test]

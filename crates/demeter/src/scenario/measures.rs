@@ -266,7 +266,7 @@ fn force_distribution(table: &TableReader<'_>) -> Option<ForceDistribution> {
         Err(refused) => refused,
     };
     let key = match refused {
-        BinsError::Reversed { .. } => "upper",
+        BinsError::Reversed { .. } | BinsError::NotWhole { .. } => "upper",
         _ => "bin",
     };
     table.fault_at(key, refused.to_string());

@@ -257,7 +257,7 @@ fn contacts_below_the_threshold_and_without_force_do_not_count() {
     // a row of one grain's width has no core
     assert!(all.packing_fraction.is_nan());
 
-    let bins = ForceDistribution::new(0.0, 2.5 * weak, 0.45 * weak).unwrap();
+    let bins = ForceDistribution::new(0.0, 2.7 * weak, 0.45 * weak).unwrap();
     let [grains, walls] = bins.measure(&sim);
     assert_eq!(
         (grains.contacts, grains.counts, grains.above),
