@@ -93,6 +93,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::field_measures::check_kernels(&scenario.measures, &domain, &mut warnings);
     super::region_measures::check_gates(&scenario.measures, &all, &domain, &mut warnings);
     super::selections::check(scenario, &all, &walls, &mut warnings);
+    super::stop_checks::check_leaving(scenario, &grains, &mut faults);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
     if all.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));

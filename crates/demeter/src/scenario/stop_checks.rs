@@ -2,6 +2,7 @@
 
 use super::feeds::FeedEnd;
 use super::{Diagnostics, Scenario};
+use crate::particles::{Grains, Outside};
 use crate::simulation::{Stage, StopCondition};
 use crate::walls::Motions;
 
@@ -52,6 +53,20 @@ impl<'a> Known<'a> {
         }
     }
 
+    /// Why a wall does not leave its place in the stage, if it does not.
+    fn never_gets_there(&self, wall: usize) -> Option<String> {
+        let motions = self.motions.get(wall)?;
+        let name = &self.scenario.walls[wall].name;
+        if motions.is_rest() {
+            return Some(format!(
+                "wall `{name}` has no motion in this stage, so that it never gets there"
+            ));
+        }
+        motions.stays().then(|| {
+            format!("the `belt` of wall `{name}` moves its surface alone: the wall stays, so that it never gets there")
+        })
+    }
+
     /// The key of a condition that never holds or always does, and why.
     fn fault_of(&self, condition: &StopCondition) -> Option<(&'static str, String)> {
         match condition {
@@ -65,11 +80,8 @@ impl<'a> Known<'a> {
                 let why = motions.never_ends()?;
                 Some(("motion_done", format!("the motion of wall `{name}` never ends: {why}")))
             }
-            StopCondition::WallTravel { wall, .. } if self.motions.get(*wall)?.is_rest() => {
-                let name = &self.scenario.walls[*wall].name;
-                let why = format!("wall `{name}` has no motion in this stage, so that it never gets there");
-                Some(("wall_travel", why))
-            }
+            StopCondition::WallTravel { wall, .. } => Some(("wall_travel", self.never_gets_there(*wall)?)),
+            StopCondition::Strain { wall, .. } => Some(("strain", self.never_gets_there(*wall)?)),
             StopCondition::FeedDone(feed) => {
                 let spec = self.scenario.feeds.get(*feed)?;
                 let why = match self.feeds[*feed] {
@@ -86,6 +98,29 @@ impl<'a> Known<'a> {
                 Some(("wall_force", format!("no force acts on wall `{name}`: it is absent")))
             }
             _ => None,
+        }
+    }
+}
+
+/// Refuses to wait until grains have become fewer where none can leave.
+pub(super) fn check_leaving(scenario: &Scenario, grains: &Grains, faults: &mut Diagnostics) {
+    if !scenario.removals.is_empty() || scenario.domain.outside == Outside::Remove {
+        return;
+    }
+    let mut told = std::collections::BTreeSet::new();
+    for (stage, path) in scenario.stages.iter().zip(&scenario.stage_paths) {
+        let least = stage.stop.iter().find_map(|condition| match condition {
+            StopCondition::GrainsAtMost(least) => Some(*least),
+            _ => None,
+        });
+        // repeats of a stage have one table
+        if least.is_some_and(|least| grains.len() as u64 > least) && told.insert(path) {
+            let why = format!(
+                "none of the grains, {} at the start, can leave, so that there are never so few: the scenario has no \
+                 [[removal]], and no domain with `outside = \"remove\"`",
+                grains.len()
+            );
+            faults.push(&format!("{path}.stop.grains_at_most"), why, Some(REMEDY.to_string()));
         }
     }
 }

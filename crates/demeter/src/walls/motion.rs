@@ -173,6 +173,11 @@ impl Motions {
         self.parts.iter().all(|part| matches!(part.motion, Motion::Rest))
     }
 
+    /// Whether the wall stays where it is, though its surface may move along itself.
+    pub fn stays(&self) -> bool {
+        (self.parts.iter()).all(|part| matches!(part.motion, Motion::Rest | Motion::Belt(_)))
+    }
+
     /// Whether it moves freely: such a motion is always the first.
     pub fn is_free(&self) -> bool {
         matches!(
