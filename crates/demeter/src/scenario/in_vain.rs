@@ -2,9 +2,11 @@
 
 use super::checks::told_motions;
 use super::feeds::{FeedRate, FeedSpec, RemovalSpec};
+use super::measures::MeasureKind;
 use super::traffic::sources;
 use super::{Scenario, estimates};
 use crate::insertion::Streaming;
+use crate::measure::Displacement;
 use crate::particles::{Domain, Zone};
 use crate::simulation::{Stage, StopCondition};
 use crate::walls::{Motion, Motions, Wall};
@@ -28,6 +30,16 @@ pub(super) fn check(
             "tag[{index}] is given from {} s on, and the stages end at {end:.4e} s at the latest: no grain gets it",
             tag.at
         ));
+    }
+    for measure in &scenario.measures {
+        if let MeasureKind::Displacement(Displacement { from, .. }) = measure.kind
+            && from > end
+        {
+            told.push(format!(
+                "measure `{}` counts displacements from {from} s on, and the stages end at {end:.4e} s at the latest: it counts none",
+                measure.name
+            ));
+        }
     }
     told.extend((0..scenario.feeds.len()).filter_map(|feed| empty_feed(scenario, feed, stages, end)));
     let sources = sources(scenario, domain).unwrap_or_default();

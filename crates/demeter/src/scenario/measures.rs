@@ -12,6 +12,7 @@ use crate::measure::{
     ForceDistribution, GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence,
     Selection, Slope,
 };
+use crate::particles::Zone;
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 
@@ -91,6 +92,22 @@ impl MeasureKind {
             Self::NeighbourMixing(mixing) => &mixing.selection,
             Self::CylinderProfile(profile) => &profile.selection,
             Self::Collisions(collisions) => &collisions.selection,
+        })
+    }
+
+    /// Which part of space it is about, where it is about a region.
+    pub(super) fn zone(&self) -> Option<&Zone> {
+        Some(match self {
+            Self::RegionCount(count) => &count.zone,
+            Self::Slope(slope) => &slope.zone,
+            Self::Field(field) => &field.zone,
+            Self::Fabric(fabric) => &fabric.zone,
+            Self::ContactAngles(angles) => &angles.zone,
+            Self::Residence(residence) => &residence.zone,
+            Self::ForceChains(chains) => &chains.zone,
+            Self::NeighbourMixing(mixing) => &mixing.zone,
+            Self::Collisions(collisions) => &collisions.zone,
+            _ => return None,
         })
     }
 }

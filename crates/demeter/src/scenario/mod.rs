@@ -51,6 +51,7 @@ mod settings;
 mod sizes;
 mod stages;
 mod stop_checks;
+mod stray_places;
 mod stray_walls;
 mod tags;
 mod templates;

@@ -213,6 +213,9 @@ pub(super) fn slope(table: &TableReader<'_>, named: &Named<'_>) -> Slope {
             between = (from.quantity(length, Range::FINITE), to.quantity(length, Range::FINITE));
             if between.1 <= between.0 {
                 item.fault("the second distance must be larger than the first", None);
+            } else if between.0 < 0.0 && along.is_none() {
+                let help = "begin at \"0 mm\", or tell `along`, the direction of the distances";
+                from.fault("a distance from an axis is never negative", Some(help.to_string()));
             }
         } else if matches!(&item.node.value, super::document::Value::Array(_)) {
             item.fault(format!("`between` must be two distances, found {}", items.len()), None);

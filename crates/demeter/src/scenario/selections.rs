@@ -1,33 +1,47 @@
 //! Measures, removals and tags that mean grains which the run does not have.
 
-use super::Scenario;
 use super::measures::MeasureKind;
+use super::{Diagnostics, Scenario};
 use crate::measure::Selection;
 use crate::particles::Grains;
 use crate::walls::Wall;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Smallest and largest diameter of the grains of every material [m].
 type Diameters = BTreeMap<u16, (f64, f64)>;
 
-/// Tells them; `grains` are those of the start and the extremes of all feeds.
-pub(super) fn check(scenario: &Scenario, grains: &Grains, walls: &[Wall], warnings: &mut Vec<String>) {
+/// Tells them, told the grains of the start, and with them the extremes of all feeds.
+pub(super) fn check(
+    scenario: &Scenario,
+    (at_start, grains): (&Grains, &Grains),
+    walls: &[Wall],
+    (faults, warnings): (&mut Diagnostics, &mut Vec<String>),
+) {
     let mut there = Diameters::new();
     for (g, &material) in grains.material.iter().enumerate() {
         let diameter = 2.0 * grains.radius(g);
         let (least, most) = there.entry(material).or_insert((diameter, diameter));
         (*least, *most) = (least.min(diameter), most.max(diameter));
     }
+    let numbers: BTreeSet<u32> = at_start.id.iter().copied().collect();
+    let labels = tags_given(scenario);
     let name = |material: u16| scenario.materials[usize::from(material)].name.as_str();
-    let measures = scenario.measures.iter().filter_map(|measure| {
+    let measures = scenario.measures.iter().enumerate().filter_map(|(index, measure)| {
         let selection = measure.kind.selection()?;
-        Some((format!("measure `{}`", measure.name), selection))
+        Some((
+            format!("measure[{index}]"),
+            format!("measure `{}`", measure.name),
+            selection,
+        ))
     });
-    let removals = scenario.removals.iter();
-    let removals = removals.map(|removal| (format!("removal `{}`", removal.name), &removal.selection));
+    let removals = scenario.removals.iter().enumerate();
+    let removals = removals.map(|(index, removal)| {
+        let what = format!("removal `{}`", removal.name);
+        (format!("removal[{index}]"), what, &removal.selection)
+    });
     let tags = scenario.tags.iter().enumerate();
-    let tags = tags.map(|(index, tag)| (format!("tag[{index}]"), &tag.selection));
-    for (what, selection) in measures.chain(removals).chain(tags) {
+    let tags = tags.map(|(index, tag)| (format!("tag[{index}]"), format!("tag[{index}]"), &tag.selection));
+    for (path, what, selection) in measures.chain(removals).chain(tags) {
         if !there
             .iter()
             .any(|(&material, &sizes)| may_hold(selection, material, sizes))
@@ -44,6 +58,21 @@ pub(super) fn check(scenario: &Scenario, grains: &Grains, walls: &[Wall], warnin
                 all.join("; ")
             ));
         }
+        // ids of the own of a file may begin at 0, no others do
+        if selection.ids.first() == Some(&0) && !numbers.contains(&0) {
+            let help = "ids count from 1, in the order of the batches".to_string();
+            faults.push(&format!("{path}.ids"), "no grain has the id 0", Some(help));
+        } else {
+            warnings.extend(missing_ids(scenario, &what, selection, &numbers));
+        }
+        if let Some(tag) = selection.tag.filter(|tag| !labels.contains(tag)) {
+            let labels: Vec<String> = labels.iter().map(ToString::to_string).collect();
+            warnings.push(format!(
+                "{what} means grains with the tag {tag}, which none has and no [[tag]] gives. Grains have the tags {}; 0 is that of grains \
+                 that get none",
+                labels.join(", ")
+            ));
+        }
     }
     for measure in &scenario.measures {
         let MeasureKind::Collisions(collisions) = &measure.kind else {
@@ -58,6 +87,30 @@ pub(super) fn check(scenario: &Scenario, grains: &Grains, walls: &[Wall], warnin
             ));
         }
     }
+}
+
+/// Ids of a selection that no grain ever has: those that come from feeds have ids that nobody chooses.
+fn missing_ids(scenario: &Scenario, what: &str, selection: &Selection, there: &BTreeSet<u32>) -> Option<String> {
+    let missing = selection.ids.iter().filter(|id| !there.contains(id));
+    let (first, last) = (there.first()?, there.last()?);
+    let count = missing.clone().count();
+    let one = missing.min().filter(|_| scenario.feeds.is_empty())?;
+    let which = match count {
+        1 => format!("a grain with the id {one}, which none has"),
+        _ => format!("grains with {count} ids that none has, as {one}"),
+    };
+    Some(format!(
+        "{what} means {which}: the {} grains have ids from {first} to {last}",
+        there.len()
+    ))
+}
+
+/// Tags that grains have or get.
+fn tags_given(scenario: &Scenario) -> BTreeSet<i32> {
+    let of_batches = scenario.grains.iter().map(|batch| batch.tag);
+    let of_feeds = scenario.feeds.iter().map(|feed| feed.tag);
+    let later = scenario.tags.iter().map(|tag| tag.value);
+    of_batches.chain(of_feeds).chain(later).chain([0]).collect()
 }
 
 /// Whether a grain of a material may be meant, of some diameter within bounds [m].

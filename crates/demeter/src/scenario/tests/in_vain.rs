@@ -131,7 +131,7 @@ fn what_comes_to_nothing_is_told() {
                 removal: "region = { shape = \"box\", upper = \"20 20 3 mm\" }\ntag = 4\n",
                 ..NOTHING_IN_VAIN
             },
-            &[],
+            &["removal `outlet` means grains with the tag 4"],
         ),
         // it acts when the feed is over
         (

@@ -41,6 +41,51 @@ duration = "0.1 s"
     prepare(&parse(&text, &[]).unwrap()).unwrap().warnings.join("\n")
 }
 
+/// What is told where there are two balls and no feed, one of them with a tag.
+fn told_without_feed(table: &str) -> Result<String, String> {
+    let text = format!(
+        "{ONE_GRAIN}\n[[grains]]\nmaterial = \"glass\"\nsource = \"list\"\npositions = [\"0 0 50 mm\"]\n\
+         diameter = \"2 mm\"\ntag = 3\n{table}\n[[stage]]\nduration = \"0.1 s\"\n"
+    );
+    let prepared = prepare(&parse(&text, &[]).unwrap());
+    prepared
+        .map(|prepared| prepared.warnings.join("\n"))
+        .map_err(|faults| faults.render(false))
+}
+
+#[test]
+fn ids_and_tags_that_no_grain_has_are_told() {
+    let count = |conditions: &str| format!("[[measure]]\nname = \"counted\"\nkind = \"region-count\"\n{conditions}");
+    for fine in ["ids = [1, 2]", "tag = 3", "tag = 0"] {
+        assert_eq!(told_without_feed(&count(fine)).unwrap(), "", "{fine}");
+    }
+    let later = format!("{}\n[[tag]]\nvalue = 9\nat = \"50 ms\"\n", count("tag = 9"));
+    assert_eq!(told_without_feed(&later).unwrap(), "");
+    // grains that come get ids, too
+    assert_eq!(told(&count("ids = [100]")), "");
+    for (table, words) in [
+        (
+            count("ids = [2, 100]"),
+            "measure `counted` means a grain with the id 100, which none has: the 2 grains have ids from 1 to 2",
+        ),
+        (
+            format!("[[removal]]\nname = \"outlet\"\nids = [3, 4]\n{BELOW}"),
+            "removal `outlet` means grains with 2 ids that none has, as 3",
+        ),
+        (
+            count("tag = 9"),
+            "measure `counted` means grains with the tag 9, which none has and no [[tag]] gives. Grains have the tags 0, 3;",
+        ),
+    ] {
+        let told = told_without_feed(&table).unwrap();
+        assert!(told.contains(words), "{told}");
+    }
+    for conditions in ["ids = [0]", "ids = [0, 1]"] {
+        let told = told_without_feed(&count(conditions)).unwrap_err();
+        assert!(told.contains("no grain has the id 0"), "{told}");
+    }
+}
+
 #[test]
 fn what_means_grains_that_are_not_there_is_told() {
     let count = |conditions: &str| format!("[[measure]]\nname = \"counted\"\nkind = \"collisions\"\n{conditions}");
