@@ -298,8 +298,8 @@ fn file_stem(name: &str) -> String {
 }
 
 fn remove_from(folder: &Path, is_ours: impl Fn(&str) -> bool) -> Result<(), OutputError> {
-    let names = names_in(folder)?.into_iter().filter(|name| is_ours(name));
-    names.map(|name| remove_if_there(&folder.join(name))).collect()
+    let mut names = names_in(folder)?.into_iter().filter(|name| is_ours(name));
+    names.try_for_each(|name| remove_if_there(&folder.join(name)))
 }
 
 fn remove_if_there(path: &Path) -> Result<(), OutputError> {
@@ -423,6 +423,7 @@ mod tests {
         let error = RunFolder::create(&place.path().join("thesis.tex"), true).unwrap_err();
         assert!(matches!(error, OutputError::NotAFolder { .. }));
     }
+
     #[cfg(unix)]
     #[test]
     fn a_link_that_leads_nowhere_is_told() {

@@ -92,7 +92,12 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::walls_in_one_place::check((&walls, are_coupled), &all, &domain, &mut warnings);
     super::field_measures::check_kernels(&scenario.measures, &domain, &mut warnings);
     super::region_measures::check_gates(&scenario.measures, &all, &domain, &mut warnings);
-    super::selections::check(scenario, (&grains, &all), &walls, (&mut faults, &mut warnings));
+    super::selections::check(
+        scenario,
+        (&grains, &origins, &all),
+        &walls,
+        (&mut faults, &mut warnings),
+    );
     super::stray_places::check(scenario, &mut warnings);
     super::stop_checks::check_leaving(scenario, &grains, &mut faults);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);

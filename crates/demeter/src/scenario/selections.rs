@@ -3,7 +3,7 @@
 use super::measures::MeasureKind;
 use super::{Diagnostics, Scenario};
 use crate::measure::Selection;
-use crate::particles::Grains;
+use crate::particles::{Grains, Origins};
 use crate::walls::Wall;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,7 +13,7 @@ type Diameters = BTreeMap<u16, (f64, f64)>;
 /// Tells them, told the grains of the start, and with them the extremes of all feeds.
 pub(super) fn check(
     scenario: &Scenario,
-    (at_start, grains): (&Grains, &Grains),
+    (at_start, origins, grains): (&Grains, &Origins, &Grains),
     walls: &[Wall],
     (faults, warnings): (&mut Diagnostics, &mut Vec<String>),
 ) {
@@ -24,7 +24,7 @@ pub(super) fn check(
         (*least, *most) = (least.min(diameter), most.max(diameter));
     }
     let numbers: BTreeSet<u32> = at_start.id.iter().copied().collect();
-    let labels = tags_given(scenario);
+    let labels = tags_given(scenario, &numbers, origins);
     let name = |material: u16| scenario.materials[usize::from(material)].name.as_str();
     let measures = scenario.measures.iter().enumerate().filter_map(|(index, measure)| {
         let selection = measure.kind.selection()?;
@@ -105,12 +105,12 @@ fn missing_ids(scenario: &Scenario, what: &str, selection: &Selection, there: &B
     ))
 }
 
-/// Tags that grains have or get.
-fn tags_given(scenario: &Scenario) -> BTreeSet<i32> {
-    let of_batches = scenario.grains.iter().map(|batch| batch.tag);
+/// Tags that grains have, with these numbers at the start, or get.
+fn tags_given(scenario: &Scenario, at_start: &BTreeSet<u32>, origins: &Origins) -> BTreeSet<i32> {
+    let there = at_start.iter().map(|&id| origins.tag(id));
     let of_feeds = scenario.feeds.iter().map(|feed| feed.tag);
     let later = scenario.tags.iter().map(|tag| tag.value);
-    of_batches.chain(of_feeds).chain(later).chain([0]).collect()
+    there.chain(of_feeds).chain(later).chain([0]).collect()
 }
 
 /// Whether a grain of a material may be meant, of some diameter within bounds [m].

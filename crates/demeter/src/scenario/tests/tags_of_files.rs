@@ -2,8 +2,8 @@
 
 use super::super::*;
 
-/// Tags of the grains of a file with these tags, in a batch with more keys.
-fn tags(told: [&str; 2], more: &str) -> Result<[i32; 2], String> {
+/// A file of grains with these tags, in a batch with more keys.
+fn prepared(told: [&str; 2], more: &str) -> Result<Prepared, String> {
     let folder = tempfile::tempdir().unwrap();
     let rows = format!(
         "x [mm],y,z,diameter [mm],tag\n0,0,0,2,{}\n4,0,0,2,{}\n",
@@ -28,8 +28,23 @@ duration = "0.1 s"
 "#
     );
     let scenario = Scenario::parse(&text, "tags.toml", folder.path(), &[]).map_err(|faults| faults.to_string())?;
-    let prepared = prepare(&scenario).map_err(|faults| faults.to_string())?;
-    Ok([1, 2].map(|id| prepared.origins.tag(id)))
+    prepare(&scenario).map_err(|faults| faults.to_string())
+}
+
+fn tags(told: [&str; 2], more: &str) -> Result<[i32; 2], String> {
+    prepared(told, more).map(|prepared| [1, 2].map(|id| prepared.origins.tag(id)))
+}
+
+#[test]
+fn measures_may_ask_for_the_tags_of_a_file() {
+    let measure = "[[measure]]\nname = \"some\"\nkind = \"region-count\"\ntag = ";
+    let warnings = |tag: &str| prepared(["7", "-3"], &format!("{measure}{tag}")).unwrap().warnings;
+    assert!(warnings("7").is_empty(), "{:?}", warnings("7"));
+    let found = warnings("9").join("\n");
+    assert!(
+        found.contains("the tag 9, which none has") && found.contains("-3, 0, 7"),
+        "{found}"
+    );
 }
 
 #[test]
