@@ -151,7 +151,7 @@ duration = "3 ms"
             "{:?}",
             report.end
         );
-        let residual = report.summary.energies.max_residual;
-        assert!(residual < 1e-4, "{residual:e}");
+        let residual = report.summary.energies.ledger.residual;
+        assert!(residual.abs() < 1e-4, "{residual:e}");
     }
 }
