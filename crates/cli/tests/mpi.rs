@@ -5,7 +5,8 @@
 mod demeter;
 
 use demeter::{Place, Said, assert_same, signal};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 /// Grains for several processes, a feed, a drain, walls of all drives.
@@ -22,6 +23,9 @@ const LONG: [&str; 6] = [
     "--set",
     "output.checkpoints=\"0.2 ms\"",
 ];
+
+/// Time after which a job no longer ends by itself.
+const TO_END: Duration = Duration::from_secs(300);
 
 /// `mpirun`, or another that `MPIRUN` names.
 fn launcher() -> String {
@@ -50,13 +54,41 @@ fn mpirun(place: &Place, processes: &[&[&str]]) -> Command {
     command
 }
 
+/// What a job said. The launcher of Open MPI 4 now and then misses that a process has ended with an error, and waits for ever (its issue
+/// 3380): where none of ours is left, the job is begun again.
 fn said(mut command: Command) -> Said {
-    let output = command.output().unwrap();
-    Said {
-        code: output.status.code().unwrap_or(-1),
-        out: String::from_utf8_lossy(&output.stdout).into_owned(),
-        err: String::from_utf8_lossy(&output.stderr).into_owned(),
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    for _ in 0..3 {
+        match end_of(command.spawn().unwrap()) {
+            Ok(output) => {
+                return Said {
+                    code: output.status.code().unwrap_or(-1),
+                    out: String::from_utf8_lossy(&output.stdout).into_owned(),
+                    err: String::from_utf8_lossy(&output.stderr).into_owned(),
+                };
+            }
+            Err(left) => assert!(left.is_empty(), "processes that do not end: {left:?}"),
+        }
     }
+    panic!("the launcher has not ended three times");
+}
+
+/// What a job has written once it has ended, or what its processes do where it does not end.
+fn end_of(job: Child) -> Result<Output, Vec<String>> {
+    let launcher = job.id();
+    let (sender, receiver) = mpsc::channel();
+    std::thread::spawn(move || sender.send(job.wait_with_output().unwrap()));
+    receiver.recv_timeout(TO_END).map_err(|_| {
+        let ranks = children_of(launcher);
+        let state = |rank: &String| {
+            let read = |file: &str| std::fs::read_to_string(format!("/proc/{rank}/{file}")).unwrap_or_default();
+            format!("{}waits in {}", read("status"), read("wchan"))
+        };
+        let states = ranks.iter().map(state).collect();
+        let all = ranks.into_iter().chain([launcher.to_string()]);
+        let _ = Command::new("kill").arg("-KILL").args(all).status();
+        states
+    })
 }
 
 impl Place {
@@ -107,19 +139,17 @@ fn a_run_that_is_asked_to_end_goes_on_with_other_processes() {
     place.expect(0, &run("one"));
     let mut command = mpirun(&place, &[&run("parts")[..]; 2]);
     command.env("OMPI_MCA_odls_base_sigkill_timeout", "4");
-    let mut shared = started(command, &place, "parts/frames");
+    let shared = started(command, &place, "parts/frames");
     let version = Command::new(launcher()).arg("--version").output().unwrap();
-    if String::from_utf8_lossy(&version.stdout).contains("Open MPI") {
+    let asked = if String::from_utf8_lossy(&version.stdout).contains("Open MPI") {
         // what Ctrl-C does: the launcher ends its processes, and gives them so many seconds
-        signal(&mut shared, "INT");
+        shared.id().to_string()
     } else {
         // that of MPICH kills them at once: one process is asked, and all end
-        let ranks = children_of(shared.id());
-        let asked = Command::new("kill").args(["-INT", &ranks[1]]).status().unwrap();
-        assert!(asked.success());
-        shared.wait().unwrap();
-    }
-    let told = shared.wait_with_output().unwrap();
+        children_of(shared.id()).remove(1)
+    };
+    assert!(Command::new("kill").args(["-INT", &asked]).status().unwrap().success());
+    let told = end_of(shared).unwrap();
     let told = String::from_utf8_lossy(&told.stderr);
     // not at all where the launcher was gone by then
     assert!(told.matches("interrupt again").count() <= 1, "{told}");
@@ -155,7 +185,7 @@ fn a_process_that_is_killed_ends_the_job_and_leaves_a_checkpoint() {
     assert_eq!(ranks.len(), 2);
     let killed = Command::new("kill").args(["-KILL", &ranks[1]]).status().unwrap();
     assert!(killed.success());
-    let output = job.wait_with_output().unwrap();
+    let output = end_of(job).unwrap();
     let said = [output.stdout, output.stderr].concat();
     let said = String::from_utf8_lossy(&said);
     // another process may notice and abort before the launcher tells of the first
@@ -185,7 +215,7 @@ fn a_disk_that_takes_no_more_ends_the_job_and_leaves_a_checkpoint() {
     while std::fs::create_dir(&part).is_err() {
         assert!(Instant::now() < deadline, "{:?}", job.try_wait());
     }
-    let output = job.wait_with_output().unwrap();
+    let output = end_of(job).unwrap();
     let err = String::from_utf8_lossy(&output.stderr);
     assert!(!output.status.success(), "{err}");
     assert_eq!(err.matches("cannot write checkpoint").count(), 1, "{err}");
@@ -203,7 +233,7 @@ fn a_process_that_says_nothing_is_given_up() {
     let ranks = children_of(job.id());
     let stopped = Command::new("kill").args(["-STOP", &ranks[1]]).status().unwrap();
     assert!(stopped.success());
-    let output = job.wait_with_output().unwrap();
+    let output = end_of(job).unwrap();
     let err = String::from_utf8_lossy(&output.stderr);
     assert!(!output.status.success() && err.contains("has waited for"), "{err}");
     assert!(err.contains("demeter resume"), "{err}");
