@@ -26,6 +26,8 @@ pub struct Surfaces {
     giving: Vec<u32>,
     /// Velocities of surfaces along themselves [m/s]; empty where there are none.
     belts: Vec<[f64; 4]>,
+    /// Whether each moves with a servo, its own or that of the wall that it follows; empty where none does.
+    answering: Vec<bool>,
     /// Whether no wall moves.
     is_at_rest: bool,
 }
@@ -46,6 +48,12 @@ impl Surfaces {
             let giving = |(k, wall): (usize, &Wall)| wall.leader().filter(|&leader| leader < walls.len()).unwrap_or(k);
             self.giving
                 .extend(walls.iter().enumerate().map(giving).map(|k| k as u32));
+        }
+        self.answering.clear();
+        if walls.iter().any(Wall::has_servo) {
+            let leader = |wall: &Wall| wall.leader().and_then(|leader| walls.get(leader));
+            let answers = |wall: &Wall| leader(wall).unwrap_or(wall).has_servo();
+            self.answering.extend(walls.iter().map(answers));
         }
         self.is_at_rest = walls.iter().all(Wall::is_at_rest);
         self.belts.clear();
@@ -258,7 +266,12 @@ impl ContactChunk {
         };
         let known = (&contacts[..], &i[..], &j[..]);
         let noted = (!scene.is_coupled()).then_some(&mut engaged[..]);
+        self.elastic.clear();
+        if !scene.surfaces.answering.is_empty() {
+            self.elastic.resize(contacts.len(), 0.0);
+        }
         let too_deep = self.evaluate(&mut sink, scene, AtWalls::of(known, noted, law, scene));
+        self.add_springs(scene, known);
         if let Some(before) = before {
             begun = impacts::begun(&before, &engaged);
         }
@@ -289,6 +302,22 @@ impl ContactChunk {
         }
         if scene.records_walls {
             self.mark_walls(scene);
+        }
+    }
+
+    /// Sums up what the normal springs of contacts do to walls that move with servos.
+    fn add_springs(&mut self, scene: &Scene, (contacts, i, j): (&[Contact], &[u32], &[u32])) {
+        let answering = &scene.surfaces.answering;
+        self.wall_springs.clear();
+        self.wall_springs.resize(answering.len(), (DVec3::ZERO, DVec3::ZERO));
+        for (k, (&grain, &wall)) in i.iter().zip(j).enumerate() {
+            if answering.get(wall as usize) == Some(&true) {
+                let on_wall = contacts[k].normal * -self.elastic[k];
+                let arm = scene.grains.position[grain as usize] - scene.walls[wall as usize].origin();
+                let (force, torque) = &mut self.wall_springs[wall as usize];
+                *force += on_wall;
+                *torque += arm.cross(on_wall);
+            }
         }
     }
 

@@ -272,10 +272,13 @@ pub struct ContactChunk {
     /// Force and torque on every wall (torque about its origin), for chunks of wall contacts.
     #[serde(skip)]
     pub wall_load: Vec<(DVec3, DVec3)>,
+    /// What of it springs do to walls that move with servos; empty where none does.
+    #[serde(skip)]
+    pub(crate) wall_springs: Vec<(DVec3, DVec3)>,
     /// What every contact lost in this step, and what that did to the walls: where walls record it.
     #[serde(skip)]
     losses: Vec<Lost>,
-    /// Normal forces that do not depend on the rate [N], where contacts feel each other.
+    /// Normal forces that do not depend on the rate [N], where contacts feel each other or walls move with servos.
     #[serde(skip)]
     elastic: Vec<f64>,
     /// What every wall feels, while contacts are summed up.
@@ -309,6 +312,7 @@ impl ContactChunk {
         self.rolling.clear();
         self.tally = Tally::default();
         self.wall_load.clear();
+        self.wall_springs.clear();
         self.marks.clear();
         self.impacts.clear();
         self.fault = None;

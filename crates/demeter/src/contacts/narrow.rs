@@ -291,6 +291,7 @@ impl ContactChunk {
         self.marks.clear();
         self.impacts.clear();
         self.wall_load.clear();
+        self.wall_springs.clear();
         self.wall_load.resize(walls, (DVec3::ZERO, DVec3::ZERO));
     }
 

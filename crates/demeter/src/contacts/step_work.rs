@@ -23,6 +23,8 @@ pub(crate) struct SegmentWork {
     across: [DVec3; 3],
     /// What every wall feels; empty where no wall is near.
     walls: Vec<WallLoad>,
+    /// What of it the springs of contacts do, where walls have servos.
+    springs: Vec<WallLoad>,
 }
 
 impl SegmentWork {
@@ -30,6 +32,7 @@ impl SegmentWork {
         self.tally = Tally::default();
         self.across = [DVec3::ZERO; 3];
         self.walls.clear();
+        self.springs.clear();
         for chunk in pairs.iter().chain(walls) {
             self.tally.add(&chunk.tally);
             for (sum, across) in self.across.iter_mut().zip(chunk.across) {
@@ -38,6 +41,7 @@ impl SegmentWork {
         }
         for chunk in walls {
             add_loads(&mut self.walls, &chunk.wall_load);
+            add_loads(&mut self.springs, &chunk.wall_springs);
         }
     }
 }
@@ -49,6 +53,7 @@ impl Summand for SegmentWork {
             *sum += across;
         }
         add_loads(&mut self.walls, &other.walls);
+        add_loads(&mut self.springs, &other.springs);
     }
 }
 
@@ -69,6 +74,8 @@ pub(crate) struct StepWork {
     pub(crate) tally: Tally,
     pub(crate) across: [DVec3; 3],
     pub(crate) walls: Vec<WallLoad>,
+    /// What of it the springs of contacts do to walls that move with servos.
+    pub(crate) springs: Vec<WallLoad>,
     /// What the contacts of all processes did to walls that record it; nothing where there is one.
     pub(crate) marks: Vec<Mark>,
 }
@@ -99,9 +106,13 @@ impl StepWork {
     fn take(&mut self, all: Option<&SegmentWork>, walls: usize) {
         self.tally = all.map_or_else(Tally::default, |all| all.tally);
         self.across = all.map_or([DVec3::ZERO; 3], |all| all.across);
-        self.walls.clear();
-        self.walls.extend(all.iter().flat_map(|all| &all.walls));
-        self.walls.resize(walls, WallLoad::default());
+        let of = |sums: &mut Vec<WallLoad>, segment: fn(&SegmentWork) -> &[WallLoad]| {
+            sums.clear();
+            sums.extend(all.iter().flat_map(|all| segment(all)));
+            sums.resize(walls, WallLoad::default());
+        };
+        of(&mut self.walls, |all| &all.walls);
+        of(&mut self.springs, |all| &all.springs);
     }
 
     /// Sums up what all contacts did, told the number of walls. The first fault is told.

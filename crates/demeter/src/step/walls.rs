@@ -2,14 +2,35 @@
 
 use crate::contacts::Fault;
 use crate::simulation::Simulation;
-use crate::walls::{FreeStep, STEPS_BETWEEN_LOOKS, meeting};
+use crate::walls::{FreeStep, STEPS_BETWEEN_LOOKS, Wall, meeting};
 
 impl Simulation {
     /// Moves all walls by one step; those that move with others after these.
     pub(super) fn move_walls(&mut self) {
+        if self.walls.iter().any(Wall::has_servo) {
+            self.let_servos_answer();
+        }
         for wall in &mut self.walls {
             wall.advance(self.dt);
         }
+        self.let_walls_follow();
+    }
+
+    /// Gives servos the speeds of this step. Springs of contacts act with these from the moment of their force on, and acted with the
+    /// former ones until then. All else a law has asked about the motion at that moment, and so are dashpots and friction booked.
+    fn let_servos_answer(&mut self) {
+        let half = 0.5 * self.dt;
+        let booked: f64 = self.walls.iter_mut().map(|wall| wall.add_work_of_springs(-half)).sum();
+        self.walls
+            .iter_mut()
+            .filter(|wall| wall.has_servo())
+            .for_each(Wall::answer);
+        self.let_walls_follow();
+        let done: f64 = self.walls.iter_mut().map(|wall| wall.add_work_of_springs(half)).sum();
+        self.books.drive_walls(booked + done);
+    }
+
+    fn let_walls_follow(&mut self) {
         for follower in 0..self.walls.len() {
             let Some(leader) = self.walls[follower].leader() else {
                 continue;
@@ -54,6 +75,7 @@ impl Simulation {
         for (index, wall) in self.walls.iter_mut().enumerate() {
             let (force, torque) = self.work.walls[index];
             wall.set_load(force, torque);
+            wall.set_springs(self.work.springs[index]);
         }
         for follower in 0..self.walls.len() {
             let Some(leader) = self.walls[follower].leader() else {

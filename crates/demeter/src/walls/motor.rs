@@ -261,16 +261,28 @@ impl Motor {
         }
     }
 
-    /// Moves by one step, under the load of the last one.
-    pub(super) fn advance(&mut self, dt: f64, origin: DVec3) {
+    /// Whether a servo is among its motions.
+    pub(super) fn has_servo(&self) -> bool {
+        self.parts.iter().any(|part| matches!(part.drive, Drive::Servo { .. }))
+    }
+
+    /// Gives servos the speeds of the next step, by the load of the last one.
+    pub(super) fn answer(&mut self, origin: DVec3) {
         for k in 0..self.parts.len() {
             let effort = self.effort(k, origin);
-            match &mut self.parts[k].drive {
+            if let Drive::Servo { servo, speed, .. } = &mut self.parts[k].drive {
+                *speed = servo.speed(-effort);
+            }
+        }
+        self.evaluate(origin);
+    }
+
+    /// Moves by one step.
+    pub(super) fn advance(&mut self, dt: f64, origin: DVec3) {
+        for part in &mut self.parts {
+            match &mut part.drive {
                 Drive::Clock => {}
-                Drive::Servo { servo, way, speed } => {
-                    *speed = servo.speed(-effort);
-                    *way += *speed * dt;
-                }
+                Drive::Servo { way, speed, .. } => *way += *speed * dt,
                 Drive::Free(body) => body.advance(dt),
                 Drive::Body(body) => body.advance(dt),
                 Drive::Driver { told, is_fresh } => {

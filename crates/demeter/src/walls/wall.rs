@@ -390,7 +390,17 @@ impl Wall {
         self.motor.leader().is_none() && self.motor.is_clockwork()
     }
 
-    /// Moves the wall by one step of `dt` [s]; servos and free walls answer to the load of the last step.
+    /// Whether a servo is among its motions: then its velocity is another one from step to step.
+    pub fn has_servo(&self) -> bool {
+        self.motor.has_servo()
+    }
+
+    /// Gives servos the speeds with which they answer to the load of the last step.
+    pub fn answer(&mut self) {
+        self.motor.answer(self.origin);
+    }
+
+    /// Moves the wall by one step of `dt` [s]; servos before that [`answer`](Self::answer).
     pub fn advance(&mut self, dt: f64) {
         self.motor.advance(dt, self.origin);
     }

@@ -16,6 +16,8 @@ pub struct WallWork {
     pub work: f64,
     /// What acts now: force [N], torque [N m], power [W].
     latest: (DVec3, DVec3, f64),
+    /// What of it the springs of contacts do to walls with servos: force [N] and torque [N m].
+    springs: (DVec3, DVec3),
 }
 
 impl WallWork {
@@ -27,6 +29,7 @@ impl WallWork {
             turning: self.turning - before.turning,
             work: self.work - before.work,
             latest: self.latest,
+            springs: self.springs,
         }
     }
 
@@ -58,6 +61,19 @@ impl Wall {
     /// What acts does so with the velocity of another motion from now on.
     pub(super) fn go_on_working(&mut self) {
         self.work.latest.2 = self.power();
+    }
+
+    /// Tells what of the load the springs of contacts do: force [N] and torque about the origin [N m].
+    pub(crate) fn set_springs(&mut self, springs: (DVec3, DVec3)) {
+        self.work.springs = springs;
+    }
+
+    /// Adds what these springs do with the present velocity for so long [s], and tells it [J].
+    pub(crate) fn add_work_of_springs(&mut self, time: f64) -> f64 {
+        let (force, torque) = self.work.springs;
+        let power = -(force.dot(self.motor.velocity) + torque.dot(self.motor.angular_velocity));
+        self.work.work += power * time;
+        power * time
     }
 
     /// Adds what its load did in the latest step of `dt` [s].
