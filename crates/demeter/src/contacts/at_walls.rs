@@ -309,6 +309,9 @@ impl ContactChunk {
     fn add_springs(&mut self, scene: &Scene, (contacts, i, j): (&[Contact], &[u32], &[u32])) {
         let answering = &scene.surfaces.answering;
         self.wall_springs.clear();
+        if answering.is_empty() {
+            return;
+        }
         self.wall_springs.resize(answering.len(), (DVec3::ZERO, DVec3::ZERO));
         for (k, (&grain, &wall)) in i.iter().zip(j).enumerate() {
             if answering.get(wall as usize) == Some(&true) {
