@@ -83,7 +83,7 @@ fn trial_text(trial: &Trial) -> String {
     let used = if trial.reused { ", was there" } else { "" };
     let outcome = match &trial.outcome {
         Outcome::Compared(comparison) => metrics(comparison),
-        Outcome::BeyondFold(_) => "too large: beyond the fold of the multi-contact equation".to_string(),
+        Outcome::BeyondFold(_) => "beyond the fold of the multi-contact equation".to_string(),
     };
     format!("{outcome}   ({}{used})", trial.folder.display())
 }
@@ -122,6 +122,13 @@ fn to_text(file: &PackingFile, report: &PackingReport) -> String {
             text
         }
         (Answer::UpperEnd, _) => end("upper", unknown.to, "above"),
+        (Answer::Nowhere, _) => format!(
+            "NOT found: at {} and at {} {} lies beyond the fold of the multi-contact equation\n\
+             look in another interval (`from`, `to`): smaller prefactors, stiffer grains\n",
+            short(unknown, unknown.from),
+            short(unknown, unknown.to),
+            unknown.key
+        ),
         (Answer::LowerEnd, _) | (Answer::Inside { .. }, None) => end("lower", unknown.from, "below"),
     };
     text += "trials\n";

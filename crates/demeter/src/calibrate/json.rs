@@ -125,6 +125,7 @@ impl PackingReport {
             Answer::Inside { bracket, scatter } => (true, None, Some([bracket.0, bracket.1]), scatter),
             Answer::LowerEnd => (false, Some("lower"), None, None),
             Answer::UpperEnd => (false, Some("upper"), None, None),
+            Answer::Nowhere => (false, None, None, None),
         };
         json!({
             "key": unknown.key,

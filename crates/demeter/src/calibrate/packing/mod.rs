@@ -15,7 +15,7 @@ pub use error::PackingError;
 pub use trials::{Outcome, Trial};
 
 use crate::compare::{Comparison, LeftOut};
-use crate::scenario::{Match, Observer, PackingFile};
+use crate::scenario::{Match, Observer, PackingFile, RunError, prepare};
 use search::Found;
 use std::path::Path;
 use trials::Laboratory;
@@ -37,6 +37,8 @@ pub enum Answer {
     LowerEnd,
     /// At the upper end of the interval, or above.
     UpperEnd,
+    /// Not to be told: beyond the fold at both ends of the interval.
+    Nowhere,
 }
 
 /// What became of a fit.
@@ -73,6 +75,11 @@ pub fn fit_packing(
         trials: Vec::new(),
     };
     let interval = (file.unknown.from, file.unknown.to);
+    // what is wrong at an end is told before the first long trial
+    for end in [interval.0, interval.1] {
+        let scenario = file.scenario_at(end).map_err(RunError::from)?;
+        prepare(&scenario).map_err(RunError::from)?;
+    }
     let mut misfit = |value: f64| {
         let trial = laboratory.trial(rounded(value, interval, file.tolerance))?;
         match trial.comparison() {
@@ -102,6 +109,7 @@ pub fn fit_packing(
         },
         Found::Lower => Answer::LowerEnd,
         Found::Upper => Answer::UpperEnd,
+        Found::Nowhere => Answer::Nowhere,
     };
     Ok(PackingReport { answer, best, trials })
 }

@@ -1,7 +1,8 @@
 //! A root and a minimum in an interval, with few evaluations: each is a run (Brent, Algorithms for Minimization without
 //! Derivatives, 1973, chapters 4 and 5).
 //!
-//! A value may be infinite: what is beyond is known to be too large, and no more. The search halves the interval there.
+//! A value may be infinite: there is no answer, as beyond a fold. The root and the least lie towards the end of the interval that has an
+//! answer, and the search halves the interval there.
 
 /// Largest number of evaluations; halving alone takes 40 of them for an accuracy of 1e-12 of the interval.
 pub(super) const MOST: usize = 60;
@@ -17,9 +18,12 @@ pub(super) enum Found {
     Upper,
     /// All values of the interval are too large, or the least is at its lower end.
     Lower,
+    /// Neither end of the interval has an answer.
+    Nowhere,
 }
 
-/// Something that is zero in an interval and rises or falls through it, evaluated at rounded places.
+/// Something that is zero in an interval and rises or falls through it, evaluated at rounded places. Where one end has no answer the root
+/// is taken to lie between them, until a place between the ends is farther from zero than the other end is.
 pub(super) fn root<E>(
     (from, to): (f64, f64),
     tolerance: f64,
@@ -27,10 +31,26 @@ pub(super) fn root<E>(
 ) -> Result<Found, E> {
     let (mut a, mut fa) = (from, f(from)?);
     let (mut b, mut fb) = (to, f(to)?);
+    let mut answered = None;
+    match (fa.is_finite(), fb.is_finite()) {
+        (true, true) => {}
+        (true, false) => {
+            fb = f64::INFINITY.copysign(-fa);
+            answered = Some((fa, Found::Lower));
+        }
+        (false, true) => {
+            fa = f64::INFINITY.copysign(-fb);
+            answered = Some((fb, Found::Upper));
+        }
+        (false, false) => return Ok(Found::Nowhere),
+    }
+    let folded = if fa.is_finite() { fb } else { fa };
     if (fa > 0.0) == (fb > 0.0) && fa != 0.0 && fb != 0.0 {
-        // which end is nearer; where both are beyond, the lower one is less so
-        let lower_is_nearer = if fb.is_finite() { fa.abs() < fb.abs() } else { true };
-        return Ok(if lower_is_nearer { Found::Lower } else { Found::Upper });
+        return Ok(if fa.abs() < fb.abs() {
+            Found::Lower
+        } else {
+            Found::Upper
+        });
     }
     let (mut c, mut fc) = (a, fa);
     let mut before_last = b - a;
@@ -66,6 +86,14 @@ pub(super) fn root<E>(
             tolerance.copysign(middle)
         };
         fb = f(b)?;
+        if !fb.is_finite() {
+            fb = folded;
+        } else if let Some((end, beyond)) = answered.take()
+            && (fb > 0.0) == (end > 0.0)
+            && fb.abs() > end.abs()
+        {
+            return Ok(beyond);
+        }
     }
     let bracket = if fb == 0.0 { (b, b) } else { (b.min(c), b.max(c)) };
     Ok(Found::Inside { value: b, bracket })
@@ -102,6 +130,7 @@ pub(super) fn least<E>(
     let (mut w, mut fw, mut v, mut fv) = (x, fx, x, fx);
     let (mut last, mut before_last) = (0.0f64, 0.0f64);
     let step = 0.5 * tolerance;
+    let mut answered = None;
     for _ in 1..MOST {
         let middle = 0.5 * (low + high);
         if (x - middle).abs() <= 2.0 * step - 0.5 * (high - low) {
@@ -121,11 +150,17 @@ pub(super) fn least<E>(
         };
         let u = x + if last.abs() >= step { last } else { step.copysign(last) };
         let fu = f(u)?;
-        // of what is too large, the lower is less so
         let better = if fx.is_finite() || fu.is_finite() {
             fu <= fx
         } else {
-            u < x
+            let lower = match answered {
+                Some(lower) => lower,
+                None if f(from)?.is_finite() => true,
+                None if f(to)?.is_finite() => false,
+                None => return Ok(Found::Nowhere),
+            };
+            answered = Some(lower);
+            (u < x) == lower
         };
         if better {
             *(if u < x { &mut high } else { &mut low }) = x;
@@ -202,7 +237,7 @@ mod tests {
 
     #[test]
     fn a_root_is_found_beside_a_fold() {
-        // nothing but "too large" above 1.05
+        // no answer above 1.05
         let folded = |x: f64| if x > 1.05 { f64::INFINITY } else { x - 1.0 };
         let (found, evaluations) = counted(|f| root((0.0, 2.0), 0.001, f), folded);
         assert_inside(found, 1.0, 0.001);
@@ -213,10 +248,33 @@ mod tests {
     }
 
     #[test]
+    fn a_fold_may_lie_at_either_end() {
+        // as the force of a packing against its modulus: no answer where it is soft
+        let soft = |x: f64| if x < 0.6 { f64::INFINITY } else { x - 1.0 };
+        assert_inside(counted(|f| root((0.0, 2.0), 0.001, f), soft).0, 1.0, 0.001);
+        let (found, evaluations) = counted(|f| root((0.0, 0.9), 0.001, f), soft);
+        assert_eq!((found, evaluations), (Found::Upper, 4));
+        let squares = |x: f64| soft(x) * soft(x);
+        assert_inside(counted(|f| least((0.0, 2.0), 0.01, f), squares).0, 1.0, 0.01);
+        let steep = |x: f64| if x < 0.9 { f64::INFINITY } else { (x - 1.0) * (x - 1.0) };
+        assert_inside(counted(|f| least((0.0, 1.2), 0.01, f), steep).0, 1.0, 0.01);
+        let hard = |x: f64| if x > 0.2 { f64::INFINITY } else { x - 0.1 };
+        assert_inside(counted(|f| root((0.0, 2.0), 0.001, f), hard).0, 0.1, 0.001);
+        assert_eq!(counted(|f| root((0.15, 0.3), 0.001, f), hard).0, Found::Lower);
+        assert_inside(
+            counted(|f| least((0.0, 2.0), 0.001, f), |x| hard(x) * hard(x)).0,
+            0.1,
+            0.001,
+        );
+        let nowhere = |_: f64| f64::INFINITY;
+        assert_eq!(counted(|f| root((0.0, 1.0), 0.1, f), nowhere).0, Found::Nowhere);
+        assert_eq!(counted(|f| least((0.0, 1.0), 0.1, f), nowhere).0, Found::Nowhere);
+    }
+
+    #[test]
     fn a_root_outside_is_told_by_the_nearer_end() {
         assert_eq!(counted(|f| root((0.0, 1.0), 0.1, f), |x| x - 2.0).0, Found::Upper);
         assert_eq!(counted(|f| root((0.0, 1.0), 0.1, f), |x| x + 2.0).0, Found::Lower);
-        assert_eq!(counted(|f| root((0.0, 1.0), 0.1, f), |_| f64::INFINITY).0, Found::Lower);
         let (found, evaluations) = counted(|f| root((0.0, 1.0), 0.1, f), |x| x - 1.0);
         let Found::Inside { value, bracket } = found else {
             panic!("{found:?}");

@@ -158,6 +158,33 @@ fn an_answer_outside_is_told() {
 }
 
 #[test]
+fn both_ends_beyond_the_fold_tell_nothing() {
+    let bench = Bench::of_point(0.32);
+    let unknown = "unknown = { key = \"contact.multi_contact.prefactor\", from = 5.0, to = 6.0 }";
+    let file = bench.file(&format!("{unknown}\nmatch = \"top\""));
+    let report = bench.fit(&file, &mut Quiet::new()).unwrap();
+    assert_eq!(
+        (report.answer, report.best, report.trials.len()),
+        (Answer::Nowhere, None, 2)
+    );
+}
+
+#[test]
+fn what_is_wrong_at_the_other_end_is_told_before_the_first_trial() {
+    let bench = Bench::of_point(0.3);
+    let unknown = "unknown = { key = \"material.gel.young_modulus\", from = \"30 kPa\", to = \"30 GPa\" }";
+    let file = bench.file(&format!(
+        "{unknown}\nmatch = \"top\"\nset = ['simulation.time_step=\"50 us\"']"
+    ));
+    let error = bench.fit(&file, &mut Quiet::new()).unwrap_err();
+    let PackingError::Run(RunError::Scenario(faults)) = error else {
+        panic!("{error}");
+    };
+    assert!(faults.to_string().contains("time step"), "{faults}");
+    assert!(!bench.path("trials").exists());
+}
+
+#[test]
 fn beyond_the_fold_is_too_large() {
     let bench = Bench::of_point(0.32);
     let unknown = "unknown = { key = \"contact.multi_contact.prefactor\", from = 0.5, to = 6.0 }";

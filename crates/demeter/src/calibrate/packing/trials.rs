@@ -30,7 +30,7 @@ pub struct Trial {
 pub enum Outcome {
     /// It ran to its end.
     Compared(Box<Comparison>),
-    /// The value is too large: the contacts have no solution any more.
+    /// The contacts have no solution any more.
     BeyondFold(String),
 }
 
