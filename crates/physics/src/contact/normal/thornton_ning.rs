@@ -16,8 +16,8 @@ params! {
     pub struct ThorntonNingParameters {
         yield_pressure: PRESSURE, required 1e9, in Range::POSITIVE,
             "Largest pressure that the contact can carry, about 1.6 to 2.8 times the yield stress";
-        work_of_adhesion: SURFACE_ENERGY, default 0.0, in Range::NOT_NEGATIVE,
-            "Energy per area that it takes to part the surfaces, twice the surface energy of equal ones";
+        work_of_adhesion: SURFACE_ENERGY, optional 0.05, in Range::NOT_NEGATIVE,
+            "Energy per area that it takes to part the surfaces, twice the surface energy of equal ones; none without it";
         alpha: NONE, optional 0.1, in Range::NOT_NEGATIVE, "Coefficient of the dashpot; none without it";
         restitution: NONE, optional 0.3, in Range::POSITIVE_SHARE,
             "Coefficient of restitution of an impact at `impact_speed`, adhesion and yield included";
@@ -249,12 +249,13 @@ impl Normal for ThorntonNing {
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = ThorntonNingParameters::from_values(values)?;
+        let work_of_adhesion = p.work_of_adhesion.unwrap_or(0.0);
         let modulus = pair.effective_modulus();
         Ok(Self {
             modulus,
             yield_pressure: p.yield_pressure,
-            work_of_adhesion: p.work_of_adhesion,
-            adhesion: adhesion_length_root(p.work_of_adhesion, modulus),
+            work_of_adhesion,
+            adhesion: adhesion_length_root(work_of_adhesion, modulus),
             dashpot: Dashpot::read("alpha", p.alpha, p.restitution, p.impact_speed)?,
         })
     }
