@@ -8,7 +8,9 @@ use crate::fit_packing::fit_packing;
 use crate::readable::number;
 use demeter::calibrate::fit::{Combination, FitReport, FittedParameter, Residual, fit as find};
 use demeter::scenario::{FitFile, FitTask};
+use demeter_physics::collision::Start;
 use demeter_physics::dimension::Dimension;
+
 /// Finds the parameters of a law from observations, or a number of a scenario from a measured curve.
 pub fn fit(arguments: &FitArguments) -> Result<Exit, Failure> {
     match FitTask::read(&arguments.file, &arguments.set)? {
@@ -40,6 +42,7 @@ fn with_unit(value: f64, dimension: Dimension) -> String {
 fn standing(parameter: &FittedParameter) -> String {
     let bound = if parameter.at_bound { "; at its bound" } else { "" };
     match parameter.error {
+        Some(error) if !parameter.identified => format!("error {:.0} %, NOT identified{bound}", 100.0 * error),
         Some(error) => format!("error {:.2} %{bound}", 100.0 * error),
         None => format!("NOT identifiable, one of many{bound}"),
     }
@@ -100,7 +103,18 @@ fn to_text(report: &FitReport) -> String {
     for line in &report.material {
         text += &format!("  {line}\n");
     }
-    text + &format!("  [contact]\n  {}\n", report.contact)
+    text += &format!("  [contact]\n  {}\n", report.contact);
+    if let Some(start) = report.start {
+        text += &format!(
+            "velocities were taken to be those {}; for a file of two bodies\n  [impact]\n  start = \"{}\"\n",
+            match start {
+                Start::Contact => "at first touch",
+                Start::Far => "where the attraction is first felt",
+            },
+            start.name()
+        );
+    }
+    text
 }
 
 /// Deviation in errors up to which values fit.
@@ -118,6 +132,10 @@ fn identifiability(report: &FitReport) -> String {
         );
     }
     let mut text = format!("these observations do not fix {}\n", open.join(", "));
+    if report.parameters.iter().all(|p| p.error.is_some()) {
+        return text
+            + "  they change with it by less than their errors: measure more exactly, or at other velocities\n";
+    }
     let products = report.fixed.iter().filter(|c| c.powers.len() > 1);
     for combination in products {
         text += &format!("  they fix the product {} (near these values)\n", product(combination));

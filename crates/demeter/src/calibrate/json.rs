@@ -4,6 +4,7 @@ use super::CollideReport;
 use super::fit::{FitReport, written};
 use super::packing::{Answer, Outcome, PackingReport};
 use crate::scenario::{Match, PackingFile};
+use demeter_physics::collision::Start;
 use glam::DVec3;
 use serde_json::{Value, json};
 
@@ -99,6 +100,7 @@ impl FitReport {
             "singular_values": self.singular_values,
             "contact": self.contact,
             "material": self.material,
+            "start": self.start.map(Start::name),
         })
     }
 }

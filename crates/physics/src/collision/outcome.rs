@@ -10,6 +10,16 @@ pub enum Start {
     Far,
 }
 
+impl Start {
+    /// As a file tells it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Contact => "contact",
+            Self::Far => "far",
+        }
+    }
+}
+
 /// How exactly a collision is integrated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {

@@ -1,7 +1,7 @@
 //! What observations fix of the parameters, and what else would have to be measured.
 
 use super::least_squares::slopes;
-use super::model::{Model, Scene};
+use super::model::{Model, Scene, adheres};
 use super::singular::{NOTHING, dot, reduced, singular};
 use crate::scenario::{Measured, Observable, Observation, StandardError, Unknown};
 
@@ -210,8 +210,10 @@ fn slopes_of(
 ) -> Option<Vec<f64>> {
     let value = |point: &[f64]| -> Option<Vec<f64>> {
         let law = model.law(&super::from_logarithms(point)).ok()?;
+        if !observable.of_impact() && !adheres(&law, observation) {
+            return None;
+        }
         let seen = Scene::new(model, &law, observation).ok()?.observe(observable).ok()?;
-        // a law without adhesion has no pull
         (seen > 0.0 && seen.is_finite()).then(|| vec![libm::log(seen)])
     };
     slopes(value, point, bounds)?

@@ -18,7 +18,8 @@ pub use identify::{Advice, Combination};
 
 use super::error::CalibrateError;
 use crate::materials::Material;
-use crate::scenario::{FitFile, Measured, Observable, Target};
+use crate::scenario::{FitFile, Measured, Observable, Observation, Target};
+use demeter_physics::collision::Start;
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::{Value, Values};
 use identify::{Identified, identify};
@@ -34,9 +35,9 @@ pub struct FittedParameter {
     pub value: f64,
     /// Its dimension.
     pub dimension: Dimension,
-    /// Whether the observations fix it.
+    /// Whether the observations fix it, with an error that is not larger than itself.
     pub identified: bool,
-    /// Its relative error, from the errors of the observations, when they fix it.
+    /// Its relative error, from the errors of the observations, when it changes what they show.
     pub error: Option<f64>,
     /// Whether the search ended at one of its bounds.
     pub at_bound: bool,
@@ -78,6 +79,8 @@ pub struct FitReport {
     pub contact: String,
     /// Constants of materials that were sought, as a scenario writes them.
     pub material: Vec<String>,
+    /// Where velocities were taken to be told, when the law acts across a gap, so that it makes a difference.
+    pub start: Option<Start>,
 }
 
 impl FitReport {
@@ -93,9 +96,13 @@ impl FitReport {
     }
 }
 
+/// Relative error beyond which a parameter may as well be any other of its size.
+const LARGEST_ERROR: f64 = 1.0;
+
 /// Finds the parameters of a file.
 pub fn fit(file: &FitFile) -> Result<FitReport, CalibrateError> {
     let model = Model { file };
+    refuse_adhesion_of_none(&model)?;
     let measured: Vec<Measured> = (file.observations.iter().flat_map(|o| &o.measured)).copied().collect();
     let deviations_of = |point: &[f64], measured: &[Measured]| -> Option<Vec<f64>> {
         let found = model.logarithms(&from_logarithms(point)).ok()?;
@@ -135,6 +142,35 @@ pub fn fit(file: &FitFile) -> Result<FitReport, CalibrateError> {
         .find(|other| seen.differ(&best.point, &other.point))
         .map(|other| from_logarithms(&other.point));
     told(&model, best, method, seen, ambiguous, bounds)
+}
+
+/// What only adhesion shows is not to be fitted with a law that has none.
+fn refuse_adhesion_of_none(model: &Model<'_>) -> Result<(), CalibrateError> {
+    let file = model.file;
+    let typical: Vec<f64> = file.unknown.iter().map(|u| (u.first.0 * u.first.1).sqrt()).collect();
+    let Ok(law) = model.law(&typical) else {
+        // the search tells what is wrong with it
+        return Ok(());
+    };
+    for (number, observation) in file.observations.iter().enumerate() {
+        let of_adhesion = observation.measured.iter().find(|m| !m.observable.of_impact());
+        if let Some(seen) = of_adhesion
+            && !model::adheres(&law, observation)
+        {
+            let key = seen.observable.name();
+            let shows = match seen.observable {
+                Observable::PullOffForce => "nothing holds such bodies when they are pulled apart",
+                _ => "such bodies never stick",
+            };
+            let message = format!(
+                "`{key}` cannot be fitted: law `{}` has no adhesion with these parameters, and {shows}. Leave the observation out, or \
+                 fit a law with adhesion (`demeter laws` lists all)",
+                file.law.name
+            );
+            return Err(file.refused(&format!("observation[{number}].{key}"), message).into());
+        }
+    }
+    Ok(())
 }
 
 fn from_logarithms(point: &[f64]) -> Vec<f64> {
@@ -188,13 +224,16 @@ fn told(
         deviation: m.deviation(*logarithm),
     });
     let residuals = residuals.collect();
+    let law = model.law(&values)?;
+    let acts_across_a_gap = |o: &Observation| model::acts_across_a_gap(&law, model::size_of(&o.a, &o.b));
+    let start = file.observations.iter().any(acts_across_a_gap).then_some(file.start);
     let near = |x: f64, bound: f64| (x - bound).abs() < 1e-6;
     let parameters = (file.unknown.iter().enumerate())
         .map(|(k, unknown)| FittedParameter {
             name: unknown.name.clone(),
             value: values[k],
             dimension: unknown.dimension,
-            identified: seen.is_identified(k),
+            identified: seen.errors[k].is_some_and(|error| error <= LARGEST_ERROR),
             error: seen.errors[k],
             at_bound: near(best.point[k], bounds[k].0) || near(best.point[k], bounds[k].1),
         })
@@ -209,6 +248,7 @@ fn told(
         ambiguous,
         contact: contact_line(file, &values),
         material: material_lines(file, &model.materials(&values)),
+        start,
     })
 }
 

@@ -76,6 +76,47 @@ impl Model<'_> {
     }
 }
 
+/// Depth of a dent after which bodies are pulled apart to see whether anything holds them, over the effective radius.
+const DEEP: f64 = 1e-2;
+/// A pull below this share of the force at that depth is rounding.
+const NO_PULL: f64 = 1e-14;
+
+/// Whether a law pulls bodies of these sizes together, before or after a load.
+struct Adhesion(PairSize);
+
+impl NormalVisitor for Adhesion {
+    type Output = bool;
+
+    fn visit<L: Normal>(self, law: &L) -> bool {
+        let (size, depth) = (self.0, DEEP * self.0.radius);
+        let mut loaded = vec![0.0; L::HISTORY.len()];
+        let touching = press(law, size, &mut loaded, TOUCH * size.radius, f64::MIN_POSITIVE);
+        let least = NO_PULL * press(law, size, &mut loaded, depth, f64::MIN_POSITIVE).abs();
+        let end = -law.reach(size, &loaded);
+        -touching > least || largest_pull(law, size, &loaded, (depth, end)).force > least
+    }
+}
+
+/// Whether the bodies of an observation attract each other under a law.
+pub(super) fn adheres(law: &NormalLaw, observation: &Observation) -> bool {
+    law.visit(Adhesion(size_of(&observation.a, &observation.b)))
+}
+
+/// Whether a law acts across a gap between bodies that have not touched yet.
+pub(super) fn acts_across_a_gap(law: &NormalLaw, size: PairSize) -> bool {
+    law.visit(Untouched(size)) > 0.0
+}
+
+struct Untouched(PairSize);
+
+impl NormalVisitor for Untouched {
+    type Output = f64;
+
+    fn visit<L: Normal>(self, law: &L) -> f64 {
+        law.reach(self.0, &vec![0.0; L::HISTORY.len()])
+    }
+}
+
 /// Two bodies and what was done to them.
 pub(super) struct Scene<'a> {
     law: &'a NormalLaw,

@@ -443,3 +443,57 @@ fn a_pull_off_force_tells_the_work_of_adhesion() {
     let report = fit(&file(POWDER, "jkr", known, "work_of_adhesion = \"free\"", &pull)).unwrap();
     assert_found(&report, &[0.05], 1e-6);
 }
+
+#[test]
+fn a_free_work_of_adhesion_of_thornton_and_ning_begins_at_a_typical_one() {
+    let seen = ["[[observation]]\npull_off_force = \"1 mN\"\n".to_string()];
+    let known = "yield_pressure = \"100 MPa\"";
+    let report = fit(&file(
+        BODIES,
+        "thornton-ning",
+        known,
+        "work_of_adhesion = \"free\"",
+        &seen,
+    ))
+    .unwrap();
+    assert!(report.parameters[0].identified && report.worst() < 1e-3, "{report:?}");
+}
+
+#[test]
+fn a_law_without_adhesion_is_not_fitted_to_what_only_adhesion_shows() {
+    for (law, known, unknown) in [
+        ("hertz-tsuji", "", "restitution = \"free\""),
+        ("linear", "restitution = 0.5", "stiffness = \"free\""),
+        ("jkr", "work_of_adhesion = \"0 N/m\"", "alpha = \"free\""),
+    ] {
+        for (key, value) in [("sticking_velocity", "1 mm/s"), ("pull_off_force", "1 mN")] {
+            let seen = [format!("[[observation]]\n{key} = \"{value}\"\n")];
+            let error = fit(&file(BODIES, law, known, unknown, &seen)).unwrap_err().to_string();
+            let expected = format!("`{key}` cannot be fitted: law `{law}` has no adhesion with these parameters");
+            assert!(error.contains(&expected), "{error}");
+        }
+    }
+}
+
+#[test]
+fn the_start_is_told_where_it_makes_a_difference() {
+    let seen = ["[[observation]]\npull_off_force = \"10 nN\"\n".to_string()];
+    let dmt = |known: &str| fit(&file(POWDER, "dmt", known, "work_of_adhesion = \"free\"", &seen)).unwrap();
+    assert_eq!(dmt("alpha = 0.1").start, None);
+    let across = dmt("alpha = 0.1, separation = \"0.4 nm\"");
+    assert_eq!(across.start, Some(Start::Contact));
+    assert_eq!(across.to_json()["start"], "contact");
+}
+
+#[test]
+fn what_has_an_error_larger_than_itself_is_not_identified() {
+    let normal = "law = \"hertz-tsuji\", restitution = 0.6";
+    let seen = [seen(BODIES, normal, 0.7, &[Restitution]) + "error = { restitution = 2 }\n"];
+    let report = fit(&file(BODIES, "hertz-tsuji", "", "restitution = \"free\"", &seen)).unwrap();
+    let found = &report.parameters[0];
+    assert!(
+        !found.identified && found.error.is_some_and(|error| error > 1.0),
+        "{found:?}"
+    );
+    assert_eq!(report.to_json()["not_identified"][0], "restitution");
+}
