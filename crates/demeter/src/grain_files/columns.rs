@@ -178,6 +178,14 @@ fn parse_header(header: &str, separator: Separator, context: &Context) -> Result
         add_column(&mut columns, column)?;
     }
     check_complete(&columns, context.options.diameter.is_some())?;
+    let needs_units =
+        |(cell, column): (&str, &Column)| !cell.contains(['[', '(']) && !units_of(column.quantity).is_empty();
+    if context.options.units.is_some() && !separator.split(&header).zip(&columns).any(needs_units) {
+        return Err(FileProblem::NoEffect {
+            option: "units",
+            why: "all columns of the file tell their units",
+        });
+    }
     Ok(Header { columns, extras })
 }
 

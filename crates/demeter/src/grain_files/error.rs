@@ -139,6 +139,8 @@ pub enum FileProblem {
         "the file tells no sizes; tell the diameter of all grains (`diameter = \"1 mm\"` in a scenario, `--diameter \"1 mm\"` of `demeter convert`)"
     )]
     NoSizes,
+    #[error("`{option}` is told and has no effect: {why}; leave it out")]
+    NoEffect { option: &'static str, why: &'static str },
     #[error(
         "the file is in `{found}` units of LAMMPS; tell what they are here: `si`, `cgs`, `micro`, `nano`, or the units of length, mass and time, as `mm,g,ms` (`units` in a scenario, `--units` of `demeter convert`)"
     )]

@@ -155,7 +155,27 @@ impl GrainFile {
         self.ended = frame.is_none() || !self.format.holds_many();
         self.count += usize::from(frame.is_some());
         self.not_empty(frame.is_none())?;
+        if let Some(table) = &frame {
+            self.refuse_in_vain(table)
+                .map_err(|problem| Located::from(problem).in_file(&self.path))?;
+        }
         Ok(frame)
+    }
+
+    /// Options are refused that nothing comes of, since the file tells otherwise.
+    fn refuse_in_vain(&self, table: &GrainTable) -> Result<(), FileProblem> {
+        let options = &self.context.options;
+        let (option, why) = if options
+            .diameter
+            .is_some_and(|told| table.diameters.iter().any(|d| *d != told))
+        {
+            ("diameter", "the file tells the size of every grain")
+        } else if options.style.is_some() && !matches!(self.format, Format::LammpsData | Format::LiggghtsData) {
+            ("atom_style", "only data files of LAMMPS and LIGGGHTS have one")
+        } else {
+            return Ok(());
+        };
+        Err(FileProblem::NoEffect { option, why })
     }
 
     /// Takes the next moment without reading its grains; tells whether there was one.

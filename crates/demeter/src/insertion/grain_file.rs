@@ -97,6 +97,12 @@ fn materials_of(table: &GrainTable, insertion: &Insertion, materials: &[Material
     let Some(types) = &table.types else {
         return Ok(vec![insertion.material; table.positions.len()]);
     };
+    if !insertion.types.is_empty() && types.iter().all(|kind| matches!(kind, TypeOfGrain::Name(_))) {
+        return Err(FileProblem::NoEffect {
+            option: "types",
+            why: "the file names its materials",
+        });
+    }
     let material_of = |(k, kind): (usize, &TypeOfGrain)| match *kind {
         TypeOfGrain::Name(index) => Ok(named[index as usize]),
         TypeOfGrain::Number(found) if insertion.types.is_empty() => {

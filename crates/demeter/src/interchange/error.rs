@@ -1,6 +1,6 @@
 //! Why packings cannot be converted.
 
-use crate::grain_files::{FileError, Format, WriteError};
+use crate::grain_files::{FileError, FileProblem, Format, WriteError};
 use crate::results::ResultsError;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -80,6 +80,14 @@ pub enum ConvertError {
         /// A name with a star.
         example: String,
     },
+    /// Something that was told beside the input, which tells otherwise.
+    #[error("`--{option}` is told and has no effect: {why}; leave it out")]
+    NoEffect {
+        /// The option.
+        option: &'static str,
+        /// Why.
+        why: &'static str,
+    },
     /// A moment that is not there.
     #[error("`{}` has no moment number {number}; there are {there}, from 0", path.display())]
     NoMoment {
@@ -110,6 +118,9 @@ impl ConvertError {
                 ..
             } => true,
             Self::Run(error) => error.is_io(),
+            Self::Read(error) => {
+                matches!(&*error.problem, FileProblem::Read(source) if source.kind() != io::ErrorKind::NotFound)
+            }
             _ => false,
         }
     }

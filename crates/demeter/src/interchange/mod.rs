@@ -11,7 +11,7 @@ pub use run_frames::table_of_run;
 pub use source::{Frames, Source};
 pub use target::{Target, target_of};
 
-use crate::grain_files::{GrainTable, ReadOptions, WriteOptions, losses};
+use crate::grain_files::{GrainTable, ReadOptions, TypeOfGrain, WriteOptions, losses};
 use std::path::{Path, PathBuf};
 use target::Sink;
 
@@ -61,8 +61,8 @@ pub fn convert(input: &Path, output: &Path, how: &Conversion) -> Result<Converte
     let mut numbers = source.numbers(how.frames, sink.takes_many())?;
     while let Some(number) = numbers.next(&mut source)? {
         let Some(mut table) = source.table(number)? else { break };
-        complete(&mut table, how);
-        for note in losses_of(&table, how.target) {
+        let without = complete(&mut table, how)?;
+        for note in without.into_iter().chain(losses_of(&table, how.target)) {
             if !converted.notes.contains(&note) {
                 converted.notes.push(note);
             }
@@ -77,16 +77,36 @@ pub fn convert(input: &Path, output: &Path, how: &Conversion) -> Result<Converte
     Ok(converted)
 }
 
-/// Adds what was told beside the input.
-fn complete(table: &mut GrainTable, how: &Conversion) {
-    if table.densities.is_none()
-        && let Some(density) = how.density
-    {
+/// Adds what was told beside the input; tells where names and types do not match.
+fn complete(table: &mut GrainTable, how: &Conversion) -> Result<Option<String>, ConvertError> {
+    if let Some(density) = how.density {
+        if table.densities.is_some() {
+            return Err(ConvertError::NoEffect {
+                option: "density",
+                why: "the input tells the density of every grain",
+            });
+        }
         table.densities = Some(vec![density; table.len()]);
     }
-    if !how.type_names.is_empty() {
-        table.name_types(&how.type_names);
+    if how.type_names.is_empty() {
+        return Ok(None);
     }
+    let numbers = table.types.iter().flatten().filter_map(|kind| match kind {
+        TypeOfGrain::Number(number) => Some(*number as usize),
+        TypeOfGrain::Name(_) => None,
+    });
+    // without types all grains are of the first
+    let most = if table.types.is_some() { numbers.max() } else { Some(1) };
+    let Some(most) = most else {
+        return Err(ConvertError::NoEffect {
+            option: "types",
+            why: "the input names its materials",
+        });
+    };
+    table.name_types(&how.type_names);
+    let names = how.type_names.len();
+    Ok((most != names)
+        .then(|| format!("`--types` gives names to types 1 to {names}, and the input has types 1 to {most}")))
 }
 
 fn losses_of(table: &GrainTable, target: Target) -> Vec<String> {

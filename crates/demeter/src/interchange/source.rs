@@ -59,6 +59,17 @@ impl Source {
                 taken: 0,
             },
             Some(OfRun { folder, frame }) => {
+                let told = [
+                    ("units", reading.units.is_some()),
+                    ("diameter", reading.diameter.is_some()),
+                    ("atom-style", reading.style.is_some()),
+                ];
+                if let Some((option, _)) = told.into_iter().find(|(_, told)| *told) {
+                    return Err(ConvertError::NoEffect {
+                        option,
+                        why: "the frames of a run tell it",
+                    });
+                }
                 let run = Run::open(&folder)?;
                 let mut moments = run.moments()?;
                 let mut notes = Vec::new();

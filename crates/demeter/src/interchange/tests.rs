@@ -270,3 +270,54 @@ impl crate::scenario::Observer for Quiet {
 
     fn message(&mut self, _: &str) {}
 }
+
+#[test]
+fn what_the_input_tells_itself_is_not_to_be_told_beside_it() {
+    type Change = fn(&mut Conversion);
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    let told = write(
+        "told.csv",
+        "x [m],y [m],z [m],diameter [mm],density [kg/m^3],material\n0,0,0,1,2500,glass\n",
+    );
+    let bare = write("bare.csv", "x,y,z,diameter [mm],type\n0,0,0,1,1\n1,0,0,1,2\n");
+    let convert_of = |input: &Path, change: Change| {
+        let mut how = how(Target::Grains(Format::Columns));
+        how.overwrite = true;
+        change(&mut how);
+        convert(input, &folder.path().join("out.csv"), &how)
+    };
+    let changes: [(&str, Change); 5] = [
+        ("units", |how| how.reading.units = "cgs".parse().ok()),
+        ("diameter", |how| how.reading.diameter = Some(5e-3)),
+        ("atom_style", |how| how.reading.style = Some("sphere".to_owned())),
+        ("--density", |how| how.density = Some(1.0)),
+        ("--types", |how| how.type_names = vec!["steel".to_owned()]),
+    ];
+    for (option, change) in changes {
+        let error = convert_of(&told, change).unwrap_err().to_string();
+        assert!(
+            error.contains(&format!("`{option}` is told and has no effect")),
+            "{error}"
+        );
+    }
+    assert!(convert_of(&bare, |how| how.reading.units = "cgs".parse().ok()).is_ok());
+    let one = convert_of(&bare, |how| how.type_names = vec!["a".to_owned()]).unwrap();
+    assert!(
+        one.notes
+            .iter()
+            .any(|note| note.contains("gives names to types 1 to 1, and the input has types 1 to 2")),
+        "{:?}",
+        one.notes
+    );
+    let two = convert_of(&bare, |how| how.type_names = vec!["a".to_owned(), "b".to_owned()]).unwrap();
+    assert!(
+        two.notes.iter().all(|note| !note.contains("--types")),
+        "{:?}",
+        two.notes
+    );
+}
