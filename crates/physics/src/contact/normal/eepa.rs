@@ -109,6 +109,10 @@ impl Normal for Eepa {
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = EepaParameters::from_values(values)?;
+        if p.surface_energy == 0.0 && values.contains_key("adhesion_exponent") {
+            let message = "`adhesion_exponent` shapes the pull of `surface_energy`, which is 0: leave it out";
+            return Err(ParameterError::together("adhesion_exponent", message));
+        }
         let power = if p.exponent == 0 { Power::Hertz } else { Power::Linear };
         Ok(Self {
             modulus: pair.effective_modulus(),
@@ -362,5 +366,14 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn an_exponent_of_no_adhesion_is_refused() {
+        let mut told = values(&[("plasticity_ratio", 0.5), ("surface_energy", 0.0)]);
+        assert!(Eepa::new(&told, &PAIR).is_ok());
+        told.insert("adhesion_exponent".into(), 2.0.into());
+        let refused = Eepa::new(&told, &PAIR).unwrap_err()[0].to_string();
+        assert!(refused.contains("`surface_energy`, which is 0"), "{refused}");
     }
 }

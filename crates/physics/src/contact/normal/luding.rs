@@ -19,8 +19,8 @@ params! {
             "Largest stiffness of unloading and reloading, at least that of loading";
         adhesion_stiffness: STIFFNESS, required 1e4, in Range::NOT_NEGATIVE,
             "Stiffness of the line along which surfaces part, kc; 0 without adhesion";
-        plastic_depth: NONE, required 0.05, in Range::POSITIVE,
-            "Dent of a fully loaded contact over twice the effective radius, phi_f";
+        plastic_depth: NONE, usual 0.05, in Range::POSITIVE,
+            "Dent of a fully loaded contact over twice the effective radius, phi_f; needed unless `unloading` is \"constant\"";
         unloading: NONE, choice ["variable", "constant"],
             "Whether the unloading stiffness grows with the largest overlap, or is the largest always";
         damping: DAMPING, optional 0.01, in Range::NOT_NEGATIVE,
@@ -51,6 +51,9 @@ pub struct Luding {
     /// Dashpot in units of `sqrt(m k1)`.
     pub(super) dashpot: Dashpot,
 }
+
+const CONSTANT: usize = 1;
+const IRREVERSIBLE: usize = 1;
 
 /// Values that are remembered beside the dashpot's.
 const REMEMBERED: usize = 2;
@@ -118,7 +121,17 @@ impl Normal for Luding {
             );
             return Err(ParameterError::together("unloading_stiffness", message));
         }
+        let constant = p.unloading == CONSTANT;
+        if p.plastic_depth.is_none() && !constant {
+            let message = "`plastic_depth` is missing: the dent of a fully loaded contact over twice the effective radius. Give it, or set \
+                           `unloading = \"constant\"`";
+            return Err(ParameterError::together("plastic_depth", message));
+        }
         let force = p.attraction_force.unwrap_or(0.0);
+        if p.attraction == IRREVERSIBLE && force == 0.0 {
+            let message = "`attraction` tells when `attraction_force` begins, which is missing or 0";
+            return Err(ParameterError::together("attraction", message));
+        }
         let range = p.attraction_range.unwrap_or(0.0);
         if range > 0.0 && force == 0.0 {
             let message = "`attraction_range` tells how far `attraction_force` reaches, which is missing or 0";
@@ -132,12 +145,12 @@ impl Normal for Luding {
             loading: p.loading_stiffness,
             unloading: p.unloading_stiffness,
             adhesion: p.adhesion_stiffness,
-            plastic_depth: p.plastic_depth,
-            constant: p.unloading == 1,
+            plastic_depth: p.plastic_depth.unwrap_or(f64::INFINITY),
+            constant,
             attraction: Attraction {
                 force,
                 range,
-                before_touch: p.attraction == 0,
+                before_touch: p.attraction != IRREVERSIBLE,
             },
             damping,
             dashpot,
@@ -376,5 +389,24 @@ mod tests {
         // on the line itself nothing is left
         let response = law.respond(&NormalInput::at(SIZE, 1e-6, -1.0), &mut history);
         assert_relative_eq!(response.elastic + response.adhesion, 0.0, epsilon = 1e-15);
+    }
+
+    #[test]
+    fn what_has_no_effect_is_refused_and_what_is_not_needed_left_out() {
+        let mut told = values(&[
+            ("loading_stiffness", K1),
+            ("unloading_stiffness", 2.0 * K1),
+            ("adhesion_stiffness", K1),
+        ]);
+        let refused = |told: &Values| Luding::new(told, &MaterialPair { a: ANY, b: ANY }).unwrap_err()[0].to_string();
+        assert!(
+            refused(&told).contains("`plastic_depth` is missing"),
+            "{}",
+            refused(&told)
+        );
+        told.insert("unloading".into(), "constant".into());
+        assert!(Luding::new(&told, &MaterialPair { a: ANY, b: ANY }).is_ok());
+        told.insert("attraction".into(), "irreversible".into());
+        assert!(refused(&told).contains("`attraction_force`"), "{}", refused(&told));
     }
 }

@@ -151,6 +151,7 @@ impl Tomas {
     }
 }
 
+const FULL_TAIL: usize = 0;
 const CUT: usize = 1;
 const NO_TAIL: usize = 2;
 const ELASTIC: usize = 1;
@@ -172,6 +173,14 @@ impl Normal for Tomas {
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = TomasParameters::from_values(values)?;
+        if p.tail != FULL_TAIL && values.contains_key("range") {
+            let message = "`range` tells where the full tail ends, and `tail` is another one: leave out one of the two";
+            return Err(ParameterError::together("range", message));
+        }
+        if p.loading == ELASTIC && values.contains_key("yield_overlap") {
+            let message = "`yield_overlap` tells where the contact yields, and `loading` is \"elastic\": leave out one of the two";
+            return Err(ParameterError::together("yield_overlap", message));
+        }
         let [yield_slope, limit_slope] = Self::slopes(&p)?;
         Ok(Self {
             modulus: 4.0 / 3.0 * pair.effective_modulus(),

@@ -210,6 +210,17 @@ fn faults_are_told() {
     );
     let elastic = [("loading", "elastic".into())];
     assert!(told(&elastic, &["micro_yield_strength", "kappa_p"]).is_ok());
+    for (changed, name) in [
+        ([("tail", "none".into()), ("range", 50.0.into())], "`range`"),
+        ([("tail", "cut".into()), ("range", 50.0.into())], "`range`"),
+        (
+            [("loading", "elastic".into()), ("yield_overlap", "as-printed".into())],
+            "`yield_overlap`",
+        ),
+    ] {
+        let refused = told(&changed, &[]).unwrap_err();
+        assert!(refused.contains(name) && refused.contains("leave out"), "{refused}");
+    }
 }
 
 /// A contact with random parameters that is dented to some overlap: the law, its size, and the overlap over `h_Y`.
