@@ -169,6 +169,17 @@ enum Event {
     End,
 }
 
+/// A restitution above 1 by as little is rounding.
+const ROUNDING: f64 = 1e-11;
+
+fn without_gain(restitution: f64) -> f64 {
+    if restitution > 1.0 && restitution < 1.0 + ROUNDING {
+        1.0
+    } else {
+        restitution
+    }
+}
+
 /// Below this share of the largest speed and force so far the bodies are at rest.
 const REST: f64 = 1e-10;
 
@@ -431,7 +442,7 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         Collision {
             outcome,
             restitution: match outcome {
-                Outcome::Rebound => -rate / self.speed,
+                Outcome::Rebound => without_gain(-rate / self.speed),
                 Outcome::Stick => 0.0,
             },
             duration: self.time,

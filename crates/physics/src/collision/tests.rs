@@ -1,7 +1,7 @@
 //! Collisions against the closed forms of Antypov and Elliott (2011).
 
 use super::*;
-use crate::contact::normal::{HertzTsuji, Linear, Normal, NormalLaw};
+use crate::contact::normal::{HertzTsuji, Linear, Normal, NormalLaw, ThorntonNing};
 use crate::contact::{Elastic, MaterialPair, PairSize};
 use crate::parameters::values;
 use approx::assert_relative_eq;
@@ -197,4 +197,13 @@ fn a_dent_that_grows_holds_what_is_fast_enough() {
     let [below, above, far] = [0.999, 1.001, 1.5].map(|share| outcome(share * edge));
     assert!(below != Outcome::Stick && above == Outcome::Stick && far == Outcome::Stick);
     assert!(outcome(20.0 * edge) != Outcome::Stick);
+}
+
+#[test]
+fn rounding_gives_no_energy() {
+    // below the speed of first yield nothing is lost
+    let law = ThorntonNing::new(&values(&[("yield_pressure", 1e8)]), &PAIR).unwrap();
+    for speed in [1e-3, 2e-3, 5e-3, 1e-2] {
+        assert!(run(&law, size(1e-3), speed).restitution <= 1.0);
+    }
 }
