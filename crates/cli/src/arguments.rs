@@ -246,11 +246,18 @@ pub struct CollideArguments {
     #[arg(long)]
     pub json: bool,
     /// Write the course of the collision as CSV
+    ///
+    /// A file that is there is only replaced with `--overwrite`.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// Draw force against overlap
+    ///
+    /// SVG, or pixels with a name that ends with .png.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
+    /// Replace files of `--csv` and `--plot` that are there
+    #[arg(long)]
+    pub overwrite: bool,
 }
 
 /// Of `demeter contact-curve`.
@@ -265,11 +272,18 @@ pub struct CurveArguments {
     #[arg(long)]
     pub json: bool,
     /// Write the curve as CSV, with the name of the branch in every row
+    ///
+    /// A file that is there is only replaced with `--overwrite`.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// Draw force against overlap
+    ///
+    /// SVG, or pixels with a name that ends with .png.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
+    /// Replace files of `--csv` and `--plot` that are there
+    #[arg(long)]
+    pub overwrite: bool,
 }
 
 /// Of `demeter sticking`.
@@ -280,9 +294,9 @@ pub struct StickingArguments {
     /// Effective radii, first and last, as `0.1um..1um`; or one
     #[arg(long, value_name = "FIRST..LAST", allow_hyphen_values = true)]
     pub radius: String,
-    /// Number of radii, at equal ratios
-    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(2..=10_000))]
-    pub points: u16,
+    /// Number of radii, at equal ratios; 20 when absent
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=10_000))]
+    pub points: Option<u16>,
     /// Change a value of the file, as `contact.normal.restitution=0.5`; may be given many times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
@@ -290,11 +304,18 @@ pub struct StickingArguments {
     #[arg(long)]
     pub json: bool,
     /// Write the speeds as CSV
+    ///
+    /// A file that is there is only replaced with `--overwrite`.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// Draw the speeds
+    ///
+    /// SVG, or pixels with a name that ends with .png.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
+    /// Replace files of `--csv` and `--plot` that are there
+    #[arg(long)]
+    pub overwrite: bool,
 }
 
 /// Of `demeter figure`.

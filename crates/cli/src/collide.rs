@@ -1,6 +1,6 @@
 //! `demeter collide`.
 
-use crate::answer::{Rows, answer, answer_json};
+use crate::answer::{Rows, answer, answer_json, note};
 use crate::arguments::CollideArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -9,7 +9,7 @@ use crate::readable::{number, vector};
 use crate::table::{Cell, check_outputs, write_csv};
 use demeter::calibrate::{CollideReport, Engine, collide as run};
 use demeter::output::{Plot, Series};
-use demeter::scenario::ImpactFile;
+use demeter::scenario::{DEFAULT_MAX_OVERLAP, ImpactFile};
 use demeter_physics::collision::Start;
 
 /// Rows of the course of a collision.
@@ -17,7 +17,12 @@ const MOMENTS: usize = 501;
 
 /// Collides two bodies and tells what became of them.
 pub fn collide(arguments: &CollideArguments) -> Result<Exit, Failure> {
-    check_outputs(&arguments.file, arguments.csv.as_deref(), arguments.plot.as_deref())?;
+    check_outputs(
+        &arguments.file,
+        arguments.csv.as_deref(),
+        arguments.plot.as_deref(),
+        arguments.overwrite,
+    )?;
     let file = ImpactFile::read(&arguments.file, &arguments.set)?;
     let engine = if arguments.engine {
         Engine::Automatic
@@ -26,6 +31,15 @@ pub fn collide(arguments: &CollideArguments) -> Result<Exit, Failure> {
     };
     let wanted = arguments.csv.is_some() || arguments.plot.is_some();
     let report = run(&file, engine, if wanted { MOMENTS } else { 0 })?;
+    let smaller = file.b.body().map_or(file.a.radius, |b| b.radius.min(file.a.radius));
+    let share = report.max_overlap / smaller;
+    if share > DEFAULT_MAX_OVERLAP {
+        note(&format!(
+            "warning: the bodies overlap by {} of the smaller radius; the laws hold for small overlaps, and a run stops at {DEFAULT_MAX_OVERLAP} \
+             unless it is told otherwise (`simulation.max_overlap`)",
+            number(share)
+        ));
+    }
     if let Some(path) = &arguments.csv {
         let rows = report.moments.iter();
         let rows = rows.map(|m| [m.time, m.overlap, m.rate, m.force].map(Cell::Number).into());

@@ -14,7 +14,12 @@ use serde_json::{Value, json};
 
 /// Traces the quasi-static curve of the law of a file.
 pub fn contact_curve(arguments: &CurveArguments) -> Result<Exit, Failure> {
-    check_outputs(&arguments.file, arguments.csv.as_deref(), arguments.plot.as_deref())?;
+    check_outputs(
+        &arguments.file,
+        arguments.csv.as_deref(),
+        arguments.plot.as_deref(),
+        arguments.overwrite,
+    )?;
     let file = ImpactFile::read(&arguments.file, &arguments.set)?;
     let curve = trace(&file)?;
     if let Some(path) = &arguments.csv {

@@ -10,9 +10,13 @@ use crate::table::{Cell, check_outputs, write_csv};
 use demeter::calibrate::{StickingPoint, log_spaced, sticking as search};
 use demeter::output::{AxisSpec, Plot, Series};
 use demeter::scenario::{ImpactFile, units};
+use demeter_physics::DVec3;
 use demeter_physics::collision::Sticking;
 use demeter_physics::dimension::Dimension;
 use serde_json::{Value, json};
+
+/// Radii when no number is told.
+const POINTS: usize = 20;
 
 /// Both are powers of each other over much of their range.
 const LOGARITHMIC: AxisSpec = AxisSpec {
@@ -22,14 +26,29 @@ const LOGARITHMIC: AxisSpec = AxisSpec {
 
 /// Finds the critical sticking speed against the effective radius.
 pub fn sticking(arguments: &StickingArguments) -> Result<Exit, Failure> {
-    check_outputs(&arguments.file, arguments.csv.as_deref(), arguments.plot.as_deref())?;
+    check_outputs(
+        &arguments.file,
+        arguments.csv.as_deref(),
+        arguments.plot.as_deref(),
+        arguments.overwrite,
+    )?;
     let file = ImpactFile::read(&arguments.file, &arguments.set)?;
     let (first, last) = radii(&arguments.radius)?;
-    let count = if first == last {
-        1
-    } else {
-        usize::from(arguments.points)
+    let count = match (first == last, arguments.points) {
+        (true, None) => 1,
+        (true, Some(points)) => {
+            return Err(Failure::wrong(format!(
+                "--points: `--radius {}` is one radius, and {points} are asked for; leave it out, or tell the first and the last radius, as \
+                 0.1um..1um",
+                arguments.radius
+            )));
+        }
+        (false, points) => points.map_or(POINTS, usize::from),
     };
+    let impact = &file.impact;
+    if impact.angle != 0.0 || impact.spin_a != DVec3::ZERO || impact.spin_b != DVec3::ZERO {
+        note("warning: the angle and the spins in [impact] are left out: bodies are tried head-on, without spin");
+    }
     let found = search(&file, &log_spaced(first, last, count))?;
     let known: Vec<(f64, f64)> = found.iter().filter_map(speed).collect();
     if known.is_empty() {

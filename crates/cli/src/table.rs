@@ -25,8 +25,9 @@ pub fn write_csv<'a>(path: &Path, titles: &[&str], rows: impl Iterator<Item = Ve
         .map_err(|error| Failure::io(format!("cannot write `{}`: {error}", path.display())))
 }
 
-/// Refuses, before anything is computed, a table or a plot that would replace the input, or whose name tells another kind of file.
-pub fn check_outputs(input: &Path, csv: Option<&Path>, plot: Option<&Path>) -> Result<(), Failure> {
+/// Refuses, before anything is computed, a table or a plot that would replace the input, or another file unless that is meant, or whose name
+/// tells another kind of file.
+pub fn check_outputs(input: &Path, csv: Option<&Path>, plot: Option<&Path>, overwrite: bool) -> Result<(), Failure> {
     for (flag, path, endings) in [("--csv", csv, &["csv"][..]), ("--plot", plot, &["svg", "png"])] {
         let Some(path) = path else { continue };
         let shown = path.display();
@@ -42,6 +43,11 @@ pub fn check_outputs(input: &Path, csv: Option<&Path>, plot: Option<&Path>) -> R
         {
             return Err(Failure::wrong(format!(
                 "{flag}: `{shown}` is input and output; name another file to write"
+            )));
+        }
+        if !overwrite && path.exists() {
+            return Err(Failure::wrong(format!(
+                "{flag}: `{shown}` is there already; name another file, or give `--overwrite`"
             )));
         }
     }

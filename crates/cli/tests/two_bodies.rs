@@ -184,6 +184,30 @@ fn no_file_is_replaced_that_is_not_meant() {
     assert!(fs::read(place.path("curve.png")).unwrap().starts_with(b"\x89PNG"));
 }
 
+#[test]
+fn a_file_that_is_there_is_only_replaced_when_that_is_told() {
+    let place = place();
+    for (flag, file) in [("--csv", "mine.csv"), ("--plot", "mine.svg")] {
+        fs::write(place.path(file), "mine").unwrap();
+        for call in [
+            &["collide", "mcc.toml"][..],
+            &["contact-curve", "mcc.toml"],
+            &["sticking", "limestone.toml", "--radius", "0.3um"],
+        ] {
+            let call = [call, &[flag, file]].concat();
+            let said = place.expect(2, &call);
+            assert!(
+                said.err.contains("is there already") && said.err.contains("--overwrite"),
+                "{}",
+                said.err
+            );
+        }
+        assert_eq!(fs::read_to_string(place.path(file)).unwrap(), "mine");
+        place.expect(0, &["collide", "mcc.toml", flag, file, "--overwrite"]);
+        assert_ne!(fs::read_to_string(place.path(file)).unwrap(), "mine");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn the_input_is_no_output_behind_a_link_either() {
@@ -200,7 +224,24 @@ fn an_impact_too_deep_for_a_run_is_told_with_what_helps_here() {
     let said = place.expect(3, &["collide", "mcc.toml", "--engine", "--set", fast]);
     assert!(said.err.contains("Without `--engine`"), "{}", said.err);
     assert!(!said.err.contains("raise `simulation"), "{}", said.err);
-    place.expect(0, &["collide", "mcc.toml", "--set", fast]);
+    let said = place.expect(0, &["collide", "mcc.toml", "--set", fast]);
+    assert!(said.err.contains("warning: the bodies overlap by"), "{}", said.err);
+    let said = place.expect(0, &["collide", "mcc.toml"]);
+    assert!(!said.err.contains("warning"), "{}", said.err);
+}
+
+#[test]
+fn sticking_tells_what_it_does_not_look_at() {
+    let place = place();
+    let one = ["sticking", "limestone.toml", "--radius", "0.3um"];
+    let said = place.expect(2, &[&one[..], &["--points", "7"]].concat());
+    assert!(
+        said.err.contains("--points: `--radius 0.3um` is one radius"),
+        "{}",
+        said.err
+    );
+    let said = place.expect(0, &[&one[..], &["--set", "impact.angle=30 deg"]].concat());
+    assert!(said.err.contains("warning: the angle and the spins"), "{}", said.err);
 }
 
 #[test]
