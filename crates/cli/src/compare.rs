@@ -74,7 +74,19 @@ pub fn compare(arguments: &CompareArguments) -> Result<Exit, Failure> {
 
 /// The run or the measured curve that the others are compared with.
 fn read_reference(arguments: &CompareArguments, reading: &Reading) -> Result<Strokes, Failure> {
+    if !arguments.reference.exists() {
+        return Err(Failure::wrong(format!(
+            "--reference: there is no run and no file `{}`",
+            arguments.reference.display()
+        )));
+    }
     if !arguments.reference.is_dir() {
+        if arguments.reference_threshold.is_some() {
+            return Err(Failure::wrong(format!(
+                "--reference-threshold leaves out contacts of a run, and `{}` is no run: it tells no contacts one by one; leave the option out",
+                arguments.reference.display()
+            )));
+        }
         return Ok(read_measured(&arguments.reference)?);
     }
     let mut strain = true;

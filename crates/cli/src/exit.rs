@@ -7,7 +7,7 @@ use std::process::ExitCode;
 pub enum Exit {
     /// It did what it was asked to.
     Finished = 0,
-    /// Results could not be written, or a file that is no input of a scenario could not be read.
+    /// Results could not be written, or a file that is there, and no input of a scenario, could not be read.
     InputOutput = 1,
     /// The scenario, a file that it needs, or the command line is wrong; nothing was written.
     Wrong = 2,
@@ -21,8 +21,8 @@ pub enum Exit {
 pub const HELP: &str = "\
 Exit codes:
     0  finished
-    1  results could not be written, or a file that is no input of a scenario could not be read
-    2  the scenario, a file that it needs, or the command line is wrong; nothing was written
+    1  results could not be written, or a file that is there, and no input of a scenario, could not be read
+    2  the scenario, a file that it needs, or the command line is wrong, or names what is not there; nothing was written
     3  the simulation stopped on a fault; a snapshot of it was written. Of a sweep: a run failed; of a fit: there is no answer between
        the ends that were told
   101  a defect of Demeter

@@ -137,8 +137,16 @@ fn a_run_is_compared_with_a_measured_curve() {
         wrong.contains("`nothing` is not the folder of a Demeter run"),
         "{wrong}"
     );
-    let wrong = place.expect(1, &["compare", "stiff", "--reference", "nothing.csv"]).err;
-    assert!(wrong.contains("cannot read `nothing.csv`"), "{wrong}");
+    let measured = ["compare", "stiff", "--reference", "measured.csv", "--loading-only"];
+    let wrong = place
+        .expect(2, &[&measured[..], &["--reference-threshold", "1 mN"]].concat())
+        .err;
+    assert!(
+        wrong.contains("--reference-threshold leaves out contacts of a run"),
+        "{wrong}"
+    );
+    let wrong = place.expect(2, &["compare", "stiff", "--reference", "nothing.csv"]).err;
+    assert!(wrong.contains("no run and no file `nothing.csv`"), "{wrong}");
 }
 
 #[test]

@@ -142,6 +142,10 @@ fn nothing_runs_when_any_run_is_wrong() {
             &["--repeat", "2", "--plot", "coordination", "--against", "friction"],
             "`friction` is not varied",
         ),
+        (
+            &["--repeat", "2", "--against", "seed"],
+            "--against tells the horizontal axis of plots, and there is none",
+        ),
         (&["--table", "none.csv"], "none.csv"),
         (&["--resume", "runs"], "cannot be used with"),
         (&["--repeat", "2", "--sbatch", "time=1"], "--slurm"),

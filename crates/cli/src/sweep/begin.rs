@@ -137,6 +137,11 @@ fn wishes(arguments: &SweepArguments) -> Wishes {
 
 /// Tells results that there will not be.
 fn check_first(folder: &SweepFolder) -> Result<(), Failure> {
+    if folder.wishes.against.is_some() && folder.wishes.plots.is_empty() {
+        return Err(Failure::wrong(
+            "--against tells the horizontal axis of plots, and there is none; add `--plot RESULT`, or leave it out",
+        ));
+    }
     let first = folder.plan.scenario(0).map_err(RunError::from)?;
     Ok(check_wishes(folder, &first)?)
 }
