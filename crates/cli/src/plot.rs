@@ -34,7 +34,10 @@ pub fn plot(arguments: &PlotArguments) -> Result<Exit, Failure> {
     write(&plot, &out)?;
     let shown = out.display().to_string();
     if arguments.json {
-        let points: usize = plot.series.iter().map(|series| series.points.len()).sum();
+        let is_drawn = |point: &&(f64, f64)| point.0.is_finite() && point.1.is_finite();
+        let points: usize = (plot.series.iter())
+            .map(|series| series.points.iter().filter(is_drawn).count())
+            .sum();
         answer_json(&json!({ "file": shown, "lines": plot.series.len(), "points": points }))?;
     } else {
         answer(&format!("wrote {shown}\n"))?;
@@ -216,12 +219,21 @@ impl Drawing<'_> {
                 series.extend(self.series(table, name, asked, several)?);
             }
         }
+        let points: usize = series.iter().map(|line| line.points.len()).sum();
+        let is_infinite = |point: &&(f64, f64)| point.0.is_infinite() || point.1.is_infinite();
+        let infinite: usize = (series.iter())
+            .map(|line| line.points.iter().filter(is_infinite).count())
+            .sum();
+        if infinite > 0 {
+            note(&format!(
+                "warning: {infinite} of {points} points are left out: they are infinite"
+            ));
+        }
         let mut without_logarithm = 0;
         for line in &mut series {
             without_logarithm += cut(&mut line.points, x, y);
         }
         if without_logarithm > 0 {
-            let points: usize = series.iter().map(|line| line.points.len()).sum();
             note(&format!(
                 "warning: {without_logarithm} of {points} points are left out: they are not above 0, and --log {log} has no place for them"
             ));
