@@ -57,7 +57,11 @@ pub fn render(arguments: &RenderArguments) -> Result<Exit, Failure> {
             file.display()
         )));
     }
-    draw(&LoadedFrame::read(&run, moment.step)?, &options, &file)?;
+    let frame = LoadedFrame::read(&run, moment.step)?;
+    if !frame.shows_grains(&options) {
+        note("warning: the picture shows no grain: all of them are cut away (`--clip`)");
+    }
+    draw(&frame, &options, &file)?;
     tell(arguments, &[file], None)
 }
 
@@ -171,7 +175,17 @@ fn one(told: &str, moments: &[Moment], last: Moment) -> Result<Moment, Failure> 
         Ok(time) if time.dimension == Dimension::TIME => {
             let away = |moment: &&Moment| (moment.time - time.value).abs();
             let nearest = moments.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
-            Ok(nearest.copied().unwrap_or(last))
+            let (nearest, first) = (
+                nearest.copied().unwrap_or(last),
+                moments.first().map_or(last.time, |m| m.time),
+            );
+            if time.value < first || time.value > last.time {
+                note(&format!(
+                    "warning: --frame: there is no frame at {told}; they are from {first} s to {} s, and that at {} s is drawn",
+                    last.time, nearest.time
+                ));
+            }
+            Ok(nearest)
         }
         _ => Err(Failure::wrong(format!(
             "--frame: `{told}` is no frame; tell `last`, `all`, a number from 0, or a time, as \"0.5 s\""

@@ -183,6 +183,19 @@ fn rows_of_one_moment_that_words_tell_apart_are_lines_of_their_own() {
 }
 
 #[test]
+fn infinite_values_are_left_out_and_counted() {
+    let place = Place::new();
+    place.write("t.csv", "x,y\n0,1\n1,inf\n2,3\n3,-inf\n4,5\n");
+    let said = place.expect(0, &["plot", "t.csv", "x", "y", "--out", "t.svg", "--json"]);
+    assert!(
+        said.err.contains("2 of 5 points are left out: they are infinite"),
+        "{}",
+        said.err
+    );
+    assert_eq!(said.json()["points"], 3);
+}
+
+#[test]
 fn bins_of_a_distribution_are_drawn_over_their_edges() {
     let place = Place::new();
     let rows: String = (0..3)
@@ -377,6 +390,13 @@ fn frames_become_pictures() {
     {
         assert!(draw(&format!("{k}.png"), options) != plain, "{options:?}");
     }
+    let base = ["render", "run", "--size", "400x300", "--out", "b.png"];
+    let said = place.expect(0, &[&base[..], &["--clip", "x > -10 m"]].concat());
+    assert!(said.err.contains("the picture shows no grain"), "{}", said.err);
+    let said = place.expect(0, &[&base[..], &["--frame", "100 s"]].concat());
+    assert!(said.err.contains("there is no frame at 100 s"), "{}", said.err);
+    let said = place.expect(0, &base);
+    assert!(!said.err.contains("warning"), "{}", said.err);
     let said = place.expect(
         0,
         &["render", "run", "--size", "400x300", "--frame", "all", "--out", "film"],

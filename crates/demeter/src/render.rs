@@ -144,6 +144,14 @@ impl LoadedFrame {
         self.with_frame(|frame| colour_end(frame, options))
     }
 
+    /// Whether the cuts leave some of a grain, or there is none to leave.
+    pub fn shows_grains(&self, options: &PictureOptions) -> bool {
+        let rows = self.grains.position.rows();
+        let keeps_some = |cut: &Cut, (centre, radius)| cut.keeps_some(centre, radius);
+        let is_shown = |sphere| options.cuts.iter().all(|cut| keeps_some(cut, sphere));
+        rows.is_empty() || rows.iter().any(|row| is_shown((row.vector, row.scalar)))
+    }
+
     /// What a picture of it shows: lower and upper corner [m].
     pub fn region(&self, options: &PictureOptions) -> (DVec3, DVec3) {
         self.with_frame(|frame| shown_region(frame, options))

@@ -27,7 +27,7 @@ impl Cut {
     }
 
     /// Whether some of a sphere is kept.
-    pub(super) fn keeps_some(&self, centre: DVec3, radius: f64) -> bool {
+    pub(crate) fn keeps_some(&self, centre: DVec3, radius: f64) -> bool {
         match self.above {
             true => centre[self.axis] - radius <= self.at,
             false => centre[self.axis] + radius >= self.at,
