@@ -38,8 +38,12 @@ pub enum CalibrateError {
     TimeStep(#[from] TimeStepError),
     /// The engine needs too many steps.
     #[error(
-        "the bodies did not part within {steps} steps of {dt:.3e} s ({time:.3e} s): they come from too far or too \
-         slowly for the engine's step; leave out `start = \"far\"`, or use a higher velocity"
+        "the bodies did not part within {steps} steps of {dt:.3e} s ({time:.3e} s): {}",
+        if *across_a_gap {
+            "they come from too far or too slowly for the engine's step; tell `start = \"contact\"`, or use a higher velocity"
+        } else {
+            "they come apart too slowly for the engine's step; ask for a higher restitution or less damping, or leave out `--engine`"
+        }
     )]
     Steps {
         /// Steps done.
@@ -48,6 +52,8 @@ pub enum CalibrateError {
         dt: f64,
         /// Simulated time [s].
         time: f64,
+        /// Whether they began where an attraction is first felt.
+        across_a_gap: bool,
     },
     /// A law refused its parameters.
     #[error("{0}")]

@@ -195,7 +195,13 @@ impl Launch<'_> {
             }
             if sim.step >= MAX_STEPS {
                 let (steps, time) = (sim.step, sim.time());
-                return Err(CalibrateError::Steps { steps, dt, time });
+                let across_a_gap = self.reach() > 0.0 && self.file.impact.start == Start::Far;
+                return Err(CalibrateError::Steps {
+                    steps,
+                    dt,
+                    time,
+                    across_a_gap,
+                });
             }
         };
         let mut after = sim.energies();

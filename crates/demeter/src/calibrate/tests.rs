@@ -302,3 +302,19 @@ fn radii_are_spaced_by_equal_ratios() {
     }
     assert_eq!(log_spaced(3.0, 3.0, 1), [3.0]);
 }
+
+#[test]
+fn a_start_far_away_is_blamed_only_where_the_law_acts_across_a_gap() {
+    let told = |across_a_gap| {
+        let (steps, dt, time) = (5, 1.0, 5.0);
+        CalibrateError::Steps {
+            steps,
+            dt,
+            time,
+            across_a_gap,
+        }
+        .to_string()
+    };
+    assert!(told(true).contains("tell `start = \"contact\"`"));
+    assert!(!told(false).contains("start ="));
+}

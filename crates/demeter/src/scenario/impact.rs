@@ -423,6 +423,11 @@ fn curve(root: &TableReader<'_>) -> CurveSpec {
     };
     spec.unload_to = table.optional_quantity("unload_to", length, Range::FINITE);
     spec.reload = table.optional("reload").is_none_or(|item| item.boolean());
+    if spec.unload_to.is_some() && !spec.reload {
+        let message = "`unload_to` is where the curve turns to load again, and with `reload = false` it never does; leave out one of \
+                       the two";
+        table.fault_at("unload_to", message);
+    }
     if let Some(points) = table.optional("points") {
         spec.points = points.integer(2, MAX_CURVE_POINTS) as usize;
     }
@@ -513,6 +518,19 @@ velocity = "1 m/s"
             ("impact.spin_a=3 Hz", "must be an angular velocity"),
             ("curve={max_overlap = \"1 um\", max_force = \"1 N\"}", "both are given"),
             ("curve={points = 1}", "it must be from 2"),
+            (
+                "curve={unload_to = \"1 um\", reload = false}",
+                "leave out one of the two",
+            ),
+            (
+                "contact.normal.restitution=0",
+                "`restitution` is 0; it must be above 0 and at most 1",
+            ),
+            (
+                "contact.normal.restitution=[[\"0 m/s\", 0.9], [\"1 m/s\", 0.8]]",
+                "an impact speed of `restitution` is 0 m/s; it must be above 0",
+            ),
+            ("contact.normal.restitution=1 - v", "as `max(0.01, ...)` does"),
             ("domain={}", "unknown key `domain` in a file of two bodies"),
             ("contact.normal.restitution=1.2", "at most 1"),
         ];

@@ -345,6 +345,14 @@ fn restitution_value(item: &Item<'_>, parameter: &ParameterInfo) -> ParameterVal
         Value::Array(_) => ParameterValue::Table(item.items().iter().map(restitution_row).collect()),
         // a percentage is a number, too
         Value::String(text) if super::units::parse(text).is_err() => ParameterValue::Text(text.clone()),
+        Value::Integer(0) | Value::Float(0.0) => {
+            let help = "a small one, as 0.01, is nearly the same: no dashpot stops bodies within one collision";
+            item.fault(
+                format!("`{}` is 0; it must be {}", item.name, parameter.range),
+                Some(help.to_string()),
+            );
+            return f64::NAN.into();
+        }
         _ => return item.quantity(Kind::Number, parameter.range).into(),
     };
     if matches!(&value, ParameterValue::Table(rows) if rows.iter().flatten().any(|x| x.is_nan())) {
@@ -368,10 +376,14 @@ fn restitution_row(row: &Item<'_>) -> [f64; 2] {
         }
         return [f64::NAN; 2];
     };
-    [
-        speed.quantity(Kind::Physical(Dimension::VELOCITY), Range::POSITIVE),
-        restitution.quantity(Kind::Number, Range::POSITIVE_SHARE),
-    ]
+    let mut told = speed.quantity(Kind::Physical(Dimension::VELOCITY), Range::FINITE);
+    if told <= 0.0 {
+        let message = format!("an impact speed of `{}` is {told} m/s; it must be above 0", row.name);
+        let help = "begin with a small speed, as [\"1 mm/s\", 0.9]: below that of the first row its restitution holds";
+        speed.fault(message, Some(help.to_string()));
+        told = f64::NAN;
+    }
+    [told, restitution.quantity(Kind::Number, Range::POSITIVE_SHARE)]
 }
 
 fn inherited(info: &LawInfo, default: Option<&LawChoice>) -> Values {

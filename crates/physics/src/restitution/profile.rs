@@ -58,7 +58,7 @@ pub enum ProfileError {
         what: String,
     },
     /// A profile that leaves (0, 1].
-    #[error("restitution is {value} at an impact speed of {speed} m/s; it must stay in (0, 1] from {from} to {to} m/s")]
+    #[error("restitution is {value} at an impact speed of {speed} m/s; it must stay in (0, 1] from {from} to {to} m/s{}", cut_at(*.value))]
     OutOfRange {
         /// Where [m/s].
         speed: f64,
@@ -77,6 +77,17 @@ pub enum ProfileError {
         /// End [m/s].
         to: f64,
     },
+}
+
+/// How a formula is kept where it may be.
+fn cut_at(value: f64) -> &'static str {
+    if value > 1.0 {
+        ", as `min(1, ...)` does"
+    } else if value <= 0.0 {
+        ", as `max(0.01, ...)` does"
+    } else {
+        ""
+    }
 }
 
 fn of_row(row: Option<usize>) -> String {

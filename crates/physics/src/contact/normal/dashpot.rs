@@ -38,8 +38,8 @@ pub enum DashpotError {
     /// The law loses more than was asked even without a dashpot.
     #[error(
         "`restitution` {requested} at an `impact_speed` of {speed} m/s is out of reach for bodies of effective radius {:e} m \
-         and mass {:.4e} kg: {}; ask for less, or for a higher speed, or lower the adhesion or the plasticity",
-        size.radius, size.mass, most(*largest)
+         and mass {:.4e} kg: {}; ask for {}a higher speed, or lower the adhesion or the plasticity",
+        size.radius, size.mass, most(*largest), if *largest > 0.0 { "less, or for " } else { "" }
     )]
     OutOfReach {
         /// Restitution asked for.

@@ -215,3 +215,13 @@ fn restitution_needs_its_speed_and_excludes_alpha() {
     assert!(refused(&[("restitution", 0.5)]).contains("impact_speed"));
     assert!(refused(&[("restitution", 0.5), ("impact_speed", 1.0), ("alpha", 0.1)]).contains("alpha"));
 }
+
+#[test]
+fn bodies_that_stick_anyway_are_not_to_be_asked_for_less() {
+    let law = law(&[("restitution", 1e-3), ("impact_speed", 1e-5)]);
+    let told = law.check(size(1e-4)).unwrap_err();
+    assert!(
+        told.contains("they stick even without a dashpot; ask for a higher speed"),
+        "{told}"
+    );
+}
