@@ -97,6 +97,17 @@ impl Surface {
         })
     }
 
+    /// The unit normal of a flat surface, in the wall frame.
+    pub(super) fn flat_normal(&self) -> Option<DVec3> {
+        match self {
+            Surface::Plane(plane) => Some(plane.normal),
+            Surface::Rectangle(plate) => Some(plate.normal()),
+            Surface::Disc(disc) => Some(disc.normal),
+            Surface::Images(one, _) => one.flat_normal(),
+            _ => None,
+        }
+    }
+
     /// Appends all contacts of a sphere with `distance < radius + beyond`, sorted by element.
     #[inline]
     pub(super) fn contacts(&self, centre: DVec3, (radius, beyond): (f64, f64), out: &mut Vec<SurfaceContact>) {

@@ -48,9 +48,21 @@ impl Wall {
         &self.work
     }
 
-    /// Rate of the work of the wall on the grains [W]; of a belt, of its whole load.
+    /// Rate of the work of the wall on the grains [W]; of a belt on a wall that is not flat, of its whole load.
     pub fn power(&self) -> f64 {
-        -(self.force.dot(self.motor.velocity + self.motor.belt) + self.torque.dot(self.motor.angular_velocity))
+        -(self.force.dot(self.motor.velocity + self.belt_along()) + self.torque.dot(self.motor.angular_velocity))
+    }
+
+    /// Velocity of the surface along itself [m/s]: contacts do not feel what of a belt points along their normal.
+    fn belt_along(&self) -> DVec3 {
+        let belt = self.motor.belt;
+        match self.surface().flat_normal() {
+            Some(normal) if belt != DVec3::ZERO => {
+                let normal = self.motor.pose.turn(normal);
+                belt - normal * belt.dot(normal)
+            }
+            _ => belt,
+        }
     }
 
     /// Force of the grains on the wall [N] and their torque about its [`origin`](Self::origin) [N m].

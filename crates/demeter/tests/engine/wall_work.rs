@@ -107,6 +107,51 @@ fn works_of_walls_add_up_to_the_books_and_forces_to_the_momentum() {
     assert_eq!(last, summary["walls"]["plate"]["work"].as_f64().unwrap());
 }
 
+/// Contacts do not feel what of a belt points along their normal.
+#[test]
+fn the_work_of_a_belt_that_is_told_off_its_plane_is_that_of_the_books() {
+    let inclined = r#"
+title = "inclined"
+[simulation]
+gravity = "0 0 -9.81 m/s^2"
+[material.seed]
+young_modulus = "1 MPa"
+poisson_ratio = 0.3
+density = "2000 kg/m^3"
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.3 }
+tangential = { law = "mindlin-history", friction = 0.5 }
+[[grains]]
+material = "seed"
+source = "list"
+positions = ["0 0 1.04 mm"]
+diameter = "2 mm"
+[[wall]]
+name = "belt"
+material = "seed"
+shape = "rectangle"
+center = "0 0 0 mm"
+half_u = "50 0 13 mm"
+half_v = "0 20 0 mm"
+motion = { belt = "0.1 0 0 m/s" }
+[[stage]]
+duration = "20 ms"
+"#;
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("run");
+    run(
+        &parsed(inclined, Path::new("")),
+        &folder,
+        RunOptions::default(),
+        &mut Silent,
+    )
+    .unwrap();
+    let summary: Value = serde_json::from_slice(&std::fs::read(folder.join("summary.json")).unwrap()).unwrap();
+    let work = summary["walls"]["belt"]["work"].as_f64().unwrap();
+    let booked = summary["energies"]["wall_work"].as_f64().unwrap();
+    assert!(work > 0.0 && (work / booked - 1.0).abs() < 1e-6, "{work} {booked}");
+}
+
 /// The work of the plates in the step in which an overlap was too deep was not booked: 8.8e-4 of the energy.
 #[test]
 fn the_ledger_closes_where_a_run_stops_as_an_overlap_is_too_deep() {
