@@ -29,6 +29,10 @@ pub(super) struct FeedState {
     steps: u64,
     pub(super) grains: u64,
     pub(super) mass: f64,
+    /// What rates that were changed on the way had let come due, in the unit of the present one [kg or grains], ...
+    due: f64,
+    /// ... and the steps during which they held.
+    steps_before: u64,
     told_behind: bool,
 }
 
@@ -40,6 +44,8 @@ impl FeedState {
         steps: 0,
         grains: 0,
         mass: 0.0,
+        due: 0.0,
+        steps_before: 0,
         told_behind: false,
     };
 
@@ -120,28 +126,22 @@ impl Feeding<'_> {
         let mass = self.source.mass(radius);
         // the mass that comes is nearest to the one that was asked for
         state.done = end.mass.is_some_and(|most| state.mass + 0.5 * mass > most);
-        let seconds = state.steps as f64 * self.sim.dt;
+        let due = |rate: f64| state.due_by(rate, self.sim.dt);
         let is_due = match self.spec.rate {
             FeedRate::AsRoomAllows => true,
-            FeedRate::Mass(rate) => state.mass + mass <= rate * seconds,
-            FeedRate::Number(rate) => (state.grains + 1) as f64 <= rate * seconds,
+            FeedRate::Mass(rate) => state.mass + mass <= due(rate),
+            FeedRate::Number(rate) => (state.grains + 1) as f64 <= due(rate),
         };
         (is_due && !state.done).then_some(radius)
     }
 
     /// Mass that is due and has not come [kg]; without a rate, the most that finds room.
     fn due(&self, state: &FeedState) -> f64 {
-        let mean = self.source.mean_mass();
-        let left = |count: u64| count.saturating_sub(state.grains) as f64 * mean;
-        let limits = [
-            self.spec.end.count.map(left),
-            self.spec.end.mass.map(|mass| mass - state.mass),
-        ];
         let due = match self.spec.rate {
-            FeedRate::AsRoomAllows => self.source.capacity() * mean,
+            FeedRate::AsRoomAllows => self.source.capacity() * self.source.mean_mass(),
             _ => state.behind(self.spec, self.source, self.sim.dt),
         };
-        limits.into_iter().flatten().fold(due, f64::min).max(0.0)
+        due.min(state.left(self.spec, self.source))
     }
 
     /// What a user wants to read of the feed.
@@ -211,15 +211,57 @@ impl FeedState {
 
     /// Mass that is due by the rate and has not come [kg]; of a feed that has ended only where a time ended it.
     pub(super) fn behind(&self, spec: &FeedSpec, source: &Streaming, dt: f64) -> f64 {
-        let seconds = self.steps as f64 * dt;
         let has_its_time = spec.last_step(dt).is_some_and(|last| self.clock >= last);
         let behind = match spec.rate {
             _ if self.done && !has_its_time => 0.0,
             FeedRate::AsRoomAllows => 0.0,
-            FeedRate::Mass(rate) => rate * seconds - self.mass,
-            FeedRate::Number(rate) => (rate * seconds - self.grains as f64).floor() * source.mean_mass(),
+            FeedRate::Mass(rate) => self.due_by(rate, dt) - self.mass,
+            FeedRate::Number(rate) => (self.due_by(rate, dt) - self.grains as f64).floor() * source.mean_mass(),
         };
-        behind.max(0.0)
+        behind.min(self.left(spec, source)).max(0.0)
+    }
+
+    /// What is due by a rate since the start, in its unit [kg or grains].
+    fn due_by(&self, rate: f64, dt: f64) -> f64 {
+        self.due + rate * ((self.steps - self.steps_before) as f64 * dt)
+    }
+
+    /// The most that may come until the feed ends by its mass or number [kg].
+    fn left(&self, spec: &FeedSpec, source: &Streaming) -> f64 {
+        let of_grains = |count: u64| count.saturating_sub(self.grains) as f64 * source.mean_mass();
+        let limits = [
+            spec.end.count.map(of_grains),
+            spec.end.mass.map(|mass| (mass - self.mass).max(0.0)),
+        ];
+        limits.into_iter().flatten().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Goes on from a step with what a feed is told now in place of what it was told before: what was due stays due, another rate counts
+    /// from here on, and another end may let more come.
+    pub(super) fn go_on_otherwise(
+        &mut self,
+        was: &FeedSpec,
+        is: &FeedSpec,
+        source: &Streaming,
+        (step, dt): (u64, f64),
+    ) {
+        self.count_time(step, was.last_step(dt));
+        if (was.rate, was.end) == (is.rate, is.end) {
+            return;
+        }
+        let mean = source.mean_mass();
+        let left = self.left(was, source);
+        let behind = match was.rate {
+            FeedRate::AsRoomAllows => 0.0,
+            FeedRate::Mass(rate) => (self.due_by(rate, dt) - self.mass).min(left),
+            FeedRate::Number(rate) => ((self.due_by(rate, dt) - self.grains as f64) * mean).min(left),
+        };
+        self.due = match is.rate {
+            FeedRate::Number(_) => self.grains as f64 + behind / mean,
+            FeedRate::Mass(_) | FeedRate::AsRoomAllows => self.mass + behind,
+        };
+        self.steps_before = self.steps;
+        self.done &= was.end == is.end;
     }
 }
 

@@ -103,6 +103,14 @@ impl<'a> Traffic<'a> {
         }
     }
 
+    /// Lets feeds go on from a step as they are told now in place of what a former scenario told of them.
+    pub fn go_on_otherwise(&mut self, was: &[FeedSpec], (step, dt): (u64, f64)) {
+        let feeds = self.state.feeds.iter_mut().zip(&self.sources);
+        for ((feed, source), (was, is)) in feeds.zip(was.iter().zip(&self.scenario.feeds)) {
+            feed.go_on_otherwise(was, is, source, (step, dt));
+        }
+    }
+
     /// Starts and stops what the stage tells.
     pub fn begin_stage(&mut self, stage: &Stage, (step, dt): (u64, f64)) {
         if let Some(running) = &stage.feeds {

@@ -124,6 +124,12 @@ fn all_come_that_are_due_before_a_feed_ends() {
         came < 60.0 && (came + behind - 100.0).abs() < 1e-6,
         "{came} and {behind}"
     );
+    // no more is due than until its end
+    let (fewer, behind, _) = until_20_ms(narrow, "count = 80");
+    assert!(
+        fewer == came && (came + behind - 80.0).abs() < 1e-6,
+        "{fewer} and {behind}"
+    );
     let told =
         |m: &String| m.contains("warning: feed `short` is done") && m.contains("more were due and found no room");
     assert!(messages.iter().any(told), "{messages:?}");

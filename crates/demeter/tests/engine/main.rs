@@ -9,6 +9,7 @@
 mod book;
 #[path = "../cases/mod.rs"]
 mod cases;
+mod changed;
 mod collisions;
 mod custom;
 mod deforming_boxes;

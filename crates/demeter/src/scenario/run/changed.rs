@@ -166,6 +166,7 @@ impl Runner<'_> {
             }
         }
         self.sim.book_change_since(former.present);
+        self.traffic.go_on_otherwise(&was.feeds, (self.sim.step, self.sim.dt));
         let is_over = former.stage >= was.stages.len();
         let [stage, was_stage] = [self.place.stage, former.stage].map(|stage| stage.saturating_sub(is_over.into()));
         if let Some(told) = self.scenario.stages.get(stage) {
