@@ -11,7 +11,7 @@ use super::{Diagnostics, Scenario, TimeStep, WallSpec, estimates, in_vain, perio
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, NewGrain, Origins, Outside};
-use crate::simulation::{FastestImpact, Setup, Skin, TimeScale, Verdict, refusals, shortest_time_scale};
+use crate::simulation::{FastestImpact, Setup, Simulation, Skin, TimeScale, Verdict, refusals, shortest_time_scale};
 use crate::walls::Wall;
 use demeter_physics::contact::LawError;
 use glam::DVec3;
@@ -219,6 +219,21 @@ pub(super) fn prepare_to_resume(scenario: &Scenario, domain: Domain) -> Result<S
         skin: Skin::Fixed(f64::NAN),
         max_overlap: scenario.simulation.max_overlap,
     })
+}
+
+/// Refuses what a changed scenario tells and a run with these grains, of its own and to come, cannot do with its time step, as [`prepare`]
+/// refuses it of a new one.
+pub(super) fn check_to_go_on(scenario: &Scenario, all: &Grains, sim: &Simulation, faults: &mut Diagnostics) {
+    check_stage_motions(scenario, faults);
+    let (walls, meshes) = walls(scenario, faults);
+    let dt = sim.dt();
+    check_wall_speeds(scenario, &walls, &meshes, all, dt, faults);
+    super::bodies::check(scenario, &sim.walls, dt, faults);
+    if !scenario.deforms() {
+        check_periodic_size(all, sim.domain(), sim.skin(), &sim.materials, false, faults);
+        check_feed_speeds(scenario, &to_come(scenario, faults), dt, faults);
+    }
+    super::deformation::check(scenario, sim.grains(), Some(dt), faults);
 }
 
 fn mean_radius(grains: &Grains) -> f64 {

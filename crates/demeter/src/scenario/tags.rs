@@ -54,10 +54,18 @@ pub(super) fn tags(root: &TableReader<'_>, named: &Named<'_>) -> Vec<TagSpec> {
 }
 
 impl TagSpec {
+    /// Whether the first time at which grains get the tag is over.
+    pub(super) fn is_over(&self, sim: &Simulation) -> bool {
+        self.first_step(sim) < sim.step
+    }
+
+    fn first_step(&self, sim: &Simulation) -> u64 {
+        (self.at / sim.dt).round() as u64
+    }
+
     /// Whether grains get the tag between the latest step and the next.
     pub(super) fn is_due(&self, sim: &Simulation) -> bool {
-        let first = (self.at / sim.dt).round() as u64;
-        let Some(since) = sim.step.checked_sub(first) else {
+        let Some(since) = sim.step.checked_sub(self.first_step(sim)) else {
             return false;
         };
         match self.every {

@@ -95,3 +95,50 @@ fn a_feed_that_was_done_goes_on_to_another_end() {
     let [before, after] = ["10 ms", "30 ms"].map(|end| until(&format!("until = \"{end}\"")));
     assert_came("later", grains(&before, &after), [50.0, 60.0, 100.0]);
 }
+
+#[test]
+fn what_a_new_run_cannot_do_is_refused_where_a_run_goes_on() {
+    let place = tempfile::tempdir().unwrap();
+    let coarse = "diameter = \"1 mm\"\nnumber_rate = \"500 1/s\"";
+    run_in(&parse(&fed(coarse, "")), place.path(), 1, &mut watcher());
+    let refused = |text: &str, part: &str| {
+        let error = go_on(place.path(), text).unwrap_err();
+        let told = format!("{error} {error:?}");
+        assert!(told.contains(part), "{part}: {told}");
+    };
+    refused(
+        &fed(&coarse.replace("1 mm", "0.005 mm"), SECOND),
+        "the time step of the run is unsafe for the feeds and walls that are told now",
+    );
+    refused(
+        &fed(
+            coarse,
+            &format!("{SECOND}\nmotion.lid = {{ velocity = \"0 0 200 m/s\" }}"),
+        ),
+        "wall `lid` moves at up to 2.0000e2 m/s",
+    );
+    refused(
+        &fed(coarse, &format!("{SECOND}\nstop = {{ motion_done = \"lid\" }}")),
+        "wall `lid` has no motion in this stage",
+    );
+}
+
+#[test]
+fn what_is_told_of_the_past_has_no_effect_and_says_so() {
+    let place = tempfile::tempdir().unwrap();
+    let coarse = "diameter = \"1 mm\"\nnumber_rate = \"500 1/s\"";
+    run_in(&parse(&fed(coarse, "")), place.path(), 1, &mut watcher());
+    let tags = "[[tag]]\nvalue = 1\nat = \"10 ms\"\n[[tag]]\nvalue = 2\nat = \"30 ms\"";
+    let later = fed(coarse, &format!("{SECOND}\n{tags}")).replacen("duration = \"20 ms\"", "duration = \"25 ms\"", 1);
+    let said = go_on(place.path(), &later).unwrap().join("\n");
+    let told = |part: &str| said.contains(part);
+    assert!(
+        told("tag[0] is given at 0.01 s, and the run goes on from 2.0"),
+        "{said}"
+    );
+    assert!(!told("tag[1]"), "{said}");
+    assert!(
+        told("stage `one` is over: what is told otherwise of its end has no effect"),
+        "{said}"
+    );
+}

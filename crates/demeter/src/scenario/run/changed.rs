@@ -4,7 +4,7 @@ use super::{Observer, RunState, Runner};
 use crate::contacts::laws::memories;
 use crate::materials::Materials;
 use crate::scenario::Scenario;
-use crate::scenario::prepare::{materials, prepare_to_resume, time_scale, to_come};
+use crate::scenario::prepare::{check_to_go_on, materials, prepare_to_resume, time_scale, to_come};
 use crate::scenario::run_error::RunError;
 use crate::simulation::{Deformation, Simulation, Stage, Verdict};
 use crate::walls::Motions;
@@ -156,14 +156,16 @@ impl Runner<'_> {
         observer: &mut dyn Observer,
     ) -> Result<(), RunError> {
         let (sim, was) = (&mut self.sim, &former.scenario);
-        if sim.materials.laws() != former.materials.laws() || sim.gravity != was.simulation.gravity {
-            let warning = check_laws(self.scenario, sim)?;
+        let has_other_laws = sim.materials.laws() != former.materials.laws() || sim.gravity != was.simulation.gravity;
+        let mut warnings = check(self.scenario, sim, was, has_other_laws)?;
+        if has_other_laws {
             let found = self.sim.find_forces_of_other_laws();
             found.map_err(|fault| RunError::BeyondLaws(Box::new(fault)))?;
-            if let Some(warning) = warning {
-                observer.message(&format!("warning: {warning}"));
-                self.place.warnings.push(warning);
-            }
+        }
+        warnings.extend(in_the_past(self.scenario, was, self.place.stage, &self.sim));
+        for warning in warnings {
+            observer.message(&format!("warning: {warning}"));
+            self.place.warnings.push(warning);
         }
         self.sim.book_change_since(former.present);
         self.traffic.go_on_otherwise(&was.feeds, (self.sim.step, self.sim.dt));
@@ -177,21 +179,42 @@ impl Runner<'_> {
     }
 }
 
-/// Refuses laws for which the time step of the run is too long; what is to be told of it.
-fn check_laws(scenario: &Scenario, sim: &Simulation) -> Result<Option<String>, RunError> {
+/// Refuses what the scenario tells now and the run cannot do with its time step; what is to be told of it.
+fn check(scenario: &Scenario, sim: &Simulation, was: &Scenario, has_other_laws: bool) -> Result<Vec<String>, RunError> {
     let mut faults = scenario.diagnostics();
     let mut all = sim.grains().clone();
     all.append(&to_come(scenario, &mut faults));
+    check_to_go_on(scenario, &all, sim, &mut faults);
+    if !faults.is_empty() {
+        return Err(faults.into());
+    }
+    let motions = |scenario: &Scenario| {
+        scenario
+            .stages
+            .iter()
+            .map(|stage| stage.motions.clone())
+            .collect::<Vec<_>>()
+    };
+    let has_other_bodies =
+        scenario.feeds != was.feeds || scenario.walls != was.walls || motions(scenario) != motions(was);
+    if !has_other_laws && !has_other_bodies {
+        return Ok(Vec::new());
+    }
     let scale = time_scale(scenario, &all, &sim.walls, &sim.materials, &mut faults);
     let Some(scale) = scale else {
         return Err(faults.into());
     };
     let words = scale.beside(sim.dt());
+    let (path, what) = if has_other_laws {
+        ("contact", "the laws that are told now")
+    } else {
+        ("simulation.time_step", "the feeds and walls that are told now")
+    };
     match scale.judge(sim.dt(), scenario.simulation.integrator) {
         Verdict::Unsafe if !scenario.simulation.allow_unsafe_time_step => {
             faults.push(
-                "contact",
-                format!("the time step of the run is unsafe for the laws that are told now: {words}"),
+                path,
+                format!("the time step of the run is unsafe for {what}: {words}"),
                 Some(
                     "begin a new run with the grains of this one (`source = \"file\"`), or say `allow_unsafe_time_step = true` if you want it"
                         .to_string(),
@@ -199,9 +222,33 @@ fn check_laws(scenario: &Scenario, sim: &Simulation) -> Result<Option<String>, R
             );
             Err(faults.into())
         }
-        Verdict::Unsafe | Verdict::Long => Ok(Some(format!(
-            "the time step of the run is above the one that keeps restitution within 1e-4 with the laws that are told now: {words}"
-        ))),
-        Verdict::Safe => Ok(None),
+        Verdict::Unsafe | Verdict::Long => Ok(vec![format!(
+            "the time step of the run is above the one that keeps restitution within 1e-4 with {what}: {words}"
+        )]),
+        Verdict::Safe => Ok(Vec::new()),
     }
+}
+
+/// What is told otherwise of times that are over, so that nothing comes of it; the run is in a stage, told by its number.
+fn in_the_past(scenario: &Scenario, was: &Scenario, stage: usize, sim: &Simulation) -> Vec<String> {
+    let mut told = Vec::new();
+    for (index, tag) in scenario.tags.iter().enumerate() {
+        if !was.tags.contains(tag) && tag.every.is_none() && tag.is_over(sim) {
+            told.push(format!(
+                "tag[{index}] is given at {} s, and the run goes on from {:.4e} s: no grain gets it; `at` that time or later gives it",
+                tag.at,
+                sim.time()
+            ));
+        }
+    }
+    for done in scenario.stages.iter().take(stage) {
+        let before = was.stages.iter().find(|stage| stage.name == done.name);
+        if before.is_some_and(|before| before.stop != done.stop) {
+            told.push(format!(
+                "stage `{}` is over: what is told otherwise of its end has no effect",
+                done.name
+            ));
+        }
+    }
+    told
 }
