@@ -49,6 +49,7 @@ pub mod schema;
 mod selections;
 mod settings;
 mod sizes;
+mod solids;
 mod stages;
 mod stop_checks;
 mod stray_places;

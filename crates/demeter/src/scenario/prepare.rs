@@ -101,6 +101,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::stray_places::check(scenario, &mut warnings);
     super::stop_checks::check_leaving(scenario, &grains, &mut faults);
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
+    super::solids::check(&grains, &walls, &mut warnings);
     if all.is_empty() {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));
     }

@@ -217,9 +217,9 @@ impl<'a> Runner<'a> {
                 source,
             })?;
         }
-        let traffic = Traffic::begin(scenario, sim.domain(), prepared.origins)?;
+        let traffic = Traffic::begin(scenario, &sim, prepared.origins)?;
         let mut runner = Self::new(scenario, (sim, traffic), place, (rows, files));
-        runner.begin_stage()?;
+        runner.begin_stage(observer)?;
         Ok(runner)
     }
 
@@ -235,7 +235,7 @@ impl<'a> Runner<'a> {
         let step = state.simulation.step;
         let had_custom_force = state.simulation.had_custom_force();
         let sim = Simulation::resume(setup, state.simulation)?;
-        let traffic = Traffic::resume(scenario, sim.domain(), state.traffic)?;
+        let traffic = Traffic::resume(scenario, &sim, state.traffic)?;
         let mut told = vec![format!("going on from step {step}, time {:.4e} s", sim.time())];
         folder.map_or(Ok(()), |folder| check_files(scenario, folder, &state.place))?;
         let rows = match folder {

@@ -9,6 +9,7 @@ use super::feeds::{FeedSpec, RemovalSpec, exchange_steps};
 use super::followed::{Followed, FollowedState};
 use super::measures::MeasureKind;
 use super::run_error::RunError;
+use super::solids::Solid;
 use crate::insertion::{InsertionProblem, Streaming};
 use crate::measure::{
     Counted, DOMAIN_COLUMNS, FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, holds,
@@ -39,6 +40,8 @@ struct RemovalState {
 pub(super) struct Traffic<'a> {
     scenario: &'a Scenario,
     sources: Vec<Streaming>,
+    /// Closed meshes, which no grain comes into.
+    solids: Vec<Solid>,
     followed: Followed<'a>,
     state: TrafficState,
     /// Whether there were tags, as those of a file, when this began or went on.
@@ -58,7 +61,7 @@ struct Gone {
 
 impl<'a> Traffic<'a> {
     /// At the start of a run: everything runs until a stage says otherwise.
-    pub fn begin(scenario: &'a Scenario, domain: &Domain, origins: Origins) -> Result<Self, RunError> {
+    pub fn begin(scenario: &'a Scenario, sim: &Simulation, origins: Origins) -> Result<Self, RunError> {
         let removal = |_: &RemovalSpec| RemovalState {
             active: true,
             gone: vec![(0, 0.0); scenario.materials.len()],
@@ -70,11 +73,11 @@ impl<'a> Traffic<'a> {
             removals: scenario.removals.iter().map(removal).collect(),
             followed: Followed::begin(scenario).state().clone(),
         };
-        Self::resume(scenario, domain, state)
+        Self::resume(scenario, sim, state)
     }
 
     /// Goes on from a state.
-    pub fn resume(scenario: &'a Scenario, domain: &Domain, state: TrafficState) -> Result<Self, RunError> {
+    pub fn resume(scenario: &'a Scenario, sim: &Simulation, state: TrafficState) -> Result<Self, RunError> {
         let followed = Followed::resume(scenario, state.followed.clone());
         let materials = scenario.materials.len();
         let fits = state.feeds.len() == scenario.feeds.len()
@@ -84,7 +87,12 @@ impl<'a> Traffic<'a> {
             return Err(RunError::OtherTraffic);
         };
         Ok(Self {
-            sources: sources(scenario, domain).map_err(|(feed, problem)| RunError::Feed {
+            solids: if scenario.feeds.is_empty() {
+                Vec::new()
+            } else {
+                Solid::all(&sim.walls)
+            },
+            sources: sources(scenario, sim.domain()).map_err(|(feed, problem)| RunError::Feed {
                 feed: scenario.feeds[feed].name.clone(),
                 problem: Box::new(problem),
             })?,
@@ -310,7 +318,12 @@ impl<'a> Traffic<'a> {
                 continue;
             }
             state.count_time(sim.step, spec.last_step(sim.dt));
-            let feeding = Feeding { spec, source, sim };
+            let feeding = Feeding {
+                spec,
+                source,
+                sim,
+                solids: &self.solids,
+            };
             feeding.feed(state, leaving, &mut come);
             from.resize(come.len(), (batches + k) as u16);
             messages.extend(feeding.say(state));

@@ -28,5 +28,6 @@ mod shafts;
 mod shared_runs;
 mod silent;
 mod slices;
+mod solids;
 mod wall_work;
 mod work_counters;

@@ -173,9 +173,12 @@ impl Runner<'_> {
         let [stage, was_stage] = [self.place.stage, former.stage].map(|stage| stage.saturating_sub(is_over.into()));
         if let Some(told) = self.scenario.stages.get(stage) {
             let was = InForce::in_stage(was, was_stage);
-            self.set_up(&InForce::in_stage(self.scenario, stage).instead_of(&was, told))?;
+            self.set_up(
+                &InForce::in_stage(self.scenario, stage).instead_of(&was, told),
+                observer,
+            )?;
         }
-        if is_over { self.begin_stage() } else { Ok(()) }
+        if is_over { self.begin_stage(observer) } else { Ok(()) }
     }
 }
 

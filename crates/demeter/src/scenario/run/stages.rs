@@ -5,6 +5,7 @@ use crate::measure::kinetic_over_elastic;
 use crate::output::{StageSummary, wall_summaries};
 use crate::scenario::deformation::reached;
 use crate::scenario::run_error::RunError;
+use crate::scenario::solids::enclosed_by;
 use crate::simulation::{Stage, StopCondition};
 use crate::walls::{Wall, WallWork};
 use glam::DVec3;
@@ -13,20 +14,20 @@ use glam::DVec3;
 const MOST_LIMITED: f64 = 0.05;
 
 impl Runner<'_> {
-    pub(super) fn begin_stage(&mut self) -> Result<(), RunError> {
+    pub(super) fn begin_stage(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
         self.place.stage_step = self.sim.step;
         self.place.stage_displacement = self.sim.walls.iter().map(|w| w.displacement()).collect();
         self.place.stage_work = self.works();
         let Some(stage) = self.scenario.stages.get(self.place.stage) else {
             return Ok(());
         };
-        self.set_up(stage)?;
+        self.set_up(stage, observer)?;
         self.sim.mark_strain();
         Ok(())
     }
 
     /// Tells feeds, removals, the box and walls what a stage has them do.
-    pub(super) fn set_up(&mut self, stage: &Stage) -> Result<(), RunError> {
+    pub(super) fn set_up(&mut self, stage: &Stage, observer: &mut dyn Observer) -> Result<(), RunError> {
         self.traffic.begin_stage(stage, (self.sim.step, self.sim.dt));
         if let Some(plan) = stage.deformation {
             self.sim.deform(plan).map_err(|source| RunError::Deformation {
@@ -43,11 +44,21 @@ impl Runner<'_> {
                 })?;
         }
         let Some(absent) = &stage.absent else { return Ok(()) };
+        let walls = self.sim.walls.iter().enumerate();
+        let back: Vec<usize> = (walls.filter(|(wall, built)| !built.is_present() && !absent.contains(wall)))
+            .map(|(wall, _)| wall)
+            .collect();
         let come_and_go = self.sim.set_absent(|wall| absent.contains(&wall));
         come_and_go.map_err(|source| RunError::WallInTheWay {
             stage: stage.name.clone(),
             source: Box::new(source),
-        })
+        })?;
+        let told: Vec<String> = back
+            .into_iter()
+            .filter_map(|wall| enclosed_by(&self.sim, wall))
+            .collect();
+        told.iter()
+            .try_for_each(|text| self.say(&format!("warning: {text}"), observer))
     }
 
     pub(super) fn end_stage(&mut self, reason: &str, observer: &mut dyn Observer) -> Result<(), RunError> {
@@ -84,7 +95,7 @@ impl Runner<'_> {
                 .unwrap_or_default(),
         });
         self.place.stage += 1;
-        self.begin_stage()
+        self.begin_stage(observer)
     }
 
     /// What every wall has done since the start of the run.
