@@ -63,6 +63,7 @@ pub struct Interior {
     /// Whether triangles agree on their front across every edge.
     is_oriented: bool,
     volume: f64,
+    parts_overlap: bool,
 }
 
 impl Interior {
@@ -87,10 +88,12 @@ impl Interior {
             over: Vec::new(),
             is_oriented: false,
             volume: 0.0,
+            parts_overlap: false,
         };
         interior.triangles = triangles.iter().map(|t| t.map(|c| interior.on_lattice(c))).collect();
         interior.is_oriented = interior.check_closed()?;
         interior.sort_into_columns();
+        interior.parts_overlap = interior.is_oriented && interior.has_overlaps();
         interior.volume = interior.volume_within(triangles);
         Ok(interior)
     }
@@ -196,20 +199,32 @@ impl Interior {
 
     /// Volume inside [m^3]: exact where no parts overlap, else counted out.
     fn volume_within(&self, triangles: &[[DVec3; 3]]) -> f64 {
-        let size = self.upper - self.lower;
-        let places = |count: usize| {
-            (0..count * count * count).map(move |k| {
-                let at = [k % count, k / count % count, k / (count * count)].map(|k| (k as f64 + 0.5) / count as f64);
-                self.lower + size * DVec3::from_array(at)
-            })
-        };
-        let windings = || places(COARSE).map(|p| self.winding(p));
-        let (least, most) = windings().fold((0, 0), |(least, most), turns| (turns.min(least), turns.max(most)));
-        if most - least <= 1 {
+        if !self.parts_overlap {
             return enclosed(triangles, 0.5 * (self.lower + self.upper));
         }
-        let inside = places(FINE).filter(|p| self.winding(*p) != 0).count();
-        size.element_product() * inside as f64 / (FINE * FINE * FINE) as f64
+        let inside = self.places(FINE).filter(|p| self.winding(*p) != 0).count();
+        (self.upper - self.lower).element_product() * inside as f64 / (FINE * FINE * FINE) as f64
+    }
+
+    /// Whether the surface winds by unlike numbers around places inside of it.
+    fn has_overlaps(&self) -> bool {
+        let windings = self.places(COARSE).map(|p| self.winding(p));
+        let (least, most) = windings.fold((0, 0), |(least, most), turns| (turns.min(least), turns.max(most)));
+        most - least > 1
+    }
+
+    /// Places spread over the box around it, so many along each axis [m].
+    fn places(&self, count: usize) -> impl Iterator<Item = DVec3> {
+        let (lower, size) = (self.lower, self.upper - self.lower);
+        (0..count * count * count).map(move |k| {
+            let at = [k % count, k / count % count, k / (count * count)].map(|k| (k as f64 + 0.5) / count as f64);
+            lower + size * DVec3::from_array(at)
+        })
+    }
+
+    /// Whether parts that agree on their front have places in common.
+    pub fn parts_overlap(&self) -> bool {
+        self.parts_overlap
     }
 
     /// Smallest box along the axes around it [m].

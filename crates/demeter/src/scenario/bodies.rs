@@ -1,7 +1,10 @@
 //! Walls that move as rigid bodies: what is wrong with them before the run.
 
+use super::checks::told_motions;
 use super::{Diagnostics, Scenario};
-use crate::walls::{Wall, meeting};
+use crate::particles::Interior;
+use crate::walls::{BodyMass, Motion, Wall, meeting};
+use glam::DVec3;
 
 /// Refuses bodies whose mass is not known from their shape, and those that touch other walls from the start; a step takes `dt` [s].
 pub(super) fn check(scenario: &Scenario, walls: &[Wall], dt: f64, faults: &mut Diagnostics) {
@@ -30,5 +33,38 @@ pub(super) fn check(scenario: &Scenario, walls: &[Wall], dt: f64, faults: &mut D
             ),
             Some("let it start away from all other walls".to_string()),
         );
+    }
+}
+
+/// Tells bodies of a density whose mass and moments count what parts of the mesh have in common for each part.
+pub(super) fn check_parts(scenario: &Scenario, walls: &[Wall], warnings: &mut Vec<String>) {
+    let mut told = std::collections::BTreeSet::new();
+    for (index, motions) in told_motions(scenario) {
+        let density = motions.parts.iter().find_map(|part| match &part.motion {
+            Motion::Body(body) => match body.mass {
+                BodyMass::Density(density) => Some(density),
+                BodyMass::Told(_) => None,
+            },
+            _ => None,
+        });
+        let Some((wall, density)) = walls.get(index).zip(density) else {
+            continue;
+        };
+        let Some(mesh) = wall.mesh().filter(|_| told.insert(index)) else {
+            continue;
+        };
+        let corners: Vec<[DVec3; 3]> = mesh.triangles().iter().map(|t| t.corners()).collect();
+        // what is not closed is refused elsewhere
+        if let Ok(inside) = Interior::new(&corners)
+            && inside.parts_overlap()
+        {
+            warnings.push(format!(
+                "wall `{}` has a mesh of parts that overlap: its mass and moments of inertia, which follow from `density`, count what they share \
+                 for each part; all of it together would weigh about {:.2e} kg. Join the parts in the program that drew them, or tell `mass`, \
+                 `center_of_mass` and `inertia`",
+                wall.name,
+                density * inside.volume()
+            ));
+        }
     }
 }

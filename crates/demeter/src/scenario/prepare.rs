@@ -114,6 +114,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let fastest_impact = super::impact_speeds::check(scenario, (&all, &walls), &materials, &mut warnings);
     check_wall_speeds(scenario, &walls, &meshes, &all, dt, &mut faults);
     super::bodies::check(scenario, &walls, dt, &mut faults);
+    super::bodies::check_parts(scenario, &walls, &mut warnings);
     if !scenario.deforms() {
         check_start_speeds(&grains, dt, &mut faults);
         check_feed_speeds(scenario, &to_come, dt, &mut faults);

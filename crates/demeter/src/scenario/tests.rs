@@ -1,3 +1,4 @@
+mod bodies;
 mod faults;
 mod in_vain;
 mod mesh_units;
