@@ -59,7 +59,12 @@ impl MomentTable {
 
 /// Titles of a distribution of residence times with bins of a width [s].
 pub fn residence_titles(width: f64, bins: u32) -> Vec<String> {
-    let edges = (0..bins).map(|k| bin_title(width * f64::from(k), "s"));
+    // 3 times 0.05 is 0.15, and not 0.15000000000000002
+    let edge = |k: u32| -> f64 {
+        let exact = width * f64::from(k);
+        format!("{exact:.12e}").parse().unwrap_or(exact)
+    };
+    let edges = (0..bins).map(|k| bin_title(edge(k), "s"));
     let title = std::iter::once("mass left [kg]".to_owned());
     title.chain(edges).chain(std::iter::once(ABOVE.to_owned())).collect()
 }
@@ -212,4 +217,18 @@ pub fn path_lines(table: &Path, lines: &Path, (step, time): (u64, f64)) -> Resul
         cell_data: Vec::new(),
     };
     data.encode().map_err(|e| OutputError::encode(lines, &e))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_of_bins_are_told_without_what_rounding_leaves() {
+        let titles = residence_titles(0.05, 4);
+        assert_eq!(
+            titles,
+            ["mass left [kg]", "0 [s]", "0.05 [s]", "0.1 [s]", "0.15 [s]", ABOVE]
+        );
+    }
 }

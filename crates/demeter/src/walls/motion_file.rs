@@ -70,8 +70,15 @@ pub enum MotionFileProblem {
     Nothing,
     #[error("a table tells places (x, y, z, angle) or velocities (vx, vy, vz, angular velocity), not both")]
     Mixed,
+    #[error(
+        "{found} values where the titles name {expected} columns; commas part them, so that `0,01` is two: write numbers with a point, or \
+         part values by semicolons"
+    )]
+    CommasInNumbers { found: usize, expected: usize },
     #[error("{found} values where the titles name {expected} columns")]
     ValueCount { found: usize, expected: usize },
+    #[error("`{text}` is not a number: it has a comma; write it with a point")]
+    Comma { text: String },
     #[error("`{text}` is not a finite number of ordinary size")]
     NotANumber { text: String },
     #[error("the time {time} s does not come after {before} s of the row before; times must rise from row to row")]
@@ -80,7 +87,7 @@ pub enum MotionFileProblem {
     TimeNegative { time: f64 },
     #[error("there are more than {MAX_TABLE_ROWS} rows, the most that is read")]
     TooManyRows,
-    #[error("{rows} rows are too few; a motion needs at least 2")]
+    #[error("a motion needs at least 2 rows below the titles, found {rows}")]
     TooFewRows { rows: usize },
 }
 
@@ -275,7 +282,11 @@ fn read_row(
     }
     let (found, expected) = (row.split(separator).count(), columns.len());
     if found != expected {
-        return Err((None, MotionFileProblem::ValueCount { found, expected }));
+        let problem = match separator {
+            ',' if found > expected => MotionFileProblem::CommasInNumbers { found, expected },
+            _ => MotionFileProblem::ValueCount { found, expected },
+        };
+        return Err((None, problem));
     }
     let (mut time, mut values) = (0.0, [0.0; 4]);
     for (column, text) in columns.iter().zip(row.split(separator)) {
@@ -283,6 +294,9 @@ fn read_row(
         let text = text.trim().trim_matches('"').trim();
         let value = match text.parse::<f64>() {
             Ok(value) if value.abs() <= super::limits::LARGEST => value * column.factor,
+            _ if text.replace(',', ".").parse::<f64>().is_ok() && text.contains(',') => {
+                return Err(at(MotionFileProblem::Comma { text: shown(text) }));
+            }
             _ => return Err(at(MotionFileProblem::NotANumber { text: shown(text) })),
         };
         match (column.told, rows.times.last()) {
@@ -351,7 +365,18 @@ mod tests {
                 ", line 3, column `time`: the time 0 s does not come after 0 s",
             ),
             ("time, z\n-1, 0\n", ", line 2, column `time`: the time -1 s is negative"),
-            ("time, z\n0, 0\n", ": 1 rows are too few"),
+            (
+                "time, z\n0, 0\n",
+                ": a motion needs at least 2 rows below the titles, found 1",
+            ),
+            (
+                "time, z\n0, 0\n1, 0,01\n",
+                ", line 3: 3 values where the titles name 2 columns; commas part them, so that `0,01` is two",
+            ),
+            (
+                "time; z\n0; 0\n1; 0,01\n",
+                ", line 3, column `z`: `0,01` is not a number: it has a comma",
+            ),
         ];
         for (text, expected) in cases {
             let (line, column, problem) = parse(text).unwrap_err();

@@ -13,6 +13,11 @@ use glam::DVec3;
 /// Share of its steps that a servo may be at its largest speed.
 const MOST_LIMITED: f64 = 0.05;
 
+/// A number of six digits, as a speed is told that came from another unit.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
 impl Runner<'_> {
     pub(super) fn begin_stage(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
         self.place.stage_step = self.sim.step;
@@ -106,16 +111,24 @@ impl Runner<'_> {
     /// Servos that do not hold what they are told, in words.
     fn limited_servos(&self) -> Vec<String> {
         let in_words = |wall: &Wall| match wall.limited()? {
+            (None, speed, unit @ "1/s") => Some(format!(
+                "warning: the servo of wall `{}` has not met yet the torque that it is told: it turns at {} {unit} at most, and grains \
+                 that are still away, or that flow, bear less; tell less, let the stage last longer, or raise `max_speed`",
+                wall.name,
+                rounded(speed)
+            )),
             (None, speed, unit) => Some(format!(
                 "warning: the servo of wall `{}` has not pressed yet with what it is told: it is on its way, at \
-                 {speed} {unit} at most; end the stage by `stop.wall_force`, let it last longer, or raise `max_speed`",
-                wall.name
+                 {} {unit} at most; end the stage by `stop.wall_force`, let it last longer, or raise `max_speed`",
+                wall.name,
+                rounded(speed)
             )),
             (Some(share), speed, unit) => (share > MOST_LIMITED).then(|| {
                 format!(
-                    "warning: the servo of wall `{}` was at its largest speed, {speed} {unit}, in {:.0} % of the \
+                    "warning: the servo of wall `{}` was at its largest speed, {} {unit}, in {:.0} % of the \
                      steps since it first pressed: it does not hold what it is told there; raise its `max_speed`",
                     wall.name,
+                    rounded(speed),
                     100.0 * share
                 )
             }),
