@@ -4,13 +4,15 @@ use super::checks::told_motions;
 use super::feeds::{FeedRate, FeedSpec, RemovalSpec};
 use super::measures::MeasureKind;
 use super::traffic::sources;
+use super::walls::WallShape;
 use super::{Scenario, estimates};
 use crate::insertion::Streaming;
 use crate::measure::Displacement;
 use crate::particles::{Domain, Zone};
 use crate::simulation::{Stage, StopCondition};
-use crate::walls::{Motion, Motions, Wall};
+use crate::walls::{Motion, Motions, Shape, Wall};
 use glam::DVec3;
+use std::collections::BTreeSet;
 
 /// Places of an inlet that are tried.
 const PLACES: u64 = 200;
@@ -45,8 +47,13 @@ pub(super) fn check(
     let sources = sources(scenario, domain).unwrap_or_default();
     told.extend(blocked(scenario, &sources, walls));
     told.extend(removed_at_once(scenario, &sources, domain));
-    for removal in &scenario.removals {
-        if let Some(every) = removal.every.filter(|every| *every > end) {
+    for (index, removal) in scenario.removals.iter().enumerate() {
+        if !is_ever(scenario, index, |stage| stage.removals.as_deref()) {
+            told.push(format!(
+                "removal `{}` acts in no stage: no grain goes by it. Name it in the `removals` of a stage",
+                removal.name
+            ));
+        } else if let Some(every) = removal.every.filter(|every| *every > end) {
             told.push(format!(
                 "removal `{}` takes grains every {every:.4e} s, and the stages end at {end:.4e} s at the latest: it takes those \
                  that lie there at the start, and none later",
@@ -55,6 +62,8 @@ pub(super) fn check(
         }
     }
     told.extend((0..scenario.walls.len()).filter_map(|wall| unmoved(scenario, wall)));
+    told.extend((0..scenario.walls.len()).filter_map(|wall| never_there(scenario, wall)));
+    told.extend(belts_across(scenario));
     told.extend(moved_while_absent(scenario));
     told
 }
@@ -73,9 +82,24 @@ fn shorter_than_a_step(stage: &Stage, dt: f64) -> Option<String> {
     ))
 }
 
+/// Whether a feed or removal runs in any stage, told the list of a stage of what runs from its start on.
+fn is_ever(scenario: &Scenario, index: usize, list: impl Fn(&Stage) -> Option<&[usize]>) -> bool {
+    let mut runs = true;
+    scenario.stages.iter().any(|stage| {
+        runs = list(stage).map_or(runs, |running| running.contains(&index));
+        runs
+    })
+}
+
 /// A feed that lets no grain come, or only some at the start.
 fn empty_feed(scenario: &Scenario, index: usize, stages: &[f64], end: f64) -> Option<String> {
     let feed = &scenario.feeds[index];
+    if !is_ever(scenario, index, |stage| stage.feeds.as_deref()) {
+        return Some(format!(
+            "feed `{}` runs in no stage: no grain comes. Name it in the `feeds` of a stage",
+            feed.name
+        ));
+    }
     let expected = estimates::expected_of_feed(scenario, index, stages);
     if expected < 0.5 {
         return Some(format!(
@@ -190,6 +214,50 @@ fn unmoved(scenario: &Scenario, wall: usize) -> Option<String> {
     })
 }
 
+/// Whether any wall moves with another.
+fn leads(scenario: &Scenario, wall: usize) -> bool {
+    told_motions(scenario).any(|(_, motions)| motions.leader() == Some(wall))
+}
+
+/// A wall that is absent all the time, unless others go with it.
+fn never_there(scenario: &Scenario, wall: usize) -> Option<String> {
+    let mut absent = false;
+    let is_absent = |stage: &Stage| {
+        absent = stage.absent.as_ref().map_or(absent, |walls| walls.contains(&wall));
+        absent
+    };
+    let always = !scenario.stages.is_empty() && scenario.stages.iter().all(is_absent);
+    (always && !leads(scenario, wall)).then(|| {
+        format!(
+            "wall `{}` is absent in every stage: no grain feels it",
+            scenario.walls[wall].name
+        )
+    })
+}
+
+/// Belts of flat walls that point along the normal alone.
+fn belts_across(scenario: &Scenario) -> BTreeSet<String> {
+    let mut told = BTreeSet::new();
+    for (index, motions) in told_motions(scenario) {
+        let wall = &scenario.walls[index];
+        let normal = match &wall.shape {
+            WallShape::Given(Shape::Plane { normal, .. } | Shape::Disc { normal, .. }) => *normal,
+            WallShape::Given(Shape::Rectangle { half_u, half_v, .. }) => half_u.cross(*half_v).normalize_or_zero(),
+            _ => continue,
+        };
+        for part in &motions.parts {
+            let Motion::Belt(velocity) = part.motion else { continue };
+            if velocity != DVec3::ZERO && velocity.cross(normal).length() < 1e-9 * velocity.length() {
+                told.insert(format!(
+                    "the `belt` of wall `{}` points along its normal: what points into a surface moves nothing along it",
+                    wall.name
+                ));
+            }
+        }
+    }
+    told
+}
+
 /// Motions that stages tell walls that are absent and do not come back, unless others go with them.
 fn moved_while_absent(scenario: &Scenario) -> Vec<String> {
     let mut absent: &[usize] = &[];
@@ -202,9 +270,13 @@ fn moved_while_absent(scenario: &Scenario) -> Vec<String> {
                 .filter_map(|stage| stage.absent.as_ref())
                 .any(|absent| !absent.contains(&wall))
         };
-        let leads = |wall: usize| told_motions(scenario).any(|(_, motions)| motions.leader() == Some(wall));
         for &(wall, ref motions) in &stage.motions {
-            if absent.contains(&wall) && !motions.is_rest() && !comes_back(wall) && !leads(wall) {
+            if absent.contains(&wall)
+                && !motions.is_rest()
+                && !comes_back(wall)
+                && !leads(scenario, wall)
+                && never_there(scenario, wall).is_none()
+            {
                 told.push(format!(
                     "stage `{}` moves wall `{}`, which is absent from then on: no grain feels it",
                     stage.name, scenario.walls[wall].name

@@ -92,6 +92,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::walls_in_one_place::check((&walls, are_coupled), &all, &domain, &mut warnings);
     super::field_measures::check_kernels(&scenario.measures, &domain, &mut warnings);
     super::region_measures::check_gates(&scenario.measures, &all, &domain, &mut warnings);
+    super::region_measures::check_cells(&scenario.measures, &all, &mut warnings);
     super::selections::check(
         scenario,
         (&grains, &origins, &all),
@@ -100,6 +101,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     );
     super::stray_places::check(scenario, &mut warnings);
     super::stop_checks::check_leaving(scenario, &grains, &mut faults);
+    warnings.extend(super::stop_checks::ended_at_once(scenario, &grains));
     check_overlaps(scenario, &grains, &walls, &domain, &mut faults, &mut warnings);
     super::solids::check(&grains, &walls, &mut warnings);
     if all.is_empty() {

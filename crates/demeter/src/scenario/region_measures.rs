@@ -15,6 +15,7 @@ use crate::particles::{Domain, Grains, Outside};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
+use std::f64::consts::PI;
 
 /// Most bins of a surface.
 const MAX_BINS: i64 = 10_000;
@@ -97,6 +98,28 @@ pub(super) fn check_gates(measures: &[MeasureSpec], grains: &Grains, domain: &Do
                     ["x", "y", "z"][axis]
                 ));
             }
+        }
+    }
+}
+
+/// Tells cells of a mixing index that hold no whole grain: each then counts one kind alone.
+pub(super) fn check_cells(measures: &[MeasureSpec], grains: &Grains, warnings: &mut Vec<String>) {
+    let largest = 2.0 * grains.radii().fold(0.0, f64::max);
+    for measure in measures {
+        let MeasureKind::Mixing(mixing) = &measure.kind else {
+            continue;
+        };
+        let all = match mixing.space {
+            MixingSpace::Box { lower, upper } => (upper - lower).element_product(),
+            MixingSpace::Cylinder { start, end, radius } => PI * radius * radius * (end - start).length(),
+        };
+        let cell = all / mixing.cells.iter().map(|&count| f64::from(count)).product::<f64>();
+        if cell < PI / 6.0 * largest * largest * largest {
+            warnings.push(format!(
+                "the cells of measure `{}` are smaller than a grain, {cell:.3e} m^3 each, and grains are up to {largest:.3e} m in diameter: a \
+                 cell holds one grain at most, and looks unmixed. Take fewer cells, some grains wide each",
+                measure.name
+            ));
         }
     }
 }

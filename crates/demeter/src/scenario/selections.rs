@@ -75,6 +75,24 @@ pub(super) fn check(
         }
     }
     for measure in &scenario.measures {
+        let (MeasureKind::Mixing(_) | MeasureKind::NeighbourMixing(_)) = &measure.kind else {
+            continue;
+        };
+        let holds_all = |selection: &Selection| {
+            there
+                .iter()
+                .all(|(&material, &sizes)| holds_every(selection, material, sizes))
+        };
+        if measure.kind.selection().is_some_and(holds_all) {
+            warnings.push(format!(
+                "measure `{}` looks at how grains{} are mixed with all others, and there are no others, at the start or from a feed: its \
+                 index is NaN",
+                measure.name,
+                measure.kind.selection().map_or_else(String::new, |kind| meant(kind, name))
+            ));
+        }
+    }
+    for measure in &scenario.measures {
         let MeasureKind::Collisions(collisions) = &measure.kind else {
             continue;
         };
@@ -118,6 +136,16 @@ fn may_hold(selection: &Selection, material: u16, (least, most): (f64, f64)) -> 
     selection.material.is_none_or(|only| only == material)
         && selection.finer_than.is_none_or(|limit| least < limit)
         && selection.coarser_than.is_none_or(|limit| most >= limit)
+}
+
+/// Whether every grain of a material is meant, of all diameters within bounds [m].
+fn holds_every(selection: &Selection, material: u16, (least, most): (f64, f64)) -> bool {
+    selection.material.is_none_or(|only| only == material)
+        && selection.finer_than.is_none_or(|limit| most < limit)
+        && selection.coarser_than.is_none_or(|limit| least >= limit)
+        && selection.ids.is_empty()
+        && selection.source.is_none()
+        && selection.tag.is_none()
 }
 
 /// Material and sizes of a selection in words.

@@ -124,3 +124,37 @@ pub(super) fn check_leaving(scenario: &Scenario, grains: &Grains, faults: &mut D
         }
     }
 }
+
+/// Tells stages that end as soon as they have begun, since what they wait for has come by then.
+pub(super) fn ended_at_once(scenario: &Scenario, grains: &Grains) -> Vec<String> {
+    let mut told = Vec::new();
+    for (index, feed) in scenario.feeds.iter().enumerate() {
+        let waits = |stage: &&Stage| stage.stop.contains(&StopCondition::FeedDone(index));
+        let mut waiting = scenario.stages.iter().filter(waits);
+        if let (Some(first), Some(second)) = (waiting.next(), waiting.next()) {
+            told.push(format!(
+                "stage `{}` waits for feed `{}` to be done, as stage `{}` before it does: a feed ends once in a run, so that the later stage \
+                 ends at once and no grain comes in it. Let a feed of its own fill each",
+                second.name, feed.name, first.name
+            ));
+        }
+    }
+    let mut paths = std::collections::BTreeSet::new();
+    for (stage, path) in scenario.stages.iter().zip(&scenario.stage_paths) {
+        let enough = stage.stop.iter().find_map(|condition| match condition {
+            StopCondition::GrainsAtMost(most) if grains.len() as u64 <= *most => Some(*most),
+            _ => None,
+        });
+        // repeats of a stage have one table
+        if let (Some(most), true) = (enough, scenario.feeds.is_empty())
+            && paths.insert(path)
+        {
+            told.push(format!(
+                "stage `{}` is to end when {most} grains are left, and there are {} at the start: it ends with its first step",
+                stage.name,
+                grains.len()
+            ));
+        }
+    }
+    told
+}

@@ -1,4 +1,4 @@
-//! Regions, gates and cells that lie wholly outside of the domain, where no grain ever is.
+//! Regions, gates and grids that lie wholly outside of the domain, where no grain ever is.
 
 use super::Scenario;
 use super::measures::MeasureKind;
@@ -21,15 +21,15 @@ pub(super) fn check(scenario: &Scenario, warnings: &mut Vec<String>) {
         if measure.kind.zone().is_some_and(|zone| zone_misses(zone, domain)) {
             told.push(format!("the `region` of measure `{name}`"));
         }
-        match &measure.kind {
-            MeasureKind::MassFlow(flow) if gate_misses(flow, domain, periodic) => {
-                told.push(format!("the gate of measure `{name}`"));
-            }
-            // every image of the cells counts along periodic sides
-            MeasureKind::Mixing(mixing) if are_apart(bounds_of(&mixing.space), domain, periodic) => {
-                told.push(format!("the cells of measure `{name}`"));
-            }
-            _ => {}
+        if let Some(part) = part_that_misses(&measure.kind, domain, periodic) {
+            told.push(format!("the {part} of measure `{name}`"));
+        }
+    }
+    for feed in &scenario.feeds {
+        if let Some((point, normal)) = feed.end.level
+            && plane_misses(point, normal, domain, periodic, |_, highest| highest <= 0.0)
+        {
+            told.push(format!("what is beyond the `level` of feed `{}`", feed.name));
         }
     }
     for removal in scenario
@@ -53,6 +53,48 @@ pub(super) fn check(scenario: &Scenario, warnings: &mut Vec<String>) {
             "{what} lies wholly outside of the domain, which reaches from {lower} to {upper}: no grain is ever there"
         )
     }));
+}
+
+/// The part of a measure that no grain of the domain comes to, beside its region. Along periodic sides every image counts.
+fn part_that_misses(kind: &MeasureKind, domain: Bounds, periodic: [bool; 3]) -> Option<&'static str> {
+    let (part, misses) = match kind {
+        MeasureKind::MassFlow(flow) => ("gate", gate_misses(flow, domain, periodic)),
+        MeasureKind::Mixing(mixing) => ("grid", are_apart(bounds_of(&mixing.space), domain, periodic)),
+        MeasureKind::Profile(profile) => ("box", are_apart((profile.lower, profile.upper), domain, periodic)),
+        MeasureKind::CylinderProfile(profile) => {
+            let cylinder = around_axis(profile.start, profile.end, profile.radius);
+            ("cylinder", are_apart(cylinder, domain, periodic))
+        }
+        MeasureKind::Field(field) => {
+            let (lower, upper) = field.corners?;
+            let reach = DVec3::splat(field.kernel.reach());
+            ("grid", are_apart((lower - reach, upper + reach), domain, periodic))
+        }
+        MeasureKind::ContactNetwork(network) => ("region", are_apart(network.region?, domain, periodic)),
+        MeasureKind::Slope(slope) => {
+            let (from, to) = slope.between;
+            let is_apart = |lowest: f64, highest: f64| highest < from || lowest > to;
+            (
+                "surface",
+                plane_misses(slope.point, slope.along?, domain, periodic, is_apart),
+            )
+        }
+        _ => return None,
+    };
+    misses.then_some(part)
+}
+
+/// Whether the heights of the domain above a plane, the lowest and the highest, are such that no grain is looked at; along periodic sides
+/// every image counts.
+fn plane_misses(
+    point: DVec3,
+    normal: DVec3,
+    domain: Bounds,
+    periodic: [bool; 3],
+    misses: impl Fn(f64, f64) -> bool,
+) -> bool {
+    let (lowest, highest) = heights(point, normal, domain);
+    !(0..3).any(|axis| periodic[axis] && normal[axis] != 0.0) && misses(lowest, highest)
 }
 
 /// Whether no point of the domain lies in a zone, as one of its parts tells; those that go with walls may come.
@@ -81,9 +123,8 @@ fn zone_misses(zone: &Zone, domain: Bounds) -> bool {
 fn gate_misses(flow: &MassFlow, domain: Bounds, periodic: [bool; 3]) -> bool {
     let reach = match flow.gate {
         Gate::Plane => {
-            let (lowest, highest) = heights(flow.point, flow.normal, domain);
-            let is_crossed = |axis: usize| periodic[axis] && flow.normal[axis] != 0.0;
-            return !(0..3).any(is_crossed) && (lowest > 0.0 || highest < 0.0);
+            let is_beside = |lowest: f64, highest: f64| lowest > 0.0 || highest < 0.0;
+            return plane_misses(flow.point, flow.normal, domain, periodic, is_beside);
         }
         Gate::Disc(radius) => radius * across(flow.normal),
         Gate::Rectangle(half_u, half_v) => half_u.abs() + half_v.abs(),

@@ -176,7 +176,54 @@ fn what_comes_to_nothing_is_told() {
                 stages: ["absent = [\"plate\"]\n", lifted],
                 ..NOTHING_IN_VAIN
             },
-            &["stage `second` moves wall `plate`"],
+            &["wall `plate` is absent in every stage"],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\ncount = 3",
+                stages: ["feeds = []\n", ""],
+                ..NOTHING_IN_VAIN
+            },
+            &["feed `inlet` runs in no stage"],
+        ),
+        (
+            Told {
+                stages: ["feeds = []\n", "feeds = [\"inlet\"]\n"],
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        (
+            Told {
+                stages: ["removals = []\n", "removals = []\n"],
+                ..NOTHING_IN_VAIN
+            },
+            &["removal `outlet` acts in no stage"],
+        ),
+        (
+            Told {
+                motion: "{ belt = \"0 0 2 mm/s\" }",
+                ..NOTHING_IN_VAIN
+            },
+            &["the `belt` of wall `plate` points along its normal"],
+        ),
+        (
+            Told {
+                motion: "{ belt = \"1 0 2 mm/s\" }",
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\ncount = 3",
+                stages: [
+                    "stop = { feed_done = \"inlet\" }\n",
+                    "stop = { feed_done = \"inlet\" }\n",
+                ],
+                ..NOTHING_IN_VAIN
+            },
+            &["stage `second` waits for feed `inlet` to be done, as stage `first` before it does"],
         ),
         // it comes back
         (

@@ -23,7 +23,15 @@ fn places_outside_of_the_domain_are_told() {
     let count = |region: &str| format!("[[measure]]\nname = \"m\"\nkind = \"region-count\"\nregion = {region}");
     let flow = |gate: &str| format!("[[measure]]\nname = \"m\"\nkind = \"mass-flow\"\ngate = {gate}");
     let mixing = |corners: &str| {
-        format!("[[measure]]\nname = \"m\"\nkind = \"mixing\"\n{corners}\ncells = [2, 2, 2]\nmaterial = \"glass\"")
+        format!("[[measure]]\nname = \"m\"\nkind = \"mixing\"\n{corners}\ncells = [2, 2, 2]\nbatch = \"grains 1\"")
+    };
+    let measure = |kind: &str, told: &str| format!("[[measure]]\nname = \"m\"\nkind = \"{kind}\"\n{told}");
+    let level = |height: &str| {
+        format!(
+            "[[feed]]\nname = \"f\"\nmaterial = \"glass\"\ndiameter = \"1 mm\"\nnumber_rate = \"1e3 1/s\"\n\
+             from = {{ shape = \"disc\", center = \"0 0 10 mm\", normal = \"z\", radius = \"4 mm\" }}\n\
+             level = {{ point = \"0 0 {height}\", normal = \"z\" }}"
+        )
     };
     let box_from =
         |lower: &str, upper: &str| format!("{{ shape = \"box\", lower = \"{lower}\", upper = \"{upper}\" }}");
@@ -58,8 +66,41 @@ fn places_outside_of_the_domain_are_told() {
         ),
         (
             mixing("lower = \"0 20 0 mm\"\nupper = \"5 30 5 mm\""),
-            "the cells of measure `m`",
+            "the grid of measure `m`",
         ),
+        (
+            measure(
+                "profile",
+                "lower = \"0 20 0 mm\"\nupper = \"5 30 5 mm\"\naxis = \"z\"\nslices = 4",
+            ),
+            "the box of measure `m`",
+        ),
+        (
+            measure(
+                "field",
+                "lower = \"0 60 0 mm\"\nupper = \"5 70 10 mm\"\ncells = [2, 2, 2]\nwidth = \"8 mm\"",
+            ),
+            "the grid of measure `m`",
+        ),
+        (
+            measure(
+                "cylinder-profile",
+                "start = \"0 0 50 mm\"\nend = \"0 0 60 mm\"\nradius = \"5 mm\"\nalong = \"radius\"\nbins = 4",
+            ),
+            "the cylinder of measure `m`",
+        ),
+        (
+            measure("contact-network", "lower = \"0 20 0 mm\"\nupper = \"5 30 5 mm\""),
+            "the region of measure `m`",
+        ),
+        (
+            measure(
+                "surface-slope",
+                "point = \"0 0 0 mm\"\nalong = \"y\"\nup = \"z\"\nbetween = [\"50 mm\", \"60 mm\"]\nbins = 4",
+            ),
+            "the surface of measure `m`",
+        ),
+        (level("30 mm"), "what is beyond the `level` of feed `f`"),
     ] {
         let told = told(&table);
         assert!(
@@ -74,9 +115,45 @@ fn places_outside_of_the_domain_are_told() {
         flow("{ shape = \"disc\", center = \"0 0 30 mm\", normal = \"x\", radius = \"11 mm\" }"),
         // an image of the cells lies in the domain
         mixing("lower = \"20 0 0 mm\"\nupper = \"25 5 5 mm\""),
+        // what the kernel reaches counts
+        measure(
+            "field",
+            "lower = \"0 11 0 mm\"\nupper = \"5 21 10 mm\"\ncells = [2, 2, 2]\nwidth = \"8 mm\"",
+        ),
+        level("15 mm"),
     ] {
         assert_eq!(told(&table), "", "{table}");
     }
+}
+
+#[test]
+fn an_index_of_mixing_that_tells_nothing_says_so() {
+    let mixing = |corner: &str, kind: &str| {
+        told(&format!(
+            "[[measure]]\nname = \"m\"\nkind = \"mixing\"\nlower = \"-5 -5 0 mm\"\nupper = \"{corner}\"\ncells = [2, 2, 2]\n{kind}"
+        ))
+    };
+    let wide = "5 5 10 mm";
+    assert_eq!(mixing(wide, "batch = \"grains 1\""), "");
+    let alone = mixing(wide, "material = \"glass\"");
+    assert!(
+        alone.contains("measure `m` looks at how grains of `glass` are mixed with all others, and there are no others"),
+        "{alone}"
+    );
+    let fine = mixing("-4 -4 1 mm", "batch = \"grains 1\"");
+    assert!(
+        fine.contains("the cells of measure `m` are smaller than a grain"),
+        "{fine}"
+    );
+}
+
+#[test]
+fn a_stage_that_has_what_it_waits_for_at_the_start_says_so() {
+    let told = told("[[stage]]\nname = \"wait\"\nduration = \"1 ms\"\nstop = { grains_at_most = 9 }");
+    assert!(
+        told.contains("stage `wait` is to end when 9 grains are left, and there are 1 at the start"),
+        "{told}"
+    );
 }
 
 #[test]
