@@ -251,6 +251,11 @@ fn info_knows_grains_and_surfaces() {
     assert_eq!(grains["upper"], serde_json::json!([0.012, 0.002, 0.002]));
     assert_eq!(grains["columns"], serde_json::json!(["ids", "positions", "diameters"]));
     place.expect(0, &["info", &shared("grains.csv")]);
+    let tilted =
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 14 4\n0 10 0\n0 10 0\n";
+    place.write("one.dump", &format!("{tilted}ITEM: ATOMS x y z radius\n1 1 1 1\n"));
+    let said = place.expect(0, &["info", "one.dump"]);
+    assert!(said.out.contains("tilted by xy, xz, yz = (4, 0, 0) m"), "{}", said.out);
 
     let said = place.expect(0, &["info", &shared("plate.stl")]);
     assert!(said.out.contains("open"), "{}", said.out);

@@ -39,7 +39,11 @@ pub fn grains(path: &Path) -> Result<Info, Failure> {
     rows.add("upper corner", format!("{} m", vector(upper.to_array())));
     if let Some(cell) = table.cell {
         let (lower, upper) = (vector(cell.lower.to_array()), vector(cell.upper.to_array()));
-        rows.add("box of the file", format!("{lower} m to {upper} m"));
+        let tilt = match cell.is_tilted() {
+            true => format!(", tilted by xy, xz, yz = {} m", vector(cell.tilt)),
+            false => String::new(),
+        };
+        rows.add("box of the file", format!("{lower} m to {upper} m{tilt}"));
     }
     rows.add("columns", columns.join(", "));
     if !table.type_names.is_empty() {
@@ -53,6 +57,7 @@ pub fn grains(path: &Path) -> Result<Info, Failure> {
         "columns": columns,
         "materials": table.type_names,
         "box": table.cell.map(|cell| [cell.lower.to_array(), cell.upper.to_array()]),
+        "tilt": table.cell.map(|cell| cell.tilt),
     });
     Ok(Info {
         kind: "grains",

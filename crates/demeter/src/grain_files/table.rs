@@ -91,6 +91,17 @@ impl Cell {
         })
     }
 
+    /// The same box, scaled about the origin and shifted.
+    pub(crate) fn placed(&self, scale: f64, shift: DVec3) -> Self {
+        Self {
+            lower: self.lower * scale + shift,
+            upper: self.upper * scale + shift,
+            tilt: self.tilt.map(|tilt| tilt * scale),
+            rise: self.rise.map(|rise| rise * scale),
+            periodic: self.periodic,
+        }
+    }
+
     /// Whether its edges are not those of a box along x, y and z.
     pub fn is_tilted(&self) -> bool {
         self.tilt != [0.0; 3] || self.is_general()

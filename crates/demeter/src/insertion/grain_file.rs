@@ -62,6 +62,7 @@ pub(super) fn insert_file(insertion: &Insertion, materials: &[Material]) -> Resu
     Ok(Inserted {
         grains,
         tags: table.tags(),
+        cell: table.cell.map(|cell| cell.placed(*scale, *shift)),
         ids: table.ids,
     })
 }

@@ -27,7 +27,7 @@ pub use size_distribution::{SizeError, SizeSampler};
 pub use spec::{Amount, Basis, Insertion, LatticeKind, Region, SizeDistribution, Source};
 pub use stream::{Inlet, MAX_AT_ONCE, Occupied, Stream, Streaming, Vicinity};
 
-use crate::grain_files::FileError;
+use crate::grain_files::{Cell, FileError};
 use crate::materials::Material;
 use crate::particles::{Domain, NewGrain};
 use glam::DVec3;
@@ -51,6 +51,8 @@ pub struct Inserted {
     pub ids: Option<Vec<u32>>,
     /// Their tags, as many, when the file tells them.
     pub tags: Option<Vec<i32>>,
+    /// The box of the file, scaled and shifted as they are, when it tells one.
+    pub cell: Option<Cell>,
 }
 
 /// An insertion that cannot be made.
@@ -231,6 +233,7 @@ fn grains_at(insertion: &Insertion, materials: &[Material], places: &[SizedPlace
         grains: grains.collect(),
         ids: None,
         tags: None,
+        cell: None,
     }
 }
 

@@ -1,6 +1,7 @@
 #![doc = include_str!("reference.md")]
 
 mod bodies;
+mod box_of_file;
 mod checks;
 mod collisions;
 mod deformation;

@@ -75,7 +75,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    let (grains, origins) = grains(scenario, &mut faults);
+    let (grains, origins) = grains(scenario, &mut faults, &mut warnings);
     let to_come = to_come(scenario, &mut faults);
     let (Some(materials), true) = (materials, faults.is_empty()) else {
         return Err(faults);
@@ -301,7 +301,7 @@ fn wall(spec: &WallSpec) -> Result<(Wall, Option<MeshOrigin>), (&'static str, St
 }
 
 /// The grains of all batches, and which batch each is of.
-fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
+fn grains(scenario: &Scenario, faults: &mut Diagnostics, warnings: &mut Vec<String>) -> (Grains, Origins) {
     let (mut grains, mut origins) = (Grains::default(), Origins::default());
     if scenario.simulation.orientations {
         grains.follow_orientations();
@@ -319,12 +319,18 @@ fn grains(scenario: &Scenario, faults: &mut Diagnostics) -> (Grains, Origins) {
                 continue;
             }
         };
+        if let (Some(cell), Some(domain)) = (&inserted.cell, &periodic) {
+            warnings.extend(super::box_of_file::check(&insertion.name, cell, domain));
+        }
         let is_last = k + 1 == scenario.grains.len();
         // from the back, so that their memory is given back while the tables take it
         let mut coming = inserted.grains;
         coming.reverse();
         for n in 0.. {
-            let Some(grain) = coming.pop() else { break };
+            let Some(mut grain) = coming.pop() else { break };
+            if let Some(domain) = &periodic {
+                grain.position = domain.brought_back(grain.position);
+            }
             if coming.len().is_multiple_of(GIVEN_BACK_AT_ONCE) {
                 coming.shrink_to_fit();
             }
@@ -409,19 +415,19 @@ fn periodic_domain(scenario: &Scenario) -> Option<Domain> {
 /// size, and open space when every wall is infinite.
 fn domain(scenario: &Scenario, grains: &Grains, walls: &[Wall], faults: &mut Diagnostics) -> Domain {
     if let Some(domain) = periodic_domain(scenario) {
-        let outside = (0..grains.len())
-            .filter(|&g| !domain.contains(grains.position[g]))
-            .count();
-        if outside > 0 {
-            let first = (0..grains.len())
-                .find(|&g| !domain.contains(grains.position[g]))
-                .unwrap_or(0);
+        let mut outside = (0..grains.len()).filter(|&g| !domain.contains(grains.position[g]));
+        if let Some(first) = outside.next() {
+            let (id, place) = (grains.id[first], grains.position[first]);
+            let message = match outside.count() {
+                0 => format!("grain {id} starts outside the domain, at {place}"),
+                more => format!(
+                    "{} grains start outside the domain, the first is grain {id} at {place}",
+                    more + 1
+                ),
+            };
             faults.push(
                 "domain",
-                format!(
-                    "{outside} grains start outside the domain, the first is grain {} at {}",
-                    grains.id[first], grains.position[first]
-                ),
+                message,
                 Some("widen the domain or move the grains".to_string()),
             );
         }

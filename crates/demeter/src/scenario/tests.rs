@@ -1,4 +1,5 @@
 mod bodies;
+mod boxes_of_files;
 mod faults;
 mod in_vain;
 mod mesh_units;
