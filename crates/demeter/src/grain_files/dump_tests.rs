@@ -191,3 +191,29 @@ fn wrong_dumps_are_refused_with_place_and_remedy() {
         }
     }
 }
+
+#[test]
+fn units_that_contradict_those_of_the_file_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("two.dump");
+    let read = |text: &str, units: &str| {
+        std::fs::write(&path, text).unwrap();
+        let options = ReadOptions {
+            units: Some(units.parse().unwrap()),
+            ..ReadOptions::default()
+        };
+        read_grain_file(&path, &options, Which::Last).map_err(|error| error.to_string())
+    };
+    let found = read(TWO, "si").unwrap_err();
+    assert!(
+        found.contains("in `cgs` units of LAMMPS, and `si` was told; leave"),
+        "{found}"
+    );
+    let found = read(TWO, "mm,g,s").unwrap_err();
+    assert!(found.contains("`0.001 m, 0.001 kg, 1.0 s` was told"), "{found}");
+    // the same units in other words, and those of a style without metres
+    let own = read(TWO, "cm,g,s").unwrap();
+    assert_eq!(own.positions[0], DVec3::new(0.01, 0.02, 0.03));
+    let own = read(&TWO.replace("cgs", "lj"), "mm,g,s").unwrap();
+    assert_eq!(own.positions[0].x, 0.001);
+}

@@ -1,6 +1,7 @@
 //! What is wrong with a file of grains, and where.
 
 use super::lines::{MAX_EMPTY_LINES, MAX_FRAME_BYTES, MAX_LINE_BYTES};
+use super::units::FileUnits;
 use std::fmt;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -145,6 +146,11 @@ pub enum FileProblem {
         "the file is in `{found}` units of LAMMPS; tell what they are here: `si`, `cgs`, `micro`, `nano`, or the units of length, mass and time, as `mm,g,ms` (`units` in a scenario, `--units` of `demeter convert`)"
     )]
     Units { found: String },
+    #[error(
+        "the file is in `{found}` units of LAMMPS, and `{told}` was told; leave that out (`units` in a scenario, `--units` of `demeter \
+         convert`), or correct the file"
+    )]
+    OtherUnits { found: String, told: FileUnits },
     #[error("`{found}` stands where {expected} is needed")]
     Expected { found: String, expected: &'static str },
     #[error("the file ends where {expected} is needed; is it cut short?")]

@@ -76,10 +76,17 @@ impl Context {
 
     /// The units of a file that may name a unit style.
     pub fn units(&self, named: Option<&str>, notes: &mut Notes) -> Result<FileUnits, FileProblem> {
+        let known = named.and_then(FileUnits::style);
         match (self.options.units.or(self.named.get()), named) {
+            (Some(units), Some(name)) if known.is_some_and(|known| !known.are(&units)) => {
+                Err(FileProblem::OtherUnits {
+                    found: name.to_owned(),
+                    told: units,
+                })
+            }
             (Some(units), _) => Ok(units),
             (None, Some(name)) => {
-                let units = FileUnits::style(name).ok_or_else(|| FileProblem::Units { found: name.to_owned() })?;
+                let units = known.ok_or_else(|| FileProblem::Units { found: name.to_owned() })?;
                 self.named.set(Some(units));
                 Ok(units)
             }

@@ -61,6 +61,16 @@ impl FileUnits {
             .map(|(_, units)| *units)
     }
 
+    /// Whether both are the same units, however they were told.
+    pub(super) fn are(&self, others: &Self) -> bool {
+        let pairs = [
+            (self.length, others.length),
+            (self.mass, others.mass),
+            (self.time, others.time),
+        ];
+        pairs.iter().all(|(one, other)| (one / other - 1.0).abs() < 1e-9)
+    }
+
     pub(super) fn velocity(&self) -> f64 {
         self.length / self.time
     }
