@@ -10,6 +10,9 @@ use super::rows::{Column, MOST_COLUMNS, Quantity, Rows};
 use super::table::{Cell, GrainTable};
 use super::units::FileUnits;
 
+/// Columns of times that a grain went through a periodic side.
+const IMAGES: [&str; 3] = ["ix", "iy", "iz"];
+
 /// Whether a text is a dump.
 pub(super) fn looks_like(text: &str) -> bool {
     text.trim_start().starts_with("ITEM:")
@@ -73,6 +76,11 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
     let columns =
         columns(&head.columns, &units, &context.options, &mut extras).map_err(|problem| problem.at(at, None))?;
     notes.add_extras(&extras);
+    let left_out = |column: &&str| matches!(quantity(column, &units), Some((Quantity::Skipped, _)));
+    let left_out: Vec<&str> = head.columns.split_whitespace().filter(left_out).collect();
+    if !left_out.is_empty() {
+        notes.add(format!("columns are left out: {}", left_out.join(", ")));
+    }
     let expected = head.atoms.unwrap_or(0);
     let mut rows = Rows::new(&columns, &extras);
     for found in 0..expected {
@@ -269,8 +277,7 @@ fn quantity(name: &str, units: &FileUnits) -> Option<(Quantity, f64)> {
         "diameter" => (Quantity::Size { is_radius: false }, units.length),
         "mass" => (Quantity::Mass, units.mass),
         "density" => (Quantity::Density, units.density()),
-        "ix" | "iy" | "iz" => (Quantity::Image, 1.0),
-        "element" | "mol" | "proc" | "procp1" => (Quantity::Skipped, 1.0),
+        "element" | "proc" | "procp1" => (Quantity::Skipped, 1.0),
         _ => return None,
     })
 }
@@ -285,6 +292,9 @@ fn columns(
     for name in told.split_whitespace().take(MOST_COLUMNS) {
         let found = quantity(name, units);
         let (mut quantity, factor) = found.unwrap_or_else(|| (Quantity::extra(&shown(name), "", options, extras), 1.0));
+        if let (true, Quantity::Extra(index)) = (IMAGES.contains(&name), quantity) {
+            quantity = Quantity::Image(index);
+        }
         // Of places told in several ways, as `x` and `xs`, the first counts; many dumps of LIGGGHTS tell the type twice.
         let allowed = match quantity {
             Quantity::Type => true,

@@ -97,6 +97,23 @@ fn places_may_be_told_in_several_ways_and_types_twice() {
 }
 
 #[test]
+fn molecules_and_images_are_kept_and_words_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("two.dump");
+    std::fs::write(&path, TWO.replace("c_stress", "mol")).unwrap();
+    let mut file = GrainFile::open(&path, &ReadOptions::default()).unwrap();
+    let extras = file.next_frame().unwrap().unwrap().extras;
+    let told: Vec<_> = (extras.iter().map(|e| (e.name.as_str(), e.values.as_slice()))).collect();
+    assert_eq!(told, [("mol", [7.5, 8.0].as_slice()), ("ix", [-1.0, 0.0].as_slice())]);
+    assert!(file.notes().contains(&"columns are left out: element".to_owned()));
+    let found = parse(&TWO.replace("7.5 -1 H", "7.5 0.5 H")).unwrap_err().to_string();
+    assert!(
+        found.contains("column `ix`: `0.5` is not allowed; image flags"),
+        "{found}"
+    );
+}
+
+#[test]
 fn wrong_dumps_are_refused_with_place_and_remedy() {
     let head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n";
     for (text, part) in [

@@ -1,7 +1,7 @@
 //! LAMMPS and LIGGGHTS data files of spheres (<https://docs.lammps.org/read_data.html>): header, section Atoms in the
 //! columns of the atom style that the comment behind it names (`sphere` when there is none) and maybe three image flags,
-//! section Velocities. Sections of masses, coefficients and bonds are left out. The image flags are read and dropped:
-//! places are those inside the box.
+//! section Velocities. Sections of masses, coefficients and bonds are left out. So are the image flags, which is told: places are
+//! those inside the box.
 
 use super::error::{FileProblem, Located};
 use super::lammps_styles::Layout;
@@ -133,7 +133,7 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
                     (header.atoms).ok_or_else(|| FileProblem::HeaderMissing { what: "atoms" }.at(line, None))?;
                 let cell = cell(&header)?;
                 let told = (expected as usize, header.types);
-                let table = read_atoms(lines, told, &layout, context, cell)?;
+                let table = read_atoms(lines, told, &layout, (context, notes), cell)?;
                 atoms = Some((table, layout));
             }
             "Velocities" if velocities.is_some() => {
@@ -273,7 +273,7 @@ fn read_atoms(
     lines: &mut Lines,
     (expected, types): (usize, Option<u32>),
     layout: &Layout,
-    context: &Context,
+    (context, notes): (&Context, &mut Notes),
     cell: Cell,
 ) -> Result<GrainTable, Located> {
     // Grows with what is there, not with what the header claims.
@@ -303,8 +303,10 @@ fn read_atoms(
         }
         for (flag, name) in content.split_whitespace().skip(columns).zip(["ix", "iy", "iz"]) {
             let allowed = "image flags are whole numbers";
-            flag.parse::<i32>()
-                .map_err(|_| not_allowed(flag, allowed).at(line, Some(name)))?;
+            let flag = (flag.parse::<i32>()).map_err(|_| not_allowed(flag, allowed).at(line, Some(name)))?;
+            if flag != 0 {
+                notes.add("image flags are left out".to_owned());
+            }
         }
     }
     let found = rows.len();

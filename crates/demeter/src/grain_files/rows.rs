@@ -9,6 +9,8 @@ use std::collections::BTreeMap;
 
 /// Most names of materials that a file may use.
 const MOST_NAMES: usize = 65_536;
+/// Columns among the `extras` whose values are whole numbers.
+pub(super) const WHOLE: [&str; 4] = ["mol", "ix", "iy", "iz"];
 /// Most columns of a file.
 pub(super) const MOST_COLUMNS: usize = 1000;
 
@@ -34,8 +36,8 @@ pub(super) enum Quantity {
     Extra(usize),
     /// The same, of a column of tags that grains of a run take over.
     Tag(usize),
-    /// Times that a grain went through a periodic side; read and dropped.
-    Image,
+    /// The same, of times that a grain went through a periodic side.
+    Image(usize),
     /// Not looked at.
     Skipped,
 }
@@ -58,8 +60,7 @@ impl Quantity {
             Self::Position(axis) | Self::ScaledPosition(axis) => Some(axis),
             _ => None,
         };
-        let dropped = matches!(self, Self::Image | Self::Skipped);
-        (self == other && !dropped)
+        (self == other && self != Self::Skipped)
             || matches!(
                 (self, other),
                 (Self::Size { .. }, Self::Size { .. }) | (Self::Tag(_), Self::Tag(_))
@@ -200,8 +201,9 @@ impl<'a> Rows<'a> {
                 table.extras[index].values.push(value);
             }
             Quantity::Tag(index) => table.extras[index].values.push(f64::from(tag(text)?)),
-            Quantity::Image => {
-                (text.parse::<i64>()).map_err(|_| not_allowed(text, "image flags are whole numbers"))?;
+            Quantity::Image(index) => {
+                let flag = (text.parse::<i32>()).map_err(|_| not_allowed(text, "image flags are whole numbers"))?;
+                table.extras[index].values.push(f64::from(flag));
             }
             Quantity::Skipped => {}
             Quantity::Type => {

@@ -11,7 +11,7 @@ pub use run_frames::table_of_run;
 pub use source::{Frames, Source};
 pub use target::{Target, target_of};
 
-use crate::grain_files::{GrainTable, ReadOptions, TypeOfGrain, WriteOptions, losses};
+use crate::grain_files::{Format, GrainTable, ReadOptions, TypeOfGrain, WriteOptions, losses};
 use std::path::{Path, PathBuf};
 use target::Sink;
 
@@ -62,6 +62,13 @@ pub fn convert(input: &Path, output: &Path, how: &Conversion) -> Result<Converte
     while let Some(number) = numbers.next(&mut source)? {
         let Some(mut table) = source.table(number)? else { break };
         let without = complete(&mut table, how)?;
+        if table.step.is_none() && counts_steps(how.target) {
+            table.step = Some(number as u64);
+            let note = "step: none is told; the numbers of the moments are written, from 0";
+            if number > 0 && !converted.notes.iter().any(|told| told == note) {
+                converted.notes.push(note.to_owned());
+            }
+        }
         for note in without.into_iter().chain(losses_of(&table, how.target)) {
             if !converted.notes.contains(&note) {
                 converted.notes.push(note);
@@ -107,6 +114,14 @@ fn complete(table: &mut GrainTable, how: &Conversion) -> Result<Option<String>, 
     let names = how.type_names.len();
     Ok((most != names)
         .then(|| format!("`--types` gives names to types 1 to {names}, and the input has types 1 to {most}")))
+}
+
+/// Whether moments that are written have a step in any case.
+fn counts_steps(target: Target) -> bool {
+    matches!(
+        target,
+        Target::Grains(Format::LammpsDump | Format::LiggghtsDump) | Target::Vtp
+    )
 }
 
 fn losses_of(table: &GrainTable, target: Target) -> Vec<String> {

@@ -321,3 +321,61 @@ fn what_the_input_tells_itself_is_not_to_be_told_beside_it() {
         two.notes
     );
 }
+
+#[test]
+fn molecules_and_images_go_from_dump_to_dump_and_are_said_elsewhere() {
+    let place = tempfile::tempdir().unwrap();
+    let input = place.path().join("in.dump");
+    let text = dump(1)
+        .replace("radius", "radius mol ix iy iz")
+        .replace("0.05", "0.05 42 3 -1 0");
+    fs::write(&input, text).unwrap();
+    let output = place.path().join("out.dump");
+    convert(&input, &output, &how(Target::Grains(Format::LammpsDump))).unwrap();
+    let written = fs::read_to_string(&output).unwrap();
+    assert!(
+        written.contains("radius mol ix iy iz\n") && written.contains(" 42 3 -1 0\n"),
+        "{written}"
+    );
+    let data = convert(
+        &input,
+        &place.path().join("out.yade"),
+        &how(Target::Grains(Format::Yade)),
+    )
+    .unwrap();
+    assert!(
+        data.notes.iter().any(|note| note.contains("mol, ix, iy, iz")),
+        "{:?}",
+        data.notes
+    );
+}
+
+#[test]
+fn moments_without_a_step_are_numbered_where_steps_are_wanted() {
+    let place = tempfile::tempdir().unwrap();
+    let input = place.path().join("in.xyz");
+    let moment = "1\nProperties=pos:R:3:radius:R:1\n0 0 0 1\n";
+    fs::write(&input, moment.repeat(3)).unwrap();
+    let note = |note: &String| note.contains("the numbers of the moments are written, from 0");
+    let output = place.path().join("out.dump");
+    let done = convert(&input, &output, &how(Target::Grains(Format::LammpsDump))).unwrap();
+    assert_eq!(
+        done.notes.iter().filter(|told| note(told)).count(),
+        1,
+        "{:?}",
+        done.notes
+    );
+    let steps = [0, 1, 2].map(|k| {
+        let moment = read_grain_file(&output, &ReadOptions::default(), Which::Number(k));
+        moment.unwrap().step.unwrap()
+    });
+    assert_eq!(steps, [0, 1, 2]);
+    fs::write(&input, moment).unwrap();
+    let done = convert(
+        &input,
+        &place.path().join("one.dump"),
+        &how(Target::Grains(Format::LammpsDump)),
+    )
+    .unwrap();
+    assert!(!done.notes.iter().any(note), "{:?}", done.notes);
+}

@@ -1,7 +1,7 @@
 //! The columns that a table can be written in, and CSV.
 
 use super::super::columns::{COLUMNS, units_of};
-use super::super::rows::Quantity;
+use super::super::rows::{Quantity, WHOLE};
 use super::super::table::{GrainTable, TypeOfGrain};
 use super::WriteError;
 use std::fmt;
@@ -17,7 +17,7 @@ pub(super) struct Column {
 
 /// A value that is written.
 pub(super) enum Value<'t> {
-    Whole(u32),
+    Whole(i64),
     Number(f64),
     Word(&'t str),
 }
@@ -49,7 +49,7 @@ fn is_told(table: &GrainTable, quantity: Quantity) -> bool {
         Quantity::AngularVelocity(_) => table.angular_velocities.is_some(),
         Quantity::Force(_) => table.forces.is_some(),
         Quantity::Torque(_) => table.torques.is_some(),
-        Quantity::Extra(k) | Quantity::Tag(k) => k < table.extras.len(),
+        Quantity::Extra(k) | Quantity::Tag(k) | Quantity::Image(k) => k < table.extras.len(),
         _ => true,
     }
 }
@@ -103,12 +103,12 @@ pub(super) fn value<'t>(table: &'t GrainTable, numbers: &[u32], column: &Column,
         Value::Number(values.as_ref().map_or(0.0, |values| values[grain][axis]))
     };
     match column.quantity {
-        Quantity::Id => Value::Whole(table.id(grain)),
+        Quantity::Id => Value::Whole(table.id(grain).into()),
         Quantity::Type if column.name == "material" => match table.types.as_ref().map(|types| types[grain]) {
             Some(TypeOfGrain::Name(index)) => Value::Word(&table.type_names[index as usize]),
-            _ => Value::Whole(numbers[grain]),
+            _ => Value::Whole(numbers[grain].into()),
         },
-        Quantity::Type => Value::Whole(numbers[grain]),
+        Quantity::Type => Value::Whole(numbers[grain].into()),
         Quantity::Position(axis) | Quantity::ScaledPosition(axis) => Value::Number(table.positions[grain][axis]),
         Quantity::Size { is_radius } => Value::Number(table.diameters[grain] * if is_radius { 0.5 } else { 1.0 }),
         Quantity::Density => Value::Number(table.densities.as_ref().map_or(0.0, |values| values[grain])),
@@ -117,8 +117,15 @@ pub(super) fn value<'t>(table: &'t GrainTable, numbers: &[u32], column: &Column,
         Quantity::AngularVelocity(axis) => part(&table.angular_velocities, axis),
         Quantity::Force(axis) => part(&table.forces, axis),
         Quantity::Torque(axis) => part(&table.torques, axis),
-        Quantity::Extra(k) | Quantity::Tag(k) => Value::Number(table.extras[k].values[grain]),
-        Quantity::Image | Quantity::Skipped => Value::Whole(0),
+        Quantity::Extra(k) | Quantity::Tag(k) | Quantity::Image(k) => {
+            let (extra, value) = (&table.extras[k], table.extras[k].values[grain]);
+            let whole = value as i64;
+            match WHOLE.contains(&extra.name.as_str()) && whole as f64 == value {
+                true => Value::Whole(whole),
+                false => Value::Number(value),
+            }
+        }
+        Quantity::Skipped => Value::Whole(0),
     }
 }
 
