@@ -21,13 +21,22 @@ impl Simulation {
     fn let_servos_answer(&mut self) {
         let half = 0.5 * self.dt;
         let booked: f64 = self.walls.iter_mut().map(|wall| wall.add_work_of_springs(-half)).sum();
-        self.walls
-            .iter_mut()
-            .filter(|wall| wall.has_servo())
-            .for_each(Wall::answer);
+        for wall in 0..self.walls.len() {
+            if self.walls[wall].has_servo() {
+                let presses = self.may_press(wall);
+                self.walls[wall].answer(presses);
+            }
+        }
         self.let_walls_follow();
         let done: f64 = self.walls.iter_mut().map(|wall| wall.add_work_of_springs(half)).sum();
         self.books.drive_walls(booked + done);
+    }
+
+    /// Whether grains may feel a wall, or one that moves with it.
+    fn may_press(&self, wall: usize) -> bool {
+        let moves_with = |other: &&Wall| other.leader() == Some(wall);
+        let mut together = self.walls.iter().filter(moves_with).chain(self.walls.get(wall));
+        together.any(Wall::is_present)
     }
 
     fn let_walls_follow(&mut self) {

@@ -266,12 +266,12 @@ impl Motor {
         self.parts.iter().any(|part| matches!(part.drive, Drive::Servo { .. }))
     }
 
-    /// Gives servos the speeds of the next step, by the load of the last one.
-    pub(super) fn answer(&mut self, origin: DVec3) {
+    /// Gives servos the speeds of the next step, by the load of the last one; they rest while the wall does not press (`presses`).
+    pub(super) fn answer(&mut self, origin: DVec3, presses: bool) {
         for k in 0..self.parts.len() {
             let effort = self.effort(k, origin);
             if let Drive::Servo { servo, speed, .. } = &mut self.parts[k].drive {
-                *speed = servo.speed(-effort);
+                *speed = if presses { servo.speed(-effort) } else { 0.0 };
             }
         }
         self.evaluate(origin);

@@ -15,7 +15,7 @@ fn begin(motions: impl Into<Motions>) -> Motor {
 fn run(motions: impl Into<Motions>, dt: f64, steps: u32) -> Motor {
     let mut motor = begin(motions);
     for _ in 0..steps {
-        motor.answer(ORIGIN);
+        motor.answer(ORIGIN, true);
         motor.advance(dt, ORIGIN);
     }
     motor

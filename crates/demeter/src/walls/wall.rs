@@ -119,7 +119,7 @@ impl Wall {
         self.as_told.as_deref().unwrap_or(&self.surface)
     }
 
-    /// Whether the wall is there. One that is absent touches nothing, but goes on moving as told.
+    /// Whether the wall is there. One that is absent touches nothing, but goes on moving as told, its servos aside.
     #[inline]
     pub fn is_present(&self) -> bool {
         self.is_present
@@ -395,9 +395,10 @@ impl Wall {
         self.motor.has_servo()
     }
 
-    /// Gives servos the speeds with which they answer to the load of the last step.
-    pub fn answer(&mut self) {
-        self.motor.answer(self.origin);
+    /// Gives servos the speeds with which they answer to the load of the last step; they rest where the wall does not press (`presses`),
+    /// as neither it nor one that moves with it is there.
+    pub fn answer(&mut self, presses: bool) {
+        self.motor.answer(self.origin, presses);
     }
 
     /// Moves the wall by one step of `dt` [s]; servos before that [`answer`](Self::answer).

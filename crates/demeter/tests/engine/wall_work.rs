@@ -263,3 +263,77 @@ duration = "2 ms"
         );
     }
 }
+
+/// A grain on a floor, and a lid that a servo presses on it from the second stage on. A hook moves with the lid.
+const LID_TO_COME: &str = r#"
+[domain]
+lower = "-10 -10 -10 mm"
+upper = "10 10 60 mm"
+[material.seed]
+young_modulus = "5 MPa"
+poisson_ratio = 0.3
+density = "2500 kg/m^3"
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.5 }
+[[grains]]
+material = "seed"
+source = "list"
+positions = ["0 0 0.99 mm"]
+diameter = "2 mm"
+[[wall]]
+name = "floor"
+material = "seed"
+shape = "plane"
+point = "0 0 0 mm"
+normal = "z"
+[[wall]]
+name = "lid"
+material = "seed"
+shape = "plane"
+point = "0 0 5 mm"
+normal = "-z"
+motion = { servo = { axis = "-z", force = "1 mN", max_speed = "0.5 m/s" } }
+[[wall]]
+name = "hook"
+material = "seed"
+shape = "disc"
+center = "0 0 40 mm"
+normal = "z"
+radius = "2 mm"
+motion = { with = "lid" }
+[[stage]]
+name = "wait"
+duration = "4 ms"
+absent = ["lid", "hook"]
+[[stage]]
+name = "press"
+duration = "20 ms"
+absent = []
+[output]
+picture = false
+report = false
+"#;
+
+#[test]
+fn a_servo_rests_while_its_wall_is_absent() {
+    let place = tempfile::tempdir().unwrap();
+    let ways = |text: &str| {
+        let folder = place.path().join("run");
+        let options = RunOptions {
+            overwrite: true,
+            ..RunOptions::default()
+        };
+        run(&parsed(text, Path::new("")), &folder, options, &mut Silent).unwrap();
+        let series = Columns::read(&folder.join("series.csv")).unwrap();
+        let way = series.numbers("wall lid displacement z [m]").unwrap();
+        let time = series.numbers("time [s]").unwrap();
+        let waited = time.iter().position(|time| *time > 3.9e-3).unwrap();
+        [way[waited], way[way.len() - 1]]
+    };
+    let [waiting, pressing] = ways(LID_TO_COME);
+    assert_eq!(waiting, 0.0);
+    assert!(pressing < -2.9e-3 && pressing > -3.1e-3, "{pressing}");
+    // what moves with it is there
+    let [waiting, _] = ways(&LID_TO_COME.replace("[\"lid\", \"hook\"]", "[\"lid\"]"));
+    assert!(waiting < -1.9e-3, "{waiting}");
+}

@@ -110,7 +110,7 @@ fn step(wall: &mut Wall, number: u32) {
         v(0.0, 0.1, 4.0 + 2.0 * libm::sin(f64::from(number) * 0.05)),
         v(0.0, 0.0, 0.3),
     );
-    wall.answer();
+    wall.answer(true);
     wall.advance(1e-3);
 }
 
@@ -376,7 +376,7 @@ fn a_servo_presses_with_its_force_and_holds_it_when_the_bed_changes() {
         let mut pressing = 0.0;
         for _ in 0..60_000 {
             let before = plate.displacement();
-            plate.answer();
+            plate.answer(true);
             plate.advance(dt);
             let speed = -plate.velocity_at(plate.origin()).z;
             assert!(speed.abs() <= 0.05 && ((before - plate.displacement()).z - speed * dt).abs() < 1e-15);
