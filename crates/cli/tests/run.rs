@@ -435,3 +435,46 @@ fn a_servo_that_is_too_slow_is_told() {
         "{said}"
     );
 }
+
+/// A grain alone in a periodic box that is to have a stress.
+const STRETCHED: &str = r#"
+[domain]
+lower = "0 0 0 mm"
+upper = "20 20 20 mm"
+periodic = ["x", "y", "z"]
+
+[material.soft]
+young_modulus = "1 MPa"
+poisson_ratio = 0.3
+density = "2500 kg/m^3"
+
+[contact]
+normal = { law = "hertz-tsuji", restitution = 0.5 }
+
+[[grains]]
+material = "soft"
+source = "list"
+positions = ["10 10 10 mm"]
+diameter = "4 mm"
+
+[[stage]]
+duration = "5 ms"
+deform = { y = { stress = "2 kPa", max_rate = "1 1/s" } }
+[output]
+frames = "never"
+picture = false
+report = false
+"#;
+
+#[test]
+fn a_box_that_does_not_come_to_its_stress_is_told() {
+    let place = Place::new();
+    place.write("box.toml", STRETCHED);
+    let run = ["run", "box.toml", "--overwrite", "--out", "box"];
+    let said = place.expect(0, &run).err;
+    let told = "warning: the stress of the box along y has not come yet to what it is told, 2e3 Pa: it is on its way, at 1 1/s at most";
+    assert!(said.contains(told), "{said}");
+    let free = ["--set", "stage[0].deform.y.stress=\"0 Pa\""];
+    let said = place.expect(0, &[&run[..], &free].concat()).err;
+    assert!(!said.contains("the stress of the box"), "{said}");
+}

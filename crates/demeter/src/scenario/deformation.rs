@@ -5,8 +5,11 @@ use super::quantity::Kind;
 use super::reader::TableReader;
 use super::{Diagnostics, Scenario};
 use crate::comm::ShearAxes;
+use crate::materials::Materials;
 use crate::particles::Grains;
-use crate::simulation::{Deformation, DeformationError, Drive, Misfit, Shear, Simulation, StopCondition, StressOf};
+use crate::simulation::{
+    Deformation, DeformationError, Drive, Misfit, Shear, Simulation, StopCondition, StressOf, can_pull,
+};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::integrator::Integrator;
 use demeter_physics::parameters::Range;
@@ -193,6 +196,35 @@ fn wait_in_vain(scenario: &Scenario, faults: &mut Diagnostics) {
             faults.push(&format!("{path}.stop"), message, Some(help.to_string()));
         }
     }
+}
+
+/// Tells stresses below 0 of grains that never pull each other.
+pub(super) fn check_tensions(scenario: &Scenario, grains: &Grains, materials: &Materials, warnings: &mut Vec<String>) {
+    let mut told: Vec<(String, f64)> = Vec::new();
+    for (path, plan) in scenario.deformations() {
+        let keys = AXES.into_iter().chain(["isotropic"]);
+        let drives = plan.directions.into_iter().chain([plan.isotropic]);
+        for (key, drive) in keys.zip(drives) {
+            let path = format!("{path}.{key}.stress");
+            match drive {
+                // repeats of a stage have one table
+                Drive::Stress { target, .. } if target < 0.0 && told.iter().all(|(before, _)| *before != path) => {
+                    told.push((path, target));
+                }
+                _ => {}
+            }
+        }
+    }
+    if told.is_empty() || can_pull(grains, materials, scenario.simulation.max_overlap) {
+        return;
+    }
+    warnings.extend(told.into_iter().map(|(path, target)| {
+        format!(
+            "`{path}` is a tension of {:e} Pa, and no law between these grains pulls: the box widens and never has it; tell 0 or more, \
+             or take a normal law with adhesion",
+            -target
+        )
+    }));
 }
 
 /// Tells stop conditions on a box that never deforms, and what does not go with one that does.

@@ -89,6 +89,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::deformation::check(scenario, &grains, None, &mut faults);
     meshes::check(scenario, &walls, &meshes, &grains, &all, &mut warnings);
     periodic_walls::check(&walls, &all, &domain, &mut warnings);
+    super::deformation::check_tensions(scenario, &grains, &materials, &mut warnings);
     super::walls_in_one_place::check((&walls, are_coupled), &all, &domain, &mut warnings);
     super::field_measures::check_kernels(&scenario.measures, &domain, &mut warnings);
     super::region_measures::check_gates(&scenario.measures, &all, &domain, &mut warnings);

@@ -8,6 +8,7 @@ mod selections;
 mod stray_places;
 mod stray_walls;
 mod tags_of_files;
+mod tensions;
 
 use super::*;
 use crate::insertion::{Amount, Basis, LatticeKind, Region, SizeDistribution, Source};

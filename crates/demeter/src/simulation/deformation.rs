@@ -213,7 +213,41 @@ impl Deformation {
     }
 }
 
+/// How a length of a box comes by the stress that it is told.
+pub(crate) struct FollowedStress {
+    /// `along x`, or what all directions follow together.
+    pub of: &'static str,
+    /// Stress that it is told [Pa].
+    pub target: f64,
+    /// Share of the steps since it first had that stress that it strained at its largest rate; nothing where it never had.
+    pub limited: Option<f64>,
+    /// That rate [1/s].
+    pub max_rate: f64,
+}
+
 impl Simulation {
+    /// The lengths of the box that follow a stress.
+    pub(crate) fn followed_stresses(&self) -> Vec<FollowedStress> {
+        let Some(state) = self.deforming.as_deref() else {
+            return Vec::new();
+        };
+        let names = ["along x", "along y", "along z", "in the mean"];
+        let all = names.into_iter().zip(&state.servos).zip(state.plan.drives());
+        let followed = all.filter_map(|((of, servo), drive)| match (servo, drive) {
+            (Some(servo), Drive::Stress { target, .. }) => {
+                let (limited, max_rate) = servo.limited();
+                Some(FollowedStress {
+                    of,
+                    target,
+                    limited,
+                    max_rate,
+                })
+            }
+            _ => None,
+        });
+        followed.collect()
+    }
+
     /// Whether the box may deform as told. Where processes share the run each calls this.
     pub(super) fn check_deformation(&self, plan: &Deformation) -> Result<(), DeformationError> {
         let misfits = [

@@ -39,9 +39,9 @@ const NEAR: f64 = 0.1;
 /// How a box deforms, and what a restart needs of it.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct DeformingBox {
-    plan: Deformation,
-    /// Controllers of what follows a stress: of lengths, and of the shear.
-    servos: [Option<Servo>; LENGTHS],
+    pub(super) plan: Deformation,
+    /// Controllers of lengths that follow a stress.
+    pub(super) servos: [Option<Servo>; LENGTHS],
     shear_drive: Option<ShearDrive>,
     /// Lengths at the start of the run and of the stage [m].
     lengths: [DVec3; 2],

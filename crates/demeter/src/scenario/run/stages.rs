@@ -6,11 +6,11 @@ use crate::output::{StageSummary, wall_summaries};
 use crate::scenario::deformation::reached;
 use crate::scenario::run_error::RunError;
 use crate::scenario::solids::enclosed_by;
-use crate::simulation::{Stage, StopCondition};
+use crate::simulation::{FollowedStress, Stage, StopCondition};
 use crate::walls::{Wall, WallWork};
 use glam::DVec3;
 
-/// Share of its steps that a servo may be at its largest speed.
+/// Share of its steps that a servo may be at its largest speed, or a box at its largest rate.
 const MOST_LIMITED: f64 = 0.05;
 
 /// A number of six digits, as a speed is told that came from another unit.
@@ -79,7 +79,10 @@ impl Runner<'_> {
         for text in self.traffic.end_stage(self.place.stage, dt) {
             self.say(&text, observer)?;
         }
-        for text in self.limited_servos().into_iter().chain(self.walls_in_fixed_grains()) {
+        let warnings = (self.limited_servos().into_iter())
+            .chain(self.limited_lengths())
+            .chain(self.walls_in_fixed_grains());
+        for text in warnings {
             self.say(&text, observer)?;
         }
         let works: Vec<WallWork> = (self.works().iter().zip(&self.place.stage_work))
@@ -135,6 +138,29 @@ impl Runner<'_> {
         };
         let there = self.sim.walls.iter().filter(|wall| wall.is_present());
         there.filter_map(in_words).collect()
+    }
+
+    /// Lengths of the box that do not have the stress that they are told, in words.
+    fn limited_lengths(&self) -> Vec<String> {
+        let in_words = |followed: FollowedStress| {
+            let FollowedStress {
+                of, target, max_rate, ..
+            } = followed;
+            match followed.limited {
+                None => Some(format!(
+                    "warning: the stress of the box {of} has not come yet to what it is told, {target:e} Pa: it is on its way, at \
+                     {max_rate} 1/s at most; end the stage by `stop.box_stress`, let it last longer, or raise `max_rate`"
+                )),
+                Some(share) => (share > MOST_LIMITED).then(|| {
+                    format!(
+                        "warning: the box strained at its largest rate, {max_rate} 1/s, in {:.0} % of the steps since its stress {of} \
+                         first came to what it is told, {target:e} Pa: it does not hold it there; raise its `max_rate`",
+                        100.0 * share
+                    )
+                }),
+            }
+        };
+        self.sim.followed_stresses().into_iter().filter_map(in_words).collect()
     }
 
     /// Walls that went into fixed grains, in words.
