@@ -50,11 +50,12 @@ pub enum Fault {
     /// The contacts of a grain displace each other more than they can bear.
     #[error(
         "step {step}: the contact of grain {id} at {} with {partner} has no coupled force: at a strain of {:.4} (overlap over \
-         the distance at touch) the other contacts of these bodies displace it by {:.2e} of the smaller radius, and what it \
+         the distance at touch) the other contacts of these bodies displace it by {}, and what it \
          pushes back displaces them in turn without end. Cause: the multi-contact model is one of small strain; its \
-         equation has no solution beyond a fold, for a regular packing at a few per cent. Remedy: compress less, lower \
-         `prefactor`, take another `multi_contact` law, or stiffen the grains",
-        place(.position), strain, displacement_share
+         equation has no solution beyond a fold, for a regular packing at a few per cent. With a normal law that is stiffer than \
+         `young_modulus` tells, as one of a given stiffness may be, it has none at any strain. Remedy: compress less, lower \
+         `prefactor`, raise `young_modulus`, lower the stiffness of the normal law, or take another `multi_contact` law",
+        place(.position), strain, displaced_by(*displacement_share)
     )]
     BeyondFold {
         /// Step.
@@ -202,6 +203,14 @@ fn place(p: &DVec3) -> String {
     format!("({:.6e}, {:.6e}, {:.6e})", p.x, p.y, p.z)
 }
 
+/// What other contacts displace one by: where there is no solution the last trial may be of any size.
+fn displaced_by(share: f64) -> String {
+    match share < 1.0 {
+        true => format!("{share:.2e} of the smaller radius"),
+        false => "more than a radius".to_owned(),
+    }
+}
+
 impl Fault {
     /// Id of the grain at fault; 0 where it is no grain.
     pub fn grain(&self) -> u32 {
@@ -236,4 +245,30 @@ fn why_so_deep(partner: &str, overlap_share: f64) -> String {
      through a wall in one step. Remedy: raise `young_modulus` or `stiffness`, lower the speed, or raise `simulation.max_overlap` \
      (which makes the automatic time step smaller)"
         .into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_contact_without_a_coupled_force_tells_no_number_without_meaning() {
+        let told = |displacement_share| {
+            let fault = Fault::BeyondFold {
+                step: 0,
+                id: 1,
+                position: DVec3::ZERO,
+                partner: "wall a".into(),
+                strain: 0.02,
+                displacement_share,
+            };
+            fault.to_string()
+        };
+        assert!(told(0.04).contains("displace it by 4.00e-2 of the smaller radius, and"));
+        for share in [1.05e306, f64::INFINITY, f64::NAN] {
+            let told = told(share);
+            assert!(told.contains("displace it by more than a radius, and"), "{told}");
+            assert!(told.contains("raise `young_modulus`, lower the stiffness"), "{told}");
+        }
+    }
 }

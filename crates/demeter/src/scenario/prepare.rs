@@ -115,6 +115,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
     let fastest_impact = super::impact_speeds::check(scenario, (&all, &walls), &materials, &mut warnings);
+    super::impact_speeds::check_stiffness(scenario, (&all, &walls), &materials, &mut warnings);
     check_wall_speeds(scenario, &walls, &meshes, &all, dt, &mut faults);
     super::bodies::check(scenario, &walls, dt, &mut faults);
     super::bodies::check_parts(scenario, &walls, &mut warnings);

@@ -5,6 +5,7 @@ mod in_vain;
 mod mesh_units;
 mod reference;
 mod selections;
+mod stiff_springs;
 mod stray_places;
 mod stray_walls;
 mod tags_of_files;

@@ -23,6 +23,7 @@ mod state;
 #[cfg(test)]
 mod tests;
 mod time_step;
+mod too_stiff;
 
 pub use crate::step::Effort;
 pub use custom::{CustomForce, CustomMotion, CustomMotionError, ForceMoment, GrainLoads, NumberCourse, VectorCourse};
@@ -48,6 +49,7 @@ pub use time_step::{
     Bearable, SAFE_SHARE, TimeScale, TimeStepError, Verdict, WallPartner, refusals, shortest_time_scale, unsafe_share,
     with_free_wall,
 };
+pub(crate) use too_stiff::too_stiff;
 
 use deforming_box::DeformingBox;
 pub(crate) use deforming_box::USABLE;

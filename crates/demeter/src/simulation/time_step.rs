@@ -180,7 +180,7 @@ pub(super) enum Partner {
 /// A grain as far as time scales go.
 #[derive(Clone, Copy)]
 pub(super) struct Representative {
-    radius: f64,
+    pub(super) radius: f64,
     mass: f64,
     inertia: f64,
 }
