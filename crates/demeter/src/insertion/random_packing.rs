@@ -38,10 +38,19 @@ pub enum PackingError {
     )]
     TooDense { fraction: f64 },
     #[error(
-        "random packing: the grains jammed; {wanted:.3} of the region was asked for, and about {reached:.3} was reached \
-         without overlap; ask for less, or enlarge the region (hard sides of a narrow region lower what is possible)"
+        "random packing: the grains jammed; {wanted:.3} of the region was asked for{}, and about {reached:.3} was reached \
+         without overlap; ask for less, or enlarge the region (hard sides of a narrow region lower what is possible)",
+        beside(*taken)
     )]
-    Jammed { wanted: f64, reached: f64 },
+    Jammed { wanted: f64, taken: f64, reached: f64 },
+}
+
+/// What grains that were there before fill, in words.
+fn beside(taken: f64) -> String {
+    match taken > 0.0 {
+        true => format!(" beside {taken:.3} that the grains of other batches fill and do not make way"),
+        false => String::new(),
+    }
 }
 
 fn sphere_volume(diameter: f64) -> f64 {
@@ -67,7 +76,8 @@ pub(super) fn pack(
     let taken: f64 = (occupied.iter().filter(|o| space.holds(o.0, 0.0)))
         .map(|o| sphere_volume(2.0 * o.1))
         .sum();
-    let fraction = own_fraction + taken / space.volume();
+    let taken = taken / space.volume();
+    let fraction = own_fraction + taken;
     if fraction > MAX_FRACTION * (1.0 + 1e-6) + largest_rounding(&diameters, amount) / space.volume() {
         return Err(PackingError::TooDense { fraction });
     }
@@ -81,6 +91,7 @@ pub(super) fn pack(
         Some(places) => places,
         None => relax(space, &radii, &occupied, &mut random).map_err(|Jammed { scale }| PackingError::Jammed {
             wanted: own_fraction,
+            taken,
             reached: own_fraction * scale * scale * scale,
         })?,
     };

@@ -351,6 +351,17 @@ fn impossible_packings_say_what_is_possible() {
 }
 
 #[test]
+fn a_packing_that_jams_beside_others_tells_what_these_fill() {
+    let there = [(DVec3::splat(0.09), 0.07)];
+    let packing = random(cube(0.18), SizeDistribution::Single(0.1), Amount::Count(3));
+    let message = insert(&packing, &materials(), &there, None).unwrap_err().to_string();
+    assert!(
+        message.contains("0.269 of the region was asked for beside 0.246 that the grains of other"),
+        "{message}"
+    );
+}
+
+#[test]
 fn the_reached_fraction_of_a_jammed_packing_is_possible() {
     // 6 grains of diameter 0.1 in this cube jam. With the diameter that the message's fraction means they fit.
     let region = cube(0.18);
@@ -361,7 +372,7 @@ fn the_reached_fraction_of_a_jammed_packing_is_possible() {
         None,
     );
     let Err(InsertionError {
-        problem: InsertionProblem::Packing(PackingError::Jammed { wanted, reached }),
+        problem: InsertionProblem::Packing(PackingError::Jammed { wanted, reached, .. }),
         ..
     }) = jammed
     else {
