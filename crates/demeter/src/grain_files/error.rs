@@ -114,6 +114,8 @@ pub enum FileProblem {
     TwiceSection { name: &'static str },
     #[error("section `{name}` is missing; is the file cut short?")]
     MissingSection { name: &'static str },
+    #[error("section `Velocities` stands before `Atoms`; move it behind")]
+    AtomsBehind,
     #[error("section `{name}` has {found} lines, but the header tells {expected} atoms; is the file cut short?")]
     CutShort {
         name: &'static str,

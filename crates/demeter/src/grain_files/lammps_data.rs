@@ -140,7 +140,7 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
                 return Err(FileProblem::TwiceSection { name: "Velocities" }.at(line, None));
             }
             "Velocities" => {
-                let missing = || FileProblem::MissingSection { name: "Atoms" }.at(line, None);
+                let missing = || FileProblem::AtomsBehind.at(line, None);
                 let (table, layout) = atoms.as_ref().ok_or_else(missing)?;
                 velocities = Some(read_velocities(lines, table, layout, &units)?);
             }

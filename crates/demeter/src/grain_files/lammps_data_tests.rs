@@ -138,7 +138,10 @@ fn wrong_data_files_are_refused_with_place_and_remedy() {
             "line 16: section `Speeds` is not known; read are Atoms and Velocities",
         ),
         (changed("Velocities", "Atoms"), "section `Atoms` is there twice"),
-        (changed("Atoms # sphere", "Velocities"), "section `Atoms` is missing"),
+        (
+            changed("Atoms # sphere", "Velocities"),
+            "line 10: section `Velocities` stands before `Atoms`",
+        ),
     ] {
         let found = message(&text);
         assert!(found.contains(part), "expected {part}, found {found}");

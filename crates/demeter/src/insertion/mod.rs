@@ -90,7 +90,7 @@ pub enum InsertionProblem {
     ListLengths { positions: usize, diameters: usize },
     #[error("the list of positions is empty; give at least one")]
     EmptyList,
-    #[error("grain {number} of the list: {what} is {value}; {allowed}")]
+    #[error("grain {number} of the list: {what} is {value:?}; {allowed}")]
     ListValue {
         number: usize,
         what: &'static str,
@@ -108,7 +108,7 @@ pub enum InsertionProblem {
     InletTooSmall { room: f64, largest: f64 },
     #[error(transparent)]
     Mesh(#[from] crate::walls::MeshError),
-    #[error("{what} is {value}; {allowed}")]
+    #[error("{what} is {value:?}; {allowed}")]
     FileSetting {
         what: &'static str,
         value: f64,

@@ -28,7 +28,7 @@ pub enum PackingError {
     #[error("random packing: about {wanted:.0} grains are asked for; at most {MAX_GRAINS} are possible")]
     TooMany { wanted: f64 },
     #[error(
-        "random packing: a grain of diameter {diameter} m does not fit into the region, in which at most {largest} m fit; \
+        "random packing: a grain of diameter {diameter:?} m does not fit into the region, in which at most {largest:?} m fit; \
          enlarge the region or cut the size distribution"
     )]
     GrainTooLarge { diameter: f64, largest: f64 },

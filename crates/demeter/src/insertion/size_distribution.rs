@@ -18,7 +18,7 @@ const SMALLEST_SHARE: f64 = 1e-9;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[allow(missing_docs)]
 pub enum SizeError {
-    #[error("size distribution: {what} is {value}; allowed are 1e-12 m to 1e6 m")]
+    #[error("size distribution: {what} is {value:?}; allowed are 1e-12 m to 1e6 m")]
     Diameter { what: &'static str, value: f64 },
     #[error("size distribution: {what} is {value}; it must be a finite number above {above}")]
     Parameter { what: &'static str, value: f64, above: f64 },

@@ -545,6 +545,7 @@ fn lists_give_their_grains_and_refuse_nonsense() {
     assert!(message(&[DVec3::X], &[]).contains("1 positions but 0 diameters"));
     assert!(message(&[], &[]).contains("empty"));
     assert!(message(&[DVec3::X], &[-1.0]).contains("grain 1 of the list: the diameter is -1"));
+    assert!(message(&[DVec3::X], &[1e-300]).contains("the diameter is 1e-300; allowed"));
     assert!(message(&[DVec3::NAN], &[1.0]).contains("a coordinate is NaN"));
 }
 

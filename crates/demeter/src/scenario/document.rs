@@ -96,6 +96,30 @@ impl Value {
     }
 }
 
+/// How a number is written whose point has no digit on one of its sides, as `.5` or `5.`, which TOML refuses near there.
+pub(super) fn number_in_full(text: &str, at: usize) -> Option<String> {
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | '_');
+    let (before, after) = (text.get(..at)?, text.get(at..)?);
+    let start = before.trim_end_matches(is_part).len();
+    let end = at + after.find(|c| !is_part(c)).unwrap_or(after.len());
+    let number = text.get(start..end)?;
+    let (whole, fraction) = number.split_once('.')?;
+    let digits = |part: &str| part.chars().all(|c| c.is_ascii_digit());
+    let (sign, whole) = whole.split_at(whole.len() - whole.trim_start_matches(['+', '-']).len());
+    if !(digits(whole) && digits(fraction)) || whole.is_empty() == fraction.is_empty() {
+        return None;
+    }
+    let filled = |part: &str| {
+        if part.is_empty() {
+            "0".to_owned()
+        } else {
+            part.to_owned()
+        }
+    };
+    let full = format!("{sign}{}.{}", filled(whole), filled(fraction));
+    Some(format!("write `{full}`: a point has digits on both sides"))
+}
+
 /// A key as TOML writes it: quoted when it is not a bare word.
 pub(super) fn written_key(key: &str) -> String {
     let bare = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');

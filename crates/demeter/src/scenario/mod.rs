@@ -365,9 +365,11 @@ fn tree_with(text: &str, name: &str, overrides: &[Override]) -> Result<Arc<Docum
                 let at = fault.span.bytes.clone();
                 let is_list = text.get(..at.start).is_some_and(|before| before.ends_with("[["));
                 let again = (fault.message == "duplicate key" && is_list)
-                    .then(|| text.get(at))
+                    .then(|| text.get(at.clone()))
                     .flatten();
-                let help = again.map(|key| format!("`{key}` was one table before: write `[[{key}]]` there, too"));
+                let help = again
+                    .map(|key| format!("`{key}` was one table before: write `[[{key}]]` there, too"))
+                    .or_else(|| document::number_in_full(text, at.start));
                 fault.message = format!("not valid TOML: {}", fault.message);
                 (fault, help)
             };

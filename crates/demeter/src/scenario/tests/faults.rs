@@ -255,3 +255,26 @@ fn motions_that_come_and_go_within_some_steps_are_refused() {
         assert_eq!(told(motion), "", "{motion}");
     }
 }
+
+#[test]
+fn numbers_without_a_digit_at_a_side_of_the_point_are_written_in_full() {
+    for (text, full) in [
+        ("x = .5", "0.5"),
+        ("x = -.25e3", "-0.25"),
+        ("x = 5.", "5.0"),
+        ("x = [1, .5]", "0.5"),
+    ] {
+        let told = parse(text, &[]).unwrap_err().to_string();
+        assert!(
+            told.contains(&format!("write `{full}`: a point has digits")),
+            "{text}: {told}"
+        );
+    }
+    for text in ["x = 1.2.3", "x = .", "x = a.5"] {
+        let told = parse(text, &[]).unwrap_err().to_string();
+        assert!(
+            told.contains("not valid TOML") && !told.contains("write `"),
+            "{text}: {told}"
+        );
+    }
+}
