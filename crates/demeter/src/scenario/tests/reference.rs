@@ -397,3 +397,11 @@ unloading = [[0.05, "0.7 N"]]
         packing_file::walk(&TableReader::root(context, root), Path::new(""));
     });
 }
+
+#[test]
+fn the_reference_tells_every_column_of_the_series() {
+    for column in crate::output::COLUMNS {
+        let title = column.title();
+        assert!(REFERENCE.contains(&format!("`{title}`")), "`{title}`");
+    }
+}
