@@ -200,20 +200,6 @@ fn a_tolerance_near_rounding_is_no_fold() {
     });
 }
 
-#[test]
-fn displacements_without_bound_are_told_in_short() {
-    let fault = Fault::BeyondFold {
-        step: 1,
-        id: 1,
-        position: DVec3::ZERO,
-        partner: "grain 2".into(),
-        strain: 0.1,
-        displacement_share: 1e300,
-    };
-    let told = fault.to_string();
-    assert!(told.contains("displace it by 1.00e300 of"), "{told}");
-}
-
 /// The fault names grain, partner, strain and remedy.
 fn assert_told(fault: &Fault, regular: &Regular, q: f64) {
     let Fault::BeyondFold {
