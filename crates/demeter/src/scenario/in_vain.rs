@@ -15,7 +15,7 @@ use glam::DVec3;
 use std::collections::BTreeSet;
 
 /// Places of an inlet that are tried.
-const PLACES: u64 = 200;
+pub(super) const PLACES: u64 = 200;
 
 /// Tells all of it, told how long each stage and all of them last at most, and the time step [s].
 pub(super) fn check(

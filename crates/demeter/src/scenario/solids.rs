@@ -1,13 +1,11 @@
 //! Closed meshes with grains around them: none comes inside of one, and none that was put there comes out.
 
+use super::in_vain::PLACES;
 use crate::insertion::Streaming;
 use crate::particles::{Grains, Interior};
 use crate::simulation::Simulation;
 use crate::walls::Wall;
 use glam::DVec3;
-
-/// Places of an inlet that are tried.
-const PLACES: u64 = 200;
 
 /// The inside of a closed mesh, where the mesh stands at the start.
 #[derive(Clone, Debug)]
