@@ -34,6 +34,7 @@ mod sphere_in_box;
 mod told;
 mod told_first;
 mod trace;
+mod walls_load;
 mod wear;
 
 pub use crate::simulation::Energies;
@@ -69,6 +70,7 @@ pub use slope::{SLOPE_COLUMNS, Slope};
 pub use sphere_in_box::sphere_in_box;
 pub use told::{DOMAIN_COLUMNS, FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
 pub use trace::{GrainTrace, TRACE_COLUMNS};
+pub use walls_load::{AXIAL_COLUMNS, WALLS_LOAD_COLUMNS, WallsLoad};
 pub use wear::{WEAR_COLUMNS, wear_values};
 
 use crate::particles::Zone;

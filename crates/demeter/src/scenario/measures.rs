@@ -6,11 +6,12 @@ use super::field_measures::{contact_angles, displacement, fabric, field, force_c
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::region_measures::{cylinder_profile, mass_flow, mixing, neighbour_mixing, profile, slope};
+use super::stages::walls_of;
 use super::zones::{Named, region, selection};
 use crate::measure::{
     BinsError, Collisions, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceChains,
     ForceDistribution, GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence,
-    Selection, Slope,
+    Selection, Slope, WallsLoad,
 };
 use crate::particles::Zone;
 use demeter_physics::dimension::Dimension;
@@ -69,13 +70,15 @@ pub enum MeasureKind {
     CylinderProfile(CylinderProfile),
     /// Columns of the series, and a file of its own.
     Collisions(Collisions),
+    /// Columns of the series.
+    WallsLoad(WallsLoad),
 }
 
 impl MeasureKind {
     /// Which grains it is about, where it is about some alone.
     pub(super) fn selection(&self) -> Option<&Selection> {
         Some(match self {
-            Self::ContactNetwork(_) | Self::ForceDistribution(_) => return None,
+            Self::ContactNetwork(_) | Self::ForceDistribution(_) | Self::WallsLoad(_) => return None,
             Self::RegionCount(count) => &count.selection,
             Self::GrainTrace(trace) => &trace.selection,
             Self::MassFlow(flow) => &flow.selection,
@@ -138,7 +141,7 @@ pub(super) fn profiles(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, 
 
 const FORCE: Kind = Kind::Physical(Dimension::FORCE);
 
-const KINDS: [&str; 18] = [
+const KINDS: [&str; 19] = [
     "contact-network",
     "force-distribution",
     "region-count",
@@ -157,6 +160,7 @@ const KINDS: [&str; 18] = [
     "neighbour-mixing",
     "cylinder-profile",
     "collisions",
+    "walls-load",
 ];
 
 pub(super) fn measures(root: &TableReader<'_>, named: &Named<'_>) -> Vec<MeasureSpec> {
@@ -245,11 +249,20 @@ fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
         "paths" => Some(MeasureKind::Paths(paths(&table, named))),
         "force-chains" => Some(MeasureKind::ForceChains(force_chains(&table, named))),
         "neighbour-mixing" => Some(MeasureKind::NeighbourMixing(neighbour_mixing(&table, named))),
+        "walls-load" => Some(MeasureKind::WallsLoad(walls_load(&table, named))),
         "collisions" => Some(MeasureKind::Collisions(collisions(&table, named))),
         _ => Some(MeasureKind::CylinderProfile(cylinder_profile(&table, named))),
     };
     table.finish(&format!("a measure of kind `{}`", KINDS[index]));
     kind
+}
+
+fn walls_load(table: &TableReader<'_>, named: &Named<'_>) -> WallsLoad {
+    WallsLoad {
+        walls: walls_of(table, named.walls),
+        point: table.vector_or_zero("point", Kind::Physical(Dimension::LENGTH)),
+        axis: table.optional("axis").map(|item| item.direction()),
+    }
 }
 
 fn contact_network(table: &TableReader<'_>) -> ContactNetwork {

@@ -287,7 +287,7 @@ fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
 }
 
 /// One wall, or a list of some.
-fn walls_of(table: &TableReader<'_>, walls: &[WallSpec]) -> Vec<usize> {
+pub(super) fn walls_of(table: &TableReader<'_>, walls: &[WallSpec]) -> Vec<usize> {
     let Some(item) = table.required("wall", "the name of the wall, or a list of names") else {
         return Vec::new();
     };

@@ -23,6 +23,11 @@ pub const TEMPLATES: &[(&str, &str, &str)] = &[
         include_str!("templates/mill.toml"),
     ),
     (
+        "mixer",
+        "pitched blades mix two layers of grains",
+        include_str!("templates/mixer.toml"),
+    ),
+    (
         "heap",
         "a tube is lifted off a heap: the angle of repose",
         include_str!("templates/heap.toml"),

@@ -13,11 +13,11 @@ mod tensions;
 
 use super::*;
 use crate::insertion::{Amount, Basis, LatticeKind, Region, SizeDistribution, Source};
-use crate::measure::{ContactNetwork, ForceDistribution};
+use crate::measure::{ContactNetwork, ForceDistribution, WallsLoad};
 use crate::particles::Outside;
 use crate::simulation::StopCondition;
 use crate::walls::{Motion, Motions, Shape, Side};
-use glam::dvec3;
+use glam::{DVec3, dvec3};
 use std::f64::consts::PI;
 
 fn good() -> PathBuf {
@@ -224,6 +224,7 @@ fn measures_are_read_as_told() {
         "heap",
         "slices",
         "pull",
+        "weight",
     ];
     assert_eq!(names, expected);
     let kind = |k: usize| scenario.measures[k].kind.clone();
@@ -257,6 +258,12 @@ fn measures_are_read_as_told() {
         (profile.axis, profile.slices, profile.upper),
         (2, 10, dvec3(0.02, 0.02, 0.05))
     );
+    let weight = WallsLoad {
+        walls: vec![0],
+        point: dvec3(0.01, 0.01, 0.0),
+        axis: Some(DVec3::Z),
+    };
+    assert_eq!(kind(9), MeasureKind::WallsLoad(weight));
     assert!(read_good("free_fall.toml").measures.is_empty());
 }
 

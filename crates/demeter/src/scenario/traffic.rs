@@ -347,6 +347,7 @@ impl<'a> Traffic<'a> {
                 MeasureKind::Displacement(displacement) => titles.extend(displacement.titles(&measure.name)),
                 MeasureKind::NeighbourMixing(mixing) => titles.extend(mixing.titles(&measure.name)),
                 MeasureKind::Collisions(collisions) => titles.extend(collisions.titles(&measure.name)),
+                MeasureKind::WallsLoad(load) => titles.extend(load.titles(&measure.name)),
                 MeasureKind::ContactNetwork(_)
                 | MeasureKind::ForceDistribution(_)
                 | MeasureKind::Profile(_)
@@ -393,6 +394,7 @@ impl<'a> Traffic<'a> {
                 MeasureKind::NeighbourMixing(mixing) => values.extend(mixing.measure(sim, origins)),
                 MeasureKind::Mixing(mixing) => values.extend(mixing.measure(sim, origins)),
                 MeasureKind::Slope(slope) => values.extend(slope.measure(sim, origins)),
+                MeasureKind::WallsLoad(load) => values.extend(load.measure(sim)),
                 MeasureKind::ContactNetwork(_)
                 | MeasureKind::ForceDistribution(_)
                 | MeasureKind::Profile(_)

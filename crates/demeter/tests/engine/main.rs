@@ -30,4 +30,5 @@ mod silent;
 mod slices;
 mod solids;
 mod wall_work;
+mod walls_load;
 mod work_counters;
