@@ -477,4 +477,14 @@ fn a_box_that_does_not_come_to_its_stress_is_told() {
     let free = ["--set", "stage[0].deform.y.stress=\"0 Pa\""];
     let said = place.expect(0, &[&run[..], &free].concat()).err;
     assert!(!said.contains("the stress of the box"), "{said}");
+    let sheared = |stress: &str| {
+        let shear = format!("{{ flow = \"x\", gradient = \"y\", stress = \"{stress}\", max_rate = \"1 1/s\" }}");
+        let set = ["--set", &format!("stage[0].deform={{ shear = {shear} }}")];
+        place.expect(0, &[&run[..], &set].concat()).err
+    };
+    let said = sheared("2 kPa");
+    let told = "warning: the stress of the box in shear has not come yet to what it is told, 2e3 Pa: it is on its way, at 1 1/s at most";
+    assert!(said.contains(told), "{said}");
+    let said = sheared("0 Pa");
+    assert!(!said.contains("the stress of the box"), "{said}");
 }

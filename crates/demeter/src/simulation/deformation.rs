@@ -213,20 +213,21 @@ impl Deformation {
     }
 }
 
-/// How a length of a box comes by the stress that it is told.
+/// How a length of a box, or its shear, comes by the stress that it is told.
 pub(crate) struct FollowedStress {
-    /// `along x`, or what all directions follow together.
+    /// `along x`, what all directions follow together, or `in shear`.
     pub of: &'static str,
     /// Stress that it is told [Pa].
     pub target: f64,
-    /// Share of the steps since it first had that stress that it strained at its largest rate; nothing where it never had.
+    /// Share of the steps since it first had that stress that it strained at its largest rate; nothing where it never had. Of shear, where the
+    /// stress swings, the share of all steps; nothing where the stress is another in the mean.
     pub limited: Option<f64>,
     /// That rate [1/s].
     pub max_rate: f64,
 }
 
 impl Simulation {
-    /// The lengths of the box that follow a stress.
+    /// The lengths of the box that follow a stress, and its shear if it does.
     pub(crate) fn followed_stresses(&self) -> Vec<FollowedStress> {
         let Some(state) = self.deforming.as_deref() else {
             return Vec::new();
@@ -245,7 +246,16 @@ impl Simulation {
             }
             _ => None,
         });
-        followed.collect()
+        let sheared = state.shear_drive.as_ref().map(|drive| {
+            let (target, limited, max_rate) = drive.followed();
+            FollowedStress {
+                of: "in shear",
+                target,
+                limited,
+                max_rate,
+            }
+        });
+        followed.chain(sheared).collect()
     }
 
     /// Whether the box may deform as told. Where processes share the run each calls this.

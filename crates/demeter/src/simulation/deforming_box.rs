@@ -42,7 +42,7 @@ pub(crate) struct DeformingBox {
     pub(super) plan: Deformation,
     /// Controllers of lengths that follow a stress.
     pub(super) servos: [Option<Servo>; LENGTHS],
-    shear_drive: Option<ShearDrive>,
+    pub(super) shear_drive: Option<ShearDrive>,
     /// Lengths at the start of the run and of the stage [m].
     lengths: [DVec3; 2],
     /// Shear so far, and at the start of the stage.

@@ -17,6 +17,10 @@ const WIDE: f64 = 0.1;
 const BRAKE: f64 = 4.0;
 /// `J` as a multiple of the stress over the square of the largest rate.
 const INERTIA: f64 = 8.0;
+/// Time over which the mean error is taken, in the inverse of the largest rate: half of what the whole stress needs to spin up to it.
+const MEMORY: f64 = 4.0;
+/// Mean error, as a share of the scale, up to which the stress is what it was told to be.
+const COME: f64 = 0.1;
 
 /// State of the controller.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -33,6 +37,10 @@ pub(super) struct ShearDrive {
     since_crossing: u32,
     /// Largest error since the target was crossed last, as a share of the scale.
     peak: f64,
+    /// Error in the mean over the last while, as a share of the scale.
+    mean_error: f64,
+    /// Steps since the start, and those of them at the largest rate.
+    steps: [u64; 2],
 }
 
 impl ShearDrive {
@@ -47,7 +55,17 @@ impl ShearDrive {
             was_wanting: true,
             since_crossing: u32::MAX,
             peak: 0.0,
+            mean_error: 1.0,
+            steps: [0; 2],
         }
+    }
+
+    /// The target [Pa], the share of all steps at the largest rate where the stress is the target in the mean, and that rate [1/s].
+    pub(super) fn followed(&self) -> (f64, Option<f64>, f64) {
+        let [steps, at_largest] = self.steps;
+        let has_come = self.mean_error.abs() <= COME;
+        let share = has_come.then(|| at_largest as f64 / steps.max(1) as f64);
+        (self.target, share, self.max_rate)
     }
 
     /// Rate of shear for the next step of `dt` [s], from the shear stress of the last [1/s].
@@ -56,6 +74,7 @@ impl ShearDrive {
             self.scale = self.scale.max(stress.abs());
         }
         if self.scale == 0.0 {
+            self.mean_error = 0.0;
             return self.max_rate * self.carried;
         }
         let error = (self.target - stress) / self.scale;
@@ -71,7 +90,11 @@ impl ShearDrive {
         self.peak = self.peak.max(error.abs());
         let slip = error / self.brake;
         self.carried = (self.carried + error * dt * self.max_rate / INERTIA).clamp(-1.0, 1.0);
-        self.max_rate * (slip + self.carried).clamp(-1.0, 1.0)
+        self.mean_error += (error - self.mean_error) * (dt * self.max_rate / MEMORY).min(1.0);
+        let rate = (slip + self.carried).clamp(-1.0, 1.0);
+        self.steps[0] += 1;
+        self.steps[1] += u64::from(rate.abs() == 1.0);
+        self.max_rate * rate
     }
 }
 
@@ -131,6 +154,28 @@ mod tests {
                 assert!((rate / expected - 1.0).abs() < 0.03, "{fluctuation}: {rate}");
             }
         }
+    }
+
+    #[test]
+    fn a_flow_on_its_way_to_its_stress_is_known() {
+        let mut drive = ShearDrive::new(100.0, 100.0, 0.0);
+        let (mut rate, mut shares) = (0.0, Vec::new());
+        for step in 0..200_000 {
+            rate = drive.rate(2.0 * rate, 1e-5);
+            if step == 5_000 || step == 199_999 {
+                shares.push(drive.followed().1);
+            }
+        }
+        assert_eq!(shares, [None, Some(0.0)]);
+        // what needs more than the largest rate
+        for _ in 0..200_000 {
+            rate = drive.rate(0.95 * rate, 1e-5);
+        }
+        assert!(
+            drive.followed().1.is_some_and(|share| share > 0.4),
+            "{:?}",
+            drive.followed()
+        );
     }
 
     #[test]
