@@ -297,12 +297,11 @@ impl Simulation {
 
     /// Energies at this moment with the books since the start. Where processes share the run each calls this.
     pub fn energies(&mut self) -> Energies {
-        self.hear_corrected_places();
-        let now = self.mechanical_energies();
+        let now = self.energies_now(self.books.latest);
         self.books.close(now)
     }
 
-    /// Kinetic, gravitational and stored energies at this moment, of all processes.
+    /// Kinetic, gravitational and stored energies at this moment, of all processes; what springs in the contact plane store is that of half a step later.
     pub(crate) fn mechanical_energies(&self) -> Energies {
         assert!(!self.awaits_kick, "velocities are those predicted");
         let free_walls = self.walls.iter().map(Wall::energy).sum();

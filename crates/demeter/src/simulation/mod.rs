@@ -19,6 +19,7 @@ mod pulls;
 mod roofline;
 mod shear_drive;
 mod skin;
+mod spring_work;
 mod state;
 #[cfg(test)]
 mod tests;
@@ -329,8 +330,8 @@ impl Simulation {
     pub fn start(&mut self) -> Result<(), Fault> {
         if !self.started {
             self.find_first_forces()?;
-            let energies = self.mechanical_energies();
             let tally = self.step_tally();
+            let energies = self.energies_now(tally);
             self.books.open(&energies, tally);
             self.started = true;
             memory::give_back();

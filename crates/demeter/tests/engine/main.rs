@@ -23,6 +23,7 @@ mod polydisperse;
 mod profile;
 mod report;
 mod restart;
+mod rubbing;
 mod scenarios;
 mod shafts;
 mod shared_runs;

@@ -208,12 +208,14 @@ fn what_is_written_is_told_to_the_first_process_alone() {
     );
     let grains = 3600 / 3;
     for (rank, (often, once)) in often.iter().zip(&once).enumerate() {
-        assert_eq!(
-            (often.bytes, often.messages),
-            (once.bytes, once.messages),
-            "rank {rank}"
+        // nine rows more: each tells neighbours once how grains near the borders move, as a step does
+        let (messages, bytes) = (often.messages - once.messages, often.bytes - once.bytes);
+        assert!(messages <= 9 * 2, "rank {rank}: {messages}");
+        assert!(
+            bytes * once.messages < 2 * messages * once.bytes,
+            "rank {rank}: {bytes} in {messages}"
         );
-        // nine rows more, each of sums; a place of each grain would be 24 bytes every time
+        // and sums to all; a place of each grain would be 24 bytes every time
         let to_all = (often.round_bytes + often.joined_bytes) - (once.round_bytes + once.joined_bytes);
         assert!(to_all < 9 * 2 * grains, "rank {rank} told all {to_all} bytes more");
         let to_first = often.gathered_bytes - once.gathered_bytes;
@@ -328,8 +330,6 @@ fn all_end_with_the_fault_of_one() {
         run_shared(&scenario, &two, OPTIONS, rank, observer).unwrap().end
     });
     assert!(ends.iter().all(|other| *other == end), "{ends:?}, not {end:?}");
-    assert_eq!(
-        fs::read(one.join("series.csv")).unwrap(),
-        fs::read(two.join("series.csv")).unwrap()
-    );
+    let series = |folder: &Path| fs::read_to_string(folder.join("series.csv")).unwrap();
+    assert!(series(&one) == series(&two), "`series.csv` differs");
 }

@@ -31,7 +31,7 @@ impl Former {
         let former = setup.materials.clone();
         remember_alike(&told, &former)?;
         let present = Simulation::resume(setup, state.simulation.clone())?
-            .energies()
+            .mechanical_energies()
             .present();
         Ok(Self {
             scenario,
