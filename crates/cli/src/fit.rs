@@ -85,7 +85,13 @@ fn to_text(report: &FitReport) -> String {
     }
     text += &rows.lines();
     if !report.fits() {
-        text += "the law does not show these observations within their errors: another law, or larger errors\n";
+        text += &format!(
+            "the law does not show these observations within their errors (chi-square {} with {} degrees of freedom, largest deviation {} \
+             errors): another law, or larger errors\n",
+            number(report.chi_square()),
+            report.degrees_of_freedom(),
+            number(report.worst())
+        );
     }
     if let Some(other) = &report.ambiguous {
         let values: Vec<String> = (report.parameters.iter().zip(other))
@@ -117,15 +123,12 @@ fn to_text(report: &FitReport) -> String {
     text
 }
 
-/// Deviation in errors up to which values fit.
-const FITS: f64 = 3.0;
-
 fn identifiability(report: &FitReport) -> String {
     let open: Vec<&str> = report.not_identified().collect();
     if open.is_empty() {
         return String::new();
     }
-    if report.worst() > FITS {
+    if !report.fits() {
         return format!(
             "no values that were found fit, so that nothing tells whether these observations fix {}: look at the observations, or tell bounds\n",
             open.join(", ")

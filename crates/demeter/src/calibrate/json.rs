@@ -8,9 +8,6 @@ use demeter_physics::collision::Start;
 use glam::DVec3;
 use serde_json::{Value, json};
 
-/// Deviations beyond so many errors say that a law does not fit.
-const TOO_FAR: f64 = 3.0;
-
 impl CollideReport {
     /// The entries of the ledger, those of the start first.
     pub fn energies(&self) -> [(&'static str, f64); 12] {
@@ -61,11 +58,6 @@ impl CollideReport {
 }
 
 impl FitReport {
-    /// Whether the law shows all observations within three of their errors.
-    pub fn fits(&self) -> bool {
-        self.worst() <= TOO_FAR
-    }
-
     /// All of it.
     pub fn to_json(&self) -> Value {
         let parameters = self.parameters.iter().map(|p| {
@@ -97,6 +89,8 @@ impl FitReport {
             "advice": advice.collect::<Vec<Value>>(),
             "ambiguous": self.ambiguous,
             "fits": self.fits(),
+            "chi_square": self.chi_square(),
+            "degrees_of_freedom": self.degrees_of_freedom(),
             "singular_values": self.singular_values,
             "contact": self.contact,
             "material": self.material,

@@ -32,6 +32,7 @@ use crate::materials::Material;
 use crate::particles::{Domain, NewGrain};
 use glam::DVec3;
 use lattice::Lattice;
+pub(crate) use random::normal_quantile;
 use random::{Purpose, RandomNumbers};
 use region::Space;
 use thiserror::Error;

@@ -69,7 +69,7 @@ fn polynomial(coefficients: &[f64; 8], x: f64) -> f64 {
 /// Inverse of [`normal_below`] for `0 < p < 1`: algorithm AS 241, PPND16, relative accuracy about 1e-16
 /// (Wichura 1988, Appl. Stat. 37, 477, doi:10.2307/2347330).
 #[allow(clippy::excessive_precision)]
-pub(super) fn normal_quantile(p: f64) -> f64 {
+pub(crate) fn normal_quantile(p: f64) -> f64 {
     const A: [f64; 8] = [
         3.387_132_872_796_366_608_0e0,
         1.331_416_678_917_843_774_5e2,

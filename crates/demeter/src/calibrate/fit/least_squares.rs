@@ -1,6 +1,7 @@
 //! Damped least squares (Levenberg 1944, Marquardt 1963) between bounds, from several starts.
 
 use super::singular::dot;
+use super::verdict::largest_sum;
 use rayon::prelude::*;
 
 /// Half of the distance over which slopes are taken, in logarithms of the unknowns.
@@ -9,8 +10,6 @@ const MOST_ITERATIONS: usize = 80;
 /// Trial points before the search, and those from which it is begun.
 const TRIALS: u32 = 48;
 const STARTS: usize = 4;
-/// Mean square of the deviations up to which a minimum fits; above it starts are looked for farther out.
-const FITS: f64 = 9.0;
 /// Between the bounds of the first starts and the last ones, in logarithms, where others lie.
 const FARTHER: [f64; 3] = [0.0, 0.33, 1.0];
 /// Damping at which no step helps any more.
@@ -63,7 +62,7 @@ impl Problem<'_> {
             trials.truncate(STARTS);
             ends.par_extend(trials.into_par_iter().map(|start| self.descend(start)));
             ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-            let fits = |best: &Minimum| best.cost <= FITS * self.measured as f64;
+            let fits = |best: &Minimum| best.cost <= largest_sum(self.measured, self.first.len());
             if self.first == self.last || ends.first().is_some_and(fits) {
                 break;
             }

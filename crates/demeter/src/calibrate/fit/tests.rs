@@ -348,6 +348,25 @@ fn errors_in_the_unit_of_the_observation_make_means_and_relative_ones_geometric_
 }
 
 #[test]
+fn many_observations_fit_the_law_that_made_them_and_no_other() {
+    let noise = verdict::tests::noise(1, 24);
+    let report = |slant: f64| {
+        let seen = noise.iter().enumerate().map(|(k, noise)| {
+            let velocity = 0.1 * libm::pow(50.0, k as f64 / 23.0);
+            let restitution = 0.6 * libm::pow(velocity, slant) * libm::exp(0.02 * noise);
+            format!("[[observation]]\nvelocity = \"{velocity} m/s\"\nrestitution = {restitution}\nerror = 0.02\n")
+        });
+        let seen: Vec<String> = seen.collect();
+        fit(&file(BODIES, "hertz-tsuji", "", "restitution = [0.5, 0.7]", &seen)).unwrap()
+    };
+    let right = report(0.0);
+    assert!(right.fits() && right.degrees_of_freedom() == 23, "{right:?}");
+    // a restitution that falls by 11 % over all velocities
+    let wrong = report(-0.03);
+    assert!(!wrong.fits(), "{wrong:?}");
+}
+
+#[test]
 fn the_law_is_written_as_a_scenario_reads_it() {
     let normal = "law = \"hertz-tsuji\", restitution = 0.3, contact_end = \"zero-force\"";
     let seen = [seen(BODIES, normal, 1.0, &[Restitution, ContactTime])];
