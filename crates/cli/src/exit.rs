@@ -11,7 +11,7 @@ pub enum Exit {
     InputOutput = 1,
     /// The scenario, a file that it needs, or the command line is wrong; nothing was written.
     Wrong = 2,
-    /// The simulation stopped on a fault; a snapshot was written. A run of a sweep failed; a fit found no answer.
+    /// The simulation stopped on a fault; a snapshot was written. A run of a sweep failed or is damaged; a fit found no answer.
     Fault = 3,
     /// It was interrupted; a checkpoint was written.
     Interrupted = 130,
@@ -23,8 +23,8 @@ Exit codes:
     0  finished
     1  results could not be written, or a file that is there, and no input of a scenario, could not be read
     2  the scenario, a file that it needs, or the command line is wrong, or names what is not there; nothing was written
-    3  the simulation stopped on a fault; a snapshot of it was written. Of a sweep: a run failed; of a fit: there is no answer between
-       the ends that were told
+    3  the simulation stopped on a fault; a snapshot of it was written. Of a sweep: a run failed, or what it left
+       is damaged; of a fit: there is no answer between the ends that were told
   101  a defect of Demeter
   130  interrupted (Ctrl-C, SIGTERM); a checkpoint was written, `demeter resume` goes on from it, or the same `demeter sweep`";
 

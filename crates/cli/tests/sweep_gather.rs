@@ -28,9 +28,9 @@ fn two_runs(place: &Place) -> PathBuf {
         .unwrap()
 }
 
-/// The gathered table, row by row, and what was said.
-fn gathered(place: &Place) -> (Vec<BTreeMap<String, String>>, Said) {
-    let said = place.expect(0, &["sweep", "--gather", "runs/fall-sweep"]);
+/// The table gathered with this exit code, row by row, and what was said.
+fn gathered(place: &Place, code: i32) -> (Vec<BTreeMap<String, String>>, Said) {
+    let said = place.expect(code, &["sweep", "--gather", "runs/fall-sweep"]);
     let mut reader = csv::Reader::from_path(place.path("runs/fall-sweep/results.csv")).unwrap();
     (reader.deserialize().map(Result::unwrap).collect(), said)
 }
@@ -42,11 +42,35 @@ fn a_run_whose_series_is_cut_short_has_no_results() {
     let rows = fs::read_to_string(&series).unwrap();
     let cut: Vec<&str> = rows.lines().take(2).collect();
     fs::write(&series, cut.join("\n") + "\n").unwrap();
-    let (rows, said) = gathered(&place);
+    let (rows, said) = gathered(&place, 3);
     assert!(said.err.contains("though the run is finished"), "{}", said.err);
     assert_eq!([&rows[0]["grains"], &rows[0]["end"]], ["20", "finished"]);
     assert_eq!([&rows[1]["grains"], &rows[1]["end"]], ["", "damaged"]);
     assert!(rows[1]["message"].contains("rows are missing"), "{:?}", rows[1]);
+    // nothing goes on by itself, and nothing says that all is well
+    let again = ["sweep", "--resume", "runs/fall-sweep"];
+    for more in [&[][..], &["--retry-failed"]] {
+        let said = place.expect(3, &[&again[..], more].concat());
+        assert!(said.out.contains("1 damaged: remove the folders"), "{}", said.out);
+    }
+    let same = ["sweep", "fall.toml", "--vary", "grains[0].count=20,30"];
+    place.expect(3, &[&same[..], &SHORT].concat());
+    let said = place.expect(3, &[&again[..], &["--json"]].concat());
+    assert!(said.err.contains("1 damaged: remove the folders"), "{}", said.err);
+    let told = said.json();
+    assert_eq!((&told["finished"], &told["damaged"]), (&1.into(), &1.into()));
+    assert_eq!(
+        (&told["runs"][0]["end"], &told["runs"][1]["end"]),
+        (&"finished".into(), &"damaged".into())
+    );
+    assert!(told["runs"][0]["message"].is_null() && told["exit_code"] == 3, "{told}");
+    assert!(
+        told["runs"][1]["message"]
+            .as_str()
+            .unwrap()
+            .contains("rows are missing"),
+        "{told}"
+    );
 }
 
 #[test]
@@ -56,7 +80,7 @@ fn a_finished_run_that_was_begun_anew_and_ended_otherwise_has_no_results() {
     let run = run.to_str().unwrap();
     let fault = ["--out", run, "--overwrite", "--set", "simulation.max_overlap=1e-7"];
     place.expect(3, &[&["run", "fall.toml"][..], &fault].concat());
-    let (rows, said) = gathered(&place);
+    let (rows, said) = gathered(&place, 3);
     assert!(said.err.contains("something ran it again"), "{}", said.err);
     assert_eq!([&rows[1]["grains"], &rows[1]["end"]], ["", "damaged"]);
     assert!(rows[1]["message"].contains("overlaps"), "{:?}", rows[1]);
@@ -75,7 +99,7 @@ fn a_finished_run_that_holds_what_another_left_has_no_results() {
     ];
     place.expect(0, &[&["run", "fall.toml"][..], &SHORT, &other].concat());
     let damaged = |said: &str| {
-        let (rows, told) = gathered(&place);
+        let (rows, told) = gathered(&place, 3);
         assert_eq!([&rows[1]["grains"], &rows[1]["end"]], ["", "damaged"], "{said}");
         assert!(rows[1]["message"].contains("something wrote it anew"), "{:?}", rows[1]);
         assert!(
@@ -102,7 +126,7 @@ fn a_finished_run_that_holds_what_another_left_has_no_results() {
     // as its message tells
     fs::remove_dir_all(&run).unwrap();
     place.expect(0, &["sweep", "--resume", "runs/fall-sweep"]);
-    assert_eq!(gathered(&place).0[1]["end"], "finished");
+    assert_eq!(gathered(&place, 0).0[1]["end"], "finished");
 }
 
 #[test]

@@ -64,7 +64,7 @@ fn run(arguments: &SweepArguments, begun: Begun, interrupt: Interrupt) -> Result
     }
     let ended = Team::new(&folder, arguments).run(interrupt)?;
     let exit = ended.exit();
-    told::results(&folder, arguments, &ended.statuses, Some(exit))?;
+    let exit = told::results(&folder, arguments, &ended.statuses, Some(exit))?;
     drop(held);
     Ok(exit)
 }
@@ -74,14 +74,14 @@ fn gather(arguments: &SweepArguments, root: &Path) -> Result<Exit, Failure> {
     let mut folder = SweepFolder::open(root)?;
     begin::take_wishes(arguments, &mut folder)?;
     let statuses = folder.statuses();
-    told::results(&folder, arguments, &statuses, None)?;
+    let exit = told::results(&folder, arguments, &statuses, None)?;
     match folder.hold() {
         // nobody works on it: what was asked for is kept, and how far it is
         Ok(_held) => folder.write_state(&statuses)?,
         Err(SweepError::InUse { .. }) => {}
         Err(error) => return Err(error.into()),
     }
-    Ok(Exit::Finished)
+    Ok(exit)
 }
 
 impl From<SweepError> for Failure {

@@ -33,22 +33,40 @@ struct Written {
     plots: Vec<PathBuf>,
 }
 
-/// Gathers, writes and tells the results; the exit code is told where runs were carried out.
+/// Gathers, writes and tells the results; the exit code is told where runs were carried out, and given back with what is damaged.
 pub fn results(
     folder: &SweepFolder,
     arguments: &SweepArguments,
     statuses: &[Status],
     exit: Option<Exit>,
-) -> Result<(), Failure> {
+) -> Result<Exit, Failure> {
     let written = write(folder, statuses)?;
+    let damaged = !written.results.problems.is_empty();
+    let exit = match exit {
+        None | Some(Exit::Finished) if damaged => Some(Exit::Fault),
+        exit => exit,
+    };
     for problem in written.results.problems.iter().chain(&written.results.missing) {
         note(&format!("warning: {problem}"));
     }
     if arguments.json {
-        answer_json(&to_json(folder, statuses, &written, exit))
+        answer_json(&to_json(folder, statuses, &written, exit))?;
+        if damaged {
+            note(&help_of_damaged(folder, &written));
+        }
     } else {
-        answer(&to_text(folder, statuses, &written))
+        answer(&to_text(folder, statuses, &written))?;
     }
+    Ok(exit.unwrap_or(Exit::Finished))
+}
+
+/// How many runs are damaged, and what to do with them.
+fn help_of_damaged(folder: &SweepFolder, written: &Written) -> String {
+    format!(
+        "{} damaged: remove the folders of these, and `demeter sweep --resume {}` runs them anew",
+        written.results.problems.len(),
+        word(folder.root().display())
+    )
 }
 
 fn write(folder: &SweepFolder, statuses: &[Status]) -> Result<Written, Failure> {
@@ -90,10 +108,7 @@ fn to_text(folder: &SweepFolder, statuses: &[Status], written: &Written) -> Stri
     };
     text += &failures(folder, statuses);
     if damaged > 0 {
-        text += &format!(
-            "{damaged} damaged: remove the folders of these, and `demeter sweep --resume {}` runs them anew\n",
-            word(folder.root().display())
-        );
+        text += &format!("{}\n", help_of_damaged(folder, written));
     }
     let mut rows = Rows::default();
     rows.add("results", folder.results().display().to_string());
@@ -202,25 +217,26 @@ fn to_json(folder: &SweepFolder, statuses: &[Status], written: &Written, exit: O
     let count = |is: &dyn Fn(&Status) -> bool| statuses.iter().filter(|status| is(status)).count();
     let results = &written.results;
     let one = |(index, status): (usize, &Status)| {
-        let cells = results
-            .titles
-            .iter()
-            .zip(&results.rows[index])
-            .skip(results.varied.end + 2);
+        let row = &results.rows[index];
+        let (end, message) = (results.varied.end, results.varied.end + 1);
+        // of a run that is damaged the table tells more than how it ended
+        let is_whole = status.is_finished() && row[end].text() == status.name();
+        let message = (matches!(status, Status::Ended(_)) && !is_whole).then(|| row[message].text());
+        let cells = results.titles.iter().zip(row).skip(end + 2);
         let told: serde_json::Map<String, Value> = cells
             .filter_map(|(title, cell)| Some((title.clone(), json!(cell.number()?))))
             .collect();
         json!({
             "index": index, "name": folder.plan.runs[index].name, "folder": folder.run_folder(index).display().to_string(),
-            "values": values(folder, index), "end": status.name(),
-            "message": status.failure().map(|outcome| outcome.message.as_str()), "results": told,
+            "values": values(folder, index), "end": row[end].text(), "message": message, "results": told,
         })
     };
     let runs: Vec<Value> = statuses.iter().enumerate().map(one).collect();
     let plots: Vec<String> = written.plots.iter().map(|path| path.display().to_string()).collect();
     json!({
         "folder": folder.root().display().to_string(),
-        "finished": count(&Status::is_finished),
+        "finished": count(&Status::is_finished) - results.problems.len(),
+        "damaged": results.problems.len(),
         "failed": count(&|status| status.failure().is_some()),
         "left": count(&|status| !matches!(status, Status::Ended(_))),
         "runs": runs,
