@@ -6,6 +6,7 @@ mod legend;
 mod raster;
 mod sheet;
 mod svg;
+mod thin;
 
 pub use sheet::Sheet;
 
@@ -159,7 +160,7 @@ impl Plot {
             match series.look {
                 Look::Circles => {
                     let shown = series.points.iter().filter(|p| x.shows(p.0) && y.shows(p.1));
-                    let centres: Vec<(f64, f64)> = shown.map(|p| (x.pixel(p.0), y.pixel(p.1))).collect();
+                    let centres = thin::places(shown.map(|p| (x.pixel(p.0), y.pixel(p.1))));
                     on.circles(&centres, pen);
                 }
                 _ => on.lines(&lines(&series.points, &x, &y), pen),
@@ -214,33 +215,13 @@ fn colour(series: &Series, place: usize) -> &'static str {
 
 /// The lines of a series, without points that nobody could see.
 fn lines(points: &[(f64, f64)], x: &Axis, y: &Axis) -> Vec<Vec<(f64, f64)>> {
-    let mut lines: Vec<Vec<(f64, f64)>> = Vec::new();
-    // The last point drawn, and the last one left out after it.
-    let mut pen: Option<(f64, f64)> = None;
-    let mut skipped: Option<(f64, f64)> = None;
-    let mut draw = |begin: bool, at: (f64, f64)| match lines.last_mut() {
-        Some(line) if !begin => line.push(at),
-        _ => lines.push(vec![at]),
+    let pieces = points.split(|p| !(x.shows(p.0) && y.shows(p.1)));
+    let shown = pieces.filter(|piece| !piece.is_empty());
+    let line = |piece: &[(f64, f64)]| {
+        let places: Vec<(f64, f64)> = piece.iter().map(|p| (x.pixel(p.0), y.pixel(p.1))).collect();
+        thin::line(&places)
     };
-    for &(px, py) in points.iter().chain([&(f64::NAN, f64::NAN)]) {
-        if !(x.shows(px) && y.shows(py)) {
-            // The end of a line is always drawn.
-            if let Some(at) = skipped.take() {
-                draw(false, at);
-            }
-            pen = None;
-            continue;
-        }
-        let at = (x.pixel(px), y.pixel(py));
-        match pen {
-            Some(last) if (at.0 - last.0).abs() < CLOSE && (at.1 - last.1).abs() < CLOSE => skipped = Some(at),
-            _ => {
-                draw(pen.is_none(), at);
-                (pen, skipped) = (Some(at), None);
-            }
-        }
-    }
-    lines
+    shown.map(line).collect()
 }
 
 #[cfg(test)]
