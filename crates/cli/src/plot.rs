@@ -220,13 +220,14 @@ impl Drawing<'_> {
             }
         }
         let points: usize = series.iter().map(|line| line.points.len()).sum();
-        let is_infinite = |point: &&(f64, f64)| point.0.is_infinite() || point.1.is_infinite();
-        let infinite: usize = (series.iter())
-            .map(|line| line.points.iter().filter(is_infinite).count())
-            .sum();
-        if infinite > 0 {
+        let all = || series.iter().flat_map(|line| &line.points);
+        // cells without a number alone are usual in series
+        if all().any(|point| point.0.is_infinite() || point.1.is_infinite()) {
+            let left_out = all()
+                .filter(|point| !(point.0.is_finite() && point.1.is_finite()))
+                .count();
             note(&format!(
-                "warning: {infinite} of {points} points are left out: they are infinite"
+                "warning: {left_out} of {points} points are left out: they are infinite or no numbers"
             ));
         }
         let mut without_logarithm = 0;

@@ -185,14 +185,19 @@ fn rows_of_one_moment_that_words_tell_apart_are_lines_of_their_own() {
 #[test]
 fn infinite_values_are_left_out_and_counted() {
     let place = Place::new();
-    place.write("t.csv", "x,y\n0,1\n1,inf\n2,3\n3,-inf\n4,5\n");
+    place.write("t.csv", "x,y\n0,1\n1,inf\n2,3\n3,-inf\n4,5\n5,NaN\n");
     let said = place.expect(0, &["plot", "t.csv", "x", "y", "--out", "t.svg", "--json"]);
     assert!(
-        said.err.contains("2 of 5 points are left out: they are infinite"),
+        said.err
+            .contains("3 of 6 points are left out: they are infinite or no numbers"),
         "{}",
         said.err
     );
     assert_eq!(said.json()["points"], 3);
+    // no number alone is a gap, which is usual
+    place.write("gap.csv", "x,y\n0,1\n1,NaN\n2,\n3,4\n");
+    let said = place.expect(0, &["plot", "gap.csv", "x", "y", "--out", "gap.svg", "--json"]);
+    assert_eq!((said.err.as_str(), &said.json()["points"]), ("", &json!(2)));
 }
 
 #[test]
