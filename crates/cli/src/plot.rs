@@ -423,7 +423,10 @@ fn cut(points: &mut [(f64, f64)], x: AxisSpec, y: AxisSpec) -> usize {
 }
 
 fn column<'t>(table: &'t Columns, name: &str) -> Result<&'t Column, Failure> {
-    table.find(name).ok_or_else(|| {
+    table.required(name).map_err(|error| {
+        let ResultsError::NoColumn { .. } = error else {
+            return error.into();
+        };
         let meant = match Path::new(name).exists() {
             true => " It is a file or a folder: runs beside the first are named behind `--with`.".to_owned(),
             false => did_you_mean(name, table.all().iter().map(Column::name)),

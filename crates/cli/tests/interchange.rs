@@ -201,6 +201,27 @@ fn infinite_values_are_left_out_and_counted() {
 }
 
 #[test]
+fn a_name_that_several_columns_have_is_refused() {
+    let place = Place::new();
+    place.write("t.csv", "a [m],a [s],b,b\n1,4,5,6\n2,3,7,8\n");
+    let refused = |x: &str, y: &str, what: &str| {
+        let said = place.expect(2, &["plot", "t.csv", x, y, "--out", "t.svg"]);
+        assert!(said.err.contains(what), "{}", said.err);
+    };
+    refused(
+        "a",
+        "a [s]",
+        "the name `a` fits several columns: `a [m]`, `a [s]`; name one with its unit",
+    );
+    refused(
+        "a [m]",
+        "b",
+        "the name `b` fits several columns: `b`, `b`; give each its own title",
+    );
+    place.expect(0, &["plot", "t.csv", "a [m]", "a [s]", "--out", "t.svg"]);
+}
+
+#[test]
 fn bins_of_a_distribution_are_drawn_over_their_edges() {
     let place = Place::new();
     let rows: String = (0..3)

@@ -29,7 +29,16 @@ pub fn read_measured(path: &Path) -> Result<Strokes, CompareError> {
         let problem = format!("unknown column `{other}`; a measured curve has the columns {MEASURED_COLUMNS}");
         return Err(CompareError::Measured { name, problem });
     }
-    let find = |title: &str| table.header().iter().position(|t| t == title);
+    let header = table.header();
+    if let Some((_, twice)) = header
+        .iter()
+        .enumerate()
+        .find(|(k, title)| header[..*k].contains(title))
+    {
+        let problem = format!("the column `{twice}` is there twice; leave one of them out");
+        return Err(CompareError::Measured { name, problem });
+    }
+    let find = |title: &str| header.iter().position(|t| t == title);
     let position = match (find(Position::Strain.title()), find(Position::Compression.title())) {
         (Some(column), None) => (Position::Strain, column),
         (None, Some(column)) => (Position::Compression, column),

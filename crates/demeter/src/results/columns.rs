@@ -1,7 +1,7 @@
 //! Tables of rows as columns: the series, profiles, paths and distributions of a run.
 
 use super::error::ResultsError;
-use super::rows::{Place, Table, column_name, nearest, position_of};
+use super::rows::{Place, Table, column_name, only_position_of, position_of};
 use crate::output::RunFolder;
 use std::collections::HashMap;
 use std::fs::File;
@@ -225,19 +225,19 @@ impl Columns {
         self.rows
     }
 
-    /// A column, told by its title or by its name without the unit.
-    pub fn find(&self, name: &str) -> Option<&Column> {
-        let titles: Vec<String> = self.columns.iter().map(|column| column.title.clone()).collect();
-        position_of(&titles, name).map(|k| &self.columns[k])
+    fn titles(&self) -> Vec<String> {
+        self.columns.iter().map(|column| column.title.clone()).collect()
     }
 
-    /// A column that must be there, told by its title or by its name without the unit.
+    /// A column, told by its title or by its name without the unit; the first where several have it.
+    pub fn find(&self, name: &str) -> Option<&Column> {
+        position_of(&self.titles(), name).map(|k| &self.columns[k])
+    }
+
+    /// A column that must be there, and no other of that name, told by its title or by its name without the unit.
     pub fn required(&self, name: &str) -> Result<&Column, ResultsError> {
-        self.find(name).ok_or_else(|| ResultsError::NoColumn {
-            path: self.path.clone(),
-            column: name.to_string(),
-            help: nearest(name, self.columns.iter().map(Column::name)),
-        })
+        let at = only_position_of(&self.path, &self.titles(), name)?;
+        Ok(&self.columns[at])
     }
 
     /// The numbers of a column that must be there and hold numbers.
@@ -295,7 +295,7 @@ impl Columns {
             });
         }
         let before = self.rows;
-        let header = self.columns.iter().map(|column| column.title.clone()).collect();
+        let header = self.titles();
         let again = file.try_clone().map_err(ResultsError::io(&self.path))?;
         let table = Table::go_on(&self.path, file, MAX_SIZE, header, self.read_to)?;
         self.take(table, again)?;

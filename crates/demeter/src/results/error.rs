@@ -83,6 +83,18 @@ pub enum ResultsError {
         /// What there is, or how to get it.
         help: String,
     },
+    /// A name fits more than one column.
+    #[error("`{}`: the name `{column}` fits several columns: {columns}; {help}", path.display())]
+    SeveralColumns {
+        /// The file.
+        path: PathBuf,
+        /// The name.
+        column: String,
+        /// The columns.
+        columns: String,
+        /// What to do.
+        help: &'static str,
+    },
     /// A cell holds something else than it should.
     #[error("`{}`, line {line}, column `{column}`: `{found}` is not {expected}", path.display())]
     Cell {

@@ -49,6 +49,37 @@ pub fn position_of(header: &[String], name: &str) -> Option<usize> {
     whole.or_else(|| header.iter().position(|title| column_name(title) == name))
 }
 
+/// Index of a column that must be there, and no other of that name.
+pub(super) fn only_position_of(path: &Path, header: &[String], name: &str) -> Result<usize, ResultsError> {
+    let Some(first) = position_of(header, name) else {
+        return Err(ResultsError::NoColumn {
+            path: path.to_owned(),
+            column: name.to_string(),
+            help: nearest(name, header.iter().map(|title| column_name(title))),
+        });
+    };
+    let is_whole = header[first] == name;
+    let is_meant = |title: &&String| *title == name || (!is_whole && column_name(title) == name);
+    let meant: Vec<String> = header
+        .iter()
+        .filter(is_meant)
+        .map(|title| format!("`{title}`"))
+        .collect();
+    if let [_] = meant[..] {
+        return Ok(first);
+    }
+    let help = match meant.iter().all(|title| *title == meant[0]) {
+        true => "give each its own title",
+        false => "name one with its unit",
+    };
+    Err(ResultsError::SeveralColumns {
+        path: path.to_owned(),
+        column: name.to_string(),
+        columns: meant.join(", "),
+        help,
+    })
+}
+
 impl Table {
     /// Opens a table of at most so many bytes. When it may be `cut` short, a last line without an end is left out.
     pub fn open(path: &Path, allowed: u64, cut: bool) -> Result<Self, ResultsError> {
@@ -138,11 +169,7 @@ impl Table {
 
     /// Index of a column that must be there.
     pub fn required(&self, name: &str) -> Result<usize, ResultsError> {
-        self.column(name).ok_or_else(|| ResultsError::NoColumn {
-            path: self.path.clone(),
-            column: name.to_string(),
-            help: nearest(name, self.header.iter().map(|title| column_name(title))),
-        })
+        only_position_of(&self.path, &self.header, name)
     }
 
     /// The next row.
@@ -274,6 +301,32 @@ mod tests {
         );
         let error = table.required("bb").unwrap_err().to_string();
         assert!(error.contains("no column `bb`; did you mean `b`?"), "{error}");
+    }
+
+    #[test]
+    fn a_name_that_several_columns_have_decides_nothing() {
+        let told = |header: &str, name: &str| {
+            let found = table(&format!("{header}\n"), false).unwrap().required(name);
+            found.map_err(|error| error.to_string())
+        };
+        assert_eq!(
+            [told("a [m],a,a [s]", "a"), told("a [m],b,a [s]", "a [s]")],
+            [Ok(1), Ok(2)]
+        );
+        let units = told("a [m],b,a [s]", "a").unwrap_err();
+        assert!(
+            units.ends_with("the name `a` fits several columns: `a [m]`, `a [s]`; name one with its unit"),
+            "{units}"
+        );
+        for name in ["b", "b [m]"] {
+            let twice = told(&format!("a,{name},{name}"), name).unwrap_err();
+            assert!(
+                twice.ends_with(&format!(
+                    "fits several columns: `{name}`, `{name}`; give each its own title"
+                )),
+                "{twice}"
+            );
+        }
     }
 
     #[test]

@@ -158,6 +158,10 @@ fn measured_curves_that_do_not_fit_are_refused() {
         ("strain,compression [m],loading force [N]\n0,0,1\n", "it has both"),
         ("loading force [N]\n1\n", "it has neither"),
         (
+            "strain,loading force [N],loading force [N]\n0,1,2\n",
+            "the column `loading force [N]` is there twice",
+        ),
+        (
             "strain,loading force [N]\n0,1\n0,2\n",
             "two values of loading at a strain of 0",
         ),
