@@ -68,18 +68,44 @@ pub fn groups(folder: &SweepFolder, seed: usize) -> Vec<Vec<usize>> {
     found.into_iter().map(|(_, runs)| runs).collect()
 }
 
+/// The mean, counted from the first value, so that equal values have that one as their mean and no deviation.
+pub(super) fn mean(values: &[f64]) -> Option<f64> {
+    let first = *values.first()?;
+    let beyond = values.iter().map(|value| value - first).sum::<f64>() / values.len() as f64;
+    Some(first + beyond)
+}
+
 /// The mean, and the standard deviation of a sample of more than one.
 fn mean_and_deviation(values: &[f64]) -> (Option<f64>, Option<f64>) {
-    let count = values.len() as f64;
-    if values.is_empty() {
+    let Some(mean) = mean(values) else {
         return (None, None);
-    }
-    let mean = values.iter().sum::<f64>() / count;
+    };
     let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-    (Some(mean), (values.len() > 1).then(|| (squares / (count - 1.0)).sqrt()))
+    let deviation = (values.len() > 1).then(|| (squares / (values.len() - 1) as f64).sqrt());
+    (Some(mean), deviation)
 }
 
 fn deviation_title(title: &str) -> String {
     let name = column_name(title);
     format!("{name} deviation{}", &title[name.len()..])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_values_have_no_deviation() {
+        for value in [0.1, 1e-3 / 3.0, -7.3e12, 0.0] {
+            for count in 2..12 {
+                let values = vec![value; count];
+                assert_eq!(mean_and_deviation(&values), (Some(value), Some(0.0)), "{count}");
+            }
+        }
+        assert_eq!(mean_and_deviation(&[1.0, 3.0]), (Some(2.0), Some(2f64.sqrt())));
+        assert_eq!(
+            (mean_and_deviation(&[5.0]), mean_and_deviation(&[])),
+            ((Some(5.0), None), (None, None))
+        );
+    }
 }

@@ -60,8 +60,10 @@ impl Varied {
         }
         problems.extend(axes.iter().filter_map(repeated_row));
         problems.extend(self.lost_keys(&axes, scenario));
-        let runs = axes.iter().map(|axis| axis.rows.len()).fold(1, usize::saturating_mul);
-        if runs > MAX_RUNS {
+        let lengths = axes.iter().map(|axis| axis.rows.len() as u64);
+        let runs = lengths.fold(Some(1_u64), |runs, length| runs?.checked_mul(length));
+        if runs.is_none_or(|runs| runs > MAX_RUNS as u64) {
+            let runs = runs.map_or_else(|| "more than 1e19".to_string(), |runs| runs.to_string());
             problems.push(format!(
                 "these are {runs} runs; a sweep has at most {MAX_RUNS}. Vary less at once, or tell a --table"
             ));
@@ -292,5 +294,13 @@ mod tests {
             ..Varied::default()
         };
         assert!(many.axes("").unwrap_err().to_string().contains("25000000 runs"));
+        let all = Varied {
+            vary: ["a", "b", "c", "d", "e", "f"]
+                .map(|key| format!("{key}=1..2:5000"))
+                .to_vec(),
+            ..Varied::default()
+        };
+        let text = all.axes("").unwrap_err().to_string();
+        assert!(text.contains("these are more than 1e19 runs"), "{text}");
     }
 }

@@ -57,8 +57,10 @@ impl What {
             Self::Last => values[values.len() - 1].0,
             Self::Mean => mean(&|value| value),
             Self::Deviation => {
-                let middle = mean(&|value| value);
-                mean(&|value| (value - middle).powi(2)).sqrt()
+                // counted from one of them, so that equal values have none
+                let first = values[0].0;
+                let middle = mean(&|value| value - first);
+                mean(&|value| (value - first - middle).powi(2)).sqrt()
             }
             Self::Min => each().fold(f64::INFINITY, f64::min),
             Self::Max => each().fold(f64::NEG_INFINITY, f64::max),
@@ -282,6 +284,10 @@ mod tests {
         );
         assert_eq!([value("mean:f@1 s..2 s"), value("deviation:f@press 1")], [3.0, 1.0]);
         assert!(value("mean:f@fill").is_nan());
+        let equal: String = (0..7).map(|k| format!("{k},{},a,0.1\n", 0.3 * f64::from(k))).collect();
+        std::fs::write(&path, "step,time [s],stage,f [N]\n".to_string() + &equal).unwrap();
+        let deviation = Metric::read("deviation:f").unwrap();
+        assert_eq!(deviation.of(&Columns::read(&path).unwrap()).unwrap().1, 0.0);
         // a stage with few rows counts as long as it lasts, and one row alone is its own mean
         std::fs::write(&path, "time [s],stage,f [N]\n0,a,0\n1,a,1\n2,a,2\n10,b,10\n").unwrap();
         let uneven = Columns::read(&path).unwrap();

@@ -1,6 +1,6 @@
 //! A result of all runs against a varied key.
 
-use super::average::groups;
+use super::average::{groups, mean};
 use super::error::SweepError;
 use super::folder::SweepFolder;
 use super::gather::Results;
@@ -69,8 +69,12 @@ fn means(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
     let groups = sorted.chunk_by(|a, b| a.0 == b.0);
-    let mean = |group: &[(f64, f64)]| group.iter().map(|point| point.1).sum::<f64>() / group.len() as f64;
-    groups.map(|group| (group[0].0, mean(group))).collect()
+    groups
+        .filter_map(|group| {
+            let values: Vec<f64> = group.iter().map(|point| point.1).collect();
+            Some((group[0].0, mean(&values)?))
+        })
+        .collect()
 }
 
 /// The column against which results are drawn.
