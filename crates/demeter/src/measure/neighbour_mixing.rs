@@ -8,7 +8,8 @@
 //! ```
 //!
 //! In the same way each of the `N` grains has its `k` nearest neighbours (distances of centres); with the share `p` of the kind by
-//! number, chance gives unlike ones a share `2 p (1 - p) N/(N - 1)`. Both indices are 0 when the kinds are apart, up to their
+//! number, chance gives unlike ones a share `2 p (1 - p) N/(N - 1)`. Across periodic sides a grain counts once, with its nearest image,
+//! and is no neighbour of itself: the chance above is that of `N - 1` others. Both indices are 0 when the kinds are apart, up to their
 //! border, 1 in the mean when chance alone mixed them, and larger where the kinds seek each other.
 
 use super::told_first::{counting, each_in_order, own_pairs};
@@ -144,29 +145,20 @@ impl Tree {
         }
     }
 
-    /// The nearest other points of a point and its images, nearest first; of equals the one with the lower index.
+    /// The nearest other points, each by that of its images which is nearest, nearest first; of equals the one with the lower index.
     fn nearest(&self, point: usize, count: usize, images: &[DVec3]) -> Vec<usize> {
         let mut found: Vec<(f64, usize)> = Vec::with_capacity(count + 1);
         for shift in images {
             let place = self.places[point] + *shift;
             let outside = (self.lower - place).max(place - self.upper).max(DVec3::ZERO);
             if found.len() < count || outside.length_squared() <= found[count - 1].0 {
-                let own = (*shift == DVec3::ZERO).then_some(point);
-                self.visit(&self.order, 0, place, own, count, &mut found);
+                self.visit(&self.order, 0, place, point, count, &mut found);
             }
         }
         found.into_iter().map(|near| near.1).collect()
     }
 
-    fn visit(
-        &self,
-        range: &[u32],
-        axis: usize,
-        place: DVec3,
-        own: Option<usize>,
-        count: usize,
-        found: &mut Vec<(f64, usize)>,
-    ) {
+    fn visit(&self, range: &[u32], axis: usize, place: DVec3, own: usize, count: usize, found: &mut Vec<(f64, usize)>) {
         let Some((before, rest)) = range.split_at_checked(range.len() / 2) else {
             return;
         };
@@ -174,10 +166,15 @@ impl Tree {
             return;
         };
         let middle = middle as usize;
-        if own != Some(middle) {
+        if own != middle {
             let entry = ((self.places[middle] - place).length_squared(), middle);
             let at = found.partition_point(|near| (near.0, near.1) < entry);
-            if at < count {
+            let image = found.iter().position(|near| near.1 == middle);
+            if at < count && image.is_none_or(|image| at <= image) {
+                // the farther image makes room, or else the farthest neighbour
+                if let Some(image) = image {
+                    found.remove(image);
+                }
                 found.insert(at, entry);
                 found.truncate(count);
             }
@@ -232,18 +229,42 @@ mod tests {
         let tree = Tree::new(places.clone());
         let images = [DVec3::ZERO, DVec3::X, DVec3::NEG_X];
         for point in 0..places.len() {
-            let mut all: Vec<(f64, usize)> = Vec::new();
-            for shift in images {
-                for (k, place) in places.iter().enumerate() {
-                    if k != point || shift != DVec3::ZERO {
-                        all.push(((*place - places[point] - shift).length_squared(), k));
-                    }
-                }
-            }
+            let nearest_image = |k: usize| {
+                let squares = images.map(|shift| (places[k] - places[point] - shift).length_squared());
+                (squares.into_iter().fold(f64::INFINITY, f64::min), k)
+            };
+            let others = (0..places.len()).filter(|k| *k != point);
+            let mut all: Vec<(f64, usize)> = others.map(nearest_image).collect();
             all.sort_by(|a, b| a.0.total_cmp(&b.0));
             let expected: Vec<usize> = all[..8].iter().map(|near| near.1).collect();
             assert_eq!(tree.nearest(point, 8, &images), expected);
         }
+    }
+
+    #[test]
+    fn a_grain_is_no_neighbour_of_itself_and_another_counts_once() {
+        let images: Vec<DVec3> = (-1..=1)
+            .flat_map(|x| (-1..=1).map(move |y| DVec3::new(f64::from(x), f64::from(y), 0.0)))
+            .collect();
+        let of = |nearest: u32, places: &[(DVec3, bool)]| {
+            let mixing = NeighbourMixing {
+                zone: Zone::default(),
+                selection: Selection::default(),
+                nearest,
+            };
+            mixing.of_nearest(places, &images)
+        };
+        // across a box whose sides are shorter than the way to the other grain
+        let two = [(DVec3::ZERO, true), (DVec3::new(0.5, 0.5, 2.0), false)];
+        assert_eq!(of(1, &two), (1.0, 1.0));
+        assert_eq!(of(6, &two), (1.0, 1.0));
+        // more neighbours are asked for than there are: each of the others counts
+        let three = [two[0], two[1], (DVec3::new(0.5, 0.0, 0.0), false)];
+        let (share, index) = of(2, &three);
+        assert!(
+            (share - 2.0 / 3.0).abs() < 1e-15 && (index - 1.0).abs() < 1e-15,
+            "{share} {index}"
+        );
     }
 
     #[test]
