@@ -5,6 +5,7 @@ mod domain;
 mod interior;
 mod load;
 mod origins;
+mod parts;
 mod rows;
 pub(crate) mod spread;
 mod written;

@@ -3,6 +3,7 @@
 use super::error::WallError;
 use super::pose::Pose;
 use super::surface::Surface;
+use crate::particles::Interior;
 use demeter_physics::geometry::Side;
 use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
@@ -75,8 +76,13 @@ fn enclosed(surface: &Surface, density: f64) -> Result<MassProperties, WallError
     match surface {
         Surface::Mesh(mesh) => {
             mesh.require_closed()?;
-            let corners = mesh.triangles().iter().map(|triangle| triangle.corners());
-            within_triangles(corners, mesh.centroid(), density).ok_or(WallError::NoVolume)
+            let corners: Vec<[DVec3; 3]> = mesh.triangles().iter().map(|triangle| triangle.corners()).collect();
+            // parts count each for itself, whichever of them are drawn inside out
+            let outwards = match Interior::new(&corners) {
+                Ok(inside) => inside.outwards(&corners),
+                Err(_) => corners,
+            };
+            within_triangles(outwards.into_iter(), mesh.centroid(), density).ok_or(WallError::NoVolume)
         }
         Surface::Shell(shell) if shell.side == Side::Outside => {
             let mass = density * 4.0 / 3.0 * PI * shell.radius.powi(3);
@@ -173,6 +179,26 @@ mod tests {
                 found.center
             );
         }
+    }
+
+    #[test]
+    fn parts_of_a_mesh_add_whichever_way_they_face_and_holes_are_empty() {
+        let inside_out = |part: Vec<[DVec3; 3]>| part.into_iter().map(|[a, b, c]| [a, c, b]).collect::<Vec<_>>();
+        let cube = |from: DVec3, side: f64| boxed(from, from + side);
+        let mass = |triangles: Vec<[DVec3; 3]>| {
+            let surface = Surface::new(Shape::Mesh { triangles }).unwrap();
+            BodyMass::Density(2.0).of(&surface, DVec3::ZERO, &Pose::START).unwrap()
+        };
+        let at = DVec3::new(3.0, 0.5, 0.5);
+        let apart = mass([cube(DVec3::ZERO, 2.0), inside_out(cube(at, 1.0))].concat());
+        assert!((apart.mass - 18.0).abs() < 1e-12, "{}", apart.mass);
+        let center = (8.0 * DVec3::ONE + (at + 0.5)) / 9.0;
+        assert!((apart.center - center).length() < 1e-12 && apart.are_possible());
+        let hollow = mass([inside_out(cube(DVec3::ZERO, 2.0)), cube(DVec3::splat(0.5), 1.0)].concat());
+        assert!((hollow.mass - 14.0).abs() < 1e-12, "{}", hollow.mass);
+        // what overlaps counts for each of its parts
+        let crossing = mass([cube(DVec3::ZERO, 2.0), inside_out(cube(DVec3::ONE, 2.0))].concat());
+        assert!((crossing.mass - 32.0).abs() < 1e-12, "{}", crossing.mass);
     }
 
     #[test]
