@@ -4,7 +4,6 @@ use super::checks::told_motions;
 use super::{Diagnostics, Scenario};
 use crate::particles::Interior;
 use crate::walls::{BodyMass, Motion, Wall, meeting};
-use glam::DVec3;
 
 /// Refuses bodies whose mass is not known from their shape, and those that touch other walls from the start; a step takes `dt` [s].
 pub(super) fn check(scenario: &Scenario, walls: &[Wall], dt: f64, faults: &mut Diagnostics) {
@@ -53,9 +52,9 @@ pub(super) fn check_parts(scenario: &Scenario, walls: &[Wall], warnings: &mut Ve
         let Some(mesh) = wall.mesh().filter(|_| told.insert(index)) else {
             continue;
         };
-        let corners: Vec<[DVec3; 3]> = mesh.triangles().iter().map(|t| t.corners()).collect();
         // what is not closed is refused elsewhere
-        if let Ok(inside) = Interior::new(&corners)
+        if let Ok(triangles) = mesh.closed_triangles()
+            && let Ok(inside) = Interior::new(&triangles)
             && inside.parts_overlap()
         {
             warnings.push(format!(

@@ -4,7 +4,8 @@ use super::grains::Surroundings;
 use super::meshes::size_of;
 use super::reader::TableReader;
 use super::walls::{WallShape, WallSpec, mesh};
-use crate::particles::Interior;
+use crate::particles::{Interior, InteriorError};
+use crate::walls::mesh::Repair;
 use crate::walls::{Mesh, Shape, read_mesh};
 use glam::DVec3;
 use std::sync::Arc;
@@ -33,32 +34,47 @@ pub(super) fn closed_mesh(
     around: &Surroundings<'_>,
 ) -> Option<ClosedMesh> {
     let is_told = table.has("file") || table.has("triangles");
-    let (shape, key) = match wall.filter(|_| !is_told) {
+    let (shape, key, weld) = match wall.filter(|_| !is_told) {
         Some(spec) if !matches!(spec.shape, WallShape::File(_) | WallShape::Given(Shape::Mesh { .. })) => {
             let message = format!("wall `{}` is no mesh, so that it has no inside", spec.name);
             let help = "name a wall of shape \"mesh\", or give `file`";
             table.fault(message, Some(help.to_string()));
             return None;
         }
-        Some(spec) => (spec.shape.clone(), "wall"),
-        None => (mesh(table, around), key_of(table)),
+        Some(spec) => (spec.shape.clone(), "wall", spec.weld),
+        None => (mesh(table, around), key_of(table), None),
     };
-    let triangles = triangles(table, shape, key, around)?;
-    match Interior::new(&triangles) {
-        Ok(interior) => Some(ClosedMesh {
-            triangles,
-            interior: Arc::new(interior),
-        }),
-        Err(error) => {
-            table.fault_at(key, error.to_string());
+    let (triangles, repair) = triangles(table, (shape, weld), key, around)?;
+    match closed(triangles, &repair) {
+        Ok(closed) => Some(closed),
+        Err(message) => {
+            table.fault_at(key, message);
             None
         }
     }
 }
 
+/// The inside of repaired triangles, or why they have none.
+fn closed(triangles: Vec<[DVec3; 3]>, repair: &Repair) -> Result<ClosedMesh, String> {
+    let inside = |triangles: &[[DVec3; 3]]| Interior::new(triangles).map(Arc::new);
+    let (triangles, interior) = match inside(&triangles) {
+        Err(InteriorError::Open { .. }) => {
+            let mesh = Mesh::new(&triangles).map(|mesh| mesh.with_both_fronts(&repair.both_fronts));
+            let closed = mesh.and_then(|mesh| mesh.closed_triangles());
+            let closed = closed.map_err(|error| error.to_string())?;
+            let interior = inside(&closed);
+            (closed, interior)
+        }
+        interior => (triangles, interior),
+    };
+    let interior = interior.map_err(|error| error.to_string())?;
+    Ok(ClosedMesh { triangles, interior })
+}
+
 /// The triangles of a mesh that need not be closed [m].
 pub(super) fn open_mesh(table: &TableReader<'_>, around: &Surroundings<'_>) -> Option<Vec<[DVec3; 3]>> {
-    triangles(table, mesh(table, around), key_of(table), around)
+    let read = triangles(table, (mesh(table, around), None), key_of(table), around);
+    read.map(|(triangles, _)| triangles)
 }
 
 /// The key that tells the triangles.
@@ -66,13 +82,13 @@ fn key_of(table: &TableReader<'_>) -> &'static str {
     if table.has("triangles") { "triangles" } else { "file" }
 }
 
-/// Repaired triangles of the shape of a wall [m].
+/// Triangles of the shape of a wall [m], whose corners are joined within some distance [m], and what was repaired.
 fn triangles(
     table: &TableReader<'_>,
-    shape: WallShape,
+    (shape, weld): (WallShape, Option<f64>),
     key: &str,
     around: &Surroundings<'_>,
-) -> Option<Vec<[DVec3; 3]>> {
+) -> Option<(Vec<[DVec3; 3]>, Repair)> {
     let mut unit_is_told = true;
     let read = match shape {
         WallShape::Given(Shape::Mesh { triangles }) if !triangles.is_empty() => Ok(triangles),
@@ -91,9 +107,9 @@ fn triangles(
     if read.iter().flatten().flatten().any(|corner| corner.is_nan()) {
         return None;
     }
-    let repaired = read.and_then(|read| Mesh::repair(&read, None).map_err(|error| error.to_string()));
+    let repaired = read.and_then(|read| Mesh::repair(&read, weld).map_err(|error| error.to_string()));
     match repaired {
-        Ok((triangles, _)) => {
+        Ok((triangles, repair)) => {
             let size = size_of(triangles.iter().flatten().map(|&corner| (corner, 0.0)));
             if let Some(size) = size.filter(|_| !unit_is_told) {
                 around.without_unit.borrow_mut().push(MeshWithoutUnit {
@@ -101,7 +117,7 @@ fn triangles(
                     size,
                 });
             }
-            Some(triangles)
+            Some((triangles, repair))
         }
         Err(message) => {
             table.fault_at(key, message);

@@ -3,7 +3,7 @@
 use super::{Scenario, WallShape, WallSpec};
 use crate::particles::Grains;
 use crate::walls::mesh::Repair;
-use crate::walls::{Mesh, MeshError, MeshFormat, Shape, Wall, read_mesh};
+use crate::walls::{Made, Mesh, MeshError, MeshFormat, Shape, Wall, read_mesh};
 use glam::DVec3;
 
 /// Largest and smallest size of a mesh, as a multiple of the size of all grains together, that is no reason to doubt its
@@ -40,11 +40,11 @@ pub struct MeshSource {
     pub twisted: usize,
 }
 
-/// The shape of a wall; on error the key at fault and why.
-pub(super) fn shape(spec: &WallSpec) -> Result<(Shape, Option<MeshOrigin>), (&'static str, String)> {
+/// What a wall is made of; on error the key at fault and why.
+pub(super) fn made_of(spec: &WallSpec) -> Result<(Made, Option<MeshOrigin>), (&'static str, String)> {
     let (given, source) = match &spec.shape {
         WallShape::Given(Shape::Mesh { triangles }) => (triangles.clone(), None),
-        WallShape::Given(shape) => return Ok((shape.clone(), None)),
+        WallShape::Given(shape) => return Ok((shape.clone().into(), None)),
         WallShape::File(file) => {
             let content =
                 read_mesh(&file.path, file.scale, file.shift).map_err(|error| (".file", error.to_string()))?;
@@ -72,16 +72,18 @@ pub(super) fn shape(spec: &WallSpec) -> Result<(Shape, Option<MeshOrigin>), (&'s
         };
         (key, error.to_string())
     })?;
+    let mesh = Mesh::new(&triangles).map_err(|error| ("", error.to_string()))?;
+    let mesh = mesh.with_both_fronts(&repair.both_fronts);
     if spec.closed {
-        let mesh = Mesh::new(&triangles).map_err(|error| ("", error.to_string()))?;
-        mesh.require_closed().map_err(|error| (".closed", error.to_string()))?;
+        let closed = mesh.require_closed();
+        closed.map_err(|error| (".closed", format!("{error}, or do not ask for a closed mesh")))?;
     }
     let origin = MeshOrigin {
         source,
         triangles: given.len(),
         repair,
     };
-    Ok((Shape::Mesh { triangles }, Some(origin)))
+    Ok((Made::Mesh(Box::new(mesh)), Some(origin)))
 }
 
 /// Tells what was repaired, and doubts units that nobody told. All grains are those at the start and those that come.

@@ -297,8 +297,8 @@ fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> (Vec<Wall>, Vec<Optio
 
 /// Builds a wall, or tells the key at fault and why.
 fn wall(spec: &WallSpec) -> Result<(Wall, Option<MeshOrigin>), (&'static str, String)> {
-    let (shape, origin) = meshes::shape(spec)?;
-    let wall = Wall::new(&spec.name, spec.material, shape, spec.motion.clone());
+    let (made_of, origin) = meshes::made_of(spec)?;
+    let wall = Wall::new(&spec.name, spec.material, made_of, spec.motion.clone());
     Ok((wall.map_err(|error| ("", error.to_string()))?, origin))
 }
 

@@ -16,9 +16,8 @@ pub(super) struct Solid {
 
 impl Solid {
     fn of(wall: usize, built: &Wall) -> Option<Self> {
-        let corners: Vec<[DVec3; 3]> = built.mesh()?.triangles().iter().map(|t| t.corners()).collect();
         // what is open has no inside
-        let interior = Interior::new(&corners).ok()?;
+        let interior = Interior::new(&built.mesh()?.closed_triangles().ok()?).ok()?;
         Some(Self { wall, interior })
     }
 

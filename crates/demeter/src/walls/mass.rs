@@ -75,8 +75,7 @@ fn second_moments(inertia: &DMat3) -> DMat3 {
 fn enclosed(surface: &Surface, density: f64) -> Result<MassProperties, WallError> {
     match surface {
         Surface::Mesh(mesh) => {
-            mesh.require_closed()?;
-            let corners: Vec<[DVec3; 3]> = mesh.triangles().iter().map(|triangle| triangle.corners()).collect();
+            let corners = mesh.closed_triangles()?;
             // parts count each for itself, whichever of them are drawn inside out
             let outwards = match Interior::new(&corners) {
                 Ok(inside) => inside.outwards(&corners),

@@ -53,6 +53,6 @@ pub(crate) use record::Mark;
 pub use record::{ElementRecord, Recording, WearCoefficients};
 pub use repeated::{Drift, FARTHEST};
 pub(crate) use servo::Servo;
-pub use shape::{Shape, Side};
+pub use shape::{Made, Shape, Side};
 pub use wall::{SurfaceContact, Wall, WallState};
 pub use work::WallWork;

@@ -1,5 +1,6 @@
 //! Shapes of walls, as a user describes them, in the wall's own frame.
 
+use super::mesh::Mesh;
 pub use demeter_physics::geometry::Side;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -79,4 +80,19 @@ pub enum Shape {
         /// Corners of every triangle [m].
         triangles: Vec<[DVec3; 3]>,
     },
+}
+
+/// What a wall is made of.
+#[derive(Clone, Debug)]
+pub enum Made {
+    /// A shape as it is described.
+    Shape(Shape),
+    /// A mesh of which more is known than its triangles.
+    Mesh(Box<Mesh>),
+}
+
+impl From<Shape> for Made {
+    fn from(shape: Shape) -> Self {
+        Self::Shape(shape)
+    }
 }

@@ -4,7 +4,7 @@ use super::elements::FACES;
 use super::error::WallError;
 use super::limits::{UNIT_TOLERANCE, finite, not_negative, positive, unit};
 use super::mesh::Mesh;
-use super::shape::Shape;
+use super::shape::{Made, Shape};
 use super::wall::SurfaceContact;
 use demeter_physics::geometry::contact_sphere_cone::{Cone, contact_sphere_cone};
 use demeter_physics::geometry::contact_sphere_cylinder::{Cylinder, contact_sphere_cylinder};
@@ -38,7 +38,11 @@ pub(super) enum Surface {
 }
 
 impl Surface {
-    pub(super) fn new(shape: Shape) -> Result<Self, WallError> {
+    pub(super) fn new(shape: impl Into<Made>) -> Result<Self, WallError> {
+        let shape = match shape.into() {
+            Made::Mesh(mesh) => return Ok(Surface::Mesh(mesh)),
+            Made::Shape(shape) => shape,
+        };
         Ok(match shape {
             Shape::Plane { point, normal } => Surface::Plane(Plane {
                 point: finite("the point", point)?,

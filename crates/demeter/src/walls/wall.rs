@@ -12,7 +12,7 @@ use super::placed::{Closest, PlacedPart};
 use super::pose::Pose;
 use super::record::{ElementRecord, Mark, Record, Recording};
 use super::repeated::{self, Drift, Repeated};
-use super::shape::Shape;
+use super::shape::Made;
 use super::surface::Surface;
 use super::work::WallWork;
 use crate::particles::Domain;
@@ -73,8 +73,8 @@ pub struct WallState {
 
 impl Wall {
     /// Builds a wall at its start, or tells what is wrong with its description.
-    pub fn new(name: &str, material: u16, shape: Shape, motion: impl Into<Motions>) -> Result<Self, WallError> {
-        let surface = Surface::new(shape)?;
+    pub fn new(name: &str, material: u16, of: impl Into<Made>, motion: impl Into<Motions>) -> Result<Self, WallError> {
+        let surface = Surface::new(of)?;
         let origin = surface.centroid();
         let motor = Motor::begun(motion.into(), &surface, (Pose::START, Pose::START), origin)?;
         let (force, torque) = (DVec3::ZERO, DVec3::ZERO);

@@ -1,7 +1,7 @@
 //! Meshes that are not what they should be: what is repaired, and what is told of the rest.
 
-use demeter::walls::Mesh;
 use demeter::walls::mesh::{Inspection, Repair};
+use demeter::walls::{Mesh, MeshError};
 use glam::DVec3;
 
 type Corners = Vec<[DVec3; 3]>;
@@ -248,4 +248,85 @@ fn a_distance_of_joining_that_leaves_no_triangle_is_told() {
         told.contains("none of the 1 triangles") && told.contains("within 2 m") && told.contains("0.3 m long"),
         "{told}"
     );
+}
+
+/// A brick between two corners, all fronts outwards.
+fn brick(lower: DVec3, upper: DVec3) -> Corners {
+    let size = upper - lower;
+    cube(DVec3::ZERO)
+        .iter()
+        .map(|t| t.map(|corner| lower + corner * size))
+        .collect()
+}
+
+#[test]
+fn a_face_that_two_closed_parts_share_divides_the_inside_and_is_no_hole() {
+    let next = brick(DVec3::X, v(2.0, 1.0, 1.0));
+    let (triangles, repair) = repaired(&[cube(DVec3::ZERO), next].concat());
+    // grains feel the face once
+    assert_eq!(
+        (repair.twice.count, triangles.len(), repair.both_fronts.len()),
+        (2, 22, 2)
+    );
+    let mesh = Mesh::new(&triangles).unwrap();
+    assert!(mesh.require_closed().is_err());
+    let mesh = mesh.with_both_fronts(&repair.both_fronts);
+    let closed = mesh.closed_triangles().unwrap();
+    assert_eq!((closed.len(), mesh.triangles().len()), (20, 22));
+    assert!(
+        closed
+            .iter()
+            .all(|triangle| triangle.iter().any(|corner| corner.x != 1.0))
+    );
+    // a hole beside it is still a hole, and so is one where a part has no face
+    let mut holed = [cube(DVec3::ZERO), brick(DVec3::X, v(2.0, 1.0, 1.0))].concat();
+    let far = holed
+        .iter()
+        .position(|t| t.iter().all(|corner| corner.x == 2.0))
+        .unwrap();
+    holed.remove(far);
+    let (triangles, repair) = repaired(&holed);
+    let mesh = Mesh::new(&triangles).unwrap().with_both_fronts(&repair.both_fronts);
+    assert!(matches!(
+        mesh.require_closed(),
+        Err(MeshError::Open { cracks: None, .. })
+    ));
+    // a closed surface that is drawn from both sides is one, and a file that holds it twice, too
+    let turned: Corners = cube(DVec3::ZERO).iter().map(|&[a, b, c]| [a, c, b]).collect();
+    for (again, both) in [(turned, 12), (cube(DVec3::ZERO), 0)] {
+        let (triangles, repair) = repaired(&[cube(DVec3::ZERO), again].concat());
+        let mesh = Mesh::new(&triangles).unwrap().with_both_fronts(&repair.both_fronts);
+        assert_eq!(
+            (repair.both_fronts.len(), mesh.closed_triangles().unwrap().len()),
+            (both, 12)
+        );
+    }
+}
+
+#[test]
+fn cracks_are_told_from_holes_where_a_mesh_should_be_closed() {
+    let error = |corners: &Corners| Mesh::new(&repaired(corners).0).unwrap().require_closed().unwrap_err();
+    // one side of an edge is cut in its middle
+    let mut cut = cube(DVec3::ZERO);
+    let [a, b, c] = cut.remove(0);
+    let middle = 0.5 * (a + b);
+    cut.extend([[a, middle, c], [middle, b, c]]);
+    let told = error(&cut).to_string();
+    assert!(
+        told.contains("cracks of no width") && told.contains("corners lie on edges"),
+        "{told}"
+    );
+    // a corner of one triangle is off by little
+    let mut torn = cube(DVec3::ZERO);
+    torn[0][0] += DVec3::splat(1e-4);
+    let MeshError::Open {
+        cracks: Some(width), ..
+    } = error(&torn)
+    else {
+        panic!("{}", error(&torn))
+    };
+    assert!((5e-5..4e-4).contains(&width), "{width}");
+    assert!(error(&torn).to_string().contains("`weld`"));
+    torn[0][0] += DVec3::splat(0.1);
+    assert!(matches!(error(&torn), MeshError::Open { cracks: None, .. }));
 }

@@ -9,6 +9,8 @@ use std::collections::VecDeque;
 /// Area of a boundary over the square of its length below which it is a crack without width: a hundredth of a part in a
 /// million; a rim as wide as a hundredth of its length has 4000 times more.
 const CRACK: f64 = 1e-8;
+/// Width of a gap over its length below which its sides were meant to be one.
+const NARROW: f64 = 1e-3;
 
 /// A closed line of edges that belong to one triangle only: the rim of a hole or the end of an open surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +33,24 @@ impl Rim {
     /// Whether it is a crack without width, as triangles without area leave when they are left out.
     pub fn is_crack(&self) -> bool {
         self.is_closed && self.area <= CRACK * self.length * self.length
+    }
+
+    /// How wide it is at most, if it is a triangle [m].
+    fn width(&self) -> f64 {
+        4.0 * self.area / self.length
+    }
+}
+
+/// How to close a mesh, told how wide the widest of its gaps is where all are cracks [m].
+pub(super) fn closing(cracks: Option<f64>) -> String {
+    match cracks {
+        None => "close the hole in the program that drew it".to_string(),
+        Some(0.0) => "these are cracks of no width, corners lie on edges of neighbours there: give both sides the same corners in the program \
+             that drew it"
+            .to_string(),
+        Some(width) => format!(
+            "these are cracks, at most about {width:.1e} m wide: join their corners in the program that drew it, or with `weld` of a wall"
+        ),
     }
 }
 
@@ -93,12 +113,22 @@ impl Mesh {
         }
     }
 
+    /// How wide the widest gap is where all gaps are cracks [m]; 0 without width.
+    pub(super) fn cracks(&self) -> Option<f64> {
+        let alone = (0..self.topology.edge_count()).map(|edge| self.topology.sides_of(edge));
+        let open: Vec<(u32, usize)> = alone.filter(|sides| sides.len() == 1).map(|sides| sides[0]).collect();
+        let rims = self.rims(&open);
+        let is_narrow = |rim: &Rim| rim.is_closed && rim.width() <= NARROW * rim.length;
+        let wide = rims.iter().filter(|rim| !rim.is_crack()).map(Rim::width);
+        (!rims.is_empty() && rims.iter().all(is_narrow)).then(|| wide.fold(0.0, f64::max))
+    }
+
     /// Where a triangle passes through one of others, told by their corners in the frame of this mesh [m].
     pub(crate) fn meets(&self, others: impl Iterator<Item = [DVec3; 3]>) -> Option<DVec3> {
         meeting(&self.triangles, &self.hierarchy, others)
     }
 
-    fn ends(&self, triangle: u32, side: usize) -> [DVec3; 2] {
+    pub(super) fn ends(&self, triangle: u32, side: usize) -> [DVec3; 2] {
         let corners = self.triangles[triangle as usize].corners();
         [corners[side], corners[(side + 1) % 3]]
     }

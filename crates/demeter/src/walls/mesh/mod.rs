@@ -79,7 +79,8 @@ pub enum MeshError {
     /// The mesh should be closed and is not.
     #[error(
         "the mesh is not closed: {count} edges belong to an odd number of triangles, the first from {start} to {end} of \
-         triangle {triangle}; close the hole, or do not ask for a closed mesh"
+         triangle {triangle}; {}",
+        inspection::closing(*cracks)
     )]
     Open {
         /// Edges with an odd number of triangles.
@@ -90,6 +91,8 @@ pub enum MeshError {
         start: DVec3,
         /// End of the edge [m].
         end: DVec3,
+        /// How wide the widest crack is, where all gaps are cracks [m]; 0 without width.
+        cracks: Option<f64>,
     },
 }
 
@@ -101,6 +104,8 @@ pub struct Mesh {
     hierarchy: Hierarchy,
     /// Of which triangles the last ones are copies.
     copies: Vec<u32>,
+    /// Triangles that came with both fronts.
+    both_fronts: Vec<u32>,
 }
 
 impl Mesh {
@@ -132,7 +137,15 @@ impl Mesh {
             topology,
             hierarchy,
             copies: Vec::new(),
+            both_fronts: Vec::new(),
         })
+    }
+
+    /// A mesh that is told which of its triangles came with both fronts ([`Repair::both_fronts`]).
+    #[must_use]
+    pub fn with_both_fronts(self, both_fronts: &[u32]) -> Self {
+        let both_fronts = both_fronts.to_vec();
+        Self { both_fronts, ..self }
     }
 
     /// A mesh whose last triangles are copies of others, beside which they stand: what happens on a copy happens on its original.
@@ -155,20 +168,30 @@ impl Mesh {
 
     /// Error when the surface has a hole: an edge with an odd number of triangles.
     pub fn require_closed(&self) -> Result<(), MeshError> {
+        self.closed_triangles().map(drop)
+    }
+
+    /// Corners of the triangles that together have no hole [m]: all, or all but those that came with both fronts, which divide the inside.
+    pub fn closed_triangles(&self) -> Result<Vec<[DVec3; 3]>, MeshError> {
+        let corners = |kept: &[u32]| kept.iter().map(|&k| self.triangles[k as usize].corners()).collect();
+        let all: Vec<u32> = (0..self.triangles.len() as u32).collect();
         let open = self.topology.odd_edges();
-        match open.first() {
-            None => Ok(()),
-            Some(&(triangle, side)) => {
-                let corners = self.triangles[triangle as usize].corners();
-                let (start, end) = (corners[side as usize], corners[(side as usize + 1) % 3]);
-                Err(MeshError::Open {
-                    count: open.len(),
-                    triangle: triangle as usize + 1,
-                    start,
-                    end,
-                })
-            }
+        let Some(&(triangle, side)) = open.first() else {
+            return Ok(corners(&all));
+        };
+        let mut undivided = all;
+        undivided.retain(|k| self.both_fronts.binary_search(k).is_err());
+        if !self.both_fronts.is_empty() && !undivided.is_empty() && self.topology.is_closed_with(&undivided) {
+            return Ok(corners(&undivided));
         }
+        let [start, end] = self.ends(triangle, side.into());
+        Err(MeshError::Open {
+            count: open.len(),
+            triangle: triangle as usize + 1,
+            start,
+            end,
+            cracks: self.cracks(),
+        })
     }
 
     /// Distance of a point from the surface, or `limit` when that is less [m].

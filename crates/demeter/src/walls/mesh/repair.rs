@@ -39,6 +39,8 @@ pub struct Repair {
     pub flat: LeftOut,
     /// Triangles that came before with the same corners, in any order.
     pub twice: LeftOut,
+    /// Those left that came with both fronts, as a face that two closed surfaces share does, counted from 0.
+    pub both_fronts: Vec<u32>,
     /// Triangles that were turned around so that neighbours agree on their front.
     pub turned: usize,
 }
@@ -80,19 +82,18 @@ impl Mesh {
             let mut sorted = *ids;
             sorted.sort_unstable();
             if Triangle::new(place(*ids)).is_some() {
-                seen.push((sorted, k));
+                seen.push((sorted, k, is_even(ids)));
             } else {
                 repair.flat.add(indices[k], solid[k][0]);
             }
         }
         seen.sort_unstable();
         let mut kept = Vec::with_capacity(seen.len());
-        for (n, &(ids, k)) in seen.iter().enumerate() {
-            if n > 0 && seen[n - 1].0 == ids {
+        for same in seen.chunk_by(|a, b| a.0 == b.0) {
+            for &(_, k, _) in &same[1..] {
                 repair.twice.add(indices[k], solid[k][0]);
-            } else {
-                kept.push(k);
             }
+            kept.push((same[0].1, same.iter().any(|one| one.2 != same[0].2)));
         }
         if kept.is_empty() {
             if !solid.is_empty() {
@@ -105,10 +106,17 @@ impl Mesh {
             });
         }
         kept.sort_unstable();
-        let mut triangles: Vec<[u32; 3]> = kept.iter().map(|&k| welded.triangles[k]).collect();
+        let mut triangles: Vec<[u32; 3]> = kept.iter().map(|&(k, _)| welded.triangles[k]).collect();
+        let numbered = (0u32..).zip(&kept);
+        repair.both_fronts = numbered.filter(|(_, (_, both))| *both).map(|(n, _)| n).collect();
         repair.turned = orient(&mut triangles);
         Ok((triangles.into_iter().map(place).collect(), repair))
     }
+}
+
+/// Whether three different numbers are in order after an even number of exchanges.
+fn is_even([a, b, c]: &[u32; 3]) -> bool {
+    (a < b) ^ (b < c) ^ (a < c)
 }
 
 /// Tells that corners were joined until no triangle was left.

@@ -155,6 +155,15 @@ impl Topology {
         }
         odd
     }
+
+    /// Whether no edge has an odd number of some triangles.
+    pub(super) fn is_closed_with(&self, triangles: &[u32]) -> bool {
+        let mut is_odd = vec![false; self.at_edge.len()];
+        for &edge in triangles.iter().flat_map(|&triangle| &self.edges[triangle as usize]) {
+            is_odd[edge as usize] ^= true;
+        }
+        !is_odd.contains(&true)
+    }
 }
 
 /// An edge or a vertex.
