@@ -36,6 +36,15 @@ pub struct Rose {
     pub shares: Vec<f64>,
     /// Mean normal force in each bin, weighed in the same way [N].
     pub forces: Vec<f64>,
+    /// Which way they point.
+    pub preference: Preference,
+    /// The same, weighed by the magnitude of the normal force.
+    pub force_preference: Preference,
+}
+
+/// Which way contacts point in the plane, all together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Preference {
     /// Preferred direction [deg], 0 to 180; not a number without any.
     pub direction: f64,
     /// 0 when no direction is preferred, 1 when all normals point along one line.
@@ -74,9 +83,38 @@ struct Sums {
     contacts: u64,
     weights: Vec<f64>,
     forces: Vec<f64>,
+    all: Doubled,
+    all_by_force: Doubled,
+}
+
+/// Sums over normals by twice their angle, so that fronts do not matter.
+#[derive(Clone, Copy, Default)]
+struct Doubled {
     weight: f64,
-    /// Sums of the cosine and sine of twice the angle.
-    double: [f64; 2],
+    cosine: f64,
+    sine: f64,
+}
+
+impl Doubled {
+    /// Adds a normal with its parts along and across the direction from which angles are counted.
+    fn add(&mut self, (x, y): (f64, f64), weight: f64) {
+        self.weight += weight * (x * x + y * y);
+        self.cosine += weight * (x * x - y * y);
+        self.sine += weight * 2.0 * x * y;
+    }
+
+    fn preference(self) -> Preference {
+        let length = (self.cosine * self.cosine + self.sine * self.sine).sqrt();
+        let direction = libm::atan2(self.sine, self.cosine) * (90.0 / PI);
+        Preference {
+            direction: match length > 0.0 {
+                true if direction < 0.0 => direction + 180.0,
+                true => direction,
+                false => f64::NAN,
+            },
+            anisotropy: length / self.weight,
+        }
+    }
 }
 
 impl Sums {
@@ -85,8 +123,8 @@ impl Sums {
             contacts: 0,
             weights: vec![0.0; bins],
             forces: vec![0.0; bins],
-            weight: 0.0,
-            double: [0.0; 2],
+            all: Doubled::default(),
+            all_by_force: Doubled::default(),
         }
     }
 
@@ -103,31 +141,23 @@ impl Sums {
         let bins = self.weights.len();
         let bin = ((turn * bins as f64) as usize) % bins;
         self.contacts += 1;
-        self.weight += weight;
         self.weights[bin] += weight;
         self.forces[bin] += weight * force;
-        self.double[0] += grains * (x * x - y * y);
-        self.double[1] += grains * 2.0 * x * y;
+        self.all.add((x, y), grains);
+        self.all_by_force.add((x, y), grains * force.abs());
     }
 
     fn rose(self) -> Rose {
         let (weights, forces) = (self.weights.iter(), self.forces.iter());
-        let [x, y] = self.double;
-        let length = (x * x + y * y).sqrt();
-        let direction = libm::atan2(y, x) * (90.0 / PI);
         Rose {
             contacts: self.contacts,
             forces: forces
                 .zip(weights.clone())
                 .map(|(force, weight)| force / weight)
                 .collect(),
-            shares: weights.map(|weight| weight / self.weight).collect(),
-            direction: match length > 0.0 {
-                true if direction < 0.0 => direction + 180.0,
-                true => direction,
-                false => f64::NAN,
-            },
-            anisotropy: length / self.weight,
+            shares: weights.map(|weight| weight / self.all.weight).collect(),
+            preference: self.all.preference(),
+            force_preference: self.all_by_force.preference(),
         }
     }
 }
@@ -162,11 +192,17 @@ mod tests {
         let told = rose.rose([(at(32.0), 1.0), (at(212.0), 3.0), (DVec3::Y, 9.0), (at(36.0), 2.0)].into_iter());
         assert_eq!(told.contacts, 3);
         assert!((told.shares[3] - 1.0).abs() < 1e-12 && (told.forces[3] - 2.0).abs() < 1e-12);
-        assert!((told.direction - 33.333).abs() < 0.01 && told.anisotropy > 0.99);
+        let near = |told: Preference, degrees: f64| (told.direction - degrees).abs() < 0.01 && told.anisotropy > 0.99;
+        assert!(near(told.preference, 33.333) && near(told.force_preference, 33.333));
         let all = rose.rose((0..180).map(|k| (at(f64::from(k) + 0.5), 1.0)));
         assert!(all.shares.iter().all(|share| (share - 1.0 / 18.0).abs() < 1e-12));
-        assert!(all.anisotropy < 1e-12);
+        assert!(all.preference.anisotropy < 1e-12 && all.force_preference.anisotropy < 1e-12);
+        // as many contacts along x as along z, and forces along z alone: pushes and pulls weigh alike
+        let pressed = rose.rose([(at(0.0), 1.0), (at(90.0), 3.0), (at(0.0), 1.0), (at(90.0), -3.0)].into_iter());
+        assert!(pressed.preference.anisotropy < 1e-12);
+        let by_force = pressed.force_preference;
+        assert!((by_force.direction - 90.0).abs() < 1e-9 && (by_force.anisotropy - 0.5).abs() < 1e-12);
         assert_eq!(rose.edges()[17], 170.0);
-        assert!(rose.rose(std::iter::empty()).direction.is_nan());
+        assert!(rose.rose(std::iter::empty()).preference.direction.is_nan());
     }
 }

@@ -38,7 +38,7 @@ mod walls_load;
 mod wear;
 
 pub use crate::simulation::Energies;
-pub use angles::{ContactAngles, MAX_ANGLES, Rose};
+pub use angles::{ContactAngles, MAX_ANGLES, Preference, Rose};
 pub use chains::{ChainLink, ChainLinks, ForceChains};
 pub(crate) use collisions::hear_impacts;
 pub use collisions::{COLLISION_COLUMNS, CollisionState, Collisions, Counted, EnergyBins, MAX_ENERGY_BINS};

@@ -110,12 +110,16 @@ pub fn rose_titles(edges: &[f64]) -> Vec<String> {
 
 /// The rows of a rose: shares of contacts, and mean normal forces [N].
 pub fn rose_rows(rose: &Rose) -> [Vec<String>; 2] {
-    [("contacts", &rose.shares), ("force", &rose.forces)].map(|(of, bins)| {
+    [
+        ("contacts", &rose.shares, rose.preference),
+        ("force", &rose.forces, rose.force_preference),
+    ]
+    .map(|(of, bins, preference)| {
         let mut cells = vec![
             of.to_owned(),
             rose.contacts.to_string(),
-            number(rose.direction),
-            number(rose.anisotropy),
+            number(preference.direction),
+            number(preference.anisotropy),
         ];
         cells.extend(bins.iter().map(|value| number(*value)));
         cells

@@ -154,7 +154,8 @@ fn a_part_of_a_lattice_has_the_fabric_of_the_whole() {
             selection: Selection::default(),
             with_walls: true,
         };
-        assert!(rose.measure(&sim, &Origins::default()).anisotropy < 1e-9);
+        let rose = rose.measure(&sim, &Origins::default());
+        assert!(rose.preference.anisotropy < 1e-9 && rose.force_preference.anisotropy < 1e-9);
     }
 }
 
