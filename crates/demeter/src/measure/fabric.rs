@@ -172,7 +172,8 @@ impl Fabric {
         let normal: f64 = forces.iter().sum();
         let mean = normal / forces.len() as f64;
         let strong = forces.iter().filter(|force| **force > mean);
-        let carried: f64 = strong.clone().sum();
+        // a sum of nothing is -0
+        let carried = strong.clone().fold(0.0, |sum, force| sum + force);
         let share = strong.count() as f64 / forces.len() as f64;
         values.extend([share, carried / normal, tangential / normal].map(Value::Number));
         values

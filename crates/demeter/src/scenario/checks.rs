@@ -137,8 +137,12 @@ pub(super) fn check_overlaps(
         let (i, j) = (pair.first, pair.second);
         let share = pair.relative;
         let words = format!(
-            "grains {} at {} and {} at {} overlap at the start by {share:.3} of the smaller radius",
-            grains.id[i], grains.position[i], grains.id[j], grains.position[j]
+            "grains {} at {} and {} at {} overlap at the start by {} of the smaller radius",
+            grains.id[i],
+            grains.position[i],
+            grains.id[j],
+            grains.position[j],
+            of_radius(share)
         );
         if share > allowed {
             let advice = "move them apart, or raise `simulation.max_overlap` if the packing is meant to be loaded";
@@ -153,8 +157,11 @@ pub(super) fn check_overlaps(
     }
     if let Some((g, wall, share)) = deepest_in_wall(grains, walls) {
         let words = format!(
-            "grain {} at {} overlaps wall `{}` at the start by {share:.3} of its radius",
-            grains.id[g], grains.position[g], walls[wall].name
+            "grain {} at {} overlaps wall `{}` at the start by {} of its radius",
+            grains.id[g],
+            grains.position[g],
+            walls[wall].name,
+            of_radius(share)
         );
         if share > allowed {
             let advice = if share > 1.0 {
@@ -168,6 +175,15 @@ pub(super) fn check_overlaps(
         } else if share > 1e-9 {
             warnings.push(format!("{words}: it starts loaded"));
         }
+    }
+}
+
+/// An overlap as a share of a radius; one that three places would tell as nothing keeps its order of magnitude.
+fn of_radius(share: f64) -> String {
+    if share < 1e-3 {
+        format!("{share:.1e}")
+    } else {
+        format!("{share:.3}")
     }
 }
 
@@ -455,4 +471,14 @@ fn largest_speed(motions: &Motions, bounds: Option<(DVec3, DVec3)>) -> Option<f6
     };
     let sum: f64 = motions.parts.iter().map(|part| speed(&part.motion)).sum();
     (sum > 0.0).then_some(sum)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::of_radius;
+
+    #[test]
+    fn an_overlap_is_never_told_as_nothing() {
+        assert_eq!([0.5, 0.0123, 4e-6].map(of_radius), ["0.500", "0.012", "4.0e-6"]);
+    }
 }

@@ -189,15 +189,26 @@ fn doubt_unit(mesh: f64, grains: f64) -> Option<String> {
     let fits = |(_, size): &&(&str, f64)| ratio * size >= PLAUSIBLE.0 && ratio * size <= PLAUSIBLE.1;
     let hint = match DRAWN_IN.iter().find(fits) {
         Some((unit, size)) => {
-            let drawn = mesh * size;
-            format!("is this file in {unit}? Then say `unit = \"{unit}\"`, and it is {drawn:.4} m")
+            let drawn = metres(mesh * size);
+            format!("is this file in {unit}? Then say `unit = \"{unit}\"`, and it is {drawn}")
         }
         None => "is the file in another unit? Then say so with `unit`".to_string(),
     };
     Some(format!(
-        "no `unit` of its file is told, so its numbers count metres; it is {mesh:.4} m from corner to corner, and all grains \
-         together {grains:.4} m. {hint}; if it is right, say `unit = \"m\"`"
+        "no `unit` of its file is told, so its numbers count metres; it is {} from corner to corner, and all grains \
+         together {}. {hint}; if it is right, say `unit = \"m\"`",
+        metres(mesh),
+        metres(grains)
     ))
+}
+
+/// A length with its unit; one that four places would tell as nothing, or nearly so, keeps its digits.
+fn metres(length: f64) -> String {
+    if length < 1e-3 {
+        format!("{length:.3e} m")
+    } else {
+        format!("{length:.4} m")
+    }
 }
 
 #[cfg(test)]
@@ -211,7 +222,11 @@ mod tests {
         }
         let doubt = doubt_unit(400.0, 0.1).unwrap();
         assert!(doubt.contains("unit = \"mm\"") && doubt.contains("0.4000 m"), "{doubt}");
-        assert!(doubt_unit(4e-4, 0.1).unwrap().contains("another unit"));
+        let tiny = doubt_unit(4e-11, 0.1).unwrap();
+        assert!(
+            tiny.contains("another unit") && tiny.contains("it is 4.000e-11 m from"),
+            "{tiny}"
+        );
         assert!(doubt_unit(4e5, 0.1).unwrap().contains("\"um\""));
     }
 }

@@ -330,3 +330,10 @@ fn cracks_are_told_from_holes_where_a_mesh_should_be_closed() {
     torn[0][0] += DVec3::splat(0.1);
     assert!(matches!(error(&torn), MeshError::Open { cracks: None, .. }));
 }
+
+#[test]
+fn corners_in_one_place_are_told_without_hundreds_of_zeros() {
+    let denormal = [[v(-5e-313, 0.0, 0.0), v(5e-313, 0.0, 0.0), v(0.0, 1e-312, 2.0)]; 2];
+    let told = Mesh::repair(&denormal, None).unwrap_err().to_string();
+    assert!(told.contains("[-5e-313, 0, 0] [5e-313, 0, 0] [0, 1e-312, 2]"), "{told}");
+}

@@ -54,8 +54,8 @@ pub enum MeshError {
     },
     /// A triangle has no area.
     #[error(
-        "triangle {triangle} of the mesh, {} {} {}, has zero area; remove it or repair the mesh",
-        corners[0], corners[1], corners[2]
+        "triangle {triangle} of the mesh, {}, has zero area; remove it or repair the mesh",
+        corners.map(shown).join(" ")
     )]
     ZeroArea {
         /// The triangle, counted from 1.
@@ -237,6 +237,15 @@ impl Mesh {
         }
         if total > 0.0 { first + moment / total } else { first }
     }
+}
+
+/// A place in brackets; what is far below all lengths keeps its digits and not its zeros.
+fn shown(place: DVec3) -> String {
+    let number = |x: f64| match x.abs() {
+        tiny if tiny > 0.0 && tiny < 1e-9 => format!("{x:e}"),
+        _ => x.to_string(),
+    };
+    format!("[{}]", place.to_array().map(number).join(", "))
 }
 
 fn make_triangle(index: usize, corners: [DVec3; 3]) -> Result<Triangle, MeshError> {
