@@ -1,9 +1,10 @@
-//! Regions, gates and grids that lie wholly outside of the domain, where no grain ever is.
+//! Regions, gates and grids that lie wholly outside of the domain, where no grain ever is, and regions that a periodic side cuts.
 
 use super::Scenario;
 use super::measures::MeasureKind;
 use crate::measure::{Gate, MassFlow, MixingSpace};
 use crate::particles::{Zone, ZoneShape};
+use crate::walls::Wall;
 use glam::DVec3;
 
 /// Corners of a box around a place.
@@ -16,13 +17,20 @@ pub(super) fn check(scenario: &Scenario, warnings: &mut Vec<String>) {
     };
     let periodic = scenario.domain.periodic;
     let mut told = Vec::new();
-    for measure in &scenario.measures {
-        let name = &measure.name;
-        if measure.kind.zone().is_some_and(|zone| zone_misses(zone, domain)) {
-            told.push(format!("the `region` of measure `{name}`"));
+    for (zone, whose) in zones(scenario) {
+        if zone_misses(zone, domain) {
+            told.push(format!("the `region` of {whose}"));
+        } else {
+            warnings.extend(
+                (0..3)
+                    .filter(|k| periodic[*k])
+                    .filter_map(|axis| cut(zone, &whose, domain, axis)),
+            );
         }
+    }
+    for measure in &scenario.measures {
         if let Some(part) = part_that_misses(&measure.kind, domain, periodic) {
-            told.push(format!("the {part} of measure `{name}`"));
+            told.push(format!("the {part} of measure `{}`", measure.name));
         }
     }
     for feed in &scenario.feeds {
@@ -32,27 +40,58 @@ pub(super) fn check(scenario: &Scenario, warnings: &mut Vec<String>) {
             told.push(format!("what is beyond the `level` of feed `{}`", feed.name));
         }
     }
-    for removal in scenario
-        .removals
-        .iter()
-        .filter(|removal| zone_misses(&removal.zone, domain))
-    {
-        told.push(format!("the `region` of removal `{}`", removal.name));
-    }
-    for (index, _) in scenario
-        .tags
-        .iter()
-        .enumerate()
-        .filter(|(_, tag)| zone_misses(&tag.zone, domain))
-    {
-        told.push(format!("the `region` of tag[{index}]"));
-    }
     let [lower, upper] = [domain.0, domain.1].map(|corner| format!("{} {} {} m", corner.x, corner.y, corner.z));
     warnings.extend(told.into_iter().map(|what| {
         format!(
             "{what} lies wholly outside of the domain, which reaches from {lower} to {upper}: no grain is ever there"
         )
     }));
+}
+
+/// All regions in which a grain is when its centre is in the box, and whose each is.
+fn zones(scenario: &Scenario) -> Vec<(&Zone, String)> {
+    let measures = scenario.measures.iter();
+    let of_measures = measures.filter_map(|m| Some((m.kind.zone()?, format!("measure `{}`", m.name))));
+    let of_removals = scenario
+        .removals
+        .iter()
+        .map(|r| (&r.zone, format!("removal `{}`", r.name)));
+    let tags = scenario.tags.iter().enumerate();
+    let of_tags = tags.map(|(index, tag)| (&tag.zone, format!("tag[{index}]")));
+    of_measures.chain(of_removals).chain(of_tags).collect()
+}
+
+/// What to tell of a zone that ends beyond one periodic side and not beyond the other: what reaches beyond both, or without end, is cut on
+/// purpose.
+fn cut(zone: &Zone, whose: &str, domain: Bounds, axis: usize) -> Option<String> {
+    let (lower, upper) = around_zone(zone);
+    let (from, to) = (domain.0[axis], domain.1[axis]);
+    let rounding = Wall::SAME_LENGTH * (to - from);
+    let is_beyond = [lower[axis] < from - rounding, upper[axis] > to + rounding];
+    let (side, end) = match is_beyond {
+        [true, false] => (from, lower[axis]),
+        [false, true] => (to, upper[axis]),
+        _ => return None,
+    };
+    end.is_finite().then(|| {
+        let name = ["x", "y", "z"][axis];
+        format!(
+            "the `region` of {whose} reaches beyond the periodic side at {name} = {side:.4e} m, to {end:.4e} m: what of it lies there counts \
+             nothing, for a grain counts where it is in the box. Let it end at the side, and tell what is beyond as a second region, \
+             {:.4e} m away at the other side",
+            to - from
+        )
+    })
+}
+
+/// A box around what all parts of a zone have in common, those that go with walls and outsides left aside.
+fn around_zone(zone: &Zone) -> Bounds {
+    let parts = zone.parts.iter().filter(|part| part.wall.is_none() && !part.outside);
+    let everywhere = (DVec3::NEG_INFINITY, DVec3::INFINITY);
+    parts.fold(everywhere, |all, part| {
+        let (lower, upper) = around(&part.shape).unwrap_or(everywhere);
+        (all.0.max(lower), all.1.min(upper))
+    })
 }
 
 /// The part of a measure that no grain of the domain comes to, beside its region. Along periodic sides every image counts.
@@ -101,21 +140,25 @@ fn plane_misses(
 fn zone_misses(zone: &Zone, domain: Bounds) -> bool {
     let mut parts = zone.parts.iter().filter(|part| part.wall.is_none() && !part.outside);
     parts.any(|part| match &part.shape {
-        ZoneShape::Box { lower, upper } => are_apart((*lower, *upper), domain, [false; 3]),
-        ZoneShape::Cylinder { start, end, radius } => are_apart(around_axis(*start, *end, *radius), domain, [false; 3]),
+        ZoneShape::HalfSpace { point, normal } => heights(*point, *normal, domain).1 <= 0.0,
+        shape => around(shape).is_some_and(|bounds| are_apart(bounds, domain, [false; 3])),
+    })
+}
+
+/// A box around a shape; a half-space has none.
+fn around(shape: &ZoneShape) -> Option<Bounds> {
+    Some(match shape {
+        ZoneShape::Box { lower, upper } => (*lower, *upper),
+        ZoneShape::Cylinder { start, end, radius } => around_axis(*start, *end, *radius),
         ZoneShape::Cone {
             start,
             end,
             start_radius,
             end_radius,
-        } => are_apart(
-            around_axis(*start, *end, start_radius.max(*end_radius)),
-            domain,
-            [false; 3],
-        ),
-        ZoneShape::Sphere { center, radius } => are_apart((*center - *radius, *center + *radius), domain, [false; 3]),
-        ZoneShape::HalfSpace { point, normal } => heights(*point, *normal, domain).1 <= 0.0,
-        ZoneShape::Mesh(interior) => are_apart(interior.bounds(), domain, [false; 3]),
+        } => around_axis(*start, *end, start_radius.max(*end_radius)),
+        ZoneShape::Sphere { center, radius } => (*center - *radius, *center + *radius),
+        ZoneShape::Mesh(interior) => interior.bounds(),
+        ZoneShape::HalfSpace { .. } => return None,
     })
 }
 

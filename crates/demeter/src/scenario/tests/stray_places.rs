@@ -127,6 +127,44 @@ fn places_outside_of_the_domain_are_told() {
 }
 
 #[test]
+fn a_region_that_a_periodic_side_cuts_is_told() {
+    let removal = |region: &str| told(&format!("[[removal]]\nname = \"outlet\"\nregion = {region}"));
+    let tag = |region: &str| told(&format!("[[tag]]\nvalue = 1\nregion = {region}"));
+    let count = |region: &str| {
+        told(&format!(
+            "[[measure]]\nname = \"m\"\nkind = \"region-count\"\nregion = {region}"
+        ))
+    };
+    let box_of =
+        |x: &str, to: &str| format!("{{ shape = \"box\", lower = \"{x} -20 -9 mm\", upper = \"{to} 20 5 mm\" }}");
+    let sphere = "{ shape = \"sphere\", center = \"8 0 9 mm\", radius = \"5 mm\" }";
+    let cylinder = "{ shape = \"cylinder\", start = \"-9 0 5 mm\", end = \"-9 0 9 mm\", radius = \"5 mm\" }";
+    for (told, whose, side) in [
+        (count(sphere), "measure `m`", "x = 1.0000e-2 m, to 1.3000e-2 m"),
+        (
+            removal(&box_of("-13", "5")),
+            "removal `outlet`",
+            "x = -1.0000e-2 m, to -1.3000e-2 m",
+        ),
+        (tag(cylinder), "tag[0]", "x = -1.0000e-2 m, to -1.4000e-2 m"),
+    ] {
+        let cut = format!("the `region` of {whose} reaches beyond the periodic side at {side}");
+        assert!(told.contains(&cut), "{cut}: {told}");
+    }
+    for told in [
+        // only x is periodic; what reaches beyond both sides holds all; rounding is nothing
+        count(&box_of("-10", "10")),
+        count(&box_of("-12", "12")),
+        removal(&box_of("-5", "10.000001")),
+        tag("{ shape = \"box\", lower = \"5 -20 -9 mm\", upper = \"30 20 5 mm\", open = [\"+x\"] }"),
+        count("{ shape = \"sphere\", center = \"8 0 9 mm\", radius = \"5 mm\", outside = true }"),
+        count(&format!("[{sphere}, {}]", box_of("-10", "10"))),
+    ] {
+        assert_eq!(told, "");
+    }
+}
+
+#[test]
 fn an_index_of_mixing_that_tells_nothing_says_so() {
     let mixing = |corner: &str, kind: &str| {
         told(&format!(
