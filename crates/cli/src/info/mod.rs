@@ -81,7 +81,7 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
     }
     let mut start = Vec::new();
     let file = File::open(path).map_err(refused)?;
-    file.take(256).read_to_end(&mut start).map_err(refused)?;
+    file.take(4096).read_to_end(&mut start).map_err(refused)?;
     let extension_of = |path: &Path| path.extension().map(|e| e.to_string_lossy().to_lowercase());
     // what is packed is told by those who read what was packed
     let extension = match extension_of(path) {
@@ -93,6 +93,7 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
         _ if series::looks_like_one(&start) => Kind::Series,
         Some("stl" | "obj" | "ply") => Kind::Surface,
         Some("toml") => Kind::Scenario,
+        Some("csv" | "txt" | "dat") if surface::looks_like_list(&start) => Kind::Surface,
         Some(
             "csv" | "txt" | "dat" | "data" | "lammps" | "lmp" | "liggghts" | "dump" | "lammpstrj" | "xyz" | "extxyz"
             | "yade" | "spheres" | "gz",

@@ -9,6 +9,24 @@ use demeter_physics::DVec3;
 use serde_json::json;
 use std::path::Path;
 
+/// Whether a text begins as a list of triangles does: with nine numbers in its first line, or in its second below titles of which none is `x`,
+/// the one that a table of grains needs.
+pub fn looks_like_list(start: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(start).to_lowercase();
+    let words = |line: &str| -> Vec<String> {
+        let between = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | '"' | '#');
+        line.split(between)
+            .filter(|word| !word.is_empty())
+            .map(str::to_owned)
+            .collect()
+    };
+    let mut lines = text.lines().map(words);
+    let first = lines.next().unwrap_or_default();
+    let is_triangle = |words: &[String]| words.len() == 9 && words.iter().all(|word| word.parse::<f64>().is_ok());
+    let mut is_below = || lines.next().is_some_and(|second| is_triangle(&second));
+    is_triangle(&first) || (!first.contains(&"x".to_owned()) && is_below())
+}
+
 /// Tells what is in a mesh file, in the unit of the file.
 pub fn surface(path: &Path) -> Result<Info, Failure> {
     let content = read_mesh(path, Some(1.0), DVec3::ZERO).map_err(|error| Failure::wrong(error.to_string()))?;
@@ -77,5 +95,20 @@ fn state(triangles: &[[DVec3; 3]]) -> State {
         closed: found.is_ok(),
         open_edges,
         words,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::looks_like_list;
+
+    #[test]
+    fn a_list_of_triangles_is_no_table_of_grains() {
+        let corners = "0 0 0 1 0 0 0 1e-3 0\n";
+        let list = |text: &str| looks_like_list(text.as_bytes());
+        assert!(list(corners) && list(&corners.replace(' ', ", ")));
+        assert!(list(&format!("x1 [mm],y1 [mm],z1 [mm],x2 [mm]\n{corners}")) && list(&format!("# walls\n{corners}")));
+        assert!(!list(&format!("id,x [mm],y,z,diameter,vx,vy,vz,mass\n{corners}")));
+        assert!(!list("0 0 0 1\n0 0 0 2\n") && !list(""));
     }
 }
