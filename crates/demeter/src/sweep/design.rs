@@ -60,8 +60,8 @@ impl Varied {
         }
         problems.extend(axes.iter().filter_map(repeated_row));
         problems.extend(self.lost_keys(&axes, scenario));
-        let lengths = axes.iter().map(|axis| axis.rows.len() as u64);
-        let runs = lengths.fold(Some(1_u64), |runs, length| runs?.checked_mul(length));
+        let mut lengths = axes.iter().map(|axis| axis.rows.len() as u64);
+        let runs = lengths.try_fold(1_u64, u64::checked_mul);
         if runs.is_none_or(|runs| runs > MAX_RUNS as u64) {
             let runs = runs.map_or_else(|| "more than 1e19".to_string(), |runs| runs.to_string());
             problems.push(format!(
