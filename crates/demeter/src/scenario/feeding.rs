@@ -2,6 +2,7 @@
 
 use super::feeds::{FeedRate, FeedSpec, exchange_steps};
 use super::solids::Solid;
+use super::words;
 use crate::insertion::{MAX_AT_ONCE, Streaming};
 use crate::measure::contact_counts;
 use crate::particles::NewGrain;
@@ -158,11 +159,12 @@ impl Feeding<'_> {
         let behind = state.far_behind(self.spec, self.source, self.sim.dt);
         if state.done {
             let waiting = behind.map_or_else(String::new, |mass| {
-                format!("; {mass:.6} kg more were due and found no room")
+                format!("; {} more were due and found no room", words::mass(mass))
             });
             let warning = if behind.is_some() { "warning: " } else { "" };
             return Some(format!(
-                "{warning}feed `{name}` is done: {grains} grains, {mass:.6} kg came{waiting}"
+                "{warning}feed `{name}` is done: {grains} grains, {} came{waiting}",
+                words::mass(mass)
             ));
         }
         let behind = behind?;
@@ -171,9 +173,10 @@ impl Feeding<'_> {
         }
         state.told_behind = true;
         Some(format!(
-            "warning: feed `{name}` is behind: {mass:.6} kg of {:.6} kg came, as grains wait for room; a larger inlet, faster \
+            "warning: feed `{name}` is behind: {} of {} came, as grains wait for room; a larger inlet, faster \
              grains or a lower rate let all come",
-            mass + behind
+            words::mass(mass),
+            words::mass(mass + behind)
         ))
     }
 }
@@ -187,10 +190,10 @@ impl FeedState {
         let came = match (spec.end.count, spec.end.mass) {
             _ if spec.rate != FeedRate::AsRoomAllows => {
                 let behind = self.far_behind(spec, source, dt)?;
-                format!("{:.6} kg of {:.6} kg", self.mass, self.mass + behind)
+                format!("{} of {}", words::mass(self.mass), words::mass(self.mass + behind))
             }
             (Some(count), _) if self.grains < count => format!("{} of {count} grains", self.grains),
-            (None, Some(mass)) => format!("{:.6} kg of {mass:.6} kg", self.mass),
+            (None, Some(mass)) => format!("{} of {}", words::mass(self.mass), words::mass(mass)),
             _ => return None,
         };
         let interval = exchange_steps(spec.every, dt);

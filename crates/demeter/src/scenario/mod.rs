@@ -62,6 +62,7 @@ pub mod units;
 mod wall_report;
 mod walls;
 mod walls_in_one_place;
+mod words;
 mod zones;
 
 #[cfg(test)]

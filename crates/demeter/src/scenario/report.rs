@@ -4,6 +4,7 @@ use super::measures::MeasureKind;
 use super::plots;
 use super::run::{Observer, Runner, larger};
 use super::run_error::RunError;
+use super::words;
 use crate::contacts::Fault;
 use crate::measure::measure;
 use crate::output::picture::{PictureOptions, render_packing};
@@ -71,9 +72,14 @@ impl Runner<'_> {
     fn left_the_domain(&self) -> Option<String> {
         let (grains, mass) = self.sim.books.left_the_domain();
         (grains > 0).then(|| {
-            let (grains_were, were) = if grains == 1 { ("grain", "was") } else { ("grains", "were") };
+            let (grains_were, were) = if grains == 1 {
+                ("grain", "was")
+            } else {
+                ("grains", "were")
+            };
             format!(
-                "{grains} {grains_were}, {mass:.6} kg left the domain and {were} removed, as `domain.outside = \"remove\"` says"
+                "{grains} {grains_were}, {} left the domain and {were} removed, as `domain.outside = \"remove\"` says",
+                words::mass(mass)
             )
         })
     }

@@ -273,7 +273,7 @@ fn a_feed_without_a_rate_that_finds_no_room_says_so_at_its_end() {
     assert_told(
         &told,
         &log,
-        "warning: feed `fd` let 0.000000 kg of 0.001000 kg come until the end of stage `a`",
+        "warning: feed `fd` let 0 g of 1 g come until the end of stage `a`",
     );
     // in its last stage, and once
     let two = "[[stage]]\nname = \"a\"\nduration = \"4 ms\"\n[[stage]]\nname = \"b\"\nduration = \"4 ms\"";
@@ -287,6 +287,9 @@ fn a_feed_without_a_rate_that_finds_no_room_says_so_at_its_end() {
     let roomy = "from = { shape = \"box\", lower = \"-11 -11 9 mm\", upper = \"11 11 16 mm\" }\ncount = 3";
     let (_, told, _) = ended(&fed(roomy, one));
     assert!(told.iter().all(|text| !text.contains("warning")), "{told:?}");
+    // 3 spheres of 4/3 pi mg
+    let done = "feed `fd` is done: 3 grains, 12.5664 mg came";
+    assert!(told.iter().any(|text| text.contains(done)), "{told:?}");
 }
 
 #[test]
@@ -309,7 +312,7 @@ duration = "40 ms"
     let (report, told, log) = ended(&text);
     assert_eq!((report.summary.grains, &report.end), (1, &RunEnd::Finished));
     // 2 spheres of 4/3 pi mg
-    let words = "2 grains, 0.000008 kg left the domain and were removed";
+    let words = "2 grains, 8.37758 mg left the domain and were removed";
     assert_told(&told, &log, words);
     assert!(report.summary.warnings.iter().any(|text| text.contains(words)));
     let place = tempfile::tempdir().unwrap();

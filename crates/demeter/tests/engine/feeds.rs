@@ -218,9 +218,11 @@ duration = "60 ms"
         warnings.iter().filter(|w| w.as_str().unwrap().contains(what)).count()
     };
     assert_eq!(warned("feed `stream` is behind"), 1, "{summary}");
+    let six_digits = |value: f64| format!("{value:.5e}").parse::<f64>().unwrap();
     let at_the_end = format!(
-        "let {came:.6} kg of {:.6} kg come until the end of stage",
-        came + behind
+        "let {} mg of {} g come until the end of stage",
+        six_digits(1e6 * came),
+        six_digits(1e3 * (came + behind))
     );
     assert_eq!(warned(&at_the_end), 1, "{at_the_end}: {summary}");
 }

@@ -6,17 +6,13 @@ use crate::output::{StageSummary, wall_summaries};
 use crate::scenario::deformation::reached;
 use crate::scenario::run_error::RunError;
 use crate::scenario::solids::enclosed_by;
+use crate::scenario::words::{quantity, rounded};
 use crate::simulation::{FollowedStress, Stage, StopCondition};
 use crate::walls::{Wall, WallWork};
 use glam::DVec3;
 
 /// Share of its steps that a servo may be at its largest speed, or a box at its largest rate.
 const MOST_LIMITED: f64 = 0.05;
-
-/// A number of six digits, as a speed is told that came from another unit.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
-}
 
 impl Runner<'_> {
     pub(super) fn begin_stage(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
@@ -203,13 +199,22 @@ impl Runner<'_> {
                 (elapsed > 0 && force >= *above).then(|| {
                     let names: Vec<String> = walls().map(|wall| format!("`{}`", wall.name)).collect();
                     let names = names.join(" and ");
-                    format!("the force on wall {names} is {force:.6} N, {above} N was asked")
+                    format!(
+                        "the force on wall {names} is {}, {} was asked",
+                        quantity(force, "N"),
+                        quantity(*above, "N")
+                    )
                 })
             }
             StopCondition::WallTravel { wall, distance } => {
                 let travel = self.travel(*wall);
-                (travel >= *distance * (1.0 - 1e-12))
-                    .then(|| format!("wall `{}` has moved by {travel:.6} m", self.sim.walls[*wall].name))
+                (travel >= *distance * (1.0 - 1e-12)).then(|| {
+                    format!(
+                        "wall `{}` has moved by {}",
+                        self.sim.walls[*wall].name,
+                        quantity(travel, "m")
+                    )
+                })
             }
             StopCondition::Strain { wall, length, strain } => {
                 let reached = self.travel(*wall) / length;
