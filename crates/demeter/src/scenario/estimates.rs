@@ -62,7 +62,7 @@ pub(super) fn fed(scenario: &Scenario, stages: &[f64]) -> Fed {
 }
 
 /// For how long a feed may run [s].
-fn time_of_feed(scenario: &Scenario, feed: usize, stages: &[f64]) -> f64 {
+pub(super) fn time_of_feed(scenario: &Scenario, feed: usize, stages: &[f64]) -> f64 {
     let (mut passed, mut runs, mut running) = (0.0, true, 0.0);
     let until = scenario.feeds[feed].end.until.unwrap_or(f64::INFINITY);
     for (stage, seconds) in scenario.stages.iter().zip(stages) {

@@ -5,14 +5,15 @@ use super::feeds::{FeedRate, FeedSpec, RemovalSpec};
 use super::measures::MeasureKind;
 use super::traffic::sources;
 use super::walls::WallShape;
-use super::{Scenario, estimates};
-use crate::insertion::Streaming;
+use super::{Scenario, estimates, words};
+use crate::insertion::{SizeSampler, Streaming};
 use crate::measure::Displacement;
 use crate::particles::{Domain, Zone};
 use crate::simulation::{Stage, StopCondition};
 use crate::walls::{Motion, Motions, Shape, Wall};
 use glam::DVec3;
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
 
 /// Places of an inlet that are tried.
 pub(super) const PLACES: u64 = 200;
@@ -43,7 +44,12 @@ pub(super) fn check(
             ));
         }
     }
-    told.extend((0..scenario.feeds.len()).filter_map(|feed| empty_feed(scenario, feed, stages, end)));
+    for feed in 0..scenario.feeds.len() {
+        match empty_feed(scenario, feed, stages, end) {
+            Some(text) => told.push(text),
+            None => told.extend(unreached_ends(scenario, feed, stages, (end, dt))),
+        }
+    }
     let sources = sources(scenario, domain).unwrap_or_default();
     told.extend(blocked(scenario, &sources, walls));
     told.extend(removed_at_once(scenario, &sources, domain));
@@ -116,6 +122,59 @@ fn empty_feed(scenario: &Scenario, index: usize, stages: &[f64], end: f64) -> Op
         "feed `{}` lets grains come every {every:.4e} s, and the stages end at {end:.4e} s at the latest: {outcome}",
         feed.name
     ))
+}
+
+/// Ends of a feed that it does not come to: behind the end of all stages, or more than its rate lets come in the time that it runs. One of
+/// `count` and `mass` that bounds the other, or a `level`, may be all that is to be reached.
+fn unreached_ends(scenario: &Scenario, index: usize, stages: &[f64], (end, dt): (f64, f64)) -> Vec<String> {
+    let feed = &scenario.feeds[index];
+    let (name, ends) = (&feed.name, &feed.end);
+    let has_rate = feed.rate != FeedRate::AsRoomAllows;
+    let has_other_end = ends.count.is_some() || ends.mass.is_some() || ends.level.is_some();
+    let mut told = Vec::new();
+    // a feed without a rate has to tell an end, also where none is meant
+    if let Some(until) = ends.until.filter(|until| *until > end + dt)
+        && (has_rate || has_other_end)
+    {
+        told.push(format!(
+            "feed `{name}` does not end by its `until` of {until} s: the stages end at {end:.4e} s at the latest"
+        ));
+    }
+    let (Ok(sizes), Some(material)) = (
+        SizeSampler::new(&feed.stream.diameter),
+        scenario.materials.get(usize::from(feed.stream.material)),
+    ) else {
+        return told;
+    };
+    let of_one = |diameter: f64| material.density * PI / 6.0 * diameter * diameter * diameter;
+    let (smallest, largest) = sizes.bounds();
+    let seconds = estimates::time_of_feed(scenario, index, stages);
+    // the time is a whole number of steps, which may lack a part of the last grain
+    let (grains, mass) = match feed.rate {
+        FeedRate::Number(rate) => {
+            let grains = (rate * seconds + 0.5).floor();
+            (grains, grains * of_one(largest))
+        }
+        FeedRate::Mass(rate) => ((rate * seconds / of_one(smallest) + 0.5).floor(), rate * seconds),
+        FeedRate::AsRoomAllows => return told,
+    };
+    let count = ends.count.map(|count| {
+        let missed =
+            format!("`count`: in the {seconds:.4e} s that it runs at most, its rate lets {grains} of {count} grains");
+        (grains < count as f64).then_some(missed)
+    });
+    let mass = ends.mass.map(|most| {
+        let [came, of] = [mass, most].map(words::mass);
+        let missed = format!("`mass`: in the {seconds:.4e} s that it runs at most, its rate lets {came} of {of}");
+        (mass + 0.5 * of_one(largest) < most).then_some(missed)
+    });
+    let missed: Option<Vec<String>> = [count, mass].into_iter().flatten().collect();
+    if ends.level.is_none() {
+        told.extend(missed.into_iter().flatten().map(|missed| {
+            format!("feed `{name}` does not end by its {missed} come. Raise the rate, or let the feed run longer")
+        }));
+    }
+    told
 }
 
 /// Feeds hardly any of whose grains finds room, as walls that rest throughout the run are in the way.

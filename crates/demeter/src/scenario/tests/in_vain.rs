@@ -225,6 +225,92 @@ fn what_comes_to_nothing_is_told() {
             },
             &["stage `second` waits for feed `inlet` to be done, as stage `first` before it does"],
         ),
+        // 20 grains come in both stages
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nnumber_rate = \"100 1/s\"\nuntil = \"0.3 s\"",
+                ..NOTHING_IN_VAIN
+            },
+            &["feed `inlet` does not end by its `until` of 0.3 s: the stages end at 2.0000e-1 s"],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nnumber_rate = \"100 1/s\"\nuntil = \"0.2 s\"\ncount = 20",
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nnumber_rate = \"100 1/s\"\ncount = 21",
+                ..NOTHING_IN_VAIN
+            },
+            &[
+                "feed `inlet` does not end by its `count`: in the 2.0000e-1 s that it runs at most, its rate lets 20 of 21 grains come",
+            ],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nnumber_rate = \"100 1/s\"\nuntil = \"0.1 s\"\ncount = 11",
+                ..NOTHING_IN_VAIN
+            },
+            &["in the 1.0000e-1 s that it runs at most, its rate lets 10 of 11 grains come"],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nnumber_rate = \"100 1/s\"\ncount = 11",
+                stages: ["feeds = []", "feeds = [\"inlet\"]"],
+                ..NOTHING_IN_VAIN
+            },
+            &["its rate lets 10 of 11 grains come"],
+        ),
+        // of 1.309 mg each
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nnumber_rate = \"100 1/s\"\nmass = \"30 mg\"",
+                ..NOTHING_IN_VAIN
+            },
+            &[
+                "feed `inlet` does not end by its `mass`: in the 2.0000e-1 s that it runs at most, its rate lets 26.1799 mg of 30 mg come",
+            ],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nmass_rate = \"1 g/s\"\nmass = \"0.2 g\"",
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nmass_rate = \"1 g/s\"\nmass = \"0.3 g\"\ncount = 200",
+                ..NOTHING_IN_VAIN
+            },
+            &["its rate lets 153 of 200 grains", "of 300 mg come"],
+        ),
+        // one bounds the other, or how long it fills up to a level
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nnumber_rate = \"100 1/s\"\ncount = 20\nmass = \"30 mg\"",
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nnumber_rate = \"100 1/s\"\ncount = 30\nlevel = { point = \"0 0 9 mm\", normal = \"z\" }",
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
+        // it is to go on
+        (
+            Told {
+                feed: "center = \"10 10 15 mm\"\nuntil = \"0.3 s\"",
+                ..NOTHING_IN_VAIN
+            },
+            &[],
+        ),
         // it comes back
         (
             Told {
