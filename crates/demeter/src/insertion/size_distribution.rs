@@ -30,7 +30,7 @@ pub enum SizeError {
     Share { number: usize, value: f64 },
     #[error("size distribution: all shares are 0; at least one must be positive")]
     AllSharesZero,
-    #[error("size distribution: the smallest diameter, {lower} m, must be below the largest, {upper} m")]
+    #[error("size distribution: the smallest diameter, {lower} m, must not be above the largest, {upper} m")]
     Bounds { lower: f64, upper: f64 },
     #[error(
         "size distribution: only a share of {share:e} lies between {lower} m and {upper} m (at least 1e-9 is needed); \
@@ -66,7 +66,7 @@ fn check_parameter(what: &'static str, value: f64, above: f64) -> Result<f64, Si
 fn check_bounds(lower: f64, upper: f64) -> Result<(), SizeError> {
     check_diameter("the smallest diameter", lower)?;
     check_diameter("the largest diameter", upper)?;
-    match lower < upper {
+    match lower <= upper {
         true => Ok(()),
         false => Err(SizeError::Bounds { lower, upper }),
     }
@@ -352,6 +352,9 @@ impl SizeSampler {
         check_diameter("the mean", mean)?;
         check_parameter("the standard deviation", deviation, 0.0)?;
         check_bounds(lower, upper)?;
+        if lower == upper {
+            return Self::interval(lower, upper);
+        }
         let cut = CutNormal::new((lower - mean) / deviation, (upper - mean) / deviation);
         check_share_within(lower, upper, cut.share)?;
         Ok(Self {
@@ -365,6 +368,9 @@ impl SizeSampler {
         check_diameter("the median", median)?;
         check_parameter("the geometric standard deviation", geometric_deviation, 1.0)?;
         check_bounds(lower, upper)?;
+        if lower == upper {
+            return Self::interval(lower, upper);
+        }
         let log_deviation = log(geometric_deviation);
         let cut = CutNormal::new(log(lower / median) / log_deviation, log(upper / median) / log_deviation);
         check_share_within(lower, upper, cut.share)?;
@@ -383,6 +389,9 @@ impl SizeSampler {
         check_diameter("the scale", scale)?;
         check_parameter("the exponent", exponent, 0.0)?;
         check_bounds(lower, upper)?;
+        if lower == upper {
+            return Self::interval(lower, upper);
+        }
         let sampler = RosinRammlerSampler::new(scale, exponent, lower, upper);
         check_share_within(lower, upper, sampler.mass_share())?;
         Ok(Self {

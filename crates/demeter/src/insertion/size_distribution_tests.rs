@@ -246,7 +246,7 @@ fn wrong_distributions_are_refused_with_their_values() {
         (SizeDistribution::Single(f64::NAN), "is NaN"),
         (
             SizeDistribution::Uniform { lower: 2.0, upper: 1.0 },
-            "2 m, must be below the largest, 1 m",
+            "2 m, must not be above the largest, 1 m",
         ),
         (
             SizeDistribution::Uniform { lower: 0.0, upper: 1.0 },
@@ -286,6 +286,42 @@ fn wrong_distributions_are_refused_with_their_values() {
         upper: 1e-2,
     };
     assert!(message(fine).contains("only a share of"));
+}
+
+#[test]
+fn equal_bounds_are_one_size() {
+    let (lower, upper) = (2.0, 2.0);
+    for distribution in [
+        SizeDistribution::Uniform { lower, upper },
+        SizeDistribution::Normal {
+            mean: 2.0,
+            standard_deviation: 0.1,
+            lower,
+            upper,
+        },
+        SizeDistribution::Lognormal {
+            median: 2.0,
+            geometric_deviation: 1.2,
+            lower,
+            upper,
+        },
+        SizeDistribution::RosinRammler {
+            scale: 1.0,
+            exponent: 3.0,
+            lower,
+            upper,
+        },
+    ] {
+        let sampler = SizeSampler::new(&distribution).unwrap();
+        assert_eq!(
+            (sampler.bounds(), sampler.mean_diameter()),
+            ((2.0, 2.0), 2.0),
+            "{distribution:?}"
+        );
+        assert!((sampler.mean_volume() / (PI * 8.0 / 6.0) - 1.0).abs() < 1e-15);
+        let mut random = RandomNumbers::new(1, Purpose::Sizes);
+        assert!((0..10).all(|_| sampler.draw(&mut random) == 2.0), "{distribution:?}");
+    }
 }
 
 fn any_number() -> impl Strategy<Value = f64> {

@@ -66,8 +66,8 @@ fn bounds(table: &TableReader<'_>, automatic: Option<(f64, f64)>) -> (f64, f64) 
     };
     let lower = read("lower", "the smallest diameter", automatic.map(|a| a.0));
     let upper = read("upper", "the largest diameter", automatic.map(|a| a.1));
-    if upper <= lower {
-        let message = format!("the largest diameter, {upper} m, must be above the smallest, {lower} m");
+    if upper < lower {
+        let message = format!("the largest diameter, {upper} m, must not be below the smallest, {lower} m");
         table.fault_at("upper", message);
     }
     (lower, upper)
@@ -115,7 +115,7 @@ fn lognormal(table: &TableReader<'_>) -> SizeDistribution {
 
 /// The centre of a distribution lies between its bounds, or nearly all draws would be thrown away.
 fn check_mean_inside(table: &TableReader<'_>, key: &str, value: f64, (lower, upper): (f64, f64)) {
-    if lower < upper && (value < lower || value > upper) {
+    if lower <= upper && (value < lower || value > upper) {
         let bounds = format!("{lower} m and {upper} m");
         let message = format!("`{key}` must lie between the smallest and the largest diameter, {bounds}");
         table.fault_at(key, message);

@@ -322,6 +322,24 @@ fn grains_and_sizes_are_read_as_told() {
 }
 
 #[test]
+fn sizes_between_equal_bounds_are_read() {
+    let text = std::fs::read_to_string(good().join("every_size.toml")).unwrap();
+    let same = |batch: usize| ["lower", "upper"].map(|key| format!("grains[{batch}].diameter.{key}=2 mm"));
+    let overrides: Vec<String> = (1..5).flat_map(same).collect();
+    let overrides: Vec<&str> = overrides.iter().map(String::as_str).collect();
+    let prepared = prepare(&parse(&text, &overrides).unwrap()).unwrap();
+    let grains = &prepared.setup.grains;
+    let of_one_size = (0..grains.len()).filter(|&grain| grains.radius(grain) == 1e-3).count();
+    assert!(of_one_size > 2 * 40, "{of_one_size}");
+    let away = [overrides[2], overrides[3], "grains[2].diameter.mean=3 mm"];
+    let text = parse(&text, &away).unwrap_err().render(false);
+    assert!(
+        text.contains("`mean` must lie between the smallest and the largest diameter"),
+        "{text}"
+    );
+}
+
+#[test]
 fn a_pair_changes_only_what_it_names() {
     let scenario = read_good("every_stop.toml");
     let friction = |a, b| {
