@@ -365,7 +365,7 @@ def contact_curve(bodies: _Source, *, set: _Set = None) -> _Columns:
     """The quasi-static curve of the normal law between two bodies: branch, overlap [m], force [N], stored [J], (n,)."""
 
 def sticking(
-    bodies: _Source, radius: Union[_Quantity, tuple[_Quantity, _Quantity]], *, points: int = 20, set: _Set = None
+    bodies: _Source, radius: Union[_Quantity, Sequence[_Quantity], _Floats], *, points: int = 20, set: _Set = None
 ) -> dict[str, _Floats]:
     """The speed [m/s] below which two bodies stick, against their effective radius [m], (points,)."""
 

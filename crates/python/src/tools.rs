@@ -47,6 +47,16 @@ impl<'py> FromPyObject<'_, 'py> for Unload {
     }
 }
 
+/// A value that is above 0.
+fn positive(value: f64, name: &str) -> PyResult<f64> {
+    match value > 0.0 && value.is_finite() {
+        true => Ok(value),
+        false => Err(wrong_value(format!(
+            "`{name}` is {value}; it must be a finite number above 0"
+        ))),
+    }
+}
+
 fn finite_force(value: Option<&Bound<'_, PyAny>>, name: &str) -> PyResult<Option<f64>> {
     match optional_quantity(value, name, Dimension::FORCE)? {
         Some(force) if !force.is_finite() => Err(wrong_value(format!("`{name}` is {force} N; it must be finite"))),
@@ -162,13 +172,17 @@ pub fn sticking<'py>(
     set: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let file = Source::of(bodies)?.impact(py, &overrides(set)?)?;
-    let pair: Option<(Bound<'_, PyAny>, Bound<'_, PyAny>)> = match radius.cast::<PyString>() {
-        Ok(_) => None,
-        Err(_) => radius.extract().ok(),
-    };
     let length = |value: &Bound<'_, PyAny>| quantity(value, "radius", Dimension::LENGTH);
-    let (first, last) = match &pair {
-        Some((first, last)) => (length(first)?, length(last)?),
+    // a text is no sequence here, and neither is an array of no dimension
+    let sequence: Option<Vec<Bound<'_, PyAny>>> = radius.extract().ok();
+    let (first, last) = match sequence.as_deref() {
+        Some([first, last]) => (length(first)?, length(last)?),
+        Some(_) => {
+            return Err(wrong_value(format!(
+                "`radius` is {}; it must be one radius, or a pair of the least and the largest, as (\"0.1 um\", \"1 um\")",
+                shown(radius)
+            )));
+        }
         None => (length(radius)?, length(radius)?),
     };
     if !(first > 0.0 && last >= first && last.is_finite()) {
@@ -420,7 +434,14 @@ pub fn damped_spring<'py>(
     max_force: Option<&Bound<'py, PyAny>>,
     contact_end: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let wrong = |error: RestitutionError| CollisionError::new_err(error.to_string());
+    let wrong = |error: RestitutionError| match error {
+        RestitutionError::Restitution { .. } => wrong_value(error.to_string()),
+        other => CollisionError::new_err(other.to_string()),
+    };
+    let optional = |value: Option<&Bound<'_, PyAny>>, name: &str, dimension: Dimension| {
+        let told = optional_quantity(value, name, dimension)?;
+        told.map(|told| positive(told, name)).transpose()
+    };
     let (law, unit) = match text(law, "law")?.as_str() {
         "linear" => (SpringDashpot::Linear, Dimension::STIFFNESS),
         "hertz" => (SpringDashpot::Hertz, Dimension::HERTZ_STIFFNESS),
@@ -439,11 +460,12 @@ pub fn damped_spring<'py>(
         }
     };
     let restitution = optional_quantity(restitution, "restitution", Dimension::NONE)?;
-    let speed = quantity(velocity, "velocity", Dimension::VELOCITY)?;
-    let time = optional_quantity(contact_time, "contact_time", Dimension::TIME)?;
-    let overlap = optional_quantity(max_overlap, "max_overlap", Dimension::LENGTH)?;
-    let force = optional_quantity(max_force, "max_force", Dimension::FORCE)?;
-    let stiffness = optional_quantity(stiffness, "stiffness", unit)?;
+    let mass = positive(quantity(mass, "mass", Dimension::MASS)?, "mass")?;
+    let speed = positive(quantity(velocity, "velocity", Dimension::VELOCITY)?, "velocity")?;
+    let time = optional(contact_time, "contact_time", Dimension::TIME)?;
+    let overlap = optional(max_overlap, "max_overlap", Dimension::LENGTH)?;
+    let force = optional(max_force, "max_force", Dimension::FORCE)?;
+    let stiffness = optional(stiffness, "stiffness", unit)?;
     let given = [stiffness, time, overlap, force].iter().flatten().count();
     let restitution = match (restitution, time, overlap) {
         (Some(restitution), ..) if given == 1 => restitution,
@@ -463,7 +485,6 @@ pub fn damped_spring<'py>(
             return Err(wrong_type(message));
         }
     };
-    let mass = quantity(mass, "mass", Dimension::MASS)?;
     let collision = Collision {
         law,
         end,

@@ -70,10 +70,33 @@ def test_the_closed_form_is_what_the_collision_shows():
     assert back["restitution"] == pytest.approx(0.54, rel=1e-9)
     with pytest.raises(TypeError, match="give `restitution`"):
         demeter.damped_spring("linear", mass=1, velocity=1, restitution=0.5)
-    with pytest.raises(demeter.CollisionError, match="restitution is 1.5"):
-        demeter.damped_spring("linear", mass=1, velocity=1, restitution=1.5, stiffness="1 kN/m")
     with pytest.raises(ValueError, match="`mass` must be a mass"):
         demeter.damped_spring("linear", mass="1 m", velocity=1, restitution=0.5, stiffness=1)
+
+
+@pytest.mark.parametrize(
+    ("told", "word"),
+    [
+        ({"restitution": 1.1}, "restitution is 1.1"),
+        ({"restitution": 0}, "restitution is 0"),
+        ({"restitution": float("nan")}, "restitution is NaN"),
+        ({"mass": -1}, "`mass` is -1"),
+        ({"velocity": 0}, "`velocity` is 0"),
+        ({"stiffness": "-1 kN/m"}, "`stiffness` is -1000"),
+        ({"stiffness": None, "contact_time": float("inf")}, "`contact_time` is inf"),
+    ],
+)
+def test_a_wrong_value_of_a_damped_spring_is_a_wrong_argument(told, word):
+    given = {"mass": 1, "velocity": 1, "restitution": 0.5, "stiffness": 1000} | told
+    given = {name: value for name, value in given.items() if value is not None}
+    with pytest.raises(demeter.WrongValue, match=word):
+        demeter.damped_spring("linear", **given)
+
+
+@pytest.mark.parametrize("law", ["linear", "hertz"])
+def test_a_spring_without_loss_has_a_damping_of_zero(law):
+    damping = demeter.damped_spring(law, mass=1, velocity=1, restitution=1, stiffness=1)["damping"]
+    assert str(damping) == "0.0"
 
 
 def test_contact_curve():
@@ -86,7 +109,12 @@ def test_sticking():
     bodies = dict(MCC, contact={"normal": {"law": "jkr", "work_of_adhesion": "0.1 N/m"}})
     found = demeter.sticking(bodies, ("0.1 um", 1e-6), points=3)
     assert np.all(np.diff(found["velocity"]) < 0)
-    assert len(demeter.sticking(bodies, "1 um")["velocity"]) == 1
+    for pair in (["0.1 um", "1 um"], np.array([1e-7, 1e-6])):
+        assert np.array_equal(demeter.sticking(bodies, pair, points=3)["velocity"], found["velocity"])
+    for one in ("1 um", np.float64(1e-6), np.array(1e-6)):
+        assert len(demeter.sticking(bodies, one)["velocity"]) == 1
+    with pytest.raises(demeter.WrongValue, match="a pair of the least and the largest"):
+        demeter.sticking(bodies, [1e-7, 1e-6, 1e-5])
     with pytest.raises(ValueError, match="rise"):
         demeter.sticking(bodies, ("1 um", "0.1 um"))
     with pytest.raises(ValueError, match="at most 10000"):

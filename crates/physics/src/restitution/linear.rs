@@ -79,7 +79,8 @@ impl LinearCollision {
     /// * Zero force: `2 c cot(c) = L`, solved in `g`, in which it is smooth through critical damping at `e = exp(-2)`:
     ///   every `e` in (0, 1] has its `g`.
     pub fn from_restitution(restitution: f64, end: ContactEnd) -> Result<Self, RestitutionError> {
-        let l = -libm::log(share(restitution)?);
+        // of 1 it is 0, not -0
+        let l = 0.0 - libm::log(share(restitution)?);
         match end {
             ContactEnd::ZeroOverlap => {
                 let length = (l * l + PI * PI).sqrt();
@@ -354,6 +355,14 @@ mod tests {
                 assert_relative_eq!(collision.max_overlap(), found.max_overlap, max_relative = 1e-11);
                 assert_relative_eq!(collision.max_force(), found.max_force, max_relative = 1e-6);
             }
+        }
+    }
+
+    #[test]
+    fn no_loss_is_a_damping_of_zero() {
+        for end in [ZeroOverlap, ZeroForce] {
+            let ratio = LinearCollision::from_restitution(1.0, end).unwrap().ratio();
+            assert!(ratio == 0.0 && ratio.is_sign_positive(), "{end:?}: {ratio}");
         }
     }
 
