@@ -309,7 +309,7 @@ def test_the_interpreter_is_free_and_other_threads_are_refused(bed):
         time.sleep(0.001)
     worker.join()
     assert ticks > 1 and sim.finished
-    assert all("middle of a step" in str(error) for error in refused)
+    assert all("middle of a step" in str(error) and "other threads" in str(error) for error in refused)
 
 
 def test_ctrl_c(bed, tmp_path):

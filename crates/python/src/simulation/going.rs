@@ -82,8 +82,8 @@ impl Simulation {
             Ok(live) => Ok(live),
             Err(TryLockError::Poisoned(poisoned)) => Ok(poisoned.into_inner()),
             Err(TryLockError::WouldBlock) => Err(RunError::new_err(
-                "the simulation is in the middle of a step: look at it between steps, or in a callback of `every`; a custom \
-                 force uses the state that it is given",
+                "the simulation is in the middle of a step: look at it between steps, in the thread that runs it or in a callback of \
+                 `every`, which may leave what it sees to other threads; a custom force uses the state that it is given",
             )),
         }
     }
