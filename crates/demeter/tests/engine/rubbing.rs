@@ -103,7 +103,7 @@ fn largest(text: &str, laws: (&str, &str), step: &str) -> f64 {
 }
 
 /// Springs remember their load half a step ahead of the velocities of a row: taken as it is, what they store put the books out by the first power of
-/// the step, 3e-4 to 1e-3 in the coarser of these hits.
+/// the step, 5e-4 to 1e-3 in the coarser of these.
 #[test]
 fn the_residual_falls_with_the_square_of_the_step_while_contacts_rub() {
     let mindlin = r#"{ law = "mindlin-history", friction = 0.3 }"#;
