@@ -333,7 +333,8 @@ fn a_run_that_fails_stops_no_other_and_is_told() {
         said.out
     );
     assert!(said.out.contains("--retry-failed"), "{}", said.out);
-    place.expect(3, &["sweep", "--gather", "runs/leak-sweep"]);
+    let gathered = place.expect(3, &["sweep", "--gather", "runs/leak-sweep", "--json"]);
+    assert_eq!(gathered.json()["exit_code"], 3);
     let rows = table(&place, "runs/leak-sweep/results.csv");
     assert_eq!(
         (rows[0]["end"].as_str(), rows[1]["end"].as_str()),

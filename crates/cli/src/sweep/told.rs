@@ -33,7 +33,7 @@ struct Written {
     plots: Vec<PathBuf>,
 }
 
-/// Gathers, writes and tells the results; the exit code is told where runs were carried out, and given back with what is damaged.
+/// Gathers, writes and tells the results; the exit code is told where runs were carried out, failed or are damaged, and given back.
 pub fn results(
     folder: &SweepFolder,
     arguments: &SweepArguments,
@@ -42,8 +42,9 @@ pub fn results(
 ) -> Result<Exit, Failure> {
     let written = write(folder, statuses)?;
     let damaged = !written.results.problems.is_empty();
+    let failed = statuses.iter().any(|status| status.failure().is_some());
     let exit = match exit {
-        None | Some(Exit::Finished) if damaged => Some(Exit::Fault),
+        None | Some(Exit::Finished) if damaged || failed => Some(Exit::Fault),
         exit => exit,
     };
     for problem in written.results.problems.iter().chain(&written.results.missing) {

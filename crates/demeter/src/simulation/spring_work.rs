@@ -1,8 +1,8 @@
 //! What springs in the contact plane store at the moment of a row.
 //!
-//! A spring remembers its load at the middle between two steps, half a step behind the moment at which the velocities are told. What it gains
-//! in that half is what the bodies give to it, less what friction loses: half of `W - D` of the latest step, with `W = -F . v dt` of its
-//! force and the velocity with which the bodies slide (of rolling, its torque and relative angular velocity). `D` is in the books.
+//! A spring remembers its load half a step after the moment at which the velocities are told. What it gains in that half is what the bodies
+//! give to it, less what friction loses: half of `W - D` of the latest step, with `W = -F . v dt` of its force and the velocity with which
+//! the bodies slide (of rolling, its torque and relative angular velocity). `D` is in the books.
 
 use super::{Energies, Segment, Simulation};
 use crate::comm::Single;
