@@ -111,10 +111,7 @@ struct Block {
 impl Block {
     #[inline(always)]
     fn size<L: Lanes>(&self, at: usize) -> PairSize<L> {
-        PairSize {
-            radius: L::load(&self.radius[at..]),
-            mass: L::load(&self.mass[at..]),
-        }
+        PairSize::new(L::load(&self.radius[at..]), L::load(&self.mass[at..]))
     }
 
     #[inline(always)]
@@ -264,10 +261,7 @@ fn contacts(subject: &impl Subject, info: &LawInfo, at_limits: bool) -> Block {
     for k in 0..CONTACTS {
         let limited = at_limits && k % 2 == 0;
         let radius = 1e-3 * (0.5 + share());
-        let size = PairSize {
-            radius,
-            mass: 2500.0 * 4.0 * radius * radius * radius,
-        };
+        let size = PairSize::new(radius, 2500.0 * 4.0 * radius * radius * radius);
         let overlap = radius * 1e-4 * (0.5 + share());
         let (force, stiffness) = elastic.as_ref().map_or((1.0, 1e6), |law| {
             let response = law.respond(&NormalInput::at(size, overlap, 0.0), &mut []);

@@ -107,9 +107,6 @@ impl AtWalls<'_> {
     #[inline(always)]
     fn inverse_masses<L: Lanes>(&self, walls: &Index, points: L::Vector, normals: L::Vector) -> L {
         let giving = &self.scene.surfaces.giving;
-        if giving.is_empty() {
-            return L::splat(0.0);
-        }
         let (points, normals) = (L::rows(with_zero::<L>(points)), L::rows(with_zero::<L>(normals)));
         let mut masses = [0.0; MOST_LANES];
         let mut lane = 0;
@@ -155,7 +152,8 @@ impl Source for AtWalls<'_> {
         let [of_wall] = L::fetch([&scene.surfaces.spin], &walls);
         let normal = L::Vector::new(nx, ny, nz);
         let mut velocity = L::Vector::new(vx, vy, vz);
-        let mut along_normal = inverse_mass;
+        let own_mass = L::splat(1.0) / inverse_mass;
+        let (mut along_normal, mut mass) = (inverse_mass, own_mass);
         if !scene.surfaces.is_at_rest || !scene.surfaces.giving.is_empty() {
             let points = L::Vector::new(x, y, z) - normal * lever;
             velocity = velocity - scene.surfaces.velocities::<L>(&walls, points);
@@ -164,7 +162,10 @@ impl Source for AtWalls<'_> {
                 let belt = L::Vector::new(bx, by, bz);
                 velocity = velocity - (belt - normal * belt.inner(normal));
             }
-            along_normal = along_normal + self.inverse_masses::<L>(&walls, points, normal);
+            if !scene.surfaces.giving.is_empty() {
+                along_normal = along_normal + self.inverse_masses::<L>(&walls, points, normal);
+                mass = L::splat(1.0) / along_normal;
+            }
         }
         let rate = -velocity.inner(normal);
         let (mut acts, mut ended, mut too_deep) = (here, 0, 0);
@@ -190,7 +191,8 @@ impl Source for AtWalls<'_> {
                 inverse_masses: [inverse_mass, L::splat(0.0)],
                 size: PairSize {
                     radius,
-                    mass: L::splat(1.0) / along_normal,
+                    mass,
+                    spring_mass: own_mass,
                 },
             },
             turning: Turning::of(spin, of_wall),

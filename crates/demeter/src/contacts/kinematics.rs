@@ -169,10 +169,7 @@ impl<L: Lanes> Turning<L> {
 fn size_of_pair<L: Lanes>([ri, rj]: [L; 2], [mass_i, mass_j]: [L; 2]) -> PairSize<L> {
     let (radii, inverse) = (ri + rj, mass_i + mass_j);
     let quotient = L::splat(1.0) / (radii * inverse);
-    PairSize {
-        radius: ri * rj * inverse * quotient,
-        mass: radii * quotient,
-    }
+    PairSize::new(ri * rj * inverse * quotient, radii * quotient)
 }
 
 /// Some contacts as they are in this step.

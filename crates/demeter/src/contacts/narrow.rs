@@ -106,10 +106,10 @@ impl Scene<'_> {
     /// Effective radius and mass of two grains.
     pub(super) fn size_of_pair(&self, i: usize, j: usize) -> PairSize {
         let grains = self.grains;
-        PairSize {
-            radius: 1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
-            mass: 1.0 / (grains.inverse_mass(i) + grains.inverse_mass(j)),
-        }
+        PairSize::new(
+            1.0 / (1.0 / grains.radius(i) + 1.0 / grains.radius(j)),
+            1.0 / (grains.inverse_mass(i) + grains.inverse_mass(j)),
+        )
     }
 
     /// Whether two bodies act on each other at any moment of this step; `overlap` with all that they may bulge.

@@ -196,11 +196,8 @@ impl Touched {
 
 impl Scene<'_> {
     pub(super) fn size_at_wall(&self, grain: usize) -> PairSize {
-        PairSize {
-            radius: self.grains.radius(grain),
-            // no grain that meets a wall is fixed
-            mass: 1.0 / self.grains.inverse_mass(grain),
-        }
+        // no grain that meets a wall is fixed
+        PairSize::new(self.grains.radius(grain), 1.0 / self.grains.inverse_mass(grain))
     }
 
     /// How a grain meets an element of a wall that is no mesh, as [`Wall::contact_with`](crate::walls::Wall::contact_with) tells it: as far

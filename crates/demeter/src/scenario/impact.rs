@@ -116,10 +116,10 @@ impl Partner {
 
 /// Effective radius and mass of two bodies.
 pub fn pair_size(a: &Body, b: &Partner) -> PairSize {
-    PairSize {
-        radius: 1.0 / (1.0 / a.radius + b.body().map_or(0.0, |b| 1.0 / b.radius)),
-        mass: 1.0 / (1.0 / a.mass + b.free_mass().map_or(0.0, |m| 1.0 / m)),
-    }
+    PairSize::new(
+        1.0 / (1.0 / a.radius + b.body().map_or(0.0, |b| 1.0 / b.radius)),
+        1.0 / (1.0 / a.mass + b.free_mass().map_or(0.0, |m| 1.0 / m)),
+    )
 }
 
 /// How two bodies meet.

@@ -397,9 +397,9 @@ impl Simulation {
 
     /// Effective radius and mass of a grain and its partner, a grain or a wall.
     pub(crate) fn pair_size(&self, i: usize, j: Option<usize>) -> PairSize {
-        PairSize {
-            radius: 1.0 / (1.0 / self.grains.radius(i) + j.map_or(0.0, |j| 1.0 / self.grains.radius(j))),
-            mass: 1.0 / (self.grains.inverse_mass(i) + j.map_or(0.0, |j| self.grains.inverse_mass(j))),
-        }
+        PairSize::new(
+            1.0 / (1.0 / self.grains.radius(i) + j.map_or(0.0, |j| 1.0 / self.grains.radius(j))),
+            1.0 / (self.grains.inverse_mass(i) + j.map_or(0.0, |j| self.grains.inverse_mass(j))),
+        )
     }
 }

@@ -310,9 +310,16 @@ pub(super) fn pair_size(one: Representative, other: Partner) -> PairSize {
         Partner::Grain(other) => (other.radius, other.mass),
         Partner::Wall { mass } => (f64::INFINITY, mass),
     };
-    PairSize {
-        radius: 1.0 / (1.0 / one.radius + 1.0 / radius),
-        mass: 1.0 / (1.0 / one.mass + 1.0 / mass),
+    let pair = PairSize::new(
+        1.0 / (1.0 / one.radius + 1.0 / radius),
+        1.0 / (1.0 / one.mass + 1.0 / mass),
+    );
+    match other {
+        Partner::Grain(_) => pair,
+        Partner::Wall { .. } => PairSize {
+            spring_mass: one.mass,
+            ..pair
+        },
     }
 }
 

@@ -85,14 +85,11 @@ enum Partner {
 impl Partner {
     fn size(self) -> PairSize {
         match self {
-            Self::Grain(other) => PairSize {
-                radius: 1.0 / (1.0 / RADIUS + 1.0 / other),
-                mass: 1.0 / (1.0 / grain_mass(RADIUS) + 1.0 / grain_mass(other)),
-            },
-            Self::Plane | Self::Mesh => PairSize {
-                radius: RADIUS,
-                mass: grain_mass(RADIUS),
-            },
+            Self::Grain(other) => PairSize::new(
+                1.0 / (1.0 / RADIUS + 1.0 / other),
+                1.0 / (1.0 / grain_mass(RADIUS) + 1.0 / grain_mass(other)),
+            ),
+            Self::Plane | Self::Mesh => PairSize::new(RADIUS, grain_mass(RADIUS)),
         }
     }
 

@@ -118,10 +118,7 @@ impl Normal for Limestone {
 /// A mobile grain of radius 2R on a fixed one.
 fn size(radius: f64) -> PairSize {
     let grain = 2.0 * radius;
-    PairSize {
-        radius,
-        mass: 2740.0 * 4.0 / 3.0 * PI * grain * grain * grain,
-    }
+    PairSize::new(radius, 2740.0 * 4.0 / 3.0 * PI * grain * grain * grain)
 }
 
 fn critical(law: Limestone, radius: f64, start: Start) -> f64 {

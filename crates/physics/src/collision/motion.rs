@@ -64,10 +64,7 @@ mod tests {
         poisson_ratio: 0.28,
     };
     const PAIR: MaterialPair = MaterialPair { a: STONE, b: STONE };
-    const SIZE: PairSize = PairSize {
-        radius: 0.3e-6,
-        mass: 2.479e-15,
-    };
+    const SIZE: PairSize = PairSize::new(0.3e-6, 2.479e-15);
 
     #[test]
     fn bodies_that_stick_swing_to_rest_where_nothing_pushes_or_pulls() {

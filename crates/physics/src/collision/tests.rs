@@ -16,7 +16,7 @@ const PAIR: MaterialPair = MaterialPair { a: MCC, b: MCC };
 /// A sphere of MCC on a wall, the reduced mass of two equal ones for half the radius.
 fn size(radius: f64) -> PairSize {
     let mass = 1500.0 * 4.0 / 3.0 * PI * radius * radius * radius;
-    PairSize { radius, mass }
+    PairSize::new(radius, mass)
 }
 
 fn run<L: Normal>(law: &L, size: PairSize, speed: f64) -> Collision {
@@ -146,7 +146,7 @@ fn the_law_by_name_gives_the_same_and_moments_follow_the_course() {
 fn impossible_input_is_refused() {
     let law = hertz(0.5);
     for (speed, radius) in [(0.0, 1e-3), (f64::NAN, 1e-3), (-1.0, 1e-3), (1.0, 0.0)] {
-        let found = restitution_of(&law, PairSize { radius, mass: 1e-6 }, speed);
+        let found = restitution_of(&law, PairSize::new(radius, 1e-6), speed);
         assert!(matches!(found, Err(CollisionError::Input { .. })), "{found:?}");
     }
     let few = Tolerance {

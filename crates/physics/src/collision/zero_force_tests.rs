@@ -58,7 +58,7 @@ impl Normal for Pushing {
 fn run(hertz: bool, ratio: f64) -> Collision {
     let impact = HeadOn {
         law: &Pushing { hertz, ratio },
-        size: PairSize { radius: 1.0, mass: 1.0 },
+        size: PairSize::new(1.0, 1.0),
         speed: 1.0,
         start: Start::Contact,
     };

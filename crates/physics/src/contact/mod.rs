@@ -72,8 +72,24 @@ pub const TANGENTIAL_SHARE: f64 = 2.0 / 7.0;
 pub struct PairSize<L = f64> {
     /// Effective radius, `r_i r_j / (r_i + r_j)`; the grain's radius against a wall [m].
     pub radius: L,
-    /// Effective mass, `m_i m_j / (m_i + m_j)`; the grain's mass against a wall [kg].
+    /// Effective mass, `m_i m_j / (m_i + m_j)`; the grain's mass against a wall, less where the wall gives way [kg].
     pub mass: L,
+    /// The mass that a stiffness goes with which is told by a contact time or a largest overlap: the same, but the grain's own against
+    /// any wall [kg]. How a wall gives way changes as the normal turns, and a spring whose stiffness changed with it would gain or lose
+    /// energy.
+    pub spring_mass: L,
+}
+
+impl<L: Copy> PairSize<L> {
+    /// The size of two grains, or of a grain and a wall that does not give way.
+    #[inline(always)]
+    pub const fn new(radius: L, mass: L) -> Self {
+        Self {
+            radius,
+            mass,
+            spring_mass: mass,
+        }
+    }
 }
 
 impl<L: Lanes> PairSize<L> {
@@ -87,9 +103,11 @@ impl<L: Lanes> PairSize<L> {
     /// The size in one lane.
     #[inline(always)]
     pub fn lane(&self, lane: usize) -> PairSize {
+        let one = |numbers: &L| numbers.as_slice()[lane];
         PairSize {
-            radius: self.radius.as_slice()[lane],
-            mass: self.mass.as_slice()[lane],
+            radius: one(&self.radius),
+            mass: one(&self.mass),
+            spring_mass: one(&self.spring_mass),
         }
     }
 }

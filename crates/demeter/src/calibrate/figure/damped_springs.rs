@@ -32,10 +32,10 @@ const SPEED: f64 = 1.0;
 
 /// Half of the mass of a grain, and a quarter of its diameter.
 fn size() -> PairSize {
-    PairSize {
-        radius: 0.25 * DIAMETER,
-        mass: 0.5 * DENSITY * PI / 6.0 * DIAMETER * DIAMETER * DIAMETER,
-    }
+    PairSize::new(
+        0.25 * DIAMETER,
+        0.5 * DENSITY * PI / 6.0 * DIAMETER * DIAMETER * DIAMETER,
+    )
 }
 
 /// Stiffness of a spring-dashpot [N/m] or [N/m^(3/2)].

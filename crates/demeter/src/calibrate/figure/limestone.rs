@@ -34,10 +34,7 @@ pub(super) const ALPHAS: [f64; 4] = [0.2, 0.3, 0.4, 0.5];
 /// Effective radius, and the mass of the grain that moves.
 pub(super) fn size(radius: f64) -> PairSize {
     let grain = 2.0 * radius;
-    PairSize {
-        radius,
-        mass: DENSITY * 4.0 / 3.0 * PI * grain * grain * grain,
-    }
+    PairSize::new(radius, DENSITY * 4.0 / 3.0 * PI * grain * grain * grain)
 }
 
 /// The contact law that a run uses. `tail` is its parameter of this name.

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::cases::law;
-use demeter::walls::{BodyMass, BodyMotion, MassProperties};
+use demeter::walls::{BodyMass, BodyMotion, MassProperties, Side};
 use glam::DMat3;
 
 /// A grain that hits a plate that slides, a blade that hangs, or a free plate beside its centre, leaves with the restitution asked for,
@@ -53,6 +53,46 @@ fn restitution_is_that_asked_for_on_walls_that_give_way() {
                 );
             }
         }
+    }
+}
+
+/// A spring that is told by how long a contact takes keeps the energy of a grain that grazes a ball which gives way: its stiffness stays,
+/// though the mass with which the ball gives way changes with the normal.
+#[test]
+fn springs_told_by_what_they_do_keep_energy_at_walls_that_give_way() {
+    let radius = 1e-3;
+    let contact = [("contact_time", 2e-3), ("impact_speed", 0.5), ("restitution", 1.0)];
+    let overlap = [("max_overlap", 4e-4), ("impact_speed", 0.5), ("restitution", 1.0)];
+    let laws = [
+        law("linear", &[contact[0], contact[2]]),
+        law("linear", &overlap),
+        law("hertz-tsuji", &contact),
+    ];
+    for law in laws {
+        let name = format!("{law:?}");
+        let mut case = Case::new(one_material(1e6, &Laws::of(law)));
+        case.max_overlap = 0.4;
+        case.grain(radius, DVec3::new(-1.7, 0.0, 1.3) * radius, DVec3::X * 0.6);
+        let ball = Shape::Sphere {
+            center: DVec3::ZERO,
+            radius,
+            side: Side::Outside,
+        };
+        let motion = plate_that("slides", 0.25 * case.grains.mass(0), 0.0);
+        case.wall(0, ball, motion);
+        let mut sim = case.simulation();
+        let (mut largest, mut touched) = (0.0f64, false);
+        while sim.time() < 8e-3 {
+            sim.steps(20).unwrap();
+            touched |= sim.contacts.acting_walls() > 0;
+            largest = largest.max(sim.energies().residual.abs());
+        }
+        assert!(touched && sim.contacts.acting_walls() == 0, "{name}");
+        assert!(
+            sim.walls[0].velocity_at(DVec3::ZERO).z < -0.05,
+            "{name}: the ball has moved"
+        );
+        assert!(largest < 1e-4, "{name}: {largest:e}");
     }
 }
 

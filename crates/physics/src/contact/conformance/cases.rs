@@ -31,18 +31,9 @@ pub const PAIRS: [MaterialPair; 4] = [
 
 /// From a fine powder to a boulder; the masses are those of equal spheres and of very unequal ones.
 pub const SIZES: [PairSize; 3] = [
-    PairSize {
-        radius: 2.5e-6,
-        mass: 8e-14,
-    },
-    PairSize {
-        radius: 5e-3,
-        mass: 2e-3,
-    },
-    PairSize {
-        radius: 0.7,
-        mass: 3400.0,
-    },
+    PairSize::new(2.5e-6, 8e-14),
+    PairSize::new(5e-3, 2e-3),
+    PairSize::new(0.7, 3400.0),
 ];
 
 /// Typical values of the parameters that an example of the law gives, with those of `replaced` that the law has set to other values.
@@ -102,10 +93,7 @@ impl Units {
     }
 
     pub fn size(self, size: PairSize) -> PairSize {
-        PairSize {
-            radius: size.radius * self.length,
-            mass: size.mass * self.mass,
-        }
+        PairSize::new(size.radius * self.length, size.mass * self.mass)
     }
 
     pub fn pair(self, pair: &MaterialPair) -> MaterialPair {

@@ -39,10 +39,7 @@ impl Encounter {
     /// A collision of `mass_i` and `mass_j` that would reach `overlap` without damping.
     fn new(case: NormalCase, mass_i: f64, mass_j: f64, overlap: f64) -> Self {
         let case = NormalCase {
-            size: PairSize {
-                mass: 1.0 / (1.0 / mass_i + 1.0 / mass_j),
-                ..case.size
-            },
+            size: PairSize::new(case.size.radius, 1.0 / (1.0 / mass_i + 1.0 / mass_j)),
             ..case
         };
         Self {
@@ -104,7 +101,7 @@ fn each_collision(restitution: f64, check: impl Fn(&Encounter, &Outcome)) {
         for pair in PAIRS {
             let law = NormalLaw::build(info.name, &values(info, &[("restitution", restitution)]), &pair).unwrap();
             for (radius, mass_i, mass_j) in [(5e-4, 1e-6, 1e-6), (1.8e-3, 3e-5, 4e-2), (2e-2, 0.1, f64::INFINITY)] {
-                let size = PairSize { radius, mass: mass_i };
+                let size = PairSize::new(radius, mass_i);
                 let case = NormalCase { info, law, pair, size };
                 for overlap in [1e-5 * radius, 1e-2 * radius] {
                     let encounter = Encounter::new(case, mass_i, mass_j, overlap);

@@ -198,10 +198,7 @@ impl<R: Rolling> AskLanes<PlanarInput> for OfRolling<'_, R> {
 }
 
 fn size_of<L: Lanes>(lane: impl Fn(usize) -> PairSize) -> PairSize<L> {
-    PairSize {
-        radius: L::from_fn(|k| lane(k).radius),
-        mass: L::from_fn(|k| lane(k).mass),
-    }
+    PairSize::new(L::from_fn(|k| lane(k).radius), L::from_fn(|k| lane(k).mass))
 }
 
 impl NormalVisitor for Ask<'_, NormalInput> {

@@ -345,10 +345,7 @@ mod tests {
         }
     }
 
-    const SIZE: PairSize = PairSize {
-        radius: 2e-3,
-        mass: 3e-4,
-    };
+    const SIZE: PairSize = PairSize::new(2e-3, 3e-4);
 
     fn toy(returned: f64, restitution: f64, speed: f64) -> Toy {
         Toy {

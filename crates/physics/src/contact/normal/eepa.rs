@@ -193,10 +193,7 @@ mod tests {
         poisson_ratio: 0.3,
     };
     const PAIR: MaterialPair = MaterialPair { a: SOFT, b: SOFT };
-    const SIZE: PairSize = PairSize {
-        radius: 1e-3,
-        mass: 2e-5,
-    };
+    const SIZE: PairSize = PairSize::new(1e-3, 2e-5);
 
     fn law(plasticity_ratio: f64, surface_energy: f64, more: &[(&str, Value)]) -> Eepa {
         let mut given = values(&[

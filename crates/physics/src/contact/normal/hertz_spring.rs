@@ -62,7 +62,7 @@ impl HertzSpring {
     pub fn stiffness(&self, size: PairSize) -> f64 {
         match self {
             Self::Materials { modulus, .. } => modulus * size.radius.sqrt(),
-            Self::PerMass(per_mass) => per_mass * size.mass,
+            Self::PerMass(per_mass) => per_mass * size.spring_mass,
         }
     }
 
@@ -72,7 +72,7 @@ impl HertzSpring {
         match self {
             Self::Materials { modulus, root } => (L::splat(*modulus), L::splat(*root)),
             Self::PerMass(per_mass) => {
-                let modulus = size.mass * *per_mass / size.radius.sqrt();
+                let modulus = size.spring_mass * *per_mass / size.radius.sqrt();
                 (modulus, modulus.sqrt())
             }
         }

@@ -219,22 +219,7 @@ mod tests {
             (0.54, 3.477236761, 0.88088633),
             (0.9, 3.253683413, 1.04918396),
         ] {
-            for (size, speed) in [
-                (
-                    PairSize {
-                        radius: 2.5e-3,
-                        mass: 4e-4,
-                    },
-                    1.0,
-                ),
-                (
-                    PairSize {
-                        radius: 0.3,
-                        mass: 70.0,
-                    },
-                    0.02,
-                ),
-            ] {
+            for (size, speed) in [(PairSize::new(2.5e-3, 4e-4), 1.0), (PairSize::new(0.3, 70.0), 0.02)] {
                 let law = law(PERSPEX, restitution);
                 let collision = collide(&law, size, speed);
                 let ratio = size.mass / law.spring.stiffness(size);
@@ -252,10 +237,7 @@ mod tests {
         // figure 1 of Antypov and Elliott: d = 1 cm, E = 6 GPa, nu = 0.3, e = 0.54, 1 m/s; density 1500 kg/m^3
         let radius: f64 = 0.005;
         let mass = 1500.0 * 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
-        let size = PairSize {
-            radius: 0.5 * radius,
-            mass: 0.5 * mass,
-        };
+        let size = PairSize::new(0.5 * radius, 0.5 * mass);
         let collision = collide(&law(PERSPEX, 0.54), size, 1.0);
         assert_relative_eq!(collision.duration, 69.51247874e-6, max_relative = 1e-9);
         assert_relative_eq!(collision.largest_overlap, 17.60955505e-6, max_relative = 1e-9);
@@ -271,10 +253,7 @@ mod tests {
 
     #[test]
     fn undamped_overlap_and_contact_time() {
-        let size = PairSize {
-            radius: 2.5e-3,
-            mass: 4e-4,
-        };
+        let size = PairSize::new(2.5e-3, 4e-4);
         let law = law(PERSPEX, 1.0);
         let (k, speed) = (law.spring.stiffness(size), 0.7);
         let collision = collide(&law, size, speed);
@@ -295,10 +274,7 @@ mod tests {
             },
         };
         let law = HertzTsuji::new(&values(&[("restitution", 1.0)]), &pair).unwrap();
-        let size = PairSize {
-            radius: 0.01,
-            mass: 1.0,
-        };
+        let size = PairSize::new(0.01, 1.0);
         let input = NormalInput::at(size, 1e-5, 0.0);
         // 4/3 * 6e9/0.91 * 0.1 * 10^-7.5
         assert_relative_eq!(law.respond(&input, &mut []).elastic, 27.800243166, max_relative = 1e-9);

@@ -46,7 +46,7 @@ pub struct Linear {
 impl Linear {
     #[inline(always)]
     fn k<L: Lanes>(&self, size: PairSize<L>) -> L {
-        size.mass * self.per_mass + self.stiffness
+        size.spring_mass * self.per_mass + self.stiffness
     }
 }
 
@@ -222,7 +222,7 @@ mod tests {
             for (stiffness, mass) in [(1e4, 2e-3), (37.0, 5.0)] {
                 let values = [("stiffness", stiffness), ("restitution", restitution)];
                 let law = Linear::new(&crate::parameters::values(&values), &MaterialPair { a: ANY, b: ANY }).unwrap();
-                let size = PairSize { radius: 1e-3, mass };
+                let size = PairSize::new(1e-3, mass);
                 let [duration, overlap, e] = collide(&law, size);
                 // eqs 7 and 21 of Antypov and Elliott
                 let l = -libm::log(restitution);

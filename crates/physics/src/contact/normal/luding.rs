@@ -226,10 +226,7 @@ mod tests {
         young_modulus: 1e9,
         poisson_ratio: 0.3,
     };
-    const SIZE: PairSize = PairSize {
-        radius: 1e-3,
-        mass: 2e-5,
-    };
+    const SIZE: PairSize = PairSize::new(1e-3, 2e-5);
     const K1: f64 = 1e4;
     const K2: f64 = 5e4;
     /// `K2/(K2 - k1) phi_f 2 R` with `phi_f = 0.05`.

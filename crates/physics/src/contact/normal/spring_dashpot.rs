@@ -220,16 +220,7 @@ mod tests {
     };
 
     /// A pair of unequal spheres, and a grain on a wall.
-    const SIZES: [PairSize; 2] = [
-        PairSize {
-            radius: 2.5e-7,
-            mass: 3e-16,
-        },
-        PairSize {
-            radius: 0.03,
-            mass: 0.3,
-        },
-    ];
+    const SIZES: [PairSize; 2] = [PairSize::new(2.5e-7, 3e-16), PairSize::new(0.03, 0.3)];
 
     fn build(law: &str, numbers: &[(&str, f64)], others: &[(&str, Value)]) -> Result<NormalLaw, LawError> {
         let mut given: Values = values(numbers);

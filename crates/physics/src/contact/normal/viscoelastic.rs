@@ -194,10 +194,7 @@ mod tests {
         poisson_ratio: 0.22,
     };
 
-    const SIZE: PairSize = PairSize {
-        radius: 1e-3,
-        mass: 2e-6,
-    };
+    const SIZE: PairSize = PairSize::new(1e-3, 2e-6);
 
     fn build(numbers: &[(&str, f64)], end: &str) -> Result<Viscoelastic, Vec<ParameterError>> {
         let mut given = values(numbers);
@@ -209,13 +206,7 @@ mod tests {
     fn the_requested_restitution_is_realised_at_its_speed() {
         for end in ["zero-force", "zero-overlap"] {
             for e in [0.05, 0.3, 0.8, 0.99, 1.0] {
-                for size in [
-                    SIZE,
-                    PairSize {
-                        radius: 0.3,
-                        mass: 50.0,
-                    },
-                ] {
+                for size in [SIZE, PairSize::new(0.3, 50.0)] {
                     let law = build(&[("restitution", e), ("impact_speed", 0.4)], end).unwrap();
                     assert_relative_eq!(restitution_of(&law, size, 0.4).unwrap(), e, max_relative = 1e-9);
                 }

@@ -143,7 +143,7 @@ mod tests {
     }
 
     fn collide(law: &WaltonBraun, mass: f64, speed: f64) -> Collision {
-        let size = PairSize { radius: 1e-2, mass };
+        let size = PairSize::new(1e-2, mass);
         let impact = HeadOn {
             law,
             size,
@@ -156,10 +156,7 @@ mod tests {
     #[test]
     fn the_curve_of_loading_unloading_and_reloading() {
         let law = law(&[("loading_stiffness", 1e4), ("unloading_stiffness", 4e4)]).unwrap();
-        let size = PairSize {
-            radius: 1e-2,
-            mass: 1e-3,
-        };
+        let size = PairSize::new(1e-2, 1e-3);
         let mut history = [0.0];
         // overlap and force: up to 1 um the loading line; down the line of 4e4 N/m to the dent at 0.75 um; up again
         for (overlap, force) in [

@@ -116,10 +116,7 @@ mod tests {
 
     fn twisted(twist: f64) -> RollingInput {
         RollingInput {
-            size: PairSize {
-                radius: 1e-3,
-                mass: 1e-5,
-            },
+            size: PairSize::new(1e-3, 1e-5),
             rolling_inertia: 1e-11,
             normal: DVec3::new(0.6, 0.0, 0.8),
             angular_velocity: DVec3::ZERO,

@@ -401,10 +401,7 @@ mod tests {
 
         /// Moves on to a displacement; the force there, against the motion of the first body.
         fn shear_to(&mut self, displacement: f64) -> f64 {
-            let size = PairSize {
-                radius: 2e-3,
-                mass: 1e-4,
-            };
+            let size = PairSize::new(2e-3, 1e-4);
             let path = displacement - self.moved;
             let mut input = TangentialInput {
                 size,

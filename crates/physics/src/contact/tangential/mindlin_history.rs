@@ -134,7 +134,7 @@ mod tests {
             let normal = HertzTsuji::new(&values(&[("restitution", 0.5)]), &pair).unwrap();
             let tangential = MindlinHistory::new(&values(&[("friction", 0.5)]), &pair).unwrap();
             for (radius, overlap) in [(1e-3, 1e-6), (0.2, 1e-3)] {
-                let size = PairSize { radius, mass: 1.0 };
+                let size = PairSize::new(radius, 1.0);
                 let ratio = tangential.stiffness(size, overlap) / normal.stiffness(size, overlap, &[]);
                 let expected = 2.0 * (1.0 - poisson_ratio) / (2.0 - poisson_ratio);
                 assert_relative_eq!(ratio, expected, max_relative = 1e-14);

@@ -22,10 +22,7 @@ pub(super) fn interpolated(size: PairSize, on_grid: impl Fn(PairSize) -> Option<
         let mass_there = mass.on_grid(row);
         let mut values = [0.0; 6];
         for (column, value) in values.iter_mut().enumerate() {
-            *value = on_grid(PairSize {
-                radius: radius.on_grid(column),
-                mass: mass_there,
-            })?;
+            *value = on_grid(PairSize::new(radius.on_grid(column), mass_there))?;
         }
         fifth += mass.fifth[row] * dot(&radius.fifth, &values);
         if (1..5).contains(&row) {
@@ -84,10 +81,7 @@ mod tests {
     use approx::assert_relative_eq;
     use std::cell::Cell;
 
-    const SIZE: PairSize = PairSize {
-        radius: 1.3e-3,
-        mass: 4.7e-6,
-    };
+    const SIZE: PairSize = PairSize::new(1.3e-3, 4.7e-6);
 
     fn power(size: PairSize) -> f64 {
         0.3 * libm::pow(size.radius / 1e-3, -0.7) * libm::pow(size.mass / 1e-6, 0.4)
@@ -96,10 +90,10 @@ mod tests {
     #[test]
     fn powers_of_the_size_are_told_to_nine_digits() {
         for k in 0..20 {
-            let size = PairSize {
-                radius: SIZE.radius * libm::exp2(0.013 * f64::from(k)),
-                mass: SIZE.mass * libm::exp2(-0.11 * f64::from(k)),
-            };
+            let size = PairSize::new(
+                SIZE.radius * libm::exp2(0.013 * f64::from(k)),
+                SIZE.mass * libm::exp2(-0.11 * f64::from(k)),
+            );
             let told = interpolated(size, |there| Some(power(there))).unwrap();
             assert_relative_eq!(told, power(size), max_relative = 1e-9);
         }
@@ -107,10 +101,7 @@ mod tests {
 
     #[test]
     fn sizes_of_the_grid_have_their_own_value() {
-        let size = PairSize {
-            radius: libm::exp2(-150.0 / 16.0),
-            mass: libm::exp2(-290.0 / 16.0),
-        };
+        let size = PairSize::new(libm::exp2(-150.0 / 16.0), libm::exp2(-290.0 / 16.0));
         let told = interpolated(size, |there| Some(power(there))).unwrap();
         assert_relative_eq!(told, power(size), max_relative = 1e-13);
     }

@@ -15,10 +15,7 @@ const GLASS: Elastic = Elastic {
 const PAIR: MaterialPair = MaterialPair { a: GLASS, b: GLASS };
 const WORK: f64 = 0.05;
 const SEPARATION: f64 = 0.2e-9;
-const SIZE: PairSize = PairSize {
-    radius: 1e-6,
-    mass: 1e-14,
-};
+const SIZE: PairSize = PairSize::new(1e-6, 1e-14);
 
 fn with_tail(more: &[(&str, f64)]) -> Result<Dmt, Vec<ParameterError>> {
     let mut given = values(more);

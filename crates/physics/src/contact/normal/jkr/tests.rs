@@ -24,10 +24,7 @@ fn law(more: &[(&str, f64)]) -> Jkr {
 
 /// A sphere on a plane.
 fn size(radius: f64) -> PairSize {
-    PairSize {
-        radius,
-        mass: DENSITY * 4.0 / 3.0 * PI * radius * radius * radius,
-    }
+    PairSize::new(radius, DENSITY * 4.0 / 3.0 * PI * radius * radius * radius)
 }
 
 /// `7.09 (w^5 R^4/E^2)^(1/3)`.

@@ -13,10 +13,7 @@ const SOFT: Elastic = Elastic {
 };
 const PAIR: MaterialPair = MaterialPair { a: SOFT, b: SOFT };
 const DENSITY: f64 = 1e5;
-const SIZE: PairSize = PairSize {
-    radius: 1e-3,
-    mass: 1e-5,
-};
+const SIZE: PairSize = PairSize::new(1e-3, 1e-5);
 
 fn law(area: &str, more: &[(&str, f64)]) -> Sjkr {
     let mut given = values(more);

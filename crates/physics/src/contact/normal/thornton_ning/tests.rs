@@ -21,10 +21,7 @@ fn law(work: f64, more: &[(&str, f64)]) -> ThorntonNing {
 
 /// A sphere on a plane.
 fn size(radius: f64) -> PairSize {
-    PairSize {
-        radius,
-        mass: 7850.0 * 4.0 / 3.0 * PI * radius * radius * radius,
-    }
+    PairSize::new(radius, 7850.0 * 4.0 / 3.0 * PI * radius * radius * radius)
 }
 
 /// Point force along a path, with the history left behind.

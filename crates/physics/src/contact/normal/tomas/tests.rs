@@ -20,10 +20,7 @@ const A: f64 = 0.336e-9;
 /// A mobile grain of radius 2 R on a fixed one: effective radius R, its own mass.
 fn size(radius: f64) -> PairSize {
     let grain = 2.0 * radius;
-    PairSize {
-        radius,
-        mass: 2740.0 * 4.0 / 3.0 * PI * grain * grain * grain,
-    }
+    PairSize::new(radius, 2740.0 * 4.0 / 3.0 * PI * grain * grain * grain)
 }
 
 /// The size most numbers are told for.
