@@ -87,6 +87,8 @@ fn conversion(arguments: &ConvertArguments) -> Result<Conversion, Failure> {
             units: units.transpose()?,
             diameter: quantity("--diameter", &arguments.diameter, Dimension::LENGTH)?,
             style: arguments.atom_style.clone(),
+            scaled: false,
+            types_told: !arguments.types.is_empty(),
             extra_columns: true,
         },
         frames: frames(arguments.frame.as_deref())?,

@@ -12,6 +12,7 @@ use crate::arguments::InfoArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use demeter::checkpoint;
+use demeter::grain_files::restart_of;
 use demeter::sweep::SweepFolder;
 use std::fs::File;
 use std::io::Read;
@@ -101,6 +102,8 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
         _ if start.starts_with(b"solid ") || start.starts_with(b"ply\n") || start.starts_with(b"ply\r") => {
             Kind::Surface
         }
+        // whoever reads grains tells what to do with a restart file
+        _ if restart_of(&start).is_some() => Kind::Grains,
         _ if start.starts_with(b"ITEM:") || start.starts_with(b"#format ") => Kind::Grains,
         _ => Kind::Unknown,
     })

@@ -13,6 +13,9 @@ use super::units::FileUnits;
 /// Columns of times that a grain went through a periodic side.
 const IMAGES: [&str; 3] = ["ix", "iy", "iz"];
 
+/// Column of the labels of types.
+const LABEL: &str = "typelabel";
+
 /// Whether a text is a dump.
 pub(super) fn looks_like(text: &str) -> bool {
     text.trim_start().starts_with("ITEM:")
@@ -272,7 +275,7 @@ fn quantity(name: &str, units: &FileUnits) -> Option<(Quantity, f64)> {
     }
     Some(match name {
         "id" => (Quantity::Id, 1.0),
-        "type" => (Quantity::Type, 1.0),
+        "type" | LABEL => (Quantity::Type, 1.0),
         "radius" => (Quantity::Size { is_radius: true }, units.length),
         "diameter" => (Quantity::Size { is_radius: false }, units.length),
         "mass" => (Quantity::Mass, units.mass),
@@ -288,12 +291,19 @@ fn columns(
     options: &ReadOptions,
     extras: &mut Vec<(String, String)>,
 ) -> Result<Vec<Column>, FileProblem> {
+    let has = |name: &str| told.split_whitespace().any(|column| column == name);
     let mut columns: Vec<Column> = Vec::new();
     for name in told.split_whitespace().take(MOST_COLUMNS) {
         let found = quantity(name, units);
         let (mut quantity, factor) = found.unwrap_or_else(|| (Quantity::extra(&shown(name), "", options, extras), 1.0));
         if let (true, Quantity::Extra(index)) = (IMAGES.contains(&name), quantity) {
             quantity = Quantity::Image(index);
+        }
+        if name == LABEL && has("type") {
+            quantity = match options.types_told {
+                true => Quantity::Skipped,
+                false => Quantity::Label,
+            };
         }
         // Of places told in several ways, as `x` and `xs`, the first counts; many dumps of LIGGGHTS tell the type twice.
         let allowed = match quantity {

@@ -56,6 +56,45 @@ fn moments_columns_units_and_boxes_are_read() {
 }
 
 #[test]
+fn labels_of_types_are_their_names() {
+    let dump = |columns: &str, rows: &str| {
+        format!(
+            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ATOMS {columns}\n{rows}"
+        )
+    };
+    let alone = parse(&dump("typelabel x y z radius", "steel 0 0 0 1\nglass 3 0 0 1\n")).unwrap();
+    assert_eq!(alone.type_names, ["steel", "glass"]);
+    // beside numbers these stay as they are
+    for columns in ["type typelabel x y z radius", "typelabel type x y z radius"] {
+        let row = |number, label: &str| match columns.starts_with("typelabel") {
+            true => format!("{label} {number}"),
+            false => format!("{number} {label}"),
+        };
+        let rows = format!("{} 0 0 0 1\n{} 3 0 0 1\n", row(3, "steel"), row(1, "glass"));
+        let table = parse(&dump(columns, &rows)).unwrap();
+        assert_eq!(table.types, Some(vec![TypeOfGrain::Name(2), TypeOfGrain::Name(0)]));
+        assert_eq!(table.type_names, ["glass", "2", "steel"]);
+        assert_eq!(table.type_numbers(), [3, 1]);
+    }
+    for (rows, part) in [
+        (
+            "1 steel 0 0 0 1\n1 glass 3 0 0 1\n",
+            "type 1 has two labels, `steel` and `glass`",
+        ),
+        (
+            "4000000000 steel 0 0 0 1\n1 glass 3 0 0 1\n",
+            "labels are read of types 1 to 65536",
+        ),
+    ] {
+        let found = parse(&dump("type typelabel x y z radius", rows))
+            .unwrap_err()
+            .problem
+            .to_string();
+        assert!(found.contains(part), "{found}");
+    }
+}
+
+#[test]
 fn a_tilted_box_is_told_by_what_lies_around_it() {
     let text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n-1 14 3\n0 12 -1\n0 10 2\n\
         ITEM: ATOMS xs ys zs radius\n0.5 0.5 0.5 1\n";

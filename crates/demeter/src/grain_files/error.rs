@@ -112,6 +112,8 @@ pub enum FileProblem {
     UnknownSection { name: String },
     #[error("section `{name}` is there twice")]
     TwiceSection { name: &'static str },
+    #[error("type {number} has two labels, `{}` and `{}`; keep one of them", labels[0], labels[1])]
+    TwoLabels { number: u32, labels: [String; 2] },
     #[error("section `{name}` is missing; is the file cut short?")]
     MissingSection { name: &'static str },
     #[error("section `Velocities` stands before `Atoms`; move it behind")]
@@ -153,6 +155,11 @@ pub enum FileProblem {
          convert`), or correct the file"
     )]
     OtherUnits { found: String, told: FileUnits },
+    #[error(
+        "the file is in `{found}` units of LAMMPS and is read in them, and `scale` would act on top; leave it out, or tell \
+         `units = \"{found}\"` beside it where both are meant"
+    )]
+    ScaledUnits { found: String },
     #[error("`{found}` stands where {expected} is needed")]
     Expected { found: String, expected: &'static str },
     #[error("the file ends where {expected} is needed; is it cut short?")]
@@ -168,6 +175,11 @@ pub enum FileProblem {
          folder of its run and with its name there"
     )]
     OwnFile,
+    #[error(
+        "is a binary restart file of {code}, which only {code} reads; make a data file of it: `write_data FILE` in the script that wrote \
+         it, or `lmp -restart2data RESTART FILE` of LAMMPS"
+    )]
+    Restart { code: &'static str },
     #[error("there is no atom with id {id}")]
     UnknownId { id: u32 },
 }

@@ -105,6 +105,17 @@ impl fmt::Display for Format {
     }
 }
 
+/// The code whose binary restart file starts so.
+pub fn restart_of(start: &[u8]) -> Option<&'static str> {
+    const OF_LIGGGHTS: &[u8] = b"Version LIGGGHTS";
+    let head = &start[..start.len().min(64)];
+    match head {
+        _ if head.starts_with(b"LammpS RestartT") => Some("LAMMPS"),
+        [0, ..] if head.windows(OF_LIGGGHTS.len()).any(|part| part == OF_LIGGGHTS) => Some("LIGGGHTS"),
+        _ => None,
+    }
+}
+
 /// A name that is no format's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{name}` is no format; there are {}", Format::names().collect::<Vec<_>>().join(", "))]

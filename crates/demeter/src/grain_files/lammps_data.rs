@@ -1,6 +1,6 @@
 //! LAMMPS and LIGGGHTS data files of spheres (<https://docs.lammps.org/read_data.html>): header, section Atoms in the
 //! columns of the atom style that the comment behind it names (`sphere` when there is none) and maybe three image flags,
-//! section Velocities. Sections of masses, coefficients and bonds are left out. So are the image flags, which is told: places are
+//! section Velocities. Labels of types name materials unless those are told. Sections of masses, coefficients and bonds are left out. So are the image flags, which is told: places are
 //! those inside the box.
 
 use super::error::{FileProblem, Located};
@@ -8,10 +8,11 @@ use super::lammps_styles::Layout;
 use super::lines::Lines;
 use super::numbers::{not_allowed, number, shown, whole};
 use super::read::{Context, Notes};
-use super::rows::Rows;
+use super::rows::{Rows, add_label};
 use super::table::{Cell, GrainTable, TypeOfGrain};
 use super::units::FileUnits;
 use glam::DVec3;
+use std::collections::BTreeMap;
 
 /// Lines searched for the count of atoms when a file's format is told.
 const HEADER_LINES: usize = 200;
@@ -30,14 +31,9 @@ const BOUNDS: [[&str; 2]; 3] = [["xlo", "xhi"], ["ylo", "yhi"], ["zlo", "zhi"]];
 /// Edges and corner of a box that lies anyhow.
 const GENERAL: [&str; 4] = ["avec", "bvec", "cvec", "abc origin"];
 /// Sections that say nothing of single grains.
-const LEFT_OUT: [&str; 6] = [
-    "Masses",
-    "Bonds",
-    "Angles",
-    "Dihedrals",
-    "Impropers",
-    "Atom Type Labels",
-];
+const LEFT_OUT: [&str; 5] = ["Masses", "Bonds", "Angles", "Dihedrals", "Impropers"];
+/// Section of the names of types.
+const LABELS: &str = "Atom Type Labels";
 
 /// Whether a text is a data file: it has a line `N atoms` near its start, or says so in its first line.
 pub(super) fn looks_like(text: &str) -> bool {
@@ -116,6 +112,7 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
     let mut header = Header::default();
     let mut atoms: Option<(GrainTable, Layout)> = None;
     let mut velocities: Option<Vec<[DVec3; 2]>> = None;
+    let mut labels = BTreeMap::new();
     while let Some((line, whole_line)) = lines.next()? {
         let content = content(whole_line);
         if content.is_empty() {
@@ -144,6 +141,7 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
                 let (table, layout) = atoms.as_ref().ok_or_else(missing)?;
                 velocities = Some(read_velocities(lines, table, layout, &units)?);
             }
+            LABELS if !context.options.types_told => read_labels(lines, &mut labels)?,
             name if LEFT_OUT.contains(&name) || name.ends_with(" Coeffs") || name.ends_with(" Labels") => {
                 notes.add(format!("section `{}` is left out", shown(name)));
                 while next_values(lines)?.is_some() {}
@@ -163,6 +161,7 @@ pub(super) fn read(lines: &mut Lines, context: &Context, notes: &mut Notes) -> R
         let turns = layout.velocities.len() > 3;
         table.angular_velocities = turns.then(|| values.iter().map(|both| both[1]).collect());
     }
+    table.label_types(&labels);
     table.step = title.step;
     Ok(table)
 }
@@ -315,6 +314,20 @@ fn read_atoms(
         return Err(FileProblem::CutShort { name, found, expected }.into());
     }
     rows.finish(context.options.diameter, Some(cell))
+}
+
+/// Names of types, by their numbers.
+fn read_labels(lines: &mut Lines, labels: &mut BTreeMap<u32, String>) -> Result<(), Located> {
+    while let Some((line, content)) = next_values(lines)? {
+        let words: Vec<&str> = content.split_whitespace().take(3).collect();
+        let [number, label] = words[..] else {
+            let (found, expected) = (words.len(), "2 (type label)".to_owned());
+            return Err(FileProblem::ValueCount { found, expected }.at(line, None));
+        };
+        let added = whole(number).and_then(|number| add_label(labels, number, label.trim_matches('"')));
+        added.map_err(|problem| problem.at(line, Some("type")))?;
+    }
+    Ok(())
 }
 
 /// Velocity and angular velocity of every atom, in the order of the atoms.

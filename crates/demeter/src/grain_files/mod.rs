@@ -24,7 +24,7 @@ mod yade;
 
 pub use carries::losses;
 pub use error::{FileError, FileProblem, Location};
-pub use format::{Format, UnknownFormat};
+pub use format::{Format, UnknownFormat, restart_of};
 pub use lines::{MAX_FRAME_BYTES, MAX_LINE_BYTES};
 pub use read::{GrainFile, ReadOptions, Which, read_grain_file};
 pub use rows::density_of;

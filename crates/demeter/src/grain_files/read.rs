@@ -1,7 +1,7 @@
 //! A file of grains, read moment by moment.
 
 use super::error::{FileError, FileProblem, Located, Location};
-use super::format::Format;
+use super::format::{Format, restart_of};
 use super::lines::Lines;
 use super::table::GrainTable;
 use super::units::FileUnits;
@@ -21,6 +21,10 @@ pub struct ReadOptions {
     pub diameter: Option<f64>,
     /// Atom style of a data file, in place of the one that it names.
     pub style: Option<String>,
+    /// Whether lengths are scaled on top: the file must be in SI, or in units that are told.
+    pub scaled: bool,
+    /// Whether materials of its types are told; labels that it gives its types are then left out.
+    pub types_told: bool,
     /// Whether columns that are no quantity of grains are taken as they are; else there are none in CSV, and tags are those of grains.
     pub extra_columns: bool,
 }
@@ -87,6 +91,9 @@ impl Context {
             (Some(units), _) => Ok(units),
             (None, Some(name)) => {
                 let units = known.ok_or_else(|| FileProblem::Units { found: name.to_owned() })?;
+                if self.options.scaled && !units.are(&FileUnits::SI) {
+                    return Err(FileProblem::ScaledUnits { found: name.to_owned() });
+                }
                 self.named.set(Some(units));
                 Ok(units)
             }
@@ -122,6 +129,9 @@ impl GrainFile {
         let start = lines.start().map_err(fails)?;
         if start.trim_start().starts_with("<VTKFile") || start.trim_start().starts_with("<?xml") {
             return Err(fails(FileProblem::OwnFile));
+        }
+        if let Some(code) = restart_of(start.as_bytes()) {
+            return Err(fails(FileProblem::Restart { code }));
         }
         Ok(Self {
             path: path.to_owned(),

@@ -26,6 +26,8 @@ pub(super) enum Quantity {
         is_radius: bool,
     },
     Type,
+    /// Label of the type whose number another column tells.
+    Label,
     Density,
     Mass,
     Velocity(usize),
@@ -95,6 +97,9 @@ pub(super) struct Rows<'a> {
     masses: Vec<f64>,
     lines: Vec<u32>,
     names: BTreeMap<String, u32>,
+    /// Label of the row.
+    label: Option<String>,
+    labels: BTreeMap<u32, String>,
 }
 
 impl<'a> Rows<'a> {
@@ -122,6 +127,8 @@ impl<'a> Rows<'a> {
             masses: Vec::new(),
             lines: Vec::new(),
             names: BTreeMap::new(),
+            label: None,
+            labels: BTreeMap::new(),
         }
     }
 
@@ -158,6 +165,9 @@ impl<'a> Rows<'a> {
         }
         if left.next().is_some() {
             return Err(self.wrong_count(line, words));
+        }
+        if let (Some(label), Some(TypeOfGrain::Number(number))) = (self.label.take(), self.last_type()) {
+            add_label(&mut self.labels, number, &label).map_err(|problem| problem.at(line, None))?;
         }
         self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
         Ok(())
@@ -206,6 +216,7 @@ impl<'a> Rows<'a> {
                 table.extras[index].values.push(f64::from(flag));
             }
             Quantity::Skipped => {}
+            Quantity::Label => self.label = Some(text.to_owned()),
             Quantity::Type => {
                 let kind = self.read_type(text)?;
                 push(&mut self.table.types, kind);
@@ -250,6 +261,7 @@ impl<'a> Rows<'a> {
             let size = size.ok_or(FileProblem::NoSizes)?;
             self.table.diameters = vec![diameter(size, &format!("{size:?} m"))?; self.table.positions.len()];
         }
+        self.table.label_types(&self.labels);
         self.unscale(cell)?;
         self.weigh()?;
         self.table.cell = cell;
@@ -320,6 +332,21 @@ impl<'a> Rows<'a> {
         }
         self.table.densities = Some(densities);
         Ok(())
+    }
+}
+
+/// Notes the label of a type, of which there is one.
+pub(super) fn add_label(labels: &mut BTreeMap<u32, String>, number: u32, label: &str) -> Result<(), FileProblem> {
+    if number as usize > MOST_NAMES {
+        return Err(not_allowed(&number.to_string(), "labels are read of types 1 to 65536"));
+    }
+    let known = labels.entry(number).or_insert_with(|| label.to_owned());
+    match known == label {
+        true => Ok(()),
+        false => Err(FileProblem::TwoLabels {
+            number,
+            labels: [shown(known), shown(label)],
+        }),
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a file tells of grains at one moment.
 
 use glam::DVec3;
+use std::collections::BTreeMap;
 
 /// Name of the column of tags.
 pub(super) const TAG: &str = "tag";
@@ -211,6 +212,14 @@ impl GrainTable {
         if used {
             self.type_names.extend_from_slice(names);
         }
+    }
+
+    /// Gives names to the types that have labels; others are named by their number.
+    pub(super) fn label_types(&mut self, labels: &BTreeMap<u32, String>) {
+        let Some(last) = labels.keys().next_back() else { return };
+        let name = |number| labels.get(&number).cloned().unwrap_or_else(|| number.to_string());
+        let names: Vec<String> = (1..=*last).map(name).collect();
+        self.name_types(&names);
     }
 
     /// Tags of the grains, when they were read as those of a run.

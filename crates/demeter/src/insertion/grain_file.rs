@@ -3,7 +3,8 @@
 use super::spec::{Insertion, Source};
 use super::{Inserted, InsertionProblem};
 use crate::grain_files::{
-    FileError, FileProblem, GrainTable, LARGEST, Location, TypeOfGrain, diameter, not_allowed, read_grain_file, shown,
+    FileError, FileProblem, GrainTable, LARGEST, Location, ReadOptions, TypeOfGrain, diameter, not_allowed,
+    read_grain_file, shown,
 };
 use crate::materials::Material;
 use crate::particles::NewGrain;
@@ -24,7 +25,12 @@ pub(super) fn insert_file(insertion: &Insertion, materials: &[Material]) -> Resu
         return Ok(Inserted::default());
     };
     check_settings(*density, *scale, *shift)?;
-    let table = read_grain_file(path, reading, *which)?;
+    let reading = ReadOptions {
+        scaled: *scale != 1.0,
+        types_told: !insertion.types.is_empty(),
+        ..reading.clone()
+    };
+    let table = read_grain_file(path, &reading, *which)?;
     let located = |problem| FileError {
         path: path.clone(),
         location: Location::default(),
@@ -87,14 +93,8 @@ fn check_settings(density: Option<f64>, scale: f64, shift: DVec3) -> Result<(), 
 /// Material of every grain. Names are those of materials; numbers are types of the insertion, and when it has no types those of
 /// materials that have such a name, or nothing.
 fn materials_of(table: &GrainTable, insertion: &Insertion, materials: &[Material]) -> Result<Vec<u16>, FileProblem> {
-    let mut named = Vec::with_capacity(table.type_names.len());
-    for name in &table.type_names {
-        let found = materials.iter().position(|m| m.name == *name);
-        named.push(found.ok_or_else(|| FileProblem::UnknownMaterial {
-            name: shown(name),
-            known: materials.iter().map(|m| m.name.as_str()).collect::<Vec<_>>().join(", "),
-        })? as u16);
-    }
+    let place_of = |name: &String| materials.iter().position(|m| m.name == *name);
+    let named: Vec<Option<usize>> = table.type_names.iter().map(place_of).collect();
     let Some(types) = &table.types else {
         return Ok(vec![insertion.material; table.positions.len()]);
     };
@@ -105,7 +105,13 @@ fn materials_of(table: &GrainTable, insertion: &Insertion, materials: &[Material
         });
     }
     let material_of = |(k, kind): (usize, &TypeOfGrain)| match *kind {
-        TypeOfGrain::Name(index) => Ok(named[index as usize]),
+        TypeOfGrain::Name(index) => (named[index as usize].map(|place| place as u16)).ok_or_else(|| {
+            let known: Vec<&str> = materials.iter().map(|m| m.name.as_str()).collect();
+            FileProblem::UnknownMaterial {
+                name: shown(&table.type_names[index as usize]),
+                known: known.join(", "),
+            }
+        }),
         TypeOfGrain::Number(found) if insertion.types.is_empty() => {
             let number = found.to_string();
             let named = materials.iter().position(|m| m.name == number);

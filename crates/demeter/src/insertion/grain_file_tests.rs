@@ -1,4 +1,4 @@
-use crate::grain_files::{ReadOptions, Which};
+use crate::grain_files::{FileUnits, ReadOptions, Which};
 use crate::insertion::{Inserted, Insertion, InsertionError, Source, insert};
 use crate::materials::Material;
 use glam::DVec3;
@@ -161,6 +161,61 @@ fn materials_are_found_by_name_and_type() {
         found.contains("grain 2 is of type 2, but the insertion gives materials for types 1 to 1"),
         "{found}"
     );
+}
+
+/// The file tells its units, so that a factor for them would act twice.
+#[test]
+fn a_scale_on_top_of_units_that_the_file_names_is_refused() {
+    let scaled = |named: &str, told: Option<FileUnits>, factor: f64| {
+        let text = SMALL.replace("write_data", &format!("write_data, units = {named}"));
+        insert_text(text.as_bytes(), |description| {
+            if let Source::File { scale, reading, .. } = &mut description.source {
+                (*scale, reading.units) = (factor, told);
+            }
+        })
+    };
+    let found = scaled("micro", None, 1e-6).unwrap_err().to_string();
+    assert!(
+        found.contains("the file is in `micro` units") && found.contains("tell `units = \"micro\"` beside it"),
+        "{found}"
+    );
+    assert!(scaled("micro", None, 1.0).is_ok() && scaled("si", None, 0.5).is_ok());
+    let both = scaled("micro", FileUnits::style("micro"), 0.5).unwrap();
+    assert!((both.grains[1].radius - 0.0075e-6).abs() < 1e-20);
+}
+
+#[test]
+fn labels_of_types_name_materials_unless_those_are_told() {
+    let labels = "Atom Type Labels\n\n1 glass\n2 steel\n\n    Atoms # sphere";
+    let data = SMALL.replace("Atoms # sphere", labels);
+    let materials = |text: &str, types: &[u16]| {
+        let made = insert_text(text.as_bytes(), |description| description.types = types.to_vec());
+        made.map(|made| made.grains.iter().map(|grain| grain.material).collect::<Vec<u16>>())
+    };
+    assert_eq!(materials(&data, &[]).unwrap(), [0, 1, 0]);
+    assert_eq!(materials(&data, &[1, 0]).unwrap(), [1, 0, 1]);
+    // a label that no grain has needs no material
+    let more = data.replace("2 steel", "2 steel\n3 wood");
+    assert_eq!(materials(&more, &[]).unwrap(), [0, 1, 0]);
+    let wood = materials(&data.replace("2 steel", "2 wood"), &[])
+        .unwrap_err()
+        .to_string();
+    assert!(wood.contains("material `wood` does not exist"), "{wood}");
+}
+
+#[test]
+fn a_restart_file_is_told_as_such() {
+    let starts: [(&[u8], &str); 2] = [
+        (b"LammpS RestartT\0\x01\0\0\0", "LAMMPS"),
+        (b"\0\0\0\0\x5a\0\0\0Version LIGGGHTS-PUBLIC 3.8.0", "LIGGGHTS"),
+    ];
+    for (start, code) in starts {
+        let found = insert_text(start, |_| {}).unwrap_err().to_string();
+        assert!(
+            found.contains(&format!("a binary restart file of {code}")) && found.contains("write_data"),
+            "{found}"
+        );
+    }
 }
 
 #[test]

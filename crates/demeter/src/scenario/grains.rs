@@ -222,7 +222,7 @@ fn reading(table: &TableReader<'_>) -> ReadOptions {
         units,
         diameter: table.optional_quantity("diameter", Kind::Physical(Dimension::LENGTH), Range::POSITIVE),
         style: table.optional("atom_style").map(|item| item.text().to_owned()),
-        extra_columns: false,
+        ..ReadOptions::default()
     }
 }
 

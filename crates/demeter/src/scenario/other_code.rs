@@ -1,6 +1,6 @@
 //! Files of other codes, told where Demeter reads TOML: one fault, in place of one for every line.
 
-use crate::grain_files::Format;
+use crate::grain_files::{Format, restart_of};
 
 /// Words that begin the lines of an input script of LAMMPS or of a code that descends from it.
 const OF_LAMMPS: [&str; 27] = [
@@ -108,6 +108,12 @@ pub(super) fn recognise(text: &str) -> Option<(String, String)> {
 
 /// What bytes that are no text seem to be.
 pub(super) fn recognise_bytes(bytes: &[u8]) -> Option<String> {
+    if let Some(code) = restart_of(bytes) {
+        return Some(format!(
+            "this looks like a binary restart file of {code}; Demeter reads TOML. Write its grains to a data file (`write_data`) and \
+             name that in a scenario (`source = \"file\"` in `[[grains]]`); `demeter new` writes one to start from"
+        ));
+    }
     bytes.starts_with(HDF5).then(|| {
         "this looks like an HDF5 file, as EDEM and others write them; Demeter reads TOML. Export the grains as CSV and name that file \
          in a scenario (`source = \"file\"` in `[[grains]]`); `demeter new` writes one to start from"

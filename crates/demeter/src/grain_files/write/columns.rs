@@ -125,7 +125,7 @@ pub(super) fn value<'t>(table: &'t GrainTable, numbers: &[u32], column: &Column,
                 false => Value::Number(value),
             }
         }
-        Quantity::Skipped => Value::Whole(0),
+        Quantity::Label | Quantity::Skipped => Value::Whole(0),
     }
 }
 
