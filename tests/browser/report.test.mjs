@@ -57,6 +57,7 @@ describe("the 3D view", () => {
         }
         await controls.getByLabel("Show force chains").check();
         assert.match(await controls.locator(".hint").first().textContent(), /^\d+ of \d+ contacts/);
+        assert.match(await page.locator(".colour-key").last().textContent(), /^force chains: normal force \[\S*N\]0/);
         await changes("force chains");
         await controls.getByLabel("Opacity of walls").fill("0.6");
         await changes("the opacity of walls");

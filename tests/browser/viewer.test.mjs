@@ -136,13 +136,25 @@ describe("the picture", () => {
         await changes("another direction");
         await page.getByLabel("Cut", { exact: true }).selectOption("");
         await changes("no cut");
+        const keys = page.locator(".colour-key");
+        assert.equal(await keys.count(), 1);
         await page.getByLabel("Show force chains").check();
         await changes("force chains");
+        assert.match(await keys.last().textContent(), /^force chains: normal force \[\S*N\]0/);
+        assert.match(await page.locator("[id^=scene-in-words]").textContent(), /, coloured by radius from .*; \d+ contacts, force chains: normal force from 0 N to \S+ \S*N\.$/);
+        const place = page.getByRole("group", { name: "Clip plane" }).locator("output");
+        await page.getByLabel("Cut", { exact: true }).selectOption("z");
+        await changes("a cut across z");
+        const before = await place.textContent();
+        assert.match(before, /^z = /);
         const walls = page.getByRole("group", { name: "Walls", exact: true }).getByRole("checkbox");
         assert.ok((await walls.count()) > 0);
         await walls.first().uncheck();
         await changes("a wall that is hidden");
+        assert.notEqual(await place.textContent(), before, "the plane stands where half of what is shown now is cut away");
         await keep(page, "viewer-chains");
+        await page.getByLabel("Show force chains").uncheck();
+        assert.equal(await keys.count(), 1);
         assert.deepEqual(faults, []);
         await page.close();
     });
@@ -232,14 +244,26 @@ describe("the picture", () => {
         }
         await page.getByLabel("Id of a grain").fill("999999999");
         await page.getByRole("button", { name: "Show", exact: true }).click();
-        await page.getByText("there is no such grain").waitFor(PATIENCE);
-        assert.deepEqual(faults.filter((fault) => !fault.includes("404")), []);
+        await page.getByText("Grain 999999999 is not there at this moment.").waitFor(PATIENCE);
+        assert.deepEqual(faults, []);
         await page.close();
     });
 
     test("is saved as PNG, as numbered PNGs, and as a film", async () => {
-        const { page, faults } = await viewer(finished(), { acceptDownloads: true });
+        const { page, faults, count, reaches } = await viewer(finished(), { acceptDownloads: true });
         await page.getByLabel("Last frame").last().fill("3");
+        const colours = (bytes, places) =>
+            page.evaluate(
+                async ([data, at]) => {
+                    const image = new Image();
+                    image.src = `data:image/png;base64,${data}`;
+                    await image.decode();
+                    const context = new OffscreenCanvas(image.width, image.height).getContext("2d", { willReadFrequently: true });
+                    context.drawImage(image, 0, 0);
+                    return at.map(([x, y]) => [...context.getImageData(x, y, 1, 1).data.subarray(0, 3)]);
+                },
+                [bytes.toString("base64"), places],
+            );
         const saves = async (name) => {
             const download = page.waitForEvent("download", { timeout: 120_000 });
             await page.getByRole("button", { name, exact: true }).click();
@@ -250,6 +274,22 @@ describe("the picture", () => {
         const png = await saves("PNG");
         assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [1280, 720]);
         assert.ok((await compare(browser, png)).colours > 100);
+        // of grains and force chains each has its bar, one above the other
+        const { width, height } = { width: 1280, height: 720 };
+        const rows = [height - 1.2 * (height / 36), height - 2.8 * (height / 36)];
+        const viridis = [[68, 1, 84], [253, 231, 37]];
+        const bars = async (bytes) => {
+            const found = await colours(bytes, rows.flatMap((row) => [[0.55 * width + 1, row], [0.8 * width - 2, row]]));
+            const isBar = (ends) => ends.flat().every((c, k) => Math.abs(c - viridis.flat()[k]) < 9);
+            return [isBar(found.slice(0, 2)), isBar(found.slice(2))];
+        };
+        assert.deepEqual(await bars(png), [true, false]);
+        await page.getByRole("button", { name: "Last frame" }).click();
+        await reaches(await count());
+        await page.getByLabel("Show force chains").check();
+        await page.getByText(/of \d+ contacts; thicker is stronger/).waitFor(PATIENCE);
+        assert.deepEqual(await bars(await saves("PNG")), [true, true]);
+        await page.getByLabel("Show force chains").uncheck();
         const files = unzip(await saves("PNGs (ZIP)"));
         assert.deepEqual([...files.keys()], ["frame_00000.png", "frame_00001.png", "frame_00002.png"]);
         const [first, last] = [files.get("frame_00000.png"), files.get("frame_00002.png")];
@@ -280,6 +320,19 @@ test("the series shows its columns, and a click in it leads to the moment", asyn
     await over.scrollIntoViewIfNeeded();
     await over.click({ position: { x: 2, y: 40 } });
     await reaches(1);
+    // not more columns than are plotted
+    await page.getByLabel("Find columns").fill("");
+    const boxes = page.locator(".column-list input");
+    const free = page.locator(".column-list input:not(:checked):not(:disabled)");
+    while (await free.count()) {
+        await free.first().check();
+    }
+    assert.equal(await page.locator(".column-list input:checked").count(), 12);
+    assert.ok((await boxes.count()) > 12);
+    await page.getByText("12 columns are ticked, which is the most").waitFor(PATIENCE);
+    await page.locator(".series-plot .plot-legend button").nth(11).waitFor(PATIENCE);
+    await page.locator(".column-list input:checked").first().uncheck();
+    assert.ok((await free.count()) > 0);
     assert.deepEqual(faults, []);
     await page.close();
 });
@@ -308,6 +361,28 @@ test("a run that goes on is followed until it ends", async () => {
     await page.waitForFunction(() => /frame (\d+) of \1$/.test(document.querySelector(".time-told").textContent), null, PATIENCE);
     const lines = readFileSync(join(out, "series.csv"), "utf8").trim().split("\n").length - 1;
     await page.getByText(`${lines} rows`).waitFor(PATIENCE);
+    assert.deepEqual(faults, []);
+    await page.close();
+    rmSync(folder, { recursive: true });
+});
+
+test("a run that replaces another is shown in its place", async () => {
+    const folder = mkdtempSync(join(tmpdir(), "demeter-anew-"));
+    const out = join(folder, "run");
+    const make = (...overrides) => {
+        const run = ["run", join(here, "viewer-scenario.toml"), "--out", out, "--overwrite", "--set", 'stage[0].duration="20 ms"', ...overrides.flatMap((text) => ["--set", text])];
+        return new Promise((done) => spawn(program(), run, { stdio: "ignore" }).once("exit", done));
+    };
+    assert.equal(await make(), 0);
+    const { page, faults, picture } = await viewer(out);
+    const walls = page.getByRole("group", { name: "Walls", exact: true });
+    assert.equal(await walls.textContent(), "Wallsbox");
+    const before = await picture();
+    assert.equal(await make('wall[0].name="vessel"', "grains[0].count=150"), 0);
+    await walls.getByLabel("vessel").waitFor(PATIENCE);
+    assert.equal(await walls.textContent(), "Wallsvessel");
+    await page.waitForFunction(() => document.querySelector("[id^=scene-in-words]").textContent.startsWith("150 grains"), null, PATIENCE);
+    assert.ok((await compare(browser, before, await picture())).different > 0.01);
     assert.deepEqual(faults, []);
     await page.close();
     rmSync(folder, { recursive: true });

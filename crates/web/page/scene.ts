@@ -44,7 +44,7 @@ export interface WallSurface {
     triangles: Float32Array;
 }
 
-/** What the colours of the grains mean, for a legend. */
+/** What the colours of the grains, or of the force chains, mean, for a legend. */
 export interface ColourScale {
     scalar: string;
     map: MapName;
@@ -53,7 +53,7 @@ export interface ColourScale {
     beyond: [boolean, boolean];
     /** Names of the categories, where the scalar is one. */
     names: string[] | null;
-    /** Whether some grains have no value. */
+    /** Whether some have no value. */
     gaps: boolean;
 }
 
@@ -103,6 +103,7 @@ export class PackingScene {
     #scale: ColourScale = { scalar: "", map: "viridis", range: [0, 1], beyond: [false, false], names: null, gaps: false };
     #wanted: { scalar: string; range: [number, number] | null; map: MapName } = { scalar: "", range: null, map: "viridis" };
     #chainsWanted = { shown: false, threshold: 0 };
+    #chainScale: ColourScale | null = null;
     #clip: Plane | null = null;
     #marked = new Set<number>();
     #fitted = false;
@@ -197,9 +198,14 @@ export class PackingScene {
         return this.#scale;
     }
 
-    /** What the colours mean now. */
+    /** What the colours of the grains mean now. */
     get colourScale(): ColourScale {
         return this.#scale;
+    }
+
+    /** What the colours of the force chains mean now; null while none are shown. */
+    get chainScale(): ColourScale | null {
+        return this.#chainScale;
     }
 
     /** Draws contacts whose normal force is at least `threshold` [N] as cylinders. Returns how many. */
@@ -362,13 +368,18 @@ export class PackingScene {
     #drawChains(): number {
         const { shown, threshold } = this.#chainsWanted;
         this.#chains.mesh.visible = shown && this.#contacts !== null;
+        this.#chainScale = null;
         let drawn = 0;
         if (this.#chains.mesh.visible) {
             const { ends, normalForce } = this.#contacts!;
-            const strong = spreadOf(normalForce).range[1];
+            const spread = spreadOf(normalForce);
+            const strong = spread.range[1];
             const typical = median(this.#grains.radius);
             drawn = this.#chains.set(ends, normalForce, threshold, strong, 0.45 * typical);
             this.#chainLook.range.value.set(0, strong);
+            if (drawn > 0) {
+                this.#chainScale = { scalar: "force chains: normal force", map: "viridis", range: [0, strong], beyond: [false, spread.high > strong], names: null, gaps: false };
+            }
         }
         this.render();
         return drawn;

@@ -1,7 +1,7 @@
 // A scene with its controls: colours, force chains, opacities, clip plane, views, and what is known of a picked grain.
 import { button, choice, group, make, save, slider, tick, type Slider } from "./dom";
-import { CAMERA_KEYS, createScene, type Contacts, type Grains, type ColourScale, type MapName, type PackingScene, type ViewName, type WallSurface } from "./scene";
-import { colourKey } from "./scene/colour_key";
+import { CAMERA_KEYS, createScene, type Contacts, type Grains, type MapName, type PackingScene, type ViewName, type WallSurface } from "./scene";
+import { colourKey, type ShownScale } from "./scene/colour_key";
 import { quantity, readable, scaled } from "./units";
 
 /** A scalar of grains, for the list of colours. */
@@ -59,6 +59,8 @@ const VIEWS: [ViewName, string][] = [
 ];
 /** Grains become this opaque when force chains are shown, so that these are seen. */
 const BESIDE_CHAINS = 0.12;
+/** Name under which frames hold the sides of a periodic box that deforms, in the place of walls. */
+const PERIODIC_BOX = "periodic box";
 const NOTHING_PICKED = "Click a grain, or type its id, to see its values.";
 /** Most contacts of a grain that are listed. */
 const MOST_LISTED = 30;
@@ -78,6 +80,7 @@ export class ScenePanel {
     readonly controls = make("div", { class: "scene-controls" });
     readonly #options: PanelOptions;
     readonly #key = make("div", { class: "key-holder" });
+    readonly #chainKey = make("div", { class: "key-holder", hidden: true });
     readonly #picked = make("div", { class: "picked", role: "status" });
     readonly #chainsTold = make("p", { class: "hint" });
     /** What the picture shows, in words, for those who do not see it. */
@@ -90,11 +93,12 @@ export class ScenePanel {
     #scalars!: HTMLSelectElement;
     #range!: [HTMLInputElement, HTMLInputElement];
     #grainOpacity!: Slider;
+    #clipPosition!: Slider;
 
     constructor(container: HTMLElement, options: PanelOptions) {
         this.#options = options;
         const frame = make("div", { class: "scene-frame" });
-        this.view.append(frame, this.#inWords, this.#key);
+        this.view.append(frame, this.#inWords, this.#key, this.#chainKey);
         this.element.append(this.view);
         container.replaceChildren(this.element);
         this.scene = createScene(frame, { label: this.#label(), onPick: (id) => this.pick(id) });
@@ -133,7 +137,14 @@ export class ScenePanel {
         this.scene.setContacts(state.contacts?.chains ?? null);
         this.#recolour();
         this.#redrawChains();
-        this.#recut();
+        this.#replaceClip();
+    }
+
+    /** The colours that are shown: those of the grains, and those of the force chains while there are any. */
+    get scales(): ShownScale[] {
+        const { colourScale, chainScale } = this.scene!;
+        const unit = this.#state.scalars.find((s) => s.name === colourScale.scalar)?.unit ?? "";
+        return [{ scale: colourScale, unit }, ...(chainScale ? [{ scale: chainScale, unit: "N" }] : [])];
     }
 
     /** Whether force chains are drawn. */
@@ -202,20 +213,19 @@ export class ScenePanel {
     }
 
     #shownUnit(): { unit: string; factor: number } {
-        const [low, high] = this.scene?.colourScale.range ?? [0, 1];
-        const unit = this.#state.scalars.find((s) => s.name === this.#colour.scalar)?.unit ?? "";
-        return scaled(Math.max(Math.abs(low), Math.abs(high)), unit);
+        const { scale, unit } = this.scales[0]!;
+        return scaled(Math.max(...scale.range.map(Math.abs)), unit);
     }
 
     #recolour(): void {
         const { scalar, range, map } = this.#colour;
         const scale = this.scene!.colourBy(scalar, range, map);
-        const info = this.#state.scalars.find((s) => s.name === scalar);
-        this.#key.replaceChildren(colourKey(scale, info?.unit ?? "", this.#state.grains.scalars.get(scalar)));
-        this.#inWords.textContent = this.#words(scale, info?.unit ?? "");
-        if (info?.meaning) {
-            this.#key.append(make("span", { class: "key-meaning" }, info.meaning));
+        this.#key.replaceChildren(colourKey(this.scales[0]!, this.#state.grains.scalars.get(scalar)));
+        const meaning = this.#state.scalars.find((s) => s.name === scalar)?.meaning;
+        if (meaning) {
+            this.#key.append(make("span", { class: "key-meaning" }, meaning));
         }
+        this.#tellInWords();
         const { factor } = this.#shownUnit();
         scale.range.forEach((value, k) => {
             const input = this.#range[k as 0 | 1];
@@ -225,16 +235,18 @@ export class ScenePanel {
         });
     }
 
-    #words(scale: ColourScale, unit: string): string {
+    #tellInWords(): void {
         const { grains, contacts, walls } = this.#state;
         const count = (n: number, what: string) => `${n} ${what}${n === 1 ? "" : "s"}`;
-        const [low, high] = scale.range.map((value) => quantity(value, unit));
-        const colours = scale.names ? `coloured by ${scale.scalar}` : `coloured by ${scale.scalar} from ${low} to ${high}`;
+        const told = ({ scale, unit }: ShownScale) => `${scale.scalar}${scale.names ? "" : ` from ${quantity(scale.range[0], unit)} to ${quantity(scale.range[1], unit)}`}`;
+        const [colours, chains] = this.scales.map(told);
         const box = this.scene!.bounds();
         const [lower, upper] = [box.min.toArray(), box.max.toArray()];
         const across = box.isEmpty() ? "" : `, in ${lower.map((from, k) => quantity(upper[k]! - from, "m")).join(" by ")}`;
-        const held = walls.length > 0 ? `, with ${count(walls.length, "wall")}` : "";
-        return `${count(grains.id.length, "grain")}${held}${across}, ${colours}; ${count(contacts?.count ?? 0, "contact")}.`;
+        const inBox = walls.length === 1 && walls[0]!.name === PERIODIC_BOX;
+        const held = walls.length === 0 ? "" : inBox ? ", with the sides of the periodic box" : `, with ${count(walls.length, "wall")}`;
+        const chained = chains ? `, ${chains}` : "";
+        this.#inWords.textContent = `${count(grains.id.length, "grain")}${held}${across}, coloured by ${colours}; ${count(contacts?.count ?? 0, "contact")}${chained}.`;
     }
 
     /** Picks by id what others pick by a click. */
@@ -284,29 +296,38 @@ export class ScenePanel {
         const mean = contacts?.meanForce ?? 0;
         const drawn = this.scene!.showChains(this.#chains.shown, this.#chains.threshold * mean);
         const all = contacts?.count ?? 0;
+        const scale = this.scales[1];
+        this.#chainKey.hidden = !scale;
+        this.#chainKey.replaceChildren(...(scale ? [colourKey(scale)] : []));
+        this.#tellInWords();
         const none = all === 0 ? "No contact carries a force in this state." : `Mean normal force ${quantity(mean, "N")}.`;
         this.#chainsTold.textContent = this.#chains.shown && all > 0 && contacts?.chains ? `${drawn} of ${all} contacts; thicker is stronger. ${none}` : none;
     }
 
     #clipControls(): HTMLElement {
-        const position = slider("Position", { min: 0, max: 1, step: 0.01, value: 0.5 }, (share) => this.#clipTold(share), (share) => {
+        this.#clipPosition = slider("Position", { min: 0, max: 1, step: 0.01, value: 0.5 }, (share) => this.#clipTold(share), (share) => {
             this.#clip.share = share;
             this.#recut();
         });
         const axes: [string, string][] = [["", "off"], ["x", "across x"], ["y", "across y"], ["z", "across z"], ["any", "across any direction"]];
-        const normal = this.#normalControls(() => position.set(position.input.valueAsNumber));
+        const normal = this.#normalControls(() => this.#replaceClip());
         const axis = choice("Cut", axes, (value) => {
             this.#clip.axis = value as Axis | "any" | "";
-            position.input.disabled = value === "";
+            this.#clipPosition.input.disabled = value === "";
             normal.hidden = value !== "any";
-            position.set(position.input.valueAsNumber);
+            this.#replaceClip();
         });
         const flip = tick("Show the other side", false, (value) => {
             this.#clip.flipped = value;
             this.#recut();
         });
-        position.input.disabled = true;
-        return group("Clip plane", axis.element, normal, position.element, flip.element);
+        this.#clipPosition.input.disabled = true;
+        return group("Clip plane", axis.element, normal, this.#clipPosition.element, flip.element);
+    }
+
+    /** Lets the plane stand at the same share of what is shown now, and tells where that is. */
+    #replaceClip(): void {
+        this.#clipPosition.set(this.#clip.share);
     }
 
     /** Fields for the direction across which the plane lies. */

@@ -21,7 +21,8 @@ class Viewer {
     readonly #about = make("p", { class: "about" });
     readonly #fault = make("p", { class: "notice bad", role: "alert", hidden: true });
     readonly #walls = make("div");
-    readonly #hidden = new Set<number>();
+    /** Names of walls that are not drawn. */
+    readonly #hidden = new Set<string>();
     readonly #panel: ScenePanel;
     readonly #timeline: Timeline;
     readonly #series: SeriesPanel;
@@ -39,14 +40,14 @@ class Viewer {
         const main = make("main", { id: "main" }, this.#fault, place);
         document.body.append(make("a", { class: "skip", href: "#main" }, "Skip to the picture"), make("header", {}, make("div", { class: "title" }, this.#title, this.#badge), this.#about), main);
         this.#timeline = new Timeline({ show: (index) => this.#show(index), ahead: (indices) => this.#frames.prefetch(indices.map((k) => this.#steps[k]!), this.#panel.showsChains), plays: (on) => this.#panel.scene && (this.#panel.scene.plays = on) });
-        this.#panel = new ScenePanel(place, { label: "The run", fileName: "packing", describes: false, onPick: (id) => this.#picked(id), needsChains: () => void this.#show(this.#timeline.index) });
+        this.#panel = new ScenePanel(place, { label: "The run", fileName: "packing", describes: false, onPick: (id) => this.#grain.show(id), needsChains: () => void this.#show(this.#timeline.index) });
         this.#panel.view.append(this.#timeline.element);
         const seek = (time: number) => this.#timeline.seekTime(time);
         this.#series = new SeriesPanel(seek);
         this.#grain = new GrainPanel({ pick: (id) => this.#panel.pick(id), seek, wallName: (k) => this.#wallNames.get(k) ?? String(k) });
         main.append(make("div", { class: "below" }, this.#grain.element, this.#series.element), help(this.#timeline.everywhere.element));
         const scene = this.#panel.scene;
-        this.#export = scene && new ExportPanel({ scene, name: () => this.#name, count: () => this.#times.length, index: () => this.#timeline.index, time: (k) => this.#times[k] ?? NaN, unit: (scalar) => this.#frame?.scalars.find((s) => s.name === scalar)?.unit ?? "", show: (k) => this.#show(k) });
+        this.#export = scene && new ExportPanel({ scene, name: () => this.#name, count: () => this.#times.length, index: () => this.#timeline.index, time: (k) => this.#times[k] ?? NaN, scales: () => this.#panel.scales, show: (k) => this.#show(k) });
         if (this.#export) {
             this.#panel.controls.append(group("Walls", this.#walls), this.#export.element);
         }
@@ -78,6 +79,8 @@ class Viewer {
                 state = await readState(0);
             }
             this.#frames.clear();
+            this.#wallNames.clear();
+            this.#walls.replaceChildren();
             [this.#steps, this.#times] = [[], []];
             this.#epoch = state.epoch;
         }
@@ -91,7 +94,7 @@ class Viewer {
         this.#describe(state);
         this.#series.update(state.series, anew && !first);
         if (grown || anew) {
-            this.#timeline.setMoments(this.#steps, this.#times);
+            this.#timeline.setMoments(this.#steps, this.#times, anew);
             this.#grain.setTimes(this.#times, anew && !first);
             this.#export?.setCount(this.#times.length);
         }
@@ -119,7 +122,7 @@ class Viewer {
     }
 
     async #show(index: number): Promise<void> {
-        const step = this.#steps[index];
+        const [step, epoch] = [this.#steps[index], this.#epoch];
         if (step === undefined) {
             return;
         }
@@ -130,6 +133,9 @@ class Viewer {
             const frame = await this.#frames.get(step);
             if (this.#panel.showsChains) {
                 await this.#frames.readChains(frame);
+            }
+            if (epoch !== this.#epoch) {
+                return;
             }
             this.#frame = frame;
             this.#draw();
@@ -148,32 +154,25 @@ class Viewer {
         if (frame.walls.some((wall) => !this.#wallNames.has(wall.index))) {
             this.#listWalls(frame);
         }
-        this.#panel.show({ ...frame, walls: frame.walls.filter((wall) => !this.#hidden.has(wall.index)) });
+        this.#panel.show({ ...frame, walls: frame.walls.filter((wall) => !this.#hidden.has(wall.name)) });
         this.#series.setTime(frame.time);
-        this.#grain.setFrame(frame.step, frame.time);
+        this.#grain.setFrame(frame);
     }
 
     #listWalls(frame: Frame): void {
         frame.walls.forEach(({ index, name }) => this.#wallNames.set(index, name));
-        const rows = [...this.#wallNames].map(([index, name]) => {
-            const shown = tick(name, !this.#hidden.has(index), (on) => {
+        const rows = [...this.#wallNames.values()].map((name) => {
+            const shown = tick(name, !this.#hidden.has(name), (on) => {
                 if (on) {
-                    this.#hidden.delete(index);
+                    this.#hidden.delete(name);
                 } else {
-                    this.#hidden.add(index);
+                    this.#hidden.add(name);
                 }
                 this.#draw();
             });
             return shown.element;
         });
         this.#walls.replaceChildren(...rows);
-    }
-
-    #picked(id: number | null): void {
-        this.#grain.show(id);
-        if (this.#frame) {
-            this.#grain.setFrame(this.#frame.step, this.#frame.time);
-        }
     }
 
     #complain(error: Error | null): void {

@@ -7,8 +7,26 @@ import { categoryColour, mapGradient, NO_VALUE_COLOUR } from "./colours";
 /** Most names of categories that are listed. */
 const MOST_NAMES = 20;
 
+/** Colours that are shown, and the unit of their values. */
+export interface ShownScale {
+    scale: ColourScale;
+    unit: string;
+}
+
+/** What is written beside a bar of colours: its title, and the values at its ends. */
+export function barTexts({ scale, unit }: ShownScale): { title: string; low: string; high: string } {
+    const [low, high] = scale.range;
+    const [below, above] = scale.beyond;
+    const { unit: shown, factor } = scaled(Math.max(Math.abs(low), Math.abs(high)), unit);
+    return {
+        title: titled(scale.scalar, shown),
+        low: `${below ? "≤ " : ""}${readable(low / factor, 3)}`,
+        high: `${above ? "≥ " : ""}${readable(high / factor, 3)}`,
+    };
+}
+
 /** The key of the colours of a scene. */
-export function colourKey(scale: ColourScale, unit: string, values: Float32Array | undefined): HTMLElement {
+export function colourKey({ scale, unit }: ShownScale, values?: Float32Array): HTMLElement {
     const key = make("div", { class: "colour-key" });
     if (scale.names) {
         const present = new Set(values ?? []);
@@ -24,17 +42,10 @@ export function colourKey(scale: ColourScale, unit: string, values: Float32Array
         }
         return key;
     }
-    const [low, high] = scale.range;
-    const { unit: shown, factor } = scaled(Math.max(Math.abs(low), Math.abs(high)), unit);
+    const { title, low, high } = barTexts({ scale, unit });
     const bar = make("span", { class: "key-bar" });
     bar.style.background = mapGradient(scale.map);
-    const [below, above] = scale.beyond;
-    key.append(
-        make("span", { class: "key-title" }, titled(scale.scalar, shown)),
-        make("span", { class: "key-end" }, `${below ? "≤ " : ""}${readable(low / factor, 3)}`),
-        bar,
-        make("span", { class: "key-end" }, `${above ? "≥ " : ""}${readable(high / factor, 3)}`),
-    );
+    key.append(make("span", { class: "key-title" }, title), make("span", { class: "key-end" }, low), bar, make("span", { class: "key-end" }, high));
     if (scale.gaps) {
         const swatch = make("span", { class: "key-swatch" });
         swatch.style.background = NO_VALUE_COLOUR;

@@ -3,8 +3,9 @@ import { Zip, ZipPassThrough } from "fflate";
 import { ArrayBufferTarget, Muxer } from "webm-muxer";
 import { button, choice, group, make, save, tick } from "../dom";
 import type { PackingScene } from "../scene";
+import { barTexts, type ShownScale } from "../scene/colour_key";
 import { mapColour } from "../scene/colours";
-import { quantity, readable, scaled, titled } from "../units";
+import { quantity } from "../units";
 
 const SIZES: [string, string][] = [
     ["1280x720", "1280 × 720"],
@@ -24,8 +25,8 @@ export interface ExportSource {
     count: () => number;
     index: () => number;
     time: (index: number) => number;
-    /** Unit of a scalar of the grains. */
-    unit: (scalar: string) => string;
+    /** The colours that are shown. */
+    scales: () => ShownScale[];
     /** Shows a frame and waits until it is drawn. */
     show: (index: number) => Promise<void>;
 }
@@ -198,24 +199,27 @@ export class ExportPanel {
         context.fillStyle = "#1a2129";
         const middle = height - 1.2 * size;
         context.fillText(quantity(this.#source.time(index), "s"), size, middle);
-        const scale = this.#source.scene.colourScale;
-        if (scale.scalar === "" || scale.names) {
-            return;
-        }
-        const [low, high] = scale.range;
-        const { unit, factor } = scaled(Math.max(Math.abs(low), Math.abs(high)), this.#source.unit(scale.scalar));
-        const [left, long] = [0.55 * width, 0.25 * width];
-        const gradient = context.createLinearGradient(left, 0, left + long, 0);
-        for (let k = 0; k <= STOPS; k++) {
-            gradient.addColorStop(k / STOPS, `rgb(${mapColour(scale.map, k / STOPS).join(", ")})`);
-        }
-        context.textAlign = "right";
-        context.fillText(`${titled(scale.scalar, unit)}   ${readable(low / factor, 3)}`, left - 0.5 * size, middle);
-        context.textAlign = "left";
-        context.fillText(readable(high / factor, 3), left + long + 0.5 * size, middle);
-        context.fillStyle = gradient;
-        context.fillRect(left, middle - 0.45 * size, long, 0.9 * size);
+        const bars = this.#source.scales().filter(({ scale }) => scale.scalar !== "" && !scale.names);
+        bars.forEach((bar, k) => drawBar(context, bar, { size, middle: middle - 1.6 * size * k, width }));
     }
+}
+
+/** Draws what colours mean into a row of a picture. */
+function drawBar(context: CanvasRenderingContext2D, bar: ShownScale, { size, middle, width }: { size: number; middle: number; width: number }): void {
+    const { title, low, high } = barTexts(bar);
+    const [left, long] = [0.55 * width, 0.25 * width];
+    const gradient = context.createLinearGradient(left, 0, left + long, 0);
+    for (let k = 0; k <= STOPS; k++) {
+        gradient.addColorStop(k / STOPS, `rgb(${mapColour(bar.scale.map, k / STOPS).join(", ")})`);
+    }
+    const ink = context.fillStyle;
+    context.textAlign = "right";
+    context.fillText(`${title}   ${low}`, left - 0.5 * size, middle);
+    context.textAlign = "left";
+    context.fillText(high, left + long + 0.5 * size, middle);
+    context.fillStyle = gradient;
+    context.fillRect(left, middle - 0.45 * size, long, 0.9 * size);
+    context.fillStyle = ink;
 }
 
 const FFMPEG = `ffmpeg -framerate ${RATE} -i frame_%05d.png -c:v libx264 -pix_fmt yuv420p run.mp4`;

@@ -33,6 +33,7 @@ export class Frames {
         }
         this.#kept.clear();
         this.#asked.clear();
+        this.#chains.clear();
         this.#walls.clear();
         this.#bytes = 0;
     }

@@ -3,6 +3,7 @@ import { button, choice, make } from "../dom";
 import { Plot, type PlotOptions } from "../plots";
 import { quantity, readable } from "../units";
 import { readGrain, type GrainAnswer, type GrainContact, type GrainMoment } from "./api";
+import type { Frame } from "./frames";
 import { History } from "./history";
 
 /** While playing, values are read at most so often [ms]. */
@@ -42,19 +43,18 @@ export interface GrainEvents {
 export class GrainPanel {
     readonly element = make("section", { class: "grain-panel", "aria-label": "Picked grain" });
     readonly #events: GrainEvents;
-    readonly #id = make("input", { type: "number", min: 1, step: 1, "aria-label": "Id of a grain" });
+    readonly #id = make("input", { type: "number", min: 1, max: 0xffffffff, step: 1, "aria-label": "Id of a grain" });
     readonly #values = make("div", { class: "grain-values" });
     readonly #plots = make("div", { class: "grain-plots" });
     readonly #fault = make("p", { class: "hint", role: "status" });
     readonly #quantity: HTMLSelectElement;
     #grain: number | null = null;
-    #step = -1;
+    #frame: Frame | null = null;
     #times: number[] = [];
     #history: History | null = null;
     /** Counts grains that were picked, so that an answer that comes late is not shown. */
     #turn = 0;
     #plot: Plot | null = null;
-    #now: number | null = null;
     #last = 0;
     #later = 0;
 
@@ -102,6 +102,7 @@ export class GrainPanel {
         this.#times = times;
         if (this.#grain !== null) {
             if (anew) {
+                this.#frame = null;
                 this.show(this.#grain);
             } else {
                 void this.#readHistory();
@@ -110,10 +111,9 @@ export class GrainPanel {
     }
 
     /** Tells which frame is shown. */
-    setFrame(step: number, time: number): void {
-        this.#step = step;
-        this.#now = time;
-        this.#plot?.setNow(time);
+    setFrame(frame: Frame): void {
+        this.#frame = frame;
+        this.#plot?.setNow(frame.time);
         if (this.#grain === null) {
             return;
         }
@@ -123,14 +123,19 @@ export class GrainPanel {
     }
 
     async #readValues(): Promise<void> {
-        const [turn, step, id] = [this.#turn, this.#step, this.#grain];
-        if (id === null || step < 0) {
+        const [turn, frame, id] = [this.#turn, this.#frame, this.#grain];
+        if (id === null || frame === null) {
+            return;
+        }
+        if (!frame.grains.id.includes(id)) {
+            this.#values.replaceChildren();
+            this.#fault.textContent = `Grain ${id} is not there at this moment.`;
             return;
         }
         this.#last = performance.now();
         try {
-            const answer = await readGrain(step, id);
-            if (turn === this.#turn && step === this.#step) {
+            const answer = await readGrain(frame.step, id);
+            if (turn === this.#turn && frame === this.#frame) {
                 this.#fault.textContent = "";
                 this.#values.replaceChildren(...this.#describe(answer));
             }
@@ -212,7 +217,7 @@ export class GrainPanel {
         } else {
             this.#plot = new Plot(this.#plots, options);
         }
-        this.#plot.setNow(this.#now);
+        this.#plot.setNow(this.#frame?.time ?? null);
     }
 }
 

@@ -16,6 +16,7 @@ export class SeriesPanel {
     readonly #seek: (time: number) => void;
     readonly #place = make("div", { class: "series-plot" });
     readonly #list = make("div", { class: "column-list" });
+    readonly #full = make("p", { class: "hint", role: "status" });
     readonly #filter = make("input", { type: "search", placeholder: "energy, wall top, …" });
     readonly #across: HTMLSelectElement;
     #series: Series | null = null;
@@ -40,7 +41,7 @@ export class SeriesPanel {
         });
         this.#filter.addEventListener("input", () => this.#narrow());
         const find = make("label", { class: "field" }, make("span", {}, "Find columns"), this.#filter);
-        const vertical = make("fieldset", {}, make("legend", {}, "Vertical axis"), find, this.#list);
+        const vertical = make("fieldset", {}, make("legend", {}, "Vertical axis"), find, this.#full, this.#list);
         const choices = make("div", { class: "own-choices" }, across.element, log.element, vertical);
         this.element.append(make("h2", {}, "Series"), make("div", { class: "own-plot" }, choices, this.#place));
     }
@@ -78,6 +79,7 @@ export class SeriesPanel {
         this.#across.value = String(this.#x);
         this.#list.replaceChildren(...numbers.map(([c, k]) => this.#row(c, k)));
         this.#narrow();
+        this.#limit();
     }
 
     #row(column: Column, k: number): HTMLElement {
@@ -87,10 +89,20 @@ export class SeriesPanel {
             } else {
                 this.#chosen.delete(k);
             }
+            this.#limit();
             void this.#read();
         });
         row.element.dataset["name"] = column.name.toLowerCase();
         return row.element;
+    }
+
+    /** No more columns can be ticked than are plotted together. */
+    #limit(): void {
+        const full = this.#chosen.size >= MOST_LINES;
+        for (const box of this.#list.querySelectorAll("input")) {
+            box.disabled = full && !box.checked;
+        }
+        this.#full.textContent = full ? `${MOST_LINES} columns are ticked, which is the most; untick one to tick another.` : "";
     }
 
     #narrow(): void {
@@ -129,7 +141,7 @@ export class SeriesPanel {
 
     #wanted(): number[] {
         const time = this.#series?.columns.findIndex((c) => c.name === "time") ?? -1;
-        const shown = [...this.#chosen].sort((a, b) => a - b).slice(0, MOST_LINES);
+        const shown = [...this.#chosen].sort((a, b) => a - b);
         return [...new Set([this.#x, time, ...shown])].filter((k) => k >= 0);
     }
 
@@ -139,7 +151,7 @@ export class SeriesPanel {
     }
 
     #draw(): void {
-        const shown = [...this.#chosen].sort((a, b) => a - b).slice(0, MOST_LINES);
+        const shown = [...this.#chosen].sort((a, b) => a - b);
         const all = [this.#x, ...shown].map((k) => this.#values.get(k)?.length ?? 0);
         const rows = Math.min(...all);
         if (!this.#series || shown.length === 0 || rows === 0) {

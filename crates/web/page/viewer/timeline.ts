@@ -101,16 +101,16 @@ export class Timeline {
         }
     }
 
-    /** Takes over the moments; goes to the newest one when it follows. */
-    setMoments(steps: number[], times: number[]): void {
+    /** Takes over the moments, `anew` where they are no longer those before; goes to the newest one when it follows. */
+    setMoments(steps: number[], times: number[], anew: boolean): void {
         [this.#steps, this.#times] = [steps, times];
         this.#slider.max = String(Math.max(times.length - 1, 0));
         this.#slider.disabled = times.length < 2;
         if (this.#index >= times.length) {
             this.#index = this.#aim = -1;
         }
-        if (times.length > 0 && (this.#index < 0 || this.live)) {
-            this.#goTo(this.live ? times.length - 1 : 0);
+        if (times.length > 0 && (this.#index < 0 || this.live || anew)) {
+            this.#goTo(this.live ? times.length - 1 : Math.max(this.#index, 0));
         }
         this.#tell();
     }
