@@ -181,11 +181,12 @@ fn decide(outer: &Search<'_>, group: &[u32], surely: &[bool], from_goal: &[bool]
         (lower, upper) = (lower.min(l), upper.max(u));
     }
     (lower, upper) = (lower - radius, upper + radius);
-    // a point of every cell of the outer search that reaches into the box
+    // a point of every free cell of the outer search that reaches into the box
     let inset = DVec3::splat(1e-6 * radius);
     let points = |marks: &[bool]| -> Vec<DVec3> {
         let inner = outer.cells.whole().filter(|&cell| marks[cell as usize]);
-        inner
+        free(outer, &inner.collect::<Vec<u32>>())
+            .into_iter()
             .filter(|&cell| {
                 let (l, u) = around(cell);
                 l.cmplt(upper - inset).all() && u.cmpgt(lower + inset).all()
@@ -193,10 +194,13 @@ fn decide(outer: &Search<'_>, group: &[u32], surely: &[bool], from_goal: &[bool]
             .map(|cell| outer.cells.center(cell).clamp(lower + inset, upper - inset))
             .collect()
     };
+    // a grain in a mixed cell is not where that is blocked, as its middle may be
+    let is_within = |start: &DVec3| start.cmpgt(lower).all() && start.cmplt(upper).all();
+    let starts = outer.starts.iter().copied().filter(is_within);
     let mut search = Search {
         space: outer.space.again(),
         cells: Cells::new(&outer.space, lower, upper, [false; 3], 0.25 * radius),
-        starts: points(surely),
+        starts: points(surely).into_iter().chain(starts).collect(),
         goal: Goal::Points(points(from_goal)),
     };
     decide_closely(&mut search)

@@ -10,8 +10,17 @@ use glam::DVec3;
 const NUDGES: [f64; 2] = [0.25, 0.5];
 /// How far below the cap grains start that are above it, in radii.
 const BELOW_CAP: f64 = 0.5;
+/// Least room to spare where a grain comes to rest, in radii: between two such places twice as far apart a grain has room, too.
+const SPARE: f64 = 0.02;
 /// Most steps of a fall.
 const MOST_FALLS: usize = 10_000;
+/// Room in which the cell that holds a start is free, in radii: one, and twice half of the diagonal of the cells that tell
+/// the sides of a wall apart.
+const ROOMY: f64 = 2.3;
+/// Most steps to such a place.
+const MOST_RISES: usize = 40;
+/// Share of a step that the room grows by in a direction good enough to go on in.
+const STEEP: f64 = 0.7;
 
 /// Where a way may end.
 pub(super) enum Goal {
@@ -108,9 +117,14 @@ impl Search<'_> {
     }
 }
 
+/// Where a grain from a start comes to rest, and from there uphill to where it has room about it, so that its cell is free where it can be.
+pub(super) fn settled(space: &Space<'_>, start: DVec3, ends: (DVec3, DVec3)) -> Option<DVec3> {
+    fallen(space, start, ends).map(|rest| risen(space, rest))
+}
+
 /// Where a grain from a start comes to rest when it falls straight down: what is above the cap starts there, what touches a wall is given
 /// some room, and what would fall out stays where it starts. `None` when there is no room.
-pub(super) fn settled(space: &Space<'_>, start: DVec3, (lower, upper): (DVec3, DVec3)) -> Option<DVec3> {
+fn fallen(space: &Space<'_>, start: DVec3, (lower, upper): (DVec3, DVec3)) -> Option<DVec3> {
     let above = if space.cap == f64::INFINITY {
         0.0
     } else {
@@ -123,11 +137,11 @@ pub(super) fn settled(space: &Space<'_>, start: DVec3, (lower, upper): (DVec3, D
     }
     for _ in 0..MOST_FALLS {
         let inside = |next: &DVec3| next.cmpgt(lower).all() && next.cmplt(upper).all();
-        let spare = (space.clearance(at) - space.radius).max(0.02 * space.radius);
+        let spare = (space.clearance(at) - space.radius).max(SPARE * space.radius);
         // near the end of the box in short steps
         let falls = [spare, spare.min(0.25 * space.radius)].map(|fall| at - space.up * fall);
         match falls.into_iter().find(inside) {
-            Some(next) if space.clearance(next) >= 1.02 * space.radius => at = next,
+            Some(next) if has_room(space, next) => at = next,
             Some(_) => break,
             None => return Some(first),
         }
@@ -135,18 +149,50 @@ pub(super) fn settled(space: &Space<'_>, start: DVec3, (lower, upper): (DVec3, D
     Some(at)
 }
 
-/// The point, or one near it where the grain touches nothing.
-fn with_room(space: &Space<'_>, point: DVec3) -> Option<DVec3> {
-    let has_room = |at: &DVec3| space.clearance(*at) >= 1.02 * space.radius;
-    if has_room(&point) {
-        return Some(point);
+fn has_room(space: &Space<'_>, at: DVec3) -> bool {
+    space.clearance(at) >= (1.0 + SPARE) * space.radius
+}
+
+/// Steps from where a grain has little room to where it has more, each where it has room all the way.
+fn risen(space: &Space<'_>, mut at: DVec3) -> DVec3 {
+    let room = |place: DVec3| space.below_cap(space.clearance(place), place) - space.radius;
+    let (mut spare, mut direction) = (room(at), space.up);
+    for _ in 0..MOST_RISES {
+        if spare >= (ROOMY - 1.0) * space.radius || spare < SPARE * space.radius {
+            break;
+        }
+        let step = spare.max(2.0 * SPARE * space.radius);
+        let mut found = room(at + direction * step);
+        if found < spare + STEEP * step {
+            let rated = directions().map(|direction| (room(at + direction * step), direction));
+            (found, direction) = rated.fold(
+                (found, direction),
+                |best, next| if next.0 > best.0 { next } else { best },
+            );
+        }
+        if found <= spare {
+            break;
+        }
+        (at, spare) = (at + direction * step, found);
     }
-    let directions = (0..27).filter(|&k| k != 13).map(|k| {
+    space.put_back(at)
+}
+
+/// Unit vectors along the axes and between them.
+fn directions() -> impl Iterator<Item = DVec3> {
+    (0..27).filter(|&k| k != 13).map(|k| {
         let part = |digit: i32| f64::from(digit % 3 - 1);
         DVec3::new(part(k), part(k / 3), part(k / 9)).normalize()
-    });
-    let nudged = directions.flat_map(|direction| NUDGES.map(|share| point + direction * (share * space.radius)));
+    })
+}
+
+/// The point, or one near it where the grain touches nothing.
+fn with_room(space: &Space<'_>, point: DVec3) -> Option<DVec3> {
+    if has_room(space, point) {
+        return Some(point);
+    }
+    let nudged = directions().flat_map(|direction| NUDGES.map(|share| point + direction * (share * space.radius)));
     let clearance = |at: &DVec3| space.clearance(*at);
     let best = nudged.max_by(|a, b| clearance(a).total_cmp(&clearance(b)));
-    best.filter(|at| has_room(at) && clearance(&point) > 0.0)
+    best.filter(|&at| has_room(space, at) && clearance(&point) > 0.0)
 }
