@@ -3,6 +3,7 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
+use std::fmt;
 
 /// Why a run stopped: what, where, since when, with whom, why, and what to change.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
@@ -28,20 +29,13 @@ pub enum Fault {
     },
     /// A grain left the domain.
     #[error(
-        "step {step}: grain {id} left the domain at {}, moving at {} m/s; the domain reaches from {} to {}. \
-         Cause: a gap in the walls, an open side, or a grain shot out by too large a time step. Remedy: close the gap, \
+        "{departure}; the domain reaches from {} to {}. Cause: {WHY_OUTSIDE}. Remedy: close the gap, \
          widen `domain`, or set `domain.outside = \"remove\"` if grains may leave",
-        place(.position), place(.velocity), place(.lower), place(.upper)
+        place(.lower), place(.upper)
     )]
     Outside {
-        /// Step.
-        step: u64,
-        /// Id of the grain.
-        id: u32,
-        /// Its centre [m].
-        position: DVec3,
-        /// Its velocity [m/s].
-        velocity: DVec3,
+        /// Which, where and how.
+        departure: Departure,
         /// Lower corner of the domain [m].
         lower: DVec3,
         /// Upper corner of the domain [m].
@@ -199,6 +193,33 @@ pub enum Fault {
     },
 }
 
+/// A grain as it left the domain.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Departure {
+    /// Step.
+    pub step: u64,
+    /// Id of the grain.
+    pub id: u32,
+    /// Its centre [m].
+    pub position: DVec3,
+    /// Its velocity [m/s].
+    pub velocity: DVec3,
+}
+
+impl fmt::Display for Departure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (at, velocity) = (place(&self.position), place(&self.velocity));
+        write!(
+            f,
+            "step {}: grain {} left the domain at {at}, moving at {velocity} m/s",
+            self.step, self.id
+        )
+    }
+}
+
+/// Why grains leave the domain that should not.
+pub(crate) const WHY_OUTSIDE: &str = "a gap in the walls, an open side, or a grain shot out by too large a time step";
+
 fn place(p: &DVec3) -> String {
     format!("({:.6e}, {:.6e}, {:.6e})", p.x, p.y, p.z)
 }
@@ -216,13 +237,13 @@ impl Fault {
     pub fn grain(&self) -> u32 {
         match self {
             Self::Overlap { id, .. }
-            | Self::Outside { id, .. }
             | Self::BeyondFold { id, .. }
             | Self::BoxTooSmall { id, .. }
             | Self::CrossedTooOften { id, .. }
             | Self::Jump { id, .. }
             | Self::CannotGoOn { id, .. }
             | Self::NotFinite { id, .. } => *id,
+            Self::Outside { departure, .. } => departure.id,
             Self::Custom { .. } | Self::WallNotFinite { .. } | Self::BodyAtWall { .. } => 0,
         }
     }

@@ -5,12 +5,12 @@ use super::plots;
 use super::run::{Observer, Runner, larger};
 use super::run_error::RunError;
 use super::words;
-use crate::contacts::Fault;
+use crate::contacts::{Fault, WHY_OUTSIDE};
 use crate::measure::measure;
 use crate::output::picture::{PictureOptions, render_packing};
 use crate::output::{OutputError, RunFolder, Summary, path_lines};
 use crate::report::{self, ReportError};
-use crate::simulation::Phase;
+use crate::simulation::{MOST_TOLD, Phase};
 use std::path::PathBuf;
 
 /// How a run ended.
@@ -66,6 +66,26 @@ impl Runner<'_> {
                  scenario"
             )
         })
+    }
+
+    /// Tells the first grains that left the domain in a stage, where that removes grains.
+    pub(super) fn tell_departures(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
+        let departures = std::mem::take(&mut self.sim.departures);
+        let untold = MOST_TOLD - self.place.departures_told.min(MOST_TOLD);
+        for departure in departures.iter().take(untold) {
+            self.place.departures_told += 1;
+            let time = self.sim.time();
+            let more = match self.place.departures_told {
+                1 => format!("; if it should not: {WHY_OUTSIDE}"),
+                MOST_TOLD => "; what leaves after it in this stage is only counted".to_owned(),
+                _ => String::new(),
+            };
+            self.say(
+                &format!("{departure}, at {time:.4e} s, and was removed{more}"),
+                observer,
+            )?;
+        }
+        Ok(())
     }
 
     /// How much left the domain, where that removes grains.

@@ -75,6 +75,8 @@ pub(super) struct Place {
     pub(super) stage: usize,
     /// Step at which the stage began.
     stage_step: u64,
+    /// How many of the grains that left the domain since then were told.
+    pub(super) departures_told: usize,
     /// Displacements of the walls when the stage began [m].
     stage_displacement: Vec<DVec3>,
     /// What walls had done until then.
@@ -180,6 +182,7 @@ impl<'a> Runner<'a> {
         let place = Place {
             stage: 0,
             stage_step: 0,
+            departures_told: 0,
             stage_displacement: Vec::new(),
             stage_work: Vec::new(),
             last_row: None,
@@ -351,7 +354,7 @@ impl<'a> Runner<'a> {
     }
 
     fn run_on(&mut self, until: &Until, observer: &mut dyn Observer) -> Result<Pause, RunError> {
-        if let Err(fault) = self.start()? {
+        if let Err(fault) = self.start(observer)? {
             return Ok(Pause::End(RunEnd::Fault(fault)));
         }
         let began_in = self.place.stage;
@@ -393,11 +396,13 @@ impl<'a> Runner<'a> {
     }
 
     /// The moment before the first step; the inner result tells a fault of the simulation.
-    fn start(&mut self) -> Result<Result<(), Fault>, RunError> {
+    fn start(&mut self, observer: &mut dyn Observer) -> Result<Result<(), Fault>, RunError> {
         if self.sim.is_started() {
             return Ok(Ok(()));
         }
-        if let Err(fault) = self.sim.start() {
+        let started = self.sim.start();
+        self.tell_departures(observer)?;
+        if let Err(fault) = started {
             return Ok(Err(fault));
         }
         self.traffic.tag(&self.sim);
@@ -419,7 +424,9 @@ impl<'a> Runner<'a> {
             Err(fault) => return Ok(Err(fault)),
             Ok(texts) => texts.iter().try_for_each(|text| self.say(text, observer))?,
         }
-        if let Err(fault) = self.sim.step_on() {
+        let stepped = self.sim.step_on();
+        self.tell_departures(observer)?;
+        if let Err(fault) = stepped {
             return Ok(Err(fault));
         }
         if self.looks(is_over)

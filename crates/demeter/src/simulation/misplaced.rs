@@ -1,11 +1,14 @@
 //! Grains that left the domain, or whose places are no numbers.
 
 use super::Simulation;
-use crate::contacts::Fault;
+use crate::contacts::{Departure, Fault};
 use crate::particles::{MOST_CROSSINGS, Outside};
 use crate::step::Motion;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+
+/// Most grains that are told of those that leave the domain in a stage.
+pub(crate) const MOST_TOLD: usize = 10;
 
 /// What a process finds among its own grains.
 #[derive(Default, Serialize, Deserialize)]
@@ -16,8 +19,8 @@ struct Misplaced {
     masses: Vec<f64>,
     /// The fault of the first that is nowhere.
     nowhere: Option<Fault>,
-    /// The fault of the one with the lowest id.
-    outside: Option<Fault>,
+    /// Those with the lowest ids, rising.
+    departures: Vec<Departure>,
 }
 
 /// A grain whose latest crossing of a periodic side could not be counted.
@@ -50,10 +53,17 @@ impl Simulation {
             return Err(fault);
         }
         let masses: Vec<f64> = all.iter().flat_map(|of| &of.masses).copied().collect();
-        let outside = all.into_iter().filter_map(|of| of.outside).min_by_key(Fault::grain);
-        if let Some(fault) = outside.filter(|_| self.comm.domain().outside == Outside::Stop) {
-            return Err(fault);
+        let departures = all.into_iter().flat_map(|of| of.departures);
+        let departures = first_by_id(departures.collect());
+        let domain = self.comm.domain();
+        if let (Outside::Stop, Some(&departure)) = (domain.outside, departures.first()) {
+            return Err(Fault::Outside {
+                departure,
+                lower: domain.lower,
+                upper: domain.upper,
+            });
         }
+        self.departures = departures;
         self.books.leave_the_domain(&masses);
         self.remove(&grains);
         // others are neighbours now
@@ -98,19 +108,24 @@ impl Simulation {
             quantity: "position".into(),
             position: self.neighbours.former.of_grain(g).unwrap_or(DVec3::NAN),
         };
-        let fault = |g: usize| Fault::Outside {
+        let departure = |g: usize| Departure {
             step: self.step,
             id: grains.id[g],
             position: grains.position[g],
             velocity: grains.velocity[g],
-            lower: domain.lower,
-            upper: domain.upper,
         };
         Misplaced {
             grains: outside().collect(),
             masses: outside().map(|g| grains.mass(g)).collect(),
             nowhere: outside().find(|&g| !grains.position[g].is_finite()).map(nowhere),
-            outside: outside().min_by_key(|&g| grains.id[g]).map(fault),
+            departures: first_by_id(outside().map(departure).collect()),
         }
     }
+}
+
+/// As many of them as are told, by rising ids.
+fn first_by_id(mut departures: Vec<Departure>) -> Vec<Departure> {
+    departures.sort_unstable_by_key(|departure| departure.id);
+    departures.truncate(MOST_TOLD);
+    departures
 }

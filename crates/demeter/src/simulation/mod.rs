@@ -55,6 +55,7 @@ pub(crate) use too_stiff::too_stiff;
 use deforming_box::DeformingBox;
 pub(crate) use deforming_box::USABLE;
 use division::Division;
+pub(crate) use misplaced::MOST_TOLD;
 use misplaced::Uncounted;
 use skin::SkinTuner;
 pub(crate) use skin::{Counts, ROOM_FOR_BULGES};
@@ -63,7 +64,7 @@ pub(crate) use time_step::largest_reach;
 use crate::comm::Single;
 use crate::contacts::step_work::StepWork;
 use crate::contacts::sum::Sums;
-use crate::contacts::{ContactChunk, Contacts, Coupling, Fault, Impact, NearTables, Span, Surfaces, laws};
+use crate::contacts::{ContactChunk, Contacts, Coupling, Departure, Fault, Impact, NearTables, Span, Surfaces, laws};
 use crate::materials::Materials;
 use crate::neighbours::{Bounds, FormerPlaces, Moves, Neighbours, put_in_order};
 use crate::particles::spread::{GRAINS_OF_A_SPREAD, Spread};
@@ -202,6 +203,8 @@ pub struct Simulation {
     started: bool,
     /// The grain with the lowest id that went round a periodic box more often than is counted, until that is told.
     uncounted: Option<Uncounted>,
+    /// The first by their ids of the grains that left the domain and were removed, until they are told.
+    pub(crate) departures: Vec<Departure>,
     /// Whether what the contacts did in the latest step is still to be summed up per grain and to correct its velocity.
     pub(crate) awaits_kick: bool,
 }
@@ -281,6 +284,7 @@ impl Simulation {
             awake: Awake::default(),
             started: false,
             uncounted: None,
+            departures: Vec::new(),
             awaits_kick: false,
         }
     }

@@ -410,7 +410,7 @@ duration = "20 ms"
     let place = tempfile::tempdir().unwrap();
     let report = run_in(&parse(&text), place.path(), 1, &mut watcher());
     assert!(
-        matches!(report.end, RunEnd::Fault(Fault::Outside { id: 3, .. })),
+        matches!(&report.end, RunEnd::Fault(fault @ Fault::Outside { .. }) if fault.grain() == 3),
         "{:?}",
         report.end
     );

@@ -12,6 +12,13 @@ pub(super) struct Watcher {
     pub(super) messages: Vec<String>,
 }
 
+impl Watcher {
+    pub(super) fn until(self, step: u64) -> Self {
+        let stop_at = Some(step);
+        Self { stop_at, ..self }
+    }
+}
+
 impl Observer for Watcher {
     fn progress(&mut self, progress: &Progress) -> bool {
         self.stop_at.is_none_or(|step| progress.step < step)

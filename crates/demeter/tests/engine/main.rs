@@ -13,6 +13,7 @@ mod changed;
 mod collisions;
 mod custom;
 mod deforming_boxes;
+mod departures;
 mod endings;
 mod exchange;
 mod feeds;

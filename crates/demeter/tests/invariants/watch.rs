@@ -2,7 +2,7 @@
 
 use crate::cases::beds::{bed_with, fill};
 use crate::cases::{Case, Laws, on_threads, one_material};
-use demeter::contacts::Fault;
+use demeter::contacts::{Departure, Fault};
 use demeter::particles::{Domain, Outside};
 use demeter::simulation::Simulation;
 use demeter::walls::{Motion, Shape};
@@ -33,7 +33,8 @@ fn a_grain_shot_out_of_an_open_box_is_named() {
     let mut sim = case.simulation();
     let expected_step = (0.8 / 50.0 / sim.dt()) as u64 + 1;
     match first_fault(&mut sim, 10_000_000, "open box") {
-        Fault::Outside { step, id, position, .. } => {
+        Fault::Outside { departure, .. } => {
+            let Departure { step, id, position, .. } = departure;
             assert_eq!(id, 2);
             assert!(
                 step.abs_diff(expected_step) <= 1 && step == sim.step,

@@ -17,6 +17,7 @@ const MOST_LIMITED: f64 = 0.05;
 impl Runner<'_> {
     pub(super) fn begin_stage(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
         self.place.stage_step = self.sim.step;
+        self.place.departures_told = 0;
         self.place.stage_displacement = self.sim.walls.iter().map(|w| w.displacement()).collect();
         self.place.stage_work = self.works();
         let Some(stage) = self.scenario.stages.get(self.place.stage) else {
