@@ -434,6 +434,10 @@ fn a_servo_that_is_too_slow_is_told() {
         said.contains("warning: the servo of wall `lid` has not pressed yet"),
         "{said}"
     );
+    // unless less is asked for, and came
+    let touches = "stage[0].stop.wall_force={ wall = \"lid\", direction = \"z\", above = \"1 mN\" }";
+    let said = place.expect(0, &[&run[..], &["--set", touches]].concat()).err;
+    assert!(said.contains("1 mN was asked") && !said.contains("the servo"), "{said}");
 }
 
 /// A grain alone in a periodic box that is to have a stress.
@@ -473,6 +477,23 @@ fn a_box_that_does_not_come_to_its_stress_is_told() {
     let run = ["run", "box.toml", "--overwrite", "--out", "box"];
     let said = place.expect(0, &run).err;
     let told = "warning: the stress of the box along y has not come yet to what it is told, 2e3 Pa: it is on its way, at 1 1/s at most";
+    assert!(said.contains(told), "{said}");
+    // where the stage waits for less, that came
+    let awaited = [
+        "--set",
+        "stage[0].stop.box_stress={ direction = \"y\", above = \"0 Pa\" }",
+    ];
+    let said = place.expect(0, &[&run[..], &awaited].concat()).err;
+    assert!(
+        said.contains("0e0 Pa was asked") && !said.contains("not come yet"),
+        "{said}"
+    );
+    // not where it waits for another stress
+    let other = [
+        "--set",
+        "stage[0].stop.box_stress={ direction = \"x\", above = \"0 Pa\" }",
+    ];
+    let said = place.expect(0, &[&run[..], &other].concat()).err;
     assert!(said.contains(told), "{said}");
     let free = ["--set", "stage[0].deform.y.stress=\"0 Pa\""];
     let said = place.expect(0, &[&run[..], &free].concat()).err;

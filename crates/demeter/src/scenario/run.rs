@@ -363,11 +363,11 @@ impl<'a> Runner<'a> {
             if is_over && !until.beyond {
                 return Ok(Pause::End(RunEnd::Finished));
             }
-            if let (false, Some(reason)) = (is_over, self.stage_is_over()) {
+            if let (false, Some((stop, reason))) = (is_over, self.stage_is_over()) {
                 if let Err(fault) = self.sim.settle() {
                     return Ok(Pause::End(RunEnd::Fault(fault)));
                 }
-                let ended = self.end_stage(&reason, observer);
+                let ended = self.end_stage((stop, &reason), observer);
                 if let Err(fault) = self.or_fault(ended)? {
                     return Ok(Pause::End(RunEnd::Fault(fault)));
                 }

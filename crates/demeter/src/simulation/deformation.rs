@@ -1,6 +1,6 @@
 //! What a user may ask of a box that deforms, and what is refused.
 
-use super::Simulation;
+use super::{Simulation, StressOf};
 use crate::comm::ShearAxes;
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
@@ -215,8 +215,8 @@ impl Deformation {
 
 /// How a length of a box, or its shear, comes by the stress that it is told.
 pub(crate) struct FollowedStress {
-    /// `along x`, what all directions follow together, or `in shear`.
-    pub of: &'static str,
+    /// Which stress.
+    pub of: StressOf,
     /// Stress that it is told [Pa].
     pub target: f64,
     /// Share of the steps since it first had that stress that it strained at its largest rate; nothing where it never had. Of shear, where the
@@ -232,8 +232,8 @@ impl Simulation {
         let Some(state) = self.deforming.as_deref() else {
             return Vec::new();
         };
-        let names = ["along x", "along y", "along z", "in the mean"];
-        let all = names.into_iter().zip(&state.servos).zip(state.plan.drives());
+        let stresses = [0, 1, 2].map(StressOf::Axis).into_iter().chain([StressOf::Mean]);
+        let all = stresses.zip(&state.servos).zip(state.plan.drives());
         let followed = all.filter_map(|((of, servo), drive)| match (servo, drive) {
             (Some(servo), Drive::Stress { target, .. }) => {
                 let (limited, max_rate) = servo.limited();
@@ -249,7 +249,7 @@ impl Simulation {
         let sheared = state.shear_drive.as_ref().map(|drive| {
             let (target, limited, max_rate) = drive.followed();
             FollowedStress {
-                of: "in shear",
+                of: StressOf::Shear,
                 target,
                 limited,
                 max_rate,

@@ -7,14 +7,14 @@ use crate::scenario::deformation::reached;
 use crate::scenario::run_error::RunError;
 use crate::scenario::solids::enclosed_by;
 use crate::scenario::words::{quantity, rounded};
-use crate::simulation::{FollowedStress, Stage, StopCondition};
+use crate::simulation::{FollowedStress, Stage, StopCondition, StressOf};
 use crate::walls::{Wall, WallWork};
 use glam::DVec3;
 
 /// Share of its steps that a servo may be at its largest speed, or a box at its largest rate.
 const MOST_LIMITED: f64 = 0.05;
 
-impl Runner<'_> {
+impl<'a> Runner<'a> {
     pub(super) fn begin_stage(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
         self.place.stage_step = self.sim.step;
         self.place.departures_told = 0;
@@ -63,7 +63,12 @@ impl Runner<'_> {
             .try_for_each(|text| self.say(&format!("warning: {text}"), observer))
     }
 
-    pub(super) fn end_stage(&mut self, reason: &str, observer: &mut dyn Observer) -> Result<(), RunError> {
+    /// Ends the stage by one of its conditions.
+    pub(super) fn end_stage(
+        &mut self,
+        (stop, reason): (&StopCondition, &str),
+        observer: &mut dyn Observer,
+    ) -> Result<(), RunError> {
         self.write_row()?;
         self.tell_stray_walls(observer)?;
         self.write_frame()?;
@@ -76,8 +81,8 @@ impl Runner<'_> {
         for text in self.traffic.end_stage(self.place.stage, dt) {
             self.say(&text, observer)?;
         }
-        let warnings = (self.limited_servos().into_iter())
-            .chain(self.limited_lengths())
+        let warnings = (self.limited_servos(stop).into_iter())
+            .chain(self.limited_lengths(stop))
             .chain(self.walls_in_fixed_grains());
         for text in warnings {
             self.say(&text, observer)?;
@@ -108,9 +113,11 @@ impl Runner<'_> {
         self.sim.walls.iter().map(|wall| *wall.work()).collect()
     }
 
-    /// Servos that do not hold what they are told, in words.
-    fn limited_servos(&self) -> Vec<String> {
-        let in_words = |wall: &Wall| match wall.limited()? {
+    /// Servos that do not hold what they are told, in words; the stage was ended by `stop`.
+    fn limited_servos(&self, stop: &StopCondition) -> Vec<String> {
+        let was_awaited = |wall: usize| matches!(stop, StopCondition::WallForce { walls, .. } if walls.contains(&wall));
+        let in_words = |(index, wall): (usize, &Wall)| match wall.limited()? {
+            (None, ..) if was_awaited(index) => None,
             (None, speed, unit @ "1/s") => Some(format!(
                 "warning: the servo of wall `{}` has not met yet the torque that it is told: it turns at {} {unit} at most, and grains \
                  that are still away, or that flow, bear less; tell less, let the stage last longer, or raise `max_speed`",
@@ -133,24 +140,32 @@ impl Runner<'_> {
                 )
             }),
         };
-        let there = self.sim.walls.iter().filter(|wall| wall.is_present());
+        let walls = self.sim.walls.iter().enumerate();
+        let there = walls.filter(|(_, wall)| wall.is_present());
         there.filter_map(in_words).collect()
     }
 
-    /// Lengths of the box that do not have the stress that they are told, in words.
-    fn limited_lengths(&self) -> Vec<String> {
+    /// Lengths of the box that do not have the stress that they are told, in words; the stage was ended by `stop`.
+    fn limited_lengths(&self, stop: &StopCondition) -> Vec<String> {
+        let was_awaited = |stress| matches!(stop, StopCondition::BoxStress { of, .. } if *of == stress);
         let in_words = |followed: FollowedStress| {
             let FollowedStress {
                 of, target, max_rate, ..
             } = followed;
+            let name = match of {
+                StressOf::Axis(axis) => ["along x", "along y", "along z"][axis.min(2)],
+                StressOf::Mean => "in the mean",
+                StressOf::Shear => "in shear",
+            };
             match followed.limited {
+                None if was_awaited(of) => None,
                 None => Some(format!(
-                    "warning: the stress of the box {of} has not come yet to what it is told, {target:e} Pa: it is on its way, at \
+                    "warning: the stress of the box {name} has not come yet to what it is told, {target:e} Pa: it is on its way, at \
                      {max_rate} 1/s at most; end the stage by `stop.box_stress`, let it last longer, or raise `max_rate`"
                 )),
                 Some(share) => (share > MOST_LIMITED).then(|| {
                     format!(
-                        "warning: the box strained at its largest rate, {max_rate} 1/s, in {:.0} % of the steps since its stress {of} \
+                        "warning: the box strained at its largest rate, {max_rate} 1/s, in {:.0} % of the steps since its stress {name} \
                          first came to what it is told, {target:e} Pa: it does not hold it there; raise its `max_rate`",
                         100.0 * share
                     )
@@ -172,11 +187,17 @@ impl Runner<'_> {
         self.sim.walls_in_fixed_grains().into_iter().map(in_words).collect()
     }
 
-    /// What ends the stage at this step, in words.
-    pub(super) fn stage_is_over(&mut self) -> Option<String> {
+    /// What ends the stage at this step, and in words.
+    pub(super) fn stage_is_over(&mut self) -> Option<(&'a StopCondition, String)> {
+        let mut stops = self.stage().stop.iter();
+        stops.find_map(|stop| Some((stop, self.reached(stop)?)))
+    }
+
+    /// What a condition has come to, in words, when it holds.
+    fn reached(&mut self, stop: &StopCondition) -> Option<String> {
         let elapsed = self.sim.step - self.place.stage_step;
         let dt = self.sim.dt;
-        self.stage().stop.iter().find_map(|stop| match stop {
+        match stop {
             StopCondition::Duration(seconds) => {
                 (elapsed >= steps_in(*seconds, dt)).then(|| format!("its duration of {seconds} s is over"))
             }
@@ -237,7 +258,7 @@ impl Runner<'_> {
                 let left = self.sim.grains.len();
                 (elapsed > 0 && left as u64 <= *count).then(|| format!("{left} grains are left"))
             }
-        })
+        }
     }
 
     /// Distance of a wall from where it stood at the start of the stage [m].
