@@ -17,7 +17,6 @@ mod fabric;
 mod field;
 mod flow;
 mod forces;
-mod free_walls;
 mod images;
 mod mixing;
 mod neighbour_mixing;
@@ -34,6 +33,7 @@ mod sphere_in_box;
 mod told;
 mod told_first;
 mod trace;
+mod wall_motion;
 mod walls_load;
 mod wear;
 
@@ -55,8 +55,6 @@ pub use field::{
 };
 pub use flow::{FLOW_COLUMNS, FlowState, Gate, LOOK_EVERY, MassFlow};
 pub use forces::{BinsError, ForceDistribution, ForceHistogram, MAX_BINS};
-pub use free_walls::FREE_WALL_COLUMNS;
-pub(crate) use free_walls::free_wall_values;
 pub use mixing::{MAX_CELLS, MIXING_COLUMNS, Mixing, MixingSpace};
 pub use neighbour_mixing::{MAX_NEAREST, NEIGHBOUR_COLUMNS, NeighbourMixing};
 pub use network::{ContactNetwork, NetworkMeasures};
@@ -70,6 +68,8 @@ pub use slope::{SLOPE_COLUMNS, Slope};
 pub use sphere_in_box::sphere_in_box;
 pub use told::{DOMAIN_COLUMNS, FEED_COLUMNS, REMOVAL_COLUMNS, ToldColumn, Value};
 pub use trace::{GrainTrace, TRACE_COLUMNS};
+pub use wall_motion::WALL_MOTION_COLUMNS;
+pub(crate) use wall_motion::wall_motion_values;
 pub use walls_load::{AXIAL_COLUMNS, WALLS_LOAD_COLUMNS, WallsLoad};
 pub use wear::{WEAR_COLUMNS, wear_values};
 

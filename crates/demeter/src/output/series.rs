@@ -4,9 +4,8 @@ use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
     BOX_COLUMNS, COLLISION_COLUMNS, DISPLACEMENT_COLUMNS, DOMAIN_COLUMNS, FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS,
-    FREE_WALL_COLUMNS, MIXING_COLUMNS, Measures, NEIGHBOUR_COLUMNS, NetworkMeasures, OF_MATERIAL_COLUMNS,
-    REGION_COLUMNS, REMOVAL_COLUMNS, RESIDENCE_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WEAR_COLUMNS,
-    WallLoad,
+    MIXING_COLUMNS, Measures, NEIGHBOUR_COLUMNS, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS,
+    RESIDENCE_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WALL_MOTION_COLUMNS, WEAR_COLUMNS, WallLoad,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -332,7 +331,7 @@ const TOLD: [(&str, &[ToldColumn]); 18] = [
     ("domain", DOMAIN_COLUMNS),
     ("box", BOX_COLUMNS),
     ("wall NAME", WEAR_COLUMNS),
-    ("wall NAME", FREE_WALL_COLUMNS),
+    ("wall NAME", WALL_MOTION_COLUMNS),
 ];
 
 /// The table of all columns in Markdown, for the book.

@@ -5,8 +5,8 @@ use super::measures::{MeasureKind, MeasureSpec, distributions, networks, profile
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{
-    ContactAngles, ContactNetwork, CylinderProfile, EnergyBins, FREE_WALL_COLUMNS, ForceDistribution, Measures, Moment,
-    Paths, Profile, ToldColumn, WEAR_COLUMNS, box_titles, box_values, free_wall_values, measure, wear_values,
+    ContactAngles, ContactNetwork, CylinderProfile, EnergyBins, ForceDistribution, Measures, Moment, Paths, Profile,
+    ToldColumn, WALL_MOTION_COLUMNS, WEAR_COLUMNS, box_titles, box_values, measure, wall_motion_values, wear_values,
 };
 use crate::output::{
     DistributionWriter, MomentTable, OutputError, ProfileWriter, RowFile, RunFolder, SeriesTable, SeriesWriter,
@@ -184,8 +184,8 @@ impl<'a> Rows<'a> {
         row.networks = self.networks.iter().map(|network| network.measure(sim)).collect();
         row.told = traffic.values(sim);
         row.told.extend(wear_values(sim));
-        row.told.extend(free_wall_values(
-            free_walls(self.scenario).into_iter().map(|wall| &sim.walls[wall]),
+        row.told.extend(wall_motion_values(
+            followed_walls(self.scenario).into_iter().map(|wall| &sim.walls[wall]),
         ));
         if self.scenario.deforms() {
             row.told.extend(box_values(sim, row.energies.boundary_work));
@@ -313,7 +313,7 @@ fn tables<'a>(
 pub(super) fn told_titles(scenario: &Scenario) -> Vec<String> {
     let mut titles = Traffic::titles(scenario);
     titles.extend(wear_titles(scenario));
-    titles.extend(free_wall_titles(scenario));
+    titles.extend(wall_motion_titles(scenario));
     if scenario.deforms() {
         titles.extend(box_titles());
     }
@@ -326,10 +326,10 @@ fn wear_titles(scenario: &Scenario) -> impl Iterator<Item = String> {
     worn.flat_map(|wall| wall_titles(&wall.name, WEAR_COLUMNS))
 }
 
-/// Titles of the columns of walls that move freely.
-fn free_wall_titles(scenario: &Scenario) -> impl Iterator<Item = String> {
-    let free = free_walls(scenario).into_iter();
-    free.flat_map(|wall| wall_titles(&scenario.walls[wall].name, FREE_WALL_COLUMNS))
+/// Titles of the columns of walls that move freely or turn.
+fn wall_motion_titles(scenario: &Scenario) -> impl Iterator<Item = String> {
+    let followed = followed_walls(scenario).into_iter();
+    followed.flat_map(|wall| wall_titles(&scenario.walls[wall].name, WALL_MOTION_COLUMNS))
 }
 
 fn wall_titles(wall: &str, columns: &'static [ToldColumn]) -> impl Iterator<Item = String> + use<> {
@@ -337,10 +337,11 @@ fn wall_titles(wall: &str, columns: &'static [ToldColumn]) -> impl Iterator<Item
     columns.iter().map(move |column| column.title(&name))
 }
 
-/// Walls that move freely in some stage, by index.
-fn free_walls(scenario: &Scenario) -> BTreeSet<usize> {
-    let free = told_motions(scenario).filter(|(_, motions)| motions.is_free());
-    free.map(|(wall, _)| wall)
+/// Walls that move freely or are told to turn in some stage, by index.
+fn followed_walls(scenario: &Scenario) -> BTreeSet<usize> {
+    let followed = told_motions(scenario).filter(|(_, motions)| motions.is_free() || motions.turns());
+    followed
+        .map(|(wall, _)| wall)
         .filter(|&wall| wall < scenario.walls.len())
         .collect()
 }

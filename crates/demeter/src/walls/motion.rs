@@ -186,6 +186,23 @@ impl Motions {
         )
     }
 
+    /// Whether some part turns the wall by what it is told, or as a torque lets it.
+    pub fn turns(&self) -> bool {
+        self.parts.iter().any(|part| match &part.motion {
+            Motion::Rotation { .. } | Motion::Rocking { .. } | Motion::TorqueServo { .. } => true,
+            Motion::Table(table) => table.axis().is_some(),
+            Motion::Driven { axis } => axis.is_some(),
+            Motion::Free(free) => matches!(free.freedom, Freedom::Hinge { .. }),
+            Motion::Body(body) => body.turns.contains(&true),
+            Motion::Rest
+            | Motion::Velocity(_)
+            | Motion::Belt(_)
+            | Motion::Oscillation { .. }
+            | Motion::Servo { .. }
+            | Motion::With(_) => false,
+        })
+    }
+
     /// The wall that this one moves with as one body, if any.
     pub fn leader(&self) -> Option<usize> {
         self.parts.iter().find_map(|part| match part.motion {

@@ -11,6 +11,7 @@ use demeter::simulation::Simulation;
 use demeter::walls::{FreeMotion, Freedom, Motion, Shape};
 use demeter_physics::DVec3;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path;
 
@@ -143,6 +144,10 @@ fn a_planetary_mixer_closes_the_books() {
     // the power of the one wall that moves is the rate of the work
     let power: f64 = series["wall blade power [W]"].iter().sum::<f64>() * 1e-3;
     assert!((power / last("wall work [J]") - 1.0).abs() < 0.3, "{power}");
+    // both rotations lag by half of the time in which they start, and more than half a turn is less the other way round
+    let rate = -280.0 / 60.0 * TAU;
+    assert!((last("wall blade angular velocity z [rad/s]") / rate - 1.0).abs() < 1e-9);
+    assert!((last("wall blade turn z [rad]") - (rate * 0.135 + TAU)).abs() < 1e-3);
     assert!(last("wall blade sliding energy [J]") > 0.0 && last("wall blade impact energy [J]") > 0.0);
 }
 

@@ -1,10 +1,10 @@
-//! Columns of walls that move freely.
+//! Columns of walls that move freely or turn.
 
 use super::told::{ToldColumn, Value};
 use crate::walls::Wall;
 
-/// Columns of every wall that moves freely in some stage; their names begin with `wall NAME`.
-pub const FREE_WALL_COLUMNS: &[ToldColumn] = &[
+/// Columns of every wall that moves freely or is told to turn in some stage; their names begin with `wall NAME`.
+pub const WALL_MOTION_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new("velocity x", "m/s", "velocity of the centroid of its shape"),
     ToldColumn::new("velocity y", "m/s", "see velocity x"),
     ToldColumn::new("velocity z", "m/s", "see velocity x"),
@@ -21,7 +21,7 @@ pub const FREE_WALL_COLUMNS: &[ToldColumn] = &[
 ];
 
 /// Values of these columns for some walls.
-pub(crate) fn free_wall_values<'a>(walls: impl Iterator<Item = &'a Wall>) -> Vec<Value> {
+pub(crate) fn wall_motion_values<'a>(walls: impl Iterator<Item = &'a Wall>) -> Vec<Value> {
     let vectors = |wall: &Wall| {
         [
             wall.velocity_at(wall.origin()),
