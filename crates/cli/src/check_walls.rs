@@ -76,7 +76,15 @@ fn findings(found: &Inspection, triangles: usize) -> Vec<String> {
     if rims.is_empty() && cracks.is_empty() {
         lines.push("closed, without holes".to_string());
     }
-    if !rims.is_empty() {
+    if let Some(torn) = &found.torn {
+        lines.push(format!(
+            "{} torn: {}",
+            things(torn.edges as u64, "open edge"),
+            torn.remedy()
+        ));
+    }
+    // of what is torn throughout, every triangle may be a hole
+    if !rims.is_empty() && found.torn.is_none_or(|torn| torn.left > 0) {
         let some: Vec<String> = rims.iter().take(MOST_RIMS).map(|rim| rim_words(rim)).collect();
         let more = if rims.len() > MOST_RIMS { "; ..." } else { "" };
         lines.push(format!("holes or open ends, {}: {}{more}", rims.len(), some.join("; ")));
@@ -107,9 +115,12 @@ fn findings(found: &Inspection, triangles: usize) -> Vec<String> {
     }
     let crossings = &found.crossings;
     if crossings.count > 0 {
+        let remedy = match found.torn {
+            Some(_) => "join first what is torn",
+            None => "unite the parts in CAD if the surface inside a wall is not meant",
+        };
         lines.push(format!(
-            "{} of triangles pass through or lie on one another, the first are {} and {} at {}: grains feel both; unite the \
-             parts in CAD if the surface inside a wall is not meant",
+            "{} of triangles pass through or lie on one another, the first are {} and {} at {}: grains feel both; {remedy}",
             things(crossings.count as u64, "pair"),
             crossings.first[0],
             crossings.first[1],
@@ -244,6 +255,7 @@ fn mesh_json(name: &str, origin: &MeshOrigin, found: &Inspection) -> Value {
             "farthest_move": repair.farthest,
             "weld": repair.tolerance,
         },
+        "torn": found.torn.map(|torn| json!({ "edges": torn.edges, "left": torn.left, "weld": torn.weld })),
         "rims": found.rims.iter().map(|rim| json!({
             "edges": rim.edges,
             "length": rim.length,

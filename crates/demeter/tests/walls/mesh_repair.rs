@@ -326,9 +326,36 @@ fn cracks_are_told_from_holes_where_a_mesh_should_be_closed() {
         panic!("{}", error(&torn))
     };
     assert!((5e-5..4e-4).contains(&width), "{width}");
-    assert!(error(&torn).to_string().contains("`weld`"));
+    assert!(
+        error(&torn).to_string().contains("`weld = \"3.5e-4 m\"`"),
+        "{}",
+        error(&torn)
+    );
     torn[0][0] += DVec3::splat(0.1);
     assert!(matches!(error(&torn), MeshError::Open { cracks: None, .. }));
+}
+
+#[test]
+fn triangles_that_nearly_meet_are_told_with_the_weld_that_joins_them() {
+    let mut torn = cube(DVec3::ZERO);
+    for (k, triangle) in torn.iter_mut().enumerate() {
+        let angle = k as f64;
+        let shift = 1e-4 * v(angle.sin(), angle.cos(), 0.3);
+        triangle.iter_mut().for_each(|corner| *corner += shift);
+    }
+    let found = inspected(&torn);
+    let told = found.torn.unwrap();
+    assert_eq!((found.rims.len(), told.edges, told.left), (12, 36, 0));
+    assert!((2e-4..=4.1e-4).contains(&told.weld), "{told:?}");
+    let error = Mesh::new(&torn).unwrap().require_closed().unwrap_err().to_string();
+    assert!(error.contains(&told.remedy()), "{error}");
+    let (joined, _) = Mesh::repair(&torn, Some(told.weld)).unwrap();
+    assert!(Mesh::new(&joined).unwrap().require_closed().is_ok());
+    // a hole stays one
+    torn.pop();
+    let told = inspected(&torn).torn.unwrap();
+    assert_eq!((told.edges, told.left), (30, 3));
+    assert_eq!(inspected(&cube(DVec3::ZERO)[..11]).torn, None);
 }
 
 #[test]

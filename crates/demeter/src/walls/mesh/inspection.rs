@@ -3,6 +3,8 @@
 use super::Mesh;
 use super::crossings::{Crossings, crossings, meeting};
 use super::orientation::is_forward;
+use super::topology::{Incidence, number_edges};
+use super::weld::{SAFE_SHARE, weld};
 use glam::DVec3;
 use std::collections::VecDeque;
 
@@ -41,8 +43,32 @@ impl Rim {
     }
 }
 
-/// How to close a mesh, told how wide the widest of its gaps is where all are cracks [m].
-pub(super) fn closing(cracks: Option<f64>) -> String {
+/// Open edges whose corners nearly meet those of others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Torn {
+    /// How many edges more belong to two triangles or more where such corners are joined.
+    pub edges: usize,
+    /// How many are open then, too.
+    pub left: usize,
+    /// Distance of corners that joins them [m].
+    pub weld: f64,
+}
+
+impl Torn {
+    /// What joins them.
+    pub fn remedy(&self) -> String {
+        format!(
+            "corners nearly meet there: `weld = \"{:e} m\"` of the wall joins them",
+            self.weld
+        )
+    }
+}
+
+/// How to close a mesh, told what is torn, and how wide the widest of its gaps is where all are cracks [m].
+pub(super) fn closing(torn: Option<&Torn>, cracks: Option<f64>) -> String {
+    if let Some(torn) = torn.filter(|torn| torn.left == 0) {
+        return torn.remedy();
+    }
     match cracks {
         None => "close the hole in the program that drew it".to_string(),
         Some(0.0) => "these are cracks of no width, corners lie on edges of neighbours there: give both sides the same corners in the program \
@@ -77,6 +103,8 @@ impl Places {
 pub struct Inspection {
     /// Rims of holes and of open ends, the longest first.
     pub rims: Vec<Rim>,
+    /// What of them is torn.
+    pub torn: Option<Torn>,
     /// Middles of edges that belong to more than two triangles.
     pub crowded_edges: Places,
     /// Middles of edges whose two triangles have their fronts on different sides.
@@ -90,12 +118,11 @@ impl Mesh {
     pub fn inspect(&self) -> Inspection {
         let mut crowded_edges = Places::default();
         let mut disagreeing_edges = Places::default();
-        let mut open = Vec::new();
         for edge in 0..self.topology.edge_count() {
             let sides = self.topology.sides_of(edge);
             let (triangle, side) = sides[0];
             match sides.len() {
-                1 => open.push((triangle, side)),
+                1 => {}
                 2 => {
                     let front = |(t, s): (u32, usize)| is_forward(self.topology.corners_of(t), s);
                     if front(sides[0]) == front(sides[1]) {
@@ -106,18 +133,50 @@ impl Mesh {
             }
         }
         Inspection {
-            rims: self.rims(&open),
+            rims: self.rims(&self.open_sides()),
+            torn: self.torn(),
             crowded_edges,
             disagreeing_edges,
             crossings: crossings(&self.triangles, &self.hierarchy),
         }
     }
 
+    /// Sides of triangles that no other triangle has.
+    fn open_sides(&self) -> Vec<(u32, usize)> {
+        let all = (0..self.topology.edge_count()).map(|edge| self.topology.sides_of(edge));
+        all.filter(|sides| sides.len() == 1).map(|sides| sides[0]).collect()
+    }
+
+    /// What joining corners that lie much closer than open edges are long would close.
+    pub(super) fn torn(&self) -> Option<Torn> {
+        let open = self.open_sides();
+        let lengths = open.iter().map(|&(triangle, side)| {
+            let [a, b] = self.ends(triangle, side);
+            a.distance(b)
+        });
+        let tolerance = SAFE_SHARE * lengths.reduce(f64::min)?;
+        let corners: Vec<[DVec3; 3]> = self.triangles.iter().map(|t| t.corners()).collect();
+        let welded = weld(&corners, Some(tolerance));
+        let has_area = |[a, b, c]: &[u32; 3]| a != b && b != c && c != a;
+        let kept: Vec<[u32; 3]> = welded.triangles.iter().copied().filter(has_area).collect();
+        let (edges, count) = number_edges(&kept);
+        let at_edge = Incidence::new(count, &edges);
+        let left = (0..count as u32).filter(|&edge| at_edge.of(edge).len() == 1).count();
+        let moves = corners.as_flattened().iter().zip(welded.triangles.as_flattened());
+        let farthest = moves
+            .map(|(corner, id)| corner.distance(welded.points[*id as usize]))
+            .fold(0.0, f64::max);
+        (left < open.len()).then(|| Torn {
+            edges: open.len() - left,
+            left,
+            // corners were joined within rounding before
+            weld: rounded_up(tolerance.min(2.0 * farthest)),
+        })
+    }
+
     /// How wide the widest gap is where all gaps are cracks [m]; 0 without width.
     pub(super) fn cracks(&self) -> Option<f64> {
-        let alone = (0..self.topology.edge_count()).map(|edge| self.topology.sides_of(edge));
-        let open: Vec<(u32, usize)> = alone.filter(|sides| sides.len() == 1).map(|sides| sides[0]).collect();
-        let rims = self.rims(&open);
+        let rims = self.rims(&self.open_sides());
         let is_narrow = |rim: &Rim| rim.is_closed && rim.width() <= NARROW * rim.length;
         let wide = rims.iter().filter(|rim| !rim.is_crack()).map(Rim::width);
         (!rims.is_empty() && rims.iter().all(is_narrow)).then(|| wide.fold(0.0, f64::max))
@@ -208,4 +267,11 @@ impl Mesh {
             is_closed,
         }
     }
+}
+
+/// A length with two digits, not less than it is.
+fn rounded_up(length: f64) -> f64 {
+    let unit = 10f64.powi(length.log10().floor() as i32 - 1);
+    let told = format!("{:.1e}", (length / unit).ceil() * unit);
+    told.parse().unwrap_or(length)
 }

@@ -19,7 +19,7 @@ mod weld;
 pub(crate) use bend::Overlap;
 pub(crate) use contacts::{TrianglePoint, are_one, joined};
 pub use crossings::Crossings;
-pub use inspection::{Inspection, Places, Rim};
+pub use inspection::{Inspection, Places, Rim, Torn};
 pub(crate) use lasting::{Before, SAME_SURFACE, are_still_one};
 pub use repair::{LeftOut, Repair};
 
@@ -80,7 +80,7 @@ pub enum MeshError {
     #[error(
         "the mesh is not closed: {count} edges belong to an odd number of triangles, the first from {start} to {end} of \
          triangle {triangle}; {}",
-        inspection::closing(*cracks)
+        inspection::closing(torn.as_ref(), *cracks)
     )]
     Open {
         /// Edges with an odd number of triangles.
@@ -93,6 +93,8 @@ pub enum MeshError {
         end: DVec3,
         /// How wide the widest crack is, where all gaps are cracks [m]; 0 without width.
         cracks: Option<f64>,
+        /// Open edges whose corners nearly meet those of others.
+        torn: Option<Torn>,
     },
 }
 
@@ -191,6 +193,7 @@ impl Mesh {
             start,
             end,
             cracks: self.cracks(),
+            torn: self.torn(),
         })
     }
 

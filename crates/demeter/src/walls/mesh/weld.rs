@@ -8,7 +8,7 @@ pub(super) const ROUNDING: f64 = 2e-7;
 /// Least distance of two corners that are joined, as a share of the largest coordinate: it keeps the cells countable.
 const LEAST: f64 = 1e-15;
 /// Largest distance of two corners that are joined, as a share of the shortest edge.
-const SAFE_SHARE: f64 = 0.01;
+pub(super) const SAFE_SHARE: f64 = 0.01;
 const NONE: u32 = u32::MAX;
 
 /// Triangles that share their corners.
