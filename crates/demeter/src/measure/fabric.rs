@@ -40,7 +40,7 @@ pub const FABRIC_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new(
         "contacts per grain",
         "",
-        "mean number of contacts of the grains, those with walls counted",
+        "mean number of contacts of the grains, those with walls counted whatever `with_walls` says",
     ),
     ToldColumn::new(
         "rattlers",
@@ -50,7 +50,7 @@ pub const FABRIC_COLUMNS: &[ToldColumn] = &[
     ToldColumn::new(
         "contacts per grain without rattlers",
         "",
-        "mean number of contacts among the other grains and with walls",
+        "mean number of contacts among the other grains and with walls, whatever `with_walls` says",
     ),
     ToldColumn::new(
         "fabric xx",
