@@ -28,6 +28,7 @@ pub(super) fn check(
     let mut told: Vec<String> = (scenario.stages.iter())
         .filter_map(|stage| shorter_than_a_step(stage, dt))
         .collect();
+    told.extend(intervals_below_a_step(scenario, dt));
     for (index, tag) in scenario.tags.iter().enumerate().filter(|(_, tag)| tag.at > end) {
         told.push(format!(
             "tag[{index}] is given from {} s on, and the stages end at {end:.4e} s at the latest: no grain gets it",
@@ -74,10 +75,38 @@ pub(super) fn check(
     told
 }
 
+/// Whether a time is shorter than a step by more than rounding.
+fn is_below_a_step(seconds: f64, dt: f64) -> bool {
+    seconds < 0.999 * dt
+}
+
+/// Intervals of measures, feeds and removals that are shorter than a step.
+fn intervals_below_a_step(scenario: &Scenario, dt: f64) -> Vec<String> {
+    let sampled = scenario.measures.iter().filter_map(|measure| match &measure.kind {
+        MeasureKind::Field(field) => Some((
+            format!("`sample_every` of measure `{}`", measure.name),
+            field.sample_every?,
+        )),
+        _ => None,
+    });
+    let fed =
+        (scenario.feeds.iter()).filter_map(|feed| Some((format!("`every` of feed `{}`", feed.name), feed.every?)));
+    let removed = (scenario.removals.iter())
+        .filter_map(|removal| Some((format!("`every` of removal `{}`", removal.name), removal.every?)));
+    let all = sampled.chain(fed).chain(removed);
+    all.filter(|(_, seconds)| is_below_a_step(*seconds, dt))
+        .map(|(what, seconds)| {
+            format!(
+                "{what} is {seconds:.4e} s, less than a time step of {dt:.4e} s: it is done in every step. Is its unit right?"
+            )
+        })
+        .collect()
+}
+
 /// A stage that is to last for less than a step.
 fn shorter_than_a_step(stage: &Stage, dt: f64) -> Option<String> {
     let duration = |condition: &StopCondition| match condition {
-        StopCondition::Duration(seconds) if *seconds < 0.999 * dt => Some(*seconds),
+        StopCondition::Duration(seconds) if is_below_a_step(*seconds, dt) => Some(*seconds),
         _ => None,
     };
     let seconds = stage.stop.iter().find_map(duration)?;

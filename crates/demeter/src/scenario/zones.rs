@@ -13,6 +13,7 @@ use crate::particles::{Zone, ZonePart, ZoneShape};
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
+use std::collections::BTreeSet;
 
 /// Most parts of a region.
 const MAX_PARTS: usize = 1000;
@@ -140,10 +141,14 @@ pub(super) fn selection(table: &TableReader<'_>, named: &Named<'_>) -> Selection
             item.fault(format!("`ids` must have 1 to {MAX_IDS} entries"), None);
         }
         let id = |i: &Item<'_>| i.integer(0, i64::from(u32::MAX)) as u32;
-        items.iter().take(MAX_IDS).map(id).collect()
+        let ids: Vec<u32> = items.iter().take(MAX_IDS).map(id).collect();
+        let mut known = BTreeSet::new();
+        if let Some((k, id)) = ids.iter().enumerate().find(|(_, id)| !known.insert(**id)) {
+            items[k].fault(format!("grain {id} is named twice"), Some("name it once".to_string()));
+        }
+        ids
     });
     ids.sort_unstable();
-    ids.dedup();
     let tag = table.optional("tag").map(|i| tag_value(&i));
     let diameter = |key: &str| {
         let item = table.optional(key)?;

@@ -85,6 +85,22 @@ fn what_comes_to_nothing_is_told() {
         ),
         (
             Told {
+                feed: "center = \"10 10 15 mm\"\nevery = \"1 ns\"\ncount = 10",
+                removal: "region = { shape = \"box\", upper = \"20 20 3 mm\" }\nevery = \"2 ns\"",
+                stages: [
+                    "",
+                    "[[measure]]\nname = \"map\"\nkind = \"field\"\ncells = [2, 2, 2]\nsample_every = \"3 ns\"",
+                ],
+                ..NOTHING_IN_VAIN
+            },
+            &[
+                "`sample_every` of measure `map` is 3.0000e-9 s, less than a time step of",
+                "`every` of feed `inlet` is 1.0000e-9 s, less than a time step of",
+                "`every` of removal `outlet` is 2.0000e-9 s, less than a time step of",
+            ],
+        ),
+        (
+            Told {
                 feed: low,
                 ..NOTHING_IN_VAIN
             },
