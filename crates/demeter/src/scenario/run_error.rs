@@ -14,7 +14,7 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
     /// The scenario is wrong.
-    #[error("the scenario is wrong")]
+    #[error("{0}")]
     Scenario(Box<Diagnostics>),
     /// Results could not be written.
     #[error(transparent)]

@@ -17,7 +17,7 @@ pub enum SweepError {
         problems: Vec<String>,
     },
     /// The scenario is no TOML, or what `--set` tells does not fit it.
-    #[error("the scenario is wrong")]
+    #[error("{0}")]
     Scenario(Box<Diagnostics>),
     /// The folder holds another sweep.
     #[error(

@@ -51,10 +51,7 @@ pub fn carry_out(
         Err(error @ SweepError::Run(RunError::Output(OutputError::InUse { .. }))) => return Err(error),
         Err(error) => Outcome {
             end: End::Error,
-            message: match error {
-                SweepError::Run(RunError::Scenario(faults)) => faults.to_string(),
-                other => other.to_string(),
-            },
+            message: error.to_string(),
         },
     };
     folder.record(index, &outcome)?;

@@ -419,6 +419,18 @@ fn what_a_program_tells_wrongly_is_refused() {
 }
 
 #[test]
+fn a_run_of_a_wrong_scenario_tells_what_is_wrong() {
+    let overrides = ["simulation.time_step=\"1 s\"".to_string()];
+    let scenario = Scenario::parse(BED, "bed", Path::new(""), &overrides).unwrap();
+    let error = LiveRun::new(scenario, None, RunOptions::default(), &mut Silent).unwrap_err();
+    let told = error.to_string();
+    assert!(
+        told.contains("the time step is unsafe") && told.contains("use \"auto\""),
+        "{told}"
+    );
+}
+
+#[test]
 fn grains_that_are_put_beyond_a_periodic_side_have_crossed_it() {
     let periodic = [
         r#"domain={lower="0 0 0 mm",upper="20 20 80 mm",periodic=["x","y"]}"#,
