@@ -98,7 +98,23 @@ pub struct Vicinity<'a> {
     domain: &'a Domain,
 }
 
-impl Vicinity<'_> {
+impl<'a> Vicinity<'a> {
+    /// That of grains with these centres and radii [m].
+    pub fn around(grains: impl Iterator<Item = (DVec3, f64)>, domain: &'a Domain) -> Self {
+        let none = Self {
+            lower: DVec3::INFINITY,
+            upper: DVec3::NEG_INFINITY,
+            largest: 0.0,
+            domain,
+        };
+        grains.fold(none, |so_far, (place, radius)| Self {
+            lower: so_far.lower.min(place),
+            upper: so_far.upper.max(place),
+            largest: so_far.largest.max(radius),
+            domain,
+        })
+    }
+
     /// Whether a grain with this centre and radius may be nearer than a gap to one that comes, across periodic sides as well [m].
     pub fn may_meet(&self, place: DVec3, radius: f64, gap: f64) -> bool {
         let reach = (radius + self.largest) * (1.0 + CLEARANCE) + gap;

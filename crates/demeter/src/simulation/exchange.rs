@@ -3,15 +3,20 @@
 use super::time_step::largest_reach;
 use super::{Energies, Simulation, SkinTuner};
 use crate::contacts::Coupling;
+use crate::insertion::{Vicinity, first_overlap};
 use crate::particles::{Grains, HigherDerivatives, NewGrain};
 use crate::simulation::{Skin, WallPartner};
 use crate::step::CouplingState;
+use crate::walls::Wall;
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
 use std::ops::Range;
 
+/// A touch by so small a share of the radius is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// Why grains cannot come.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ExchangeError {
     /// No id is left.
     #[error(
@@ -49,6 +54,36 @@ pub enum ExchangeError {
         /// What it must be.
         allowed: &'static str,
     },
+    /// A grain would come outside of the domain.
+    #[error(
+        "grain {index} of those that are to come lies at {position}, outside of the domain, which reaches from {lower} to {upper}; let it \
+         come inside, or widen the domain"
+    )]
+    Outside {
+        /// Its place among those that come.
+        index: usize,
+        /// Its place [m].
+        position: DVec3,
+        /// Lower corner of the domain [m].
+        lower: DVec3,
+        /// Upper corner of the domain [m].
+        upper: DVec3,
+    },
+    /// A grain would come where another one or a wall is.
+    #[error(
+        "grain {index} of those that are to come lies at {position} and reaches into {partner}, by {share:.3} of the smaller radius; \
+         grains that come must touch nothing, so let it come elsewhere"
+    )]
+    InTheWay {
+        /// Its place among those that come.
+        index: usize,
+        /// Its place [m].
+        position: DVec3,
+        /// What is there: `"grain 17"`, `"wall floor"`.
+        partner: String,
+        /// Overlap, or what is missing of the reach of an attraction, as a share of the smaller radius.
+        share: f64,
+    },
 }
 
 impl Simulation {
@@ -70,8 +105,9 @@ impl Simulation {
     }
 
     /// Between two steps: takes grains, told by rising indices, out of the run and lets others come. What they carry is
-    /// booked. Contacts of those that stay keep what they remember; the grains that come must touch nothing. Answers with
-    /// the ids of those that came. Where processes share the run each calls this with the same.
+    /// booked. Contacts of those that stay keep what they remember; the grains that come must lie in the domain and touch or
+    /// attract nothing, but fixed ones may meet walls and each other. Either all of that happens or nothing. Answers with the
+    /// ids of those that came. Where processes share the run each calls this with the same.
     pub fn exchange(&mut self, leave: &[usize], come: &[NewGrain]) -> Result<Range<u32>, ExchangeError> {
         if self.deforms() && !(leave.is_empty() && come.is_empty()) {
             return Err(ExchangeError::Deforms);
@@ -88,6 +124,9 @@ impl Simulation {
         };
         self.check_leaving(leave)?;
         self.check_coming(come)?;
+        if !come.is_empty() {
+            self.check_room(leave, come)?;
+        }
         self.hear_corrected_places();
         if !leave.is_empty() {
             self.remove(leave);
@@ -141,6 +180,63 @@ impl Simulation {
             }
         }
         Ok(())
+    }
+
+    /// Refuses grains that come outside of the domain or where something is. Each process looks among its own grains.
+    fn check_room(&self, leave: &[usize], come: &[NewGrain]) -> Result<(), ExchangeError> {
+        let (domain, grains) = (self.comm.domain(), &self.grains);
+        if let Some(index) = come.iter().position(|grain| !domain.contains(grain.position)) {
+            return Err(ExchangeError::Outside {
+                index,
+                position: come[index].position,
+                lower: domain.lower,
+                upper: domain.upper,
+            });
+        }
+        let to_come = || come.iter().map(|grain| (grain.position, grain.radius));
+        let vicinity = Vicinity::around(to_come(), domain);
+        let there: Vec<usize> = (self.own_grains())
+            .filter(|g| leave.binary_search(g).is_err())
+            .filter(|&g| vicinity.may_meet(grains.position[g], grains.radius(g), self.max_reach))
+            .collect();
+        let all: Vec<(DVec3, f64)> = (there.iter().map(|&g| (grains.position[g], grains.radius(g))))
+            .chain(to_come())
+            .collect();
+        let is_fixed = |k: usize| match there.get(k) {
+            Some(&g) => grains.is_fixed(g),
+            None => come[k - there.len()].fixed,
+        };
+        let counts = |i: usize, j: usize| i.max(j) >= there.len() && !(is_fixed(i) && is_fixed(j));
+        let reach = |radius: f64| radius * (1.0 - ROUNDING) + 0.5 * self.max_reach;
+        let reaches: Vec<(DVec3, f64)> = all.iter().map(|&(place, radius)| (place, reach(radius))).collect();
+        let with_grain = first_overlap(&reaches, Some(domain), counts).map(|found| {
+            let partner = match there.get(found.first) {
+                Some(&g) => format!("grain {}", grains.id[g]),
+                None => format!("grain {} of them", found.first - there.len()),
+            };
+            let smaller = all[found.first].1.min(all[found.second].1);
+            (found.second - there.len(), partner, found.overlap / smaller)
+        });
+        let at_walls = come
+            .iter()
+            .enumerate()
+            .filter(|(_, grain)| !grain.fixed)
+            .flat_map(|(index, grain)| {
+                let place = domain.brought_back(grain.position);
+                let reach = grain.radius * (1.0 - ROUNDING) + self.max_reach;
+                let share = move |wall: &Wall| Some((reach - wall.nearest(place, reach)?) / grain.radius);
+                (self.walls.iter()).filter_map(move |wall| Some((index, format!("wall {}", wall.name), share(wall)?)))
+            });
+        let all = self.of_all_segments(with_grain.into_iter().chain(at_walls).collect());
+        match all.into_iter().max_by(|one, other| one.2.total_cmp(&other.2)) {
+            None => Ok(()),
+            Some((index, partner, share)) => Err(ExchangeError::InTheWay {
+                index,
+                position: come[index].position,
+                partner,
+                share,
+            }),
+        }
     }
 
     /// Energies that grains which come or go bring or take: what is there at the start is booked then.

@@ -341,6 +341,54 @@ fn an_exchange_that_is_impossible_changes_nothing() {
     assert_eq!(sim.grains.len(), grains);
 }
 
+#[test]
+fn grains_that_come_where_something_is_are_refused() {
+    let mut sim = squeezed();
+    let grains = sim.grains.len();
+    let edge = f64::from(EDGE);
+    let small = |position: DVec3| NewGrain {
+        material: 0,
+        radius: 0.01,
+        density: 1000.0,
+        position,
+        velocity: DVec3::ZERO,
+        angular_velocity: DVec3::ZERO,
+        fixed: false,
+    };
+    // a corner of four cells, between all grains
+    let free = small(DVec3::splat(4.0));
+    let (place, id) = (sim.grains.position[7], sim.grains.id[7]);
+    let beside = small(free.position + DVec3::X * 0.015);
+    let beyond_side = small(place + DVec3::X * if place.x > 0.5 * edge { -edge } else { edge });
+    let cases = [
+        (small(place), format!("grain {id},")),
+        (beyond_side, format!("grain {id},")),
+        (beside, "grain 0 of them, by 0.500".to_string()),
+        (small(DVec3::new(4.0, 4.0, 0.005)), "wall floor, by 0.500".to_string()),
+        (
+            small(DVec3::new(4.0, 4.0, edge + 0.1)),
+            "outside of the domain".to_string(),
+        ),
+    ];
+    for (wrong, expected) in cases {
+        let told = sim.exchange(&[], &[free, wrong]).unwrap_err().to_string();
+        assert!(
+            told.starts_with("grain 1 of those") && told.contains(&expected),
+            "{told}"
+        );
+        assert_eq!(sim.grains.len(), grains);
+    }
+    // what leaves makes room, and fixed grains feel no wall
+    let on_the_floor = NewGrain {
+        fixed: true,
+        ..small(DVec3::new(4.0, 4.0, 0.005))
+    };
+    sim.exchange(&[7], &[free, small(place), on_the_floor]).unwrap();
+    sim.steps(20).unwrap();
+    let residual = sim.energies().residual;
+    assert!(residual.abs() < 1e-3, "{residual}");
+}
+
 /// What is there when the books are opened came from nowhere.
 #[test]
 fn grains_that_come_and_go_before_the_start_are_not_booked_twice() {
