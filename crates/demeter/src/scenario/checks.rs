@@ -9,7 +9,7 @@ use crate::particles::{Domain, Grains, Outside};
 use crate::simulation::{
     ROOM_FOR_BULGES, TimeScale, TimeStepError, USABLE, WallPartner, largest_reach, with_free_wall,
 };
-use crate::walls::{Motion, Motions, Wall};
+use crate::walls::{INSTEAD_OF_LINKS, Motion, Motions, Wall, link, link_in_words};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -385,27 +385,13 @@ pub(super) fn check_stage_motions(scenario: &Scenario, faults: &mut Diagnostics)
 }
 
 fn check_leaders(scenario: &Scenario, leaders: &[Option<usize>], paths: &[(usize, String)], faults: &mut Diagnostics) {
-    let leader_of = |wall: usize| leaders.get(wall).copied().flatten();
     for (wall, path) in paths {
-        let follower = (0..leaders.len()).find(|&other| leader_of(other) == Some(*wall));
-        let (follower, middle) = match (leader_of(*wall), follower) {
-            (Some(leader), _) if leader_of(leader).is_some() => (*wall, leader),
-            (Some(_), Some(follower)) => (follower, *wall),
-            _ => continue,
-        };
-        let names = [follower, middle].map(|w| scenario.walls[w].name.as_str());
-        let words = if follower == middle {
-            format!("wall `{}` moves with itself", names[0])
-        } else {
-            format!(
-                "wall `{}` moves with `{}`, which itself moves with another wall",
-                names[0], names[1]
-            )
-        };
+        let Some(between) = link(leaders, *wall) else { continue };
+        let [follower, leader] = between.map(|w| scenario.walls[w].name.as_str());
         faults.push(
             path,
-            words,
-            Some("let all of them move with the one that has a motion of its own".to_string()),
+            link_in_words(follower, leader),
+            Some(INSTEAD_OF_LINKS.to_string()),
         );
     }
 }

@@ -1,7 +1,7 @@
 //! Walls that get other motions, come or go between two steps.
 
 use super::Simulation;
-use crate::walls::{Motions, Pose, Wall, WallError};
+use crate::walls::{Motions, Pose, Wall, WallError, link};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -27,6 +27,20 @@ impl Simulation {
     /// moving wall, is booked, and that it moves otherwise in the half step in which the latest load still acts.
     pub fn set_wall_motion(&mut self, wall: usize, motions: Motions) -> Result<(), WallError> {
         self.check_wall(wall)?;
+        if let Some(leader) = motions.leader() {
+            self.check_wall(leader)?;
+            let mut leaders: Vec<Option<usize>> = self.walls.iter().map(Wall::leader).collect();
+            leaders[wall] = Some(leader);
+            if let Some(between) = link(&leaders, wall) {
+                let [follower, leader] = between.map(|w| self.walls[w].name.clone());
+                return Err(WallError::Link { follower, leader });
+            }
+        }
+        self.begin_wall_motion(wall, motions)
+    }
+
+    /// The same for one of several walls that are told motions together, which fit each other when all are told.
+    pub(crate) fn begin_wall_motion(&mut self, wall: usize, motions: Motions) -> Result<(), WallError> {
         let leader = (motions.leader()).and_then(|leader| self.walls.get(leader));
         let leader = leader.map_or(Pose::START, |leader| leader.pose());
         let former = &self.walls[wall];

@@ -400,6 +400,23 @@ fn grains_that_come_and_go_before_the_start_are_not_booked_twice() {
 }
 
 #[test]
+fn a_wall_moves_with_no_wall_that_moves_with_another() {
+    let mut sim = Simulation::new(lattice(0.45, 1.0, Skin::Fixed(0.05)));
+    let mut told = |wall, leader| match sim.set_wall_motion(wall, Motion::With(leader).into()) {
+        Ok(()) => String::new(),
+        Err(error) => error.to_string(),
+    };
+    assert!(told(0, 9).contains("there is no wall 9: 2 walls"), "{}", told(0, 9));
+    assert!(told(0, 0).contains("wall `floor` moves with itself"), "{}", told(0, 0));
+    assert_eq!(told(0, 1), "");
+    let back = told(1, 0);
+    assert!(
+        back.contains("`lid` moves with `floor`, which itself moves with another wall; let all"),
+        "{back}"
+    );
+}
+
+#[test]
 fn another_gravity_is_booked() {
     let mut sim = squeezed();
     sim.set_gravity(DVec3::new(30.0, 0.0, -50.0));

@@ -111,6 +111,16 @@ pub enum WallError {
     /// A wall that moves with another one and has motions of its own.
     #[error("a wall that moves `with` another has no other motion; tell that one to the wall it moves with")]
     WithOthers,
+    /// A wall that moves with one that moves with another.
+    #[error(
+        "{}; {}", super::motion_checks::link_in_words(.follower, .leader), super::motion_checks::INSTEAD_OF_LINKS
+    )]
+    Link {
+        /// Name of the wall.
+        follower: String,
+        /// Name of the wall that it would move with.
+        leader: String,
+    },
     /// A start or stop of a motion that is not prescribed.
     #[error(
         "`start_over`, `stop_after` and `stop_over` belong to motions that are prescribed, not to servos and free walls"

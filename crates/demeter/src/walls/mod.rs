@@ -43,6 +43,7 @@ pub use mesh::{Mesh, MeshError};
 pub use mesh_file::{MeshFileContent, MeshFileError, MeshFormat, read_mesh};
 pub use motion::{FreeMotion, Freedom, Motion, MotionPart, Motions};
 pub use motion_checks::MAX_PARTS;
+pub(crate) use motion_checks::{INSTEAD_OF_LINKS, link, link_in_words};
 pub use motion_file::{MotionFile, MotionFileError, MotionFileProblem, read_motion_file};
 pub use motion_table::{AtEnd, Interpolation, MAX_TABLE_ROWS, MotionTable, TableRows};
 pub use motor::{Driven, FreeStep};

@@ -10,6 +10,29 @@ use super::pace::Pace;
 /// Most motions of one wall that add up.
 pub const MAX_PARTS: usize = 16;
 
+/// What to do where walls are linked.
+pub(crate) const INSTEAD_OF_LINKS: &str = "let all of them move with the one that has a motion of its own";
+
+/// A wall that moves with another one, and that other, which does not move by itself either: one of the two is the wall that is told. Given
+/// is the one that each wall moves with.
+pub(crate) fn link(leaders: &[Option<usize>], wall: usize) -> Option<[usize; 2]> {
+    let leader_of = |wall: usize| leaders.get(wall).copied().flatten();
+    let leader = leader_of(wall)?;
+    if leader_of(leader).is_some() {
+        return Some([wall, leader]);
+    }
+    let follower = (0..leaders.len()).find(|&other| leader_of(other) == Some(wall))?;
+    Some([follower, wall])
+}
+
+/// Such a link.
+pub(crate) fn link_in_words(follower: &str, leader: &str) -> String {
+    match follower == leader {
+        true => format!("wall `{follower}` moves with itself"),
+        false => format!("wall `{follower}` moves with `{leader}`, which itself moves with another wall"),
+    }
+}
+
 /// Checks the motions of a wall, and makes their directions exact unit vectors.
 pub(super) fn check_motions(motions: Motions) -> Result<Motions, WallError> {
     let count = motions.parts.len();

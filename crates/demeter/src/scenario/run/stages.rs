@@ -39,7 +39,7 @@ impl<'a> Runner<'a> {
         }
         for (wall, motion) in &stage.motions {
             (self.sim)
-                .set_wall_motion(*wall, motion.clone())
+                .begin_wall_motion(*wall, motion.clone())
                 .map_err(|source| RunError::Motion {
                     stage: stage.name.clone(),
                     source,
