@@ -33,6 +33,14 @@ pub enum ChangeError {
     /// The box deforms.
     #[error("grains cannot be put elsewhere while the periodic box deforms")]
     Deforms,
+    /// Another gravity that cannot be.
+    #[error("a gravity of {value} m/s^2 cannot act here; it must be {allowed}")]
+    Gravity {
+        /// The value given [m/s^2].
+        value: DVec3,
+        /// What it must be.
+        allowed: &'static str,
+    },
     /// The new state is one that the model does not cover.
     #[error(transparent)]
     Fault(#[from] Fault),
@@ -119,7 +127,17 @@ impl Simulation {
     }
 
     /// Lets another gravity act [m/s^2]. The change of energy is booked as work of custom forces.
-    pub fn set_gravity(&mut self, gravity: DVec3) {
+    pub fn set_gravity(&mut self, gravity: DVec3) -> Result<(), ChangeError> {
+        let refused = |allowed| ChangeError::Gravity {
+            value: gravity,
+            allowed,
+        };
+        if !gravity.is_finite() {
+            return Err(refused("finite"));
+        }
+        if self.deforms() && gravity != DVec3::ZERO {
+            return Err(refused("0, as the periodic box deforms"));
+        }
         let before = self.mechanical_energies().present();
         self.gravity = gravity;
         self.book_change_since(before);
@@ -133,6 +151,7 @@ impl Simulation {
         found
     }
 
+        Ok(())
     fn check_change(&self, what: &'static str, values: &[DVec3]) -> Result<(), ChangeError> {
         let grains = self.grains.len();
         if values.len() != grains {

@@ -400,6 +400,29 @@ fn grains_that_come_and_go_before_the_start_are_not_booked_twice() {
 }
 
 #[test]
+fn a_gravity_that_cannot_be_is_refused() {
+    let mut sim = squeezed();
+    for value in [DVec3::NAN, DVec3::X * f64::INFINITY] {
+        let told = sim.set_gravity(value).unwrap_err().to_string();
+        assert!(told.contains("must be finite"), "{told}");
+        assert_eq!(sim.gravity, DVec3::ZERO);
+    }
+    let mut setup = lattice(0.45, 1.0, Skin::Fixed(0.05));
+    setup.walls.clear();
+    setup.domain.periodic = [true; 3];
+    let mut sim = Simulation::new(setup);
+    let directions = [Drive::StrainRate(-0.01); 3];
+    let plan = Deformation {
+        directions,
+        ..Deformation::default()
+    };
+    sim.deform(plan).unwrap();
+    let told = sim.set_gravity(DVec3::Z).unwrap_err().to_string();
+    assert!(told.contains("as the periodic box deforms"), "{told}");
+    sim.set_gravity(DVec3::ZERO).unwrap();
+}
+
+#[test]
 fn a_wall_moves_with_no_wall_that_moves_with_another() {
     let mut sim = Simulation::new(lattice(0.45, 1.0, Skin::Fixed(0.05)));
     let mut told = |wall, leader| match sim.set_wall_motion(wall, Motion::With(leader).into()) {
@@ -419,7 +442,7 @@ fn a_wall_moves_with_no_wall_that_moves_with_another() {
 #[test]
 fn another_gravity_is_booked() {
     let mut sim = squeezed();
-    sim.set_gravity(DVec3::new(30.0, 0.0, -50.0));
+    sim.set_gravity(DVec3::new(30.0, 0.0, -50.0)).unwrap();
     sim.steps(50).unwrap();
     let energies = sim.energies();
     assert!(energies.custom_work.abs() > energies.kinetic, "{energies:?}");
