@@ -6,8 +6,8 @@
 //! overlap), and forces that jump where a law changes its branch, are met by steps as short as they need.
 
 use super::ode;
-use super::outcome::{Collision, CollisionEnergy, CollisionError, Outcome, Start, Tolerance};
-use super::record::{Held, MAX_HISTORY, Moment, Record, State, largest_force, moments};
+use super::outcome::{Collision, CollisionEnergy, CollisionError, Outcome, Start, Tolerance, check_size, positive};
+use super::record::{Held, MAX_HISTORY, Moment, Record, State, check_moments, largest_force, moments};
 use crate::contact::PairSize;
 use crate::contact::normal::{Normal, NormalInput, NormalLaw, NormalResponse, NormalVisitor};
 
@@ -52,8 +52,9 @@ impl<L: Normal> HeadOn<'_, L> {
             law: self.law,
             size: self.size,
         };
-        let mut course = Course::new(&pair, self)?;
-        let outcome = course.finish(tolerance)?;
+        check_moments(count)?;
+        let mut course = Course::new(&pair, self, tolerance)?;
+        let outcome = course.finish()?;
         let recorded = match count {
             0 => Vec::new(),
             _ => moments(&course.records, &pair, count),
@@ -186,6 +187,7 @@ const REST: f64 = 1e-10;
 /// A collision on its way.
 pub(super) struct Course<'p, 'a, L> {
     pair: &'p Pair<'a, L>,
+    tolerance: Tolerance,
     speed: f64,
     stored_before: f64,
     time: f64,
@@ -203,7 +205,11 @@ pub(super) struct Course<'p, 'a, L> {
 }
 
 impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
-    pub(super) fn new(pair: &'p Pair<'a, L>, impact: &HeadOn<'_, L>) -> Result<Self, CollisionError> {
+    pub(super) fn new(
+        pair: &'p Pair<'a, L>,
+        impact: &HeadOn<'_, L>,
+        tolerance: &Tolerance,
+    ) -> Result<Self, CollisionError> {
         const {
             assert!(
                 L::HISTORY.len() <= MAX_HISTORY,
@@ -211,16 +217,9 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
             )
         };
         let size = impact.size;
-        let inputs = [
-            ("speed", impact.speed),
-            ("effective radius", size.radius),
-            ("effective mass", size.mass),
-        ];
-        for (quantity, value) in inputs {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(CollisionError::Input { quantity, value });
-            }
-        }
+        check_size(size)?;
+        positive("speed", impact.speed)?;
+        let tolerance = tolerance.checked()?;
         let held = pair.new_contact();
         let overlap = match impact.start {
             Start::Contact => held.floor.max(TOUCH * size.radius),
@@ -240,6 +239,7 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         let held = pair.hold(&held, overlap, impact.speed);
         Ok(Self {
             pair,
+            tolerance,
             speed: impact.speed,
             stored_before,
             time: 0.0,
@@ -256,11 +256,11 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
     }
 
     /// Goes through every reversal, up to a time, rest or the end of contact.
-    pub(super) fn follow(&mut self, tolerance: &Tolerance, until: f64) -> Result<(), CollisionError> {
-        while self.steps < tolerance.max_steps {
+    pub(super) fn follow(&mut self, until: f64) -> Result<(), CollisionError> {
+        while self.steps < self.tolerance.max_steps {
             self.steps += 1;
             self.next = self.next.min(until - self.time);
-            let Some((length, end, event)) = self.try_step(tolerance)? else {
+            let Some((length, end, event)) = self.try_step()? else {
                 continue;
             };
             self.accept(length, end, event);
@@ -278,10 +278,10 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         Err(self.endless())
     }
 
-    fn finish(&mut self, tolerance: &Tolerance) -> Result<Outcome, CollisionError> {
-        while self.steps < tolerance.max_steps {
+    fn finish(&mut self) -> Result<Outcome, CollisionError> {
+        while self.steps < self.tolerance.max_steps {
             self.steps += 1;
-            let Some((length, end, event)) = self.try_step(tolerance)? else {
+            let Some((length, end, event)) = self.try_step()? else {
                 continue;
             };
             self.accept(length, end, event);
@@ -319,14 +319,14 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
     }
 
     /// One trial; nothing when it must be done again with a shorter step.
-    fn try_step(&mut self, tolerance: &Tolerance) -> Result<Option<(f64, State, Option<Event>)>, CollisionError> {
-        let (pair, held, state) = (self.pair, self.held, self.state);
+    fn try_step(&mut self) -> Result<Option<(f64, State, Option<Event>)>, CollisionError> {
+        let (pair, held, state, relative) = (self.pair, self.held, self.state, self.tolerance.relative);
         let h = self.next;
         let speed = self.largest_speed;
         let allowed = [
-            tolerance.relative * self.max_overlap.max(state[0].abs()).max(speed * h),
-            tolerance.relative * speed,
-            tolerance.relative * 0.5 * pair.size.mass * speed * speed,
+            relative * self.max_overlap.max(state[0].abs()).max(speed * h),
+            relative * speed,
+            relative * 0.5 * pair.size.mass * speed * speed,
         ];
         let trial = |h: f64| ode::step(|y| pair.rates(&held, y), &state, h, &allowed);
         // a step as short as the rounding of the time cannot be made better

@@ -1,26 +1,22 @@
 //! The motion of two bodies beyond the moment at which they are known to stick.
 
 use super::head_on::{Course, HeadOn, Pair};
-use super::outcome::{CollisionError, Tolerance};
-use super::record::{Moment, moments};
+use super::outcome::{CollisionError, Tolerance, positive};
+use super::record::{Moment, check_moments, moments};
 use crate::contact::normal::{Normal, NormalLaw, NormalVisitor};
 
 impl<L: Normal> HeadOn<'_, L> {
     /// So many moments at equal distances in time, from the start through every reversal up to a duration [s], or up to
     /// rest or the end of contact when that comes first.
     pub fn follow(&self, tolerance: &Tolerance, duration: f64, count: usize) -> Result<Vec<Moment>, CollisionError> {
-        if !(duration > 0.0 && duration.is_finite()) {
-            return Err(CollisionError::Input {
-                quantity: "duration",
-                value: duration,
-            });
-        }
+        positive("duration", duration)?;
+        check_moments(count)?;
         let pair = Pair {
             law: self.law,
             size: self.size,
         };
-        let mut course = Course::new(&pair, self)?;
-        course.follow(tolerance, duration)?;
+        let mut course = Course::new(&pair, self, tolerance)?;
+        course.follow(duration)?;
         Ok(moments(&course.records, &pair, count))
     }
 }

@@ -1,5 +1,7 @@
 //! What is asked of a collision, what it gives, and why it may give nothing.
 
+use crate::contact::PairSize;
+
 /// Where the impact speed is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Start {
@@ -27,6 +29,16 @@ pub struct Tolerance {
     pub relative: f64,
     /// Most steps that are tried.
     pub max_steps: usize,
+}
+
+impl Tolerance {
+    /// Itself, where steps can be judged by it.
+    pub(super) fn checked(self) -> Result<Self, CollisionError> {
+        match self.relative > 0.0 && self.relative < 1.0 {
+            true => Ok(self),
+            false => Err(CollisionError::Tolerance { value: self.relative }),
+        }
+    }
 }
 
 impl Default for Tolerance {
@@ -106,6 +118,9 @@ impl Collision {
     }
 }
 
+/// Most moments of a collision that are kept.
+pub(super) const MOST_MOMENTS: usize = 10_000_000;
+
 /// Why a collision could not be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CollisionError {
@@ -116,6 +131,18 @@ pub enum CollisionError {
         quantity: &'static str,
         /// The value.
         value: f64,
+    },
+    /// An error that no step can be held to, or that tells nothing.
+    #[error("the relative tolerance of the collision is {value}; it must be above 0 and below 1, and 1e-13 is usual")]
+    Tolerance {
+        /// The value.
+        value: f64,
+    },
+    /// More moments are asked for than are kept.
+    #[error("{count} moments of a collision are too many; ask for at most {MOST_MOMENTS}")]
+    Moments {
+        /// How many.
+        count: usize,
     },
     /// The law attracts from any distance, so that there is no place to start from.
     #[error("the law reaches {reach} m far; a collision that starts where the attraction is first felt needs an end")]
@@ -148,4 +175,19 @@ pub enum CollisionError {
         /// Rate of approach [m/s].
         rate: f64,
     },
+}
+
+/// The value, if it is positive and finite.
+pub(super) fn positive(quantity: &'static str, value: f64) -> Result<f64, CollisionError> {
+    match value > 0.0 && value.is_finite() {
+        true => Ok(value),
+        false => Err(CollisionError::Input { quantity, value }),
+    }
+}
+
+/// Refuses bodies that cannot be.
+pub(super) fn check_size(size: PairSize) -> Result<(), CollisionError> {
+    positive("effective radius", size.radius)?;
+    positive("effective mass", size.mass)?;
+    Ok(())
 }

@@ -2,6 +2,7 @@
 
 use super::head_on::Pair;
 use super::ode;
+use super::outcome::{CollisionError, MOST_MOMENTS};
 use crate::contact::normal::Normal;
 
 /// Components of the state: overlap [m], rate of approach [m/s], energy lost in the dashpot [J].
@@ -109,6 +110,14 @@ pub(super) fn largest_force<L: Normal>(records: &[Record], pair: &Pair<'_, L>) -
     let beside = &records[k.saturating_sub(1)..=k];
     let inside = beside.iter().map(|r| r.largest_force(pair));
     inside.fold(records[k].force, f64::max)
+}
+
+/// Refuses more moments than are kept.
+pub(super) fn check_moments(count: usize) -> Result<(), CollisionError> {
+    match count <= MOST_MOMENTS {
+        true => Ok(()),
+        false => Err(CollisionError::Moments { count }),
+    }
 }
 
 /// Moments at equal distances in time, the first and the last included; at least two.

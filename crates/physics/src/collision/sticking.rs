@@ -1,7 +1,7 @@
 //! The critical sticking speed: below it two bodies stick, above it they part.
 
 use super::head_on::HeadOn;
-use super::outcome::{Collision, CollisionError, Outcome, Start, Tolerance};
+use super::outcome::{Collision, CollisionError, Outcome, Start, Tolerance, check_size};
 use crate::contact::PairSize;
 use crate::contact::normal::{Normal, NormalLaw, NormalVisitor};
 
@@ -74,6 +74,7 @@ pub fn sticking_speed<L: Normal>(
     start: Start,
     tolerance: &Tolerance,
 ) -> Result<Sticking, CollisionError> {
+    check_size(size)?;
     let collide = |speed: f64| {
         let impact = HeadOn {
             law,

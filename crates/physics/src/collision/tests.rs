@@ -163,6 +163,39 @@ fn impossible_input_is_refused() {
 }
 
 #[test]
+fn what_is_told_wrongly_is_refused_by_name() {
+    let law = NormalLaw::build("hertz-tsuji", &values(&[("restitution", 0.2)]), &PAIR).unwrap();
+    let impact = HeadOn {
+        law: &law,
+        size: size(1e-3),
+        speed: 1.0,
+        start: Start::Contact,
+    };
+    let usual = Tolerance::default();
+    for relative in [0.0, -1.0, 1.0, f64::INFINITY, f64::NAN] {
+        let told = impact.run(&Tolerance { relative, ..usual }).unwrap_err().to_string();
+        let expected = format!("the relative tolerance of the collision is {relative}");
+        assert!(told.starts_with(&expected), "{told}");
+    }
+    let too_many = Err(CollisionError::Moments { count: usize::MAX });
+    assert_eq!(impact.run_recorded(&usual, usize::MAX), too_many);
+    assert_eq!(
+        impact.follow(&usual, 1e-3, usize::MAX).map(|_| ()),
+        too_many.map(|_| ())
+    );
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let sizes = [
+            ("radius", PairSize { radius: bad, mass: 1.0 }),
+            ("mass", PairSize { radius: 1.0, mass: bad }),
+        ];
+        for (what, size) in sizes {
+            let told = sticking_speed_of(&law, size, Start::Contact, &usual).unwrap_err();
+            assert!(told.to_string().contains(&format!("effective {what}")), "{told}");
+        }
+    }
+}
+
+#[test]
 fn laws_without_adhesion_never_stick() {
     let law = NormalLaw::build("hertz-tsuji", &values(&[("restitution", 0.2)]), &PAIR).unwrap();
     let found = sticking_speed_of(&law, size(1e-6), Start::Contact, &Tolerance::default()).unwrap();
