@@ -109,7 +109,7 @@ impl Collision {
     /// Stiffness of the bodies whose contact lasts `contact_time` [s]: `k = m (t/T)^2` (eq 7), `K = m (t/T)^(5/2) v0^(-1/2)`.
     pub fn stiffness_of_contact_time(&self, contact_time: f64) -> Result<f64, RestitutionError> {
         let ratio = self.checked_unit()?.contact_time / positive("contact time [s]", contact_time)?;
-        Ok(match self.law {
+        found(match self.law {
             SpringDashpot::Linear => self.mass * ratio * ratio,
             SpringDashpot::Hertz => self.mass * ratio * ratio * ratio.sqrt() / self.speed.sqrt(),
         })
@@ -119,7 +119,7 @@ impl Collision {
     /// `K = m v0^2 (d/x_max)^(5/2)` (eqs 19, 21).
     pub fn stiffness_of_max_overlap(&self, max_overlap: f64) -> Result<f64, RestitutionError> {
         let ratio = self.checked_unit()?.max_overlap / positive("largest overlap [m]", max_overlap)?;
-        Ok(match self.law {
+        found(match self.law {
             SpringDashpot::Linear => self.mass * (ratio * self.speed) * (ratio * self.speed),
             SpringDashpot::Hertz => self.mass * self.speed * self.speed * ratio * ratio * ratio.sqrt(),
         })
@@ -129,7 +129,7 @@ impl Collision {
     /// `K = (F_max/f)^(5/2) m^(-3/2) v0^(-3)`.
     pub fn stiffness_of_max_force(&self, max_force: f64) -> Result<f64, RestitutionError> {
         let ratio = positive("largest force [N]", max_force)? / self.checked_unit()?.max_force;
-        Ok(match self.law {
+        found(match self.law {
             SpringDashpot::Linear => (ratio / self.speed) * (ratio / self.speed) / self.mass,
             SpringDashpot::Hertz => {
                 let per_momentum = ratio / (self.mass * self.speed);
@@ -137,6 +137,11 @@ impl Collision {
             }
         })
     }
+}
+
+/// A stiffness, if numbers can tell it.
+fn found(stiffness: f64) -> Result<f64, RestitutionError> {
+    positive("stiffness that this takes", stiffness)
 }
 
 /// A collision of which time and depth were seen, but not the restitution.
@@ -234,7 +239,7 @@ impl HertzContact {
         let stiffness = positive("stiffness [N/m^(3/2)]", stiffness)?;
         let effective_radius = positive("effective radius [m]", effective_radius)?;
         Ok(Self {
-            effective_modulus: 0.75 * stiffness / effective_radius.sqrt(),
+            effective_modulus: positive("effective modulus [Pa]", 0.75 * stiffness / effective_radius.sqrt())?,
             effective_radius,
         })
     }
@@ -372,5 +377,29 @@ mod tests {
         assert!(good.stiffness_of_max_overlap(-1.0).is_err());
         assert!(good.stiffness_of_max_force(f64::INFINITY).is_err());
         assert!(HertzContact::of_stiffness(1.0, 0.0).is_err());
+        assert!(HertzContact::of_stiffness(1e300, 1e-300).is_err());
+    }
+
+    #[test]
+    fn a_stiffness_beyond_all_numbers_is_refused() {
+        for (law, end) in ALL {
+            let collision = Collision {
+                law,
+                end,
+                mass: 1.0,
+                speed: 1.0,
+                restitution: 0.5,
+            };
+            for seen in [1e-200, 1e200] {
+                for found in [
+                    collision.stiffness_of_contact_time(seen),
+                    collision.stiffness_of_max_overlap(seen),
+                    collision.stiffness_of_max_force(seen),
+                ] {
+                    let told = found.unwrap_err().to_string();
+                    assert!(told.contains("stiffness"), "{told}");
+                }
+            }
+        }
     }
 }
