@@ -16,6 +16,11 @@ const CROSSINGS: usize = 7;
 /// Most crossings of periodic sides that are counted in any direction.
 pub const MOST_CROSSINGS: i32 = (1 << 17) - 1;
 
+/// Whether so many crossings can be counted.
+pub(crate) fn can_be_counted(crossings: &[i32; 3]) -> bool {
+    crossings.iter().all(|n| (-MOST_CROSSINGS..=MOST_CROSSINGS).contains(n))
+}
+
 /// By how much a crossing counts more in the next direction: all three together are a whole number of no more than 53 bits.
 const NEXT: i64 = 1 << 18;
 
@@ -61,7 +66,7 @@ impl Load {
     /// Notes how many periodic boxes a grain has crossed; tells whether that can be counted ([`MOST_CROSSINGS`]).
     #[must_use]
     pub(crate) fn set_crossings(&mut self, crossings: [i32; 3]) -> bool {
-        let fits = crossings.iter().all(|n| n.abs() <= MOST_CROSSINGS);
+        let fits = can_be_counted(&crossings);
         if fits {
             let [x, y, z] = crossings.map(i64::from);
             self.0[CROSSINGS] = (x + NEXT * (y + NEXT * z)) as f64;

@@ -18,6 +18,7 @@ pub(crate) use interior::tests::boxed;
 pub use interior::{Interior, InteriorError};
 pub(crate) use load::HalfKick;
 use load::HalfKicks;
+pub(crate) use load::can_be_counted;
 pub use load::{Load, MOST_CROSSINGS};
 pub use origins::Origins;
 use rows::{Kept, copy_kept};

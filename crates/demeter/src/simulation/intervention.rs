@@ -3,7 +3,7 @@
 use super::time_step::largest_reach;
 use super::{Simulation, WallPartner};
 use crate::contacts::Fault;
-use crate::particles::HigherDerivatives;
+use crate::particles::{HigherDerivatives, MOST_CROSSINGS, can_be_counted};
 use glam::DVec3;
 
 /// Forces at new places are found with a step that is so much shorter, in which springs hardly move.
@@ -78,26 +78,36 @@ impl Simulation {
     /// Puts all grains elsewhere [m], by index. A place beyond a periodic side is that of its image in the box, and the grain has crossed that
     /// side, as displacements tell. Candidates and forces are found anew; contacts that last keep what they remember; the change of energy is booked as work of custom forces. The grains may lie in
     /// another order in memory afterwards.
-    /// On error the grains are at the new places, and the next step finds the same fault unless they are put elsewhere.
+    /// Nothing changes where a grain would have crossed periodic sides more often than is counted. After any other fault the grains are at the new
+    /// places, and no forces that belong there are known: put them elsewhere before the next step, which need not find that fault again.
     pub fn set_positions(&mut self, positions: &[DVec3]) -> Result<(), ChangeError> {
         self.check_change("position", positions)?;
         if self.deforms() {
             return Err(ChangeError::Deforms);
         }
+        let domain = *self.domain();
+        let brought_back = |grain: usize| {
+            let (new, crossed) = (positions[grain], self.grains.crossings(grain));
+            let place = domain.brought_back(new);
+            let boxes = ((new - place) / domain.size()).round().to_array();
+            let crossings: [i32; 3] = [0, 1, 2].map(|k| crossed[k].saturating_add(boxes[k] as i32));
+            (place, crossings)
+        };
+        let places: Vec<(DVec3, [i32; 3])> = (0..positions.len()).map(brought_back).collect();
+        if let Some(grain) = places.iter().position(|(_, crossings)| !can_be_counted(crossings)) {
+            return Err(ChangeError::Fault(Fault::CrossedTooOften {
+                step: self.step,
+                id: self.grains.id[grain],
+                position: positions[grain],
+                most: MOST_CROSSINGS,
+            }));
+        }
         self.change(|sim| {
-            let domain = *sim.domain();
-            let mut uncounted = Vec::new();
-            for (grain, new) in positions.iter().enumerate() {
-                let place = domain.brought_back(*new);
-                let boxes = ((*new - place) / domain.size()).round().to_array();
-                let crossed = sim.grains.crossings(grain);
-                let crossings = [0, 1, 2].map(|k| crossed[k].saturating_add(boxes[k] as i32));
-                if !sim.grains.load.rows_mut()[grain].set_crossings(crossings) {
-                    uncounted.push(grain);
-                }
+            for (grain, (place, crossings)) in places.into_iter().enumerate() {
+                let is_counted = sim.grains.load.rows_mut()[grain].set_crossings(crossings);
+                debug_assert!(is_counted, "looked at before");
                 sim.grains.position[grain] = place;
             }
-            sim.note_uncounted(&uncounted);
             if sim.is_started() {
                 sim.find_forces_anew()?;
             }
@@ -141,6 +151,7 @@ impl Simulation {
         let before = self.mechanical_energies().present();
         self.gravity = gravity;
         self.book_change_since(before);
+        Ok(())
     }
 
     fn find_forces_anew(&mut self) -> Result<(), Fault> {
@@ -151,7 +162,6 @@ impl Simulation {
         found
     }
 
-        Ok(())
     fn check_change(&self, what: &'static str, values: &[DVec3]) -> Result<(), ChangeError> {
         let grains = self.grains.len();
         if values.len() != grains {

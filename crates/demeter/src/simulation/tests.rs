@@ -440,6 +440,23 @@ fn a_wall_moves_with_no_wall_that_moves_with_another() {
 }
 
 #[test]
+fn places_round_the_box_more_often_than_is_counted_change_nothing() {
+    let mut sim = squeezed();
+    let now: Vec<DVec3> = sim.grains.position.iter().copied().collect();
+    for x in [1e30, -1e30] {
+        let mut places = now.clone();
+        places[3].x = x;
+        let found = sim.set_positions(&places);
+        assert!(
+            matches!(found, Err(ChangeError::Fault(Fault::CrossedTooOften { .. }))),
+            "{found:?}"
+        );
+        assert!(sim.grains.position.iter().eq(&now));
+    }
+    sim.steps(5).unwrap();
+}
+
+#[test]
 fn another_gravity_is_booked() {
     let mut sim = squeezed();
     sim.set_gravity(DVec3::new(30.0, 0.0, -50.0)).unwrap();
