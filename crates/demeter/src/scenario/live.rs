@@ -205,7 +205,12 @@ impl LiveRun {
 
     /// Works on the simulation, with the threads of the run.
     pub fn change<T: Send>(&mut self, work: impl FnOnce(&mut Simulation) -> T + Send) -> T {
-        self.in_threads(|runner| work(&mut runner.sim))
+        self.in_threads(|runner| {
+            let before = runner.sim.dt;
+            let done = work(&mut runner.sim);
+            runner.note_time_step(before);
+            done
+        })
     }
 
     /// What a row of the series would tell now, as a series of one row.

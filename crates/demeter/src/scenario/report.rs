@@ -188,6 +188,14 @@ impl Runner<'_> {
         Ok(summary)
     }
 
+    /// Notes where the time step comes from, when it is no longer the one before.
+    pub(super) fn note_time_step(&mut self, before: f64) {
+        let (dt, step) = (self.sim.dt, self.sim.step);
+        if dt != before {
+            self.place.time_step_reason = format!("set in the run: {dt:.3e} s from step {step} on");
+        }
+    }
+
     /// What `summary.json` tells, but for the profile. Each process calls this.
     fn summary(&mut self, end: &RunEnd) -> Summary {
         let moment = self.moment();

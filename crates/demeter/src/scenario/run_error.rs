@@ -173,11 +173,11 @@ pub enum RunError {
     #[error(transparent)]
     Instructions(#[from] NoSuchInstructions),
     /// The threads could not be started.
-    #[error("cannot start {threads} threads: {reason}. Ask for fewer with --threads")]
+    #[error("cannot start {threads} threads: {reason}")]
     Threads {
         /// Number asked for.
         threads: usize,
-        /// What the system said.
+        /// Why not, and what to do.
         reason: String,
     },
 }

@@ -13,7 +13,7 @@ pub const MOST_THREADS: u16 = 4096;
 /// How a run is carried out; nothing but `changed` changes the results.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RunOptions {
-    /// Number of threads; all cores when absent.
+    /// Number of threads, at least 1; all cores when absent.
     pub threads: Option<usize>,
     /// Whether an earlier run in the folder may be replaced.
     pub overwrite: bool,

@@ -315,7 +315,8 @@ impl Simulation {
         self.dt
     }
 
-    /// Takes steps of another length [s] from now on. Time is counted in steps: that of those done changes, too.
+    /// Takes steps of another length [s] from now on. Time is counted in steps: that of those done changes, too. How long a step may be is not
+    /// looked at, as it is for a scenario: [`shortest_time_scale`] and [`TimeScale::judge`] tell.
     pub fn set_dt(&mut self, dt: f64) -> Result<(), TimeStepError> {
         if !(dt > 0.0 && dt.is_finite()) {
             return Err(TimeStepError::NotPositive { dt });

@@ -431,6 +431,33 @@ fn a_run_of_a_wrong_scenario_tells_what_is_wrong() {
 }
 
 #[test]
+fn no_threads_are_refused() {
+    let scenario = Scenario::parse(BED, "bed", Path::new(""), &[]).unwrap();
+    let options = RunOptions {
+        threads: Some(0),
+        ..RunOptions::default()
+    };
+    let error = LiveRun::new(scenario, None, options, &mut Silent).unwrap_err();
+    assert!(error.to_string().contains("a run needs at least 1"), "{error}");
+}
+
+#[test]
+fn the_summary_tells_a_time_step_that_a_program_set() {
+    let mut run = live_with(&["stage=[{name=\"short\",steps=60}]"], 1, None);
+    steps(&mut run, 20);
+    let dt = run.with_simulation(Simulation::dt);
+    run.change(|sim| sim.set_dt(0.5 * dt)).unwrap();
+    run.advance(&Until::default(), &mut Silent).unwrap();
+    let (_, summary) = run.end().unwrap();
+    assert_eq!(summary.time_step, 0.5 * dt);
+    let told = &summary.time_step_reason;
+    assert!(
+        told.starts_with("set in the run") && told.ends_with("from step 20 on"),
+        "{told}"
+    );
+}
+
+#[test]
 fn grains_that_are_put_beyond_a_periodic_side_have_crossed_it() {
     let periodic = [
         r#"domain={lower="0 0 0 mm",upper="20 20 80 mm",periodic=["x","y"]}"#,

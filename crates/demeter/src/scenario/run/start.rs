@@ -201,8 +201,16 @@ fn material_names(scenario: &Scenario) -> String {
     names.join(", ")
 }
 
+const ASK_FOR_FEWER: &str = "Ask for fewer with --threads";
+
 /// Threads of a run; as many as there are cores, or as the environment tells, when none are asked for.
 pub(crate) fn thread_pool(threads: Option<usize>) -> Result<rayon::ThreadPool, RunError> {
+    if threads == Some(0) {
+        return Err(RunError::Threads {
+            threads: 0,
+            reason: "a run needs at least 1. Leave the number out for all cores".to_string(),
+        });
+    }
     let told = || std::env::var("RAYON_NUM_THREADS").ok()?.parse().ok();
     if let Some(many) = threads.or_else(told).filter(|told| *told > usize::from(MOST_THREADS)) {
         let who = if threads.is_some() {
@@ -212,14 +220,14 @@ pub(crate) fn thread_pool(threads: Option<usize>) -> Result<rayon::ThreadPool, R
         };
         return Err(RunError::Threads {
             threads: many,
-            reason: format!("{who}at most {MOST_THREADS} are allowed"),
+            reason: format!("{who}at most {MOST_THREADS} are allowed. {ASK_FOR_FEWER}"),
         });
     }
     let threads = threads.unwrap_or(0);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     pool.map_err(|error| RunError::Threads {
         threads,
-        reason: error.to_string(),
+        reason: format!("{error}. {ASK_FOR_FEWER}"),
     })
 }
 
