@@ -38,5 +38,7 @@ pub mod sweep;
 mod threads;
 pub mod walls;
 
+pub use demeter_physics::{self as physics, DQuat, DVec3};
+
 /// Version of the engine.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
