@@ -165,7 +165,7 @@ pub struct Measures {
 /// A wall whose displacement tells the strain of the packing: `strain = (displacement . direction - from) / length`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StrainGauge {
-    /// Index of the wall.
+    /// Index of the wall; no strain is told where there is none.
     pub wall: usize,
     /// Unit vector along which the wall compresses the packing.
     pub direction: DVec3,
@@ -176,8 +176,9 @@ pub struct StrainGauge {
 }
 
 impl StrainGauge {
-    fn strain(&self, sim: &Simulation) -> f64 {
-        (sim.walls[self.wall].displacement().dot(self.direction) - self.from) / self.length
+    fn strain(&self, sim: &Simulation) -> Option<f64> {
+        let way = sim.walls.get(self.wall)?.displacement().dot(self.direction);
+        Some((way - self.from) / self.length)
     }
 }
 
@@ -211,7 +212,7 @@ pub fn measure(sim: &mut Simulation, moment: Moment, gauge: Option<&StrainGauge>
         kinetic_over_elastic: kinetic_over_elastic(sim, &energies),
         stress: sums.stress.map(per_volume),
         packing_fraction: per_volume(sums.solid),
-        strain: gauge.map(|g| g.strain(sim)),
+        strain: gauge.and_then(|gauge| gauge.strain(sim)),
         momentum: sums.momentum,
         walls: wall_loads(sim, &sums.of_walls),
         networks: Vec::new(),

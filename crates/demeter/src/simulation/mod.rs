@@ -210,7 +210,17 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// A simulation before its start; the first step, or [`Simulation::start`], finds the first forces.
+    /// A simulation before its start; the first step, or [`Simulation::start`], finds the first forces. The setup is taken as it is; that of a
+    /// scenario was looked at before.
+    ///
+    /// # Panics
+    ///
+    /// This, or a later step, may panic or compute nonsense unless
+    ///
+    /// * every array of the grains has one value for each, ids differ, and radii, masses, places and velocities are finite, the former two above 0,
+    /// * materials of grains and walls are below the number of materials, and walls move with walls that exist,
+    /// * `dt` and `max_overlap` are finite and above 0, `gravity` is finite, and the skin is finite and not negative,
+    /// * the domain has a size above 0 in each direction, and is so long where it is periodic that no grain meets itself, or a partner twice.
     pub fn new(mut setup: Setup) -> Self {
         memory::have_tables_from_the_system();
         let stride = laws::stride(&setup.materials);

@@ -2,6 +2,7 @@
 
 use demeter::contacts::Fault;
 use demeter::materials::{Material, Materials, PairChoice};
+use demeter::measure::{Moment, StrainGauge, measure};
 use demeter::scenario::{LiveRun, Observer, Pause, Progress, RunEnd, RunOptions, Scenario, Until};
 use demeter::simulation::{CustomForce, CustomMotion, ForceMoment, GrainLoads, Simulation};
 use demeter::walls::Motion;
@@ -439,6 +440,21 @@ fn no_threads_are_refused() {
     };
     let error = LiveRun::new(scenario, None, options, &mut Silent).unwrap_err();
     assert!(error.to_string().contains("a run needs at least 1"), "{error}");
+}
+
+#[test]
+fn a_gauge_of_a_wall_that_is_not_there_tells_no_strain() {
+    let mut run = live(1);
+    let mut strain = |wall| {
+        let gauge = StrainGauge {
+            wall,
+            direction: DVec3::Z,
+            from: 0.0,
+            length: 1.0,
+        };
+        run.change(|sim| measure(sim, Moment::default(), Some(&gauge)).strain)
+    };
+    assert_eq!((strain(1), strain(2)), (Some(0.0), None));
 }
 
 #[test]
