@@ -259,6 +259,8 @@ pub(super) struct Found {
     pub(super) geometry: Vec<Contact>,
     /// Rates of approach [m/s].
     pub(super) rate: Vec<f64>,
+    /// Which contacts of the step before acted, a bit each.
+    pub(super) acted: Vec<u64>,
     /// The first contact with too much overlap.
     pub(super) too_deep: Option<usize>,
 }
@@ -282,6 +284,7 @@ impl Kernel for FindPairs<'_> {
             geometry,
             rate,
             too_deep,
+            ..
         } = found;
         candidates.clear();
         geometry.clear();

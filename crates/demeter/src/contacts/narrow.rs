@@ -11,7 +11,7 @@ use super::laws::largest_reach;
 use super::meetings::{FindPairs, Found};
 use super::near::{FindNear, Sought};
 use super::sum::Adder;
-use super::{ContactChunk, Fault, Kept, Surfaces, Tally};
+use super::{ContactChunk, Fault, Kept, Surfaces, Tally, is_set};
 use crate::comm::Single;
 use crate::materials::Materials;
 use crate::neighbours::Pairs;
@@ -221,9 +221,10 @@ impl ContactChunk {
     }
 
     /// Takes over what the contacts of the step before remember, where not all of them are still the same.
-    fn renew(&mut self, pairs: Pairs<'_>, found: &Found, scene: &Scene) {
+    fn renew(&mut self, pairs: Pairs<'_>, found: &mut Found, scene: &Scene) {
         let stride = scene.stride;
         std::mem::swap(&mut self.now, &mut *self.before);
+        found.acted.clone_from(&self.engaged);
         self.now.clear();
         self.i.clear();
         self.j.clear();
@@ -252,8 +253,9 @@ impl ContactChunk {
             if !goes_on {
                 self.now.begin_contact(stride, scene.is_coupled());
             }
-            // so that those which do not act any more are ended
-            self.engaged[k / WORD] |= u64::from(goes_on) << (k % WORD);
+            // so that those which do not act any more are ended, and those which were merely near begin
+            let acted = goes_on && is_set(&found.acted, old);
+            self.engaged[k / WORD] |= u64::from(acted) << (k % WORD);
             old += usize::from(goes_on);
         }
         self.now.take_on(&self.before, going_on, stride);

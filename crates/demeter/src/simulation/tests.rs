@@ -180,6 +180,35 @@ fn overlapping(sim: &Simulation) -> Vec<(u32, u32)> {
 }
 
 #[test]
+fn every_contact_that_begins_is_told_with_any_skin() {
+    let told = [0.02, 0.1, 0.3, 1.0].map(|skin| {
+        let mut sim = Simulation::new(lattice(0.45, 0.5, Skin::Fixed(skin)));
+        sim.watch_impacts();
+        let engaged = |sim: &Simulation| {
+            let contacts = sim.contacts.carry(&sim.grains).into_iter();
+            let keys = contacts.filter(|contact| contact.is_engaged).map(|contact| contact.key);
+            keys.collect::<std::collections::BTreeSet<_>>()
+        };
+        let mut before = engaged(&sim);
+        let mut begun = 0;
+        for _ in 0..250 {
+            sim.step().unwrap();
+            let now = engaged(&sim);
+            begun += now.difference(&before).count();
+            before = now;
+        }
+        let told = sim.take_impacts();
+        assert_eq!(told.len(), begun, "skin {skin}");
+        told
+    });
+    let [first, others @ ..] = &told;
+    assert!(first.len() > 500 && first.iter().any(|impact| impact.with_wall));
+    for other in others {
+        assert_eq!(first, other);
+    }
+}
+
+#[test]
 fn grains_that_overlap_are_always_engaged() {
     let (mut begun, mut ended, mut kept) = (0, 0, 0);
     for (radius, speed) in [(0.45, 0.5), (0.49, 0.02), (0.46, 2.0)] {
