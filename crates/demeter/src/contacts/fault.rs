@@ -258,8 +258,8 @@ pub(crate) const TWO_SIDES: &str = "take rectangles, discs, a mesh or `side = \"
 fn why_so_deep(partner: &str, overlap_share: f64) -> String {
     if partner.starts_with("wall ") && overlap_share > 1.0 {
         return format!(
-            "Cause: {SOLID_BEHIND}: it came round an open end, or passed through in one step. Remedy: close the end, {TWO_SIDES}, or \
-             lower the speed"
+            "Cause: {SOLID_BEHIND}: it was there from the start, came round an open end, or passed through in one step. Remedy: \
+             close the end, {TWO_SIDES}, or lower the speed"
         );
     }
     "Cause: the load is higher, the impact faster or the grain softer than foreseen, moving walls pinch it, or it passed \

@@ -1,7 +1,7 @@
 //! How the grains of a feed come: what is due, what finds room, and when it ends.
 
 use super::feeds::{FeedRate, FeedSpec, exchange_steps};
-use super::solids::Solid;
+use super::solids::{InTheWay, Solid};
 use super::words;
 use crate::insertion::{MAX_AT_ONCE, Streaming};
 use crate::measure::contact_counts;
@@ -93,10 +93,9 @@ impl Feeding<'_> {
         there.extend(come.iter().map(|grain| (grain.position, grain.radius)));
         let expected = (self.due(state) / self.source.mean_mass()).min(MAX_AT_ONCE as f64) as u64 + 1;
         let mut occupied = self.source.occupied(there.into_iter(), sim.largest_reach(), expected);
-        let solids = Solid::in_the_way(self.solids, &sim.walls, self.source);
+        let solid = InTheWay::of(self.source, self.solids, &sim.walls);
         let is_blocked = |place: DVec3, reach: f64| {
-            sim.walls.iter().any(|wall| wall.nearest(place, reach).is_some())
-                || solids.iter().any(|solid| solid.holds(&sim.walls, place))
+            sim.walls.iter().any(|wall| wall.nearest(place, reach).is_some()) || solid.holds(place)
         };
         for _ in 0..MAX_AT_ONCE {
             let Some(radius) = self.next(state) else { return };

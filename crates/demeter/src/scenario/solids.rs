@@ -1,10 +1,11 @@
-//! Closed meshes with grains around them: none comes inside of one, and none that was put there comes out.
+//! Closed meshes with grains around them, and tubes with grains inside: none comes where a wall is solid, and those that were put there are
+//! told.
 
 use super::in_vain::PLACES;
 use crate::insertion::Streaming;
 use crate::particles::{Grains, Interior};
 use crate::simulation::Simulation;
-use crate::walls::Wall;
+use crate::walls::{Tubes, Wall};
 use glam::DVec3;
 
 /// The inside of a closed mesh, where the mesh stands at the start.
@@ -32,21 +33,54 @@ impl Solid {
         let holds = |wall: &Wall| wall.is_present() && self.interior.contains(wall.brought_back(place));
         walls.get(self.wall).is_some_and(holds)
     }
+}
 
-    /// Those that stand in the way of an inlet; one that holds half of it, or more, is the room that grains come into.
-    pub(super) fn in_the_way<'s>(solids: &'s [Self], walls: &[Wall], source: &Streaming) -> Vec<&'s Self> {
-        if solids.is_empty() {
-            return Vec::new();
+/// What is solid where grains of a feed may come.
+pub(super) struct InTheWay<'a> {
+    walls: &'a [Wall],
+    solids: Vec<&'a Solid>,
+    tubes: Tubes<'a>,
+}
+
+impl<'a> InTheWay<'a> {
+    /// A closed mesh that holds half of the inlet, or more, is the room that grains come into; a tube that holds nothing of it is beside
+    /// that room.
+    pub(super) fn of(source: &Streaming, solids: &'a [Solid], walls: &'a [Wall]) -> Self {
+        let tubes = Tubes::among(walls);
+        let places = match solids.is_empty() && tubes.is_empty() {
+            true => Vec::new(),
+            false => source.places(source.radii()[0], PLACES),
+        };
+        let held = |solid: &Solid| places.iter().filter(|place| solid.holds(walls, **place)).count();
+        Self {
+            walls,
+            solids: solids.iter().filter(|solid| 2 * held(solid) < places.len()).collect(),
+            tubes: tubes.that_hold_some(&places),
         }
-        let places = source.places(source.radii()[0], PLACES);
-        let held = |solid: &Self| places.iter().filter(|place| solid.holds(walls, **place)).count();
-        solids.iter().filter(|solid| 2 * held(solid) < places.len()).collect()
+    }
+
+    /// Whether a place is where something is solid.
+    pub(super) fn holds(&self, place: DVec3) -> bool {
+        self.solids.iter().any(|solid| solid.holds(self.walls, place)) || self.tubes.are_behind(place)
     }
 }
 
-/// Tells closed meshes in which grains lie at the start, and fewer than outside: no containers.
+/// Tells walls that are solid where grains lie at the start.
 pub(super) fn check(grains: &Grains, walls: &[Wall], warnings: &mut Vec<String>) {
     let free: Vec<usize> = (0..grains.len()).filter(|&g| !grains.is_fixed(g)).collect();
+    check_meshes(grains, &free, walls, warnings);
+    let tubes = Tubes::among(walls);
+    for tube in tubes.iter() {
+        let places = free.iter().map(|&g| (grains.id[g], grains.position[g]));
+        let behind: Vec<_> = places
+            .filter(|&(_, place)| tube.beyond_side(place).is_some() && tubes.are_behind(place))
+            .collect();
+        warnings.extend(behind_side(&tube.name, &behind, free.len()));
+    }
+}
+
+/// Tells closed meshes in which grains lie, and fewer than outside: no containers.
+fn check_meshes(grains: &Grains, free: &[usize], walls: &[Wall], warnings: &mut Vec<String>) {
     for (k, wall) in walls.iter().enumerate() {
         let Some((lower, upper)) = wall.bounds().filter(|_| wall.is_present()) else {
             continue;
@@ -89,4 +123,14 @@ fn enclosed(wall: &str, inside: &[(u32, DVec3)], all: usize) -> Option<String> {
             inside.len()
         )
     })
+}
+
+/// Grains behind the side of a tube in words.
+fn behind_side(tube: &str, behind: &[(u32, DVec3)], all: usize) -> Option<String> {
+    let (id, place) = behind.iter().min_by_key(|(id, _)| *id)?;
+    Some(format!(
+        "{} of {all} grains lie outside of wall `{tube}`, beside it, where it is solid: the run stops when one of them comes to its side. The \
+         first is grain {id} at {place}. Move them into it, or give it `side = \"both\"`",
+        behind.len()
+    ))
 }

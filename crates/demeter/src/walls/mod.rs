@@ -31,6 +31,7 @@ mod repeated;
 mod servo;
 mod shape;
 mod surface;
+mod tubes;
 mod wall;
 mod work;
 
@@ -55,5 +56,6 @@ pub use record::{ElementRecord, Recording, WearCoefficients};
 pub use repeated::{Drift, FARTHEST};
 pub(crate) use servo::Servo;
 pub use shape::{Made, Shape, Side};
+pub(crate) use tubes::Tubes;
 pub use wall::{SurfaceContact, Wall, WallState};
 pub use work::WallWork;
