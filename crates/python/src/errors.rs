@@ -232,7 +232,7 @@ impl Raise for ChangeError {
             Self::Length { .. } => wrong_value(format!(
                 "{self}, in the order of `sim.ids`, which is another one when grains have come or gone"
             )),
-            Self::NotFinite { .. } => wrong_value(self.to_string()),
+            Self::NotFinite { .. } | Self::Gravity { .. } => wrong_value(self.to_string()),
             Self::Deforms => RunError::new_err(self.to_string()),
         }
     }
