@@ -182,14 +182,17 @@ fn overlapping(sim: &Simulation) -> Vec<(u32, u32)> {
 #[test]
 fn every_contact_that_begins_is_told_with_any_skin() {
     let told = [0.02, 0.1, 0.3, 1.0].map(|skin| {
-        let mut sim = Simulation::new(lattice(0.45, 0.5, Skin::Fixed(skin)));
+        let mut sim = Simulation::new(lattice(0.49, 0.5, Skin::Fixed(skin)));
         sim.watch_impacts();
         let engaged = |sim: &Simulation| {
             let contacts = sim.contacts.carry(&sim.grains).into_iter();
             let keys = contacts.filter(|contact| contact.is_engaged).map(|contact| contact.key);
             keys.collect::<std::collections::BTreeSet<_>>()
         };
+        // contacts of the first moment do not count
+        sim.step().unwrap();
         let mut before = engaged(&sim);
+        sim.take_impacts();
         let mut begun = 0;
         for _ in 0..250 {
             sim.step().unwrap();
@@ -202,7 +205,12 @@ fn every_contact_that_begins_is_told_with_any_skin() {
         told
     });
     let [first, others @ ..] = &told;
-    assert!(first.len() > 500 && first.iter().any(|impact| impact.with_wall));
+    let at_walls = first.iter().filter(|impact| impact.with_wall).count();
+    assert!(
+        first.len() > 200 && at_walls > 10,
+        "{} contacts began, {at_walls} at walls",
+        first.len()
+    );
     for other in others {
         assert_eq!(first, other);
     }
