@@ -357,6 +357,74 @@ fn a_slit_all_around_leaks_when_it_is_wider_than_the_grain_and_only_then() {
     }
 }
 
+/// The cuboid from -10, -10, -25 to 10, 10, 25, tilted, without its lower end.
+fn tilted_cup() -> Wall {
+    let axes = [
+        v(0.8, -0.6, 0.0),
+        v(0.4, 0.533_333, -0.745_356),
+        v(0.447_214, 0.596_285, 0.666_667),
+    ];
+    let turned = |p: DVec3| axes[0] * p.x + axes[1] * p.y + axes[2] * p.z;
+    let mut triangles = cuboid(v(-10.0, -10.0, -25.0), v(10.0, 10.0, 25.0));
+    triangles.drain(8..10);
+    mesh(triangles.into_iter().map(|t| t.map(turned)).collect())
+}
+
+#[test]
+fn a_wide_mouth_leaks_whatever_inclined_wall_the_grain_falls_on() {
+    let tube = wall(Shape::Cylinder {
+        start: v(-10.0, -20.0, -20.0),
+        end: v(10.0, 20.0, 20.0),
+        radius: 12.0,
+        side: Side::Inside,
+    });
+    let end = |sign: f64| {
+        wall(Shape::Disc {
+            center: sign * v(10.0, 20.0, 20.0),
+            normal: v(1.0, 2.0, 2.0) / 3.0,
+            radius: 12.0,
+        })
+    };
+    let slope = wall(Shape::Rectangle {
+        center: DVec3::ZERO,
+        half_u: v(20.0, 0.0, 11.547),
+        half_v: v(0.0, 20.0, 0.0),
+    });
+    let room = |is_open: bool| {
+        wall(Shape::Box {
+            lower: v(-20.0, -20.0, -12.0),
+            upper: v(20.0, 20.0, 40.0),
+            open: [is_open, false, false, false, false, false],
+        })
+    };
+    let cup_mouth = v(0.447_214, 0.596_285, 0.666_667) * -25.0;
+    let above = [v(0.0, 0.0, 20.0)];
+    for diameter in [2.0, 4.0, 8.0] {
+        let radius = 0.5 * diameter;
+        let report = test(&[slope.clone(), room(true)], &above, radius);
+        assert!(
+            !report.is_tight() && !report.openings.is_empty(),
+            "{diameter}: {report:?}"
+        );
+        let report = test(&[slope.clone(), room(false)], &above, radius);
+        assert!(report.is_tight(), "{diameter}: {report:?}");
+        let mouths = [
+            (vec![tube.clone(), end(1.0)], v(-10.0, -20.0, -20.0), 24.0),
+            (vec![tilted_cup()], cup_mouth, 20.0),
+        ];
+        for (walls, mouth, width) in mouths {
+            let (place, told) = leak(&test(&walls, &[DVec3::ZERO], radius));
+            assert!(place.distance(mouth) < 0.15 * width, "{diameter}: {place} {mouth}");
+            assert!((told / width - 1.0).abs() < 0.03, "{diameter}: {told} {width}");
+        }
+        let report = test(&[tube.clone(), end(1.0), end(-1.0)], &[DVec3::ZERO], radius);
+        assert!(
+            report.is_tight() && report.openings.is_empty(),
+            "{diameter}: {report:?}"
+        );
+    }
+}
+
 #[test]
 fn a_hopper_is_told_its_orifice() {
     let hopper = |orifice: f64| {
