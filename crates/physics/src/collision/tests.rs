@@ -184,10 +184,7 @@ fn what_is_told_wrongly_is_refused_by_name() {
         too_many.map(|_| ())
     );
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let sizes = [
-            ("radius", PairSize::new(bad, 1.0)),
-            ("mass", PairSize::new(1.0, bad)),
-        ];
+        let sizes = [("radius", PairSize::new(bad, 1.0)), ("mass", PairSize::new(1.0, bad))];
         for (what, size) in sizes {
             let told = sticking_speed_of(&law, size, Start::Contact, &usual).unwrap_err();
             assert!(told.to_string().contains(&format!("effective {what}")), "{told}");

@@ -89,7 +89,7 @@ fn what_comes_to_nothing_is_told() {
                 removal: "region = { shape = \"box\", upper = \"20 20 3 mm\" }\nevery = \"2 ns\"",
                 stages: [
                     "",
-                    "[[measure]]\nname = \"map\"\nkind = \"field\"\ncells = [2, 2, 2]\nsample_every = \"3 ns\"",
+                    "[[measure]]\nname = \"map\"\nkind = \"field\"\ncells = [2, 2, 2]\nwidth = \"15 mm\"\nsample_every = \"3 ns\"",
                 ],
                 ..NOTHING_IN_VAIN
             },
