@@ -80,7 +80,7 @@ pub enum MeshError {
     #[error(
         "the mesh is not closed: {count} edges belong to an odd number of triangles, the first from {start} to {end} of \
          triangle {triangle}; {}",
-        inspection::closing(torn.as_ref(), *cracks)
+        inspection::closing(torn.as_deref(), *cracks)
     )]
     Open {
         /// Edges with an odd number of triangles.
@@ -94,7 +94,7 @@ pub enum MeshError {
         /// How wide the widest crack is, where all gaps are cracks [m]; 0 without width.
         cracks: Option<f64>,
         /// Open edges whose corners nearly meet those of others.
-        torn: Option<Torn>,
+        torn: Option<Box<Torn>>,
     },
 }
 
@@ -193,7 +193,7 @@ impl Mesh {
             start,
             end,
             cracks: self.cracks(),
-            torn: self.torn(),
+            torn: self.torn().map(Box::new),
         })
     }
 
