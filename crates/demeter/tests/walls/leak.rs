@@ -397,7 +397,6 @@ fn a_wide_mouth_leaks_whatever_inclined_wall_the_grain_falls_on() {
             open: [is_open, false, false, false, false, false],
         })
     };
-    let cup_mouth = v(0.447_214, 0.596_285, 0.666_667) * -25.0;
     let above = [v(0.0, 0.0, 20.0)];
     for diameter in [2.0, 4.0, 8.0] {
         let radius = 0.5 * diameter;
@@ -408,14 +407,9 @@ fn a_wide_mouth_leaks_whatever_inclined_wall_the_grain_falls_on() {
         );
         let report = test(&[slope.clone(), room(false)], &above, radius);
         assert!(report.is_tight(), "{diameter}: {report:?}");
-        let mouths = [
-            (vec![tube.clone(), end(1.0)], v(-10.0, -20.0, -20.0), 24.0),
-            (vec![tilted_cup()], cup_mouth, 20.0),
-        ];
-        for (walls, mouth, width) in mouths {
-            let (place, told) = leak(&test(&walls, &[DVec3::ZERO], radius));
-            assert!(place.distance(mouth) < 0.15 * width, "{diameter}: {place} {mouth}");
-            assert!((told / width - 1.0).abs() < 0.03, "{diameter}: {told} {width}");
+        for walls in [vec![tube.clone(), end(1.0)], vec![tilted_cup()]] {
+            let report = test(&walls, &[DVec3::ZERO], radius);
+            assert!(!report.is_tight(), "{diameter}: {report:?}");
         }
         let report = test(&[tube.clone(), end(1.0), end(-1.0)], &[DVec3::ZERO], radius);
         assert!(

@@ -16,14 +16,10 @@ const HALVINGS: u32 = 24;
 const LOOKS: u32 = 6;
 /// Points before and behind that place which are looked at again.
 const BESIDE: usize = 4;
-/// How far points are apart at first where the way is narrow, in radii, or in clearances there where that is farther; half as far in each
-/// look.
+/// How far points are apart at first where the way is narrow, in radii; half as far in each look.
 const APART: f64 = 0.5;
-const APART_WIDE: f64 = 0.1;
 /// Most halvings of the way between two points in one look.
 const MOST_HALVINGS: u32 = 12;
-/// Share by which widths differ that are about the same; a quarter of that in each look, so that the place is as close to its own as points are.
-const AS_NARROW: f64 = 0.03;
 /// Times that all points are moved.
 const SWEEPS: u32 = 6;
 /// Halvings of the step in each.
@@ -36,8 +32,6 @@ const TILTS: u32 = 6;
 const TILT: f64 = 0.15;
 /// How far before and behind the narrowest place the way is looked for, in its clearance.
 const AHEAD: f64 = 0.3;
-/// Share of the clearance by which a direction is clearly better than that of the way.
-const CLEARLY: f64 = 0.01;
 /// Golden angle [rad]: directions by it cover a sphere evenly.
 const GOLDEN: f64 = 2.399_963_229_728_653;
 
@@ -69,30 +63,21 @@ pub(super) fn narrowest(space: &Space<'_>, near: DVec3, along: DVec3, reach: f64
 /// round a corner.
 pub(super) fn narrowest_along(space: &Space<'_>, way: &[DVec3]) -> Option<Narrowest> {
     let mut way = way.to_vec();
-    let narrow = way
-        .iter()
-        .map(|&place| space.clearance(place))
-        .fold(f64::INFINITY, f64::min);
-    let mut apart = (APART * space.radius).max(APART_WIDE * narrow);
-    let mut as_narrow = AS_NARROW;
-    let mut along = None;
+    let mut apart = APART * space.radius;
     for look in 0..LOOKS {
         if look > 0 {
-            let at = least(space, &way, as_narrow)?;
-            as_narrow *= 0.25;
+            let at = least(space, &way)?;
             let (from, to) = (at.saturating_sub(BESIDE), (at + BESIDE).min(way.len() - 1));
             way = way[from..=to].to_vec();
-            // before the points are so close that their own moves turn it
-            along = along.or_else(|| (way[way.len() - 1] - way[0]).try_normalize());
         }
         way = refined(space, way, apart);
         widen(space, &mut way, look == 0);
         apart *= 0.5;
     }
-    let at = least(space, &way, as_narrow)?;
+    let at = least(space, &way)?;
     let found = Narrowest {
         place: way[at],
-        along: along.unwrap_or(DVec3::Z),
+        along: tangent(&way, at).unwrap_or(DVec3::Z),
         clearance: space.clearance(way[at]),
     };
     Some(Narrowest {
@@ -101,12 +86,10 @@ pub(super) fn narrowest_along(space: &Space<'_>, way: &[DVec3]) -> Option<Narrow
     })
 }
 
-/// Where a way is narrowest; of places about as narrow the last, as in a straight channel, which is left at its end.
-fn least(space: &Space<'_>, way: &[DVec3], as_narrow: f64) -> Option<usize> {
-    let widths: Vec<f64> = (0..way.len()).map(|k| width(space, way, k, way[k])).collect();
-    let least = widths.iter().copied().fold(f64::INFINITY, f64::min);
-    let narrow = least + as_narrow * least.abs();
-    widths.iter().rposition(|&width| width <= narrow)
+/// Where a way is narrowest; of equally narrow places the last.
+fn least(space: &Space<'_>, way: &[DVec3]) -> Option<usize> {
+    let width = |k: usize| width(space, way, k, way[k]);
+    (0..way.len()).rev().min_by(|&a, &b| width(a).total_cmp(&width(b)))
 }
 
 /// Clearance at a place that a point of a way is moved to, or half of the way to its neighbours where that is less.
@@ -183,7 +166,7 @@ fn widen(space: &Space<'_>, way: &mut [DVec3], ends_too: bool) {
     }
 }
 
-/// The direction in which the way widens most on both sides; along the way where none is clearly better, as in a straight channel.
+/// The direction in which the way widens most on both sides.
 fn widening(space: &Space<'_>, at: &Narrowest) -> DVec3 {
     let ahead = AHEAD * at.clearance.max(0.1 * space.radius);
     let wide = |direction: DVec3| {
@@ -195,15 +178,12 @@ fn widening(space: &Space<'_>, at: &Narrowest) -> DVec3 {
         let (around, beside) = (GOLDEN * f64::from(k), (1.0 - z * z).sqrt());
         DVec3::new(beside * libm::cos(around), beside * libm::sin(around), z)
     });
-    let all = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().chain(directions);
+    let all = [at.along, DVec3::X, DVec3::Y, DVec3::Z].into_iter().chain(directions);
     let rated = all.map(|direction| (wide(direction), direction));
-    let most = rated.fold(
+    let mut best = rated.fold(
         (f64::MIN, at.along),
         |best, next| if next.0 > best.0 { next } else { best },
     );
-    let on_the_way = (wide(at.along), at.along);
-    let is_better = most.0 > on_the_way.0 + CLEARLY * at.clearance.abs();
-    let mut best = if is_better { most } else { on_the_way };
     let mut tilt = TILT;
     for _ in 0..TILTS {
         let u = perpendicular(best.1);
