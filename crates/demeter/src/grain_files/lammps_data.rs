@@ -1,6 +1,7 @@
 //! LAMMPS and LIGGGHTS data files of spheres (<https://docs.lammps.org/read_data.html>): header, section Atoms in the
 //! columns of the atom style that the comment behind it names (`sphere` when there is none) and maybe three image flags,
-//! section Velocities. Labels of types name materials unless those are told. Sections of masses, coefficients and bonds are left out. So are the image flags, which is told: places are
+//! section Velocities. Labels of types name materials unless those are told. Sections of masses, coefficients and bonds are left out. So
+//! are the image flags, which is told: places are
 //! those inside the box.
 
 use super::error::{FileProblem, Located};
