@@ -39,6 +39,11 @@ impl InputFile {
         }
     }
 
+    /// Whether another one, wherever it is, holds the same.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        (self.of_start, self.content) == (other.of_start, other.content)
+    }
+
     /// What it holds now that it did not hold before, in words; nothing when it is as it was.
     pub fn change(&self) -> Option<String> {
         let now = content(&self.path).ok();

@@ -297,13 +297,17 @@ fn a_run_goes_on_with_other_numbers_of_processes() {
     let scenario = mixer(&[]);
     let whole = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
     let at = |quarters| Some(whole.summary.steps * quarters / 4);
+    // on other hosts
+    let nowhere = place.path().join("nowhere");
     for end in on_ranks(2, |rank| share(&scenario, &parts, rank, at(1))) {
         assert_eq!(end, RunEnd::Interrupted);
     }
     for (count, last) in [(3, at(2)), (1, at(3)), (2, None)] {
         let ends = on_ranks(count, |rank| {
-            resume_shared(&parts, OPTIONS, rank, &mut Silent(last)).unwrap().end
+            let folder = if rank.rank() == 0 { &parts } else { &nowhere };
+            resume_shared(folder, OPTIONS, rank, &mut Silent(last)).unwrap().end
         });
+        assert!(!nowhere.exists());
         let expected = if last.is_none() {
             RunEnd::Finished
         } else {

@@ -3,8 +3,10 @@
 use crate::comm::Ranks;
 use crate::scenario::Scenario;
 use crate::scenario::input_files::{Content, InputFile, content};
+use crate::scenario::resolved;
 use crate::scenario::run_error::RunError;
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// What all processes must have alike.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
@@ -22,7 +24,8 @@ impl Inputs {
         Self {
             version: crate::VERSION.to_string(),
             program: program.ok(),
-            scenario: crc32fast::hash(scenario.to_resolved_toml().as_bytes()),
+            // paths as they were told: files may lie elsewhere on another host
+            scenario: crc32fast::hash(resolved::write(&scenario.document.root, Path::new("")).as_bytes()),
             files: scenario.input_files(),
         }
     }
@@ -40,7 +43,7 @@ impl Inputs {
         }
         // files of one scenario: only what is in them can differ
         let files = self.files.iter().zip(&other.files);
-        let (_, file) = files.into_iter().find(|(mine, others)| mine != others)?;
+        let (_, file) = files.into_iter().find(|(mine, others)| !mine.is_like(others))?;
         Some(format!("something else in `{}`", file.path.display()))
     }
 }
@@ -103,6 +106,10 @@ mod tests {
         let inputs = || Inputs::of(&scenario);
         let first = inputs();
         assert_eq!(first.other(&inputs()), None);
+        let elsewhere = tempfile::tempdir().unwrap();
+        std::fs::copy(&mesh, elsewhere.path().join("plate.stl")).unwrap();
+        let there = Scenario::parse(&text, "mixer.toml", elsewhere.path(), &[]).unwrap();
+        assert_eq!(first.other(&Inputs::of(&there)), None);
         std::fs::write(&mesh, plate(2.0)).unwrap();
         let told = first.other(&inputs()).unwrap();
         assert!(

@@ -100,23 +100,21 @@ fn resume_among(
     options.check()?;
     let is_first = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
     be_patient(ranks.as_deref());
-    let mut read = || -> Result<_, RunError> {
+    let read = || -> Result<_, RunError> {
         let folder = RunFolder::open(folder)?;
-        if !is_first {
-            let scenario = Scenario::read_to_go_on(&folder.scenario())?;
-            return Ok((folder, None, scenario, None));
-        }
         let lock = folder.lock()?;
         let (scenario, state, former) = read_run(&folder, &options, observer)?;
-        Ok((folder, Some(lock), scenario, Some((state, former))))
+        Ok(((folder, lock), (scenario, (state, former))))
     };
-    let (folder, _lock, scenario, state) = all_or_none(ranks.as_deref(), read())?;
+    let (files, told) = all_or_none(ranks.as_deref(), is_first.then(read).transpose())?.unzip();
+    let (scenario, state) = told.unzip();
+    let scenario = of_the_first(ranks.as_deref(), scenario, folder)?;
     let is_over = state
         .as_ref()
         .is_some_and(|(state, _)| state.place.stage >= scenario.stages.len());
     let of_all = (ranks.as_deref()).map_or_else(|| vec![is_over.into()], |ranks| ranks.gather_even(&[is_over.into()]));
     if of_all.contains(&1) {
-        let folder = folder.root().to_owned();
+        let folder = folder.to_owned();
         return Err(RunError::Finished { folder });
     }
     if let Some(ranks) = &ranks {
@@ -124,7 +122,7 @@ fn resume_among(
     }
     thread_pool(options.threads)?.install(|| {
         let resumed = state.map(|(state, former)| {
-            let mut runner = Runner::resume(&scenario, state, Some(&folder), observer)?;
+            let mut runner = Runner::resume(&scenario, state, files.as_ref().map(|(folder, _)| folder), observer)?;
             if let Some(former) = former {
                 runner.go_on_otherwise(&former, observer)?;
                 if ranks.is_some() {
@@ -134,8 +132,23 @@ fn resume_among(
             Ok(runner)
         });
         let mut runner = Runner::among(&scenario, resumed, ranks, &options, observer)?;
-        runner.run_to_the_end(folder.root(), observer)
+        runner.run_to_the_end(folder, observer)
     })
+}
+
+/// The scenario of the first process, for all: its folder need not be where the others are.
+fn of_the_first(ranks: Option<&dyn Ranks>, scenario: Option<Scenario>, folder: &Path) -> Result<Scenario, RunError> {
+    let text = (scenario.as_ref()).map_or_else(String::new, Scenario::to_resolved_toml);
+    let all = ranks.map(|ranks| ranks.gather(text.as_bytes())).unwrap_or_default();
+    let read = || {
+        let text = all
+            .first()
+            .map(|text| String::from_utf8_lossy(text))
+            .unwrap_or_default();
+        let name = folder.join("scenario.toml").display().to_string();
+        Scenario::parse_for(&text, &name, folder, &[], true).map_err(RunError::from)
+    };
+    all_or_none(ranks, scenario.map_or_else(read, Ok))
 }
 
 /// Waits for the first process as long as it takes: it alone prepares what all begin with, and a packing can take long.
