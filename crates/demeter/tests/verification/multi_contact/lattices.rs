@@ -77,6 +77,28 @@ fn the_reference_gives_the_numbers_of_the_notes() {
 }
 
 #[test]
+fn corrections_of_small_overlaps_fall_with_their_root() {
+    // half-space, nu 0.5, face-centred cubic: the figures of the book
+    for (overlap, expected) in [(1e-3, 1.054), (1e-2, 1.202)] {
+        let force = |model| {
+            let edge = DVec3::splat((2.0 - overlap) * 2f64.sqrt());
+            let sim = started(lattice(case(model, 0.5), 2, edge, &FACE_CENTRED));
+            assert_solved(&sim, model, &[]);
+            packing(&sim, model, &[], 0.1, Adhesion::default())
+                .solve()
+                .unwrap()
+                .force[0]
+        };
+        let ratio = force(MODELS[3]) / force(MODELS[0]);
+        report(
+            &format!("half-space over independent at an overlap of {overlap} R"),
+            ratio,
+        );
+        assert!((ratio - expected).abs() < 1e-3, "{ratio}");
+    }
+}
+
+#[test]
 fn cubic_lattices_isotropic_and_uniaxial() {
     let uniaxial = |strain: f64| DVec3::new(1.0, 1.0, 1.0 - strain);
     for_all("simple cubic 2 %", |c| {
