@@ -118,7 +118,7 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
             "",
             format!(
                 "{about} {time} with `simulation.time_step = \"{longer:e} s\"`, nearly the longest that is accepted: \
-                 restitution is less exact then"
+                 errors of energy and of collisions grow with the square of the step"
             ),
         );
     }

@@ -478,10 +478,9 @@ fn time_step(
                         scale.largest(integrator)
                     )),
                 ),
-                Verdict::Unsafe | Verdict::Long => warnings.push(format!(
-                    "the time step is above the one that keeps restitution within 1e-4 ({safe:.3e} s): {}",
-                    words(dt)
-                )),
+                Verdict::Unsafe | Verdict::Long => {
+                    warnings.push(format!("the time step is {}", scale.cost(dt, integrator)));
+                }
                 Verdict::Safe => {}
             }
             (dt, format!("given: {}", words(dt)))

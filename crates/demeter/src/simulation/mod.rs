@@ -47,8 +47,8 @@ pub use roofline::{Machine, Roofline, Work};
 pub use skin::Skin;
 pub use state::{SimulationState, StateError};
 pub use time_step::{
-    Bearable, SAFE_SHARE, TimeScale, TimeStepError, Verdict, WallPartner, refusals, shortest_time_scale, unsafe_share,
-    with_free_wall,
+    Bearable, RESTITUTION_ERROR, SAFE_SHARE, TimeScale, TimeStepError, Verdict, WallPartner, refusals,
+    shortest_time_scale, unsafe_share, with_free_wall,
 };
 pub(crate) use too_stiff::too_stiff;
 

@@ -12,10 +12,13 @@ use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::integrator::Integrator;
 use std::f64::consts::PI;
 
-/// The automatic time step is this share of the shortest time scale: restitution is then met within 1e-4
-/// (`verification::restitution`), and the energy of an elastic gas kept within 1e-6 (`verification::elastic_gas`), which
-/// asks for more.
+/// The automatic time step is this share of the shortest time scale: the energy of an elastic gas is then kept within 1e-6
+/// (`verification::elastic_gas`).
 pub const SAFE_SHARE: f64 = 0.005;
+
+/// Head-on restitution is met within this at the automatic time step; the error grows with the square of the step
+/// (`verification::longer_steps`).
+pub const RESTITUTION_ERROR: f64 = 3e-5;
 
 /// Above this share of the shortest time scale a time step is refused unless the scenario says it wants it.
 ///
@@ -51,9 +54,9 @@ pub struct Bearable {
 /// What a time step is beside those that are safe.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// It keeps restitution within 1e-4.
+    /// It is not above the automatic one.
     Safe,
-    /// It is stable, and less exact.
+    /// It is stable, and less exact, as [`TimeScale::cost`] tells.
     Long,
     /// It is refused unless a scenario says that it wants it.
     Unsafe,
@@ -82,6 +85,25 @@ impl TimeScale {
     /// The automatic time step [s]: [`SAFE_SHARE`] of the time scale, or what the springs bear.
     pub fn automatic(&self) -> f64 {
         (SAFE_SHARE * self.time).min(self.springs.step)
+    }
+
+    /// What a time step [s] above the automatic one costs, in words.
+    pub fn cost(&self, dt: f64, integrator: Integrator) -> String {
+        let automatic = self.automatic();
+        let times = dt / automatic;
+        let cost = if self.judge(dt, integrator) == Verdict::Unsafe {
+            "it may be unstable".to_string()
+        } else {
+            let errors = times * times;
+            format!(
+                "errors of collisions and of the energy are about {errors:.1} times as large, and head-on restitution is met within {:.1e}",
+                RESTITUTION_ERROR * errors
+            )
+        };
+        format!(
+            "{times:.3} times the automatic one ({automatic:.4e} s): {cost}; {}",
+            self.beside(dt)
+        )
     }
 
     /// The longest time step that is not refused [s].

@@ -20,6 +20,7 @@ mod elastic_gas;
 mod examples;
 mod gear;
 mod incline;
+mod longer_steps;
 mod multi_contact;
 mod oblique;
 mod plasticity;

@@ -226,7 +226,8 @@ fn check(scenario: &Scenario, sim: &Simulation, was: &Scenario, has_other_laws: 
             Err(faults.into())
         }
         Verdict::Unsafe | Verdict::Long => Ok(vec![format!(
-            "the time step of the run is above the one that keeps restitution within 1e-4 with {what}: {words}"
+            "with {what} the time step of the run is {}",
+            scale.cost(sim.dt(), scenario.simulation.integrator)
         )]),
         Verdict::Safe => Ok(Vec::new()),
     }
