@@ -112,28 +112,18 @@ fn to_text(scenario: &Scenario, prepared: &Prepared, report: &WallReport) -> Str
     let told = things(prepared.rows, "row");
     rows.add("series", format!("{told} of about {each}, {all} together"));
     rows.add("run time", format!("{about} {} on one thread", wait(prepared.run_time)));
-    if let Some(longer) = longer_step(scenario, prepared) {
-        let time = wait(prepared.run_time * setup.dt / longer);
+    let longest = prepared.time_scale.largest(setup.integrator);
+    if scenario.simulation.time_step == TimeStep::Auto && longest > setup.dt {
+        let time = wait(prepared.run_time * setup.dt / longest);
         rows.add(
             "",
             format!(
-                "{about} {time} with `simulation.time_step = \"{longer:e} s\"`, nearly the longest that is accepted: \
-                 errors of energy and of collisions grow with the square of the step"
+                "{about} {time} with `simulation.time_step = \"longest\"`, {longest:.3e} s: errors of energy and of collisions grow \
+                 with the square of the step"
             ),
         );
     }
     format!("{} is right\n{}", scenario.name, rows.lines())
-}
-
-/// The longest time step that is accepted, but for what is cut off behind two digits [s]; nothing where none is longer than the one
-/// that was chosen for the user.
-fn longer_step(scenario: &Scenario, prepared: &Prepared) -> Option<f64> {
-    let setup = &prepared.setup;
-    let largest = prepared.time_scale.largest(setup.integrator);
-    let digits = format!("{largest:.9e}");
-    let (mantissa, exponent) = digits.split_once('e')?;
-    let longer = format!("{}e{exponent}", mantissa.get(..3)?).parse().ok()?;
-    (scenario.simulation.time_step == TimeStep::Auto && longer > setup.dt).then_some(longer)
 }
 
 /// How many grains feeds let come.

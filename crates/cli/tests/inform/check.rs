@@ -22,26 +22,25 @@ fn check_tells_how_the_run_would_be() {
         borne > 0.1 && told.contains(fall) && told.contains("the most that is allowed"),
         "{told}"
     );
-    let longer = told
-        .split("time_step = \"")
-        .nth(1)
-        .and_then(|rest| rest.split('"').next());
-    let longer = longer.unwrap_or_else(|| panic!("{told}"));
-    let with = format!("simulation.time_step={longer}");
-    let answer = place
-        .expect(0, &["check", "fall.toml", "--set", &with, "--json"])
-        .json();
-    let (step, longest) = (
-        answer["time_step"].as_f64().unwrap(),
-        answer["longest_time_step"].as_f64().unwrap(),
-    );
-    assert!(step <= longest && step > 0.9 * longest, "{step} {longest}");
+    assert!(told.contains("time_step = \"longest\""), "{told}");
+    let with = |step: &str| format!("simulation.time_step={step}");
+    for (step, share) in [("longest", 1.0), ("1/50", 0.4)] {
+        let answer = place
+            .expect(0, &["check", "fall.toml", "--set", &with(step), "--json"])
+            .json();
+        let step = answer["time_step"].as_f64().unwrap() / answer["longest_time_step"].as_f64().unwrap();
+        assert!((step - share).abs() < 1e-9, "{step}");
+        assert!(
+            answer["warnings"].to_string().contains("times the automatic one"),
+            "{answer}"
+        );
+    }
+    let told = place.expect(0, &["check", "fall.toml", "--set", &with("1/50")]).out;
     assert!(
-        !place
-            .expect(0, &["check", "fall.toml", "--set", &with])
-            .out
-            .contains("nearly the longest")
+        told.contains("1/50 of the shortest time scale") && !told.contains("\"longest\""),
+        "{told}"
     );
+    place.expect(2, &["check", "fall.toml", "--set", &with("1/19")]);
     assert_eq!(place.names(), ["fall.toml"]);
 }
 

@@ -460,30 +460,25 @@ fn time_step(
     faults: &mut Diagnostics,
     warnings: &mut Vec<String>,
 ) -> (f64, String) {
-    let words = |dt: f64| scale.beside(dt);
-    match scenario.simulation.time_step {
-        TimeStep::Auto => {
-            let dt = scale.automatic();
-            (dt, format!("automatic: {}", words(dt)))
-        }
-        TimeStep::Fixed(dt) => {
-            let (safe, integrator) = (scale.automatic(), scenario.simulation.integrator);
-            match scale.judge(dt, integrator) {
-                Verdict::Unsafe if !scenario.simulation.allow_unsafe_time_step => faults.push(
-                    "simulation.time_step",
-                    format!("the time step is unsafe: {}", words(dt)),
-                    Some(format!(
-                        "use \"auto\" ({safe:.3e} s), a value up to {:.3e} s, or say \
-                         `allow_unsafe_time_step = true` if you want it",
-                        scale.largest(integrator)
-                    )),
-                ),
-                Verdict::Unsafe | Verdict::Long => {
-                    warnings.push(format!("the time step is {}", scale.cost(dt, integrator)));
-                }
-                Verdict::Safe => {}
-            }
-            (dt, format!("given: {}", words(dt)))
-        }
+    let integrator = scenario.simulation.integrator;
+    let (safe, largest) = (scale.automatic(), scale.largest(integrator));
+    let (dt, how) = match scenario.simulation.time_step {
+        TimeStep::Auto => (safe, "automatic"),
+        TimeStep::Longest => (largest, "longest that is accepted"),
+        TimeStep::Share(share) => (share * scale.time, "given share"),
+        TimeStep::Fixed(dt) => (dt, "given"),
+    };
+    match scale.judge(dt, integrator) {
+        Verdict::Unsafe if !scenario.simulation.allow_unsafe_time_step => faults.push(
+            "simulation.time_step",
+            format!("the time step is unsafe: {}", scale.beside(dt)),
+            Some(format!(
+                "use \"auto\" ({safe:.3e} s), at most \"longest\" ({largest:.3e} s), or say \
+                 `allow_unsafe_time_step = true` if you want it"
+            )),
+        ),
+        Verdict::Unsafe | Verdict::Long => warnings.push(format!("the time step is {}", scale.cost(dt, integrator))),
+        Verdict::Safe => {}
     }
+    (dt, format!("{how}: {}", scale.beside(dt)))
 }

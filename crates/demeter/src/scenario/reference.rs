@@ -58,6 +58,8 @@ pub(super) enum Form {
     AnyQuantity,
     Vector(Kind),
     Direction,
+    /// A quotient of two numbers.
+    Share,
     List(Box<Form>),
     /// The table of a section.
     Table(String),
@@ -210,6 +212,7 @@ fn form(text: &str, own: &str) -> Form {
         "`false`" => Form::False,
         "whole number" => Form::Integer,
         "direction" => Form::Direction,
+        "share" => Form::Share,
         "point" => Form::Vector(Kind::Physical(Dimension::LENGTH)),
         "any quantity" => Form::AnyQuantity,
         "normal law" => Form::Law("normal"),

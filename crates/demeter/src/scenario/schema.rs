@@ -235,6 +235,7 @@ fn value(form: &Form, section: &str, shared: &mut Map<String, Value>) -> Value {
             )
         }
         Form::Direction => share("direction", quantities::direction()),
+        Form::Share => quantities::share(),
         Form::List(items) => json!({ "type": "array", "items": value(items, section, shared) }),
         Form::Table(name) => reference(&schema_name(name)),
         Form::TablesByName(name) => {

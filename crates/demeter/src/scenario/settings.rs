@@ -16,8 +16,12 @@ use glam::DVec3;
 /// How the time step is chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TimeStep {
-    /// A share of the shortest time scale of the laws in use.
+    /// The share of the shortest time scale of the laws in use that is safe.
     Auto,
+    /// The longest that is accepted without being asked for as unsafe.
+    Longest,
+    /// This share of the shortest time scale.
+    Share(f64),
     /// This step [s].
     Fixed(f64),
 }
@@ -109,20 +113,41 @@ fn coupling(table: &TableReader<'_>) -> Coupling {
     }
 }
 
+/// A time step as a share of the shortest time scale.
+const SHARE: Range = Range::new(1e-9, true, 1.0, true);
+
 fn time_step(item: &Item<'_>) -> TimeStep {
-    match &item.node.value {
-        super::document::Value::String(text) if text == "auto" => TimeStep::Auto,
-        super::document::Value::String(text)
-            if !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) =>
-        {
+    let super::document::Value::String(text) = &item.node.value else {
+        return TimeStep::Fixed(item.quantity(Kind::Physical(Dimension::TIME), Range::POSITIVE));
+    };
+    if let Some(share) = share(text) {
+        if !SHARE.contains(share) {
             item.fault(
-                format!("`time_step` must be \"auto\" or a time, found `{text}`"),
-                Some("write it as \"auto\" or \"1e-5 s\"".to_string()),
+                format!("`time_step` is {text}; as a share of the shortest time scale it must be {SHARE}"),
+                None,
+            );
+        }
+        return TimeStep::Share(share);
+    }
+    match text.as_str() {
+        "auto" => TimeStep::Auto,
+        "longest" => TimeStep::Longest,
+        _ if !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) => {
+            item.fault(
+                format!("`time_step` must be \"auto\", \"longest\", a share of the shortest time scale or a time, found `{text}`"),
+                Some("write it as \"auto\", \"1/50\" or \"1e-5 s\"".to_string()),
             );
             TimeStep::Auto
         }
         _ => TimeStep::Fixed(item.quantity(Kind::Physical(Dimension::TIME), Range::POSITIVE)),
     }
+}
+
+/// The value of a text like `1/50`.
+fn share(text: &str) -> Option<f64> {
+    let (one, number) = text.split_once('/')?;
+    let [one, number] = [one, number].map(|part| part.trim().parse::<f64>().ok());
+    Some(one? / number?)
 }
 
 /// Table `[domain]`.

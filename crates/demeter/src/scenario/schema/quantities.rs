@@ -138,6 +138,11 @@ pub(super) fn direction() -> Value {
     })
 }
 
+/// A quotient of two numbers.
+pub(super) fn share() -> Value {
+    json!({ "type": "string", "pattern": format!(r"^\s*{NUMBER}\s*/\s*{NUMBER}\s*$"), "description": "share, as \"1/50\"" })
+}
+
 /// A strain, or a compression, and a force.
 pub(super) fn measured_point() -> Value {
     let position = json!({ "anyOf": [quantity(Kind::Number), quantity(Kind::Physical(Dimension::LENGTH))] });

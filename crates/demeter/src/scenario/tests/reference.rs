@@ -208,7 +208,7 @@ fn allows(form: &Form, sought: &Sought) -> bool {
 fn is_traced(form: &Form) -> bool {
     !matches!(
         form,
-        Form::Words(_) | Form::False | Form::AnyQuantity | Form::MeasuredPoint
+        Form::Words(_) | Form::Share | Form::False | Form::AnyQuantity | Form::MeasuredPoint
     )
 }
 
