@@ -15,6 +15,7 @@ mod outcome;
 mod packing;
 mod page;
 mod parameters;
+mod plots;
 mod series;
 mod thin;
 

@@ -273,8 +273,8 @@ fn stages_of_series(series: Option<&Columns>, html: &mut Html) {
     );
 }
 
-/// Walls in the last row of the series.
-pub(super) fn walls(series: &Columns, html: &mut Html) {
+/// Walls in the last row of the series; what moved less than `rounding` [m] did not move.
+pub(super) fn walls(series: &Columns, rounding: f64, html: &mut Html) {
     let names: Vec<&str> = (series.all().iter())
         .filter_map(|column| column.name().strip_prefix("wall ")?.strip_suffix(" force x"))
         .collect();
@@ -285,7 +285,8 @@ pub(super) fn walls(series: &Columns, html: &mut Html) {
     let row = |name: &&str| {
         let value = |column: &str| last(series, &format!("wall {name} {column}")).unwrap_or(f64::NAN);
         let vector = |quantity: &str| ["x", "y", "z"].map(|axis| value(&format!("{quantity} {axis}")));
-        let (force, displacement) = (vector("force"), vector("displacement"));
+        let force = vector("force");
+        let displacement = vector("displacement").map(|moved| if moved.abs() < rounding { 0.0 } else { moved });
         let size = force.iter().map(|f| f * f).sum::<f64>().sqrt();
         let mut cells = vec![(*name).to_string(), number(size)];
         cells.extend(force.iter().map(|v| number(*v)));

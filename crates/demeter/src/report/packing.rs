@@ -11,7 +11,17 @@ pub(super) const MOST_CONTACTS: usize = 150_000;
 /// Most triangles of walls that are drawn.
 pub(super) const MOST_TRIANGLES: usize = 100_000;
 
+/// Share of the size of a scene below which places differ by rounding alone.
+const ROUNDING: f64 = 1e-12;
+
 impl Packing {
+    /// The length below which walls only seem to move [m].
+    pub fn rounding(&self) -> f64 {
+        let corners = self.walls.iter().flat_map(|wall| wall.triangles.iter().flatten());
+        let places = self.grains.position.iter().chain(corners);
+        ROUNDING * places.map(|place| place.abs().max_element()).fold(0.0, f64::max)
+    }
+
     /// What is left out of the drawing, as sentences.
     pub fn left_out(&self) -> Vec<String> {
         let mut told = Vec::new();

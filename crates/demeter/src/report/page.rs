@@ -3,7 +3,7 @@
 use super::distributions::{Distribution, distributions};
 use super::figures::{count, quantity};
 use super::html::{Html, escaped, json_for_script};
-use super::parameters::Parameters;
+use super::plots::{self, Plots};
 use super::{Contents, ledger, outcome, series};
 use crate::results::Packing;
 use serde_json::{Map, Value, json};
@@ -26,6 +26,10 @@ const NEEDS_SCRIPT: &str =
 /// The whole page.
 pub(super) fn page(contents: &Contents) -> String {
     let distributions: Vec<Distribution> = contents.packing.iter().flat_map(distributions).collect();
+    let rounding = contents.packing.as_ref().map_or(0.0, Packing::rounding);
+    let drawn = (contents.series.as_ref().filter(|series| series.rows() > 0))
+        .map(|series| Plots::new(series, contents.parameters.as_ref(), rounding))
+        .unwrap_or_default();
     let mut body = Html::default();
     header(contents, &mut body);
     body.raw("<main id=\"main\">");
@@ -38,10 +42,10 @@ pub(super) fn page(contents: &Contents) -> String {
         ));
         match place {
             "state" => state(contents.packing.as_ref(), &mut body),
-            "plots" => plots(contents, &mut body),
+            "plots" => plots(contents, &drawn, &mut body),
             "energy" => energy(contents, &mut body),
             "contacts" => contacts(&distributions, &mut body),
-            "walls" => walls(contents, &mut body),
+            "walls" => walls(contents, &drawn, rounding, &mut body),
             "stages" => contents.outcome.stages(contents.series.as_ref(), &mut body),
             _ => parameters(contents, &mut body),
         }
@@ -50,7 +54,7 @@ pub(super) fn page(contents: &Contents) -> String {
     body.raw("</main><footer><p>");
     body.text(&format!("Written by Demeter {}. ", crate::VERSION));
     body.raw("This page needs no network; libraries and their licences are named in its source.</p></footer>");
-    document(contents.title(), body.as_str(), &data(contents, distributions))
+    document(contents.title(), body.as_str(), &data(contents, &drawn, distributions))
 }
 
 fn document(title: &str, body: &str, data: &Value) -> String {
@@ -147,13 +151,14 @@ fn state(packing: Option<&Packing>, html: &mut Html) {
     html.raw("<div id=\"scene\"></div>");
 }
 
-fn plots(contents: &Contents, html: &mut Html) {
+fn plots(contents: &Contents, drawn: &Plots, html: &mut Html) {
     let Some(series) = contents.series.as_ref().filter(|series| series.rows() > 0) else {
         html.element("p", "The run has written no series.");
         return;
     };
     notes(&series::told(series), html);
-    grid(series::SERIES, html);
+    notes(&drawn.told(plots::SERIES), html);
+    grid(plots::SERIES, html);
     html.raw("<div id=\"own\"><h3>A plot of your own</h3><div id=\"own-plot\"></div></div>");
 }
 
@@ -164,12 +169,13 @@ fn grid(place: &str, html: &mut Html) {
 
 fn energy(contents: &Contents, html: &mut Html) {
     with_series(contents, html, ledger::table);
-    grid(series::ENERGY, html);
+    grid(plots::ENERGY, html);
 }
 
-fn walls(contents: &Contents, html: &mut Html) {
-    with_series(contents, html, outcome::walls);
-    grid(series::WALLS, html);
+fn walls(contents: &Contents, drawn: &Plots, rounding: f64, html: &mut Html) {
+    with_series(contents, html, |series, html| outcome::walls(series, rounding, html));
+    notes(&drawn.told(plots::WALLS), html);
+    grid(plots::WALLS, html);
 }
 
 fn contacts(distributions: &[Distribution], html: &mut Html) {
@@ -186,7 +192,7 @@ fn contacts(distributions: &[Distribution], html: &mut Html) {
     html.raw("</div>");
 }
 
-fn with_series(contents: &Contents, html: &mut Html, write: fn(&crate::results::Columns, &mut Html)) {
+fn with_series(contents: &Contents, html: &mut Html, write: impl Fn(&crate::results::Columns, &mut Html)) {
     match contents.series.as_ref().filter(|series| series.rows() > 0) {
         Some(series) => write(series, html),
         None => html.element("p", "The run has written no series."),
@@ -219,15 +225,14 @@ fn notes(texts: &[String], html: &mut Html) {
 }
 
 /// What the script draws.
-fn data(contents: &Contents, distributions: Vec<Distribution>) -> Value {
-    let asked = contents.parameters.as_ref().map(Parameters::plots).unwrap_or_default();
+fn data(contents: &Contents, drawn: &Plots, distributions: Vec<Distribution>) -> Value {
     let series = contents.series.as_ref().filter(|series| series.rows() > 0);
     let counted = distributions
         .into_iter()
         .filter_map(|d| Some((d.key.to_string(), d.data?)));
     json!({
         "title": contents.title(),
-        "series": series.map(|series| series::data(series, asked)),
+        "series": series.map(|series| series::data(series, &drawn.groups)),
         "packing": contents.packing.as_ref().map(Packing::data),
         "distributions": counted.collect::<Map<_, _>>(),
     })

@@ -1,7 +1,7 @@
 //! With which parameters it was run: the scenario as tables, in the units in which it was written.
 
 use super::html::Html;
-use super::series::{Group, SERIES};
+use super::plots::{Group, SERIES};
 use demeter_physics::contact::laws;
 use std::collections::BTreeSet;
 use toml::{Table, Value};
@@ -32,6 +32,22 @@ impl Parameters {
         let plots = self.0.get("output").and_then(|output| output.get("plots"));
         let plots = plots.and_then(Value::as_array).into_iter().flatten();
         plots.filter_map(asked).collect()
+    }
+
+    /// What the names of columns of measures, feeds, removals, the domain and the box begin with.
+    pub fn owners_of_columns(&self) -> Vec<String> {
+        let names = |key: &str, start: &str| -> Vec<String> {
+            let tables = self.0.get(key).and_then(Value::as_array).into_iter().flatten();
+            let names = tables.filter_map(|table| table.get("name")?.as_str());
+            names.map(|name| format!("{start}{name}")).collect()
+        };
+        [
+            names("measure", ""),
+            names("feed", "feed "),
+            names("removal", "removal "),
+            vec!["domain".to_string(), "box".to_string()],
+        ]
+        .concat()
     }
 
     /// All tables.
@@ -202,6 +218,7 @@ fn asked(plot: &Value) -> Option<Group> {
         place: SERIES,
         x,
         y,
+        left_out: 0,
     })
 }
 

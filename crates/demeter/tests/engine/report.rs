@@ -114,6 +114,97 @@ fn every_run_ends_with_a_report() {
     assert!(columns(&page).iter().any(|name| name == "wall floor force z"));
 }
 
+/// The plots of a page: place, title and columns.
+fn plots(page: &str) -> Vec<(String, String, Vec<String>)> {
+    let text = |value: &serde_json::Value| value.as_str().unwrap().to_string();
+    let data = data(page);
+    let groups = data["series"]["groups"].as_array().unwrap().iter();
+    let columns = |y: &serde_json::Value| y.as_array().unwrap().iter().map(text).collect();
+    groups
+        .map(|group| (text(&group["place"]), text(&group["title"]), columns(&group["y"])))
+        .collect()
+}
+
+#[test]
+fn what_is_measured_is_plotted_unit_by_unit() {
+    let measures = r#"measure=[{name="hits",kind="collisions",lower="1e-12 J",upper="1e-3 J",bins=10},{name="one",kind="grain-trace",ids=[1]},{name="still",kind="region-count"}]"#;
+    let (page, _place, _) = page_of(&plain(), &[measures, "stage[0].steps=2000"]);
+    let plots = plots(&page);
+    let of = |title: &str| {
+        let found = plots.iter().find(|plot| plot.0 == "plots-series" && plot.1 == title);
+        found.unwrap_or_else(|| panic!("no `{title}` in {plots:?}")).2.clone()
+    };
+    let energies = of("hits [J]");
+    assert!(
+        energies.contains(&"hits wall normal energy".to_string()),
+        "{energies:?}"
+    );
+    assert_eq!(of("hits: numbers"), ["hits collisions", "hits wall collisions"]);
+    let places = of("one [m]");
+    assert!(places.iter().all(|name| name.starts_with("one ")), "{places:?}");
+    // what does not change is left out
+    assert!(!plots.iter().any(|plot| plot.1.starts_with("still")), "{plots:?}");
+}
+
+#[test]
+fn many_lines_are_left_out_and_told() {
+    let text = r#"measure=[{name="push",kind="walls-load",wall="WALL",axis="z"}]"#.replace("WALL", "floor");
+    let (_, place, _) = page_of(&plain(), &[&text]);
+    let folder = RunFolder::open(&place.path().join("run")).unwrap();
+    let names: Vec<String> = (0..20).map(|k| format!("push part {k} [N]")).collect();
+    let rows = (0..3).map(|row| {
+        let values: Vec<String> = (0..20).map(|k| (row * k + 1).to_string()).collect();
+        format!("{row},{row},fall,{}\n", values.join(","))
+    });
+    let head = format!("step,time [s],stage,{}\n", names.join(","));
+    folder
+        .write(&folder.series(), (head + &rows.collect::<String>()).as_bytes())
+        .unwrap();
+    let page = fs::read_to_string(write(folder.root()).unwrap().path).unwrap();
+    assert_eq!(
+        plots(&page).iter().find(|plot| plot.1 == "push [N]").unwrap().2.len(),
+        12
+    );
+    assert!(
+        shown(&page).contains("“push [N]” shows 12 of 19 columns"),
+        "{}",
+        shown(&page)
+    );
+}
+
+#[test]
+fn a_wall_that_only_turns_has_not_moved() {
+    let turning = r#"stage[0].motion={floor={rotation={point="0 0 0 m",axis="z",angular_velocity="600 rpm"}}}"#;
+    let (page, place, _) = page_of(&plain(), &[turning, "stage[0].steps=2000"]);
+    let titles: Vec<String> = plots(&page)
+        .into_iter()
+        .filter(|plot| plot.0 == "plots-walls")
+        .map(|plot| plot.1)
+        .collect();
+    assert_eq!(
+        titles,
+        [
+            "Wall forces",
+            "Wall torques",
+            "Wall powers",
+            "Wall angular velocities",
+            "Wall turns"
+        ]
+    );
+    // what rounding leaves of a centre about which a wall turns
+    let folder = RunFolder::open(&place.path().join("run")).unwrap();
+    let series = "step,time [s],stage,wall floor force x [N],wall floor displacement x [m],wall floor displacement y [m]\n\
+                  0,0,fall,0,0,0\n1,1,fall,0,2.6e-19,1e-4\n";
+    folder.write(&folder.series(), series.as_bytes()).unwrap();
+    let page = fs::read_to_string(write(folder.root()).unwrap().path).unwrap();
+    assert!(!shown(&page).contains("2.6e"), "{}", shown(&page));
+    let moved: Vec<_> = plots(&page)
+        .into_iter()
+        .filter(|plot| plot.1 == "Wall displacements")
+        .collect();
+    assert_eq!(moved[0].2, ["wall floor displacement y"]);
+}
+
 #[test]
 fn headings_are_in_order_and_places_are_named_once() {
     let (page, _place, _) = page_of(&plain(), &[]);
