@@ -171,6 +171,18 @@ impl Document {
         self.nearest(path).map(|place| place.key.clone())
     }
 
+    /// The value of a key where it is a text.
+    pub fn text(&self, path: &str) -> Option<&str> {
+        let (mut node, mut rest) = (&self.root, path);
+        while !rest.is_empty() {
+            (_, node, rest) = step(node, rest)?;
+        }
+        match &node.value {
+            Value::String(text) => Some(text),
+            _ => None,
+        }
+    }
+
     /// The place of the longest written part of a path.
     fn nearest(&self, path: &str) -> Option<Place<'_>> {
         let mut found = None;

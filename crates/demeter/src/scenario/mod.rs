@@ -8,6 +8,7 @@ mod deformation;
 mod diagnostics;
 mod differences;
 mod document;
+mod doubtful_units;
 mod estimates;
 mod feeding;
 mod feeds;

@@ -100,6 +100,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         &walls,
         (&mut faults, &mut warnings),
     );
+    super::doubtful_units::check(scenario, &mut warnings);
     super::stray_places::check(scenario, &mut warnings);
     super::stop_checks::check_leaving(scenario, &grains, &mut faults);
     warnings.extend(super::stop_checks::ended_at_once(scenario, &grains));

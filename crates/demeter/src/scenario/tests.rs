@@ -1,5 +1,6 @@
 mod bodies;
 mod boxes_of_files;
+mod doubtful_units;
 mod faults;
 mod in_vain;
 mod mesh_units;
