@@ -11,6 +11,7 @@ use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::{
     ParameterError, ParameterInfo, ParameterKind, Range, Value as ParameterValue, Values, resolve,
 };
+use std::collections::BTreeMap;
 
 /// Most materials: the laws of every pair are kept.
 pub const MAX_MATERIALS: usize = 256;
@@ -157,21 +158,30 @@ pub(super) fn material_index(item: &Item<'_>, materials: &[Material]) -> u16 {
     }
 }
 
-/// Binds the laws of every pair: a law may refuse values that are each within their range but do not go together.
+/// Binds the laws of every pair: a law may refuse values that are each within their range but do not go together. What is
+/// wrong with a table of many pairs is told once.
 pub(super) fn check_laws(scenario: &Scenario, faults: &mut Diagnostics) {
     let Scenario { materials, contact, .. } = scenario;
+    let mut found = BTreeMap::<(String, String), (String, usize)>::new();
     for (a, first) in materials.iter().enumerate() {
         for (b, second) in materials.iter().enumerate().skip(a) {
-            if let Err(error) = contact.choice(a, b).bind(first, second) {
-                let family = all_laws().find(|l| l.name == error.law()).map_or("", |l| l.family);
-                let path = format!("{}.{}", contact.path(a, b), family.replace('-', "_"));
-                faults.push(
-                    path.trim_end_matches('.'),
-                    format!("between `{}` and `{}`: {error}", first.name, second.name),
-                    None,
-                );
-            }
+            let Err(error) = contact.choice(a, b).bind(first, second) else {
+                continue;
+            };
+            let family = all_laws().find(|l| l.name == error.law()).map_or("", |l| l.family);
+            let path = format!("{}.{}", contact.path(a, b), family.replace('-', "_"));
+            let pair = || (format!("`{}` and `{}`", first.name, second.name), 0);
+            let fault = (path.trim_end_matches('.').to_string(), error.to_string());
+            found.entry(fault).and_modify(|told| told.1 += 1).or_insert_with(pair);
         }
+    }
+    for ((path, error), (pair, more)) in found {
+        let others = match more {
+            0 => String::new(),
+            1 => " (and one more pair)".to_string(),
+            more => format!(" (and {more} more pairs)"),
+        };
+        faults.push(&path, format!("between {pair}{others}: {error}"), None);
     }
 }
 

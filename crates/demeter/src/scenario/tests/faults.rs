@@ -278,3 +278,32 @@ fn numbers_without_a_digit_at_a_side_of_the_point_are_written_in_full() {
         );
     }
 }
+
+#[test]
+fn what_is_wrong_with_the_laws_of_many_pairs_is_told_once() {
+    let material = |name: &str| {
+        format!("material.{name}={{ young_modulus = \"5 MPa\", poisson_ratio = 0.3, density = \"1 g/cm^3\" }}")
+    };
+    let (clay, sand) = (material("clay"), material("sand"));
+    let stray = "contact.normal.impact_speed=\"1 m/s\"";
+    let told = |overrides: &[&str]| {
+        let faults = parse(settle(), overrides).unwrap_err();
+        let messages: Vec<String> = faults.list().iter().map(|fault| fault.message.clone()).collect();
+        messages
+    };
+    let alone = told(&[stray]);
+    assert!(
+        alone.len() == 1 && alone[0].starts_with("between `glass` and `glass`: "),
+        "{alone:?}"
+    );
+    let of_three = told(&[&clay, &sand, stray]);
+    assert_eq!(of_three.len(), 1, "{of_three:?}");
+    assert!(
+        of_three[0].starts_with("between `glass` and `glass` (and 5 more pairs): "),
+        "{of_three:?}"
+    );
+    // an entry of a pair has a place of its own
+    let pair = "contact.pair=[{ between = [\"glass\", \"clay\"], normal = { impact_speed = \"2 m/s\" } }]";
+    let with_pair = told(&[&clay, &sand, stray, pair]);
+    assert_eq!(with_pair.len(), 2, "{with_pair:?}");
+}
