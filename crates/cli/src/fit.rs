@@ -87,7 +87,7 @@ fn to_text(report: &FitReport) -> String {
     if !report.fits() {
         text += &format!(
             "the law does not show these observations within their errors (chi-square {} with {} degrees of freedom, largest deviation {} \
-             errors): another law, or larger errors\n",
+             errors): another law, a `restitution` that depends on the speed (a table), or larger errors\n",
             number(report.chi_square()),
             report.degrees_of_freedom(),
             number(report.worst())
