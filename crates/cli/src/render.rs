@@ -110,9 +110,11 @@ fn movie(
         let (low, high) = frame.region(options);
         let union = |(a, b): (demeter_physics::DVec3, demeter_physics::DVec3)| (a.min(low), b.max(high));
         region = Some(region.map_or((low, high), union));
-        let end = frame.colour_end(options);
-        if arguments.colour_end.is_none() && k + 1 == moments.len() {
-            options.colour_end = end;
+        if k + 1 == moments.len()
+            && let Some((start, end)) = frame.colour_range(options)
+        {
+            options.colour_start = Some(start);
+            options.colour_end = Some(end);
         }
     }
     options.region = region;
@@ -215,15 +217,28 @@ fn options(arguments: &RenderArguments, run: &Run) -> Result<PictureOptions, Fai
             title.map_or_else(|| name_of(&arguments.run), str::to_owned)
         }
     };
+    let value = |name: &str, told: &Option<String>| {
+        let told = told.as_deref();
+        told.map(|text| colour_value(name, text, colour.1)).transpose()
+    };
+    let start = value("--colour-start", &arguments.colour_start)?;
+    let end = value("--colour-end", &arguments.colour_end)?;
+    if let (Some(end), Some(text)) = (end, &arguments.colour_end)
+        && end <= start.unwrap_or(0.0)
+    {
+        return Err(Failure::wrong(match &arguments.colour_start {
+            Some(start) => format!("--colour-end: `{text}` is not above `--colour-start`, which is `{start}`"),
+            None => format!("--colour-end: `{text}` is no value above 0, as \"2 m/s\" or \"5 mN\""),
+        }));
+    }
     Ok(PictureOptions {
         title,
         colour: colour.1,
         width,
         height,
         view: view(&arguments.view)?,
-        colour_end: (arguments.colour_end.as_deref())
-            .map(|end| colour_end(end, colour.1))
-            .transpose()?,
+        colour_start: start,
+        colour_end: end,
         walls: match arguments.walls.as_str() {
             "faces" => WallLook::Faces,
             "none" => WallLook::Hidden,
@@ -236,11 +251,10 @@ fn options(arguments: &RenderArguments, run: &Run) -> Result<PictureOptions, Fai
 }
 
 /// A value with a unit of what the colours tell, or a number in SI.
-fn colour_end(text: &str, by: ColourBy) -> Result<f64, Failure> {
-    let wrong = |message: String| Err(Failure::wrong(format!("--colour-end: `{text}` {message}")));
-    let quantity = match units::parse(text) {
-        Ok(quantity) if quantity.value > 0.0 => quantity,
-        _ => return wrong("is no value above 0, as \"2 m/s\" or \"5 mN\"".to_string()),
+fn colour_value(name: &str, text: &str, by: ColourBy) -> Result<f64, Failure> {
+    let wrong = |message: String| Err(Failure::wrong(format!("{name}: `{text}` {message}")));
+    let Ok(quantity) = units::parse(text) else {
+        return wrong("is no value, as \"2 m/s\" or \"5 mN\"".to_string());
     };
     if by == ColourBy::Material {
         return wrong("is the end of a bar, and materials have none".to_string());

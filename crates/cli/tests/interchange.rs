@@ -405,6 +405,7 @@ fn frames_become_pictures() {
     let plain = draw("a.png", &["--colour", "material"]);
     for (k, options) in [
         &["--colour", "diameter"][..],
+        &["--colour", "diameter", "--colour-start", "1 mm"],
         &["--colour", "material", "--view", "top"],
         &["--colour", "material", "--walls", "faces"],
         &["--colour", "material", "--frame", "0"],
@@ -454,6 +455,15 @@ fn frames_become_pictures() {
             &["render", "run", "--colour", "coordination", "--colour-end", "2 m"],
             "what the colours tell has none",
         ),
+        (
+            &["render", "run", "--colour", "diameter", "--colour-start", "2 m/s"],
+            "--colour-start: `2 m/s` has another unit than what the colours tell, which is in m",
+        ),
+        (
+            &["render", "run", "--colour-start", "5 N", "--colour-end", "2 N"],
+            "--colour-end: `2 N` is not above `--colour-start`, which is `5 N`",
+        ),
+        (&["render", "run", "--colour-end", "0 N"], "`0 N` is no value above 0"),
         (&["render", "run", "--view", "above"], "tell one of corner, front"),
         (&["render", "run", "--size", "10x10"], "as `1200x900`"),
         (&["render", "run", "--frame", "999"], "there is no frame number 999"),

@@ -3,7 +3,7 @@
 use crate::materials::Material;
 use crate::measure::ContactsAt;
 pub use crate::output::picture::Cut;
-use crate::output::picture::{Image, PictureOptions, colour_end, render_packing, shown_region};
+use crate::output::picture::{Image, PictureOptions, colour_range, render_packing, shown_region};
 use crate::output::vtp::{PolyData, Values};
 use crate::output::{ContactRecord, Frame, FramePart, MATERIAL_NAMES, WALL_NAMES, WallSurface};
 use crate::particles::{Grains, Rows};
@@ -139,9 +139,9 @@ impl LoadedFrame {
         self.with_frame(|frame| render_packing(frame, options))
     }
 
-    /// The end of the colour bar, in SI, for other frames.
-    pub fn colour_end(&self, options: &PictureOptions) -> Option<f64> {
-        self.with_frame(|frame| colour_end(frame, options))
+    /// The start and end of the colour bar, in SI, for other frames.
+    pub fn colour_range(&self, options: &PictureOptions) -> Option<(f64, f64)> {
+        self.with_frame(|frame| colour_range(frame, options))
     }
 
     /// Whether the cuts leave some of a grain, or there is none to leave.

@@ -65,8 +65,17 @@ pub struct RenderArguments {
     /// What the colours tell: `automatic`, `force`, `speed`, `diameter` (or `radius`), `coordination`, `material`, `tag`, `spin`, `pressure`
     #[arg(long, visible_alias = "color", value_name = "QUANTITY", default_value = "automatic")]
     pub colour: String,
+    /// Value at the start of the colour bar, as "2 mm"; when absent 0, or of diameters about the least
+    #[arg(
+        long,
+        visible_alias = "color-start",
+        value_name = "VALUE",
+        allow_hyphen_values = true,
+        conflicts_with = "chains"
+    )]
+    pub colour_start: Option<String>,
     /// Value at the end of the colour bar, as "2 m/s"; where most values end when absent
-    #[arg(long, visible_alias = "color-end", value_name = "VALUE")]
+    #[arg(long, visible_alias = "color-end", value_name = "VALUE", allow_hyphen_values = true)]
     pub colour_end: Option<String>,
     /// Cut away what is on one side of a plane, as "y > 10 mm"; grains show their sections; may be given many times
     #[arg(long, value_name = "CUT")]

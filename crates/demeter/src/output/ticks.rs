@@ -58,6 +58,13 @@ pub(super) fn round_up(value: f64) -> f64 {
     factor.unwrap_or(10.0) * power
 }
 
+/// Round numbers around a range that is no point.
+pub(super) fn round_range(low: f64, high: f64) -> (f64, f64) {
+    let (step, _) = step(high - low, 10.0);
+    let (below, above) = (libm::floor(low / step + 1e-9), libm::ceil(high / step - 1e-9));
+    (below * step, above * step)
+}
+
 /// The SI prefix with which a number of this magnitude is best written, and its value.
 pub(crate) fn si_prefix(magnitude: f64) -> (&'static str, f64) {
     const PREFIXES: [(&str, f64); 9] = [
@@ -108,5 +115,7 @@ mod tests {
         assert_eq!(round_up(8.0), 8.0);
         assert_eq!(round_up(0.011), 0.012);
         assert_eq!(round_up(98.0), 100.0);
+        assert_eq!(round_range(2.3, 5.0), (2.0, 5.0));
+        assert_eq!(round_range(4.0, 4.2), (4.0, 4.2));
     }
 }

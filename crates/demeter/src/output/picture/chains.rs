@@ -55,6 +55,7 @@ impl Chains {
             albedo: Vec::new(),
             label: format!("normal force [{prefix}N]"),
             bar: Bar {
+                low: 0.0,
                 high: end / factor,
                 saturated: largest > end,
             },

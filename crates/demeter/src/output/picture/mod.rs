@@ -54,6 +54,8 @@ pub struct PictureOptions {
     pub view: View,
     /// Lower and upper corner of what is shown [m]; all grains and the walls near them when absent.
     pub region: Option<(DVec3, DVec3)>,
+    /// Value at the start of the colour bar, in SI; when absent 0, or of diameters about the least. Force chains begin at 0.
+    pub colour_start: Option<f64>,
     /// Value at the end of the colour bar, in SI; where most values end when absent.
     pub colour_end: Option<f64>,
     /// How walls are drawn.
@@ -86,6 +88,7 @@ impl Default for PictureOptions {
             height: 900,
             view: View::default(),
             region: None,
+            colour_start: None,
             colour_end: None,
             walls: WallLook::Lines,
             chains: false,
@@ -98,15 +101,15 @@ impl Default for PictureOptions {
 pub fn render_packing(frame: &Frame, options: &PictureOptions) -> Image {
     let width = options.width.clamp(400, 8000);
     let height = options.height.clamp(300, 6000);
-    let colouring = Colouring::new(frame, options.colour, options.colour_end);
+    let colouring = Colouring::new(frame, options.colour, ends(options));
     let bar = options.chains.then(|| chains::Chains::new(frame, options.colour_end));
     let mut image = scene(frame, &colouring, bar.as_ref(), (width, height), options);
     write_titles(&mut image, frame, options);
     if let Some(chains) = &bar {
-        draw_bar(&mut image, &chains.label, chains.bar.high, chains.bar.saturated);
+        draw_bar(&mut image, &chains.label, &chains.bar);
     } else if !frame.grains.is_empty() {
         match &colouring.legend {
-            Legend::Bar(bar) => draw_bar(&mut image, &colouring.label, bar.high, bar.saturated),
+            Legend::Bar(bar) => draw_bar(&mut image, &colouring.label, bar),
             Legend::Names(names) => draw_names(&mut image, &colouring.label, names),
         }
     }
@@ -262,11 +265,16 @@ fn lay_over(colours: &mut [Rgb], cover: &[f32], ink: Rgb, free: impl Fn(usize) -
     }
 }
 
-/// The end of the colour bar of a frame, in SI, so that other frames can have the same; nothing for names.
-pub fn colour_end(frame: &Frame, options: &PictureOptions) -> Option<f64> {
+/// The ends of the colour bar that are told.
+fn ends(options: &PictureOptions) -> colouring::Ends {
+    (options.colour_start, options.colour_end)
+}
+
+/// The start and end of the colour bar of a frame, in SI, so that other frames can have the same; nothing for names.
+pub fn colour_range(frame: &Frame, options: &PictureOptions) -> Option<(f64, f64)> {
     match options.chains {
-        true => Some(chains::Chains::new(frame, options.colour_end).end),
-        false => Colouring::new(frame, options.colour, options.colour_end).end(),
+        true => Some((0.0, chains::Chains::new(frame, options.colour_end).end)),
+        false => Colouring::new(frame, options.colour, ends(options)).range(),
     }
 }
 
@@ -336,7 +344,7 @@ fn write_titles(image: &mut Image, frame: &Frame, options: &PictureOptions) {
 }
 
 /// The colour bar at the right side, with the quantity above it.
-fn draw_bar(image: &mut Image, label: &str, high: f64, saturated: bool) {
+fn draw_bar(image: &mut Image, label: &str, bar: &colouring::Bar) {
     let (width, height) = (image.width(), image.height());
     let (bar_width, bar_height) = (26, height * 55 / 100);
     let (left, top) = (width - 150, height * 26 / 100);
@@ -345,7 +353,7 @@ fn draw_bar(image: &mut Image, label: &str, high: f64, saturated: bool) {
         let share = 1.0 - (row as f64 + 0.5) / bar_height as f64;
         image.fill(left, top + row, bar_width, 1, colouring::map(share));
     }
-    if saturated {
+    if bar.saturated {
         // A tip over the bar: some grains are above its end.
         for row in 0..14 {
             let inset = bar_width * (14 - row) / 28;
@@ -358,9 +366,10 @@ fn draw_bar(image: &mut Image, label: &str, high: f64, saturated: bool) {
             );
         }
     }
-    let ticks = Ticks::inside(0.0, high, 5.0);
+    let ticks = Ticks::inside(bar.low, bar.high, 5.0);
     for (value, text) in ticks.values.iter().zip(&ticks.labels) {
-        let y = top + ((1.0 - value / high) * bar_height as f64 + 0.5) as usize;
+        let share = (value - bar.low) / (bar.high - bar.low);
+        let y = top + ((1.0 - share) * bar_height as f64 + 0.5) as usize;
         image.fill(left + bar_width, y.min(top + bar_height - 1), 7, 1, INK);
         image.text(
             left + bar_width + 13,
