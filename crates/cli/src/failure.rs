@@ -196,6 +196,7 @@ impl From<RunError> for Failure {
             | RunError::State(_)
             | RunError::Motion { .. }
             | RunError::Deformation { .. }
+            | RunError::Gravity { .. }
             | RunError::WallInTheWay { .. }
             | RunError::OtherTraffic
             | RunError::Feed { .. }

@@ -7,7 +7,7 @@ use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_ove
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, Outside};
 use crate::simulation::{
-    ROOM_FOR_BULGES, TimeScale, TimeStepError, USABLE, WallPartner, largest_reach, with_free_wall,
+    Misfit, ROOM_FOR_BULGES, TimeScale, TimeStepError, USABLE, WallPartner, largest_reach, with_free_wall,
 };
 use crate::walls::{INSTEAD_OF_LINKS, Motion, Motions, Wall, link, link_in_words};
 use glam::DVec3;
@@ -380,6 +380,37 @@ pub(super) fn check_stage_motions(scenario: &Scenario, faults: &mut Diagnostics)
         if is_new {
             check_leaders(scenario, &leaders, &paths, faults);
             known.check(stage, path, faults);
+        }
+    }
+    check_stage_gravity(scenario, faults);
+}
+
+/// Refuses that a stage tells a gravity where not all follow it.
+fn check_stage_gravity(scenario: &Scenario, faults: &mut Diagnostics) {
+    let told = scenario.walls.iter().map(|wall| &wall.motion).enumerate();
+    let later = scenario.stages.iter().flat_map(|stage| &stage.motions);
+    let mut motions = told.chain(later.map(|(wall, motions)| (*wall, motions)));
+    let free = motions.find(|(_, motions)| motions.is_free());
+    let free = free.and_then(|(wall, _)| scenario.walls.get(wall));
+    // repeats of a stage have one table
+    let mut paths = std::collections::BTreeSet::new();
+    for (stage, path) in scenario.stages.iter().zip(&scenario.stage_paths) {
+        let Some(gravity) = stage.gravity.filter(|_| paths.insert(path)) else {
+            continue;
+        };
+        let path = format!("{path}.gravity");
+        if let Some(wall) = free {
+            faults.push(
+                &path,
+                format!(
+                    "the weight of wall `{}`, which moves freely, does not follow the gravity of a stage",
+                    wall.name
+                ),
+                Some("let it move otherwise, or leave the gravity of `[simulation]` for the whole run".to_string()),
+            );
+        }
+        if scenario.deforms() && gravity != DVec3::ZERO {
+            faults.push(&path, Misfit::Gravity.to_string(), None);
         }
     }
 }

@@ -111,6 +111,7 @@ use crate::insertion::Insertion;
 use crate::materials::Material;
 use crate::simulation::Stage;
 use document::read_toml;
+use glam::DVec3;
 use interiors::MeshWithoutUnit;
 use other_kind::refuse_other_kind;
 use reader::{Context, TableReader};
@@ -295,6 +296,14 @@ impl Scenario {
             document,
             without_unit,
         }
+    }
+
+    /// Acceleration of gravity in a stage, or behind the last [m/s^2].
+    pub(crate) fn gravity_in(&self, stage: usize) -> DVec3 {
+        let told = self.stages.iter().take(stage.saturating_add(1)).rev();
+        told.filter_map(|stage| stage.gravity)
+            .next()
+            .unwrap_or(self.simulation.gravity)
     }
 
     /// An empty list of faults, to which later checks add theirs by the path of the key at fault.

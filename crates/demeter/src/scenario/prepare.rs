@@ -205,9 +205,9 @@ pub(super) fn time_scale(
     }
 }
 
-/// What a run needs to go on from a checkpoint: everything but the grains, the time step and the skin, which the checkpoint
-/// holds.
-pub(super) fn prepare_to_resume(scenario: &Scenario, domain: Domain) -> Result<Setup, Diagnostics> {
+/// What a run needs to go on from a checkpoint in a stage: everything but the grains, the time step and the skin, which the
+/// checkpoint holds.
+pub(super) fn prepare_to_resume(scenario: &Scenario, stage: usize, domain: Domain) -> Result<Setup, Diagnostics> {
     let mut faults = scenario.diagnostics();
     let materials = materials(scenario, &mut faults);
     let (walls, _) = walls(scenario, &mut faults);
@@ -219,7 +219,7 @@ pub(super) fn prepare_to_resume(scenario: &Scenario, domain: Domain) -> Result<S
         walls,
         materials,
         domain,
-        gravity: scenario.simulation.gravity,
+        gravity: scenario.gravity_in(stage),
         integrator: scenario.simulation.integrator,
         coupling: scenario.simulation.coupling,
         dt: f64::NAN,

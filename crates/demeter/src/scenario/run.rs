@@ -233,7 +233,7 @@ impl<'a> Runner<'a> {
         folder: Option<&RunFolder>,
         observer: &mut dyn Observer,
     ) -> Result<Self, RunError> {
-        let mut setup: Setup = prepare_to_resume(scenario, state.domain)?;
+        let mut setup: Setup = prepare_to_resume(scenario, state.place.stage, state.domain)?;
         setup.dt = state.simulation.dt;
         let step = state.simulation.step;
         let had_custom_force = state.simulation.had_custom_force();

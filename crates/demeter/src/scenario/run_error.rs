@@ -5,7 +5,7 @@ use crate::checkpoint::CheckpointError;
 use crate::contacts::Fault;
 use crate::insertion::InsertionProblem;
 use crate::output::OutputError;
-use crate::simulation::{DeformationError, ExchangeError, StateError, WallInTheWay};
+use crate::simulation::{ChangeError, DeformationError, ExchangeError, StateError, WallInTheWay};
 use crate::walls::WallError;
 use demeter_physics::lanes::NoSuchInstructions;
 use std::path::PathBuf;
@@ -118,6 +118,14 @@ pub enum RunError {
         /// Why.
         source: DeformationError,
     },
+    /// A stage tells a gravity that cannot act.
+    #[error("stage `{stage}`: {source}")]
+    Gravity {
+        /// The stage.
+        stage: String,
+        /// Why.
+        source: ChangeError,
+    },
     /// A wall comes where a grain is.
     #[error("stage `{stage}`: {source}")]
     WallInTheWay {
@@ -187,7 +195,11 @@ impl RunError {
     pub(super) fn in_a_run(self, step: u64) -> Result<Fault, Self> {
         let id = match &self {
             Self::WallInTheWay { source, .. } => source.grain,
-            Self::Motion { .. } | Self::Deformation { .. } | Self::Feed { .. } | Self::Exchange(_) => 0,
+            Self::Motion { .. }
+            | Self::Deformation { .. }
+            | Self::Gravity { .. }
+            | Self::Feed { .. }
+            | Self::Exchange(_) => 0,
             _ => return Err(self),
         };
         let reason = self.to_string();

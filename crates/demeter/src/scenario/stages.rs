@@ -42,6 +42,7 @@ enum Content {
         feeds: Option<Vec<usize>>,
         removals: Option<Vec<usize>>,
         deformation: Option<Box<Deformation>>,
+        gravity: Option<DVec3>,
         intervals: Intervals,
     },
 }
@@ -95,6 +96,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             feeds,
             removals,
             deformation,
+            gravity,
             intervals,
         } = &single.content
         else {
@@ -110,6 +112,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             feeds: feeds.clone(),
             removals: removals.clone(),
             deformation: deformation.as_deref().copied(),
+            gravity: *gravity,
             cadence: cadence(own, duration),
         });
     });
@@ -205,6 +208,8 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     let removal_names = cast.removals.iter().map(|r| r.name.as_str());
     let removals = table.optional("removals").map(|i| chosen(&i, "removal", removal_names));
     let deformation = deformation(&table).map(Box::new);
+    let acceleration = Kind::Physical(Dimension::ACCELERATION);
+    let gravity = table.optional("gravity").map(|i| i.vector(acceleration));
     let output = table.optional("output").and_then(|i| i.table());
     let intervals = output.map_or([None; 3], |output| {
         let read = intervals(&output);
@@ -219,6 +224,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
         feeds,
         removals,
         deformation,
+        gravity,
         intervals,
     }
 }

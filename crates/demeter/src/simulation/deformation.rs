@@ -133,9 +133,7 @@ pub enum Misfit {
     #[error("a box that deforms cannot hold fixed grains: the images of a grain move against it")]
     FixedGrains,
     /// Gravity.
-    #[error(
-        "there is no gravity in a box that deforms: without walls everything falls; leave `simulation.gravity` out"
-    )]
+    #[error("there is no gravity in a box that deforms: without walls everything falls; leave `gravity` out")]
     Gravity,
     /// The predictor-corrector.
     #[error(

@@ -136,7 +136,8 @@ impl Simulation {
         }
     }
 
-    /// Lets another gravity act [m/s^2]. The change of energy is booked as work of custom forces.
+    /// Lets another gravity act on all grains [m/s^2]; walls that move freely keep their weight. The change of energy is booked as work of
+    /// custom forces.
     pub fn set_gravity(&mut self, gravity: DVec3) -> Result<(), ChangeError> {
         let refused = |allowed| ChangeError::Gravity {
             value: gravity,
@@ -148,9 +149,22 @@ impl Simulation {
         if self.deforms() && gravity != DVec3::ZERO {
             return Err(refused("0, as the periodic box deforms"));
         }
-        let before = self.mechanical_energies().present();
+        let before = self.mechanical_energies().gravitational;
+        let change = gravity - self.gravity;
+        let acts_otherwise = self.is_started() && change != DVec3::ZERO;
+        if acts_otherwise {
+            // half a step is still to come of the forces that were found last
+            let own = self.own_grains();
+            for load in &mut self.grains.load.rows_mut()[own] {
+                load.put(load.force() + change * load.mass(), load.torque());
+            }
+            self.grains.higher.fill(HigherDerivatives::default());
+        }
         self.gravity = gravity;
-        self.book_change_since(before);
+        if acts_otherwise {
+            let after = self.mechanical_energies().gravitational;
+            self.books.turn_gravity(after - before);
+        }
         Ok(())
     }
 

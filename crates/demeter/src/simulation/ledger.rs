@@ -191,6 +191,14 @@ impl Books {
         self.custom_throughput += work.abs();
     }
 
+    /// Books what another gravity did to the gravitational energy [J].
+    pub(crate) fn turn_gravity(&mut self, change: f64) {
+        self.custom += change;
+        // it depends on the origin, and must not look like a fall of the grains
+        self.lowest_gravitational += change;
+        self.initial_gravitational += change;
+    }
+
     /// Books the removal of grains that carried these energies.
     pub(crate) fn remove(&mut self, grains: u64, gone: &Energies) {
         self.removed_grains += grains;

@@ -2,6 +2,7 @@
 
 use super::deformation::Deformation;
 use crate::walls::Motions;
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// When a stage ends. A stage ends at the first of its conditions that holds.
@@ -120,6 +121,8 @@ pub struct Stage {
     pub removals: Option<Vec<usize>>,
     /// How the periodic box deforms from the start of the stage on; as in the stage before when absent.
     pub deformation: Option<Deformation>,
+    /// Acceleration of gravity from the start of the stage on [m/s^2]; that of the stage before when absent.
+    pub gravity: Option<DVec3>,
     /// How often things are written.
     pub cadence: Cadence,
 }

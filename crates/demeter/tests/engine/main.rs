@@ -31,6 +31,7 @@ mod shared_runs;
 mod silent;
 mod slices;
 mod solids;
+mod stage_changes;
 mod wall_work;
 mod walls_load;
 mod work_counters;

@@ -337,3 +337,27 @@ fn all_end_with_the_fault_of_one() {
     let series = |folder: &Path| fs::read_to_string(folder.join("series.csv")).unwrap();
     assert!(series(&one) == series(&two), "`series.csv` differs");
 }
+
+#[test]
+fn gravity_of_a_stage_is_that_of_one_process_and_lasts() {
+    let place = tempfile::tempdir().unwrap();
+    let [one, two, parts] = ["one", "two", "parts"].map(|name| place.path().join(name));
+    let scenario = scenario("tilted.toml", &[]);
+    let report = run(&scenario, &one, OPTIONS, &mut Silent(None)).unwrap();
+    assert_eq!(report.end, RunEnd::Finished);
+    let energies = &report.summary.energies;
+    assert!(energies.max_residual < 1e-4, "{energies:?}");
+    for end in on_ranks(2, |rank| share(&scenario, &two, rank, None)) {
+        assert_eq!(end, RunEnd::Finished);
+    }
+    assert_same(&one, &two);
+    // from the middle of the stage, and from the one behind it
+    for (count, tenths) in [(3, Some(6)), (2, Some(9)), (1, None)] {
+        let last = tenths.map(|tenths| report.summary.steps * tenths / 10);
+        on_ranks(count, |rank| match parts.exists() {
+            false => share(&scenario, &parts, rank, last),
+            true => resume_shared(&parts, OPTIONS, rank, &mut Silent(last)).unwrap().end,
+        });
+    }
+    assert_same(&one, &parts);
+}

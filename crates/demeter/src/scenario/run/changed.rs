@@ -8,6 +8,7 @@ use crate::scenario::prepare::{check_to_go_on, materials, prepare_to_resume, tim
 use crate::scenario::run_error::RunError;
 use crate::simulation::{Deformation, Simulation, Stage, Verdict};
 use crate::walls::Motions;
+use glam::DVec3;
 use std::path::Path;
 
 /// The scenario that a run followed until it was changed.
@@ -16,6 +17,8 @@ pub(in crate::scenario) struct Former {
     /// The stage of it that the run is in, or their number behind the last.
     stage: usize,
     materials: Materials,
+    /// Acceleration of gravity [m/s^2].
+    gravity: DVec3,
     /// What was there under its laws, its gravity and with its walls [J].
     present: f64,
 }
@@ -23,12 +26,12 @@ pub(in crate::scenario) struct Former {
 impl Former {
     /// That of a state which is to go on with `is`; refused where contacts would have to remember something else.
     pub(in crate::scenario) fn of(scenario: Scenario, state: &RunState<'_>, is: &Scenario) -> Result<Self, RunError> {
-        let setup = prepare_to_resume(&scenario, state.domain)?;
+        let setup = prepare_to_resume(&scenario, state.place.stage, state.domain)?;
         let mut faults = is.diagnostics();
         let Some(told) = materials(is, &mut faults) else {
             return Err(faults.into());
         };
-        let former = setup.materials.clone();
+        let (former, gravity) = (setup.materials.clone(), setup.gravity);
         remember_alike(&told, &former)?;
         let present = Simulation::resume(setup, state.simulation.clone())?
             .mechanical_energies()
@@ -37,6 +40,7 @@ impl Former {
             scenario,
             stage: state.place.stage,
             materials: former,
+            gravity,
             present,
         })
     }
@@ -142,6 +146,8 @@ impl<'s> InForce<'s> {
             feeds: changed(self.feeds, &was.feeds),
             removals: changed(self.removals, &was.removals),
             deformation: (self.deformation != was.deformation).then_some(self.deformation),
+            // acts already
+            gravity: None,
             ..stage.clone()
         }
     }
@@ -156,7 +162,7 @@ impl Runner<'_> {
         observer: &mut dyn Observer,
     ) -> Result<(), RunError> {
         let (sim, was) = (&mut self.sim, &former.scenario);
-        let has_other_laws = sim.materials.laws() != former.materials.laws() || sim.gravity != was.simulation.gravity;
+        let has_other_laws = sim.materials.laws() != former.materials.laws() || sim.gravity != former.gravity;
         let mut warnings = check(self.scenario, sim, was, has_other_laws)?;
         if has_other_laws {
             let found = self.sim.find_forces_of_other_laws();

@@ -31,6 +31,12 @@ impl<'a> Runner<'a> {
     /// Tells feeds, removals, the box and walls what a stage has them do.
     pub(super) fn set_up(&mut self, stage: &Stage, observer: &mut dyn Observer) -> Result<(), RunError> {
         self.traffic.begin_stage(stage, (self.sim.step, self.sim.dt));
+        if let Some(gravity) = stage.gravity {
+            self.sim.set_gravity(gravity).map_err(|source| RunError::Gravity {
+                stage: stage.name.clone(),
+                source,
+            })?;
+        }
         if let Some(plan) = stage.deformation {
             self.sim.deform(plan).map_err(|source| RunError::Deformation {
                 stage: stage.name.clone(),

@@ -277,7 +277,7 @@ impl<'a> Runner<'a> {
         let bytes = postcard::to_stdvec(&self.sim.state()).unwrap_or_default();
         let unreadable = |_| StateError::Inconsistent("what the first process has");
         let state: SimulationState<'static> = postcard::from_bytes(&bytes).map_err(unreadable)?;
-        let mut setup = prepare_to_resume(self.scenario, *self.sim.domain())?;
+        let mut setup = prepare_to_resume(self.scenario, self.place.stage, *self.sim.domain())?;
         setup.dt = state.dt;
         self.sim = Simulation::resume(setup, state)?;
         Ok(())
