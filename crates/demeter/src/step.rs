@@ -89,18 +89,19 @@ impl Simulation {
         self.took(Phase::Search);
         self.span = Span::of_step(self.dt);
         let wall_speed = self.wall_speed();
-        self.find_contacts(&motion, wall_speed)?;
+        let unsolved = self.find_contacts(&motion, wall_speed);
         self.took(self.phase_of_contacts());
         let too_deep = self.sum_up_work();
+        let beyond = unsolved.and(too_deep);
         self.gather_impacts();
         self.took(Phase::Ranks);
-        self.awaits_kick = self.may_await_kick() && too_deep.is_ok();
+        self.awaits_kick = self.may_await_kick() && beyond.is_ok();
         let ended = self.end_step();
-        too_deep.and(ended)
+        beyond.and(ended)
     }
 
-    /// All that comes behind the forces of a step; also of one in which an overlap is too deep, so that the ledger closes where a run
-    /// stops.
+    /// All that comes behind the forces of a step; also of one in which an overlap is too deep or no coupled force is found, so that the
+    /// ledger closes where a run stops.
     fn end_step(&mut self) -> Result<(), Fault> {
         if !self.awaits_kick {
             self.sum_and_correct(Moment::Step)?;

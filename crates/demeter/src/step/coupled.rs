@@ -287,7 +287,11 @@ impl Simulation {
             if self.solves()
                 && let Err(fault) = self.solve_coupling(max_speed)
             {
-                self.take_back_contacts();
+                if self.step == 0 {
+                    self.take_back_contacts();
+                } else {
+                    self.displace_as_before(max_speed);
+                }
                 return Err(fault);
             }
             if self.bulges_as_foreseen() {
@@ -304,6 +308,13 @@ impl Simulation {
         self.evaluate_displaced(max_speed);
         self.foresee();
         Ok(())
+    }
+
+    /// Where no coupled force is found in a step, has the forces of the step before displace, so that the books close where a run stops.
+    fn displace_as_before(&mut self, max_speed: f64) {
+        self.with_chunks(max_speed, |at, chunk, _, _, _| chunk.begin_coupling(at, false));
+        self.gather_sites();
+        self.evaluate_displaced(max_speed);
     }
 
     /// Evaluates the laws at the displaced surfaces, and sums up.

@@ -6,6 +6,7 @@ use super::scenes::*;
 use crate::cases::{Case, Laws, law, on_threads, report};
 use demeter::contacts::{Coupling, Fault};
 use demeter::simulation::Simulation;
+use demeter::walls::{Motion, Shape};
 use demeter_physics::DVec3;
 
 /// A packing in which all contacts carry one force.
@@ -167,6 +168,32 @@ fn no_state_beyond_the_fold_is_taken_for_a_solution() {
             }
         }
     }
+}
+
+/// Where a run stops the forces of the step before displace, so that energies and overlaps belong together.
+#[test]
+fn the_books_close_where_a_run_stops_at_the_fold() {
+    let mut case = case(Model::HalfSpace(1.0), 0.5);
+    case.coupling = Coupling::default();
+    case.grain(1.0, DVec3::ZERO, DVec3::ZERO);
+    for normal in [DVec3::Z, -DVec3::Z] {
+        let plate = Shape::Plane {
+            point: normal * -0.7,
+            normal,
+        };
+        case.wall(WALLS, plate, Motion::Velocity(normal * 0.1));
+    }
+    let mut sim = case.simulation();
+    let (mut before, mut after) = (0.0, sim.step());
+    while after.is_ok() {
+        before = sim.energies().elastic;
+        after = sim.step();
+    }
+    assert!(matches!(after, Err(Fault::BeyondFold { .. })), "{after:?}");
+    let energies = sim.energies();
+    report("residual where a run stops at the fold", energies.residual);
+    assert!(energies.residual.abs() < 1e-4, "{energies:?}");
+    approx::assert_relative_eq!(energies.elastic, before, max_relative = 1e-2);
 }
 
 /// A packing that begins this near to the fold goes on as it began.
